@@ -1,0 +1,154 @@
+//! Lie algebras: brackets that satisfy the Jacobi identity.
+
+mod basis;
+mod bracket;
+mod matrices;
+
+pub use basis::BasisChange;
+pub use bracket::Bracket;
+pub(crate) use basis::{indices, inverse, to_matrix};
+pub use matrices::{Complex, MatrixBasis};
+
+use crate::Error;
+use crate::frame::{Frame, formula};
+use affinor_tensors::{Down, Field, Ring, Tensor, Up};
+use std::sync::Arc;
+
+/// A Lie algebra: a bracket that is antisymmetric and satisfies the Jacobi identity.
+///
+/// ```
+/// use affinor::{Bracket, LieAlgebra};
+/// use affinor_tensors::Rational;
+/// // the Heisenberg algebra: [x, y] = z
+/// let bracket = Bracket::from_fn(&["x", "y", "z"], |j, k| match (j, k) {
+///     (0, 1) => vec![(2, Rational::from(1))],
+///     _ => vec![],
+/// })?;
+/// let heisenberg = LieAlgebra::try_from(bracket)?;
+/// assert!(heisenberg.killing_form().is_empty());
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct LieAlgebra<S> {
+    frame: Frame<S>,
+}
+
+impl<S: Ring> TryFrom<Bracket<S>> for LieAlgebra<S> {
+    type Error = Error;
+
+    /// Checks the Jacobi identity; [`Error::Jacobi`] names the first triple that fails.
+    fn try_from(bracket: Bracket<S>) -> Result<Self, Error> {
+        match bracket.jacobi_violation() {
+            Some(violation) => Err(violation),
+            None => Ok(LieAlgebra { frame: bracket.into_frame() }),
+        }
+    }
+}
+
+impl<S: Ring> LieAlgebra<S> {
+    /// The dimension.
+    pub fn dimension(&self) -> usize {
+        self.frame.dimension()
+    }
+
+    /// The names of the basis vectors.
+    pub fn labels(&self) -> &Arc<[String]> {
+        self.frame.labels()
+    }
+
+    /// The left-invariant frame through the basis: structure `c`, zero derivations.
+    pub fn left_frame(&self) -> &Frame<S> {
+        &self.frame
+    }
+
+    /// The right-invariant frame through the same basis: structure `-c`.
+    pub fn right_frame(&self) -> Frame<S> {
+        let opposite = self.structure().map(|value| -value.clone());
+        Frame::invariant(self.labels().clone(), opposite).expect("the opposite of an algebra")
+    }
+
+    /// The structure constants `c^i_jk`, `[e_j, e_k] = c^i_jk e_i`.
+    pub fn structure(&self) -> &Tensor<S> {
+        self.frame.structure()
+    }
+
+    /// The matrix of `[n, .]`: `(ad_n)^i_k = c^i_jk n^j`, slots `[Up, Down]`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless `n` has as many components as the algebra.
+    pub fn ad(&self, n: &[S]) -> Result<Tensor<S>, Error> {
+        let n = self.vector(n)?;
+        Ok(formula("c^i_jk n^j -> ^i_k", &[("c", self.structure()), ("n", &n)]))
+    }
+
+    /// The bracket of two vectors, `[x, y]^i = c^i_jk x^j y^k`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless both have as many components as the algebra.
+    pub fn bracket(&self, x: &[S], y: &[S]) -> Result<Vec<S>, Error> {
+        let (ad, y) = (self.ad(x)?, self.vector(y)?);
+        let bracket = formula("a^i_k y^k -> ^i", &[("a", &ad), ("y", &y)]);
+        Ok(bracket.to_vector().expect("a tensor of rank 1"))
+    }
+
+    /// The Killing form `K_ij = c^m_il c^l_jm = tr(ad_i ad_j)`, slots `[Down, Down]`.
+    pub fn killing_form(&self) -> Tensor<S> {
+        formula("c^m_il c^l_jm -> _ij", &[("c", self.structure())])
+    }
+
+    /// The direct sum; the second basis stands behind the first. Labels that would meet get a
+    /// prime.
+    ///
+    /// # Errors
+    /// When the dimension of the sum is beyond the engine.
+    pub fn direct_sum(&self, other: &Self) -> Result<Self, Error> {
+        let (n, m) = (self.dimension(), other.dimension());
+        let mut labels = self.labels().to_vec();
+        for label in other.labels().iter() {
+            let mut label = label.clone();
+            while labels.contains(&label) {
+                label.push('\'');
+            }
+            labels.push(label);
+        }
+        let shifted = |by: usize| {
+            move |(at, v): (affinor_tensors::Indices, &S)| {
+                ([at[0] + by, at[1] + by, at[2] + by], v.clone())
+            }
+        };
+        let mine = self.structure().components().map(shifted(0));
+        let theirs = other.structure().components().map(shifted(n));
+        let both = mine.chain(theirs);
+        let structure = Tensor::from_components(n + m, &[Up, Down, Down], both)?;
+        // the sum of two algebras is one: nothing to check again
+        Ok(LieAlgebra { frame: Frame::invariant(labels.into(), structure)? })
+    }
+
+    /// A vector of the algebra as a tensor.
+    pub(crate) fn vector(&self, components: &[S]) -> Result<Tensor<S>, Error> {
+        let vector = Tensor::vector(components, Up).with_tolerance(self.structure().tolerance());
+        crate::frame::expect_slots("the vector", &vector, self.dimension(), &[Up])?;
+        Ok(vector)
+    }
+
+    /// The same algebra over another scalar, by a homomorphism of rings.
+    ///
+    /// # Errors
+    /// [`Error::Jacobi`] or [`Error::NotAntisymmetric`] when `f` is no homomorphism.
+    pub fn map<T: Ring>(&self, f: impl Fn(&S) -> T) -> Result<LieAlgebra<T>, Error> {
+        Bracket::new(self.labels().clone(), self.structure().map(f))?.try_into()
+    }
+}
+
+impl<S: Field> LieAlgebra<S> {
+    /// The same algebra in the basis `e'_a = A^i_a e_i`: `c' = A^-1 c (A, A)`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless `A` has the dimension of the algebra.
+    pub fn change_basis(&self, change: &BasisChange<S>) -> Result<Self, Error> {
+        let structure = change.apply(self.structure())?;
+        let labels = (1..=self.dimension()).map(|a| format!("e{a}")).collect();
+        // covariance keeps Jacobi, and floats need not prove it twice
+        Ok(LieAlgebra { frame: Frame::invariant(labels, structure)? })
+    }
+}

@@ -1,0 +1,173 @@
+//! Lie algebras of matrices: structure constants from a basis.
+
+use super::Bracket;
+use crate::Error;
+use crate::error::combination;
+use affinor_tensors::linear::{Echelon, Matrix};
+use affinor_tensors::{Down, Field, Tensor, Tolerance};
+use std::sync::Arc;
+
+/// A complex number over a real scalar.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Complex<S> {
+    /// The real part.
+    pub re: S,
+    /// The imaginary part.
+    pub im: S,
+}
+
+impl<S: Field> Complex<S> {
+    /// A real number.
+    pub fn real(re: S) -> Self {
+        Complex { re, im: S::zero() }
+    }
+}
+
+/// Square matrices that are linearly independent over the reals: a basis of a matrix Lie algebra,
+/// if their span is closed under the commutator.
+///
+/// A complex matrix `A + iB` is kept as the real `[[A, -B], [B, A]]`, which multiplies alike, so
+/// independence, closure and span are over the reals throughout.
+#[derive(Clone, Debug)]
+pub struct MatrixBasis<S> {
+    labels: Arc<[String]>,
+    matrices: Vec<Matrix<S>>,
+    complex: bool,
+    tolerance: Tolerance,
+    /// The matrices as rows of their entries, each followed by its own unit column.
+    span: Echelon<S>,
+}
+
+impl<S: Field> MatrixBasis<S> {
+    /// The basis of `size` x `size` matrices given by their nonzero entries (row, column, value),
+    /// from 0.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] for an entry outside or a wrong number of labels; [`Error::Dependent`]
+    /// with a vanishing combination.
+    pub fn new(
+        labels: Arc<[String]>,
+        size: usize,
+        matrices: Vec<Vec<(usize, usize, Complex<S>)>>,
+        tolerance: Tolerance,
+    ) -> Result<Self, Error> {
+        if labels.len() != matrices.len() {
+            let (expected, found) = (labels.len().to_string(), matrices.len().to_string());
+            return Err(Error::Shape { what: "the number of matrices", expected, found });
+        }
+        let complex = matrices.iter().flatten().any(|(_, _, value)| !value.im.vanishes());
+        let matrices: Vec<_> = matrices
+            .into_iter()
+            .map(|entries| real_form(size, entries, complex, tolerance))
+            .collect::<Result<_, _>>()?;
+        let span = Echelon::new().with_tolerance(tolerance);
+        let mut basis = MatrixBasis { labels, matrices, complex, tolerance, span };
+        let entries = basis.entries();
+        for (at, matrix) in basis.matrices.iter().enumerate() {
+            let row = flat(matrix, S::one()).chain([(entries + at, S::one())]);
+            let remainder = basis.span.reduce(row);
+            if remainder.first().is_none_or(|(column, _)| *column >= entries) {
+                return Err(Error::Dependent { relation: basis.named(&remainder) });
+            }
+            basis.span.insert(remainder).map_err(|_| Error::SingularBasis)?;
+        }
+        Ok(basis)
+    }
+
+    /// The names of the matrices.
+    pub fn labels(&self) -> &Arc<[String]> {
+        &self.labels
+    }
+
+    /// The bracket of the span: `[A, B] = AB - BA` in coordinates of the basis.
+    ///
+    /// # Errors
+    /// [`Error::NotClosed`] with the first commutator that leaves the span.
+    pub fn bracket(&self) -> Result<Bracket<S>, Error> {
+        let (n, entries) = (self.matrices.len(), self.entries());
+        let mut constants = Vec::new();
+        for (j, k) in (0..n).flat_map(|j| (j + 1..n).map(move |k| (j, k))) {
+            let product = |a: usize, b: usize| {
+                self.matrices[a].mul(&self.matrices[b]).expect("square matrices of one size")
+            };
+            let (ab, ba) = (product(j, k), product(k, j));
+            let commutator = flat(&ab, S::one()).chain(flat(&ba, -S::one()));
+            for (column, value) in self.span.reduce(commutator) {
+                match column.checked_sub(entries) {
+                    Some(i) => constants.push((j, k, i, -value)),
+                    None => {
+                        let size = self.size();
+                        let (row, column) = (column / size + 1, column % size + 1);
+                        return Err(Error::NotClosed {
+                            x: self.labels[j].clone(),
+                            y: self.labels[k].clone(),
+                            residual: format!("{value} at row {row}, column {column}"),
+                        });
+                    }
+                }
+            }
+        }
+        let bracket = Bracket::from_constants(self.labels.clone(), constants)?;
+        let structure = bracket.structure().clone().with_tolerance(self.tolerance);
+        Bracket::new(self.labels.clone(), structure)
+    }
+
+    /// The Frobenius product `<A, B> = Re tr(A^* B)`, slots `[Down, Down]`: equation (102).
+    pub fn frobenius(&self) -> Tensor<S> {
+        // the real form counts the trace of a complex matrix twice
+        let share = if self.complex { S::from_quotient(1, 2) } else { None }.unwrap_or_else(S::one);
+        let product = |a: &Matrix<S>, b: &Matrix<S>| {
+            let terms = a.entries().map(|(i, j, v)| b.get(i, j) * v);
+            terms.fold(S::zero(), |sum, term| sum + &term) * &share
+        };
+        let n = self.matrices.len();
+        let pairs = (0..n).flat_map(|a| (0..n).map(move |b| [a, b]));
+        let values = pairs.map(|[a, b]| ([a, b], product(&self.matrices[a], &self.matrices[b])));
+        Tensor::from_components(n, &[Down, Down], values)
+            .expect("indices below the dimension")
+            .with_tolerance(self.tolerance)
+    }
+
+    fn size(&self) -> usize {
+        self.matrices.first().map_or(0, Matrix::rows)
+    }
+
+    fn entries(&self) -> usize {
+        self.size() * self.size()
+    }
+
+    /// The combination of matrices that a remainder beyond the entries stands for.
+    fn named(&self, remainder: &[(usize, S)]) -> String {
+        let entries = self.entries();
+        combination(remainder.iter().map(|(column, v)| (v, self.labels[column - entries].clone())))
+    }
+}
+
+fn real_form<S: Field>(
+    size: usize,
+    entries: Vec<(usize, usize, Complex<S>)>,
+    complex: bool,
+    tolerance: Tolerance,
+) -> Result<Matrix<S>, Error> {
+    let mut rows = vec![Vec::new(); if complex { 2 * size } else { size }];
+    for (i, j, Complex { re, im }) in entries {
+        if i >= size || j >= size {
+            let found = format!("an entry at row {}, column {}", i + 1, j + 1);
+            return Err(Error::Shape { what: "a matrix", expected: format!("size {size}"), found });
+        }
+        if complex {
+            rows[i + size].extend([(j, im.clone()), (j + size, re.clone())]);
+            rows[i].push((j + size, -im));
+        }
+        rows[i].push((j, re));
+    }
+    let columns = rows.len();
+    let matrix = Matrix::from_rows(columns, rows).expect("columns checked above");
+    Ok(matrix.with_tolerance(tolerance))
+}
+
+/// The entries of a matrix in one row, times `factor`.
+fn flat<S: Field>(matrix: &Matrix<S>, factor: S) -> impl Iterator<Item = (usize, S)> {
+    let columns = matrix.columns();
+    matrix.entries().map(move |(i, j, v)| (i * columns + j, v.clone() * &factor))
+}

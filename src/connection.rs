@@ -1,0 +1,72 @@
+//! Connections: affinities over a frame.
+
+mod canonical;
+mod levi_civita;
+mod right_frame;
+
+pub use canonical::Canonical;
+
+use crate::Error;
+use crate::algebra::indices;
+use crate::frame::{Frame, expect_slots};
+use affinor_tensors::{Down, Ring, Tensor, Up};
+
+/// A connection by its affinities in a frame: `nabla_{e_j} e_k = Lambda^i_jk e_i` (B1).
+///
+/// The first lower index is the direction, the second the differentiated vector. Torsion and
+/// curvature are in [`curvature`](crate::curvature), what needs a metric in
+/// [`metric`](crate::metric).
+#[derive(Clone, Debug)]
+pub struct Connection<S> {
+    frame: Frame<S>,
+    gamma: Tensor<S>,
+}
+
+impl<S: Ring> Connection<S> {
+    /// The connection with the affinities `Lambda^i_jk`, slots `[Up, Down, Down]`; any values.
+    ///
+    /// # Errors
+    /// [`Error::Shape`].
+    pub fn new(frame: Frame<S>, gamma: Tensor<S>) -> Result<Self, Error> {
+        expect_slots("the affinities", &gamma, frame.dimension(), &[Up, Down, Down])?;
+        Ok(Connection { frame, gamma })
+    }
+
+    /// The frame of the affinities.
+    pub fn frame(&self) -> &Frame<S> {
+        &self.frame
+    }
+
+    /// The affinities `Lambda^i_jk`.
+    pub fn gamma(&self) -> &Tensor<S> {
+        &self.gamma
+    }
+
+    /// The covariant derivative of a tensor of any type,
+    /// `(nabla_m T)^i_j = e_m(T^i_j) + Lambda^i_mp T^p_j - Lambda^p_mj T^i_p`; the direction `m`
+    /// is the first lower index of the result.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ; when the result is beyond the engine.
+    pub fn nabla(&self, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
+        expect_slots("the tensor", tensor, self.frame.dimension(), tensor.slots())?;
+        let letters = &"abcdefgh"[..tensor.rank()];
+        let derivative = self.frame.derivative(tensor);
+        let mut sum = format!("d_m{}", indices(letters, tensor));
+        for (letter, slot) in letters.chars().zip(tensor.slots()) {
+            let summed = indices(&letters.replace(letter, "p"), tensor);
+            sum += &match slot {
+                Up => format!(" + L^{letter}_mp T{summed}"),
+                Down => format!(" - L^p_m{letter} T{summed}"),
+            };
+        }
+        let at = tensor.slots().iter().position(|slot| *slot == Down).unwrap_or(tensor.rank());
+        let before = indices(&letters[..at], tensor);
+        let behind: String =
+            letters.chars().zip(tensor.slots()).skip(at).fold(String::new(), |text, (l, slot)| {
+                text + if *slot == Up { "^" } else { "_" } + &l.to_string()
+            });
+        let operands = [("d", &derivative), ("L", &self.gamma), ("T", tensor)];
+        Ok(affinor_tensors::contract(&format!("{sum} -> {before}_m{behind}"), &operands)?)
+    }
+}

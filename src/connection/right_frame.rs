@@ -1,0 +1,46 @@
+//! A left-invariant connection seen from the right-invariant frame.
+
+use super::Connection;
+use crate::frame::formula;
+use crate::{Error, LieAlgebra};
+use affinor_tensors::{Ring, Tensor};
+
+impl<S: Ring> Connection<S> {
+    /// How the generators move the affinities, slots `^i_mjk`:
+    /// `(L_m Lambda)^i_jk = c^i_mp Lambda^p_jk - c^p_mj Lambda^i_pk - c^p_mk Lambda^i_jp`.
+    ///
+    /// Zero exactly when the connection is bi-invariant.
+    ///
+    /// # Errors
+    /// In a frame that is not invariant, where the question needs more than constants.
+    pub fn ad_variation(&self) -> Result<Tensor<S>, Error> {
+        if !self.frame.is_invariant() {
+            return Err(Error::Frame("invariance under ad is a question for an invariant frame"));
+        }
+        Ok(formula(
+            "c^i_mp L^p_jk - c^p_mj L^i_pk - c^p_mk L^i_jp -> ^i_mjk",
+            &[("c", self.frame.structure()), ("L", &self.gamma)],
+        ))
+    }
+
+    /// The same connection in the right-invariant frame through the same basis:
+    /// `Lambda_right = Lambda - c`, over the structure `-c`.
+    ///
+    /// # Errors
+    /// [`Error::NotInvariant`] with a component of [`ad_variation`](Self::ad_variation) unless
+    /// that vanishes: then the components in the right-invariant frame are not constant.
+    pub fn in_right_frame(&self, algebra: &LieAlgebra<S>) -> Result<Self, Error> {
+        if let Some((at, residual)) = self.ad_variation()?.components().next() {
+            return Err(Error::NotInvariant {
+                direction: self.frame.labels()[at[1]].clone(),
+                i: at[0] + 1,
+                j: at[2] + 1,
+                k: at[3] + 1,
+                residual: residual.to_string(),
+            });
+        }
+        let operands = [("L", &self.gamma), ("c", algebra.structure())];
+        let gamma = affinor_tensors::contract("L^i_jk - c^i_jk -> ^i_jk", &operands)?;
+        Connection::new(algebra.right_frame(), gamma)
+    }
+}

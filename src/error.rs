@@ -1,0 +1,144 @@
+//! What the mathematics refuses, each with its witness.
+
+use affinor_tensors::TensorError;
+
+/// An error of the geometry: what failed, where, and by how much.
+///
+/// Basis vectors are named by their labels, residuals written as linear combinations of them.
+#[non_exhaustive]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Error {
+    /// Shapes that do not fit together.
+    #[error("{0}")]
+    Tensor(#[from] TensorError),
+    /// A tensor of the wrong dimension or with the wrong slots.
+    #[error("{what} should have {expected}, not {found}")]
+    Shape {
+        /// The object.
+        what: &'static str,
+        /// The shape it needs.
+        expected: String,
+        /// The shape it has.
+        found: String,
+    },
+    /// A bracket that is not antisymmetric.
+    #[error("the bracket is not antisymmetric: [{x}, {y}] + [{y}, {x}] = {residual}")]
+    NotAntisymmetric {
+        /// The first basis vector.
+        x: String,
+        /// The second basis vector.
+        y: String,
+        /// `[x,y] + [y,x]`.
+        residual: String,
+    },
+    /// A bracket that violates the Jacobi identity.
+    #[error(
+        "the Jacobi identity fails: \
+         [[{x},{y}],{z}] + [[{y},{z}],{x}] + [[{z},{x}],{y}] = {residual}"
+    )]
+    Jacobi {
+        /// The first basis vector of the triple.
+        x: String,
+        /// The second basis vector.
+        y: String,
+        /// The third basis vector.
+        z: String,
+        /// The left side.
+        residual: String,
+    },
+    /// Matrices whose span is not closed under the commutator.
+    #[error("the matrices do not close: [{x}, {y}] leaves their real span, by {residual}")]
+    NotClosed {
+        /// The first matrix.
+        x: String,
+        /// The second matrix.
+        y: String,
+        /// An entry of the remainder.
+        residual: String,
+    },
+    /// Matrices that are linearly dependent over the reals.
+    #[error("the matrices are linearly dependent over the reals: {relation} = 0")]
+    Dependent {
+        /// A vanishing linear combination.
+        relation: String,
+    },
+    /// A metric that is not symmetric.
+    #[error("the metric is not symmetric: g({x},{y}) - g({y},{x}) = {residual}")]
+    NotSymmetric {
+        /// The first basis vector.
+        x: String,
+        /// The second basis vector.
+        y: String,
+        /// The difference.
+        residual: String,
+    },
+    /// A bilinear form with a null vector.
+    #[error("the metric is degenerate: {null} is orthogonal to every vector")]
+    Degenerate {
+        /// A vector of the kernel.
+        null: String,
+    },
+    /// A Levi-Civita connection without a metric to belong to.
+    #[error("levi-civita is the connection of a metric, and none is given")]
+    NoMetric,
+    /// A change of basis that cannot be inverted.
+    #[error("the new basis is linearly dependent")]
+    SingularBasis,
+    /// A connection without constant components in the right-invariant frame.
+    #[error(
+        "the connection has no constant components in the right-invariant frame: \
+         (L_{direction} Lambda)^{i}_{j}{k} = {residual}, not 0 (it is not invariant under ad)"
+    )]
+    NotInvariant {
+        /// The generator that moves the connection.
+        direction: String,
+        /// Upper index, from 1.
+        i: usize,
+        /// First lower index, from 1.
+        j: usize,
+        /// Second lower index, from 1.
+        k: usize,
+        /// The component.
+        residual: String,
+    },
+    /// A direction along which the frame components of the tangent are not constant.
+    #[error(
+        "{n} is not the constant tangent of an autoparallel: \
+         nabla_n n = {residual} in the left-invariant frame"
+    )]
+    NotAutoparallel {
+        /// The direction.
+        n: String,
+        /// `Lambda^i_jk n^j n^k e_i`.
+        residual: String,
+    },
+    /// An operation that this frame does not support.
+    #[error("{0}")]
+    Frame(&'static str),
+}
+
+/// `coefficients` as a linear combination of `labels`, zeros left out.
+pub(crate) fn combination<S: std::fmt::Display>(
+    terms: impl IntoIterator<Item = (S, String)>,
+) -> String {
+    let mut text = String::new();
+    for (coefficient, label) in terms {
+        let value = coefficient.to_string();
+        let compound = value[1..].contains([' ', '+']);
+        let (sign, size) = match value.strip_prefix('-') {
+            Some(size) if !compound => (" - ", size.to_string()),
+            _ if compound => (" + ", format!("({value})")),
+            _ => (" + ", value),
+        };
+        text.push_str(match (text.is_empty(), sign) {
+            (true, " - ") => "-",
+            (true, _) => "",
+            (false, sign) => sign,
+        });
+        match size.as_str() {
+            "1" => text.push_str(&label),
+            size => text.push_str(&format!("{size}*{label}")),
+        }
+    }
+    if text.is_empty() { "0".into() } else { text }
+}

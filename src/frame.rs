@@ -1,0 +1,150 @@
+//! Frames: structure functions and derivations.
+
+use crate::Error;
+use affinor_tensors::{Down, Ring, Symbolic, Tensor, Up, Variance, contract};
+use std::fmt;
+use std::sync::Arc;
+
+/// A frame `e_1..e_n`: its structure functions `[e_j, e_k] = c^i_jk e_i` and its derivations
+/// `f -> e_k(f)`.
+///
+/// The left-invariant frame of a Lie algebra (constant `c`, zero derivations on constants), the
+/// right-invariant one (the opposite algebra), and a moving or coordinate frame are three kinds of
+/// this one thing, so every formula of the differential geometry is written once.
+#[derive(Clone)]
+pub struct Frame<S> {
+    labels: Arc<[String]>,
+    structure: Tensor<S>,
+    derivations: Option<Derivations<S>>,
+}
+
+/// `f -> e_k(f)`, with `k` from 0.
+pub type Derivations<S> = Arc<dyn Fn(usize, &S) -> S + Send + Sync>;
+
+impl<S: Ring> Frame<S> {
+    /// An invariant frame: constant structure `c^i_jk`, components without derivatives.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless `structure` has the slots `^i_jk` in the dimension of the labels;
+    /// [`Error::NotAntisymmetric`].
+    pub fn invariant(labels: Arc<[String]>, structure: Tensor<S>) -> Result<Self, Error> {
+        let frame = Frame { labels, structure, derivations: None };
+        expect_slots("the structure", &frame.structure, frame.labels.len(), &[Up, Down, Down])?;
+        let symmetric = contract("c^i_jk + c^i_kj -> ^i_jk", &[("c", &frame.structure)])?;
+        match symmetric.components().next() {
+            None => Ok(frame),
+            Some((at, _)) => {
+                let [_, j, k] = [at[0], at[1], at[2]];
+                let residual = (0..frame.labels.len()).map(|i| symmetric.get(&[i, j, k]));
+                Err(Error::NotAntisymmetric {
+                    x: frame.labels[j].clone(),
+                    y: frame.labels[k].clone(),
+                    residual: frame.write(residual),
+                })
+            }
+        }
+    }
+
+    /// A frame whose vectors differentiate the scalars: `derivations(k, f) = e_k(f)`.
+    ///
+    /// # Errors
+    /// As [`invariant`](Self::invariant).
+    pub fn moving(
+        labels: Arc<[String]>,
+        structure: Tensor<S>,
+        derivations: Derivations<S>,
+    ) -> Result<Self, Error> {
+        let frame = Self::invariant(labels, structure)?;
+        Ok(Frame { derivations: Some(derivations), ..frame })
+    }
+
+    /// The dimension.
+    pub fn dimension(&self) -> usize {
+        self.labels.len()
+    }
+
+    /// The names of the frame vectors.
+    pub fn labels(&self) -> &Arc<[String]> {
+        &self.labels
+    }
+
+    /// The structure functions `c^i_jk`, slots `[Up, Down, Down]`.
+    pub fn structure(&self) -> &Tensor<S> {
+        &self.structure
+    }
+
+    /// Whether the frame is invariant: constant structure and no derivatives.
+    pub fn is_invariant(&self) -> bool {
+        self.derivations.is_none()
+    }
+
+    /// The frame derivatives `e_k(T)` of all components, `k` a new first slot `_k`.
+    pub fn derivative(&self, tensor: &Tensor<S>) -> Tensor<S> {
+        let slots: Vec<Variance> = [&[Down], tensor.slots()].concat();
+        let mut terms = Vec::new();
+        if let Some(derive) = &self.derivations {
+            for (indices, value) in tensor.components() {
+                for k in 0..self.dimension() {
+                    let indices: Vec<usize> = [&[k], &indices[..]].concat();
+                    terms.push((indices, derive(k, value)));
+                }
+            }
+        }
+        Tensor::from_components(self.dimension(), &slots, terms)
+            .expect("one slot more than a tensor of this frame")
+            .with_tolerance(tensor.tolerance())
+    }
+
+    /// Components as a linear combination of the frame vectors.
+    pub(crate) fn write(&self, components: impl IntoIterator<Item = S>) -> String {
+        let named = components.into_iter().zip(self.labels.iter().cloned());
+        crate::error::combination(named.filter(|(value, _)| !value.vanishes()))
+    }
+}
+
+impl Frame<Symbolic> {
+    /// The frame `d/dx^1 .. d/dx^n` of coordinates that are parameters of the scalars: zero
+    /// structure (A9), and partial derivatives.
+    ///
+    /// # Errors
+    /// When the dimension is beyond the engine.
+    pub fn coordinates(names: &[&str]) -> Result<Self, Error> {
+        let names: Arc<[String]> = names.iter().map(|name| name.to_string()).collect();
+        let structure = Tensor::zero(names.len(), &[Up, Down, Down])?;
+        let variables = names.clone();
+        Self::moving(names, structure, Arc::new(move |k, f| f.derivative(&variables[k])))
+    }
+}
+
+impl<S: fmt::Debug> fmt::Debug for Frame<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Frame")
+            .field("labels", &self.labels)
+            .field("structure", &self.structure)
+            .field("invariant", &self.derivations.is_none())
+            .finish()
+    }
+}
+
+/// Checks dimension and slots.
+pub(crate) fn expect_slots<S: Ring>(
+    what: &'static str,
+    tensor: &Tensor<S>,
+    dimension: usize,
+    slots: &[Variance],
+) -> Result<(), Error> {
+    if tensor.dimension() == dimension && tensor.slots() == slots {
+        return Ok(());
+    }
+    let shape = |n, slots: &[Variance]| format!("dimension {n} and slots {slots:?}");
+    Err(Error::Shape {
+        what,
+        expected: shape(dimension, slots),
+        found: shape(tensor.dimension(), tensor.slots()),
+    })
+}
+
+/// A formula of this package: well formed, over slots that constructors have checked.
+pub(crate) fn formula<S: Ring>(text: &str, operands: &[(&str, &Tensor<S>)]) -> Tensor<S> {
+    contract(text, operands).expect("a formula over tensors of one frame")
+}

@@ -1,0 +1,111 @@
+//! Geometries: an algebra, a connection and a metric.
+
+use crate::{Canonical, Connection, Error, LieAlgebra, Metric};
+use affinor_tensors::{Notation, Tensor};
+
+/// A Lie algebra with a left-invariant connection and, perhaps, a left-invariant metric.
+///
+/// A connection is not a kind of metric, nor the other way round: M(3) and SO(3) share their
+/// algebra and differ in both ([`paper`](crate::paper)).
+#[derive(Clone, Debug)]
+pub struct Geometry<S> {
+    name: String,
+    algebra: LieAlgebra<S>,
+    connection: Connection<S>,
+    kind: ConnectionKind<S>,
+    metric: Option<Metric<S>>,
+}
+
+/// How a connection was chosen.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ConnectionKind<S> {
+    /// One of the three canonical connections.
+    Canonical(Canonical),
+    /// A member `Lambda = lambda c` of the family.
+    Family(S),
+    /// The Levi-Civita connection of the metric.
+    LeviCivita,
+    /// Affinities given one by one.
+    Affinities(Tensor<S>),
+}
+
+impl<S: Notation> Geometry<S> {
+    /// The geometry with a connection of the given kind.
+    ///
+    /// # Errors
+    /// [`Error::NoMetric`] for Levi-Civita without a metric; [`Error::Shape`].
+    pub fn new(
+        name: impl Into<String>,
+        algebra: LieAlgebra<S>,
+        kind: ConnectionKind<S>,
+        metric: Option<Metric<S>>,
+    ) -> Result<Self, Error> {
+        let frame = algebra.left_frame();
+        let connection = match (&kind, &metric) {
+            (ConnectionKind::Canonical(which), _) => Connection::canonical(&algebra, *which),
+            (ConnectionKind::Family(lambda), _) => Connection::family(&algebra, lambda),
+            (ConnectionKind::LeviCivita, Some(metric)) => Connection::levi_civita(frame, metric)?,
+            (ConnectionKind::LeviCivita, None) => return Err(Error::NoMetric),
+            (ConnectionKind::Affinities(gamma), _) => {
+                Connection::new(frame.clone(), gamma.clone())?
+            }
+        };
+        Ok(Geometry { name: name.into(), algebra, connection, kind, metric })
+    }
+
+    /// The name it goes by.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The Lie algebra.
+    pub fn algebra(&self) -> &LieAlgebra<S> {
+        &self.algebra
+    }
+
+    /// The connection, in the left-invariant frame.
+    pub fn connection(&self) -> &Connection<S> {
+        &self.connection
+    }
+
+    /// How the connection was chosen.
+    pub fn kind(&self) -> &ConnectionKind<S> {
+        &self.kind
+    }
+
+    /// The metric, if there is one.
+    pub fn metric(&self) -> Option<&Metric<S>> {
+        self.metric.as_ref()
+    }
+}
+
+impl<S: Notation> ConnectionKind<S> {
+    /// The short name: `plus`, `zero`, `minus`, `lambda`, `levi-civita`, `affinities`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            ConnectionKind::Canonical(which) => which.name(),
+            ConnectionKind::Family(_) => "lambda",
+            ConnectionKind::LeviCivita => "levi-civita",
+            ConnectionKind::Affinities(_) => "affinities",
+        }
+    }
+
+    /// The factor in `Lambda = lambda c`, where the connection is of that kind.
+    pub fn lambda(&self) -> Option<S> {
+        match self {
+            ConnectionKind::Canonical(which) => Some(which.lambda()),
+            ConnectionKind::Family(lambda) => Some(lambda.clone()),
+            _ => None,
+        }
+    }
+
+    /// The name with its meaning, for the head of an output.
+    pub fn describe(&self) -> String {
+        match self {
+            ConnectionKind::Canonical(which) => format!("{} ({})", which.name(), which.paper()),
+            ConnectionKind::Family(lambda) => format!("lambda = {lambda}"),
+            ConnectionKind::LeviCivita => "levi-civita (of the metric)".into(),
+            ConnectionKind::Affinities(_) => "affinities (given one by one)".into(),
+        }
+    }
+}

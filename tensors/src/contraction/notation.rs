@@ -1,0 +1,165 @@
+//! The notation of a contraction: parsing it, and binding its names to tensors.
+
+use super::{Product, Role};
+use crate::{Down, Ring, Tensor, TensorError, Up, Variance};
+use std::ops::Range;
+
+/// A parsed contraction.
+pub(super) struct Expression<'e> {
+    text: &'e str,
+    terms: Vec<(i64, Vec<Factor<'e>>)>,
+    letters: Vec<char>,
+    slots: Vec<Variance>,
+    groups: Vec<Range<usize>>,
+}
+
+/// A name with its indices.
+struct Factor<'e> {
+    name: &'e str,
+    indices: Vec<(char, Variance)>,
+}
+
+impl<'e> Expression<'e> {
+    pub fn parse(text: &'e str) -> Result<Self, TensorError> {
+        let fail = |reason: String| TensorError::Notation { expression: text.into(), reason };
+        let (sum, result) =
+            text.split_once("->").ok_or_else(|| fail("no `->` before the result".into()))?;
+        let (indices, groups) = indices(result.trim()).map_err(&fail)?;
+        let (letters, slots) = indices.into_iter().unzip();
+        let mut expression = Expression { text, terms: vec![], letters, slots, groups };
+        let mut coefficient = Some(1);
+        let mut factors = Vec::new();
+        for word in sum.split_whitespace() {
+            match (word, word.parse::<i64>()) {
+                ("+" | "-", _) => {
+                    if !factors.is_empty() {
+                        let value = coefficient.unwrap_or(1);
+                        expression.terms.push((value, std::mem::take(&mut factors)));
+                    }
+                    coefficient = Some(if word == "-" { -1 } else { 1 });
+                }
+                (_, Ok(number)) => coefficient = coefficient.and_then(|c| c.checked_mul(number)),
+                _ => factors.push(Factor::parse(word).map_err(&fail)?),
+            }
+        }
+        let value = coefficient.ok_or_else(|| fail("a coefficient is too large".into()))?;
+        expression.terms.push((value, factors));
+        Ok(expression)
+    }
+
+    /// The slots of the result.
+    pub fn slots(&self) -> &[Variance] {
+        &self.slots
+    }
+
+    /// The runs of result letters in which the sum is promised to be antisymmetric.
+    pub fn antisymmetric(&self) -> &[Range<usize>] {
+        &self.groups
+    }
+
+    /// The last two positions of the result, if they are antisymmetric.
+    pub fn last_pair(&self) -> Option<(usize, usize)> {
+        let rank = self.slots.len();
+        let paired = |group: &&Range<usize>| group.end == rank && group.len() >= 2;
+        self.groups.iter().find(paired).map(|_| (rank - 2, rank - 1))
+    }
+
+    /// Looks every name up, checks ranks and variances, and gives each letter its role.
+    pub fn bind<'a, S: Ring>(
+        &self,
+        operands: &[(&str, &'a Tensor<S>)],
+    ) -> Result<Vec<Product<'a, S>>, TensorError> {
+        let fail = |reason: String| TensorError::Notation { expression: self.text.into(), reason };
+        let mut products = Vec::new();
+        for (coefficient, factors) in &self.terms {
+            let letters = self.roles(factors).map_err(&fail)?;
+            let mut bound = Vec::new();
+            for factor in factors {
+                let name = factor.name;
+                let (_, tensor) = operands
+                    .iter()
+                    .find(|(operand, _)| *operand == name)
+                    .ok_or_else(|| fail(format!("no operand is called `{name}`")))?;
+                if !factor.indices.iter().map(|(_, v)| v).eq(tensor.slots()) {
+                    return Err(fail(format!("the indices of `{name}` are not those of its slots")));
+                }
+                let role = |(letter, _): &(char, Variance)| {
+                    letters.iter().find(|(l, _)| l == letter).map(|(_, role)| *role)
+                };
+                bound.push((factor.indices.iter().filter_map(role).collect(), *tensor));
+            }
+            let coefficient = *coefficient;
+            products.push(Product { coefficient, mirrored: false, factors: bound });
+        }
+        Ok(products)
+    }
+
+    /// The role of every letter of a term.
+    fn roles(&self, factors: &[Factor]) -> Result<Vec<(char, Role)>, String> {
+        if !(1..=2).contains(&factors.len()) {
+            return Err("a term has one or two factors".into());
+        }
+        let all: Vec<_> = factors.iter().flat_map(|f| f.indices.iter().copied()).collect();
+        let mut roles = Vec::new();
+        for &(letter, variance) in &all {
+            let uses: Vec<_> = all.iter().filter(|(l, _)| *l == letter).collect();
+            let free = self.letters.iter().position(|&l| l == letter);
+            let role = match (free, uses.as_slice()) {
+                (Some(at), [_]) if self.slots[at] == variance => Role::Free(at),
+                (Some(_), [_]) => return Err(format!("`{letter}` changes its variance")),
+                (None, [a, b]) if a.1 != b.1 => Role::Summed(
+                    roles
+                        .iter()
+                        .position(|&(l, _)| l == letter)
+                        .unwrap_or(roles.len()),
+                ),
+                (None, [_, _]) => return Err(format!("`{letter}` is summed on one level")),
+                _ => return Err(format!("`{letter}` does not stand once or in a pair")),
+            };
+            if !roles.contains(&(letter, role)) {
+                roles.push((letter, role));
+            }
+        }
+        match self.letters.iter().find(|&&l| !all.iter().any(|&(letter, _)| letter == l)) {
+            Some(letter) => Err(format!("a term lacks `{letter}`")),
+            None => Ok(roles),
+        }
+    }
+}
+
+impl<'e> Factor<'e> {
+    fn parse(word: &'e str) -> Result<Self, String> {
+        let (name, rest) = word.split_at(word.find(['^', '_']).unwrap_or(word.len()));
+        let (indices, groups) = indices(rest)?;
+        if name.is_empty() || !name.chars().all(char::is_alphanumeric) {
+            return Err(format!("`{word}` is not a name with indices"));
+        }
+        if !groups.is_empty() {
+            return Err("brackets belong to the result alone".into());
+        }
+        Ok(Factor { name, indices })
+    }
+}
+
+/// The letters of `^ij_k[lm]` and the positions of bracketed runs.
+type Letters = (Vec<(char, Variance)>, Vec<Range<usize>>);
+
+fn indices(text: &str) -> Result<Letters, String> {
+    let (mut letters, mut groups) = (Vec::new(), Vec::new());
+    let (mut variance, mut open) = (None, None);
+    for symbol in text.chars() {
+        match (symbol, variance) {
+            ('^' | '_', _) if open.is_none() => {
+                variance = Some(if symbol == '^' { Up } else { Down });
+            }
+            ('[', Some(_)) if open.is_none() => open = Some(letters.len()),
+            (']', _) => groups.push(open.take().ok_or("`]` without `[`")?..letters.len()),
+            (letter, Some(v)) if letter.is_alphabetic() => letters.push((letter, v)),
+            _ => return Err(format!("`{symbol}` in the indices `{text}`")),
+        }
+    }
+    if open.is_some() {
+        return Err("`[` without `]`".into());
+    }
+    Ok((letters, groups))
+}

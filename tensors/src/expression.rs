@@ -1,0 +1,454 @@
+//! The written form of scalars: `+ - * / ^ ( )`, integers, `p/q`, decimals, `1e-3` and names.
+//!
+//! Decimals are exact. `*` or a space stands between a number and a name; `2x` and `a b` are
+//! refused rather than guessed. What a name means is the caller's affair ([`Meaning`]), so one
+//! grammar serves scalars, vectors written over basis names, and complex numbers.
+//!
+//! ```
+//! use affinor_tensors::{Notation, Rational, expression::Expression};
+//! let text = Expression::parse("1/2 - 2^-2 + 0.25")?;
+//! let value: Rational = text.evaluate_constant()?;
+//! assert_eq!(value.to_string(), "1/2");
+//! # Ok::<(), affinor_tensors::expression::ExpressionError>(())
+//! ```
+
+use crate::{Notation, Rational};
+use num_traits::One;
+use std::ops::Range;
+
+/// The most digits one number may have.
+pub const MAX_DIGITS: usize = 10_000;
+/// The largest exponent, of a power or of ten.
+pub const MAX_EXPONENT: i64 = 10_000;
+/// The deepest nesting of parentheses.
+pub const MAX_DEPTH: usize = 100;
+/// The largest [`Notation::size`] a value may reach.
+pub const MAX_SIZE: usize = 1 << 18;
+
+/// What is wrong with an expression, and where in its text (byte positions).
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{reason}")]
+pub struct ExpressionError {
+    /// The offending part of the text.
+    pub span: Range<usize>,
+    /// What is wrong with it.
+    pub reason: String,
+}
+
+/// A parsed expression, its parts knowing where they stand in the text.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expression {
+    span: Range<usize>,
+    node: Node,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Node {
+    Number(Rational),
+    Name(String),
+    /// Terms, each with whether it is subtracted.
+    Sum(Vec<(bool, Expression)>),
+    /// Factors, each with whether it divides.
+    Product(Vec<(bool, Expression)>),
+    Power(Box<Expression>, i64),
+}
+
+/// What numbers, names and operations mean to a reader of expressions.
+///
+/// Errors are reasons; [`Expression::evaluate`] adds the place.
+pub trait Meaning {
+    /// The values that expressions take.
+    type Value: Clone;
+    /// The value of a number.
+    fn number(&self, number: &Rational) -> Result<Self::Value, String>;
+    /// The value of a name.
+    fn name(&self, name: &str) -> Result<Self::Value, String>;
+    /// `a + b`.
+    fn add(&self, a: Self::Value, b: Self::Value) -> Result<Self::Value, String>;
+    /// `a * b`.
+    fn multiply(&self, a: Self::Value, b: Self::Value) -> Result<Self::Value, String>;
+    /// `-a`.
+    fn negate(&self, a: Self::Value) -> Self::Value;
+    /// `1 / a`.
+    fn reciprocal(&self, a: Self::Value) -> Result<Self::Value, String>;
+}
+
+impl Expression {
+    /// Parses a whole text.
+    ///
+    /// # Errors
+    /// The first place that does not fit the grammar or exceeds a limit of this module.
+    pub fn parse(text: &str) -> Result<Self, ExpressionError> {
+        Self::parse_beside(text, &|_| false)
+    }
+
+    /// Parses a text beside names like `e1`, which `2e1` could mean as well as twenty: a number
+    /// glued to a name that `known` recognises is refused.
+    ///
+    /// # Errors
+    /// As [`parse`](Self::parse).
+    pub fn parse_beside(
+        text: &str,
+        known: &dyn Fn(&str) -> bool,
+    ) -> Result<Self, ExpressionError> {
+        let mut parser = Parser { text, at: 0, depth: 0, known };
+        let expression = parser.sum()?;
+        parser.skip_space();
+        match parser.peek() {
+            None => Ok(expression),
+            Some(symbol) => Err(parser.unexpected(symbol)),
+        }
+    }
+
+    /// Where the expression stands in its text.
+    pub fn span(&self) -> Range<usize> {
+        self.span.clone()
+    }
+
+    /// The value under a meaning.
+    ///
+    /// # Errors
+    /// Whatever the meaning refuses, at the part that it refuses.
+    pub fn evaluate<M: Meaning>(&self, meaning: &M) -> Result<M::Value, ExpressionError> {
+        let here = |reason| ExpressionError { span: self.span(), reason };
+        match &self.node {
+            Node::Number(number) => meaning.number(number).map_err(here),
+            Node::Name(name) => meaning.name(name).map_err(here),
+            Node::Sum(terms) => {
+                let mut sum = None;
+                for (subtracted, term) in terms {
+                    let mut value = term.evaluate(meaning)?;
+                    if *subtracted {
+                        value = meaning.negate(value);
+                    }
+                    sum = Some(match sum {
+                        None => value,
+                        Some(sum) => meaning.add(sum, value).map_err(here)?,
+                    });
+                }
+                sum.ok_or_else(|| here("an empty sum".into()))
+            }
+            Node::Product(factors) => {
+                let mut product = None;
+                for (divides, factor) in factors {
+                    let at = |reason| ExpressionError { span: factor.span(), reason };
+                    let mut value = factor.evaluate(meaning)?;
+                    if *divides {
+                        value = meaning.reciprocal(value).map_err(at)?;
+                    }
+                    product = Some(match product {
+                        None => value,
+                        Some(product) => meaning.multiply(product, value).map_err(here)?,
+                    });
+                }
+                product.ok_or_else(|| here("an empty product".into()))
+            }
+            Node::Power(base, exponent) => {
+                let mut value = base.evaluate(meaning)?;
+                if *exponent < 0 {
+                    value = meaning.reciprocal(value).map_err(here)?;
+                }
+                power(meaning, value, exponent.unsigned_abs()).map_err(here)
+            }
+        }
+    }
+
+    /// The value as a scalar without parameters.
+    ///
+    /// # Errors
+    /// A name, a division by zero, or a value beyond the limits.
+    pub fn evaluate_constant<S: Notation>(&self) -> Result<S, ExpressionError> {
+        self.evaluate(&Scalars(|name: &str| Err(format!("`{name}` is not a number"))))
+    }
+}
+
+/// By squaring.
+fn power<M: Meaning>(meaning: &M, mut base: M::Value, mut n: u64) -> Result<M::Value, String> {
+    let mut result = meaning.number(&Rational::one())?;
+    loop {
+        if n & 1 == 1 {
+            result = meaning.multiply(result, base.clone())?;
+        }
+        n >>= 1;
+        if n == 0 {
+            return Ok(result);
+        }
+        base = meaning.multiply(base.clone(), base)?;
+    }
+}
+
+/// Scalars, with names looked up by a function.
+pub struct Scalars<F>(pub F);
+
+impl<S: Notation, F: Fn(&str) -> Result<S, String>> Meaning for Scalars<F> {
+    type Value = S;
+    fn number(&self, number: &Rational) -> Result<S, String> {
+        S::from_rational(number).ok_or_else(|| "the number is beyond the range of f64".into())
+    }
+    fn name(&self, name: &str) -> Result<S, String> {
+        self.0(name)
+    }
+    fn add(&self, a: S, b: S) -> Result<S, String> {
+        bounded(a.size().saturating_add(b.size()))?;
+        finite(a + &b)
+    }
+    fn multiply(&self, a: S, b: S) -> Result<S, String> {
+        bounded(a.product_size(&b))?;
+        finite(a * &b)
+    }
+    fn negate(&self, a: S) -> S {
+        -a
+    }
+    fn reciprocal(&self, a: S) -> Result<S, String> {
+        finite(a.recip().ok_or("division by zero")?)
+    }
+}
+
+fn bounded(size: usize) -> Result<(), String> {
+    let fits = size <= MAX_SIZE;
+    fits.then_some(()).ok_or_else(|| format!("the value grows beyond the limit of {MAX_SIZE}"))
+}
+
+fn finite<S: Notation>(value: S) -> Result<S, String> {
+    match value.to_f64() {
+        Some(x) if S::KIND == crate::Kind::Float && !x.is_finite() => {
+            Err("the value is beyond the range of f64".into())
+        }
+        _ => Ok(value),
+    }
+}
+
+/// Whether `name` can be a name: an ASCII letter or `_`, then letters, digits and `_`.
+pub fn is_name(name: &str) -> bool {
+    name.starts_with(begins_name) && name.chars().all(continues_name)
+}
+
+fn begins_name(c: char) -> bool {
+    c.is_ascii_alphabetic() || c == '_'
+}
+
+fn continues_name(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '_'
+}
+
+struct Parser<'t> {
+    text: &'t str,
+    at: usize,
+    depth: usize,
+    known: &'t dyn Fn(&str) -> bool,
+}
+
+impl Parser<'_> {
+    fn peek(&self) -> Option<char> {
+        self.text[self.at..].chars().next()
+    }
+
+    fn skip_space(&mut self) {
+        let rest = &self.text[self.at..];
+        self.at += rest.len() - rest.trim_start().len();
+    }
+
+    /// The next symbol behind white space, if it is one of `symbols`, taken.
+    fn take(&mut self, symbols: &[char]) -> Option<char> {
+        self.skip_space();
+        let symbol = self.peek().filter(|symbol| symbols.contains(symbol))?;
+        self.at += symbol.len_utf8();
+        Some(symbol)
+    }
+
+    fn error<T>(&self, span: Range<usize>, reason: impl Into<String>) -> Result<T, ExpressionError> {
+        Err(ExpressionError { span, reason: reason.into() })
+    }
+
+    fn unexpected(&self, symbol: char) -> ExpressionError {
+        let span = self.at..self.at + symbol.len_utf8();
+        let reason = if symbol.is_ascii_graphic() {
+            format!("`{symbol}` is not expected here")
+        } else {
+            format!("the character {} is not expected here", symbol.escape_unicode())
+        };
+        ExpressionError { span, reason }
+    }
+
+    fn sum(&mut self) -> Result<Expression, ExpressionError> {
+        self.skip_space();
+        let from = self.at;
+        let mut terms = Vec::new();
+        loop {
+            let mut subtracted = false;
+            while let Some(sign) = self.take(&['+', '-']) {
+                subtracted ^= sign == '-';
+            }
+            terms.push((subtracted, self.product()?));
+            self.skip_space();
+            if !matches!(self.peek(), Some('+' | '-')) {
+                return Ok(fold(terms, from..self.at, Node::Sum));
+            }
+        }
+    }
+
+    fn product(&mut self) -> Result<Expression, ExpressionError> {
+        self.skip_space();
+        let from = self.at;
+        let mut factors = vec![(false, self.power()?)];
+        loop {
+            let end = self.at;
+            if let Some(symbol) = self.take(&['*', '/']) {
+                factors.push((symbol == '/', self.power()?));
+            } else if self.peek().is_some_and(begins_name) {
+                let number = matches!(factors.last(), Some((_, Expression { node: Node::Number(_), .. })));
+                let written = self.text[from..end].ends_with(|c: char| c.is_ascii_digit() || c == '.');
+                if !(number && written) {
+                    return self.error(self.at..self.at + 1, "an operator is missing before this name");
+                }
+                if self.at == end {
+                    let span = self.at..self.at + 1;
+                    return self.error(span, "write `*` or a space between a number and a name");
+                }
+                factors.push((false, self.power()?));
+            } else {
+                self.at = end;
+                return Ok(fold(factors, from..end, Node::Product));
+            }
+        }
+    }
+
+    fn power(&mut self) -> Result<Expression, ExpressionError> {
+        let base = self.atom()?;
+        let end = self.at;
+        if self.take(&['^']).is_none() {
+            self.at = end;
+            return Ok(base);
+        }
+        let exponent = self.exponent()?;
+        let end = self.at;
+        if self.take(&['^']).is_some() {
+            return self.error(self.at - 1..self.at, "write parentheses around a power of a power");
+        }
+        self.at = end;
+        let span = base.span.start..end;
+        Ok(Expression { span, node: Node::Power(Box::new(base), exponent) })
+    }
+
+    /// An integer, perhaps signed, perhaps in parentheses.
+    fn exponent(&mut self) -> Result<i64, ExpressionError> {
+        let parenthesis = self.take(&['(']).is_some();
+        let sign = self.take(&['+', '-']);
+        self.skip_space();
+        let from = self.at;
+        let digits = self.digits();
+        let span = from..self.at.max(from + 1).min(self.text.len());
+        if digits.is_empty() {
+            return self.error(span, "an exponent is an integer");
+        }
+        let value = digits.parse::<i64>().ok().filter(|n| *n <= MAX_EXPONENT);
+        let Some(value) = value else {
+            return self.error(span, format!("an exponent is at most {MAX_EXPONENT}"));
+        };
+        if parenthesis && self.take(&[')']).is_none() {
+            return self.error(self.at..self.at, "`)` is missing after the exponent");
+        }
+        Ok(if sign == Some('-') { -value } else { value })
+    }
+
+    fn atom(&mut self) -> Result<Expression, ExpressionError> {
+        self.skip_space();
+        let from = self.at;
+        match self.peek() {
+            None => self.error(from..from, "the expression ends where a value is expected"),
+            Some('(') => {
+                self.at += 1;
+                self.depth += 1;
+                if self.depth > MAX_DEPTH {
+                    let reason = format!("more than {MAX_DEPTH} nested parentheses");
+                    return self.error(from..from + 1, reason);
+                }
+                let inside = self.sum()?;
+                self.depth -= 1;
+                match self.take(&[')']) {
+                    Some(_) => Ok(Expression { span: from..self.at, node: inside.node }),
+                    None => self.error(from..from + 1, "this parenthesis is not closed"),
+                }
+            }
+            Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
+            Some(c) if begins_name(c) => {
+                let rest = &self.text[from..];
+                self.at += rest.find(|c| !continues_name(c)).unwrap_or(rest.len());
+                let name = self.text[from..self.at].to_string();
+                Ok(Expression { span: from..self.at, node: Node::Name(name) })
+            }
+            Some(c) => Err(self.unexpected(c)),
+        }
+    }
+
+    fn digits(&mut self) -> String {
+        let rest = &self.text[self.at..];
+        let digits = &rest[..rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len())];
+        self.at += digits.len();
+        digits.into()
+    }
+
+    /// The exponent of `e-3` directly behind a number; zero where there is none.
+    fn power_of_ten(&mut self) -> Result<i64, ExpressionError> {
+        let rest = &self.text[self.at..];
+        let Some(behind) = rest.strip_prefix(['e', 'E']) else { return Ok(0) };
+        let digits = behind.strip_prefix(['+', '-']).unwrap_or(behind);
+        if !digits.starts_with(|c: char| c.is_ascii_digit()) {
+            return Ok(0);
+        }
+        let from = self.at;
+        self.at += rest.len() - digits.len();
+        let value = self.digits().parse::<i64>().ok().filter(|n| *n <= MAX_EXPONENT);
+        match value {
+            Some(value) => Ok(if behind.starts_with('-') { -value } else { value }),
+            None => self.error(from..self.at, format!("an exponent is at most {MAX_EXPONENT}")),
+        }
+    }
+
+    /// Digits, a fraction, a power of ten.
+    fn number(&mut self) -> Result<Expression, ExpressionError> {
+        let from = self.at;
+        let mut digits = self.digits();
+        let mut decimals = 0;
+        if self.peek() == Some('.') {
+            self.at += 1;
+            let fraction = self.digits();
+            decimals = fraction.len() as i64;
+            digits.push_str(&fraction);
+        }
+        let glued = &self.text[self.at..];
+        let glued = &glued[..glued.find(|c| !continues_name(c)).unwrap_or(glued.len())];
+        if (self.known)(glued) {
+            let reason = format!("write `*` or a space between the number and `{glued}`");
+            return self.error(from..self.at + glued.len(), reason);
+        }
+        let exponent = self.power_of_ten()?;
+        let span = from..self.at;
+        if digits.len() > MAX_DIGITS {
+            return self.error(span, format!("a number has at most {MAX_DIGITS} digits"));
+        }
+        let Some(mantissa) = Rational::from_digits(&digits) else {
+            return self.error(span, "a number needs a digit");
+        };
+        let shift = exponent - decimals;
+        let ten = Rational::from_digits(&format!("1{}", "0".repeat(shift.unsigned_abs() as usize)));
+        let value = match (ten, shift < 0) {
+            (Some(ten), false) => mantissa * &ten,
+            (Some(ten), true) => mantissa / &ten,
+            (None, _) => mantissa,
+        };
+        Ok(Expression { span, node: Node::Number(value) })
+    }
+}
+
+/// A sum or product; a single positive part stays itself.
+fn fold(
+    mut parts: Vec<(bool, Expression)>,
+    span: Range<usize>,
+    node: fn(Vec<(bool, Expression)>) -> Node,
+) -> Expression {
+    match parts.as_slice() {
+        [(false, _)] => parts.swap_remove(0).1,
+        _ => Expression { span, node: node(parts) },
+    }
+}

@@ -1,0 +1,310 @@
+//! Exact linear algebra over any [`Field`](crate::Field): sparse matrices and their echelon form.
+//!
+//! The same code serves rationals, rational functions and floats. Exact scalars are kept in lowest
+//! terms, so every number met on the way is a quotient of minors of the matrix and cannot blow up
+//! (E. H. Bareiss, *Math. Comp.* 22 (1968) 565-578). A float counts as zero by its own [`Sum`]
+//! and the [`Tolerance`] that the matrix carries.
+//!
+//! Scalars with non-units other than zero are welcome too. Determinants are right over any
+//! commutative ring, inverses over local ones such as the dual numbers; what would need the inverse
+//! of a non-unit is refused ([`LinearError::NotInvertible`]).
+
+mod echelon;
+mod elimination;
+mod row;
+
+use crate::{Ring, Sum, Tolerance};
+use std::fmt;
+
+pub use echelon::Echelon;
+pub use row::Row;
+use row::{add_multiple, at, collect, finish};
+
+/// A rectangular matrix in sparse rows, without stored zeros.
+///
+/// ```
+/// use affinor_tensors::{Rational, linear::Matrix};
+/// let entry = |n: i64| Rational::from(n);
+/// let a = Matrix::from_dense(&[vec![entry(2), entry(1)], vec![entry(5), entry(3)]])?;
+/// let inverse = a.inverse().expect("the determinant is 1");
+/// assert_eq!(inverse.to_string(), "[3, -1]\n[-5, 2]");
+/// assert_eq!(a.mul(&inverse)?, Matrix::identity(2));
+/// # Ok::<(), affinor_tensors::linear::LinearError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Matrix<S> {
+    columns: usize,
+    rows: Vec<Row<S>>,
+    tolerance: Tolerance,
+}
+
+/// A question of linear algebra that has no answer.
+#[non_exhaustive]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum LinearError {
+    /// A row of a dense matrix is longer or shorter than the first.
+    #[error("row {row} has {found} entries, the first row {expected}")]
+    Ragged {
+        /// The offending row, from 0.
+        row: usize,
+        /// The length of the first row.
+        expected: usize,
+        /// The length of the offending row.
+        found: usize,
+    },
+    /// An entry lies outside the matrix.
+    #[error("column {column} is out of range for {columns} columns")]
+    Column {
+        /// The column of the entry, from 0.
+        column: usize,
+        /// The number of columns.
+        columns: usize,
+    },
+    /// The shapes (rows, columns) of two factors or of the two sides of a system do not match.
+    #[error("shapes {}x{} and {}x{} do not match", .left.0, .left.1, .right.0, .right.1)]
+    Shape {
+        /// Rows and columns of the left factor.
+        left: (usize, usize),
+        /// Rows and columns of the right factor.
+        right: (usize, usize),
+    },
+    /// Only a square matrix has a determinant.
+    #[error("a {rows}x{columns} matrix is not square")]
+    NotSquare {
+        /// The number of rows.
+        rows: usize,
+        /// The number of columns.
+        columns: usize,
+    },
+    /// The candidates for a pivot are not zero, yet none is a unit. Does not happen in a field.
+    #[error("no entry left in column {column} can be inverted, and they are not all zero")]
+    NotInvertible {
+        /// The column of the missing pivot, from 0.
+        column: usize,
+    },
+}
+
+impl<S: Ring> Matrix<S> {
+    /// The matrix with the given rows of `(column, value)`, in any order; entries of equal columns
+    /// are added up.
+    ///
+    /// # Errors
+    /// [`LinearError::Column`] when an entry lies outside.
+    pub fn from_rows<R: IntoIterator<Item = (usize, S)>>(
+        columns: usize,
+        rows: impl IntoIterator<Item = R>,
+    ) -> Result<Self, LinearError> {
+        let tolerance = Tolerance::default();
+        let mut matrix = Matrix {
+            columns,
+            rows: vec![],
+            tolerance,
+        };
+        for row in rows {
+            let row = collect(row, tolerance);
+            match row.last() {
+                Some(&(column, _)) if column >= columns => {
+                    return Err(LinearError::Column { column, columns });
+                }
+                _ => matrix.rows.push(row),
+            }
+        }
+        Ok(matrix)
+    }
+
+    /// The matrix with the given rows of all entries. No rows make the matrix 0x0.
+    ///
+    /// # Errors
+    /// [`LinearError::Ragged`] when the rows differ in length.
+    pub fn from_dense(rows: &[Vec<S>]) -> Result<Self, LinearError> {
+        let expected = rows.first().map_or(0, Vec::len);
+        if let Some(row) = rows.iter().position(|row| row.len() != expected) {
+            let found = rows[row].len();
+            return Err(LinearError::Ragged {
+                row,
+                expected,
+                found,
+            });
+        }
+        Self::from_rows(
+            expected,
+            rows.iter().map(|row| row.iter().cloned().enumerate()),
+        )
+    }
+
+    /// The square matrix with the given diagonal.
+    pub fn diagonal(entries: impl IntoIterator<Item = S>) -> Self {
+        let tolerance = Tolerance::default();
+        let rows: Vec<_> = (entries.into_iter().enumerate())
+            .map(|entry| collect([entry], tolerance))
+            .collect();
+        Matrix {
+            columns: rows.len(),
+            rows,
+            tolerance,
+        }
+    }
+
+    /// The identity of `n` rows.
+    pub fn identity(n: usize) -> Self {
+        Self::diagonal(std::iter::repeat_n(S::one(), n))
+    }
+
+    /// The zero matrix.
+    pub fn zero(rows: usize, columns: usize) -> Self {
+        Matrix {
+            columns,
+            rows: vec![vec![]; rows],
+            tolerance: Tolerance::default(),
+        }
+    }
+
+    /// The same matrix with another tolerance for what is computed from it (floats only).
+    #[must_use]
+    pub fn with_tolerance(mut self, tolerance: Tolerance) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// The number of rows.
+    pub fn rows(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// The number of columns.
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// The tolerance that computations with this matrix use.
+    pub fn tolerance(&self) -> Tolerance {
+        self.tolerance
+    }
+
+    /// The entry in row `i` and column `j`, from 0; zero where nothing is stored.
+    pub fn get(&self, i: usize, j: usize) -> S {
+        at(self.row(i), j).cloned().unwrap_or_else(S::zero)
+    }
+
+    /// The nonzero entries `(column, value)` of row `i`; none outside the matrix.
+    pub fn row(&self, i: usize) -> &[(usize, S)] {
+        self.rows.get(i).map_or(&[], Vec::as_slice)
+    }
+
+    /// The nonzero entries `(row, column, value)`, row by row.
+    pub fn entries(&self) -> impl Iterator<Item = (usize, usize, &S)> {
+        (self.rows.iter().enumerate())
+            .flat_map(|(i, row)| row.iter().map(move |(j, value)| (i, *j, value)))
+    }
+
+    /// All entries, zeros included, row by row.
+    pub fn to_dense(&self) -> Vec<Vec<S>> {
+        let dense = |row: &Row<S>| {
+            let mut entries = vec![S::zero(); self.columns];
+            (row.iter()).for_each(|(j, value)| entries[*j] = value.clone());
+            entries
+        };
+        self.rows.iter().map(dense).collect()
+    }
+
+    /// The transpose: entry `(i, j)` becomes `(j, i)`.
+    #[must_use]
+    pub fn transpose(&self) -> Self {
+        let mut rows = vec![vec![]; self.columns];
+        for (i, j, value) in self.entries() {
+            rows[j].push((i, value.clone()));
+        }
+        Matrix {
+            columns: self.rows(),
+            rows,
+            tolerance: self.tolerance,
+        }
+    }
+
+    /// The entries mapped into another ring, the tolerance kept; `f` is not asked for zeros.
+    pub fn map<T: Ring>(&self, f: impl Fn(&S) -> T) -> Matrix<T> {
+        let mapped = |row: &Row<S>| {
+            let values = row.iter().map(|(j, value)| (*j, f(value)));
+            values.filter(|(_, value)| !value.vanishes()).collect()
+        };
+        Matrix {
+            columns: self.columns,
+            rows: self.rows.iter().map(mapped).collect(),
+            tolerance: self.tolerance,
+        }
+    }
+
+    /// The product `A B`, `(AB)_ij = A_ik B_kj`.
+    ///
+    /// # Errors
+    /// [`LinearError::Shape`] unless `B` has as many rows as `A` columns.
+    pub fn mul(&self, other: &Self) -> Result<Self, LinearError> {
+        if self.columns != other.rows() {
+            return Err(self.mismatch(other.rows(), other.columns));
+        }
+        let tolerance = self.tolerance.weaker(other.tolerance);
+        let product = |row: &Row<S>| {
+            let sums = (row.iter()).fold(vec![], |sums, (k, value)| {
+                add_multiple(sums, value, other.row(*k))
+            });
+            finish(sums, tolerance)
+        };
+        Ok(Matrix {
+            columns: other.columns,
+            rows: self.rows.iter().map(product).collect(),
+            tolerance,
+        })
+    }
+
+    /// The vector `A x`, `(A x)_i = A_ij x_j`.
+    ///
+    /// # Errors
+    /// [`LinearError::Shape`] unless `x` has as many components as `A` columns.
+    pub fn apply(&self, x: &[S]) -> Result<Vec<S>, LinearError> {
+        if self.columns != x.len() {
+            return Err(self.mismatch(x.len(), 1));
+        }
+        let component = |row: &Row<S>| {
+            let mut sum = S::Sum::term(&S::zero());
+            (row.iter()).for_each(|(j, value)| sum.add_product(value, &x[*j]));
+            sum.finish(self.tolerance).unwrap_or_else(S::zero)
+        };
+        Ok(self.rows.iter().map(component).collect())
+    }
+
+    /// The matrix `[A | B]` with a further block of columns.
+    fn beside(&self, block: impl IntoIterator<Item = Row<S>>) -> impl Iterator<Item = Row<S>> {
+        self.rows.iter().zip(block).map(|(row, right)| {
+            let shifted = right
+                .into_iter()
+                .map(|(j, value)| (j + self.columns, value));
+            row.iter().cloned().chain(shifted).collect()
+        })
+    }
+
+    fn mismatch(&self, rows: usize, columns: usize) -> LinearError {
+        LinearError::Shape {
+            left: (self.rows(), self.columns),
+            right: (rows, columns),
+        }
+    }
+}
+
+/// Equal shapes and equal entries; the tolerance does not matter.
+impl<S: PartialEq> PartialEq for Matrix<S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.columns == other.columns && self.rows == other.rows
+    }
+}
+
+/// One line a row, every entry shown: `[1, 0]`.
+impl<S: Ring> fmt::Display for Matrix<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, row) in self.to_dense().iter().enumerate() {
+            let entries: Vec<_> = row.iter().map(S::to_string).collect();
+            let end = if i + 1 < self.rows() { "\n" } else { "" };
+            write!(f, "[{}]{end}", entries.join(", "))?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,161 @@
+//! The reduced row echelon form of a subspace, built row by row.
+
+use super::row::{add_multiple, at, collect, finish, open};
+use super::{LinearError, Row};
+use crate::{Field, Ring, Tolerance};
+
+/// A subspace by its reduced row echelon basis: every basis vector leads with a 1 (its pivot),
+/// and the others are zero there. Equal subspaces have equal bases.
+///
+/// ```
+/// use affinor_tensors::{Rational, linear::Echelon};
+/// let vector = |x: i64, y: i64| vec![(0, Rational::from(x)), (1, Rational::from(y))];
+/// let mut line = Echelon::new();
+/// assert!(line.insert(vector(2, 4))?);
+/// assert!(!line.insert(vector(-3, -6))?);
+/// assert_eq!(line.rows(), [vector(1, 2)]);
+/// assert_eq!(line.nullspace(2), [vector(-2, 1)]);
+/// # Ok::<(), affinor_tensors::linear::LinearError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Echelon<S> {
+    pivots: Vec<usize>,
+    rows: Vec<Row<S>>,
+    tolerance: Tolerance,
+}
+
+impl<S: Field> Echelon<S> {
+    /// The zero subspace, with the default tolerance.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The same subspace with another tolerance for what is computed from it (floats only).
+    #[must_use]
+    pub fn with_tolerance(mut self, tolerance: Tolerance) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// The dimension of the subspace.
+    pub fn rank(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// The pivot columns, increasing.
+    pub fn pivots(&self) -> &[usize] {
+        &self.pivots
+    }
+
+    /// The basis, in the order of the pivots.
+    pub fn rows(&self) -> &[Row<S>] {
+        &self.rows
+    }
+
+    /// Adds a vector to the span; whether it was independent of what was there.
+    ///
+    /// # Errors
+    /// [`LinearError::NotInvertible`] when the remainder leads with a non-unit.
+    pub fn insert(
+        &mut self,
+        row: impl IntoIterator<Item = (usize, S)>,
+    ) -> Result<bool, LinearError> {
+        let remainder = self.reduce(row);
+        let Some((column, lead)) = remainder.first() else {
+            return Ok(false);
+        };
+        let column = *column;
+        let unit = (lead.recip()).ok_or(LinearError::NotInvertible { column })?;
+        self.place(column, normalised(&unit, remainder));
+        Ok(true)
+    }
+
+    /// What is left of a vector after subtracting its part in the subspace; the remainder is zero
+    /// at every pivot.
+    pub fn reduce(&self, row: impl IntoIterator<Item = (usize, S)>) -> Row<S> {
+        let row = collect(row, self.tolerance);
+        // the basis is reduced, so the coordinates stand in the vector itself
+        let parts = (row.iter()).filter_map(|(j, value)| Some((self.led_by(*j)?, value)));
+        let sums = parts.fold(open(&row), |sums, (basis, value)| {
+            add_multiple(sums, &-value.clone(), basis)
+        });
+        finish(sums, self.tolerance)
+    }
+
+    /// Whether the vector lies in the subspace.
+    pub fn contains(&self, row: impl IntoIterator<Item = (usize, S)>) -> bool {
+        self.reduce(row).is_empty()
+    }
+
+    /// The coordinates of a vector in the basis [`rows`](Self::rows); `None` outside the subspace.
+    pub fn coordinates(&self, row: impl IntoIterator<Item = (usize, S)>) -> Option<Vec<S>> {
+        let row = collect(row, self.tolerance);
+        let coordinate = |pivot: &usize| at(&row, *pivot).cloned().unwrap_or_else(S::zero);
+        let coordinates = self.pivots.iter().map(coordinate).collect();
+        self.contains(row).then_some(coordinates)
+    }
+
+    /// A basis of the vectors `x` of `columns` components with `v_j x_j = 0` for all `v` of the
+    /// subspace: one for each column without a pivot, with a 1 there.
+    pub fn nullspace(&self, columns: usize) -> Vec<Row<S>> {
+        let mut basis = vec![vec![]; columns];
+        for (pivot, row) in self.pivots.iter().zip(&self.rows) {
+            for (j, value) in row[1..].iter().filter(|(j, _)| *j < columns) {
+                basis[*j].push((*pivot, -value.clone()));
+            }
+        }
+        (basis.into_iter().enumerate())
+            .filter(|(j, _)| self.led_by(*j).is_none())
+            .map(|(j, mut vector)| {
+                vector.push((j, S::one()));
+                vector
+            })
+            .collect()
+    }
+
+    /// Takes in a remainder with a 1 in its leading column, and clears that column elsewhere.
+    pub(super) fn place(&mut self, column: usize, row: Row<S>) {
+        for other in &mut self.rows {
+            if let Some(value) = at(other, column) {
+                let factor = -value.clone();
+                let sums = add_multiple(open(other), &factor, &row);
+                *other = finish(sums, self.tolerance);
+            }
+        }
+        let place = self.pivots.partition_point(|pivot| *pivot < column);
+        self.pivots.insert(place, column);
+        self.rows.insert(place, row);
+    }
+
+    fn led_by(&self, column: usize) -> Option<&Row<S>> {
+        let place = self.pivots.binary_search(&column).ok()?;
+        Some(&self.rows[place])
+    }
+}
+
+/// Equal subspaces; the tolerance does not matter.
+impl<S: PartialEq> PartialEq for Echelon<S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.rows == other.rows
+    }
+}
+
+impl<S> Default for Echelon<S> {
+    fn default() -> Self {
+        Echelon {
+            pivots: vec![],
+            rows: vec![],
+            tolerance: Tolerance::default(),
+        }
+    }
+}
+
+/// The row times the inverse of its leading entry.
+pub(super) fn normalised<S: Ring>(unit: &S, row: Row<S>) -> Row<S> {
+    let mut entries = row.into_iter();
+    let lead = entries.next().map(|(column, _)| (column, S::one()));
+    let scaled = entries.map(|(j, value)| (j, value * unit));
+    lead.into_iter()
+        .chain(scaled.filter(|(_, value)| !value.vanishes()))
+        .collect()
+}

@@ -1,0 +1,279 @@
+//! Gaussian elimination, and what a matrix answers through it.
+
+use super::echelon::normalised;
+use super::row::{add_multiple, finish, open};
+use super::{Echelon, LinearError, Matrix, Row};
+use crate::{Field, Ring, Sum, Tolerance};
+use std::collections::BTreeMap;
+
+impl<S: Field> Matrix<S> {
+    /// The reduced row echelon form.
+    ///
+    /// # Errors
+    /// [`LinearError::NotInvertible`], here and below not in a field.
+    pub fn echelon(&self) -> Result<Echelon<S>, LinearError> {
+        let pivots = eliminate(self.rows.iter().cloned(), self.tolerance)?;
+        Ok(reduced(pivots, self.tolerance))
+    }
+
+    /// The rank.
+    ///
+    /// # Errors
+    /// As [`echelon`](Self::echelon).
+    pub fn rank(&self) -> Result<usize, LinearError> {
+        Ok(eliminate(self.rows.iter().cloned(), self.tolerance)?.len())
+    }
+
+    /// A basis of `{x : A x = 0}`, as the rows of a matrix.
+    ///
+    /// # Errors
+    /// As [`echelon`](Self::echelon).
+    pub fn nullspace(&self) -> Result<Self, LinearError> {
+        Ok(self.spanned(self.echelon()?.nullspace(self.columns)))
+    }
+
+    /// The reduced row echelon basis of the span of the rows, as the rows of a matrix.
+    ///
+    /// # Errors
+    /// As [`echelon`](Self::echelon).
+    pub fn row_space(&self) -> Result<Self, LinearError> {
+        Ok(self.spanned(self.echelon()?.rows().to_vec()))
+    }
+
+    /// The solution of `A x = b` that is zero at every column without a pivot; `None` when there
+    /// is no solution. All others differ from it by the [`nullspace`](Self::nullspace).
+    ///
+    /// # Errors
+    /// [`LinearError::Shape`] unless `b` has as many components as `A` rows; else as
+    /// [`echelon`](Self::echelon).
+    pub fn solve(&self, b: &[S]) -> Result<Option<Vec<S>>, LinearError> {
+        if b.len() != self.rows() {
+            return Err(self.mismatch(b.len(), 1));
+        }
+        let column = b.iter().map(|value| match value.vanishes() {
+            true => vec![],
+            false => vec![(0, value.clone())],
+        });
+        let pivots = match eliminate(self.beside(column), self.tolerance) {
+            // a row `0 = b` with b not zero
+            Err(LinearError::NotInvertible { column }) if column == self.columns => {
+                return Ok(None);
+            }
+            pivots => pivots?,
+        };
+        if pivots
+            .last()
+            .is_some_and(|pivot| pivot.column == self.columns)
+        {
+            return Ok(None);
+        }
+        let echelon = reduced(pivots, self.tolerance);
+        let mut x = vec![S::zero(); self.columns];
+        for (pivot, row) in echelon.pivots().iter().zip(echelon.rows()) {
+            if let Some((_, value)) = row.last().filter(|(j, _)| *j == self.columns) {
+                x[*pivot] = value.clone();
+            }
+        }
+        Ok(Some(x))
+    }
+
+    /// The inverse; `None` unless the matrix is square and its determinant a unit.
+    ///
+    /// Over a ring that is not local, such as Z/6, also where a column offers no unit as a pivot.
+    pub fn inverse(&self) -> Option<Self> {
+        if self.rows() != self.columns {
+            return None;
+        }
+        let pivots = eliminate(
+            self.beside(Self::identity(self.columns).rows),
+            self.tolerance,
+        )
+        .ok()?;
+        if pivots
+            .last()
+            .is_some_and(|pivot| pivot.column >= self.columns)
+        {
+            return None;
+        }
+        let right = |row: &Row<S>| {
+            let entries = row.iter().filter(|(j, _)| *j >= self.columns);
+            entries
+                .map(|(j, value)| (j - self.columns, value.clone()))
+                .collect()
+        };
+        let echelon = reduced(pivots, self.tolerance);
+        Some(self.spanned(echelon.rows().iter().map(right).collect()))
+    }
+
+    /// The determinant, by elimination; where a column holds only non-units, without division.
+    ///
+    /// # Errors
+    /// [`LinearError::NotSquare`].
+    pub fn determinant(&self) -> Result<S, LinearError> {
+        let (rows, columns) = (self.rows(), self.columns);
+        if rows != columns {
+            return Err(LinearError::NotSquare { rows, columns });
+        }
+        let Ok(pivots) = eliminate(self.rows.iter().cloned(), self.tolerance) else {
+            return self.division_free_determinant();
+        };
+        if pivots.len() < rows {
+            return Ok(S::zero());
+        }
+        let product = (pivots.iter()).fold(S::one(), |product, pivot| product * &pivot.value);
+        let origins: Vec<_> = pivots.iter().map(|pivot| pivot.origin).collect();
+        Ok(if is_odd(&origins) { -product } else { product })
+    }
+
+    /// The determinant over any commutative ring (R. S. Bird, *Inform. Process. Lett.* 111 (2011)
+    /// 1072-1074): `n - 1` times `F <- mu(F) A` from `F = A`, where `mu(F)` is strictly upper `F`
+    /// with the diagonal `-(F_{i+1,i+1} + ... + F_nn)`; then `(-1)^{n-1} F_11`.
+    fn division_free_determinant(&self) -> Result<S, LinearError> {
+        let mut power = self.clone();
+        for _ in 1..self.rows() {
+            let mut below = S::Sum::term(&S::zero());
+            let mut rows = Vec::with_capacity(self.rows());
+            for (i, row) in power.rows.iter().enumerate().rev() {
+                let trace = below.finish(self.tolerance).map(|value| (i, -value));
+                let upper = row.iter().filter(|(j, _)| *j > i).cloned();
+                rows.push(trace.into_iter().chain(upper).collect());
+                below.add_term(&power.get(i, i));
+            }
+            rows.reverse();
+            power = self.spanned(rows).mul(self)?;
+        }
+        Ok(match self.rows() {
+            0 => S::one(),
+            n if n.is_multiple_of(2) => -power.get(0, 0),
+            _ => power.get(0, 0),
+        })
+    }
+
+    /// The matrix of other rows with the columns and the tolerance of this one.
+    fn spanned(&self, rows: Vec<Row<S>>) -> Self {
+        Matrix {
+            columns: self.columns,
+            rows,
+            tolerance: self.tolerance,
+        }
+    }
+}
+
+/// A row that has become a pivot: divided by its leading entry `value`.
+struct Pivot<S> {
+    column: usize,
+    value: S,
+    row: Row<S>,
+    /// The row of the matrix that this one stands in for.
+    origin: usize,
+}
+
+/// A row under elimination: its leading entry and the sums behind it.
+struct Candidate<S: Ring> {
+    lead: S,
+    weight: f64,
+    rest: Row<S::Sum>,
+    origin: usize,
+}
+
+/// The rows that wait for a pivot, by their leading column.
+struct Waiting<S: Ring> {
+    candidates: BTreeMap<usize, Vec<Candidate<S>>>,
+    tolerance: Tolerance,
+}
+
+impl<S: Field> Waiting<S> {
+    fn push(&mut self, sums: Row<S::Sum>, origin: usize) {
+        let value = |(j, sum): (usize, S::Sum)| Some((j, sum.finish(self.tolerance)?, sum));
+        let mut entries = sums.into_iter().filter_map(value);
+        if let Some((column, lead, _)) = entries.next() {
+            let rest = entries.map(|(j, _, sum)| (j, sum)).collect();
+            let candidate = Candidate {
+                weight: lead.pivot_weight(),
+                lead,
+                rest,
+                origin,
+            };
+            self.candidates.entry(column).or_default().push(candidate);
+        }
+    }
+}
+
+/// Elimination without back substitution: the pivots by column, every row zero before its own.
+fn eliminate<S: Field>(
+    rows: impl Iterator<Item = Row<S>>,
+    tolerance: Tolerance,
+) -> Result<Vec<Pivot<S>>, LinearError> {
+    let mut waiting = Waiting::<S> {
+        candidates: BTreeMap::new(),
+        tolerance,
+    };
+    for (origin, row) in rows.enumerate() {
+        waiting.push(open(&row), origin);
+    }
+    let mut pivots = vec![];
+    while let Some((column, candidates)) = waiting.candidates.pop_first() {
+        let (pivot, others) = choose(column, candidates, tolerance)?;
+        for other in others {
+            let sums = add_multiple(other.rest, &-other.lead, &pivot.row[1..]);
+            waiting.push(sums, other.origin);
+        }
+        pivots.push(pivot);
+    }
+    Ok(pivots)
+}
+
+/// The candidate that serves best as the pivot, normalised, and the others.
+///
+/// First by [`Field::pivot_weight`] (floats: partial pivoting), then the sparsest.
+fn choose<S: Field>(
+    column: usize,
+    mut candidates: Vec<Candidate<S>>,
+    tolerance: Tolerance,
+) -> Result<(Pivot<S>, Vec<Candidate<S>>), LinearError> {
+    candidates.sort_by(|a, b| {
+        (b.weight.total_cmp(&a.weight))
+            .then(a.rest.len().cmp(&b.rest.len()))
+            .then(a.origin.cmp(&b.origin))
+    });
+    let (place, unit) = (candidates.iter().enumerate())
+        .find_map(|(place, candidate)| Some((place, candidate.lead.recip()?)))
+        .ok_or(LinearError::NotInvertible { column })?;
+    let Candidate {
+        lead, rest, origin, ..
+    } = candidates.remove(place);
+    let mut row = vec![(column, lead.clone())];
+    row.extend(finish::<S>(rest, tolerance));
+    let row = normalised(&unit, row);
+    let pivot = Pivot {
+        column,
+        value: lead,
+        row,
+        origin,
+    };
+    Ok((pivot, candidates))
+}
+
+/// Back substitution: from the last pivot upwards no row has to be touched twice.
+fn reduced<S: Field>(pivots: Vec<Pivot<S>>, tolerance: Tolerance) -> Echelon<S> {
+    let mut echelon = Echelon::new().with_tolerance(tolerance);
+    for pivot in pivots.into_iter().rev() {
+        let row = echelon.reduce(pivot.row);
+        echelon.place(pivot.column, row);
+    }
+    echelon
+}
+
+/// Whether a permutation is odd: the parity of its length minus the number of its cycles.
+fn is_odd(permutation: &[usize]) -> bool {
+    let mut seen = vec![false; permutation.len()];
+    let mut odd = false;
+    for start in 0..permutation.len() {
+        let mut i = start;
+        while !std::mem::replace(&mut seen[i], true) {
+            i = permutation[i];
+            odd ^= i != start;
+        }
+    }
+    odd
+}

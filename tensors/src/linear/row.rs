@@ -1,0 +1,61 @@
+//! Sparse vectors, and sums of multiples of them.
+
+use crate::{Ring, Sum, Tolerance};
+
+/// A sparse vector: the nonzero components `(index, value)`, indices from 0 and increasing.
+pub type Row<S> = Vec<(usize, S)>;
+
+/// The value at an index of a sparse vector, if it is not zero.
+pub(super) fn at<S>(row: &[(usize, S)], index: usize) -> Option<&S> {
+    let place = row.binary_search_by_key(&index, |(j, _)| *j).ok()?;
+    Some(&row[place].1)
+}
+
+/// The sparse vector of components in any order, equal indices added up.
+pub(super) fn collect<S: Ring>(
+    entries: impl IntoIterator<Item = (usize, S)>,
+    tolerance: Tolerance,
+) -> Row<S> {
+    let mut entries: Vec<_> = entries.into_iter().collect();
+    entries.sort_by_key(|(j, _)| *j);
+    let sums = entries.chunk_by(|a, b| a.0 == b.0).map(|run| {
+        let mut sum = S::Sum::term(&run[0].1);
+        run[1..].iter().for_each(|(_, value)| sum.add_term(value));
+        (run[0].0, sum)
+    });
+    finish(sums.collect(), tolerance)
+}
+
+/// The components of a sparse vector as sums that more can be added to.
+pub(super) fn open<S: Ring>(row: &[(usize, S)]) -> Row<S::Sum> {
+    row.iter()
+        .map(|(j, value)| (*j, S::Sum::term(value)))
+        .collect()
+}
+
+/// The values of a vector of sums, without those that count as zero.
+pub(super) fn finish<S: Ring>(sums: Row<S::Sum>, tolerance: Tolerance) -> Row<S> {
+    let value = |(j, sum): (usize, S::Sum)| Some((j, sum.finish(tolerance)?));
+    sums.into_iter().filter_map(value).collect()
+}
+
+/// `sums + factor * row`.
+pub(super) fn add_multiple<S: Ring>(
+    sums: Row<S::Sum>,
+    factor: &S,
+    row: &[(usize, S)],
+) -> Row<S::Sum> {
+    let mut total = Vec::with_capacity(sums.len() + row.len());
+    let mut rest = row.iter().peekable();
+    for (column, mut sum) in sums {
+        while let Some((j, value)) = rest.next_if(|(j, _)| *j < column) {
+            total.push((*j, S::Sum::product(factor, value)));
+        }
+        if let Some((_, value)) = rest.next_if(|(j, _)| *j == column) {
+            sum.add_product(factor, value);
+        }
+        total.push((column, sum));
+    }
+    total.extend(rest.map(|(j, value)| (*j, S::Sum::product(factor, value))));
+    total
+}

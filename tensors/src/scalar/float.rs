@@ -1,0 +1,79 @@
+//! Floating point: `f64` with a tolerance for zero.
+
+use super::{Field, Kind, Notation, Rational, Ring, Sum, Tolerance};
+
+/// A sum of floats beside the sum of the magnitudes of its terms.
+#[derive(Clone, Copy, Debug)]
+pub struct FloatSum {
+    value: f64,
+    magnitude: f64,
+}
+
+impl Sum<f64> for FloatSum {
+    fn term(a: &f64) -> Self {
+        FloatSum { value: *a, magnitude: a.abs() }
+    }
+    fn product(a: &f64, b: &f64) -> Self {
+        Self::term(&(a * b))
+    }
+    fn add_term(&mut self, a: &f64) {
+        self.value += a;
+        self.magnitude += a.abs();
+    }
+    fn add_product(&mut self, a: &f64, b: &f64) {
+        self.add_term(&(a * b));
+    }
+    fn finish(&self, tolerance: Tolerance) -> Option<f64> {
+        let bound = tolerance.relative() * self.magnitude;
+        // where the magnitudes overflow they judge nothing; and a NaN is never zero
+        let zero = self.value == 0.0 || (self.value.abs() <= bound && bound.is_finite());
+        (!zero).then_some(self.value)
+    }
+}
+
+impl Ring for f64 {
+    type Sum = FloatSum;
+
+    fn from_i64(n: i64) -> Self {
+        n as f64
+    }
+    fn vanishes(&self) -> bool {
+        *self == 0.0
+    }
+    fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
+        (denominator != 0).then(|| numerator as f64 / denominator as f64)
+    }
+}
+
+impl Field for f64 {
+    fn recip(&self) -> Option<Self> {
+        // a value so small that its inverse overflows is no unit, nor is an infinite one or NaN
+        let inverse = 1.0 / self;
+        (self.is_finite() && inverse.is_finite()).then_some(inverse)
+    }
+    fn pivot_weight(&self) -> f64 {
+        self.abs()
+    }
+}
+
+impl Notation for f64 {
+    const KIND: Kind = Kind::Float;
+
+    fn from_rational(value: &Rational) -> Option<Self> {
+        let x = value.to_f64();
+        x.is_finite().then_some(x)
+    }
+    fn latex(&self) -> String {
+        let text = self.to_string();
+        match text.split_once('e') {
+            Some((mantissa, exponent)) => format!("{mantissa} \\times 10^{{{exponent}}}"),
+            None => text,
+        }
+    }
+    fn to_f64(&self) -> Option<f64> {
+        Some(*self)
+    }
+    fn size(&self) -> usize {
+        1
+    }
+}

@@ -1,0 +1,402 @@
+//! Exact rationals that never overflow and never round.
+//!
+//! A value lives in two machine words while it fits and moves to big integers when it does not;
+//! every result moves back as soon as it fits again, so equal values have equal forms.
+//! Products cancel across the bar before they multiply (P. Henrici, *J. ACM* 3 (1956) 6-9).
+
+use super::{ExactSum, Field, Kind, Notation, Ring};
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
+use num_bigint::{BigInt, Sign};
+use num_integer::Integer;
+use num_rational::{BigRational, Ratio};
+use num_traits::{One, Zero};
+use std::cmp::Ordering;
+use std::fmt;
+use std::num::NonZeroI64;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// An exact rational number in lowest terms with a positive denominator.
+///
+/// ```
+/// use affinor_tensors::Rational;
+/// let third = Rational::new(1, 3).unwrap();
+/// assert_eq!((third.clone() + &third).to_string(), "2/3");
+/// let big = Rational::from(i64::MAX) * &Rational::from(i64::MAX);
+/// assert_eq!(big.to_string(), "85070591730234615847396907784232501249");
+/// ```
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Rational(Form);
+
+/// The canonical form: `Big` only when numerator or denominator does not fit a word.
+#[derive(Clone, PartialEq, Eq, Hash)]
+enum Form {
+    Small { numerator: i64, denominator: NonZeroI64 },
+    Big(Box<RBig>),
+}
+use Form::{Big, Small};
+
+/// The denominator of an integer.
+const UNIT: NonZeroI64 = match NonZeroI64::new(1) {
+    Some(unit) => unit,
+    None => unreachable!(),
+};
+
+impl Rational {
+    /// `numerator / denominator`; `None` when the denominator is zero.
+    pub fn new(numerator: i64, denominator: i64) -> Option<Self> {
+        (denominator != 0).then(|| Self::reduced(numerator.into(), denominator.into()))
+    }
+
+    /// The integer with these decimal digits; `None` unless they are all digits.
+    pub fn from_digits(digits: &str) -> Option<Self> {
+        if let Ok(small) = digits.parse::<i64>() {
+            return (!digits.starts_with(['+', '-'])).then(|| small.into());
+        }
+        let plain = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
+        let value = if plain { IBig::from_str_radix(digits, 10).ok()? } else { return None };
+        Some(Self::demote(RBig::from(value)))
+    }
+
+    /// Whether the denominator is one.
+    pub fn is_integer(&self) -> bool {
+        match &self.0 {
+            Small { denominator, .. } => denominator.get() == 1,
+            Big(r) => r.denominator().is_one(),
+        }
+    }
+
+    /// The value as a machine integer, if it is one.
+    pub fn to_i64(&self) -> Option<i64> {
+        match self.0 {
+            Small { numerator, denominator } if denominator.get() == 1 => Some(numerator),
+            _ => None,
+        }
+    }
+
+    /// The nearest `f64` (infinite beyond its range).
+    pub fn to_f64(&self) -> f64 {
+        match &self.0 {
+            Small { numerator, denominator }
+                if numerator.unsigned_abs() < 1 << 53 && denominator.get() < 1 << 53 =>
+            {
+                *numerator as f64 / denominator.get() as f64
+            }
+            _ => self.to_big().to_f64().value(),
+        }
+    }
+
+    /// Whether the value is below zero.
+    pub fn is_negative(&self) -> bool {
+        match &self.0 {
+            Small { numerator, .. } => *numerator < 0,
+            Big(r) => **r < RBig::ZERO,
+        }
+    }
+
+    /// The absolute value.
+    pub fn abs(self) -> Self {
+        if self.is_negative() { -self } else { self }
+    }
+
+    /// The quotient in lowest terms; the denominator is not zero.
+    fn reduced(numerator: i128, denominator: i128) -> Self {
+        if let (Ok(n), Ok(d)) = (i64::try_from(numerator), i64::try_from(denominator))
+            && n != i64::MIN
+            && d > 0
+        {
+            // the usual case, in single words
+            let gcd = n.gcd(&d);
+            return Self::coprime((n / gcd).into(), (d / gcd).into());
+        }
+        // both are below 2^127 in magnitude, so the gcd can carry a sign
+        let gcd = numerator.unsigned_abs().gcd(&denominator.unsigned_abs()) as i128;
+        let gcd = gcd * denominator.signum();
+        Self::coprime(numerator / gcd, denominator / gcd)
+    }
+
+    /// The quotient of coprime parts with a positive denominator.
+    fn coprime(numerator: i128, denominator: i128) -> Self {
+        let words = i64::try_from(numerator)
+            .ok()
+            .zip(i64::try_from(denominator).ok().and_then(NonZeroI64::new));
+        match words {
+            Some((numerator, denominator)) => Rational(Small { numerator, denominator }),
+            None => Rational(Big(Box::new(RBig::from_parts(
+                IBig::from(numerator),
+                UBig::from(denominator.unsigned_abs()),
+            )))),
+        }
+    }
+
+    /// Numerator and denominator both words.
+    fn words(&self) -> Option<(i64, i64)> {
+        match self.0 {
+            Small { numerator, denominator } => Some((numerator, denominator.get())),
+            Big(_) => None,
+        }
+    }
+
+    fn to_big(&self) -> RBig {
+        match &self.0 {
+            Small { numerator, denominator } => RBig::from_parts(
+                IBig::from(*numerator),
+                UBig::from(denominator.get().unsigned_abs()),
+            ),
+            Big(r) => (**r).clone(),
+        }
+    }
+
+    fn demote(value: RBig) -> Self {
+        let words = i64::try_from(value.numerator())
+            .ok()
+            .zip(i64::try_from(value.denominator()).ok().and_then(NonZeroI64::new));
+        match words {
+            Some((numerator, denominator)) => Rational(Small { numerator, denominator }),
+            None => Rational(Big(Box::new(value))),
+        }
+    }
+}
+
+impl From<i64> for Rational {
+    fn from(n: i64) -> Self {
+        Rational(Small { numerator: n, denominator: UNIT })
+    }
+}
+
+impl From<Ratio<i64>> for Rational {
+    fn from(r: Ratio<i64>) -> Self {
+        Self::reduced((*r.numer()).into(), (*r.denom()).into())
+    }
+}
+
+impl From<BigRational> for Rational {
+    fn from(r: BigRational) -> Self {
+        let magnitude = |n: &BigInt| UBig::from_le_bytes(&n.to_bytes_le().1);
+        let numerator = IBig::from(magnitude(r.numer()));
+        let signed = if r.numer().sign() == Sign::Minus { -numerator } else { numerator };
+        Self::demote(RBig::from_parts(signed, magnitude(r.denom())))
+    }
+}
+
+impl From<&Rational> for BigRational {
+    fn from(r: &Rational) -> Self {
+        let big = r.to_big();
+        let integer = |sign, n: &UBig| BigInt::from_bytes_le(sign, &n.to_le_bytes());
+        let sign = if r.is_negative() { Sign::Minus } else { Sign::Plus };
+        let (_, magnitude) = big.numerator().clone().into_parts();
+        BigRational::new(integer(sign, &magnitude), integer(Sign::Plus, big.denominator()))
+    }
+}
+
+impl TryFrom<&Rational> for Ratio<i64> {
+    type Error = NotWords;
+    /// Fails, rather than rounds, when a part does not fit 64 bits.
+    fn try_from(r: &Rational) -> Result<Self, NotWords> {
+        r.words().map(|(n, d)| Ratio::new_raw(n, d)).ok_or(NotWords)
+    }
+}
+
+/// Numerator or denominator does not fit 64 bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the rational does not fit into two 64-bit words")]
+pub struct NotWords;
+
+impl Add<&Rational> for Rational {
+    type Output = Rational;
+    fn add(self, other: &Rational) -> Rational {
+        match (self.words(), other.words()) {
+            // |a d + c b| <= 2 * 2^63 * (2^63 - 1) fits 128 bits
+            (Some((a, b)), Some((c, d))) if b == d => {
+                Rational::reduced(i128::from(a) + i128::from(c), b.into())
+            }
+            (Some((a, b)), Some((c, d))) => {
+                let [a, b, c, d] = [a, b, c, d].map(i128::from);
+                Rational::reduced(a * d + c * b, b * d)
+            }
+            _ => Rational::demote(self.to_big() + other.to_big()),
+        }
+    }
+}
+
+impl Sub<&Rational> for Rational {
+    type Output = Rational;
+    fn sub(self, other: &Rational) -> Rational {
+        self + &-other.clone()
+    }
+}
+
+impl Mul<&Rational> for Rational {
+    type Output = Rational;
+    fn mul(self, other: &Rational) -> Rational {
+        match (self.words(), other.words()) {
+            (Some((a, 1)), Some((c, 1))) => Rational::reduced(i128::from(a) * i128::from(c), 1),
+            (Some((a, b)), Some((c, d))) => {
+                let (g, h) = (common(a, d), common(c, b));
+                let [a, b, c, d] = [a, b, c, d].map(i128::from);
+                Rational::coprime((a / g) * (c / h), (b / h) * (d / g))
+            }
+            _ => Rational::demote(self.to_big() * other.to_big()),
+        }
+    }
+}
+
+/// gcd of a numerator and a (positive) denominator; at least 1.
+fn common(numerator: i64, denominator: i64) -> i128 {
+    numerator.unsigned_abs().gcd(&denominator.unsigned_abs()).into()
+}
+
+impl Neg for Rational {
+    type Output = Rational;
+    fn neg(self) -> Rational {
+        match self.0 {
+            Small { numerator, denominator } if numerator != i64::MIN => {
+                Rational(Small { numerator: -numerator, denominator })
+            }
+            _ => Rational::demote(-self.to_big()),
+        }
+    }
+}
+
+macro_rules! by_value {
+    ($($operator:ident $method:ident),*) => {$(
+        impl $operator for Rational {
+            type Output = Rational;
+            fn $method(self, other: Rational) -> Rational {
+                $operator::$method(self, &other)
+            }
+        }
+    )*};
+}
+by_value!(Add add, Sub sub, Mul mul, Div div);
+
+impl Div<&Rational> for Rational {
+    type Output = Rational;
+    /// # Panics
+    /// On division by zero, as the integers do; [`Field::recip`] answers `None` instead.
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "dividing is multiplying by the inverse")]
+    fn div(self, other: &Rational) -> Rational {
+        self * &other.recip().expect("division by zero")
+    }
+}
+
+impl Zero for Rational {
+    fn zero() -> Self {
+        0.into()
+    }
+    fn is_zero(&self) -> bool {
+        matches!(self.0, Small { numerator: 0, .. })
+    }
+}
+
+impl One for Rational {
+    fn one() -> Self {
+        1.into()
+    }
+}
+
+impl Ord for Rational {
+    fn cmp(&self, other: &Self) -> Ordering {
+        match (self.words(), other.words()) {
+            (Some((a, b)), Some((c, d))) => {
+                (i128::from(a) * i128::from(d)).cmp(&(i128::from(c) * i128::from(b)))
+            }
+            _ => self.to_big().cmp(&other.to_big()),
+        }
+    }
+}
+
+impl PartialOrd for Rational {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl fmt::Display for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Small { numerator, denominator } if denominator.get() == 1 => {
+                write!(f, "{numerator}")
+            }
+            Small { numerator, denominator } => write!(f, "{numerator}/{denominator}"),
+            Big(r) => write!(f, "{r}"),
+        }
+    }
+}
+
+impl fmt::Debug for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl Ring for Rational {
+    type Sum = ExactSum<Self>;
+
+    fn from_i64(n: i64) -> Self {
+        n.into()
+    }
+    fn vanishes(&self) -> bool {
+        self.is_zero()
+    }
+    fn clear_denominators<'a>(values: impl Iterator<Item = &'a Self>) -> Option<(Vec<i64>, i64)> {
+        let words: Vec<_> = values.map(Self::words).collect::<Option<_>>()?;
+        let mut denominator = 1i64;
+        for &(_, d) in &words {
+            denominator = denominator.checked_mul(d / denominator.gcd(&d))?;
+        }
+        let scale = |&(n, d): &(i64, i64)| n.checked_mul(denominator / d);
+        let integers = words.iter().map(scale).collect::<Option<_>>()?;
+        Some((integers, denominator))
+    }
+    fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
+        Self::new(numerator, denominator)
+    }
+}
+
+impl Field for Rational {
+    fn recip(&self) -> Option<Self> {
+        match self.words() {
+            Some((0, _)) => None,
+            Some((n, d)) => Some(Self::reduced(d.into(), n.into())),
+            None => Some(Self::demote(RBig::ONE / self.to_big())),
+        }
+    }
+    fn pivot_weight(&self) -> f64 {
+        -(self.size() as f64)
+    }
+}
+
+impl Notation for Rational {
+    const KIND: Kind = Kind::Exact;
+
+    fn from_rational(value: &Rational) -> Option<Self> {
+        Some(value.clone())
+    }
+    fn to_f64(&self) -> Option<f64> {
+        Some(Rational::to_f64(self))
+    }
+    fn latex(&self) -> String {
+        let text = self.to_string();
+        match text.split_once('/') {
+            Some((numerator, denominator)) => match numerator.strip_prefix('-') {
+                Some(numerator) => format!("-\\frac{{{numerator}}}{{{denominator}}}"),
+                None => format!("\\frac{{{numerator}}}{{{denominator}}}"),
+            },
+            None => text,
+        }
+    }
+    fn is_negative(&self) -> bool {
+        Rational::is_negative(self)
+    }
+    fn size(&self) -> usize {
+        use dashu_base::BitTest;
+        match self.words() {
+            Some((n, d)) => (128 - n.unsigned_abs().leading_zeros() - d.leading_zeros()) as usize,
+            None => {
+                let big = self.to_big();
+                big.numerator().bit_len() + big.denominator().bit_len()
+            }
+        }
+    }
+}

@@ -1,0 +1,231 @@
+//! Rational functions of named parameters over the rationals, always in lowest terms.
+//!
+//! A value without parameters is a plain [`Rational`]; every other one is a quotient of coprime
+//! polynomials over exactly the parameters it depends on, in alphabetical order. Parameters are
+//! told apart by name alone, so any two values combine. Equal values have equal forms.
+
+mod fraction;
+mod operators;
+mod polynomial;
+mod substitution;
+mod variables;
+mod writing;
+
+use super::{ExactSum, Field, Kind, Notation, Rational, Ring};
+use fraction::Fraction;
+use std::fmt;
+use std::sync::Arc;
+use writing::Markup;
+
+/// A rational function of named parameters with rational coefficients, in lowest terms.
+///
+/// The denominator has coprime integer coefficients, the first one positive. Terms stand by total
+/// degree, then alphabetically (`J2` before `J10`), the highest first.
+///
+/// ```
+/// use affinor_tensors::{Rational, Symbolic};
+/// let [a, b] = ["a", "b"].map(Symbolic::parameter);
+/// let difference = a.clone() * &a - &(b.clone() * &b);
+/// assert_eq!(difference.clone() / &(a.clone() - &b), a.clone() + &b);
+///
+/// let four = Symbolic::constant(Rational::from(4));
+/// assert_eq!((difference / &(four * &b)).to_string(), "(a^2 - b^2)/(4*b)");
+/// ```
+#[derive(Clone, PartialEq, Eq)]
+pub struct Symbolic(Form);
+
+#[derive(Clone, PartialEq, Eq)]
+enum Form {
+    Constant(Rational),
+    Fraction(Arc<Fraction>),
+}
+
+impl Symbolic {
+    /// The parameter of that name.
+    ///
+    /// Every name works; only identifiers can be read back from the text
+    /// ([`Notation::parameter`] refuses the others).
+    pub fn parameter(name: &str) -> Self {
+        Fraction::parameter(name).into()
+    }
+
+    /// The constant function.
+    pub fn constant(value: Rational) -> Self {
+        Symbolic(Form::Constant(value))
+    }
+
+    /// The value as a number, if it depends on no parameter.
+    pub fn as_constant(&self) -> Option<&Rational> {
+        match &self.0 {
+            Form::Constant(c) => Some(c),
+            Form::Fraction(_) => None,
+        }
+    }
+
+    /// The names of the parameters on which the value depends, in alphabetical order.
+    pub fn parameters(&self) -> Vec<String> {
+        match &self.0 {
+            Form::Constant(_) => Vec::new(),
+            Form::Fraction(f) => f.variables.iter().map(|name| name.to_string()).collect(),
+        }
+    }
+
+    /// The numerator `N` of the value `N / D`: a polynomial with rational coefficients.
+    pub fn numerator(&self) -> Self {
+        match &self.0 {
+            Form::Constant(_) => self.clone(),
+            Form::Fraction(f) => f.polynomial(&f.numerator),
+        }
+    }
+
+    /// The denominator `D` of the value `N / D`: a polynomial with coprime integer coefficients,
+    /// the first one positive; 1 for constants and polynomials.
+    pub fn denominator(&self) -> Self {
+        match &self.0 {
+            Form::Constant(_) => Self::from_i64(1),
+            Form::Fraction(f) => f.polynomial(&f.denominator),
+        }
+    }
+
+    /// The partial derivative by the parameter of that name.
+    ///
+    /// ```
+    /// use affinor_tensors::Symbolic;
+    /// let [a, b] = ["a", "b"].map(Symbolic::parameter);
+    /// assert_eq!((a / &b).derivative("b").to_string(), "-a/b^2");
+    /// ```
+    pub fn derivative(&self, name: &str) -> Self {
+        let Form::Fraction(f) = &self.0 else {
+            return Self::from_i64(0);
+        };
+        match f.variables.iter().position(|own| **own == *name) {
+            Some(variable) => f.derivative(variable),
+            None => Self::from_i64(0),
+        }
+    }
+
+    /// The terms of the [`numerator`](Self::numerator): powers of the parameters and the
+    /// coefficient.
+    ///
+    /// A polynomial is thereby a vector over the monomials: its denominator is 1, and constant
+    /// denominators are part of the coefficients. Of other values only the numerator is listed.
+    /// Zero has no terms.
+    ///
+    /// ```
+    /// use affinor_tensors::{Rational, Symbolic};
+    /// let half = Symbolic::constant(Rational::new(1, 2).unwrap());
+    /// let terms = (Symbolic::parameter("a") * &half).terms();
+    /// assert_eq!(terms, [(vec![("a".to_owned(), 1)], Rational::new(1, 2).unwrap())]);
+    /// ```
+    pub fn terms(&self) -> Vec<(Vec<(String, u32)>, Rational)> {
+        match &self.0 {
+            Form::Constant(_) if self.vanishes() => Vec::new(),
+            Form::Constant(c) => vec![(Vec::new(), c.clone())],
+            Form::Fraction(f) => {
+                let powers = |exponents: &[u32]| {
+                    let powers = f.variables.iter().zip(exponents).filter(|(_, e)| **e > 0);
+                    powers.map(|(name, &e)| (name.to_string(), e)).collect()
+                };
+                let terms = f.numerator.terms.iter();
+                terms.map(|(m, c)| (powers(m.exps()), c.clone())).collect()
+            }
+        }
+    }
+}
+
+impl Ring for Symbolic {
+    type Sum = ExactSum<Self>;
+
+    fn from_i64(n: i64) -> Self {
+        Self::constant(n.into())
+    }
+    fn vanishes(&self) -> bool {
+        num_traits::Zero::is_zero(self)
+    }
+    fn clear_denominators<'a>(values: impl Iterator<Item = &'a Self>) -> Option<(Vec<i64>, i64)> {
+        let constants: Vec<_> = values.map(Self::as_constant).collect::<Option<_>>()?;
+        Rational::clear_denominators(constants.into_iter())
+    }
+    fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
+        Rational::new(numerator, denominator).map(Self::constant)
+    }
+}
+
+impl Field for Symbolic {
+    fn recip(&self) -> Option<Self> {
+        match &self.0 {
+            Form::Constant(c) => c.recip().map(Self::constant),
+            Form::Fraction(f) => f.recip().map(Self::from),
+        }
+    }
+    fn pivot_weight(&self) -> f64 {
+        match &self.0 {
+            // above every fraction: dividing by a constant needs no common divisors
+            Form::Constant(c) => 1.0 / (1.0 + c.size() as f64),
+            Form::Fraction(_) => -(self.size() as f64),
+        }
+    }
+}
+
+impl Notation for Symbolic {
+    const KIND: Kind = Kind::Symbolic;
+
+    fn from_rational(value: &Rational) -> Option<Self> {
+        Some(Self::constant(value.clone()))
+    }
+    /// `None` unless the name is an identifier: a letter or `_`, then letters, digits or `_`.
+    fn parameter(name: &str) -> Option<Self> {
+        writing::is_identifier(name).then(|| Symbolic::parameter(name))
+    }
+    fn to_f64(&self) -> Option<f64> {
+        self.as_constant().map(Rational::to_f64)
+    }
+    fn latex(&self) -> String {
+        match &self.0 {
+            Form::Constant(c) => c.latex(),
+            Form::Fraction(f) => writing::fraction(f, Markup::Latex),
+        }
+    }
+    fn is_negative(&self) -> bool {
+        match &self.0 {
+            Form::Constant(c) => c.is_negative(),
+            Form::Fraction(f) => writing::leads_negative(&f.numerator),
+        }
+    }
+    fn parameters(&self) -> Vec<String> {
+        Symbolic::parameters(self)
+    }
+    /// Every term of one meets every term of the other.
+    fn product_size(&self, other: &Self) -> usize {
+        match (&self.0, &other.0) {
+            (Form::Constant(a), Form::Constant(b)) => a.product_size(b),
+            _ => self.size().saturating_mul(other.size()),
+        }
+    }
+    /// Bits of the coefficients plus degrees of the terms, summed over numerator and denominator.
+    fn size(&self) -> usize {
+        match &self.0 {
+            Form::Constant(c) => c.size(),
+            Form::Fraction(f) => {
+                let terms = f.numerator.terms.iter().chain(&f.denominator.terms);
+                let sizes = terms.map(|(m, c)| c.size().saturating_add(m.degree() as usize));
+                sizes.fold(0, usize::saturating_add)
+            }
+        }
+    }
+}
+
+impl fmt::Display for Symbolic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Form::Constant(c) => c.fmt(f),
+            Form::Fraction(fraction) => f.write_str(&writing::fraction(fraction, Markup::Text)),
+        }
+    }
+}
+
+impl fmt::Debug for Symbolic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}

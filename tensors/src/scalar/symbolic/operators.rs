@@ -1,0 +1,99 @@
+//! The operators of rational functions.
+
+use super::{Form, Rational, Symbolic};
+use crate::scalar::Field;
+use num_traits::{One, Zero};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+impl Add<&Symbolic> for Symbolic {
+    type Output = Symbolic;
+    fn add(self, other: &Symbolic) -> Symbolic {
+        match (self.0, &other.0) {
+            (Form::Constant(a), Form::Constant(b)) => Symbolic::constant(a + b),
+            (f, Form::Constant(c)) if c.is_zero() => Symbolic(f),
+            (Form::Constant(c), f) if c.is_zero() => Symbolic(f.clone()),
+            (Form::Fraction(f), Form::Constant(c)) => f.plus(c).into(),
+            (Form::Constant(c), Form::Fraction(f)) => f.plus(&c).into(),
+            (Form::Fraction(f), Form::Fraction(g)) => f.sum(g),
+        }
+    }
+}
+
+impl Sub<&Symbolic> for Symbolic {
+    type Output = Symbolic;
+    fn sub(self, other: &Symbolic) -> Symbolic {
+        self + &-other.clone()
+    }
+}
+
+impl Mul<&Symbolic> for Symbolic {
+    type Output = Symbolic;
+    /// # Panics
+    /// When a total degree passes `u32::MAX`, rather than wrap an exponent; so do sums of fractions.
+    /// [`Notation::size`](crate::Notation::size) is at least the degree: bound it where input
+    /// could lead there.
+    fn mul(self, other: &Symbolic) -> Symbolic {
+        match (self.0, &other.0) {
+            (Form::Constant(a), Form::Constant(b)) => Symbolic::constant(a * b),
+            (Form::Fraction(f), Form::Fraction(g)) => f.product(g),
+            (f, Form::Constant(c)) => scaled(f, c),
+            (Form::Constant(c), f) => scaled(f.clone(), &c),
+        }
+    }
+}
+
+/// The value times a constant.
+fn scaled(form: Form, c: &Rational) -> Symbolic {
+    match form {
+        _ if c.is_zero() => Symbolic::zero(),
+        form if c.is_one() => Symbolic(form),
+        Form::Fraction(f) => f.times(c).into(),
+        Form::Constant(a) => Symbolic::constant(a * c),
+    }
+}
+
+impl Div<&Symbolic> for Symbolic {
+    type Output = Symbolic;
+    /// # Panics
+    /// On division by zero, as the integers do; [`Field::recip`] answers `None` instead.
+    fn div(self, other: &Symbolic) -> Symbolic {
+        self.mul(&other.recip().expect("division by zero"))
+    }
+}
+
+impl Neg for Symbolic {
+    type Output = Symbolic;
+    fn neg(self) -> Symbolic {
+        match self.0 {
+            Form::Constant(c) => Symbolic::constant(-c),
+            Form::Fraction(f) => f.times(&-Rational::one()).into(),
+        }
+    }
+}
+
+macro_rules! by_value {
+    ($($operator:ident $method:ident),*) => {$(
+        impl $operator for Symbolic {
+            type Output = Symbolic;
+            fn $method(self, other: Symbolic) -> Symbolic {
+                $operator::$method(self, &other)
+            }
+        }
+    )*};
+}
+by_value!(Add add, Sub sub, Mul mul, Div div);
+
+impl Zero for Symbolic {
+    fn zero() -> Self {
+        Symbolic::constant(Rational::zero())
+    }
+    fn is_zero(&self) -> bool {
+        matches!(&self.0, Form::Constant(c) if c.is_zero())
+    }
+}
+
+impl One for Symbolic {
+    fn one() -> Self {
+        Symbolic::constant(Rational::one())
+    }
+}

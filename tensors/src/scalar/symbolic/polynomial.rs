@@ -1,0 +1,215 @@
+//! Polynomials over the rationals: what fractions are made of.
+//!
+//! Terms stand in graded lexicographic order, highest first: by total degree, then by the order of
+//! the variables. Selecting or inserting variables keeps that order.
+
+use super::super::Rational;
+use num_bigint::BigInt;
+use num_rational::{BigRational, Ratio};
+use num_traits::{One, ToPrimitive};
+use polycore::{Field, Gf, Monomial, Order, Poly};
+
+pub(super) type Polynomial = Poly<Rational>;
+
+/// The constant polynomial `c` in `n` variables.
+pub(super) fn constant(c: Rational, n: usize) -> Polynomial {
+    Poly::constant(c, n, Order::GrLex)
+}
+
+/// The polynomial in other variables: variable `k` of the result is variable `columns[k]` of `f`,
+/// or a new one.
+pub(super) fn select(f: &Polynomial, columns: &[Option<usize>]) -> Polynomial {
+    let exponents = |m: &Monomial| -> Vec<u32> {
+        columns
+            .iter()
+            .map(|k| k.map_or(0, |k| m.exps()[k]))
+            .collect()
+    };
+    let terms = f
+        .terms
+        .iter()
+        .map(|(m, c)| (Monomial::new(exponents(m)), c.clone()));
+    Poly {
+        terms: terms.collect(),
+        nvars: columns.len(),
+        order: f.order.clone(),
+    }
+}
+
+/// The product `f g`.
+///
+/// # Panics
+/// When its total degree passes `u32::MAX`; a wrapped exponent would be a wrong result.
+pub(super) fn product(f: &Polynomial, g: &Polynomial) -> Polynomial {
+    match (f.is_constant(), g.is_constant()) {
+        (true, _) => scaled(g, f),
+        (_, true) => scaled(f, g),
+        _ => {
+            let degree = f.total_degree().checked_add(g.total_degree());
+            degree.expect("total degree of a product passes u32::MAX");
+            // the second factor is the outer loop of the product
+            if f.terms.len() < g.terms.len() {
+                g * f
+            } else {
+                f * g
+            }
+        }
+    }
+}
+
+/// `f` times the constant polynomial `c`.
+fn scaled(f: &Polynomial, c: &Polynomial) -> Polynomial {
+    match c.lc() {
+        Some(c) if c.is_one() => f.clone(),
+        Some(c) => f.scale(c),
+        None => c.clone(),
+    }
+}
+
+/// `(h, f / h, g / h)` for the greatest common divisor `h`, primitive with positive leading
+/// coefficient. `g` must be so, too; `h` is 1 when a side is constant.
+pub(super) fn cofactors(f: &Polynomial, g: &Polynomial) -> (Polynomial, Polynomial, Polynomial) {
+    let one = || constant(Rational::one(), f.nvars);
+    if f.is_constant() || g.is_constant() || disjoint(f, g) {
+        return (one(), f.clone(), g.clone());
+    }
+    if f == g {
+        return (f.clone(), one(), one());
+    }
+    if f.terms.len() == 1 || g.terms.len() == 1 {
+        let least = f
+            .min_exps()
+            .exps()
+            .iter()
+            .zip(g.min_exps().exps())
+            .map(|(a, b)| *a.min(b))
+            .collect::<Vec<_>>();
+        let common = Monomial::new(least);
+        let (f, g) = (lowered(f, &common), lowered(g, &common));
+        return (Poly::monomial(common, Order::GrLex), f, g);
+    }
+    if certainly_coprime(f, g) {
+        return (one(), f.clone(), g.clone());
+    }
+    // repeated denominators make this likely, and it is cheap to refuse
+    if let Some(quotient) = f.exact(g) {
+        return (g.clone(), quotient, one());
+    }
+    let h = zippel_gcd::zippel(&f.map(to_big), &g.map(to_big)).map(from_big);
+    if h.is_constant() {
+        return (one(), f.clone(), g.clone());
+    }
+    let quotient = |f: &Polynomial| f.exact(&h).expect("a common divisor divides");
+    let (f, g) = (quotient(f), quotient(g));
+    (h, f, g)
+}
+
+/// Whether no variable occurs in both: then only constants divide both.
+fn disjoint(f: &Polynomial, g: &Polynomial) -> bool {
+    f.degrees()
+        .iter()
+        .zip(g.degrees())
+        .all(|(a, b)| *a == 0 || b == 0)
+}
+
+/// A quick proof that only constants divide both, for the most frequent case.
+///
+/// Modulo a prime and at a point for all variables but one, a common divisor that depends on this
+/// one keeps its degree where `f` does; a constant greatest common divisor of the images excludes
+/// it. `false` proves nothing.
+fn certainly_coprime(f: &Polynomial, g: &Polynomial) -> bool {
+    let residue = |c: &Rational| {
+        let c = Ratio::<i64>::try_from(c).ok()?;
+        let denominator = Residue::from_i64(*c.denom()).inverse()?;
+        Some(Residue::from_i64(*c.numer()) * denominator)
+    };
+    // beyond, Euclid's algorithm takes longer than the sparse search
+    if f.total_degree().max(g.total_degree()) > 1000 {
+        return false;
+    }
+    let Some((above, below)) = f.try_map(residue).zip(g.try_map(residue)) else {
+        return false;
+    };
+    let point: Vec<_> = (1..).map(coordinate).take(f.nvars).collect();
+    let images = above
+        .univariate_images(&point)
+        .into_iter()
+        .zip(below.univariate_images(&point));
+    let mut degrees = f.degrees().into_iter().zip(g.degrees()).zip(images);
+    degrees.all(|((a, b), (image, other))| {
+        a == 0 || b == 0 || (image.0.len() > a as usize && image.gcd(&other).0.len() == 1)
+    })
+}
+
+type Residue = Gf<{ (1 << 61) - 1 }>;
+
+/// Multiples of the golden section of 2^64: no small relations between the coordinates.
+fn coordinate(k: u64) -> Residue {
+    Residue::new(k.wrapping_mul(0x9e37_79b9_7f4a_7c15))
+}
+
+/// `f / m` for a monomial that divides every term.
+fn lowered(f: &Polynomial, m: &Monomial) -> Polynomial {
+    let terms = f
+        .terms
+        .iter()
+        .filter_map(|(n, c)| Some((n.quo(m)?, c.clone())));
+    Poly {
+        terms: terms.collect(),
+        nvars: f.nvars,
+        order: f.order.clone(),
+    }
+}
+
+/// The rational `q`, with the sign of the leading coefficient, for which `f / q` has coprime
+/// integer coefficients.
+pub(super) fn content(f: &Polynomial) -> Rational {
+    match &f.terms[..] {
+        [(_, c)] => c.clone(),
+        _ => from_big(&f.map(to_big).content()),
+    }
+}
+
+/// The least common denominator of the coefficients.
+pub(super) fn common_denominator(f: &Polynomial) -> Rational {
+    let content = to_big(&content(f));
+    from_big(&BigRational::from(content.denom().clone()))
+}
+
+/// Words take the short way: the general conversion goes through bytes.
+fn to_big(c: &Rational) -> BigRational {
+    match Ratio::<i64>::try_from(c) {
+        Ok(c) => Ratio::new_raw(BigInt::from(*c.numer()), BigInt::from(*c.denom())),
+        Err(_) => c.into(),
+    }
+}
+
+fn from_big(c: &BigRational) -> Rational {
+    match c.numer().to_i64().zip(c.denom().to_i64()) {
+        Some((n, d)) => Ratio::new_raw(n, d).into(),
+        None => c.clone().into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_unlucky_point_proves_nothing() {
+        // h is congruent to (x - p)(y - q) + 1, which is 1 along both lines through (p, q)
+        let (p, q) = (coordinate(1), coordinate(2));
+        let integer = |r: Residue| constant(Rational::from(r.value() as i64), 3);
+        let variable = |k| Poly::var(k, 3, Order::GrLex);
+        let (x, y, z, one) = (
+            variable(0),
+            variable(1),
+            variable(2),
+            integer(Residue::one()),
+        );
+        let linear = &(&x * &integer(-q)) + &(&y * &integer(-p));
+        let h = &(&(&x * &y) + &linear) + &integer(p * q + Residue::one());
+        let next = &z + &one;
+        assert_eq!(cofactors(&(&h * &z), &(&h * &next)), (h, z, next));
+    }
+}

@@ -1,0 +1,113 @@
+//! Values put in the place of parameters.
+
+use super::fraction::Fraction;
+use super::polynomial::Polynomial;
+use super::{Form, Symbolic};
+use crate::scalar::Field;
+use num_traits::Zero;
+use std::collections::BTreeMap;
+
+/// The largest total degree that a substitution may lead to.
+const DEGREE_LIMIT: u64 = 1 << 30;
+
+impl Symbolic {
+    /// The value with `values[name]` in the place of every parameter `name`, all at once; other
+    /// parameters stay.
+    ///
+    /// `None` when the denominator becomes zero, or when a total degree could pass `2^30`.
+    ///
+    /// ```
+    /// use affinor_tensors::Symbolic;
+    /// let [a, b] = ["a", "b"].map(Symbolic::parameter);
+    /// let swapped = [("a".to_owned(), b.clone()), ("b".to_owned(), a.clone())].into();
+    /// let value = a / &b;
+    /// assert_eq!(value.substitute(&swapped).unwrap().to_string(), "b/a");
+    /// ```
+    pub fn substitute(&self, values: &BTreeMap<String, Symbolic>) -> Option<Symbolic> {
+        let Form::Fraction(f) = &self.0 else {
+            return Some(self.clone());
+        };
+        let given: Vec<_> = f.variables.iter().map(|name| values.get(&**name)).collect();
+        if given.iter().all(Option::is_none) {
+            return Some(self.clone());
+        }
+        let own = f.variables.iter().map(|name| Symbolic::parameter(name));
+        let given: Vec<Symbolic> = given
+            .into_iter()
+            .zip(own)
+            .map(|(v, own)| v.cloned().unwrap_or(own))
+            .collect();
+        if degree_bound(f, &given) > DEGREE_LIMIT {
+            return None;
+        }
+        let denominator = image(&f.denominator, &given).recip()?;
+        Some(image(&f.numerator, &given) * &denominator)
+    }
+
+    /// The value as a float, each parameter looked up by its name.
+    ///
+    /// `None` when a parameter is not found or the value is not a finite number.
+    pub fn evaluate(&self, lookup: impl Fn(&str) -> Option<f64>) -> Option<f64> {
+        let value = match &self.0 {
+            Form::Constant(c) => c.to_f64(),
+            Form::Fraction(f) => {
+                let point = f.variables.iter().map(|name| lookup(name));
+                let point: Vec<f64> = point.collect::<Option<_>>()?;
+                at(&f.numerator, &point) / at(&f.denominator, &point)
+            }
+        };
+        value.is_finite().then_some(value)
+    }
+}
+
+/// The polynomial at a point.
+fn at(f: &Polynomial, point: &[f64]) -> f64 {
+    let term = |exponents: &[u32], c: f64| {
+        let powers = exponents.iter().zip(point).filter(|(e, _)| **e > 0);
+        powers.fold(c, |value, (&e, x)| value * x.powf(e.into()))
+    };
+    f.terms
+        .iter()
+        .map(|(m, c)| term(m.exps(), c.to_f64()))
+        .sum()
+}
+
+/// The polynomial at values of its variables.
+fn image(f: &Polynomial, values: &[Symbolic]) -> Symbolic {
+    let mut powers = vec![BTreeMap::new(); values.len()];
+    f.terms.iter().fold(Symbolic::zero(), |sum, (m, c)| {
+        let mut term = Symbolic::constant(c.clone());
+        for (k, &e) in m.exps().iter().enumerate().filter(|(_, e)| **e > 0) {
+            let factor = powers[k].entry(e).or_insert_with(|| power(&values[k], e));
+            term = term * &*factor;
+        }
+        sum + &term
+    })
+}
+
+fn power(value: &Symbolic, exponent: u32) -> Symbolic {
+    match &value.0 {
+        Form::Constant(c) => Symbolic::constant(num_traits::pow(c.clone(), exponent as usize)),
+        Form::Fraction(f) => f.power(exponent).into(),
+    }
+}
+
+/// No numerator or denominator on the way to the image has a larger total degree: the images of
+/// `N` and `D` have common denominators of degree at most the sum over the variables, a sum of
+/// two fractions at most doubles it.
+fn degree_bound(f: &Fraction, values: &[Symbolic]) -> u64 {
+    let degrees = f
+        .numerator
+        .degrees()
+        .into_iter()
+        .zip(f.denominator.degrees());
+    let degrees = degrees.map(|(n, d)| u64::from(n) + u64::from(d));
+    let of_value = |value: &Symbolic| match &value.0 {
+        Form::Constant(_) => 0,
+        Form::Fraction(f) => u64::from(f.degree()),
+    };
+    let products = degrees
+        .zip(values)
+        .map(|(d, v)| d.saturating_mul(of_value(v)));
+    products.fold(0, |sum, d| sum.saturating_add(d.saturating_mul(2)))
+}

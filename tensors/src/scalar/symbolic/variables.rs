@@ -1,0 +1,57 @@
+//! The names of the parameters a value depends on, in their natural order.
+
+use std::cmp::Ordering;
+use std::sync::Arc;
+
+/// Names in natural order, each once.
+pub(super) type Variables = Arc<[Arc<str>]>;
+
+/// All names of both lists.
+pub(super) fn union(a: &Variables, b: &Variables) -> Variables {
+    if a == b {
+        return a.clone();
+    }
+    let mut all: Vec<Arc<str>> = a.iter().chain(b.iter()).cloned().collect();
+    all.sort_by(|a, b| natural(a, b));
+    all.dedup();
+    all.into()
+}
+
+/// Alphabetical, with numbers compared by value: `J2 < J10 < K1`.
+fn natural(a: &str, b: &str) -> Ordering {
+    pieces(a).cmp(pieces(b)).then_with(|| a.cmp(b))
+}
+
+/// Letters and the number behind them, piece by piece; numbers as (length, digits).
+fn pieces(name: &str) -> impl Iterator<Item = (&str, usize, &str)> {
+    let mut rest = name;
+    std::iter::from_fn(move || {
+        let (letters, tail) = rest.split_at(rest.find(digit).unwrap_or(rest.len()));
+        let (digits, tail) = tail.split_at(tail.find(|c| !digit(c)).unwrap_or(tail.len()));
+        let number = digits.trim_start_matches('0');
+        let done = rest.is_empty();
+        rest = tail;
+        (!done).then_some((letters, number.len(), number))
+    })
+}
+
+fn digit(c: char) -> bool {
+    c.is_ascii_digit()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_within_names_compare_by_value() {
+        let sorted = [
+            "J", "J02", "J2", "J10", "J10a", "J11", "J33", "K1", "a", "a1b2", "a1b10", "b",
+        ];
+        for (i, a) in sorted.iter().enumerate() {
+            for (j, b) in sorted.iter().enumerate() {
+                assert_eq!(natural(a, b), i.cmp(&j), "{a} {b}");
+            }
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! Fractions as text and as LaTeX.
+
+use super::fraction::Fraction;
+use super::polynomial::{Polynomial, common_denominator};
+use crate::scalar::{Notation, Rational};
+use num_traits::One;
+use polycore::Monomial;
+
+/// The two ways to write a value.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Markup {
+    Text,
+    Latex,
+}
+
+/// `1/2*a` for one term without a denominator; otherwise integer polynomials above and below.
+pub(super) fn fraction(f: &Fraction, markup: Markup) -> String {
+    let whole = f.denominator.is_constant();
+    if whole && f.numerator.terms.len() == 1 {
+        return polynomial(f, &f.numerator, markup);
+    }
+    let unit = common_denominator(&f.numerator);
+    let (above, below) = (f.numerator.scale(&unit), f.denominator.scale(&unit));
+    if whole && unit.is_one() {
+        return polynomial(f, &above, markup);
+    }
+    let (sign, above) = if leads_negative(&above) {
+        ("-", -&above)
+    } else {
+        ("", above)
+    };
+    let (top, bottom) = (polynomial(f, &above, markup), polynomial(f, &below, markup));
+    match markup {
+        Markup::Latex => format!("{sign}\\frac{{{top}}}{{{bottom}}}"),
+        Markup::Text => {
+            let top = enclosed(top, above.terms.len() > 1);
+            format!("{sign}{top}/{}", enclosed(bottom, factors(&below) > 1))
+        }
+    }
+}
+
+/// Whether the leading coefficient is below zero: then the text starts with a minus sign.
+pub(super) fn leads_negative(f: &Polynomial) -> bool {
+    f.lc().is_some_and(Rational::is_negative)
+}
+
+/// Whether a name is a letter or `_`, then letters, digits or `_`.
+pub(super) fn is_identifier(name: &str) -> bool {
+    let mut characters = name.chars();
+    characters
+        .next()
+        .is_some_and(|c| c.is_alphabetic() || c == '_')
+        && characters.all(|c| c.is_alphanumeric() || c == '_')
+}
+
+fn enclosed(text: String, needed: bool) -> String {
+    if needed { format!("({text})") } else { text }
+}
+
+/// How many factors, or terms, `/` would tear apart.
+fn factors(f: &Polynomial) -> usize {
+    match &f.terms[..] {
+        [(m, c)] => m.exps().iter().filter(|e| **e > 0).count() + usize::from(!c.is_one()),
+        terms => terms.len(),
+    }
+}
+
+fn polynomial(f: &Fraction, part: &Polynomial, markup: Markup) -> String {
+    let mut text = String::new();
+    for (m, c) in &part.terms {
+        text += match (text.is_empty(), c.is_negative()) {
+            (true, false) => "",
+            (true, true) => "-",
+            (false, false) => " + ",
+            (false, true) => " - ",
+        };
+        text += &term(f, &c.clone().abs(), m, markup);
+    }
+    text
+}
+
+fn term(f: &Fraction, coefficient: &Rational, monomial: &Monomial, markup: Markup) -> String {
+    let number = match markup {
+        _ if coefficient.is_one() && !monomial.is_one() => None,
+        Markup::Text => Some(coefficient.to_string()),
+        Markup::Latex => Some(coefficient.latex()),
+    };
+    let powers = f
+        .variables
+        .iter()
+        .zip(monomial.exps())
+        .filter(|(_, e)| **e > 0);
+    let powers = powers.map(|(name, &exponent)| power(name, exponent, markup));
+    let factors: Vec<String> = number.into_iter().chain(powers).collect();
+    factors.join(if markup == Markup::Latex { " " } else { "*" })
+}
+
+fn power(name: &str, exponent: u32, markup: Markup) -> String {
+    match (markup, exponent) {
+        (Markup::Text, 1) => name.to_owned(),
+        (Markup::Text, _) => format!("{name}^{exponent}"),
+        (Markup::Latex, 1) => latex_name(name),
+        (Markup::Latex, _) => format!("{}^{{{exponent}}}", latex_name(name)),
+    }
+}
+
+/// `J11` is `J_{11}`, `lambda` is `\lambda`, `abc_x` is `\mathit{abc}_{x}`.
+fn latex_name(name: &str) -> String {
+    let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let (stem, index) = match name.split_once('_') {
+        Some((stem, index)) if !index.is_empty() => (stem, index),
+        _ => (stem, &name[stem.len()..]),
+    };
+    if stem.is_empty() {
+        return latex_stem(name);
+    }
+    match index {
+        "" => latex_stem(stem),
+        digits if digits.bytes().all(|b| b.is_ascii_digit()) => {
+            format!("{}_{{{digits}}}", latex_stem(stem))
+        }
+        index => format!("{}_{{{}}}", latex_stem(stem), latex_stem(index)),
+    }
+}
+
+fn latex_stem(stem: &str) -> String {
+    let mut letters = stem.chars();
+    if GREEK.contains(&stem) {
+        format!("\\{stem}")
+    } else if letters.next().is_some_and(char::is_alphabetic) && letters.next().is_none() {
+        stem.to_owned()
+    } else {
+        format!("\\mathit{{{}}}", stem.replace('_', "\\_"))
+    }
+}
+
+/// The Greek letters that LaTeX knows by name.
+const GREEK: [&str; 40] = [
+    "alpha",
+    "beta",
+    "gamma",
+    "delta",
+    "epsilon",
+    "varepsilon",
+    "zeta",
+    "eta",
+    "theta",
+    "vartheta",
+    "iota",
+    "kappa",
+    "lambda",
+    "mu",
+    "nu",
+    "xi",
+    "pi",
+    "varpi",
+    "rho",
+    "varrho",
+    "sigma",
+    "varsigma",
+    "tau",
+    "upsilon",
+    "phi",
+    "varphi",
+    "chi",
+    "psi",
+    "omega",
+    "Gamma",
+    "Delta",
+    "Theta",
+    "Lambda",
+    "Xi",
+    "Pi",
+    "Sigma",
+    "Upsilon",
+    "Phi",
+    "Psi",
+    "Omega",
+];

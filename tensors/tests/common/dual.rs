@@ -1,0 +1,118 @@
+//! Dual numbers as a scalar: a ring with non-units that are not zero.
+
+use affinor_tensors::{Field, Ring, Sum, Tolerance};
+use num_dual::{Dual64, DualNum};
+use num_traits::{One, Zero};
+use std::fmt;
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// Dual numbers of num-dual, whose own equality and zero look at the real part alone.
+/// `WHOLE` says whether ours look at both.
+#[derive(Clone, Copy, Debug)]
+pub struct Dual<const WHOLE: bool>(pub Dual64);
+
+impl<const W: bool> Dual<W> {
+    pub fn new(re: f64, eps: f64) -> Self {
+        Dual(Dual64::new(re, eps))
+    }
+}
+
+impl<const W: bool> PartialEq for Dual<W> {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.re == other.0.re && self.0.eps == other.0.eps
+    }
+}
+
+impl<const W: bool> fmt::Display for Dual<W> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl<const W: bool> Neg for Dual<W> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Dual(-self.0)
+    }
+}
+
+macro_rules! dual_operators {
+    ($($operator:ident $method:ident),*) => {$(
+        impl<const W: bool> $operator for Dual<W> {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                Dual($operator::$method(self.0, other.0))
+            }
+        }
+        impl<const W: bool> $operator<&Self> for Dual<W> {
+            type Output = Self;
+            fn $method(self, other: &Self) -> Self {
+                Dual($operator::$method(self.0, other.0))
+            }
+        }
+    )*};
+}
+dual_operators!(Add add, Sub sub, Mul mul);
+
+impl<const W: bool> Zero for Dual<W> {
+    fn zero() -> Self {
+        Self::new(0.0, 0.0)
+    }
+    fn is_zero(&self) -> bool {
+        self.vanishes()
+    }
+}
+
+impl<const W: bool> One for Dual<W> {
+    fn one() -> Self {
+        Self::new(1.0, 0.0)
+    }
+}
+
+/// The sums of the real and of the infinitesimal parts.
+#[derive(Clone)]
+pub struct DualSum(<f64 as Ring>::Sum, <f64 as Ring>::Sum);
+
+impl<const W: bool> Sum<Dual<W>> for DualSum {
+    fn term(a: &Dual<W>) -> Self {
+        DualSum(Sum::term(&a.0.re), Sum::term(&a.0.eps))
+    }
+    fn product(a: &Dual<W>, b: &Dual<W>) -> Self {
+        let mut sum = Self::term(&Dual::<W>::zero());
+        sum.add_product(a, b);
+        sum
+    }
+    fn add_term(&mut self, a: &Dual<W>) {
+        self.0.add_term(&a.0.re);
+        self.1.add_term(&a.0.eps);
+    }
+    fn add_product(&mut self, a: &Dual<W>, b: &Dual<W>) {
+        self.0.add_product(&a.0.re, &b.0.re);
+        self.1.add_product(&a.0.re, &b.0.eps);
+        self.1.add_product(&a.0.eps, &b.0.re);
+    }
+    fn finish(&self, tolerance: Tolerance) -> Option<Dual<W>> {
+        let parts = (self.0.finish(tolerance), self.1.finish(tolerance));
+        let value = Dual::new(parts.0.unwrap_or(0.0), parts.1.unwrap_or(0.0));
+        (parts != (None, None)).then_some(value)
+    }
+}
+
+impl<const W: bool> Ring for Dual<W> {
+    type Sum = DualSum;
+    fn from_i64(n: i64) -> Self {
+        Self::new(n as f64, 0.0)
+    }
+    fn vanishes(&self) -> bool {
+        self.0.re == 0.0 && (!W || self.0.eps == 0.0)
+    }
+}
+
+impl<const W: bool> Field for Dual<W> {
+    fn recip(&self) -> Option<Self> {
+        self.0.re.recip().is_finite().then(|| Dual(self.0.recip()))
+    }
+    fn pivot_weight(&self) -> f64 {
+        self.0.re.abs()
+    }
+}
