@@ -26,18 +26,21 @@
 //! Letters in brackets, `-> ^i_j[kl]`, are a promise that the sum is antisymmetric in them: only
 //! the components with `k < l` are computed, the others follow by sign.
 
+mod arithmetic;
 mod kernel;
 mod notation;
+mod rows;
 
-use crate::{Ring, Tensor, TensorError};
-use kernel::{InRing, OnIntegers, Term};
+use crate::{Ring, Tensor, TensorError, Up, Variance};
+use arithmetic::{Factor, InRing, OnIntegers, Term};
 use notation::Expression;
 
 /// The tensor that `expression` describes, with operands found by name.
 ///
 /// # Errors
 /// [`TensorError::Notation`] when the expression is malformed or does not fit the operands;
-/// [`TensorError::Dimension`], [`TensorError::TooLarge`].
+/// [`TensorError::Dimension`]; [`TensorError::TooLarge`] for a result whose keys exceed 64 bits, or
+/// whose last two indices take more than 2^24 values together.
 pub fn contract<S: Ring>(
     expression: &str,
     operands: &[(&str, &Tensor<S>)],
@@ -55,13 +58,23 @@ pub fn contract<S: Ring>(
     let terms = fold_mirrors(parsed.bind(operands)?, parsed.last_pair());
     let tolerance =
         operands.iter().map(|(_, t)| t.tolerance()).reduce(|a, b| a.weaker(b)).unwrap_or_default();
-    let zero = Tensor::zero(dimension.unwrap_or(0), parsed.slots())?.with_tolerance(tolerance);
+    let (dimension, rank) = (dimension.unwrap_or(0), parsed.slots().len());
+    let zero = Tensor::zero(dimension, parsed.slots())?.with_tolerance(tolerance);
+    if (dimension as u64).saturating_pow(rank.min(2) as u32) > kernel::MAX_PLACES {
+        return Err(TensorError::TooLarge { dimension, rank });
+    }
     let groups = parsed.antisymmetric();
     let (keys, values) = match OnIntegers::clear(&terms, zero.dimension()) {
         Some((integers, terms)) => kernel::run(&integers, &terms, &zero, groups),
         None => kernel::run(&InRing::new(tolerance), &InRing::terms(&terms), &zero, groups),
     };
     Ok(zero.fill(keys, values))
+}
+
+/// Letters with their variances as the notation writes them: `^i_j_k`.
+pub fn indices(letters: impl IntoIterator<Item = (char, Variance)>) -> String {
+    let mark = |slot| if slot == Up { '^' } else { '_' };
+    letters.into_iter().flat_map(|(letter, slot)| [mark(slot), letter]).collect()
 }
 
 /// A term with its operands: `coefficient * factors[0] * factors[1]`.
@@ -93,7 +106,7 @@ fn fold_mirrors<S>(terms: Vec<Product<S>>, pair: Option<(usize, usize)>) -> Vec<
     for term in terms {
         let image = |other: &&mut Product<S>| {
             !other.mirrored
-                && other.coefficient == -term.coefficient
+                && Some(other.coefficient) == term.coefficient.checked_neg()
                 && other.factors.len() == term.factors.len()
                 && other.factors.iter().zip(&term.factors).all(|(x, y)| {
                     std::ptr::eq(x.1, y.1) && x.0.iter().map(exchange).eq(y.0.iter().copied())
@@ -110,7 +123,7 @@ fn fold_mirrors<S>(terms: Vec<Product<S>>, pair: Option<(usize, usize)>) -> Vec<
 impl<S: Ring> Product<'_, S> {
     /// The term with its values taken as `V`.
     fn with_values<V>(&self, mut values: impl FnMut(usize, &Tensor<S>) -> Vec<V>) -> Term<V> {
-        let factor = |(at, (roles, tensor)): (usize, &(Vec<Role>, &Tensor<S>))| kernel::Factor {
+        let factor = |(at, (roles, tensor)): (usize, &(Vec<Role>, &Tensor<S>))| Factor {
             roles: roles.clone(),
             keys: tensor.keyed().map(|(key, _)| key).collect(),
             values: values(at, tensor),

@@ -20,8 +20,20 @@ pub enum TensorError {
         /// The number of indices given.
         given: usize,
     },
-    /// `dimension^rank` does not fit the 64-bit component keys.
-    #[error("a tensor of rank {rank} in dimension {dimension} is beyond 64-bit component keys")]
+    /// What are not different slots of the tensor.
+    #[error("{slots:?} are not different slots, counted from 0, of a tensor of rank {rank}")]
+    Slots {
+        /// The slots given.
+        slots: Vec<usize>,
+        /// The rank of the tensor.
+        rank: usize,
+    },
+    /// A number that has no inverse in the scalars.
+    #[error("{0} has no inverse in the scalars")]
+    NotInvertible(i64),
+    /// `dimension^rank` does not fit the 64-bit component keys, or a contraction would need too
+    /// large a table.
+    #[error("a tensor of rank {rank} in dimension {dimension} is too large")]
     TooLarge {
         /// The dimension.
         dimension: usize,

@@ -87,10 +87,7 @@ impl Expression {
     ///
     /// # Errors
     /// As [`parse`](Self::parse).
-    pub fn parse_beside(
-        text: &str,
-        known: &dyn Fn(&str) -> bool,
-    ) -> Result<Self, ExpressionError> {
+    pub fn parse_beside(text: &str, known: &dyn Fn(&str) -> bool) -> Result<Self, ExpressionError> {
         let mut parser = Parser { text, at: 0, depth: 0, known };
         let expression = parser.sum()?;
         parser.skip_space();
@@ -189,7 +186,7 @@ impl<S: Notation, F: Fn(&str) -> Result<S, String>> Meaning for Scalars<F> {
         self.0(name)
     }
     fn add(&self, a: S, b: S) -> Result<S, String> {
-        bounded(a.size().saturating_add(b.size()))?;
+        bounded(a.sum_size(&b))?;
         finite(a + &b)
     }
     fn multiply(&self, a: S, b: S) -> Result<S, String> {
@@ -256,7 +253,11 @@ impl Parser<'_> {
         Some(symbol)
     }
 
-    fn error<T>(&self, span: Range<usize>, reason: impl Into<String>) -> Result<T, ExpressionError> {
+    fn error<T>(
+        &self,
+        span: Range<usize>,
+        reason: impl Into<String>,
+    ) -> Result<T, ExpressionError> {
         Err(ExpressionError { span, reason: reason.into() })
     }
 
@@ -296,10 +297,13 @@ impl Parser<'_> {
             if let Some(symbol) = self.take(&['*', '/']) {
                 factors.push((symbol == '/', self.power()?));
             } else if self.peek().is_some_and(begins_name) {
-                let number = matches!(factors.last(), Some((_, Expression { node: Node::Number(_), .. })));
-                let written = self.text[from..end].ends_with(|c: char| c.is_ascii_digit() || c == '.');
+                let number =
+                    matches!(factors.last(), Some((_, Expression { node: Node::Number(_), .. })));
+                let written =
+                    self.text[from..end].ends_with(|c: char| c.is_ascii_digit() || c == '.');
                 if !(number && written) {
-                    return self.error(self.at..self.at + 1, "an operator is missing before this name");
+                    return self
+                        .error(self.at..self.at + 1, "an operator is missing before this name");
                 }
                 if self.at == end {
                     let span = self.at..self.at + 1;
@@ -337,13 +341,13 @@ impl Parser<'_> {
         self.skip_space();
         let from = self.at;
         let digits = self.digits();
-        let span = from..self.at.max(from + 1).min(self.text.len());
         if digits.is_empty() {
-            return self.error(span, "an exponent is an integer");
+            let width = self.peek().map_or(0, char::len_utf8);
+            return self.error(from..from + width, "an exponent is an integer");
         }
         let value = digits.parse::<i64>().ok().filter(|n| *n <= MAX_EXPONENT);
         let Some(value) = value else {
-            return self.error(span, format!("an exponent is at most {MAX_EXPONENT}"));
+            return self.error(from..self.at, format!("an exponent is at most {MAX_EXPONENT}"));
         };
         if parenthesis && self.take(&[')']).is_none() {
             return self.error(self.at..self.at, "`)` is missing after the exponent");
@@ -365,9 +369,10 @@ impl Parser<'_> {
                 }
                 let inside = self.sum()?;
                 self.depth -= 1;
-                match self.take(&[')']) {
-                    Some(_) => Ok(Expression { span: from..self.at, node: inside.node }),
-                    None => self.error(from..from + 1, "this parenthesis is not closed"),
+                match (self.take(&[')']), self.peek()) {
+                    (Some(_), _) => Ok(Expression { span: from..self.at, node: inside.node }),
+                    (None, Some(symbol)) => Err(self.unexpected(symbol)),
+                    (None, None) => self.error(from..from + 1, "this parenthesis is not closed"),
                 }
             }
             Some(c) if c.is_ascii_digit() || c == '.' => self.number(),

@@ -12,6 +12,7 @@ pub mod contraction;
 mod error;
 pub mod expression;
 pub mod linear;
+mod operations;
 pub mod scalar;
 mod tensor;
 

@@ -95,11 +95,7 @@ impl<S: Ring> Matrix<S> {
         rows: impl IntoIterator<Item = R>,
     ) -> Result<Self, LinearError> {
         let tolerance = Tolerance::default();
-        let mut matrix = Matrix {
-            columns,
-            rows: vec![],
-            tolerance,
-        };
+        let mut matrix = Matrix { columns, rows: vec![], tolerance };
         for row in rows {
             let row = collect(row, tolerance);
             match row.last() {
@@ -120,29 +116,17 @@ impl<S: Ring> Matrix<S> {
         let expected = rows.first().map_or(0, Vec::len);
         if let Some(row) = rows.iter().position(|row| row.len() != expected) {
             let found = rows[row].len();
-            return Err(LinearError::Ragged {
-                row,
-                expected,
-                found,
-            });
+            return Err(LinearError::Ragged { row, expected, found });
         }
-        Self::from_rows(
-            expected,
-            rows.iter().map(|row| row.iter().cloned().enumerate()),
-        )
+        Self::from_rows(expected, rows.iter().map(|row| row.iter().cloned().enumerate()))
     }
 
     /// The square matrix with the given diagonal.
     pub fn diagonal(entries: impl IntoIterator<Item = S>) -> Self {
         let tolerance = Tolerance::default();
-        let rows: Vec<_> = (entries.into_iter().enumerate())
-            .map(|entry| collect([entry], tolerance))
-            .collect();
-        Matrix {
-            columns: rows.len(),
-            rows,
-            tolerance,
-        }
+        let rows: Vec<_> =
+            (entries.into_iter().enumerate()).map(|entry| collect([entry], tolerance)).collect();
+        Matrix { columns: rows.len(), rows, tolerance }
     }
 
     /// The identity of `n` rows.
@@ -152,11 +136,7 @@ impl<S: Ring> Matrix<S> {
 
     /// The zero matrix.
     pub fn zero(rows: usize, columns: usize) -> Self {
-        Matrix {
-            columns,
-            rows: vec![vec![]; rows],
-            tolerance: Tolerance::default(),
-        }
+        Matrix { columns, rows: vec![vec![]; rows], tolerance: Tolerance::default() }
     }
 
     /// The same matrix with another tolerance for what is computed from it (floats only).
@@ -214,11 +194,7 @@ impl<S: Ring> Matrix<S> {
         for (i, j, value) in self.entries() {
             rows[j].push((i, value.clone()));
         }
-        Matrix {
-            columns: self.rows(),
-            rows,
-            tolerance: self.tolerance,
-        }
+        Matrix { columns: self.rows(), rows, tolerance: self.tolerance }
     }
 
     /// The entries mapped into another ring, the tolerance kept; `f` is not asked for zeros.
@@ -244,9 +220,8 @@ impl<S: Ring> Matrix<S> {
         }
         let tolerance = self.tolerance.weaker(other.tolerance);
         let product = |row: &Row<S>| {
-            let sums = (row.iter()).fold(vec![], |sums, (k, value)| {
-                add_multiple(sums, value, other.row(*k))
-            });
+            let sums = (row.iter())
+                .fold(vec![], |sums, (k, value)| add_multiple(sums, value, other.row(*k)));
             finish(sums, tolerance)
         };
         Ok(Matrix {
@@ -275,18 +250,13 @@ impl<S: Ring> Matrix<S> {
     /// The matrix `[A | B]` with a further block of columns.
     fn beside(&self, block: impl IntoIterator<Item = Row<S>>) -> impl Iterator<Item = Row<S>> {
         self.rows.iter().zip(block).map(|(row, right)| {
-            let shifted = right
-                .into_iter()
-                .map(|(j, value)| (j + self.columns, value));
+            let shifted = right.into_iter().map(|(j, value)| (j + self.columns, value));
             row.iter().cloned().chain(shifted).collect()
         })
     }
 
     fn mismatch(&self, rows: usize, columns: usize) -> LinearError {
-        LinearError::Shape {
-            left: (self.rows(), self.columns),
-            right: (rows, columns),
-        }
+        LinearError::Shape { left: (self.rows(), self.columns), right: (rows, columns) }
     }
 }
 

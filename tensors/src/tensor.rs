@@ -271,11 +271,11 @@ impl<S: Ring> Tensor<S> {
             return Err(TensorError::Rank { rank: self.rank(), given: indices.len() });
         }
         indices.iter().try_fold(0, |key, &index| {
-            let valid = (index < dimension).then_some(key * dimension as u64 + index as u64);
-            valid.ok_or(TensorError::IndexRange { index, dimension })
+            let valid = index < dimension;
+            let key = valid.then(|| key * dimension as u64 + index as u64);
+            key.ok_or(TensorError::IndexRange { index, dimension })
         })
     }
-
 }
 
 impl<S> Tensor<S> {

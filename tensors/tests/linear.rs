@@ -54,11 +54,7 @@ fn the_inverse_of_hilberts_matrix_is_integral_and_known() -> Test {
     for i in 0..30 {
         for j in 0..30 {
             let expected = BigRational::from(hilbert_inverse(30, i, j));
-            assert_eq!(
-                BigRational::from(&inverse.get(i, j)),
-                expected,
-                "({i}, {j})"
-            );
+            assert_eq!(BigRational::from(&inverse.get(i, j)), expected, "({i}, {j})");
         }
     }
     let determinant = BigRational::from(&hilbert(30).determinant()?);
@@ -76,10 +72,7 @@ fn hilberts_matrix_in_floats() -> Test {
         for j in 0..n {
             let (value, expected) = (inverse.get(i, j), expected(i, j));
             // the condition number is 1.5e7
-            assert!(
-                (value / expected - 1.0).abs() < 1.5e7 * f64::EPSILON,
-                "{value} {expected}"
-            );
+            assert!((value / expected - 1.0).abs() < 1.5e7 * f64::EPSILON, "{value} {expected}");
         }
     }
     let expected = Rational::from(hilbert_determinant(n)).to_f64();
@@ -99,16 +92,11 @@ fn vandermondes_determinant_is_the_product_of_the_differences() -> Test {
     // interpolation: the coefficients of x^6 - 2x from its values
     let values = nodes.map(|x| (x.pow(6) - 2 * x) as f64);
     let coefficients = float.solve(&values)?.ok_or("regular")?;
-    for (value, expected) in coefficients
-        .iter()
-        .zip([0.0, -2.0, 0.0, 0.0, 0.0, 0.0, 1.0])
-    {
+    for (value, expected) in coefficients.iter().zip([0.0, -2.0, 0.0, 0.0, 0.0, 0.0, 1.0]) {
         assert!((value - expected).abs() < 1e-9, "{coefficients:?}");
     }
     let names = ["x", "y", "z"].map(Symbolic::parameter);
-    let symbolic = dense(3, 3, |i, j| {
-        (0..j).fold(Symbolic::one(), |power, _| power * &names[i])
-    });
+    let symbolic = dense(3, 3, |i, j| (0..j).fold(Symbolic::one(), |power, _| power * &names[i]));
     let [x, y, z] = &names;
     let expected = (y.clone() - x) * &(z.clone() - x) * &(z.clone() - y);
     assert_eq!(symbolic.determinant()?, expected);
@@ -153,9 +141,7 @@ fn digits() -> impl FnMut() -> i64 {
 fn random_quotients(n: usize) -> Vec<Vec<(i64, i64)>> {
     let mut digit = digits();
     let mut quotient = || (digit(), digit().abs().max(1));
-    (0..n)
-        .map(|_| (0..n).map(|_| quotient()).collect())
-        .collect()
+    (0..n).map(|_| (0..n).map(|_| quotient()).collect()).collect()
 }
 
 /// The fraction-free elimination of Bareiss on big integers, pivots on the diagonal.
@@ -177,9 +163,7 @@ fn bareiss(mut a: Vec<Vec<BigInt>>) -> BigInt {
 
 fn determinant_agrees_with_bareiss(n: usize) -> Test {
     let quotients = random_quotients(n);
-    let matrix = dense(n, n, |i, j| {
-        Rational::new(quotients[i][j].0, quotients[i][j].1).unwrap()
-    });
+    let matrix = dense(n, n, |i, j| Rational::new(quotients[i][j].0, quotients[i][j].1).unwrap());
     let start = std::time::Instant::now();
     let determinant = matrix.determinant()?;
     println!("determinant of order {n}: {:?}", start.elapsed());
@@ -220,10 +204,7 @@ fn empty_matrices() -> Test {
     assert_eq!(tall.solve(&[0, 1, 0].map(Rational::from))?, None);
     assert_eq!(flat.transpose(), tall);
     assert_eq!(tall.mul(&flat)?, Matrix::zero(3, 3));
-    assert_eq!(
-        Matrix::<Rational>::zero(2, 2).determinant()?,
-        Rational::zero()
-    );
+    assert_eq!(Matrix::<Rational>::zero(2, 2).determinant()?, Rational::zero());
     Ok(())
 }
 
@@ -231,34 +212,15 @@ fn empty_matrices() -> Test {
 fn what_has_no_answer_is_refused() -> Test {
     let row = |n: usize| vec![1.0; n];
     let ragged = Matrix::from_dense(&[row(2), row(3)]).unwrap_err();
-    let expected = LinearError::Ragged {
-        row: 1,
-        expected: 2,
-        found: 3,
-    };
+    let expected = LinearError::Ragged { row: 1, expected: 2, found: 3 };
     assert_eq!(ragged, expected);
     let outside = Matrix::from_rows(2, [[(2, 1.0)]]).unwrap_err();
-    assert_eq!(
-        outside.to_string(),
-        "column 2 is out of range for 2 columns"
-    );
+    assert_eq!(outside.to_string(), "column 2 is out of range for 2 columns");
     let wide = Matrix::from_dense(&[row(3), row(3)])?;
-    assert_eq!(
-        wide.mul(&wide).unwrap_err().to_string(),
-        "shapes 2x3 and 2x3 do not match"
-    );
-    assert!(matches!(
-        wide.solve(&row(3)),
-        Err(LinearError::Shape { .. })
-    ));
-    assert!(matches!(
-        wide.apply(&row(2)),
-        Err(LinearError::Shape { .. })
-    ));
-    assert!(matches!(
-        wide.determinant(),
-        Err(LinearError::NotSquare { .. })
-    ));
+    assert_eq!(wide.mul(&wide).unwrap_err().to_string(), "shapes 2x3 and 2x3 do not match");
+    assert!(matches!(wide.solve(&row(3)), Err(LinearError::Shape { .. })));
+    assert!(matches!(wide.apply(&row(2)), Err(LinearError::Shape { .. })));
+    assert!(matches!(wide.determinant(), Err(LinearError::NotSquare { .. })));
     assert!(wide.inverse().is_none());
     assert_eq!(wide.get(7, 7), 0.0);
     assert_eq!(wide.row(7), []);
@@ -269,11 +231,7 @@ fn what_has_no_answer_is_refused() -> Test {
 fn nan_and_infinity_are_no_pivots() -> Test {
     for x in [f64::NAN, f64::INFINITY] {
         let matrix = Matrix::from_dense(&[vec![1.0, x], vec![x, 2.0]])?;
-        assert_eq!(
-            matrix.rank(),
-            Err(LinearError::NotInvertible { column: 1 }),
-            "{x}"
-        );
+        assert_eq!(matrix.rank(), Err(LinearError::NotInvertible { column: 1 }), "{x}");
         assert!(matrix.inverse().is_none());
         assert!(!matrix.determinant()?.is_finite());
         let mut axis = Echelon::new();
@@ -289,10 +247,7 @@ fn entries_of_equal_columns_are_added_and_zeros_dropped() -> Test {
     let matrix = Matrix::from_rows(3, [entries])?;
     assert_eq!(matrix.row(0), [(0, Rational::from(6))]);
     assert_eq!(matrix.entries().count(), 1);
-    assert_eq!(
-        matrix.map(|x| x.clone() - &Rational::from(6)),
-        Matrix::zero(1, 3)
-    );
+    assert_eq!(matrix.map(|x| x.clone() - &Rational::from(6)), Matrix::zero(1, 3));
     Ok(())
 }
 
@@ -309,10 +264,7 @@ fn dual_numbers_pivot_on_units() -> Test {
     assert!(lone.inverse().is_none());
     assert_eq!(lone.determinant()?, e);
     assert_eq!(lone.rank(), Err(LinearError::NotInvertible { column: 0 }));
-    assert_eq!(
-        Echelon::new().insert([(0, e)]),
-        Err(LinearError::NotInvertible { column: 0 })
-    );
+    assert_eq!(Echelon::new().insert([(0, e)]), Err(LinearError::NotInvertible { column: 0 }));
     let singular = Matrix::from_dense(&[vec![one, one], vec![one, one]])?;
     assert_eq!(singular.solve(&[one, one + e])?, None);
     Ok(())

@@ -47,10 +47,7 @@ fn rectangle_laws<S: Notation>(a: &Matrix<S>, x: &[S]) -> Result<(), TestCaseErr
     prop_assert_eq!(nullspace.rank()?, nullspace.rows());
     prop_assert_eq!(a.rank()?, a.transpose().rank()?);
     let image = a.mul(&nullspace.transpose())?;
-    prop_assert!(same_matrix(
-        &image,
-        &Matrix::zero(a.rows(), nullspace.rows())
-    ));
+    prop_assert!(same_matrix(&image, &Matrix::zero(a.rows(), nullspace.rows())));
     let b = a.apply(x)?;
     let solution = a.solve(&b)?;
     prop_assert!(solution.is_some_and(|y| same_vector(&a.apply(&y).unwrap(), &b)));

@@ -25,26 +25,31 @@ impl<'e> Expression<'e> {
         let (sum, result) =
             text.split_once("->").ok_or_else(|| fail("no `->` before the result".into()))?;
         let (indices, groups) = indices(result.trim()).map_err(&fail)?;
-        let (letters, slots) = indices.into_iter().unzip();
-        let mut expression = Expression { text, terms: vec![], letters, slots, groups };
-        let mut coefficient = Some(1);
-        let mut factors = Vec::new();
-        for word in sum.split_whitespace() {
-            match (word, word.parse::<i64>()) {
-                ("+" | "-", _) => {
-                    if !factors.is_empty() {
-                        let value = coefficient.unwrap_or(1);
-                        expression.terms.push((value, std::mem::take(&mut factors)));
-                    }
-                    coefficient = Some(if word == "-" { -1 } else { 1 });
-                }
-                (_, Ok(number)) => coefficient = coefficient.and_then(|c| c.checked_mul(number)),
-                _ => factors.push(Factor::parse(word).map_err(&fail)?),
-            }
+        let (letters, slots): (Vec<char>, _) = indices.into_iter().unzip();
+        if let Some((_, letter)) =
+            letters.iter().enumerate().find(|(at, l)| letters[..*at].contains(l))
+        {
+            return Err(fail(format!("`{letter}` stands twice in the result")));
         }
-        let value = coefficient.ok_or_else(|| fail("a coefficient is too large".into()))?;
-        expression.terms.push((value, factors));
-        Ok(expression)
+        let is_sign = |word: &&str| matches!(*word, "+" | "-");
+        let mut words = sum.split_whitespace().peekable();
+        let mut terms = Vec::new();
+        while terms.is_empty() || words.peek().is_some() {
+            let mut coefficient = if words.next_if(is_sign) == Some("-") { -1i64 } else { 1 };
+            let mut factors = Vec::new();
+            while let Some(word) = words.next_if(|word| !is_sign(word)) {
+                match word.parse() {
+                    Ok(number) => {
+                        let product = coefficient.checked_mul(number);
+                        coefficient =
+                            product.ok_or_else(|| fail("a coefficient is too large".into()))?;
+                    }
+                    Err(_) => factors.push(Factor::parse(word).map_err(&fail)?),
+                }
+            }
+            terms.push((coefficient, factors));
+        }
+        Ok(Expression { text, terms, letters, slots, groups })
     }
 
     /// The slots of the result.
@@ -81,7 +86,9 @@ impl<'e> Expression<'e> {
                     .find(|(operand, _)| *operand == name)
                     .ok_or_else(|| fail(format!("no operand is called `{name}`")))?;
                 if !factor.indices.iter().map(|(_, v)| v).eq(tensor.slots()) {
-                    return Err(fail(format!("the indices of `{name}` are not those of its slots")));
+                    return Err(fail(format!(
+                        "the indices of `{name}` are not those of its slots"
+                    )));
                 }
                 let role = |(letter, _): &(char, Variance)| {
                     letters.iter().find(|(l, _)| l == letter).map(|(_, role)| *role)
@@ -108,10 +115,7 @@ impl<'e> Expression<'e> {
                 (Some(at), [_]) if self.slots[at] == variance => Role::Free(at),
                 (Some(_), [_]) => return Err(format!("`{letter}` changes its variance")),
                 (None, [a, b]) if a.1 != b.1 => Role::Summed(
-                    roles
-                        .iter()
-                        .position(|&(l, _)| l == letter)
-                        .unwrap_or(roles.len()),
+                    roles.iter().position(|&(l, _)| l == letter).unwrap_or(roles.len()),
                 ),
                 (None, [_, _]) => return Err(format!("`{letter}` is summed on one level")),
                 _ => return Err(format!("`{letter}` does not stand once or in a pair")),

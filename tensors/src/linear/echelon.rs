@@ -76,9 +76,8 @@ impl<S: Field> Echelon<S> {
         let row = collect(row, self.tolerance);
         // the basis is reduced, so the coordinates stand in the vector itself
         let parts = (row.iter()).filter_map(|(j, value)| Some((self.led_by(*j)?, value)));
-        let sums = parts.fold(open(&row), |sums, (basis, value)| {
-            add_multiple(sums, &-value.clone(), basis)
-        });
+        let sums = parts
+            .fold(open(&row), |sums, (basis, value)| add_multiple(sums, &-value.clone(), basis));
         finish(sums, self.tolerance)
     }
 
@@ -142,11 +141,7 @@ impl<S: PartialEq> PartialEq for Echelon<S> {
 
 impl<S> Default for Echelon<S> {
     fn default() -> Self {
-        Echelon {
-            pivots: vec![],
-            rows: vec![],
-            tolerance: Tolerance::default(),
-        }
+        Echelon { pivots: vec![], rows: vec![], tolerance: Tolerance::default() }
     }
 }
 
@@ -155,7 +150,5 @@ pub(super) fn normalised<S: Ring>(unit: &S, row: Row<S>) -> Row<S> {
     let mut entries = row.into_iter();
     let lead = entries.next().map(|(column, _)| (column, S::one()));
     let scaled = entries.map(|(j, value)| (j, value * unit));
-    lead.into_iter()
-        .chain(scaled.filter(|(_, value)| !value.vanishes()))
-        .collect()
+    lead.into_iter().chain(scaled.filter(|(_, value)| !value.vanishes())).collect()
 }

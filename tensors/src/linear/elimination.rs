@@ -61,10 +61,7 @@ impl<S: Field> Matrix<S> {
             }
             pivots => pivots?,
         };
-        if pivots
-            .last()
-            .is_some_and(|pivot| pivot.column == self.columns)
-        {
+        if pivots.last().is_some_and(|pivot| pivot.column == self.columns) {
             return Ok(None);
         }
         let echelon = reduced(pivots, self.tolerance);
@@ -84,22 +81,14 @@ impl<S: Field> Matrix<S> {
         if self.rows() != self.columns {
             return None;
         }
-        let pivots = eliminate(
-            self.beside(Self::identity(self.columns).rows),
-            self.tolerance,
-        )
-        .ok()?;
-        if pivots
-            .last()
-            .is_some_and(|pivot| pivot.column >= self.columns)
-        {
+        let pivots =
+            eliminate(self.beside(Self::identity(self.columns).rows), self.tolerance).ok()?;
+        if pivots.last().is_some_and(|pivot| pivot.column >= self.columns) {
             return None;
         }
         let right = |row: &Row<S>| {
             let entries = row.iter().filter(|(j, _)| *j >= self.columns);
-            entries
-                .map(|(j, value)| (j - self.columns, value.clone()))
-                .collect()
+            entries.map(|(j, value)| (j - self.columns, value.clone())).collect()
         };
         let echelon = reduced(pivots, self.tolerance);
         Some(self.spanned(echelon.rows().iter().map(right).collect()))
@@ -151,11 +140,7 @@ impl<S: Field> Matrix<S> {
 
     /// The matrix of other rows with the columns and the tolerance of this one.
     fn spanned(&self, rows: Vec<Row<S>>) -> Self {
-        Matrix {
-            columns: self.columns,
-            rows,
-            tolerance: self.tolerance,
-        }
+        Matrix { columns: self.columns, rows, tolerance: self.tolerance }
     }
 }
 
@@ -188,12 +173,7 @@ impl<S: Field> Waiting<S> {
         let mut entries = sums.into_iter().filter_map(value);
         if let Some((column, lead, _)) = entries.next() {
             let rest = entries.map(|(j, _, sum)| (j, sum)).collect();
-            let candidate = Candidate {
-                weight: lead.pivot_weight(),
-                lead,
-                rest,
-                origin,
-            };
+            let candidate = Candidate { weight: lead.pivot_weight(), lead, rest, origin };
             self.candidates.entry(column).or_default().push(candidate);
         }
     }
@@ -204,10 +184,7 @@ fn eliminate<S: Field>(
     rows: impl Iterator<Item = Row<S>>,
     tolerance: Tolerance,
 ) -> Result<Vec<Pivot<S>>, LinearError> {
-    let mut waiting = Waiting::<S> {
-        candidates: BTreeMap::new(),
-        tolerance,
-    };
+    let mut waiting = Waiting::<S> { candidates: BTreeMap::new(), tolerance };
     for (origin, row) in rows.enumerate() {
         waiting.push(open(&row), origin);
     }
@@ -239,18 +216,11 @@ fn choose<S: Field>(
     let (place, unit) = (candidates.iter().enumerate())
         .find_map(|(place, candidate)| Some((place, candidate.lead.recip()?)))
         .ok_or(LinearError::NotInvertible { column })?;
-    let Candidate {
-        lead, rest, origin, ..
-    } = candidates.remove(place);
+    let Candidate { lead, rest, origin, .. } = candidates.remove(place);
     let mut row = vec![(column, lead.clone())];
     row.extend(finish::<S>(rest, tolerance));
     let row = normalised(&unit, row);
-    let pivot = Pivot {
-        column,
-        value: lead,
-        row,
-        origin,
-    };
+    let pivot = Pivot { column, value: lead, row, origin };
     Ok((pivot, candidates))
 }
 

@@ -28,9 +28,7 @@ pub(super) fn collect<S: Ring>(
 
 /// The components of a sparse vector as sums that more can be added to.
 pub(super) fn open<S: Ring>(row: &[(usize, S)]) -> Row<S::Sum> {
-    row.iter()
-        .map(|(j, value)| (*j, S::Sum::term(value)))
-        .collect()
+    row.iter().map(|(j, value)| (*j, S::Sum::term(value))).collect()
 }
 
 /// The values of a vector of sums, without those that count as zero.

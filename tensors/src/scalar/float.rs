@@ -70,6 +70,9 @@ impl Notation for f64 {
             None => text,
         }
     }
+    fn numerator_terms(&self) -> Vec<(Vec<(String, u32)>, Rational)> {
+        vec![]
+    }
     fn to_f64(&self) -> Option<f64> {
         Some(*self)
     }

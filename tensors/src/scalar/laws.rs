@@ -51,18 +51,9 @@ pub fn field<S: Field>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), 
         None => return holds("recip(1) = 1", false, &[&one]),
     }
     for x in [a, b, c] {
-        holds(
-            "pivot_weight(a) is a number",
-            !x.pivot_weight().is_nan(),
-            &[x],
-        )?;
+        holds("pivot_weight(a) is a number", !x.pivot_weight().is_nan(), &[x])?;
         if let Some(inverse) = x.recip() {
-            same.equal(
-                "recip(a) a = 1",
-                &(inverse.clone() * x),
-                &one,
-                &[(&inverse, x)],
-            )?;
+            same.equal("recip(a) a = 1", &(inverse.clone() * x), &one, &[(&inverse, x)])?;
             match inverse.recip() {
                 Some(back) => same.equal("recip(recip(a)) = a", &back, x, &[])?,
                 None => return holds("recip(recip(a)) = a", false, &[x, &inverse]),
@@ -72,12 +63,9 @@ pub fn field<S: Field>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), 
     // a product is a unit exactly if both factors are: so no non-unit has an inverse
     let product = a.clone() * b;
     match (a.recip(), b.recip(), product.recip()) {
-        (Some(x), Some(y), Some(z)) => same.equal(
-            "recip(a b) = recip(a) recip(b)",
-            &(x.clone() * &y),
-            &z,
-            &[(&x, &y)],
-        ),
+        (Some(x), Some(y), Some(z)) => {
+            same.equal("recip(a b) = recip(a) recip(b)", &(x.clone() * &y), &z, &[(&x, &y)])
+        }
         (x, y, z) => holds(
             "a b is a unit exactly if a and b are",
             z.is_some() == (x.is_some() && y.is_some()),
@@ -94,20 +82,10 @@ fn addition<S: Ring>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), Br
     let (left, right) = (sum.clone() + c, a.clone() + &(b.clone() + c));
     same.equal("a + b = b + a", &sum, &(b.clone() + a), &terms)?;
     same.equal("(a + b) + c = a + (b + c)", &left, &right, &terms)?;
-    same.equal(
-        "a + b by value = by reference",
-        &(a.clone() + b.clone()),
-        &sum,
-        &terms,
-    )?;
+    same.equal("a + b by value = by reference", &(a.clone() + b.clone()), &sum, &terms)?;
     same.equal("a + 0 = a", &(a.clone() + &S::zero()), a, &[])?;
     same.equal("-(-a) = a", &-(-a.clone()), a, &[])?;
-    same.equal(
-        "a - b = a + (-b)",
-        &(a.clone() - b),
-        &(a.clone() + &-b.clone()),
-        &terms,
-    )
+    same.equal("a - b = a + (-b)", &(a.clone() - b), &(a.clone() + &-b.clone()), &terms)
 }
 
 fn multiplication<S: Ring>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), Broken> {
@@ -116,12 +94,7 @@ fn multiplication<S: Ring>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<
     let (left, right) = (ab.clone() * c, a.clone() * &bc);
     same.equal("a b = b a", &ab, &(b.clone() * a), &[(a, b)])?;
     same.equal("(a b) c = a (b c)", &left, &right, &[(&ab, c), (a, &bc)])?;
-    same.equal(
-        "a b by value = by reference",
-        &(a.clone() * b.clone()),
-        &ab,
-        &[(a, b)],
-    )?;
+    same.equal("a b by value = by reference", &(a.clone() * b.clone()), &ab, &[(a, b)])?;
     let (left, right) = (a.clone() * &(b.clone() + c), ab.clone() + &ac);
     same.equal("a (b + c) = a b + a c", &left, &right, &[(a, b), (a, c)])?;
     same.equal("a 1 = a", &(a.clone() * &S::one()), a, &[])?;
@@ -138,24 +111,12 @@ fn zero<S: Ring>(a: &S, b: &S, tolerance: Tolerance) -> Result<(), Broken> {
     let (sum, product) = (a.clone() + b, a.clone() * b);
     for x in [a, b, &none, &sum, &product] {
         holds("a = a", x.clone() == *x, &[x])?;
-        holds(
-            "a vanishes exactly if a = 0",
-            x.vanishes() == (*x == S::zero()),
-            &[x],
-        )?;
+        holds("a vanishes exactly if a = 0", x.vanishes() == (*x == S::zero()), &[x])?;
         let term = S::Sum::term(x).finish(tolerance).is_none();
-        holds(
-            "a vanishes exactly if its sum does",
-            x.vanishes() == term,
-            &[x],
-        )?;
+        holds("a vanishes exactly if its sum does", x.vanishes() == term, &[x])?;
     }
     let difference = a.clone() - b;
-    holds(
-        "a - b vanishes exactly if a = b",
-        difference.vanishes() == (a == b),
-        &[a, b],
-    )
+    holds("a - b vanishes exactly if a = b", difference.vanishes() == (a == b), &[a, b])
 }
 
 fn sums<S: Ring>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), Broken> {
@@ -165,36 +126,17 @@ fn sums<S: Ring>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), Broken
     let ab = a.clone() * b;
     let terms = [(a, b), (c, &one)];
     same.equal("term(a) = a", &value(S::Sum::term(a)), a, &[])?;
-    same.equal(
-        "product(a, b) = a b",
-        &value(S::Sum::product(a, b)),
-        &ab,
-        &[(a, b)],
-    )?;
+    same.equal("product(a, b) = a b", &value(S::Sum::product(a, b)), &ab, &[(a, b)])?;
     let expected = ab + c;
     let mut sum = S::Sum::product(a, b);
     sum.add_term(c);
-    same.equal(
-        "product(a, b).add_term(c) = a b + c",
-        &value(sum),
-        &expected,
-        &terms,
-    )?;
+    same.equal("product(a, b).add_term(c) = a b + c", &value(sum), &expected, &terms)?;
     let mut sum = S::Sum::term(c);
     sum.add_product(a, b);
-    same.equal(
-        "term(c).add_product(a, b) = a b + c",
-        &value(sum),
-        &expected,
-        &terms,
-    )?;
+    same.equal("term(c).add_product(a, b) = a b + c", &value(sum), &expected, &terms)?;
     let mut sum = S::Sum::product(a, b);
     sum.add_product(&-b.clone(), a);
-    holds(
-        "the sum a b + (-b) a is zero",
-        sum.finish(tolerance).is_none(),
-        &[a, b],
-    )
+    holds("the sum a b + (-b) a is zero", sum.finish(tolerance).is_none(), &[a, b])
 }
 
 /// `from_i64` is the ring homomorphism from the integers.
@@ -203,18 +145,7 @@ fn integers<S: Ring>(tolerance: Tolerance) -> Result<(), Broken> {
     let (of, one) = (S::from_i64, S::one());
     same.equal("from_i64(0) = 0", &of(0), &S::zero(), &[])?;
     same.equal("from_i64(1) = 1", &of(1), &one, &[])?;
-    let samples = [
-        0,
-        1,
-        -1,
-        2,
-        -3,
-        12,
-        1 << 31,
-        -(1 << 53) - 1,
-        i64::MAX,
-        i64::MIN,
-    ];
+    let samples = [0, 1, -1, 2, -3, 12, 1 << 31, -(1 << 53) - 1, i64::MAX, i64::MIN];
     for m in samples {
         for n in samples {
             let (x, y) = (of(m), of(n));
@@ -236,11 +167,7 @@ fn quotients<S: Ring>(values: &[&S], tolerance: Tolerance) -> Result<(), Broken>
     let same = Judge(tolerance);
     let parts = [0, 1, -1, 6, -10, i64::MAX, i64::MIN];
     for n in parts {
-        holds(
-            "n / 0 does not exist",
-            S::from_quotient(n, 0).is_none(),
-            &[n],
-        )?;
+        holds("n / 0 does not exist", S::from_quotient(n, 0).is_none(), &[n])?;
         let whole = S::from_quotient(n, 1).is_some_and(|x| x == S::from_i64(n));
         holds("from_quotient(n, 1) = from_i64(n)", whole, &[n])?;
         for d in parts {
@@ -254,11 +181,7 @@ fn quotients<S: Ring>(values: &[&S], tolerance: Tolerance) -> Result<(), Broken>
         return Ok(());
     };
     let law = "clear_denominators keeps the number of values, the denominator is positive";
-    holds(
-        law,
-        integers.len() == values.len() && denominator > 0,
-        values,
-    )?;
+    holds(law, integers.len() == values.len() && denominator > 0, values)?;
     for (integer, value) in integers.iter().zip(values) {
         let back = S::from_quotient(*integer, denominator);
         let law = "from_quotient brings back what clear_denominators took";
@@ -290,15 +213,6 @@ impl Judge {
 }
 
 fn holds<T: Debug>(law: &'static str, holds: bool, values: &[T]) -> Result<(), Broken> {
-    let values = || {
-        values
-            .iter()
-            .map(|value| format!("{value:?}"))
-            .collect::<Vec<_>>()
-            .join(", ")
-    };
-    holds.then_some(()).ok_or_else(|| Broken {
-        law,
-        values: values(),
-    })
+    let values = || values.iter().map(|value| format!("{value:?}")).collect::<Vec<_>>().join(", ");
+    holds.then_some(()).ok_or_else(|| Broken { law, values: values() })
 }

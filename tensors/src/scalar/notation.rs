@@ -32,6 +32,11 @@ pub trait Notation: Field {
         vec![]
     }
 
+    /// The numerator as a sum of monomials in the parameters (names and powers), with rational
+    /// coefficients; the value vanishes exactly when they do. Empty for floats, which are not
+    /// polynomials.
+    fn numerator_terms(&self) -> Vec<(Vec<(String, u32)>, Rational)>;
+
     /// The value as a number, free of parameters; `None` while it still depends on one.
     fn to_f64(&self) -> Option<f64>;
 
@@ -45,6 +50,11 @@ pub trait Notation: Field {
 
     /// A measure of storage (bits of a number, terms of a fraction) that bounds hostile input.
     fn size(&self) -> usize;
+
+    /// A bound for the size of a sum.
+    fn sum_size(&self, other: &Self) -> usize {
+        self.size().saturating_add(other.size())
+    }
 
     /// A bound for the size of a product.
     fn product_size(&self, other: &Self) -> usize {

@@ -58,6 +58,11 @@ impl Rational {
         Some(Self::demote(RBig::from(value)))
     }
 
+    /// The exact value of a float; `None` for infinities and NaN.
+    pub fn from_f64(x: f64) -> Option<Self> {
+        RBig::try_from(x).ok().map(Self::demote)
+    }
+
     /// Whether the denominator is one.
     pub fn is_integer(&self) -> bool {
         match &self.0 {
@@ -372,6 +377,9 @@ impl Notation for Rational {
 
     fn from_rational(value: &Rational) -> Option<Self> {
         Some(value.clone())
+    }
+    fn numerator_terms(&self) -> Vec<(Vec<(String, u32)>, Rational)> {
+        if self.is_zero() { vec![] } else { vec![(vec![], self.clone())] }
     }
     fn to_f64(&self) -> Option<f64> {
         Some(Rational::to_f64(self))

@@ -13,6 +13,7 @@ mod writing;
 
 use super::{ExactSum, Field, Kind, Notation, Rational, Ring};
 use fraction::Fraction;
+use polynomial::Polynomial;
 use std::fmt;
 use std::sync::Arc;
 use writing::Markup;
@@ -173,9 +174,9 @@ impl Notation for Symbolic {
     fn from_rational(value: &Rational) -> Option<Self> {
         Some(Self::constant(value.clone()))
     }
-    /// `None` unless the name is an identifier: a letter or `_`, then letters, digits or `_`.
+    /// `None` unless the name is an identifier: an ASCII letter or `_`, then letters, digits or `_`.
     fn parameter(name: &str) -> Option<Self> {
-        writing::is_identifier(name).then(|| Symbolic::parameter(name))
+        crate::expression::is_name(name).then(|| Symbolic::parameter(name))
     }
     fn to_f64(&self) -> Option<f64> {
         self.as_constant().map(Rational::to_f64)
@@ -192,27 +193,51 @@ impl Notation for Symbolic {
             Form::Fraction(f) => writing::leads_negative(&f.numerator),
         }
     }
+    fn numerator_terms(&self) -> Vec<(Vec<(String, u32)>, Rational)> {
+        self.numerator().terms()
+    }
     fn parameters(&self) -> Vec<String> {
         Symbolic::parameters(self)
     }
-    /// Every term of one meets every term of the other.
+    /// The sizes of the products over a common denominator.
+    fn sum_size(&self, other: &Self) -> usize {
+        let ([n, d], [m, e]) = (self.parts(), other.parts());
+        let products = [(n, e), (m, d), (d, e)].map(|(p, q)| meeting(p, q));
+        products.into_iter().fold(0, usize::saturating_add)
+    }
     fn product_size(&self, other: &Self) -> usize {
-        match (&self.0, &other.0) {
-            (Form::Constant(a), Form::Constant(b)) => a.product_size(b),
-            _ => self.size().saturating_mul(other.size()),
-        }
+        let ([n, d], [m, e]) = (self.parts(), other.parts());
+        meeting(n, m).saturating_add(meeting(d, e))
     }
     /// Bits of the coefficients plus degrees of the terms, summed over numerator and denominator.
     fn size(&self) -> usize {
         match &self.0 {
             Form::Constant(c) => c.size(),
-            Form::Fraction(f) => {
-                let terms = f.numerator.terms.iter().chain(&f.denominator.terms);
-                let sizes = terms.map(|(m, c)| c.size().saturating_add(m.degree() as usize));
-                sizes.fold(0, usize::saturating_add)
-            }
+            Form::Fraction(f) => size(&f.numerator).saturating_add(size(&f.denominator)),
         }
     }
+}
+
+impl Symbolic {
+    /// The size and the number of terms, of numerator and denominator.
+    fn parts(&self) -> [(usize, usize); 2] {
+        match &self.0 {
+            Form::Constant(c) => [(c.size(), 1), (1, 1)],
+            Form::Fraction(f) => [&f.numerator, &f.denominator].map(|p| (size(p), p.terms.len())),
+        }
+    }
+}
+
+/// The size of a product of two sums: every term of one meets every term of the other.
+fn meeting((p, terms): (usize, usize), (q, others): (usize, usize)) -> usize {
+    p.saturating_mul(others).saturating_add(q.saturating_mul(terms))
+}
+
+/// Bits of the coefficients plus degrees of the terms.
+fn size(polynomial: &Polynomial) -> usize {
+    let terms = polynomial.terms.iter();
+    let sizes = terms.map(|(m, c)| c.size().saturating_add(m.degree() as usize));
+    sizes.fold(0, usize::saturating_add)
 }
 
 impl fmt::Display for Symbolic {

@@ -7,12 +7,7 @@ use proptest::prelude::*;
 
 /// The matrix with the entries `f(i, j)`.
 pub fn dense<S: Ring>(rows: usize, columns: usize, f: impl Fn(usize, usize) -> S) -> Matrix<S> {
-    let row = |i| {
-        (0..columns)
-            .map(|j| f(i, j))
-            .enumerate()
-            .collect::<Vec<_>>()
-    };
+    let row = |i| (0..columns).map(|j| f(i, j)).enumerate().collect::<Vec<_>>();
     Matrix::from_rows(columns, (0..rows).map(row)).unwrap()
 }
 

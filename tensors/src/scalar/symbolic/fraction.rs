@@ -34,9 +34,7 @@ impl Fraction {
 
     /// The larger of the total degrees of numerator and denominator.
     pub(super) fn degree(&self) -> u32 {
-        self.numerator
-            .total_degree()
-            .max(self.denominator.total_degree())
+        self.numerator.total_degree().max(self.denominator.total_degree())
     }
 
     /// The part as a value of its own.
@@ -48,18 +46,12 @@ impl Fraction {
     /// `self + c`.
     pub(super) fn plus(&self, c: &Rational) -> Self {
         let numerator = &self.numerator + &self.denominator.scale(c);
-        Fraction {
-            numerator,
-            ..self.clone()
-        }
+        Fraction { numerator, ..self.clone() }
     }
 
     /// `c self` for a constant other than zero.
     pub(super) fn times(&self, c: &Rational) -> Self {
-        Fraction {
-            numerator: self.numerator.scale(c),
-            ..self.clone()
-        }
+        Fraction { numerator: self.numerator.scale(c), ..self.clone() }
     }
 
     pub(super) fn sum(&self, other: &Self) -> Symbolic {
@@ -68,11 +60,7 @@ impl Fraction {
         let (common, left, right) = cofactors(&a.denominator, &b.denominator);
         let numerator = &product(&a.numerator, &right) + &product(&b.numerator, &left);
         let (_, numerator, common) = cofactors(&numerator, &common);
-        lowest_terms(
-            &variables,
-            numerator,
-            product(&product(&left, &right), &common),
-        )
+        lowest_terms(&variables, numerator, product(&product(&left, &right), &common))
     }
 
     pub(super) fn product(&self, other: &Self) -> Symbolic {
@@ -139,20 +127,13 @@ fn lowest_terms(variables: &Variables, numerator: Polynomial, denominator: Polyn
         return Symbolic::zero();
     }
     let (above, below) = (numerator.degrees(), denominator.degrees());
-    let kept: Vec<_> = (0..variables.len())
-        .filter(|&k| above[k] + below[k] > 0)
-        .collect();
+    let kept: Vec<_> = (0..variables.len()).filter(|&k| above[k] + below[k] > 0).collect();
     if kept.is_empty() {
         // a primitive constant denominator is 1
         return Symbolic::constant(content(&numerator));
     }
     if kept.len() == variables.len() {
-        return Fraction {
-            variables: variables.clone(),
-            numerator,
-            denominator,
-        }
-        .into();
+        return Fraction { variables: variables.clone(), numerator, denominator }.into();
     }
     let columns: Vec<_> = kept.iter().copied().map(Some).collect();
     Fraction {

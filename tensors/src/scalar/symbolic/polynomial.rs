@@ -20,20 +20,10 @@ pub(super) fn constant(c: Rational, n: usize) -> Polynomial {
 /// or a new one.
 pub(super) fn select(f: &Polynomial, columns: &[Option<usize>]) -> Polynomial {
     let exponents = |m: &Monomial| -> Vec<u32> {
-        columns
-            .iter()
-            .map(|k| k.map_or(0, |k| m.exps()[k]))
-            .collect()
+        columns.iter().map(|k| k.map_or(0, |k| m.exps()[k])).collect()
     };
-    let terms = f
-        .terms
-        .iter()
-        .map(|(m, c)| (Monomial::new(exponents(m)), c.clone()));
-    Poly {
-        terms: terms.collect(),
-        nvars: columns.len(),
-        order: f.order.clone(),
-    }
+    let terms = f.terms.iter().map(|(m, c)| (Monomial::new(exponents(m)), c.clone()));
+    Poly { terms: terms.collect(), nvars: columns.len(), order: f.order.clone() }
 }
 
 /// The product `f g`.
@@ -48,11 +38,7 @@ pub(super) fn product(f: &Polynomial, g: &Polynomial) -> Polynomial {
             let degree = f.total_degree().checked_add(g.total_degree());
             degree.expect("total degree of a product passes u32::MAX");
             // the second factor is the outer loop of the product
-            if f.terms.len() < g.terms.len() {
-                g * f
-            } else {
-                f * g
-            }
+            if f.terms.len() < g.terms.len() { g * f } else { f * g }
         }
     }
 }
@@ -106,10 +92,7 @@ pub(super) fn cofactors(f: &Polynomial, g: &Polynomial) -> (Polynomial, Polynomi
 
 /// Whether no variable occurs in both: then only constants divide both.
 fn disjoint(f: &Polynomial, g: &Polynomial) -> bool {
-    f.degrees()
-        .iter()
-        .zip(g.degrees())
-        .all(|(a, b)| *a == 0 || b == 0)
+    f.degrees().iter().zip(g.degrees()).all(|(a, b)| *a == 0 || b == 0)
 }
 
 /// A quick proof that only constants divide both, for the most frequent case.
@@ -131,10 +114,7 @@ fn certainly_coprime(f: &Polynomial, g: &Polynomial) -> bool {
         return false;
     };
     let point: Vec<_> = (1..).map(coordinate).take(f.nvars).collect();
-    let images = above
-        .univariate_images(&point)
-        .into_iter()
-        .zip(below.univariate_images(&point));
+    let images = above.univariate_images(&point).into_iter().zip(below.univariate_images(&point));
     let mut degrees = f.degrees().into_iter().zip(g.degrees()).zip(images);
     degrees.all(|((a, b), (image, other))| {
         a == 0 || b == 0 || (image.0.len() > a as usize && image.gcd(&other).0.len() == 1)
@@ -150,15 +130,8 @@ fn coordinate(k: u64) -> Residue {
 
 /// `f / m` for a monomial that divides every term.
 fn lowered(f: &Polynomial, m: &Monomial) -> Polynomial {
-    let terms = f
-        .terms
-        .iter()
-        .filter_map(|(n, c)| Some((n.quo(m)?, c.clone())));
-    Poly {
-        terms: terms.collect(),
-        nvars: f.nvars,
-        order: f.order.clone(),
-    }
+    let terms = f.terms.iter().filter_map(|(n, c)| Some((n.quo(m)?, c.clone())));
+    Poly { terms: terms.collect(), nvars: f.nvars, order: f.order.clone() }
 }
 
 /// The rational `q`, with the sign of the leading coefficient, for which `f / q` has coprime
@@ -201,12 +174,7 @@ mod tests {
         let (p, q) = (coordinate(1), coordinate(2));
         let integer = |r: Residue| constant(Rational::from(r.value() as i64), 3);
         let variable = |k| Poly::var(k, 3, Order::GrLex);
-        let (x, y, z, one) = (
-            variable(0),
-            variable(1),
-            variable(2),
-            integer(Residue::one()),
-        );
+        let (x, y, z, one) = (variable(0), variable(1), variable(2), integer(Residue::one()));
         let linear = &(&x * &integer(-q)) + &(&y * &integer(-p));
         let h = &(&(&x * &y) + &linear) + &integer(p * q + Residue::one());
         let next = &z + &one;

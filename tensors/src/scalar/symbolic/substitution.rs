@@ -32,11 +32,8 @@ impl Symbolic {
             return Some(self.clone());
         }
         let own = f.variables.iter().map(|name| Symbolic::parameter(name));
-        let given: Vec<Symbolic> = given
-            .into_iter()
-            .zip(own)
-            .map(|(v, own)| v.cloned().unwrap_or(own))
-            .collect();
+        let given: Vec<Symbolic> =
+            given.into_iter().zip(own).map(|(v, own)| v.cloned().unwrap_or(own)).collect();
         if degree_bound(f, &given) > DEGREE_LIMIT {
             return None;
         }
@@ -66,10 +63,7 @@ fn at(f: &Polynomial, point: &[f64]) -> f64 {
         let powers = exponents.iter().zip(point).filter(|(e, _)| **e > 0);
         powers.fold(c, |value, (&e, x)| value * x.powf(e.into()))
     };
-    f.terms
-        .iter()
-        .map(|(m, c)| term(m.exps(), c.to_f64()))
-        .sum()
+    f.terms.iter().map(|(m, c)| term(m.exps(), c.to_f64())).sum()
 }
 
 /// The polynomial at values of its variables.
@@ -96,18 +90,12 @@ fn power(value: &Symbolic, exponent: u32) -> Symbolic {
 /// `N` and `D` have common denominators of degree at most the sum over the variables, a sum of
 /// two fractions at most doubles it.
 fn degree_bound(f: &Fraction, values: &[Symbolic]) -> u64 {
-    let degrees = f
-        .numerator
-        .degrees()
-        .into_iter()
-        .zip(f.denominator.degrees());
+    let degrees = f.numerator.degrees().into_iter().zip(f.denominator.degrees());
     let degrees = degrees.map(|(n, d)| u64::from(n) + u64::from(d));
     let of_value = |value: &Symbolic| match &value.0 {
         Form::Constant(_) => 0,
         Form::Fraction(f) => u64::from(f.degree()),
     };
-    let products = degrees
-        .zip(values)
-        .map(|(d, v)| d.saturating_mul(of_value(v)));
+    let products = degrees.zip(values).map(|(d, v)| d.saturating_mul(of_value(v)));
     products.fold(0, |sum, d| sum.saturating_add(d.saturating_mul(2)))
 }

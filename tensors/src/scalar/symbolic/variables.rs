@@ -45,9 +45,8 @@ mod tests {
 
     #[test]
     fn numbers_within_names_compare_by_value() {
-        let sorted = [
-            "J", "J02", "J2", "J10", "J10a", "J11", "J33", "K1", "a", "a1b2", "a1b10", "b",
-        ];
+        let sorted =
+            ["J", "J02", "J2", "J10", "J10a", "J11", "J33", "K1", "a", "a1b2", "a1b10", "b"];
         for (i, a) in sorted.iter().enumerate() {
             for (j, b) in sorted.iter().enumerate() {
                 assert_eq!(natural(a, b), i.cmp(&j), "{a} {b}");

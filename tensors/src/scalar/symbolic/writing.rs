@@ -24,11 +24,7 @@ pub(super) fn fraction(f: &Fraction, markup: Markup) -> String {
     if whole && unit.is_one() {
         return polynomial(f, &above, markup);
     }
-    let (sign, above) = if leads_negative(&above) {
-        ("-", -&above)
-    } else {
-        ("", above)
-    };
+    let (sign, above) = if leads_negative(&above) { ("-", -&above) } else { ("", above) };
     let (top, bottom) = (polynomial(f, &above, markup), polynomial(f, &below, markup));
     match markup {
         Markup::Latex => format!("{sign}\\frac{{{top}}}{{{bottom}}}"),
@@ -42,15 +38,6 @@ pub(super) fn fraction(f: &Fraction, markup: Markup) -> String {
 /// Whether the leading coefficient is below zero: then the text starts with a minus sign.
 pub(super) fn leads_negative(f: &Polynomial) -> bool {
     f.lc().is_some_and(Rational::is_negative)
-}
-
-/// Whether a name is a letter or `_`, then letters, digits or `_`.
-pub(super) fn is_identifier(name: &str) -> bool {
-    let mut characters = name.chars();
-    characters
-        .next()
-        .is_some_and(|c| c.is_alphabetic() || c == '_')
-        && characters.all(|c| c.is_alphanumeric() || c == '_')
 }
 
 fn enclosed(text: String, needed: bool) -> String {
@@ -85,11 +72,7 @@ fn term(f: &Fraction, coefficient: &Rational, monomial: &Monomial, markup: Marku
         Markup::Text => Some(coefficient.to_string()),
         Markup::Latex => Some(coefficient.latex()),
     };
-    let powers = f
-        .variables
-        .iter()
-        .zip(monomial.exps())
-        .filter(|(_, e)| **e > 0);
+    let powers = f.variables.iter().zip(monomial.exps()).filter(|(_, e)| **e > 0);
     let powers = powers.map(|(name, &exponent)| power(name, exponent, markup));
     let factors: Vec<String> = number.into_iter().chain(powers).collect();
     factors.join(if markup == Markup::Latex { " " } else { "*" })

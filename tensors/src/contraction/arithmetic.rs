@@ -1,0 +1,168 @@
+//! How sums of products are formed: in the ring itself, or on machine integers.
+
+use super::{Product, Role};
+use crate::{Ring, Sum, Tolerance};
+
+/// A term before it is laid out for a run.
+pub(super) struct Term<V> {
+    pub factors: Vec<Factor<V>>,
+    pub mirrored: bool,
+}
+
+/// The entries of a tensor with the role of each slot.
+pub(super) struct Factor<V> {
+    pub roles: Vec<Role>,
+    pub keys: Vec<u64>,
+    pub values: Vec<V>,
+}
+
+/// How sums of products are formed: in the ring itself, or on machine integers.
+pub(super) trait Arithmetic<S>: Sync {
+    type Value: Clone + Send + Sync;
+    type Sum: Clone + Send;
+    fn empty(&self) -> Self::Sum;
+    /// The sum of `a b` alone, or of its negative.
+    fn product(&self, a: &Self::Value, b: &Self::Value, negative: bool) -> Self::Sum;
+    /// Adds `a b`, or its negative.
+    fn add_product(&self, sum: &mut Self::Sum, a: &Self::Value, b: &Self::Value, negative: bool);
+    /// The sum of `a` alone, or of its negative.
+    fn term(&self, a: &Self::Value, negative: bool) -> Self::Sum;
+    /// Adds `a`, or its negative.
+    fn add_term(&self, sum: &mut Self::Sum, a: &Self::Value, negative: bool);
+    /// The value of a sum, or its negative; `None` for zero.
+    fn finish(&self, sum: &Self::Sum, negative: bool) -> Option<S>;
+}
+
+/// Sums in the ring, by its own [`Sum`].
+pub(super) struct InRing {
+    tolerance: Tolerance,
+}
+
+impl InRing {
+    pub fn new(tolerance: Tolerance) -> Self {
+        InRing { tolerance }
+    }
+
+    /// The terms with the coefficient multiplied into the first factor.
+    pub fn terms<S: Ring>(products: &[Product<S>]) -> Vec<Term<S>> {
+        let term = |product: &Product<S>| {
+            let coefficient = S::from_i64(product.coefficient);
+            product.with_values(|at, tensor| {
+                let scaled = |(_, v): (u64, &S)| match at {
+                    0 if product.coefficient != 1 => v.clone() * &coefficient,
+                    _ => v.clone(),
+                };
+                tensor.keyed().map(scaled).collect()
+            })
+        };
+        products.iter().map(term).collect()
+    }
+}
+
+impl<S: Ring> Arithmetic<S> for InRing {
+    type Value = S;
+    type Sum = S::Sum;
+    fn empty(&self) -> S::Sum {
+        S::Sum::term(&S::zero())
+    }
+    fn product(&self, a: &S, b: &S, negative: bool) -> S::Sum {
+        if negative { S::Sum::term(&-(a.clone() * b)) } else { S::Sum::product(a, b) }
+    }
+    fn add_product(&self, sum: &mut S::Sum, a: &S, b: &S, negative: bool) {
+        if negative { sum.add_term(&-(a.clone() * b)) } else { sum.add_product(a, b) }
+    }
+    fn term(&self, a: &S, negative: bool) -> S::Sum {
+        if negative { S::Sum::term(&-a.clone()) } else { S::Sum::term(a) }
+    }
+    fn add_term(&self, sum: &mut S::Sum, a: &S, negative: bool) {
+        if negative { sum.add_term(&-a.clone()) } else { sum.add_term(a) }
+    }
+    fn finish(&self, sum: &S::Sum, negative: bool) -> Option<S> {
+        let value = sum.finish(self.tolerance)?;
+        Some(if negative { -value } else { value })
+    }
+}
+
+/// The numerators whose quotients are kept.
+const SMALL: i64 = 64;
+
+/// Sums of machine integers over one denominator, which no sum of these terms can overflow.
+pub(super) struct OnIntegers<S> {
+    denominator: i64,
+    /// The quotients of the numerators from `-SMALL` to `SMALL`, which most components repeat;
+    /// `None` for zero.
+    small: Vec<Option<S>>,
+}
+
+impl<S: Ring> OnIntegers<S> {
+    /// Clears the denominators of all terms, if the scalar can and the sums provably fit 64 bits.
+    pub fn clear(products: &[Product<S>], dimension: usize) -> Option<(Self, Vec<Term<i64>>)> {
+        let mut cleared = Vec::new();
+        let mut denominator = 1i64;
+        for product in products {
+            let factors: Vec<(Vec<i64>, i64)> = product
+                .factors
+                .iter()
+                .map(|(_, tensor)| S::clear_denominators(tensor.keyed().map(|(_, v)| v)))
+                .collect::<Option<_>>()?;
+            let d = factors.iter().try_fold(1i64, |d, (_, f)| d.checked_mul(*f))?;
+            denominator = denominator.checked_mul(d / num_integer::gcd(d, denominator))?;
+            cleared.push((factors, d));
+        }
+        let mut bound = 0u64;
+        let mut terms = Vec::new();
+        for (product, (mut factors, d)) in products.iter().zip(cleared) {
+            let scale = product.coefficient.checked_mul(denominator / d)?;
+            for value in &mut factors.first_mut()?.0 {
+                *value = value.checked_mul(scale)?;
+            }
+            // products in one component: one for each value of the summed letters
+            let summed = product.factors.iter().flat_map(|(roles, _)| roles);
+            let pairs = summed.filter(|r| matches!(r, Role::Summed(_))).count() / 2;
+            let entries = factors.iter().map(|(values, _)| values.len() as u64).max()?;
+            let count = (dimension as u64)
+                .saturating_pow(pairs as u32)
+                .min(entries.saturating_mul(entries));
+            // and as many again for the image of a mirrored term
+            let count = count.checked_mul(1 + u64::from(product.mirrored))?;
+            let largest = |(values, _): &(Vec<i64>, i64)| {
+                values.iter().map(|v| v.unsigned_abs()).max().unwrap_or(0)
+            };
+            let size = factors.iter().map(largest).try_fold(count, u64::checked_mul)?;
+            bound = bound.checked_add(size)?;
+            let mut values = factors.into_iter().map(|(values, _)| values);
+            terms.push(product.with_values(|_, _| values.next().unwrap_or_default()));
+        }
+        let small = (-SMALL..=SMALL)
+            .map(|n| if n == 0 { None } else { S::from_quotient(n, denominator) })
+            .collect();
+        (bound <= i64::MAX as u64).then_some((OnIntegers { denominator, small }, terms))
+    }
+}
+
+impl<S: Ring> Arithmetic<S> for OnIntegers<S> {
+    type Value = i64;
+    type Sum = i64;
+    fn empty(&self) -> i64 {
+        0
+    }
+    fn product(&self, a: &i64, b: &i64, negative: bool) -> i64 {
+        if negative { -(a * b) } else { a * b }
+    }
+    fn add_product(&self, sum: &mut i64, a: &i64, b: &i64, negative: bool) {
+        *sum += if negative { -(a * b) } else { a * b };
+    }
+    fn term(&self, a: &i64, negative: bool) -> i64 {
+        if negative { -a } else { *a }
+    }
+    fn add_term(&self, sum: &mut i64, a: &i64, negative: bool) {
+        *sum += if negative { -a } else { *a };
+    }
+    fn finish(&self, sum: &i64, negative: bool) -> Option<S> {
+        let sum = if negative { -sum } else { *sum };
+        match self.small.get(sum.wrapping_add(SMALL) as usize) {
+            Some(value) => value.clone(),
+            None => S::from_quotient(sum, self.denominator),
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! Operations on the slots of one tensor: traces, symmetrisers, raising and lowering.
+//!
+//! Slots count from 0. Each operation is a [`contract`] with its notation written out.
+
+use crate::contraction::indices;
+use crate::{Down, Field, Ring, Tensor, TensorError, Up, Variance, contract};
+
+/// One letter for every slot, and the one that is summed.
+const LETTERS: &str = "abcdefgh";
+const SUMMED: char = 'p';
+
+impl<S: Ring> Tensor<S> {
+    /// The trace over an upper and a lower slot, `T^p_p`; the other slots keep their order.
+    ///
+    /// ```
+    /// use affinor_tensors::{Rational, Tensor};
+    /// let delta = Tensor::<Rational>::identity(3);
+    /// assert_eq!(delta.trace(0, 1)?.to_scalar(), Some(Rational::from(3)));
+    /// # Ok::<(), affinor_tensors::TensorError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`TensorError::Slots`] unless `a` and `b` are two slots of this tensor;
+    /// [`TensorError::Notation`] when both are upper or both lower.
+    pub fn trace(&self, a: usize, b: usize) -> Result<Self, TensorError> {
+        self.distinct(&[a, b])?;
+        let letters = self.letters();
+        let operand =
+            indices(letters.iter().enumerate().map(|(at, &(letter, slot))| {
+                (if at == a || at == b { SUMMED } else { letter }, slot)
+            }));
+        let kept = (0..self.rank()).filter(|&at| at != a && at != b);
+        let result = indices(kept.map(|at| letters[at]));
+        contract(&format!("T{operand} -> {result}"), &[("T", self)])
+    }
+
+    /// The tensor with the upper slot `slot` lowered in place: `g_ap T^p`, `g` a metric with the
+    /// slots `[Down, Down]`.
+    ///
+    /// # Errors
+    /// [`TensorError::Slots`] unless `slot` is one of this tensor; [`TensorError::Notation`]
+    /// unless it is upper and `metric` has two lower slots; [`TensorError::Dimension`].
+    pub fn lower(&self, slot: usize, metric: &Self) -> Result<Self, TensorError> {
+        self.shift(slot, metric, Down)
+    }
+
+    /// The tensor with the lower slot `slot` raised in place: `g^ap T_p`, `g` an inverse metric
+    /// with the slots `[Up, Up]`.
+    ///
+    /// # Errors
+    /// [`TensorError::Slots`] unless `slot` is one of this tensor; [`TensorError::Notation`]
+    /// unless it is lower and `inverse_metric` has two upper slots; [`TensorError::Dimension`].
+    pub fn raise(&self, slot: usize, inverse_metric: &Self) -> Result<Self, TensorError> {
+        self.shift(slot, inverse_metric, Up)
+    }
+
+    /// Puts one slot on the level `to`, by a metric on that level.
+    fn shift(&self, slot: usize, metric: &Self, to: Variance) -> Result<Self, TensorError> {
+        self.distinct(&[slot])?;
+        let (mut operand, mut result) = (self.letters(), self.letters());
+        let letter = result[slot].0;
+        operand[slot].0 = SUMMED;
+        result[slot].1 = to;
+        let metric_indices = indices([(letter, to), (SUMMED, to)]);
+        let (operand, result) = (indices(operand), indices(result));
+        let text = format!("g{metric_indices} T{operand} -> {result}");
+        contract(&text, &[("g", metric), ("T", self)])
+    }
+
+    /// The letters of the slots with their variances.
+    fn letters(&self) -> Vec<(char, Variance)> {
+        LETTERS.chars().zip(self.slots().iter().copied()).collect()
+    }
+
+    /// Refuses what are not different slots of this tensor.
+    fn distinct(&self, slots: &[usize]) -> Result<(), TensorError> {
+        let rank = self.rank();
+        let valid = |(at, slot): (usize, &usize)| *slot < rank && !slots[..at].contains(slot);
+        let all = slots.iter().enumerate().all(valid);
+        all.then_some(()).ok_or_else(|| TensorError::Slots { slots: slots.to_vec(), rank })
+    }
+}
+
+impl<S: Field> Tensor<S> {
+    /// The part symmetric in `slots`: the mean over all orders of their indices, as
+    /// `T_(ab) = (T_ab + T_ba)/2`.
+    ///
+    /// # Errors
+    /// [`TensorError::Slots`] unless `slots` are different slots of this tensor;
+    /// [`TensorError::Notation`] when they mix upper and lower;
+    /// [`TensorError::NotInvertible`] when `k!` has no inverse in the field.
+    pub fn symmetrise(&self, slots: &[usize]) -> Result<Self, TensorError> {
+        self.mean(slots, "+")
+    }
+
+    /// The part antisymmetric in `slots`: the signed mean over all orders of their indices, as
+    /// `T_[ab] = (T_ab - T_ba)/2`.
+    ///
+    /// ```
+    /// use affinor_tensors::{Down, Rational, Tensor};
+    /// let t = Tensor::from_fn(2, [Down, Down], |[i, j]| Rational::from((2 * i + j) as i64))?;
+    /// assert_eq!(t.antisymmetrise(&[0, 1])?.get(&[0, 1]).to_string(), "-1/2");
+    /// # Ok::<(), affinor_tensors::TensorError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`symmetrise`](Self::symmetrise).
+    pub fn antisymmetrise(&self, slots: &[usize]) -> Result<Self, TensorError> {
+        self.mean(slots, "-")
+    }
+
+    /// The sum over all orders of `slots`, each exchange counted with `sign`, divided by `k!`.
+    fn mean(&self, slots: &[usize], sign: &str) -> Result<Self, TensorError> {
+        self.distinct(slots)?;
+        let orders = (1..=slots.len() as i64).product();
+        let weight = S::from_i64(orders).recip().ok_or(TensorError::NotInvertible(orders))?;
+        let own = self.letters();
+        let mut sum = self.clone();
+        // every order of k slots is one of k - 1 slots, then at most one exchange with the k-th
+        for (behind, &last) in slots.iter().enumerate() {
+            let mut text = format!("T{}", indices(own.iter().copied()));
+            for &slot in &slots[..behind] {
+                let mut exchanged = own.clone();
+                (exchanged[slot].0, exchanged[last].0) = (own[last].0, own[slot].0);
+                text += &format!(" {sign} T{}", indices(exchanged));
+            }
+            sum = contract(&format!("{text} -> {}", indices(own.iter().copied())), &[("T", &sum)])?;
+        }
+        Ok(sum.scale(&weight))
+    }
+}

@@ -1,0 +1,155 @@
+//! What the notation refuses, and why it says so.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use affinor_tensors::{Down, Rational, Tensor, TensorError, Up, contract};
+use proptest::prelude::*;
+
+/// `v^i`, `w_i`, `m^i_j` and `s`, all ones, in dimension 2.
+fn operands() -> [(&'static str, Tensor<Rational>); 4] {
+    let one = || Rational::from(1);
+    [
+        ("v", Tensor::vector(&[one(), one()], Up)),
+        ("w", Tensor::vector(&[one(), one()], Down)),
+        ("m", Tensor::from_fn(2, [Up, Down], |_| one()).unwrap()),
+        ("s", Tensor::from_fn(2, [], |_| one()).unwrap()),
+    ]
+}
+
+fn run(text: &str) -> Result<Tensor<Rational>, TensorError> {
+    let operands = operands();
+    let borrowed: Vec<_> = operands.iter().map(|(name, tensor)| (*name, tensor)).collect();
+    contract(text, &borrowed)
+}
+
+#[test]
+fn what_does_not_fit_is_refused_with_its_reason() {
+    for (text, reason) in [
+        ("v^i", "no `->` before the result"),
+        ("", "no `->` before the result"),
+        ("v^i - > ^i", "no `->` before the result"),
+        // terms
+        ("-> ^i", "a term has one or two factors"),
+        ("v^i v^j v^k -> ^ijk", "a term has one or two factors"),
+        ("v^i + -> ^i", "a term has one or two factors"),
+        ("v^i - -> ^i", "a term has one or two factors"),
+        ("v^i + + v^i -> ^i", "a term has one or two factors"),
+        ("- - v^i -> ^i", "a term has one or two factors"),
+        ("2 + v^i -> ^i", "a term has one or two factors"),
+        ("2 -> ", "a term has one or two factors"),
+        ("9223372036854775807 2 v^i -> ^i", "a coefficient is too large"),
+        ("9223372036854775807 2 v^i + v^i -> ^i", "a coefficient is too large"),
+        // names
+        ("x^i -> ^i", "no operand is called `x`"),
+        ("99999999999999999999 v^i -> ^i", "no operand is called `99999999999999999999`"),
+        ("^i -> ^i", "`^i` is not a name with indices"),
+        ("v*^i -> ^i", "`v*^i` is not a name with indices"),
+        ("1/2 v^i -> ^i", "`1/2` is not a name with indices"),
+        ("v^i+v^i -> ^i", "`+` in the indices `^i+v^i`"),
+        ("v^i * w_j -> ^i_j", "`*` is not a name with indices"),
+        // variance and rank
+        ("v_i -> _i", "the indices of `v` are not those of its slots"),
+        ("v^ij -> ^ij", "the indices of `v` are not those of its slots"),
+        ("s^i -> ^i", "the indices of `s` are not those of its slots"),
+        ("v -> ", "the indices of `v` are not those of its slots"),
+        ("v^i -> _i", "`i` changes its variance"),
+        ("w_i -> ^i", "`i` changes its variance"),
+        ("v^i v^i -> ", "`i` is summed on one level"),
+        ("w_i w_i -> ", "`i` is summed on one level"),
+        // letters
+        ("v^i -> ", "`i` does not stand once or in a pair"),
+        ("m^i_j -> ^i", "`j` does not stand once or in a pair"),
+        ("m^i_i v^i -> ^i", "`i` does not stand once or in a pair"),
+        ("m^i_i v^i -> ", "`i` does not stand once or in a pair"),
+        ("m^i_i -> ^i", "`i` does not stand once or in a pair"),
+        ("m^i_i -> ^i_i", "`i` stands twice in the result"),
+        ("v^i -> ^ii", "`i` stands twice in the result"),
+        ("v^i -> ^ij", "a term lacks `j`"),
+        ("m^i_j + v^i -> ^i_j", "a term lacks `j`"),
+        ("s -> ^i", "a term lacks `i`"),
+        // marks
+        ("v^i -> i", "`i` in the indices `i`"),
+        ("v^1 -> ^i", "`1` in the indices `^1`"),
+        ("v^i -> ^i ^j", "` ` in the indices `^i ^j`"),
+        ("v^i -> ^i -> ^i", "` ` in the indices `^i -> ^i`"),
+        // brackets
+        ("m^i_j -> ^[i_j]", "`_` in the indices `^[i_j]`"),
+        ("v^i v^j -> ^[ij", "`[` without `]`"),
+        ("v^i v^j -> ^ij]", "`]` without `[`"),
+        ("v^i v^j -> ^[[ij]]", "`[` in the indices `^[[ij]]`"),
+        ("v^i v^j -> [ij]", "`[` in the indices `[ij]`"),
+        ("v^[i] -> ^i", "brackets belong to the result alone"),
+    ] {
+        match run(text) {
+            Err(TensorError::Notation { expression, reason: given }) => {
+                assert_eq!((expression.as_str(), given.as_str()), (text, reason));
+            }
+            other => panic!("`{text}`: {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn what_fits_is_taken() -> Result<(), TensorError> {
+    for (text, value) in [
+        ("v^i w_i -> ", 2),
+        ("m^i_i->", 2),
+        ("s ->", 1),
+        ("- s ->", -1),
+        ("+ s ->", 1),
+        ("- 2 s + 3 s s ->", 1),
+        ("+ -2 s - -3 s ->", 1),
+        ("2 3 s ->", 6),
+        ("s 5 ->", 5),
+        ("0 s ->", 0),
+        ("s - s ->", 0),
+        ("9223372036854775807 s + s - 9223372036854775807 s ->", 1),
+        ("-9223372036854775808 s + 9223372036854775807 s + s ->", 0),
+        ("m^\u{3b1}_\u{3b2} m^\u{3b2}_\u{3b1} ->", 4),
+    ] {
+        assert_eq!(run(text)?.to_scalar(), Some(Rational::from(value)), "{text}");
+    }
+    assert_eq!(run("v^i v^j -> ^[i]^[j]")?.len(), 4);
+    // the coefficient that has no counterpart of the other sign
+    assert!(run("-9223372036854775808 v^i v^j + v^j v^i -> ^[ij]").is_ok());
+    Ok(())
+}
+
+#[test]
+fn dimensions_must_agree() {
+    let [a, b] = [2, 3].map(Tensor::<Rational>::identity);
+    let result = contract("a^i_j b^j_k -> ^i_k", &[("a", &a), ("b", &b)]);
+    assert_eq!(result, Err(TensorError::Dimension(2, 3)));
+    let message = result.unwrap_err().to_string();
+    assert_eq!(message, "operands have dimensions 2 and 3");
+}
+
+#[test]
+fn results_beyond_the_engine_are_refused() {
+    let too_large = |dimension, rank| Err(TensorError::TooLarge { dimension, rank });
+    // keys of 68 bits
+    let square = Tensor::<Rational>::zero(1 << 17, &[Up, Up]).unwrap();
+    let result = contract("m^ij m^kl -> ^ijkl", &[("m", &square)]);
+    assert_eq!(result, too_large(1 << 17, 4));
+    // fits the keys, but not the table over the last two indices
+    let vast = Tensor::<Rational>::from_components(1 << 31, &[Up, Down], [([1, 1], 1.into())]);
+    let result = contract("m^i_j -> ^i_j", &[("m", &vast.unwrap())]);
+    assert_eq!(result, too_large(1 << 31, 2));
+    let line = Tensor::<Rational>::from_components(1 << 40, &[Up], [([1], 1.into())]).unwrap();
+    assert_eq!(contract("v^i -> ^i", &[("v", &line)]), too_large(1 << 40, 1));
+    // nine letters
+    let four = Tensor::<Rational>::zero(2, &[Up; 4]).unwrap();
+    let five = Tensor::<Rational>::zero(2, &[Up; 5]).unwrap();
+    let nine = contract("a^ijkl b^mnpqr -> ^ijklmnpqr", &[("a", &four), ("b", &five)]);
+    assert_eq!(nine, too_large(2, 9));
+}
+
+proptest! {
+    #[test]
+    fn no_text_panics(text in ".*", tail in "[vwms]?[\\^_\\[\\]ij>2 +-]*") {
+        for text in [format!("{text} -> ^i"), format!("v^i -> {text}"), text, tail.clone()] {
+            let _ = run(&text);
+        }
+        let _ = run(&format!("{tail} -> ^i_j"));
+        let _ = run(&format!("m^i_j -> {tail}"));
+    }
+}

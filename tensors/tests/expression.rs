@@ -1,0 +1,285 @@
+//! The grammar of expressions: what is read, what is refused and where, and how soon.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use affinor_tensors::expression::{Expression, ExpressionError, Scalars};
+use affinor_tensors::{Notation, Rational, Ring, Symbolic};
+use proptest::prelude::*;
+use std::time::{Duration, Instant};
+
+/// The value over any parameters.
+fn symbolic(text: &str) -> Result<Symbolic, ExpressionError> {
+    let parameter = |name: &str| Ok(Symbolic::parameter(name));
+    Expression::parse(text)?.evaluate(&Scalars(parameter))
+}
+
+fn exact(text: &str) -> Result<Rational, ExpressionError> {
+    Expression::parse(text)?.evaluate_constant()
+}
+
+#[test]
+fn numbers_are_read() {
+    for (text, value) in [
+        ("0", "0"),
+        ("  12 ", "12"),
+        ("007", "7"),
+        ("1/4", "1/4"),
+        ("6/4", "3/2"),
+        ("0.25", "1/4"),
+        (".5", "1/2"),
+        ("5.", "5"),
+        ("1e3", "1000"),
+        ("1E3", "1000"),
+        ("1e-3", "1/1000"),
+        ("2.50e+1", "25"),
+        ("1.5e-1", "3/20"),
+        ("-3", "-3"),
+        ("+3", "3"),
+        ("--3", "3"),
+        ("-+-3", "3"),
+        ("1 - -2", "3"),
+        ("1 + 2*3", "7"),
+        ("(1 + 2)*3", "9"),
+        ("12/2/3", "2"),
+        ("12/(2/3)", "18"),
+        ("12/2*3", "18"),
+        ("2 - 3 - 4", "-5"),
+        ("2^10", "1024"),
+        ("-2^2", "-4"),
+        ("(-2)^2", "4"),
+        ("2^-2", "1/4"),
+        ("2^(-2)", "1/4"),
+        ("2^+2", "4"),
+        ("2^0", "1"),
+        ("0^0", "1"),
+        ("3*2^2", "12"),
+        ("(1/2)^3", "1/8"),
+        ("1/2^3", "1/8"),
+        ("\t1\n+\u{a0}2", "3"),
+        ("10000000000000000000000", "10000000000000000000000"),
+        ("1e20 - 1e20 + 1", "1"),
+        ("0.1 + 0.2 - 0.3", "0"),
+    ] {
+        assert_eq!(exact(text).map(|v| v.to_string()), Ok(value.to_string()), "{text}");
+    }
+}
+
+#[test]
+fn names_are_read() {
+    for (text, value) in [
+        ("a", "a"),
+        ("_x1", "_x1"),
+        ("2*a", "2*a"),
+        ("2 a", "2*a"),
+        ("1/2 a", "1/2*a"),
+        ("-a", "-a"),
+        ("a*b - b*a", "0"),
+        ("2 a b^2/b", ""),
+        ("a^2*a^-1", "a"),
+        ("(a + b)^2", "a^2 + 2*a*b + b^2"),
+        ("e1 + 2 e1", "3*e1"),
+        ("1e2*e", "100*e"),
+        ("e", "e"),
+    ] {
+        let read = symbolic(text).map(|v| v.to_string());
+        match value {
+            "" => assert!(read.is_err(), "{text}"),
+            value => assert_eq!(read, Ok(value.to_string()), "{text}"),
+        }
+    }
+}
+
+#[test]
+fn what_is_refused_is_underlined() {
+    for (text, underlined, reason) in [
+        ("", "", "the expression ends where a value is expected"),
+        ("   ", "", "the expression ends where a value is expected"),
+        ("1 +", "", "the expression ends where a value is expected"),
+        ("1 + * 2", "*", "`*` is not expected here"),
+        ("2*-3", "-", "`-` is not expected here"),
+        ("1 2", "2", "`2` is not expected here"),
+        ("(1", "(", "this parenthesis is not closed"),
+        ("((1)", "(", "this parenthesis is not closed"),
+        ("1)", ")", "`)` is not expected here"),
+        ("()", ")", "`)` is not expected here"),
+        ("(1)(2)", "(", "`(` is not expected here"),
+        ("2(3)", "(", "`(` is not expected here"),
+        (".", ".", "a number needs a digit"),
+        ("1,5", ",", "`,` is not expected here"),
+        ("1..2", ".", "`.` is not expected here"),
+        ("0x10", "x", "write `*` or a space between a number and a name"),
+        ("2x", "x", "write `*` or a space between a number and a name"),
+        ("1e", "e", "write `*` or a space between a number and a name"),
+        ("1e+", "e", "write `*` or a space between a number and a name"),
+        ("a b", "b", "an operator is missing before this name"),
+        ("(2) a", "a", "an operator is missing before this name"),
+        ("2^2 a", "a", "an operator is missing before this name"),
+        ("2^a", "a", "an exponent is an integer"),
+        ("2^", "", "an exponent is an integer"),
+        ("2^1/2)", ")", "`)` is not expected here"),
+        ("2^(1/2)", "", "`)` is missing after the exponent"),
+        ("2^\u{e9}", "\u{e9}", "an exponent is an integer"),
+        ("2^3^4", "^", "write parentheses around a power of a power"),
+        ("9^9^9", "^", "write parentheses around a power of a power"),
+        ("1 + \u{3b1}", "\u{3b1}", "the character \\u{3b1} is not expected here"),
+        ("1\u{7}", "\u{7}", "the character \\u{7} is not expected here"),
+        ("\u{221e}", "\u{221e}", "the character \\u{221e} is not expected here"),
+        ("NaN", "NaN", "`NaN` is not a number"),
+        ("1 + inf", "inf", "`inf` is not a number"),
+        ("1/0", "0", "division by zero"),
+        ("2 + 1/(1 - 1)", "(1 - 1)", "division by zero"),
+        ("3*0^-1", "0^-1", "division by zero"),
+    ] {
+        let error = exact(text).unwrap_err();
+        let span = text.get(error.span.clone());
+        assert_eq!((span, error.reason.as_str()), (Some(underlined), reason), "{text}");
+        assert_eq!(error.to_string(), reason);
+    }
+}
+
+#[test]
+fn a_number_glued_to_a_basis_name_is_refused() {
+    let basis = |name: &str| ["e1", "e2", "e"].contains(&name);
+    for (text, underlined) in [("2e1", "2e1"), ("1 + 3.5e2", "3.5e2"), ("7e", "7e")] {
+        let error = Expression::parse_beside(text, &basis).unwrap_err();
+        assert_eq!(&text[error.span], underlined);
+        assert!(error.reason.contains("`*` or a space"), "{}", error.reason);
+    }
+    for text in ["2 e1", "2*e1", "2e3", "1e-3"] {
+        assert!(Expression::parse_beside(text, &basis).is_ok() || text == "1e-3", "{text}");
+    }
+    assert_eq!(exact("2e1"), Ok(Rational::from(20)));
+}
+
+#[test]
+fn floats_stay_finite() {
+    let float = |text: &str| Expression::parse(text).and_then(|e| e.evaluate_constant::<f64>());
+    assert_eq!(float("1/3"), Ok(1.0 / 3.0));
+    assert_eq!(float("1e308"), Ok(1e308));
+    assert_eq!(float("0.1"), Ok(0.1));
+    for text in ["1e309", "1e308*10", "1e308 + 1e308", "1e200^2", "1/1e-309", "1/0"] {
+        assert!(float(text).is_err(), "{text}: {:?}", float(text));
+    }
+}
+
+/// Hostile texts are refused, or answered, at once.
+#[test]
+fn limits_are_fast() {
+    let many = |text: &str, count: usize| text.repeat(count);
+    let pole = |n: usize| format!("1/(x{n} + {n})");
+    let poles: Vec<String> = (1..40).map(pole).collect();
+    for (text, refused) in [
+        (many("9", 1_000_000), true),
+        (format!("0.{}", many("3", 1_000_000)), true),
+        (format!("1e{}", many("9", 1_000_000)), true),
+        (format!("2^{}", many("9", 1_000_000)), true),
+        (format!("{}1{}", many("(", 100_000), many(")", 100_000)), true),
+        (many("(", 100_000), true),
+        (many("-", 1_000_000), true),
+        (format!("{}1", many("-", 1_000_000)), false),
+        (format!("1{}", many("+1", 100_000)), false),
+        (format!("1{}", many("*1", 100_000)), false),
+        (many("9", 10_000), false),
+        (many("9", 10_001), true),
+        ("2^10000".into(), false),
+        ("2^10001".into(), true),
+        ("2^99999".into(), true),
+        ("2^9223372036854775808".into(), true),
+        ("1e10000".into(), false),
+        ("1e-10000".into(), false),
+        ("1e99999".into(), true),
+        ("1e-99999".into(), true),
+        ("9^9^9".into(), true),
+        ("(9^9999)^9999".into(), true),
+        ("((((2^9999)^9999)^9999)^9999)^9999".into(), true),
+        ("(x + y)^5000".into(), true),
+        ("(x + y + z + w + 1)^9999".into(), true),
+        ("(1/(x + y))^5000".into(), true),
+        ("((x^9999)^9999)^9999".into(), true),
+        (poles.join(" + "), true),
+    ] {
+        let start = Instant::now();
+        let result = symbolic(&text);
+        let took = start.elapsed();
+        let head: String = text.chars().take(40).collect();
+        assert_eq!(result.is_err(), refused, "{head}: {:?}", result.err());
+        assert!(took < Duration::from_secs(5), "{head}: {took:?}");
+    }
+}
+
+/// Texts that are nearly right.
+fn texts() -> impl Strategy<Value = String> {
+    let leaf = prop_oneof!["[0-9]{1,3}", "[a-c]", "[0-9]\\.[0-9]", "[0-9]e-?[0-9]", "[ (.^*]"];
+    leaf.prop_recursive(4, 24, 3, |inner| {
+        prop_oneof![
+            (inner.clone(), "[-+*/^ ]", inner.clone()).prop_map(|(a, op, b)| a + &op + &b),
+            inner.clone().prop_map(|a| format!("({a})")),
+            inner.prop_map(|a| format!("-{a}")),
+        ]
+    })
+}
+
+fn rationals() -> impl Strategy<Value = Rational> {
+    let word = prop_oneof![-20i64..20, any::<i64>()];
+    (word, 1i64..50, 0usize..3).prop_map(|(n, d, power)| {
+        let value = Rational::new(n, d).unwrap();
+        (0..power).fold(value.clone(), |product, _| product * &value)
+    })
+}
+
+/// Rational functions by sums, products and quotients.
+fn functions() -> impl Strategy<Value = Symbolic> {
+    let leaf = prop_oneof![
+        rationals().prop_map(Symbolic::constant),
+        prop::sample::select(vec!["a", "b", "J10", "J2", "_x", "e1"]).prop_map(Symbolic::parameter),
+    ];
+    leaf.prop_recursive(3, 12, 2, |inner| {
+        (inner.clone(), 0..4, inner).prop_map(|(a, operation, b)| match operation {
+            0 => a + &b,
+            1 => a - &b,
+            2 => a * &b,
+            _ if b.vanishes() => a,
+            _ => a / &b,
+        })
+    })
+}
+
+proptest! {
+    #[test]
+    fn a_rational_reads_back(value in rationals()) {
+        prop_assert_eq!(exact(&value.to_string())?, value);
+    }
+
+    #[test]
+    fn a_function_reads_back(value in functions()) {
+        prop_assert_eq!(symbolic(&value.to_string())?, value);
+    }
+
+    #[test]
+    fn a_float_reads_back(value in any::<f64>().prop_filter("finite", |x| x.is_finite())) {
+        let text = value.to_string();
+        prop_assert_eq!(Expression::parse(&text)?.evaluate_constant::<f64>()?, value);
+        prop_assert_eq!(exact(&text)?.to_f64(), value);
+    }
+
+    #[test]
+    fn no_text_panics(text in ".*", near in texts()) {
+        for text in [text, near] {
+            match symbolic(&text) {
+                Err(error) => prop_assert!(text.get(error.span.clone()).is_some(), "{error:?}"),
+                Ok(value) => prop_assert_eq!(symbolic(&value.to_string())?, value),
+            }
+            if let Ok(read) = Expression::parse(&text) {
+                prop_assert!(text.get(read.span()).is_some());
+                let _ = read.evaluate_constant::<f64>();
+            }
+        }
+    }
+
+    /// A name that scalars take as a parameter is one that the grammar reads.
+    #[test]
+    fn every_parameter_can_be_written(name in "[a-z\u{3b1}_][a-z0-9\u{3b1}_]{0,3}") {
+        if let Some(value) = <Symbolic as Notation>::parameter(&name) {
+            prop_assert_eq!(symbolic(&name)?, value);
+        }
+    }
+}
