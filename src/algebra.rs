@@ -5,8 +5,8 @@ mod bracket;
 mod matrices;
 
 pub use basis::BasisChange;
-pub use bracket::Bracket;
 pub(crate) use basis::{indices, inverse, to_matrix};
+pub use bracket::Bracket;
 pub use matrices::{Complex, MatrixBasis};
 
 use crate::Error;
@@ -67,6 +67,11 @@ impl<S: Ring> LieAlgebra<S> {
         Frame::invariant(self.labels().clone(), opposite).expect("the opposite of an algebra")
     }
 
+    /// The opposite algebra, `-[x, y]`: its left-invariant frame is the right-invariant one here.
+    pub fn opposite(&self) -> Self {
+        LieAlgebra { frame: self.right_frame() }
+    }
+
     /// The structure constants `c^i_jk`, `[e_j, e_k] = c^i_jk e_i`.
     pub fn structure(&self) -> &Tensor<S> {
         self.frame.structure()
@@ -103,14 +108,7 @@ impl<S: Ring> LieAlgebra<S> {
     /// When the dimension of the sum is beyond the engine.
     pub fn direct_sum(&self, other: &Self) -> Result<Self, Error> {
         let (n, m) = (self.dimension(), other.dimension());
-        let mut labels = self.labels().to_vec();
-        for label in other.labels().iter() {
-            let mut label = label.clone();
-            while labels.contains(&label) {
-                label.push('\'');
-            }
-            labels.push(label);
-        }
+        let labels = join_labels(self.labels(), other.labels());
         let shifted = |by: usize| {
             move |(at, v): (affinor_tensors::Indices, &S)| {
                 ([at[0] + by, at[1] + by, at[2] + by], v.clone())
@@ -151,4 +149,17 @@ impl<S: Field> LieAlgebra<S> {
         // covariance keeps Jacobi, and floats need not prove it twice
         Ok(LieAlgebra { frame: Frame::invariant(labels, structure)? })
     }
+}
+
+/// Labels behind labels; one that would meet an earlier one gets a prime.
+pub(crate) fn join_labels(first: &[String], second: &[String]) -> Vec<String> {
+    let mut labels = first.to_vec();
+    for label in second {
+        let mut label = label.clone();
+        while labels.contains(&label) {
+            label.push('\'');
+        }
+        labels.push(label);
+    }
+    labels
 }

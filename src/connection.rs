@@ -49,9 +49,8 @@ impl<S: Ring> Connection<S> {
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ; when the result is beyond the engine.
     pub fn nabla(&self, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
-        expect_slots("the tensor", tensor, self.frame.dimension(), tensor.slots())?;
+        let derivative = self.frame.derivative(tensor)?;
         let letters = &"abcdefgh"[..tensor.rank()];
-        let derivative = self.frame.derivative(tensor);
         let mut sum = format!("d_m{}", indices(letters, tensor));
         for (letter, slot) in letters.chars().zip(tensor.slots()) {
             let summed = indices(&letters.replace(letter, "p"), tensor);
@@ -62,10 +61,21 @@ impl<S: Ring> Connection<S> {
         }
         let at = tensor.slots().iter().position(|slot| *slot == Down).unwrap_or(tensor.rank());
         let before = indices(&letters[..at], tensor);
-        let behind: String =
-            letters.chars().zip(tensor.slots()).skip(at).fold(String::new(), |text, (l, slot)| {
-                text + if *slot == Up { "^" } else { "_" } + &l.to_string()
-            });
+        // nabla keeps the symmetries of the tensor; an antisymmetric last pair is computed once
+        let pair = tensor.rank().checked_sub(2).filter(|&pair| {
+            pair >= at
+                && tensor.slots()[pair..] == [Down, Down]
+                && tensor.pair_symmetry(pair, pair + 1) == Some(-1)
+        });
+        let mut behind = String::new();
+        for (position, (letter, slot)) in letters.chars().zip(tensor.slots()).enumerate().skip(at) {
+            let opens = Some(position) == pair;
+            match (opens, pair.is_some_and(|pair| position == pair + 1)) {
+                (true, _) => behind += &format!("_[{letter}"),
+                (_, true) => behind += &format!("{letter}]"),
+                _ => behind += &format!("{}{letter}", if *slot == Up { "^" } else { "_" }),
+            }
+        }
         let operands = [("d", &derivative), ("L", &self.gamma), ("T", tensor)];
         Ok(affinor_tensors::contract(&format!("{sum} -> {before}_m{behind}"), &operands)?)
     }

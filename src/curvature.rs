@@ -20,7 +20,8 @@ impl<S: Ring> Connection<S> {
     ///         + Lambda^i_km Lambda^m_lj - Lambda^i_lm Lambda^m_kj - c^m_kl Lambda^i_mj
     /// ```
     pub fn curvature(&self) -> Tensor<S> {
-        let derivative = self.frame().derivative(self.gamma());
+        let derivative =
+            self.frame().derivative(self.gamma()).expect("the affinities belong to the frame");
         formula(
             "d_k^i_lj - d_l^i_kj + L^i_km L^m_lj - L^i_lm L^m_kj - c^m_kl L^i_mj -> ^i_j[kl]",
             &[("d", &derivative), ("L", self.gamma()), ("c", self.frame().structure())],

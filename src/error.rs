@@ -112,6 +112,14 @@ pub enum Error {
         /// `Lambda^i_jk n^j n^k e_i`.
         residual: String,
     },
+    /// A float that left its range.
+    #[error("{component} = {value}: the computation left the range of f64")]
+    Overflow {
+        /// The component.
+        component: String,
+        /// What became of it.
+        value: String,
+    },
     /// An operation that this frame does not support.
     #[error("{0}")]
     Frame(&'static str),
@@ -124,7 +132,7 @@ pub(crate) fn combination<S: std::fmt::Display>(
     let mut text = String::new();
     for (coefficient, label) in terms {
         let value = coefficient.to_string();
-        let compound = value[1..].contains([' ', '+']);
+        let compound = value.chars().skip(1).any(|c| matches!(c, ' ' | '+'));
         let (sign, size) = match value.strip_prefix('-') {
             Some(size) if !compound => (" - ", size.to_string()),
             _ if compound => (" + ", format!("({value})")),

@@ -79,7 +79,11 @@ impl<S: Ring> Frame<S> {
     }
 
     /// The frame derivatives `e_k(T)` of all components, `k` a new first slot `_k`.
-    pub fn derivative(&self, tensor: &Tensor<S>) -> Tensor<S> {
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ; when the result is beyond the engine.
+    pub fn derivative(&self, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
+        expect_slots("the tensor", tensor, self.dimension(), tensor.slots())?;
         let slots: Vec<Variance> = [&[Down], tensor.slots()].concat();
         let mut terms = Vec::new();
         if let Some(derive) = &self.derivations {
@@ -90,9 +94,8 @@ impl<S: Ring> Frame<S> {
                 }
             }
         }
-        Tensor::from_components(self.dimension(), &slots, terms)
-            .expect("one slot more than a tensor of this frame")
-            .with_tolerance(tensor.tolerance())
+        let derivative = Tensor::from_components(self.dimension(), &slots, terms)?;
+        Ok(derivative.with_tolerance(tensor.tolerance()))
     }
 
     /// Components as a linear combination of the frame vectors.

@@ -10,6 +10,7 @@ use affinor_tensors::{Notation, Tensor};
 #[derive(Clone, Debug)]
 pub struct Geometry<S> {
     name: String,
+    algebra_name: Option<String>,
     algebra: LieAlgebra<S>,
     connection: Connection<S>,
     kind: ConnectionKind<S>,
@@ -50,7 +51,35 @@ impl<S: Notation> Geometry<S> {
                 Connection::new(frame.clone(), gamma.clone())?
             }
         };
-        Ok(Geometry { name: name.into(), algebra, connection, kind, metric })
+        Ok(Geometry { name: name.into(), algebra_name: None, algebra, connection, kind, metric })
+    }
+
+    /// The same geometry with its components in the right-invariant frame: structure `-c`,
+    /// affinities `Lambda - c`. A metric that is not bi-invariant has no constant components
+    /// there, and is left out.
+    ///
+    /// # Errors
+    /// [`Error::NotInvariant`] for a connection without constant components there.
+    pub fn in_right_frame(&self) -> Result<Self, Error> {
+        let connection = self.connection.in_right_frame(&self.algebra)?;
+        let metric = self.metric.as_ref().filter(|metric| metric.is_bi_invariant(&self.algebra));
+        Ok(Geometry {
+            algebra: self.algebra.opposite(),
+            connection,
+            metric: metric.cloned(),
+            ..self.clone()
+        })
+    }
+
+    /// The same geometry with a name for its algebra, where that is not its own: so(3) for M(3).
+    #[must_use]
+    pub fn over(self, algebra_name: impl Into<String>) -> Self {
+        Geometry { algebra_name: Some(algebra_name.into()), ..self }
+    }
+
+    /// The name of its algebra.
+    pub fn algebra_name(&self) -> &str {
+        self.algebra_name.as_deref().unwrap_or(&self.name)
     }
 
     /// The name it goes by.

@@ -1,11 +1,48 @@
-//! affinor.
+//! Differential geometry of Lie groups, from a bracket table: torsion, curvature and what follows
+//! from them, by one implementation of each formula over exact, symbolic and floating scalars.
+//!
+//! Three types carry everything. A [`Frame`] is structure functions and derivations; a
+//! [`LieAlgebra`] is one with constant structure whose Jacobi identity was checked. A
+//! [`Connection`] is a frame and its affinities, and torsion, curvature and covariant derivatives
+//! are functions of it. They return [`Tensor`](affinor_tensors::Tensor)s of the package
+//! `affinor-tensors`, which knows no geometry. Signs and orders of indices are in [`conventions`].
+//!
+//! - [`frame`], [`algebra`], [`connection`], [`metric`], [`curvature`], [`transport`]: the
+//!   geometry, from the bottom up;
+//! - [`Geometry`]: an algebra, a connection and a metric; [`paper`] has two of them;
+//! - [`catalogue`]: algebras by name; [`roots`]: root systems and Chevalley bases;
+//! - [`definition`]: what a person writes, on the command line or in a file;
+//! - [`report`]: tables, comparisons, and their formats; [`claims`] and [`certificate`]: what holds.
+//!
+//! ```
+//! use affinor::{Bracket, Canonical, Connection, LieAlgebra};
+//! use affinor_tensors::Rational;
+//! // the Heisenberg algebra: [x, y] = z
+//! let bracket = Bracket::from_fn(&["x", "y", "z"], |j, k| match (j, k) {
+//!     (0, 1) => vec![(2, Rational::from(1))],
+//!     _ => vec![],
+//! })?;
+//! let heisenberg = LieAlgebra::try_from(bracket)?;
+//! let plus = Connection::canonical(&heisenberg, Canonical::Plus);
+//! assert_eq!(plus.torsion(), *heisenberg.structure());
+//! assert!(plus.curvature().is_empty());
+//! # Ok::<(), affinor::Error>(())
+//! ```
+
 pub mod algebra;
+pub mod catalogue;
+pub mod certificate;
+pub mod claims;
 pub mod connection;
+pub mod conventions;
 pub mod curvature;
+pub mod definition;
+pub mod dense;
 mod error;
 pub mod frame;
 pub mod geometry;
 pub mod metric;
+pub mod paper;
 pub mod report;
 pub mod roots;
 pub mod transport;
@@ -16,3 +53,8 @@ pub use error::Error;
 pub use frame::Frame;
 pub use geometry::{ConnectionKind, Geometry};
 pub use metric::Metric;
+
+/// The program of the README, as a doctest.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

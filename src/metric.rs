@@ -1,12 +1,12 @@
 //! Metrics: symmetric, non-degenerate bilinear forms.
 
 use crate::Error;
-use crate::algebra::{inverse, to_matrix};
+use crate::algebra::{LieAlgebra, inverse, to_matrix};
 use crate::connection::Connection;
 use crate::error::combination;
 use crate::frame::{expect_slots, formula};
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{Down, Field, Ring, Symbolic, Tensor, Up};
+use affinor_tensors::{Down, Field, Notation, Rational, Tensor, Up};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -53,6 +53,21 @@ impl<S: Field> Metric<S> {
     /// The inverse `g^ij`.
     pub fn inverse(&self) -> &Tensor<S> {
         &self.inverse
+    }
+
+    /// How the generators move the metric, slots `_kij`: `g_mj c^m_ki + g_im c^m_kj`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ.
+    pub fn ad_variation(&self, algebra: &LieAlgebra<S>) -> Result<Tensor<S>, Error> {
+        expect_slots("the metric", &self.components, algebra.dimension(), &[Down, Down])?;
+        let operands = [("g", &self.components), ("c", algebra.structure())];
+        Ok(formula("g_mj c^m_ki + g_im c^m_kj -> _kij", &operands))
+    }
+
+    /// Whether the metric is bi-invariant: `g([z,x],y) + g(x,[z,y]) = 0`.
+    pub fn is_bi_invariant(&self, algebra: &LieAlgebra<S>) -> bool {
+        self.ad_variation(algebra).is_ok_and(|variation| variation.is_empty())
     }
 
     /// The covector `v_i = g_ij v^j` (97).
@@ -117,29 +132,31 @@ impl<S: Field> Connection<S> {
     }
 }
 
-/// The independent equations that make all components of a symbolic tensor vanish.
+/// The independent equations that make all components of an exact tensor vanish: each result is
+/// to be zero.
 ///
 /// Numerators are taken as vectors over their monomials and reduced, so the equations are a basis
 /// of the linear span of all that the components impose. For the nonmetricity of M(3) they say
 /// that `J` is a multiple of the identity.
-pub fn equations(tensor: &Tensor<Symbolic>) -> Vec<Symbolic> {
-    let polynomials: Vec<_> = tensor.components().map(|(_, v)| v.numerator().terms()).collect();
+pub fn equations<S: Notation>(tensor: &Tensor<S>) -> Vec<S> {
+    let polynomials: Vec<_> = tensor.components().map(|(_, v)| v.numerator_terms()).collect();
     let monomials: BTreeSet<_> = polynomials.iter().flatten().map(|(m, _)| m.clone()).collect();
     let columns: BTreeMap<_, _> = monomials.iter().zip(0..).collect();
     let rows = polynomials.iter().map(|terms| terms.iter().map(|(m, v)| (columns[m], v.clone())));
     let space = Matrix::from_rows(columns.len(), rows).ok().and_then(|m| m.echelon().ok());
-    let monomials: Vec<Symbolic> = monomials
+    let monomials: Vec<S> = monomials
         .iter()
         .map(|powers| {
-            let factors = powers.iter().flat_map(|(name, power)| {
-                std::iter::repeat_n(Symbolic::parameter(name), *power as usize)
+            let factors = powers.iter().filter_map(|(name, power)| {
+                S::parameter(name).map(|parameter| num_traits::pow(parameter, *power as usize))
             });
-            factors.fold(Symbolic::from_i64(1), |product, factor| product * &factor)
+            factors.fold(S::one(), |product, factor| product * &factor)
         })
         .collect();
-    let polynomial = |row: &[(usize, affinor_tensors::Rational)]| {
-        row.iter().fold(Symbolic::from_i64(0), |sum, (at, v)| {
-            sum + &(monomials[*at].clone() * &Symbolic::constant(v.clone()))
+    let polynomial = |row: &[(usize, Rational)]| {
+        row.iter().fold(S::zero(), |sum, (at, coefficient)| {
+            let coefficient = S::from_rational(coefficient).unwrap_or_else(S::zero);
+            sum + &(monomials[*at].clone() * &coefficient)
         })
     };
     space.iter().flat_map(|space| space.rows().iter().map(|row| polynomial(row))).collect()

@@ -53,38 +53,24 @@ impl RootSystem {
         let cartan = cartan_type.cartan_matrix();
         let lengths = cartan_type.squared_lengths();
         let unit = |i: usize| (0..rank).map(|j| i64::from(i == j)).collect();
-        let units: Vec<u128> = (0..rank)
-            .rev()
-            .map(|i| radix(cartan_type).pow(i as u32))
-            .collect();
+        let units: Vec<u128> = (0..rank).rev().map(|i| radix(cartan_type).pow(i as u32)).collect();
 
-        let mut system = RootSystem {
-            cartan_type,
-            positive: Vec::new(),
-            index: HashMap::new(),
-        };
-        let mut level: BTreeMap<Reverse<u128>, Vec<i64>> = units
-            .iter()
-            .enumerate()
-            .map(|(i, &key)| (Reverse(key), unit(i)))
-            .collect();
+        let mut system = RootSystem { cartan_type, positive: Vec::new(), index: HashMap::new() };
+        let mut level: BTreeMap<Reverse<u128>, Vec<i64>> =
+            units.iter().enumerate().map(|(i, &key)| (Reverse(key), unit(i))).collect();
         while !level.is_empty() {
             let start = system.positive.len();
             for (Reverse(key), coefficients) in std::mem::take(&mut level) {
                 system.index.insert(key, system.positive.len());
-                system
-                    .positive
-                    .push(Root::new(key, coefficients, &cartan, &lengths));
+                system.positive.push(Root::new(key, coefficients, &cartan, &lengths));
             }
             for (at, root) in system.positive.iter().enumerate().skip(start) {
                 for i in (0..rank).filter(|&i| system.steps_down(at, i) > root.weight[i]) {
-                    level
-                        .entry(Reverse(root.key + units[i]))
-                        .or_insert_with(|| {
-                            let mut next = root.coefficients.clone();
-                            next[i] += 1;
-                            next
-                        });
+                    level.entry(Reverse(root.key + units[i])).or_insert_with(|| {
+                        let mut next = root.coefficients.clone();
+                        next[i] += 1;
+                        next
+                    });
                 }
             }
         }
@@ -105,17 +91,13 @@ impl RootSystem {
     /// The place of a root in [`positive_roots`](Self::positive_roots), from its coefficients;
     /// `None` for anything else, negative roots included.
     pub fn index(&self, coefficients: &[i64]) -> Option<usize> {
-        self.index
-            .get(&key(coefficients, self.cartan_type)?)
-            .copied()
+        self.index.get(&key(coefficients, self.cartan_type)?).copied()
     }
 
     /// Whether the coefficients are those of a root, positive or negative.
     pub fn is_root(&self, coefficients: &[i64]) -> bool {
         let opposite: Vec<i64> = coefficients.iter().map(|c| c.saturating_neg()).collect();
-        self.index(coefficients)
-            .or_else(|| self.index(&opposite))
-            .is_some()
+        self.index(coefficients).or_else(|| self.index(&opposite)).is_some()
     }
 
     /// The positive root `t - r`, if it is one. Exact: keys of sums of two positive roots are
@@ -127,43 +109,22 @@ impl RootSystem {
 
     /// The largest `p` such that `b - p α_i` is a positive root.
     fn steps_down(&self, b: usize, i: usize) -> i64 {
-        std::iter::successors(self.difference(b, i), |&c| self.difference(c, i))
-            .map(|_| 1)
-            .sum()
+        std::iter::successors(self.difference(b, i), |&c| self.difference(c, i)).map(|_| 1).sum()
     }
 }
 
 impl Root {
     fn new(key: u128, coefficients: Vec<i64>, cartan: &[Vec<i64>], lengths: &[i64]) -> Self {
         let weight: Vec<i64> = (0..coefficients.len())
-            .map(|i| {
-                coefficients
-                    .iter()
-                    .zip(cartan)
-                    .map(|(c, row)| c * row[i])
-                    .sum()
-            })
+            .map(|i| coefficients.iter().zip(cartan).map(|(c, row)| c * row[i]).sum())
             .collect();
         // (α, α) = sum_i c_i (α, α_i), and 2 (α, α_i) = <α, α_i^∨> (α_i, α_i).
-        let twice: i64 = coefficients
-            .iter()
-            .zip(&weight)
-            .zip(lengths)
-            .map(|((c, w), l)| c * w * l)
-            .sum();
+        let twice: i64 =
+            coefficients.iter().zip(&weight).zip(lengths).map(|((c, w), l)| c * w * l).sum();
         let squared_length = twice / 2;
-        let coroot = coefficients
-            .iter()
-            .zip(lengths)
-            .map(|(c, l)| c * l / squared_length)
-            .collect();
-        Root {
-            coefficients,
-            coroot,
-            weight,
-            squared_length,
-            key,
-        }
+        let coroot =
+            coefficients.iter().zip(lengths).map(|(c, l)| c * l / squared_length).collect();
+        Root { coefficients, coroot, weight, squared_length, key }
     }
 
     /// The root over the simple roots: `α = sum_i c_i α_i`.
@@ -197,11 +158,8 @@ impl Root {
 fn key(coefficients: &[i64], cartan_type: CartanType) -> Option<u128> {
     let radix = radix(cartan_type);
     let digit = |&c: &i64| u128::try_from(c).ok().filter(|&c| c < radix);
-    (coefficients.len() == cartan_type.rank()).then(|| {
-        coefficients
-            .iter()
-            .try_fold(0, |key, c| Some(key * radix + digit(c)?))
-    })?
+    (coefficients.len() == cartan_type.rank())
+        .then(|| coefficients.iter().try_fold(0, |key, c| Some(key * radix + digit(c)?)))?
 }
 
 /// One more than any coefficient of a sum of two positive roots: those of a root are at most 6

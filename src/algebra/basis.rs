@@ -2,6 +2,7 @@
 
 use crate::Error;
 use crate::frame::{expect_slots, formula};
+use affinor_tensors::contraction;
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Field, Tensor, Up};
 
@@ -51,10 +52,9 @@ impl<S: Field> BasisChange<S> {
     }
 }
 
-/// The letters with their variances, as `^i_jk`.
+/// One letter a slot, as the notation of contractions writes them.
 pub(crate) fn indices<S: affinor_tensors::Ring>(letters: &str, tensor: &Tensor<S>) -> String {
-    let mark = |slot| if slot == Up { '^' } else { '_' };
-    letters.chars().zip(tensor.slots()).flat_map(|(l, &slot)| [mark(slot), l]).collect()
+    contraction::indices(letters.chars().zip(tensor.slots().iter().copied()))
 }
 
 /// The entries of the inverse of a tensor of rank 2 read as a matrix.
@@ -70,5 +70,7 @@ pub(crate) fn to_matrix<S: affinor_tensors::Ring>(tensor: &Tensor<S>) -> Matrix<
     for (at, value) in tensor.components() {
         rows[at[0]].push((at[1], value.clone()));
     }
-    Matrix::from_rows(n, rows).expect("columns of a square matrix").with_tolerance(tensor.tolerance())
+    Matrix::from_rows(n, rows)
+        .expect("columns of a square matrix")
+        .with_tolerance(tensor.tolerance())
 }

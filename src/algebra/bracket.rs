@@ -47,12 +47,10 @@ impl<S: Ring> Bracket<S> {
         labels: Arc<[String]>,
         constants: impl IntoIterator<Item = (usize, usize, usize, S)>,
     ) -> Result<Self, Error> {
-        let both = constants
-            .into_iter()
-            .flat_map(|(j, k, i, v)| {
-                let counterpart = (j != k).then(|| ([i, k, j], -v.clone()));
-                [Some(([i, j, k], v)), counterpart].into_iter().flatten()
-            });
+        let both = constants.into_iter().flat_map(|(j, k, i, v)| {
+            let counterpart = (j != k).then(|| ([i, k, j], -v.clone()));
+            [Some(([i, j, k], v)), counterpart].into_iter().flatten()
+        });
         let structure = Tensor::from_components(labels.len(), &[Up, Down, Down], both)?;
         Self::new(labels, structure)
     }
@@ -84,7 +82,12 @@ impl<S: Ring> Bracket<S> {
         at.map(|(j, k, l)| {
             let label = |at: usize| self.labels()[at].clone();
             let parts = (0..self.labels().len()).map(|i| residual.get(&[i, j, k, l]));
-            Error::Jacobi { x: label(j), y: label(k), z: label(l), residual: self.frame.write(parts) }
+            Error::Jacobi {
+                x: label(j),
+                y: label(k),
+                z: label(l),
+                residual: self.frame.write(parts),
+            }
         })
     }
 

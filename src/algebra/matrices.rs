@@ -85,18 +85,22 @@ impl<S: Field> MatrixBasis<S> {
     /// [`Error::NotClosed`] with the first commutator that leaves the span.
     pub fn bracket(&self) -> Result<Bracket<S>, Error> {
         let (n, entries) = (self.matrices.len(), self.entries());
+        let size = self.size();
+        let sparse: Vec<Vec<_>> = self.matrices.iter().map(|m| m.entries().collect()).collect();
         let mut constants = Vec::new();
         for (j, k) in (0..n).flat_map(|j| (j + 1..n).map(move |k| (j, k))) {
+            // (row, column) of A B in one number
             let product = |a: usize, b: usize| {
-                self.matrices[a].mul(&self.matrices[b]).expect("square matrices of one size")
+                sparse[a].iter().flat_map(move |&(r, m, x)| {
+                    let row = self.matrices[b].row(m).iter();
+                    row.map(move |(c, y)| (r * size + c, x.clone() * y))
+                })
             };
-            let (ab, ba) = (product(j, k), product(k, j));
-            let commutator = flat(&ab, S::one()).chain(flat(&ba, -S::one()));
+            let commutator = product(j, k).chain(product(k, j).map(|(at, v)| (at, -v)));
             for (column, value) in self.span.reduce(commutator) {
                 match column.checked_sub(entries) {
                     Some(i) => constants.push((j, k, i, -value)),
                     None => {
-                        let size = self.size();
                         let (row, column) = (column / size + 1, column % size + 1);
                         return Err(Error::NotClosed {
                             x: self.labels[j].clone(),

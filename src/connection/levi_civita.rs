@@ -19,15 +19,17 @@ impl<S: Field> Connection<S> {
         let g = metric.components();
         expect_slots("the metric", g, frame.dimension(), &[Down, Down])?;
         let half = S::from_i64(2).recip().ok_or(Error::Frame("2 is not invertible"))?;
-        let derivative = frame.derivative(g);
+        let derivative = frame.derivative(g)?;
         // b_ijk = g([e_j, e_k], e_i)
         let b = formula("g_im c^m_jk -> _ijk", &[("g", g), ("c", frame.structure())]);
         let lowered = formula(
             "d_j_ki + d_k_ij - d_i_jk + b_ijk - b_jki + b_kij -> _ijk",
             &[("d", &derivative), ("b", &b)],
         );
-        let gamma =
-            formula("h^im l_mjk -> ^i_jk", &[("h", metric.inverse()), ("l", &lowered.scale(&half))]);
+        let gamma = formula(
+            "h^im l_mjk -> ^i_jk",
+            &[("h", metric.inverse()), ("l", &lowered.scale(&half))],
+        );
         Connection::new(frame.clone(), gamma)
     }
 }

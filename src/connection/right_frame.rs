@@ -28,8 +28,14 @@ impl<S: Ring> Connection<S> {
     ///
     /// # Errors
     /// [`Error::NotInvariant`] with a component of [`ad_variation`](Self::ad_variation) unless
-    /// that vanishes: then the components in the right-invariant frame are not constant.
+    /// that vanishes: then the components in the right-invariant frame are not constant. [`Error::Frame`]
+    /// when the connection is not in the left-invariant frame of `algebra`.
     pub fn in_right_frame(&self, algebra: &LieAlgebra<S>) -> Result<Self, Error> {
+        if self.frame.structure() != algebra.structure() {
+            return Err(Error::Frame(
+                "the connection is not in the left-invariant frame of this algebra",
+            ));
+        }
         if let Some((at, residual)) = self.ad_variation()?.components().next() {
             return Err(Error::NotInvariant {
                 direction: self.frame.labels()[at[1]].clone(),

@@ -191,16 +191,10 @@ impl fmt::Display for RootError {
                     Series::F => "n = 4",
                     Series::G => "n = 2",
                 };
-                write!(
-                    f,
-                    "there is no simple Lie algebra {series}{rank}: {series}n needs {ranks}"
-                )
+                write!(f, "there is no simple Lie algebra {series}{rank}: {series}n needs {ranks}")
             }
             RootError::TooLarge { series, rank } => {
-                write!(
-                    f,
-                    "the dimension of {series}{rank} exceeds the limit of {MAX_DIMENSION}"
-                )
+                write!(f, "the dimension of {series}{rank} exceeds the limit of {MAX_DIMENSION}")
             }
         }
     }

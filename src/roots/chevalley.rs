@@ -94,17 +94,15 @@ fn constants_of_sum(roots: &RootSystem, known: &[Vec<i64>], t: usize) -> Vec<(us
     let lowered = |n: i64, below: usize, x: usize| n * length(below) / length(x);
     // d(x) N_{x - α_i, y}
     let term = |x: usize, y: usize| {
-        roots.difference(x, i).map_or(0, |below| {
-            lowered(known[i][below], below, x) * known[below][y]
-        })
+        roots
+            .difference(x, i)
+            .map_or(0, |below| lowered(known[i][below], below, x) * known[below][y])
     };
     let extraspecial = roots.steps_down(rest, i) + 1;
     let d_t = lowered(extraspecial, rest, t);
     // N_{r, s - α_i} = -N_{s - α_i, r}
     let others = pairs.map(|(r, s)| (r, s, (term(r, s) - term(s, r)) / d_t));
-    std::iter::once((i, rest, extraspecial))
-        .chain(others)
-        .collect()
+    std::iter::once((i, rest, extraspecial)).chain(others).collect()
 }
 
 /// All pairs `r < s` of positive roots with sum `t`, by rising `r`.

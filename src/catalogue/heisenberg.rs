@@ -1,0 +1,25 @@
+//! The Heisenberg algebras.
+
+use super::{Entry, Family, Reader, numbered};
+
+/// heisenberg(2m+1), as upper triangular matrices of size m + 2.
+pub(super) const FAMILY: Family = Family {
+    pattern: "heisenberg(2m+1)",
+    needs: "an odd number, at least 3",
+    summary: "nilpotent, centre z; basis x1..xm, y1..ym, z: [x_i,y_i] = z",
+    example: "heisenberg(3)",
+    head: "heisenberg",
+    reader: Reader::Integers {
+        count: 1,
+        dimension: |n| (n[0] >= 3 && n[0] % 2 == 1).then_some(n[0]),
+        build: |name, n| build(name, n[0] / 2),
+    },
+};
+
+fn build(name: String, m: usize) -> Entry {
+    let labels = [numbered("x", m), numbered("y", m), vec!["z".into()]].concat();
+    let x = (1..=m).map(|i| vec![(0, i, 1)]);
+    let y = (1..=m).map(|i| vec![(i, m + 1, 1)]);
+    let z = [vec![(0, m + 1, 1)]];
+    Entry::of_integer_matrices(name, labels, m + 2, x.chain(y).chain(z))
+}

@@ -1,0 +1,48 @@
+//! The linear algebras sl(n) and gl(n).
+
+use super::{Entry, Family, Reader, at, numbered, pairs};
+
+/// sl(n).
+pub(super) const SPECIAL: Family = Family {
+    pattern: "sl(n)",
+    needs: "n >= 2",
+    summary: "real n x n matrices without trace; basis E_ij for i < j, then E_ji in the same \
+              order, then H_k = E_kk - E_k+1,k+1",
+    example: "sl(2)",
+    head: "sl",
+    reader: Reader::Integers {
+        count: 1,
+        dimension: |n| (n[0] >= 2).then(|| n[0].saturating_mul(n[0]) - 1),
+        build: |name, n| special(name, n[0]),
+    },
+};
+
+/// gl(n).
+pub(super) const GENERAL: Family = Family {
+    pattern: "gl(n)",
+    needs: "n >= 1",
+    summary: "all real n x n matrices; basis E_ij row by row",
+    example: "gl(3)",
+    head: "gl",
+    reader: Reader::Integers {
+        count: 1,
+        dimension: |n| (n[0] >= 1).then(|| n[0].saturating_mul(n[0])),
+        build: |name, n| general(name, n[0]),
+    },
+};
+
+fn special(name: String, n: usize) -> Entry {
+    let places: Vec<_> = pairs(n).chain(pairs(n).map(|(i, j)| (j, i))).collect();
+    let mut labels: Vec<_> = places.iter().map(|&place| at("E", place, n)).collect();
+    labels.extend(numbered("H", n - 1));
+    let off_diagonal = places.into_iter().map(|(i, j)| vec![(i, j, 1)]);
+    let diagonal = (1..n).map(|k| vec![(k - 1, k - 1, 1), (k, k, -1)]);
+    Entry::of_integer_matrices(name, labels, n, off_diagonal.chain(diagonal))
+}
+
+fn general(name: String, n: usize) -> Entry {
+    let places: Vec<_> = (0..n * n).map(|place| (place / n, place % n)).collect();
+    let labels = places.iter().map(|&place| at("E", place, n)).collect();
+    let matrices = places.into_iter().map(|(i, j)| vec![(i, j, 1)]);
+    Entry::of_integer_matrices(name, labels, n, matrices)
+}
