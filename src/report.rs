@@ -1,22 +1,54 @@
 //! Tables of tensors, and their renderings: one file a format.
 
+mod comparison;
 mod components;
-pub mod csv;
-pub mod json;
-pub mod latex;
-pub mod markdown;
-pub mod text;
+mod csv;
+mod grid;
+mod head;
+mod json;
+mod latex;
+mod markdown;
+mod quantity;
+mod stored;
+mod text;
 
-pub use components::{Group, groups, independent};
+pub use comparison::{Comparison, Side};
+pub use components::{GROUPED, Group, groups, independent};
+pub use grid::{Cell, Grid};
+pub use quantity::Quantity;
+pub use stored::{Difference, Stored};
 
 use crate::{Error, Geometry};
-use affinor_tensors::{Down, Notation, Tensor, Tolerance, Up, Variance};
+use affinor_tensors::{Kind, Notation, Tensor, Tolerance};
+use std::borrow::Cow;
+use std::io::{self, BufWriter, Write};
 
 /// The tensors of one geometry, ready to be printed.
+///
+/// ```
+/// use affinor::report::{Format, Quantity, Table};
+/// use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra};
+/// use affinor_tensors::Rational;
+/// let rotations = Bracket::from_fn(&["e1", "e2", "e3"], |j, k| match (j, k) {
+///     (0, 1) => vec![(2, Rational::from(1))],
+///     (0, 2) => vec![(1, Rational::from(-1))],
+///     _ => vec![(0, Rational::from(1))],
+/// })?;
+/// let algebra = LieAlgebra::try_from(rotations)?;
+/// let zero = ConnectionKind::Canonical(Canonical::Zero);
+/// let geometry = Geometry::new("so(3)", algebra, zero, None)?;
+/// let table = Table::new(&geometry, &[Quantity::Ricci])?;
+/// let mut csv = Vec::new();
+/// table.write(Format::Csv, &mut csv)?;
+/// assert!(csv.starts_with(b"tensor,i,j,k,l,value\nricci,1,1,,,1/2\n"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Table<S> {
     /// What the space is called.
     pub name: String,
+    /// What its algebra is called; the name of the space unless something better is known.
+    pub algebra: String,
     /// The names of the basis vectors.
     pub labels: Vec<String>,
     /// The parameters that the components depend on, sorted.
@@ -46,157 +78,27 @@ pub struct Entry<S> {
     pub tensor: Tensor<S>,
 }
 
-/// What a tensor of a table is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// Structure constants `c^i_jk`.
-    Structure,
-    /// Affinities `Lambda^i_jk`.
-    Affinities,
-    /// Torsion `tau^i_jk` (B10).
-    Torsion,
-    /// Curvature `R^i_jkl` (B14).
-    Curvature,
-    /// Ricci tensor `Ric_jl`.
-    Ricci,
-    /// Scalar curvature `S`.
-    ScalarCurvature,
-    /// Metric `g_ij`.
-    Metric,
-    /// Inverse metric `g^ij`.
-    InverseMetric,
-    /// Nonmetricity `Q_kij`.
-    Nonmetricity,
-    /// Killing form `K_ij`.
-    Killing,
-}
-
-impl Quantity {
-    /// All quantities, in the order of a table.
-    pub const ALL: [Quantity; 10] = {
-        use Quantity::*;
-        [
-            Structure,
-            Affinities,
-            Torsion,
-            Curvature,
-            Ricci,
-            ScalarCurvature,
-            Metric,
-            InverseMetric,
-            Nonmetricity,
-            Killing,
-        ]
-    };
-
-    /// The name in options, JSON and CSV.
-    pub fn key(self) -> &'static str {
-        match self {
-            Quantity::Structure => "structure",
-            Quantity::Affinities => "affinities",
-            Quantity::Torsion => "torsion",
-            Quantity::Curvature => "curvature",
-            Quantity::Ricci => "ricci",
-            Quantity::ScalarCurvature => "scalar_curvature",
-            Quantity::Metric => "metric",
-            Quantity::InverseMetric => "inverse_metric",
-            Quantity::Nonmetricity => "nonmetricity",
-            Quantity::Killing => "killing",
-        }
-    }
-
-    /// The quantity of that name.
-    pub fn from_key(key: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|quantity| quantity.key() == key)
-    }
-
-    /// The heading in text.
-    pub fn title(self) -> &'static str {
-        match self {
-            Quantity::Structure => "Structure constants",
-            Quantity::Affinities => "Affinities",
-            Quantity::Torsion => "Torsion (B10)",
-            Quantity::Curvature => "Curvature (B14)",
-            Quantity::Ricci => "Ricci tensor",
-            Quantity::ScalarCurvature => "Scalar curvature",
-            Quantity::Metric => "Metric",
-            Quantity::InverseMetric => "Inverse metric",
-            Quantity::Nonmetricity => "Nonmetricity",
-            Quantity::Killing => "Killing form",
-        }
-    }
-
-    /// The symbol in text and JSON.
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Quantity::Structure => "c",
-            Quantity::Affinities => "Lambda",
-            Quantity::Torsion => "tau",
-            Quantity::Curvature => "R",
-            Quantity::Ricci => "Ric",
-            Quantity::ScalarCurvature => "S",
-            Quantity::Metric | Quantity::InverseMetric => "g",
-            Quantity::Nonmetricity => "Q",
-            Quantity::Killing => "K",
-        }
-    }
-
-    /// The symbol in LaTeX.
-    pub fn latex(self) -> &'static str {
-        match self {
-            Quantity::Affinities => "\\Lambda",
-            Quantity::Torsion => "\\tau",
-            Quantity::Ricci => "\\mathrm{Ric}",
-            other => other.symbol(),
-        }
-    }
-
-    /// The slots.
-    pub fn slots(self) -> &'static [Variance] {
-        match self {
-            Quantity::Structure | Quantity::Affinities | Quantity::Torsion => &[Up, Down, Down],
-            Quantity::Curvature => &[Up, Down, Down, Down],
-            Quantity::Ricci | Quantity::Metric | Quantity::Killing => &[Down, Down],
-            Quantity::InverseMetric => &[Up, Up],
-            Quantity::Nonmetricity => &[Down, Down, Down],
-            Quantity::ScalarCurvature => &[],
-        }
-    }
-
-    /// The tensor of a geometry; `None` where it does not apply (no metric).
-    ///
-    /// # Errors
-    /// [`Error::Shape`], which a valid geometry does not cause.
-    pub fn of<S: Notation>(self, geometry: &Geometry<S>) -> Result<Option<Tensor<S>>, Error> {
-        let connection = geometry.connection();
-        let n = geometry.algebra().dimension();
-        Ok(Some(match (self, geometry.metric()) {
-            (Quantity::Structure, _) => geometry.algebra().structure().clone(),
-            (Quantity::Affinities, _) => connection.gamma().clone(),
-            (Quantity::Torsion, _) => connection.torsion(),
-            (Quantity::Curvature, _) => connection.curvature(),
-            (Quantity::Ricci, _) => connection.ricci(),
-            (Quantity::Killing, _) => geometry.algebra().killing_form(),
-            (_, None) => return Ok(None),
-            (Quantity::ScalarCurvature, Some(metric)) => {
-                let scalar = connection.scalar_curvature(metric)?;
-                Tensor::from_components(n, &[], [([], scalar)])?
-            }
-            (Quantity::Metric, Some(metric)) => metric.components().clone(),
-            (Quantity::InverseMetric, Some(metric)) => metric.inverse().clone(),
-            (Quantity::Nonmetricity, Some(metric)) => connection.nonmetricity(metric)?,
-        }))
-    }
-}
-
 impl<S: Notation> Table<S> {
     /// The table of a geometry in its left-invariant frame, with the quantities that apply.
     ///
     /// # Errors
     /// As [`Quantity::of`].
     pub fn new(geometry: &Geometry<S>, quantities: &[Quantity]) -> Result<Self, Error> {
+        Self::in_stages(geometry, quantities, &|_| ())
+    }
+
+    /// As [`new`](Self::new); `stage` is told what is about to be computed.
+    ///
+    /// # Errors
+    /// As [`Quantity::of`].
+    pub fn in_stages(
+        geometry: &Geometry<S>,
+        quantities: &[Quantity],
+        stage: &dyn Fn(&str),
+    ) -> Result<Self, Error> {
         let mut tensors = Vec::new();
         for &quantity in quantities {
+            stage(quantity.key());
             if let Some(tensor) = quantity.of(geometry)? {
                 tensors.push(Entry { quantity, tensor });
             }
@@ -207,6 +109,7 @@ impl<S: Notation> Table<S> {
         parameters.dedup();
         Ok(Table {
             name: geometry.name().into(),
+            algebra: geometry.algebra_name().into(),
             labels: geometry.algebra().labels().to_vec(),
             parameters,
             connection: geometry.kind().name().into(),
@@ -217,5 +120,84 @@ impl<S: Notation> Table<S> {
             independent: false,
             tensors,
         })
+    }
+
+    /// Checks that floats have stayed within their range.
+    ///
+    /// # Errors
+    /// [`Error::Overflow`] with the first component that is infinite or not a number.
+    pub fn finite(&self) -> Result<(), Error> {
+        for Entry { quantity, tensor } in &self.tensors {
+            let wild = |value: &S| value.to_f64().is_some_and(|x| !x.is_finite());
+            if S::KIND == Kind::Float
+                && let Some((at, value)) = tensor.components().find(|(_, value)| wild(value))
+            {
+                let component = text::component(*quantity, tensor, &at);
+                return Err(Error::Overflow { component, value: value.to_string() });
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes the table in one of the formats.
+    ///
+    /// # Errors
+    /// What `out` reports; for JSON also [`io::ErrorKind::InvalidData`], when a float is infinite
+    /// or not a number, which JSON cannot say.
+    pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        let mut out = BufWriter::with_capacity(1 << 16, out);
+        match format {
+            Format::Text => text::write(self, &mut out),
+            Format::Markdown => markdown::write(self, &mut out),
+            Format::Latex => latex::write(self, &mut out),
+            Format::Csv => csv::write(self, &mut out),
+            Format::Json => json::write(self, &mut out),
+        }?;
+        out.flush()
+    }
+
+    /// The components of an entry that are printed: all, or only the independent ones.
+    fn shown<'a>(&self, entry: &'a Entry<S>) -> Cow<'a, Tensor<S>> {
+        match self.independent {
+            true => Cow::Owned(independent(&entry.tensor)),
+            false => Cow::Borrowed(&entry.tensor),
+        }
+    }
+}
+
+/// How a table is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// For the eye, within 80 columns.
+    Text,
+    /// Headings and tables as GitHub renders them.
+    Markdown,
+    /// A fragment that needs amsmath.
+    Latex,
+    /// One row for every component.
+    Csv,
+    /// One object, schema `affinor.table/1` (`docs/table.schema.json`).
+    Json,
+}
+
+impl Format {
+    /// All formats.
+    pub const ALL: [Format; 5] =
+        [Format::Text, Format::Markdown, Format::Latex, Format::Csv, Format::Json];
+
+    /// The name in options.
+    pub fn name(self) -> &'static str {
+        match self {
+            Format::Text => "text",
+            Format::Markdown => "markdown",
+            Format::Latex => "latex",
+            Format::Csv => "csv",
+            Format::Json => "json",
+        }
+    }
+
+    /// The format of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.name() == name)
     }
 }

@@ -1,0 +1,171 @@
+//! Certificates: whether a definition is what it claims, with the witness of what fails.
+
+use crate::definition::{Definition, InputError, Reading};
+use crate::metric::equations;
+use crate::{Connection, ConnectionKind, LieAlgebra};
+use affinor_tensors::{Indices, Kind, Notation, Tensor};
+
+/// One check of a certificate.
+#[derive(Clone, Debug)]
+pub struct Check {
+    /// What is checked.
+    pub name: &'static str,
+    /// Whether it holds.
+    pub ok: bool,
+    /// In words: what held, or what failed and by how much.
+    pub detail: String,
+    /// Where it fails.
+    pub witness: Option<Witness>,
+}
+
+/// Where an identity fails: indices from 1, and the residual by its upper index.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Witness {
+    /// The lower indices, from 1.
+    pub indices: Vec<usize>,
+    /// The nonzero components of the residual there.
+    pub residual: Vec<(usize, String)>,
+}
+
+/// Checks a definition: antisymmetry, Jacobi, the metric, and the identities of the connection.
+///
+/// A failed check ends the certificate where the rest makes no sense without it. `stage` is told
+/// what is about to be computed.
+///
+/// # Errors
+/// Input that cannot be read as this scalar; everything mathematical is a check, not an error.
+pub fn certify<S: Notation>(
+    definition: &Definition,
+    reading: &Reading<S>,
+    stage: &dyn Fn(&str),
+) -> Result<Vec<Check>, InputError> {
+    let mut checks = Vec::new();
+    stage("antisymmetry");
+    let bracket = match definition.bracket(reading) {
+        Ok(bracket) => bracket,
+        Err(error) if error.refusal == crate::definition::Refusal::Mathematics => {
+            let mut check =
+                failed(if definition.is_by_matrices() { "closure" } else { "antisymmetry" }, error);
+            check.witness = definition.antisymmetry_witness().map(|((j, k), sum)| Witness {
+                indices: vec![j + 1, k + 1],
+                residual: sum.iter().map(|(i, value)| (i + 1, value.to_string())).collect(),
+            });
+            return Ok(vec![check]);
+        }
+        Err(error) => return Err(error),
+    };
+    if definition.is_by_matrices() {
+        checks.push(held("closure", "the commutators stay in the real span of the matrices"));
+    }
+    checks.push(held("antisymmetry", "[x,y] = -[y,x] for all basis vectors"));
+    stage("jacobi");
+    let residual = bracket.jacobi();
+    let mut jacobi = vanishing("jacobi", "[[x,y],z] + cyclic = 0 for all triples", &residual, 0.0);
+    if !jacobi.ok {
+        if let Some(violation) = bracket.jacobi_violation() {
+            jacobi.detail = violation.to_string();
+        }
+        if S::KIND == affinor_tensors::Kind::Symbolic {
+            let conditions =
+                equations(&residual).iter().map(|e| format!("{e} = 0")).collect::<Vec<_>>();
+            jacobi.detail += &format!("; Jacobi holds if {}", conditions.join(", "));
+        }
+        checks.push(jacobi);
+        return Ok(checks);
+    }
+    checks.push(jacobi);
+    // the triples were gone through just now
+    let algebra = LieAlgebra::try_from(bracket)?;
+    match definition.metric(&algebra, reading) {
+        Ok(None) => {}
+        Ok(Some(_)) => checks.push(held("metric", "symmetric and non-degenerate")),
+        Err(error) if error.refusal == crate::definition::Refusal::Mathematics => {
+            checks.push(failed("metric", error));
+            return Ok(checks);
+        }
+        Err(error) => return Err(error),
+    }
+    let geometry = match definition.geometry_over(algebra, reading) {
+        Ok(geometry) => geometry,
+        Err(error) if error.refusal == crate::definition::Refusal::Mathematics => {
+            checks.push(failed("connection", error));
+            return Ok(checks);
+        }
+        Err(error) => return Err(error),
+    };
+    let connection = geometry.connection();
+    if let (ConnectionKind::LeviCivita, Some(metric)) = (geometry.kind(), geometry.metric()) {
+        stage("levi-civita");
+        let size = size(connection);
+        let torsion = connection.torsion();
+        checks.push(vanishing("torsion_free", "tau = 0", &torsion, size));
+        let nonmetricity = connection.nonmetricity(metric)?;
+        let size = size * largest(metric.components());
+        checks.push(vanishing("metric_compatible", "nabla g = 0", &nonmetricity, size));
+    }
+    checks.extend(bianchi(connection, stage));
+    Ok(checks)
+}
+
+fn bianchi<S: Notation>(connection: &Connection<S>, stage: &dyn Fn(&str)) -> [Check; 2] {
+    stage("bianchi_first");
+    let first = connection.bianchi_first();
+    stage("bianchi_second");
+    let second = connection.bianchi_second();
+    let size = size(connection);
+    [
+        vanishing(
+            "bianchi_first",
+            "R, torsion and nabla torsion fit together",
+            &first,
+            size.powi(2),
+        ),
+        vanishing("bianchi_second", "nabla R, torsion and R fit together", &second, size.powi(3)),
+    ]
+}
+
+/// How large the affinities and structure constants are together.
+fn size<S: Notation>(connection: &Connection<S>) -> f64 {
+    largest(connection.gamma()) + largest(connection.frame().structure())
+}
+
+/// The largest component of a float tensor; 0 for exact ones, which need no scale.
+fn largest<S: Notation>(tensor: &Tensor<S>) -> f64 {
+    let sizes = tensor.components().filter_map(|(_, value)| value.to_f64());
+    if S::KIND == Kind::Float { sizes.map(f64::abs).fold(0.0, f64::max) } else { 0.0 }
+}
+
+fn held(name: &'static str, detail: &str) -> Check {
+    Check { name, ok: true, detail: detail.into(), witness: None }
+}
+
+fn failed(name: &'static str, error: InputError) -> Check {
+    Check { name, ok: false, detail: error.message, witness: None }
+}
+
+/// The check that a residual with one upper index, in front, is zero. A float is zero below the
+/// tolerance times `size`, the size of what the residual was computed from in several stages.
+fn vanishing<S: Notation>(
+    name: &'static str,
+    detail: &str,
+    residual: &Tensor<S>,
+    size: f64,
+) -> Check {
+    let noise = residual.tolerance().relative() * size;
+    let residual = &residual.filter_map(|_, value| {
+        let small = S::KIND == Kind::Float && value.to_f64().is_some_and(|x| x.abs() <= noise);
+        (!small).then(|| value.clone())
+    });
+    let upper = usize::from(residual.slots().first() == Some(&affinor_tensors::Up));
+    let lower = |at: &Indices| at[upper..].to_vec();
+    let Some(place) = residual.components().map(|(at, _)| lower(&at)).min() else {
+        return held(name, detail);
+    };
+    let here = residual.components().filter(|(at, _)| lower(at) == place);
+    let residual: Vec<(usize, String)> = here
+        .map(|(at, value)| (if upper == 1 { at[0] + 1 } else { 0 }, value.to_string()))
+        .collect();
+    let indices: Vec<usize> = place.iter().map(|i| i + 1).collect();
+    let detail = format!("not zero at {indices:?}: {residual:?}");
+    Check { name, ok: false, detail, witness: Some(Witness { indices, residual }) }
+}

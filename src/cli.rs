@@ -1,0 +1,88 @@
+//! The commands: one file each, over the options they share.
+
+mod check;
+mod compare;
+mod completions;
+mod conventions;
+mod failure;
+mod list;
+mod note;
+mod options;
+mod output;
+mod stages;
+mod table;
+mod verify;
+
+use clap::{Parser, Subcommand};
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+/// Differential geometry of Lie groups, from a bracket table.
+///
+/// A SPACE is a geometry of the paper (M3, SO3), a catalogue name (so3, "so(3,1)", E8,
+/// "so3+R^3"), a definition file (x.toml, x.json, - for standard input), or nothing, with --basis
+/// and --bracket given inline. It may carry its connection and metric:
+/// "so3@levi-civita;metric=diag(1,2,3)".
+///
+/// Exit status: 0 done; 1 the mathematics refuses; 2 wrong usage or unreadable input.
+#[derive(Parser)]
+#[command(name = "affinor", version, max_term_width = 80)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Two spaces side by side; without arguments the paper's M(3) and SO(3)
+    Compare(compare::Arguments),
+    /// The tensors of one space
+    Table(table::Arguments),
+    /// Antisymmetry, Jacobi, metric, Bianchi identities: a certificate or the witness
+    Check(check::Arguments),
+    /// Compare with a stored table (JSON or CSV): the first differing components
+    Verify(verify::Arguments),
+    /// The catalogue
+    List(list::Arguments),
+    /// The conventions of signs and indices
+    Conventions(conventions::Arguments),
+    /// Completions for a shell, on standard output
+    Completions(completions::Arguments),
+}
+
+/// Parses the arguments, runs the command, reports its failure.
+pub fn main() -> ExitCode {
+    let cli = Cli::try_parse().unwrap_or_else(|error| refuse(&error));
+    let (outcome, color) = match cli.command {
+        Command::Compare(arguments) => (arguments.run(), arguments.shared.output.color),
+        Command::Table(arguments) => (arguments.run(), arguments.shared.output.color),
+        Command::Check(arguments) => (arguments.run(), arguments.shared.output.color),
+        Command::Verify(arguments) => (arguments.run(), arguments.shared.output.color),
+        Command::List(arguments) => (arguments.run(), arguments.output.color),
+        Command::Conventions(arguments) => (arguments.run(), arguments.output.color),
+        Command::Completions(arguments) => {
+            (arguments.run(&mut <Cli as clap::CommandFactory>::command()), options::Color::Auto)
+        }
+    };
+    match outcome {
+        Ok(code) => code,
+        Err(failure) => failure.report(color),
+    }
+}
+
+/// Ends the program as clap does, with control characters escaped where it repeats the arguments.
+fn refuse(error: &clap::Error) -> ! {
+    let mut escaped = false;
+    let arguments = std::env::args_os().map(|argument| match argument.to_str() {
+        Some(text) if text.contains(char::is_control) => {
+            escaped = true;
+            text.escape_debug().to_string().into()
+        }
+        _ => argument,
+    });
+    let arguments: Vec<OsString> = arguments.collect();
+    match Cli::try_parse_from(arguments) {
+        Err(error) if escaped => error.exit(),
+        _ => error.exit(),
+    }
+}

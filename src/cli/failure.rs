@@ -1,0 +1,108 @@
+//! How a failure is shown: what, where, why, what to do; and its exit status.
+
+use super::options::Color;
+use affinor::Error;
+use affinor::definition::{InputError, Refusal};
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
+use std::io::{self, IsTerminal, Write};
+use std::ops::Range;
+use std::process::ExitCode;
+
+/// Why a command did not finish.
+pub enum Failure {
+    /// The input, or the mathematics.
+    Input(Box<InputError>),
+    /// Writing the results.
+    Output(io::Error, String),
+}
+
+impl From<InputError> for Failure {
+    fn from(error: InputError) -> Self {
+        Failure::Input(Box::new(error))
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        InputError::from(error).into()
+    }
+}
+
+impl Failure {
+    /// Shows the failure on standard error. A closed pipe is no failure.
+    pub fn report(self, color: Color) -> ExitCode {
+        match self {
+            Failure::Output(error, _) if error.kind() == io::ErrorKind::BrokenPipe => {
+                ExitCode::SUCCESS
+            }
+            Failure::Output(error, target) => {
+                show(&InputError::usage(format!("cannot write {target}: {error}")), color);
+                ExitCode::from(2)
+            }
+            Failure::Input(error) => {
+                show(&error, color);
+                ExitCode::from(match error.refusal {
+                    Refusal::Mathematics => 1,
+                    Refusal::Usage => 2,
+                })
+            }
+        }
+    }
+}
+
+/// The widest line of a snippet.
+const WIDTH: usize = 80;
+/// The longest sentence; a witness may be a huge number.
+const LONGEST: usize = 480;
+
+fn show(error: &InputError, color: Color) {
+    let colored = match color {
+        Color::Always => true,
+        Color::Never => false,
+        Color::Auto => io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none(),
+    };
+    let renderer = if colored { Renderer::styled() } else { Renderer::plain() };
+    let (message, help) = (shortened(&error.message), error.help.as_deref().map(shortened));
+    let mut report = Group::with_title(Level::ERROR.primary_title(&message));
+    let place = error.at.as_ref().map(|place| (&place.source, place.span.clone()));
+    report = match &place {
+        Some((source, Some(span))) if !source.text.is_empty() => {
+            let (first, lines, span) = excerpt(&source.text, span.clone());
+            let snippet = Snippet::source(lines).path(&source.name).line_start(first);
+            report.element(snippet.annotation(AnnotationKind::Primary.span(span)))
+        }
+        Some((source, _)) => report.element(Origin::path(&source.name)),
+        None => report,
+    };
+    if let Some(help) = &help {
+        report = report.element(Level::HELP.message(help));
+    }
+    let text = renderer.term_width(WIDTH).render(&[report]);
+    // nothing is left to do when standard error is closed
+    let _ = writeln!(io::stderr(), "{text}");
+}
+
+/// The lines around a span, so that a long text is not gone through: the number of the first,
+/// the lines, and the span in them.
+fn excerpt(text: &str, span: Range<usize>) -> (usize, &str, Range<usize>) {
+    let (start, end) = (span.start.min(text.len()), span.end.min(text.len()));
+    let from = text[..start].rfind('\n').map_or(0, |at| at + 1);
+    let to = text[end..].find('\n').map_or(text.len(), |at| end + at);
+    let first = text[..from].matches('\n').count() + 1;
+    (first, &text[from..to], start - from..end - from)
+}
+
+/// The text without characters that a terminal would act on, cut in the middle where it is endless.
+fn shortened(text: &str) -> String {
+    let escaped = |c: char| match c {
+        '\n' | '"' | '\'' | '\\' => c.to_string(),
+        c => c.escape_debug().to_string(),
+    };
+    let clean: Vec<String> = text.chars().map(escaped).collect();
+    if clean.len() <= LONGEST {
+        return clean.concat();
+    }
+    let (head, tail) = (&clean[..LONGEST / 2], &clean[clean.len() - LONGEST / 4..]);
+    let all = clean.len();
+    format!("{}...{} ({all} characters in all)", head.concat(), tail.concat())
+}

@@ -1,0 +1,69 @@
+//! Where results go: standard output, or a file that is replaced only when all is written.
+
+use super::failure::Failure;
+use affinor::definition::InputError;
+use std::fs;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+
+/// Runs `write` on standard output or into `file`.
+///
+/// A regular file is written beside its place and renamed, so a failed run leaves the old one; a
+/// device or a pipe is written as it is. `inputs` are files that must not be overwritten.
+pub fn deliver(
+    file: Option<&Path>,
+    inputs: &[&Path],
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), Failure> {
+    let Some(path) = file else {
+        let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+        let done = write(&mut out).and_then(|()| out.flush());
+        return done.map_err(|error| Failure::Output(error, "standard output".into()));
+    };
+    let shown = path.display().to_string().escape_debug().to_string();
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    let same = |input: &&Path| fs::canonicalize(input).is_ok_and(|input| input == target);
+    if inputs.iter().any(same) {
+        let message = format!("{shown} is the input; writing there would lose it");
+        return Err(InputError::usage(message).help("give -o another name").into());
+    }
+    let special = fs::metadata(&target).is_ok_and(|meta| !meta.is_file() && !meta.is_dir());
+    let done = if special {
+        fs::File::create(&target).and_then(|file| {
+            let mut out = BufWriter::new(file);
+            write(&mut out).and_then(|()| out.flush())
+        })
+    } else {
+        replace(&target, write)
+    };
+    done.map_err(|error| Failure::Output(error, shown))
+}
+
+fn replace(target: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let folder = match target.parent() {
+        Some(parent) if parent != Path::new("") => parent,
+        _ => Path::new("."),
+    };
+    if target.is_dir() {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".affinor-");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // what the umask makes of it, or what the file has already
+        let mode = fs::metadata(target).map_or(0o666, |meta| meta.permissions().mode());
+        builder.permissions(fs::Permissions::from_mode(mode));
+    }
+    // said here without the name of the temporary file
+    if !fs::metadata(folder)?.is_dir() {
+        return Err(io::ErrorKind::NotADirectory.into());
+    }
+    let temporary = builder.tempfile_in(folder)?;
+    let mut out = BufWriter::with_capacity(1 << 16, temporary);
+    write(&mut out)?;
+    let temporary = out.into_inner().map_err(|error| error.into_error())?;
+    temporary.persist(target).map_err(|error| error.error)?;
+    Ok(())
+}

@@ -1,0 +1,137 @@
+//! `affinor verify`: a space against a stored table.
+
+use super::failure::Failure;
+use super::note::note;
+use super::options::{Shared, SpaceOptions};
+use super::output::deliver;
+use super::stages::Stages;
+use super::table::Selection;
+use affinor::definition::{Definition, InputError, Reading, Work};
+use affinor::report::{Cell, Difference, Format, Grid, Stored};
+use affinor_tensors::Notation;
+use clap::Args;
+use serde_json::{Value, json};
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// How many differing components are shown; all are counted.
+const SHOWN: usize = 20;
+
+#[derive(Args)]
+pub struct Arguments {
+    /// The space, and the stored table
+    #[arg(num_args = 1..=2, required = true, value_names = ["SPACE", "FILE"])]
+    pub arguments: Vec<String>,
+    #[command(flatten)]
+    pub options: SpaceOptions,
+    #[command(flatten)]
+    pub selection: Selection,
+    #[command(flatten)]
+    pub shared: Shared,
+}
+
+impl Arguments {
+    pub fn run(&self) -> Result<ExitCode, Failure> {
+        self.shared.start_threads()?;
+        let stages = Stages::new(self.shared.timings);
+        stages.begin("input");
+        let (space, file) = match self.arguments.as_slice() {
+            [space, file] => (Some(space.as_str()), PathBuf::from(file)),
+            [file] => (None, PathBuf::from(file)),
+            _ => return Err(InputError::usage("verify takes a SPACE and a FILE").into()),
+        };
+        let stored = read(&file)?;
+        let space = self.shared.open(space, &self.options)?;
+        if let Some(dimension) = stored.dimension
+            && dimension != space.definition.dimension()
+        {
+            let mine = space.definition.dimension();
+            let message = format!("the stored dimension is {dimension}, the computed one {mine}");
+            return Err(InputError::mathematics(message).into());
+        }
+        let (selection, file) = (&self.selection, &*file);
+        let work = Differences { selection, file, stored: &stored, stages: &stages };
+        let found = space.run(self.shared.scalar(), self.shared.tolerance()?, work)?;
+        stages.begin("output");
+        let output = &self.shared.output;
+        let inputs: Vec<&Path> = space.file.as_deref().into_iter().chain([file]).collect();
+        let write = |out: &mut dyn Write| write(&found, output.format, out);
+        deliver(output.file.as_deref(), &inputs, write)?;
+        Ok(if found.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(1) })
+    }
+}
+
+/// The most bytes a stored table may have.
+const MAX_BYTES: u64 = 1 << 32;
+
+fn read(file: &Path) -> Result<Stored, Failure> {
+    let fail = |reason: String| InputError::usage(format!("cannot read {}: {reason}", shown(file)));
+    let mut text = String::new();
+    let opened = std::fs::File::open(file).map_err(|error| fail(error.to_string()))?;
+    opened.take(MAX_BYTES).read_to_string(&mut text).map_err(|error| fail(error.to_string()))?;
+    Ok(Stored::parse(&text).map_err(fail)?)
+}
+
+fn shown(file: &Path) -> String {
+    file.display().to_string().escape_debug().to_string()
+}
+
+struct Differences<'a> {
+    selection: &'a Selection,
+    file: &'a Path,
+    stored: &'a Stored,
+    stages: &'a Stages,
+}
+
+impl Work for Differences<'_> {
+    type Output = Vec<Difference>;
+
+    fn run<S: Notation>(
+        self,
+        definition: &Definition,
+        reading: &Reading<S>,
+    ) -> Result<Vec<Difference>, InputError> {
+        let quantities = self.stored.quantities();
+        let table = self.selection.table(definition, reading, &quantities, self.stages)?;
+        if let Some(name) = &self.stored.connection
+            && *name != table.connection
+        {
+            let (stored, computed) = (name.escape_debug(), &table.connection);
+            note(&format!("stored with {stored}, computed with {computed}"));
+        }
+        self.stages.begin("comparison");
+        let fail = |reason: String| InputError::usage(format!("{}: {reason}", shown(self.file)));
+        self.stored.differences(&table).map_err(fail)
+    }
+}
+
+fn write(found: &[Difference], format: Format, out: &mut dyn Write) -> io::Result<()> {
+    let shown = &found[..found.len().min(SHOWN)];
+    if format == Format::Json {
+        let entry = |d: &Difference| -> Value {
+            json!({ "component": d.component, "stored": d.stored, "computed": d.computed })
+        };
+        let all = json!({
+            "schema": "affinor.verify/1",
+            "ok": found.is_empty(),
+            "differences": found.len(),
+            "first": shown.iter().map(entry).collect::<Vec<_>>(),
+        });
+        serde_json::to_writer_pretty(&mut *out, &all)?;
+        return writeln!(out);
+    }
+    if found.is_empty() && format == Format::Text {
+        return writeln!(out, "the stored table agrees");
+    }
+    let title = match found.len() {
+        0 => "The stored table agrees".into(),
+        n if n > SHOWN => format!("{n} components differ; the first {SHOWN}"),
+        n => format!("{n} components differ"),
+    };
+    let header = ["component", "stored", "computed"].map(String::from).to_vec();
+    let row =
+        |d: &Difference| [&d.component, &d.stored, &d.computed].map(|s| Cell::from(s.as_str()));
+    let rows = shown.iter().map(|d| row(d).to_vec()).collect();
+    Grid { title, header, rows }.write(format, out)
+}

@@ -1,0 +1,275 @@
+//! The keys of a definition, and what they define.
+
+use super::input::{InputError, Place, Source, shown};
+use super::notation::{Names, basis, check_name, lines, metric, metric_rows, statement};
+use super::space::connection;
+use super::written::{Block, Cell, MatrixRows, MetricText, Row, Text};
+use super::{ConnectionChoice, Definition, Given, MatrixEntries, Origin, Pairs, check_dimension};
+use affinor_tensors::Ring;
+use std::borrow::Cow;
+use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The keys of a file. Unknown and duplicate ones are refused.
+///
+/// Strings are kept as pieces of the text they were read from, so that they know their places.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Document<'t> {
+    name: Option<String>,
+    #[serde(borrow)]
+    basis: Option<Vec<Text<'t>>>,
+    dimension: Option<i64>,
+    #[serde(borrow, default)]
+    parameters: Vec<Text<'t>>,
+    #[serde(borrow)]
+    brackets: Option<Block<'t>>,
+    #[serde(borrow)]
+    structure_constants: Option<Vec<Row<'t>>>,
+    #[serde(borrow)]
+    matrices: Option<Vec<MatrixRows<'t>>>,
+    #[serde(borrow)]
+    metric: Option<MetricText<'t>>,
+    #[serde(borrow)]
+    connection: Option<Text<'t>>,
+    #[serde(borrow)]
+    affinities: Option<Block<'t>>,
+}
+
+impl Document<'_> {
+    /// What the keys define.
+    ///
+    /// # Errors
+    /// The first thing that makes no sense, with its place.
+    pub fn define(self, source: &Source) -> Result<Definition, InputError> {
+        let labels = self.labels(source)?;
+        let labels: Vec<&str> = labels.iter().map(|label| &**label).collect();
+        let indices = basis(&labels, source)?;
+        let parameters = self.declared(&indices, source)?;
+        let names = Names { labels: &indices, parameters: Some(&parameters) };
+        // values know no basis vectors
+        let none = BTreeMap::new();
+        let scalars = Names { labels: &none, parameters: Some(&parameters) };
+        let origin = match (&self.brackets, &self.structure_constants, &self.matrices) {
+            (Some(block), None, None) => Origin::Brackets(block.statements("", &names, source)?),
+            (None, Some(rows), None) => {
+                Origin::Brackets(structure_constants(rows, labels.len(), &scalars, source)?)
+            }
+            (None, None, Some(matrices)) => matrix_basis(matrices, &labels, &scalars, source)?,
+            (None, None, None) => {
+                return Err(InputError::usage(format!("{} defines no bracket", source.name))
+                    .help("give one of brackets, structure_constants, matrices"));
+            }
+            _ => {
+                let message = format!("{} defines its bracket more than once", source.name);
+                return Err(InputError::usage(message)
+                    .help("give exactly one of brackets, structure_constants, matrices"));
+            }
+        };
+        let metric = match &self.metric {
+            None => None,
+            Some(MetricText::Word(Text(text))) => {
+                let source = source.holding(text);
+                Some(metric(source.own(text), labels.len(), &scalars, &source)?)
+            }
+            Some(MetricText::Rows(rows)) => {
+                let rows: Vec<Vec<&str>> = rows.iter().map(|row| texts(row)).collect();
+                Some(metric_rows(&rows, labels.len(), &scalars, source, source.key("metric"))?)
+            }
+        };
+        let connection = match (&self.connection, &self.affinities) {
+            (None, None) => None,
+            (Some(Text(text)), None) => Some(connection(text, &scalars, source)?),
+            (None, Some(block)) => {
+                let given = block.statements("nabla", &names, source)?;
+                Some((ConnectionChoice::Affinities(given), source.key("affinities")))
+            }
+            _ => {
+                let message = "a definition has a connection or affinities, not both";
+                return Err(InputError::usage(message).at(&source.key("affinities")));
+            }
+        };
+        let stem = || source.name.rsplit('/').next().unwrap_or("").to_string();
+        let name = self.name.clone().unwrap_or_else(stem);
+        let labels = labels.into_iter().map(str::to_string).collect();
+        let algebra_name = None;
+        Ok(Definition {
+            name,
+            algebra_name,
+            labels,
+            origin,
+            metric,
+            connection,
+            source: Some(source.clone()),
+        })
+    }
+
+    /// The parameters, none of them the name of something else.
+    fn declared(
+        &self,
+        labels: &BTreeMap<String, usize>,
+        source: &Source,
+    ) -> Result<BTreeSet<String>, InputError> {
+        let mut parameters = BTreeSet::new();
+        for Text(name) in &self.parameters {
+            let place = source.whole(name);
+            check_name(name).map_err(|error| error.at(&place))?;
+            let taken = labels.contains_key(&**name) || !parameters.insert(name.to_string());
+            if taken || (name == "i" && self.matrices.is_some()) {
+                let message = format!("the parameter `{name}` is already the name of something");
+                return Err(InputError::usage(message).at(&place));
+            }
+        }
+        Ok(parameters)
+    }
+
+    /// The basis, from `basis`, `dimension`, the matrices' names, or their number.
+    fn labels<'s>(&'s self, source: &Source) -> Result<Vec<Cow<'s, str>>, InputError> {
+        let numbered = |at: usize| Cow::Owned(format!("e{}", at + 1));
+        let named = |text: &'s Option<Text>, at| match text {
+            Some(Text(name)) => Cow::Borrowed(&**name),
+            None => numbered(at),
+        };
+        match (&self.basis, self.dimension, &self.matrices) {
+            (Some(basis), None, _) => {
+                Ok(basis.iter().map(|Text(label)| Cow::Borrowed(&**label)).collect())
+            }
+            (None, Some(dimension), _) => {
+                let n = check_dimension(dimension)
+                    .map_err(|error| error.at(&source.key("dimension")))?;
+                Ok((0..n).map(numbered).collect())
+            }
+            (None, None, Some(matrices)) => {
+                Ok(matrices.iter().enumerate().map(|(at, m)| named(&m.name, at)).collect())
+            }
+            (Some(_), Some(_), _) => {
+                let place = source.key("dimension");
+                Err(InputError::usage("give either basis or dimension, not both").at(&place))
+            }
+            (None, None, None) => Err(InputError::usage(format!("{} has no basis", source.name))
+                .help("give basis = [\"x\", \"y\", ...] or dimension = 3")),
+        }
+    }
+}
+
+/// The right sides by ordered pair, from rows `[i, j, k, "v"]`.
+fn structure_constants(
+    rows: &[Row],
+    dimension: usize,
+    names: &Names,
+    source: &Source,
+) -> Result<Pairs, InputError> {
+    let mut given = Pairs::new();
+    let key = source.key("structure_constants");
+    for (at, Row([i, j, k], Cell(Text(text)))) in rows.iter().enumerate() {
+        let place = match source.whole(text) {
+            Place { span: None, .. } => key.clone(),
+            place => place,
+        };
+        let refuse = |reason: String| {
+            let row = format!("[{i}, {j}, {k}, \"{}\"]", shown(text));
+            let message = format!("structure_constants, entry {}, {row}: {reason}", at + 1);
+            InputError::usage(message).at(&place)
+        };
+        let index = |index: &i64| {
+            let below = index.checked_sub(1).and_then(|index| usize::try_from(index).ok());
+            below
+                .filter(|index| *index < dimension)
+                .ok_or_else(|| refuse(format!("the index {index} is not in 1..{dimension}")))
+        };
+        let (i, j, k) = (index(i)?, index(j)?, index(k)?);
+        let value = names.scalar(text, source).map_err(|error| {
+            let message = refuse(error.message.clone()).message;
+            InputError { message, ..error }.or_at(&place)
+        })?;
+        let pair = given
+            .entry((i, j))
+            .or_insert_with(|| Given { value: BTreeMap::new(), place: place.clone() });
+        match pair.value.entry(k) {
+            Entry::Vacant(free) => drop(free.insert(value)),
+            Entry::Occupied(_) => return Err(refuse("this component is given twice".into())),
+        }
+    }
+    Ok(given)
+}
+
+fn matrix_basis(
+    matrices: &[MatrixRows],
+    labels: &[&str],
+    names: &Names,
+    source: &Source,
+) -> Result<Origin, InputError> {
+    let key = source.key("matrices");
+    let refuse = |at: &Place, message: String| Err(InputError::usage(message).at(at));
+    if matrices.len() != labels.len() {
+        let (found, n) = (matrices.len(), labels.len());
+        return refuse(&key, format!("{found} matrices for {n} basis vectors"));
+    }
+    let size = matrices.first().map_or(0, |m| m.rows.len());
+    let mut read: Vec<MatrixEntries> = Vec::new();
+    for (matrix, label) in matrices.iter().zip(labels) {
+        let first = matrix.rows.iter().flatten().map(|Cell(Text(text))| source.whole(text));
+        let place = first.into_iter().find(|place| place.span.is_some());
+        let place = place.as_ref().unwrap_or(&key);
+        if let Some(Text(name)) = &matrix.name
+            && name != label
+        {
+            let (name, place) = (shown(name), source.whole(name));
+            return refuse(&place, format!("the matrix of `{label}` is named `{name}`"));
+        }
+        let widths = matrix.rows.iter().map(Vec::len);
+        if size == 0 || matrix.rows.len() != size || widths.clone().any(|width| width != size) {
+            let (rows, widths) = (matrix.rows.len(), widths.collect::<BTreeSet<_>>());
+            let widths: Vec<_> = widths.iter().map(usize::to_string).collect();
+            let form = format!("{rows} rows of {} entries", widths.join(" or "));
+            let square = format!("not {0} x {0}", size.max(1));
+            return refuse(place, format!("the matrix of `{label}` has {form}, {square}"));
+        }
+        let mut entries = Vec::new();
+        for (i, row) in matrix.rows.iter().enumerate() {
+            for (j, text) in texts(row).into_iter().enumerate() {
+                let value = names.complex(text, source)?;
+                if !(value.re.vanishes() && value.im.vanishes()) {
+                    entries.push((i, j, value));
+                }
+            }
+        }
+        read.push(entries);
+    }
+    Ok(Origin::Matrices(size, read))
+}
+
+fn texts<'c>(cells: &'c [Cell]) -> Vec<&'c str> {
+    cells.iter().map(|Cell(Text(text))| text.as_ref()).collect()
+}
+
+impl Block<'_> {
+    fn statements(&self, head: &str, names: &Names, source: &Source) -> Result<Pairs, InputError> {
+        let mut all = Pairs::new();
+        for Text(block) in &self.0 {
+            let source = source.holding(block);
+            for line in lines(source.own(block)) {
+                let (pair, given) = statement(line, head, names, &source)?;
+                add(&mut all, pair, given)?;
+            }
+        }
+        Ok(all)
+    }
+}
+
+/// Takes in a statement; the same pair twice must say the same.
+pub(super) fn add(all: &mut Pairs, pair: (usize, usize), given: Given) -> Result<(), InputError> {
+    match all.entry(pair) {
+        Entry::Vacant(free) => drop(free.insert(given)),
+        Entry::Occupied(other) if other.get().value == given.value => {}
+        Entry::Occupied(other) => {
+            let error = InputError::usage("this pair is given a second, different value");
+            let error = error.at(&given.place);
+            return Err(match other.get().place.text() {
+                Some(first) => error.help(format!("the first is `{}`", shown(first))),
+                None => error,
+            });
+        }
+    }
+    Ok(())
+}

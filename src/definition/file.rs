@@ -1,0 +1,128 @@
+//! Definition files: TOML, or JSON with the same keys.
+
+use super::Definition;
+use super::document::Document;
+use super::input::{InputError, Place, Source};
+use std::fs::File;
+use std::io::{self, Read};
+use std::ops::Range;
+
+/// The most bytes a definition may have.
+const MAX_BYTES: u64 = 1 << 28;
+
+impl Definition {
+    /// Reads a definition from a file, or from standard input for `-`.
+    ///
+    /// # Errors
+    /// What cannot be read, parsed or understood, with its place.
+    pub fn read(path: &str) -> Result<Self, InputError> {
+        let name = match path {
+            "-" => "<standard input>".to_string(),
+            path => path.escape_debug().to_string(),
+        };
+        let mut bytes = Vec::new();
+        let length = match path {
+            "-" => io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes),
+            path => {
+                File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes))
+            }
+        };
+        let length =
+            length.map_err(|error| InputError::usage(format!("cannot read {name}: {error}")))?;
+        if length as u64 > MAX_BYTES {
+            let message = format!("{name} has more than {MAX_BYTES} bytes");
+            return Err(InputError::usage(message));
+        }
+        Self::decode(&name, &bytes)
+    }
+
+    /// Reads a definition from the text of a file; `name` is what messages call it.
+    ///
+    /// ```
+    /// use affinor::definition::Definition;
+    /// let plane = "basis = ['x', 'y']\nbrackets = '[x, y] = 1/2 x'";
+    /// assert_eq!(Definition::parse("plane.toml", plane)?.dimension(), 2);
+    ///
+    /// let error = Definition::parse("plane.toml", &plane.replace("2 x", "0 x")).unwrap_err();
+    /// assert_eq!(error.to_string(), "division by zero");
+    /// # Ok::<(), affinor::definition::InputError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// What cannot be parsed or understood, with its place.
+    pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
+        Self::of_source(&Source::new(name.escape_debug().to_string(), text))
+    }
+
+    fn decode(name: &str, bytes: &[u8]) -> Result<Self, InputError> {
+        if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+            let error = InputError::usage(format!("{name} is UTF-16"));
+            return Err(error.help("save it as UTF-8"));
+        }
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        match std::str::from_utf8(bytes) {
+            Ok(text) => Self::of_source(&Source::new(name, text)),
+            Err(error) => {
+                let at = error.valid_up_to();
+                let (message, source) = (
+                    format!("{name} is not text: byte {} is not UTF-8", at + 1),
+                    Source::new(name, &String::from_utf8_lossy(bytes)),
+                );
+                let span = Some(at..at + char::REPLACEMENT_CHARACTER.len_utf8());
+                Err(InputError::usage(message).at(&Place { source, span }))
+            }
+        }
+    }
+
+    /// JSON if the text begins with `{`, else TOML.
+    fn of_source(source: &Source) -> Result<Self, InputError> {
+        let text = &*source.text;
+        let start = text.trim_start();
+        if start.is_empty() {
+            let error = InputError::usage(format!("{} is empty", source.name));
+            return Err(error.help("a definition has a basis and brackets"));
+        }
+        let (message, span) = if start.starts_with('{') {
+            match serde_json::from_str::<Document>(text) {
+                Ok(document) => return document.define(source),
+                Err(error) => (error.to_string(), Some(position(&error, text))),
+            }
+        } else if source.name.ends_with(".json") {
+            let at = text.len() - start.len();
+            ("a JSON definition is an object of keys, {...}".into(), Some(at..at))
+        } else {
+            match toml::from_str::<Document>(text) {
+                Ok(document) => return document.define(source),
+                Err(error) => (error.message().into(), error.span()),
+            }
+        };
+        let source = source.clone();
+        Err(syntax(&message).at(&Place { source, span }))
+    }
+}
+
+/// Where a JSON error stands: its columns count bytes.
+fn position(error: &serde_json::Error, text: &str) -> Range<usize> {
+    let lines = text.split_inclusive('\n').take(error.line().saturating_sub(1));
+    let before: usize = lines.map(str::len).sum();
+    let mut at = (before + error.column().saturating_sub(1)).min(text.len());
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at..at
+}
+
+/// An error of the parser in the words of definitions, without the place.
+fn syntax(message: &str) -> InputError {
+    let message = message.split(" at line ").next().unwrap_or(message);
+    let message = message
+        .replace("unknown field", "unknown key")
+        .replace("duplicate field", "duplicate key")
+        .replace("expected i64", "expected an integer");
+    match message.split_once(", expected one of ") {
+        Some((what, keys)) => {
+            InputError::usage(what).help(format!("the keys are {}", keys.replace('`', "")))
+        }
+        None => InputError::usage(message),
+    }
+}

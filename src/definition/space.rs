@@ -1,0 +1,319 @@
+//! A SPACE as named on the command line, and the options that complete it.
+
+use super::document;
+use super::input::{InputError, Place, Source, shown};
+use super::notation::{Names, basis, lines, metric, statement};
+use super::setting::settings;
+use super::{ConnectionChoice, Definition, Origin, Reading};
+use crate::Canonical;
+use crate::catalogue::CatalogueError;
+use affinor_tensors::{Notation, Rational, Symbolic, Tolerance};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// What the command line says about a space.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// The SPACE, perhaps with `@connection;metric=...`.
+    pub space: Option<String>,
+    /// The basis names of inline brackets.
+    pub basis: Option<String>,
+    /// Inline brackets.
+    pub brackets: Vec<String>,
+    /// `--connection`.
+    pub connection: Option<String>,
+    /// `--metric`.
+    pub metric: Option<String>,
+    /// `--set`, as `name=value,...`.
+    pub set: Option<String>,
+}
+
+/// Which scalar to compute in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum ScalarChoice {
+    /// Rationals, or rational functions where parameters are left.
+    #[default]
+    Exact,
+    /// `f64`.
+    Float,
+}
+
+/// A space that was understood.
+#[derive(Clone, Debug)]
+pub struct Space {
+    /// What it is.
+    pub definition: Definition,
+    /// The parameters that the command line itself brought in.
+    pub introduced: Vec<String>,
+    /// The file it was read from.
+    pub file: Option<PathBuf>,
+}
+
+/// Work that is done in whatever scalar a space needs.
+pub trait Work {
+    /// What it yields.
+    type Output;
+    /// Does it.
+    ///
+    /// # Errors
+    /// Whatever the work refuses.
+    fn run<S: Notation>(
+        self,
+        definition: &Definition,
+        reading: &Reading<S>,
+    ) -> Result<Self::Output, InputError>;
+}
+
+impl Space {
+    /// Understands a request.
+    ///
+    /// # Errors
+    /// A name that is unknown or ambiguous, a file that cannot be read, values that make no sense:
+    /// each with its place.
+    pub fn open(request: &Request) -> Result<Self, InputError> {
+        let (name, modifiers) = match &request.space {
+            Some(space) => split_space(space)?,
+            None => (None, Modifiers::default()),
+        };
+        let mut definition = match (&name, &request.basis, request.brackets.is_empty()) {
+            (Some(name), None, true) => find(name)?,
+            (None, Some(labels), _) => inline(labels, &request.brackets)?,
+            (Some(_), _, _) => {
+                return Err(InputError::usage("give a SPACE or --basis and --bracket, not both"));
+            }
+            (None, None, _) => {
+                return Err(InputError::usage("no SPACE is given")
+                    .help("name one (so3, E8, file.toml), or give --basis and --bracket"));
+            }
+        };
+        let declared = if name.is_some() { definition.parameters() } else { vec![] };
+        let none = BTreeMap::new();
+        let open = Names { labels: &none, parameters: None };
+        let given = [(&modifiers.metric, "@metric"), (&request.metric, "--metric")];
+        for (text, origin) in given {
+            if let Some(text) = text {
+                let (source, n) = (Source::new(origin, text), definition.dimension());
+                definition.metric = Some(metric(&source.text, n, &open, &source)?);
+            }
+        }
+        let given = [(&modifiers.connection, "@connection"), (&request.connection, "--connection")];
+        for (text, origin) in given {
+            if let Some(text) = text {
+                let source = Source::new(origin, text);
+                definition.connection = Some(connection(&source.text, &open, &source)?);
+            }
+        }
+        let introduced =
+            definition.parameters().into_iter().filter(|name| !declared.contains(name)).collect();
+        if let Some(text) = &request.set {
+            let source = Source::new("--set", text);
+            let values = settings(&source, &open)?;
+            definition.set(&values).map_err(|error| error.or_at(&source.whole(&source.text)))?;
+        }
+        let file = name.filter(|name| is_path(name)).map(|name| match name.as_str() {
+            // where that is a file, it has this name too
+            "-" => PathBuf::from("/dev/stdin"),
+            path => PathBuf::from(path),
+        });
+        Ok(Space { definition, introduced, file })
+    }
+
+    /// Runs `work` over the scalar that the definition needs: rationals while it has no
+    /// parameters, rational functions if it has, floats on request.
+    ///
+    /// # Errors
+    /// Parameters left in floats; whatever the work refuses.
+    pub fn run<W: Work>(
+        &self,
+        choice: ScalarChoice,
+        tolerance: Tolerance,
+        work: W,
+    ) -> Result<W::Output, InputError> {
+        let parameters = self.definition.parameters();
+        match choice {
+            ScalarChoice::Exact if parameters.is_empty() => {
+                let convert = |value: &Symbolic| value.as_constant().cloned();
+                work.run::<Rational>(&self.definition, &Reading { convert: &convert, tolerance })
+            }
+            ScalarChoice::Exact => {
+                let convert = |value: &Symbolic| Some(value.clone());
+                work.run::<Symbolic>(&self.definition, &Reading { convert: &convert, tolerance })
+            }
+            ScalarChoice::Float if parameters.is_empty() => {
+                let convert = |value: &Symbolic| value.to_f64().filter(|x| x.is_finite());
+                work.run::<f64>(&self.definition, &Reading { convert: &convert, tolerance })
+            }
+            ScalarChoice::Float => {
+                let message = format!("floats need numbers for {}", parameters.join(", "));
+                Err(InputError::usage(message).help("set them, as in --set \"J1=1/2,h=-1\""))
+            }
+        }
+    }
+}
+
+/// What stands behind `@`.
+#[derive(Default)]
+struct Modifiers {
+    connection: Option<String>,
+    metric: Option<String>,
+}
+
+/// `NAME@connection;metric=...` in its parts.
+fn split_space(space: &str) -> Result<(Option<String>, Modifiers), InputError> {
+    let mut modifiers = Modifiers::default();
+    if is_path(space) && Path::new(space).is_file() {
+        return Ok((Some(space.to_string()), modifiers));
+    }
+    let source = Source::new("SPACE", space);
+    let space = &*source.text;
+    let (name, behind) = match space.rsplit_once('@') {
+        Some((name, behind)) => (name, behind),
+        None => match space.split_once(';') {
+            Some((name, behind)) => (name, behind),
+            None => (space, ""),
+        },
+    };
+    for part in behind.split(';').map(str::trim).filter(|part| !part.is_empty()) {
+        let (place, value) = match part.split_once('=') {
+            Some((key, value)) if key.trim() == "metric" => (&mut modifiers.metric, value),
+            _ => (&mut modifiers.connection, part),
+        };
+        if place.replace(value.trim().to_string()).is_some() {
+            return Err(
+                InputError::usage("a connection or metric is named twice").at(&source.whole(part))
+            );
+        }
+    }
+    Ok((Some(name.trim().to_string()), modifiers))
+}
+
+/// A geometry of the paper, a file, or a sum of catalogue names.
+fn find(name: &str) -> Result<Definition, InputError> {
+    let compact: String = name.chars().filter(|c| !c.is_whitespace()).collect();
+    match compact.as_str() {
+        "M(3)" | "M3" => return Definition::m3(),
+        "SO(3)" | "SO3" => return Definition::so3(),
+        _ => {}
+    }
+    if is_path(name) {
+        return Definition::read(name);
+    }
+    let source = Source::new("SPACE", name);
+    let mut sum: Option<Definition> = None;
+    for part in summands(&source.text) {
+        let definition = entry(part, &source)?;
+        sum = Some(match sum {
+            None => definition,
+            Some(sum) => sum.direct_sum(definition)?,
+        });
+    }
+    sum.ok_or_else(|| InputError::usage("no SPACE is named"))
+}
+
+/// A catalogue entry by its name, a piece of `source`.
+fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
+    const NAMES: &str = "`affinor list` shows the names; a file ends in .toml or .json";
+    let name = part.trim();
+    if name.is_empty() {
+        let error = InputError::usage("the name of an algebra is missing here");
+        return Err(error.at(&source.whole(part)).help(NAMES));
+    }
+    let error = match crate::catalogue::find(name) {
+        Ok(entry) => return Ok(Definition::from_entry(entry)),
+        Err(error) => error,
+    };
+    let span = match &error {
+        CatalogueError::Malformed { span, .. } => span.clone(),
+        CatalogueError::Value { source, .. } => source.span.clone(),
+        _ => 0..name.len(),
+    };
+    let refused = InputError::usage(error.to_string()).at(&source.find(name, span));
+    let foreign: String = name.chars().filter(|c| !c.is_ascii()).collect();
+    Err(match error {
+        _ if !foreign.is_empty() => {
+            refused.help(format!("names are ASCII; this is not: {}", shown(&foreign)))
+        }
+        CatalogueError::Unknown { .. } => refused.help(NAMES),
+        _ => refused,
+    })
+}
+
+/// Whether a SPACE is a path: `-`, an ending of a file, or a `/` outside parentheses.
+fn is_path(name: &str) -> bool {
+    let mut depth = 0i64;
+    let slash = name.chars().any(|c| {
+        depth += i64::from(c == '(') - i64::from(c == ')');
+        c == '/' && depth == 0
+    });
+    name == "-" || name.ends_with(".toml") || name.ends_with(".json") || slash
+}
+
+/// The parts between `+` outside parentheses.
+fn summands(name: &str) -> Vec<&str> {
+    let (mut depth, mut start, mut parts) = (0i64, 0, Vec::new());
+    for (at, symbol) in name.char_indices() {
+        match symbol {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            '+' if depth == 0 => {
+                parts.push(&name[start..at]);
+                start = at + 1;
+            }
+            _ => {}
+        }
+    }
+    parts.push(&name[start..]);
+    parts
+}
+
+/// Brackets given on the command line.
+fn inline(labels: &str, brackets: &[String]) -> Result<Definition, InputError> {
+    let source = Source::new("--basis", labels);
+    let labels = source.text.split([' ', ',', '\t', '\n']);
+    let labels: Vec<&str> = labels.filter(|label| !label.is_empty()).collect();
+    let indices = basis(&labels, &source)?;
+    let names = Names { labels: &indices, parameters: None };
+    let mut given = BTreeMap::new();
+    for block in brackets {
+        let source = Source::new("--bracket", block);
+        for line in lines(&source.text) {
+            let (pair, right) = statement(line, "", &names, &source)?;
+            document::add(&mut given, pair, right)?;
+        }
+    }
+    Ok(Definition {
+        name: "inline algebra".into(),
+        algebra_name: None,
+        labels: labels.into_iter().map(str::to_string).collect(),
+        origin: Origin::Brackets(given),
+        metric: None,
+        connection: None,
+        source: None,
+    })
+}
+
+/// A connection by name, and where it stands.
+pub(super) fn connection(
+    text: &str,
+    names: &Names,
+    source: &Source,
+) -> Result<(ConnectionChoice, Place), InputError> {
+    let trimmed = text.trim();
+    let family =
+        trimmed.strip_prefix("lambda").and_then(|rest| rest.trim_start().strip_prefix('='));
+    let place = source.whole(trimmed);
+    let choice = match (trimmed, family) {
+        ("plus", _) => ConnectionChoice::Canonical(Canonical::Plus),
+        ("zero", _) => ConnectionChoice::Canonical(Canonical::Zero),
+        ("minus", _) => ConnectionChoice::Canonical(Canonical::Minus),
+        ("levi-civita", _) => ConnectionChoice::LeviCivita,
+        (_, Some(value)) => ConnectionChoice::Family(names.scalar(value, source)?),
+        _ => {
+            let message = format!("`{}` is not a connection", shown(trimmed));
+            return Err(InputError::usage(message)
+                .at(&place)
+                .help("plus, zero, minus, lambda=1/3, or levi-civita"));
+        }
+    };
+    Ok((choice, place))
+}

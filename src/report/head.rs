@@ -1,0 +1,71 @@
+//! What stands at the head of a table: the space, its connection and its scalar.
+
+use super::Table;
+use crate::conventions;
+use affinor_tensors::{Kind, Notation};
+
+/// The conventions in brief.
+pub(super) fn conventions() -> String {
+    [conventions::BRACKET, conventions::AFFINITIES, conventions::CURVATURE].join("; ")
+}
+
+impl<S: Notation> Table<S> {
+    /// The lines of the head but for the basis and the conventions, each with its title.
+    pub(super) fn head(&self) -> Vec<(&'static str, String)> {
+        let mut lines = vec![
+            ("dimension", self.labels.len().to_string()),
+            ("frame", format!("{}-invariant", self.frame)),
+            ("connection", printable(&self.connection_line())),
+            ("scalar", self.scalar_line()),
+        ];
+        if self.independent {
+            lines.push(("components", "one of each set that is equal by symmetry".into()));
+        }
+        lines
+    }
+
+    /// When a component counts as zero; only floats have to say.
+    pub(super) fn zero_line(&self) -> Option<String> {
+        let tolerance = self.tolerance.relative();
+        (S::KIND == Kind::Float).then(|| {
+            format!("|v| <= {tolerance:.3e} times the sum of the absolute values of its terms")
+        })
+    }
+
+    fn connection_line(&self) -> String {
+        match &self.lambda {
+            Some(lambda) if self.connection != "lambda" => {
+                format!("{}, lambda = {lambda}", self.connection_words)
+            }
+            _ => self.connection_words.clone(),
+        }
+    }
+
+    fn scalar_line(&self) -> String {
+        match (S::KIND, self.zero_line()) {
+            (_, Some(zero)) => format!("float; a component v is zero when {zero}"),
+            (Kind::Symbolic, _) if !self.parameters.is_empty() => {
+                format!("symbolic in {}", printable(&self.parameters.join(", ")))
+            }
+            (kind, _) => kind_name(kind).into(),
+        }
+    }
+}
+
+/// The name of a scalar in JSON and in heads.
+pub(super) fn kind_name(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Exact => "exact",
+        Kind::Symbolic => "symbolic",
+        Kind::Float => "float",
+    }
+}
+
+/// A name with its control characters escaped.
+pub(super) fn printable(name: &str) -> String {
+    let mut text = String::with_capacity(name.len());
+    for c in name.chars() {
+        if c.is_control() { text.extend(c.escape_default()) } else { text.push(c) }
+    }
+    text
+}
