@@ -1,0 +1,15 @@
+//! Malformed input: every one is refused with its place, its witness and the right status, soon.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+#[path = "../common/program.rs"]
+mod program;
+
+mod case;
+mod definitions;
+mod encodings;
+mod expressions;
+mod huge;
+mod names;
+mod options;
+mod outputs;
+mod stored;

@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""Mutants of the formulas: every sign flipped, every two indices of a factor exchanged, every
+term doubled. A mutant is caught when a test fails; survivors are listed, exit status 1.
+
+The formulas are strings that go through one function, so a copy of the tree is compiled once with
+that function taking its text from the environment, and the tests are run once for each mutant.
+
+    python3 tests/mutants/formulas.py [--only SUBSTRING] [--tests NAME,NAME...]
+"""
+import argparse
+import itertools
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+HOOK = "    let parsed = Expression::parse(expression)?;"
+SWITCH = """    let switched = std::env::var("AFFINOR_MUTANT").ok();
+    let pair = switched.as_deref().and_then(|pair| pair.split_once('|'));
+    let expression = match pair {
+        Some((from, to)) if expression.split_whitespace().eq(from.split(' ')) => to,
+        _ => expression,
+    };
+""" + HOOK
+TERM = r"(-?\d+ )?[A-Za-z]+[\^_\w]*( [A-Za-z]+[\^_\w]*)?"
+FORMULA = re.compile(rf"{TERM}( [+-] {TERM})* ->[ \^_\w\[\]]*")
+
+# nabla writes its formula for the tensor at hand, so its mutants are changes of its source
+NABLA = [
+    (" + L^{letter}_mp T{summed}", " - L^{letter}_mp T{summed}"),
+    (" + L^{letter}_mp T{summed}", " + L^{letter}_pm T{summed}"),
+    (" + L^{letter}_mp T{summed}", " + 2 L^{letter}_mp T{summed}"),
+    (" - L^p_m{letter} T{summed}", " + L^p_m{letter} T{summed}"),
+    (" - L^p_m{letter} T{summed}", " - L^p_{letter}m T{summed}"),
+    (" - L^p_m{letter} T{summed}", " - 2 L^p_m{letter} T{summed}"),
+    ('format!("d_m{}"', 'format!("2 d_m{}"'),
+    ('format!("d_m{}"', 'format!("-1 d_m{}"'),
+]
+
+
+def formulas():
+    """The contraction strings of the library, white space folded."""
+    found = {}
+    for path in sorted((ROOT / "src").rglob("*.rs")):
+        text = path.read_text()
+        for literal in re.findall(r'"([^"\n]*(?:\\\n[^"\n]*)*->[^"\n]*)"', text):
+            folded = " ".join(re.sub(r"\\\n\s*", "", literal).split())
+            if FORMULA.fullmatch(folded):
+                found.setdefault(folded, path.relative_to(ROOT))
+    return found
+
+
+def mutants(formula):
+    """Each mutant with a word on what was done."""
+    left, right = formula.split("->")
+    words = left.split()
+    for at, word in enumerate(words):
+        if word in "+-":
+            other = "-" if word == "+" else "+"
+            yield f"sign {at}", " ".join(words[:at] + [other] + words[at + 1:]) + " ->" + right
+        elif word.lstrip("-").isdigit():
+            yield f"factor {at}", " ".join(words[:at] + [str(3 * int(word))] + words[at + 1:]) + " ->" + right
+        else:
+            starts = at == 0 or words[at - 1] in "+-"
+            if starts:
+                yield f"double {at}", " ".join(words[:at] + ["2", word] + words[at + 1:]) + " ->" + right
+            name, indices = re.match(r"([A-Za-z0-9]+)(.*)", word).groups()
+            letters = [i for i, c in enumerate(indices) if c not in "^_"]
+            level = {i: indices[: i + 1].rfind("^") > indices[: i + 1].rfind("_") for i in letters}
+            for a, b in itertools.combinations(letters, 2):
+                if level[a] == level[b]:
+                    swapped = list(indices)
+                    swapped[a], swapped[b] = swapped[b], swapped[a]
+                    new = name + "".join(swapped)
+                    yield f"{word} -> {new}", " ".join(words[:at] + [new] + words[at + 1:]) + " ->" + right
+    if words[0] not in "+-":
+        yield "sign of the first term", "-1 " + " ".join(words) + " ->" + right
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--only", default="")
+    parser.add_argument("--tests", default="")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        tree = Path(folder) / "tree"
+        ignore = shutil.ignore_patterns("target", ".git", "mutants.out*")
+        shutil.copytree(ROOT, tree, ignore=ignore)
+        contraction = tree / "tensors/src/contraction.rs"
+        text = contraction.read_text()
+        assert text.count(HOOK) == 1, "the one function of formulas has moved"
+        contraction.write_text(text.replace(HOOK, SWITCH))
+        command = ["cargo", "test", "--no-run", "--message-format=json"]
+        names = [name for name in options.tests.split(",") if name]
+        command += [part for name in names for part in ("--test", name)] or ["--tests"]
+
+        def build():
+            built = subprocess.run(command, cwd=tree, stdout=subprocess.PIPE, check=True, text=True)
+            messages = map(json.loads, built.stdout.splitlines())
+            tests = (m for m in messages if m.get("profile", {}).get("test"))
+            return [m["executable"] for m in tests if m.get("executable")]
+
+        binaries = build()
+        quiet = dict(stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=tree)
+        environment = dict(os.environ, PROPTEST_CASES="16", INSTA_UPDATE="no")
+        for binary in binaries:
+            if subprocess.run([binary], env=environment, **quiet).returncode:
+                sys.exit(f"{binary} fails without a mutant")
+        count, survivors, last = 0, 0, {}
+
+        def judge(path, formula, what):
+            nonlocal count, survivors
+            count += 1
+            # whoever caught the last mutant of this file is asked first
+            for binary in sorted(binaries, key=lambda binary: binary != last.get(path)):
+                try:
+                    caught = subprocess.run([binary], env=environment, timeout=120, **quiet).returncode
+                except subprocess.TimeoutExpired:
+                    caught = True
+                if caught:
+                    last[path] = binary
+                    return
+            survivors += 1
+            print(f"SURVIVES {path}: {what}\n    {formula}", flush=True)
+
+        for formula, path in formulas().items():
+            if options.only in f"{path} {formula}":
+                for what, mutant in mutants(formula):
+                    environment["AFFINOR_MUTANT"] = f"{formula}|{mutant}"
+                    judge(path, formula, what)
+        environment.pop("AFFINOR_MUTANT", None)
+        nabla = tree / "src/connection.rs"
+        text = nabla.read_text()
+        for old, new in NABLA if options.only in "src/connection.rs nabla" else []:
+            assert old in text, f"nabla no longer says {old}"
+            nabla.write_text(text.replace(old, new))
+            binaries = build()
+            judge("src/connection.rs", old, new)
+        print(f"{count} mutants, {survivors} survive")
+        sys.exit(bool(survivors))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,138 @@
+//! The two invariant frames: what a connection is in the right one, and when it is constant there.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use affinor::{Bracket, Connection, Error, LieAlgebra};
+use affinor_tensors::{Rational, Tensor, contract};
+use common::algebras::by_table;
+use common::{Space, fraction, integer, spaces};
+use num_traits::Zero;
+use proptest::prelude::*;
+
+/// The algebra of the right-invariant fields: `g -> g^-1` turns `c` into `-c`.
+fn inverted(algebra: &LieAlgebra<Rational>) -> LieAlgebra<Rational> {
+    let opposite = algebra.structure().map(|value| -value.clone());
+    Bracket::new(algebra.labels().clone(), opposite).unwrap().try_into().unwrap()
+}
+
+/// Both frames know the same torsion and curvature: the tensors of a connection that is invariant
+/// under ad have equal components in the two.
+fn same_tensors(
+    left: &Connection<Rational>,
+    right: &Connection<Rational>,
+) -> Result<(), TestCaseError> {
+    prop_assert_eq!(left.torsion(), right.torsion());
+    prop_assert_eq!(left.curvature(), right.curvature());
+    prop_assert_eq!(left.ricci(), right.ricci());
+    Ok(())
+}
+
+/// `(L_m Lambda)^i_jk` for `[i, m, j, k]`, by plain sums.
+fn variation(space: &Space, gamma: &Tensor<Rational>, [i, m, j, k]: [usize; 4]) -> Rational {
+    let c = space.algebra.structure();
+    (0..space.dimension()).fold(integer(0), |sum, p| {
+        sum + &(c.get(&[i, m, p]) * &gamma.get(&[p, j, k]))
+            - &(c.get(&[p, m, j]) * &gamma.get(&[i, p, k]))
+            - &(c.get(&[p, m, k]) * &gamma.get(&[i, j, p]))
+    })
+}
+
+/// Either the components are constant in the right frame, or a component says why not.
+fn constant_or_refused(space: &Space, left: &Connection<Rational>) -> Result<bool, TestCaseError> {
+    let n = space.dimension();
+    let places = (0..n.pow(4)).map(|key| [3, 2, 1, 0].map(|place| key / n.pow(place) % n));
+    match left.in_right_frame(&space.algebra) {
+        Ok(right) => {
+            for at in places {
+                prop_assert!(variation(space, left.gamma(), at).is_zero());
+            }
+            same_tensors(left, &right)?;
+            Ok(true)
+        }
+        Err(Error::NotInvariant { direction, i, j, k, residual }) => {
+            let m = space.algebra.labels().iter().position(|label| *label == direction).unwrap();
+            let value = variation(space, left.gamma(), [i - 1, m, j - 1, k - 1]);
+            prop_assert!(!value.is_zero());
+            prop_assert_eq!(residual, value.to_string());
+            Ok(false)
+        }
+        Err(other) => Err(TestCaseError::fail(other.to_string())),
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    /// `Lambda_right = Lambda - c` over `-c`, which is the member `1 - lambda` of the family of
+    /// the inverted group.
+    #[test]
+    fn inversion_exchanges_lambda_and_one_minus_lambda(space in spaces(5)) {
+        let left = space.family();
+        let right = left.in_right_frame(&space.algebra).unwrap();
+        let c = space.algebra.structure();
+        prop_assert_eq!(right.frame().structure(), &c.scale(&integer(-1)));
+        let shifted = contract("L^i_jk - c^i_jk -> ^i_jk", &[("L", left.gamma()), ("c", c)])?;
+        prop_assert_eq!(right.gamma(), &shifted);
+        let group = inverted(&space.algebra);
+        let mirrored = Connection::family(&group, &(integer(1) - &space.lambda));
+        prop_assert_eq!(right.gamma(), mirrored.gamma());
+        prop_assert_eq!(right.frame().structure(), mirrored.frame().structure());
+        same_tensors(&left, &right)?;
+        // and back again
+        let back = right.in_right_frame(&group).unwrap();
+        prop_assert_eq!(back.gamma(), left.gamma());
+        prop_assert_eq!(back.frame().structure(), left.frame().structure());
+    }
+
+    #[test]
+    fn other_connections_are_constant_or_refused(space in spaces(4)) {
+        constant_or_refused(&space, &space.connection())?;
+        constant_or_refused(&space, &space.levi_civita())?;
+    }
+
+    /// A frame that is not that of the algebra has no business here.
+    #[test]
+    fn another_algebra_is_refused(space in spaces(4)) {
+        let group = inverted(&space.algebra);
+        let refused = space.family().in_right_frame(&group).is_err();
+        prop_assert_eq!(refused, !space.algebra.structure().is_empty());
+    }
+}
+
+/// Different factors on different ideals: invariant under ad, and not a multiple of `c`.
+#[test]
+fn ideals_may_have_their_own_lambda() {
+    let so3 = by_table(3, &[(1, 2, 3, 1), (2, 3, 1, 1), (3, 1, 2, 1)]);
+    let affine = by_table(2, &[(1, 2, 2, 1)]);
+    let algebra = so3.direct_sum(&affine).unwrap();
+    let gamma = algebra.structure().filter_map(|at, value| {
+        let lambda = if at[0] < 3 { fraction(1, 3) } else { fraction(-5, 2) };
+        Some(value.clone() * &lambda)
+    });
+    let left = Connection::new(algebra.left_frame().clone(), gamma).unwrap();
+    let right = left.in_right_frame(&algebra).unwrap();
+    assert_eq!(right.gamma().get(&[2, 0, 1]), fraction(-2, 3));
+    assert_eq!(right.gamma().get(&[4, 3, 4]), fraction(-7, 2));
+    same_tensors(&left, &right).unwrap();
+}
+
+/// Levi-Civita is constant in the right frame for a bi-invariant metric and refused for another.
+#[test]
+fn levi_civita_of_an_inertia() {
+    let so3 = by_table(3, &[(1, 2, 3, 1), (2, 3, 1, 1), (3, 1, 2, 1)]);
+    let levi_civita = |diagonal: [i64; 3]| {
+        let g = Tensor::from_components(
+            3,
+            &[affinor_tensors::Down; 2],
+            (0..3).map(|i| ([i, i], integer(diagonal[i]))),
+        );
+        let metric = affinor::Metric::new(so3.labels(), g.unwrap()).unwrap();
+        Connection::levi_civita(so3.left_frame(), &metric).unwrap()
+    };
+    let round = levi_civita([2, 2, 2]).in_right_frame(&so3).unwrap();
+    assert_eq!(round.gamma(), &so3.structure().scale(&fraction(-1, 2)));
+    let refused = levi_civita([1, 2, 3]).in_right_frame(&so3).unwrap_err();
+    assert!(matches!(refused, Error::NotInvariant { .. }), "{refused}");
+    assert!(refused.to_string().contains("no constant components in the right-invariant frame"));
+}
