@@ -1,0 +1,51 @@
+//! E8, dimension 248: the engine, exact and in floats, beside hand-written integer loops.
+//!
+//! `cargo bench --bench e8`; one thread. The ratios of a row to its floor in the same run are
+//! what counts, not the absolute times.
+
+use affinor::roots::{CartanType, RootSystem, Series, chevalley_constants};
+use affinor::{Bracket, Canonical, Connection, LieAlgebra};
+use affinor_tensors::Rational;
+use criterion::{Criterion, criterion_group, criterion_main};
+use std::hint::black_box;
+
+mod floor;
+
+fn constants() -> Vec<(usize, usize, usize, i64)> {
+    let e8 = CartanType::new(Series::E, 8).expect("E8 exists");
+    chevalley_constants(&RootSystem::new(e8))
+}
+
+fn bracket() -> Bracket<Rational> {
+    let labels = (1..=248).map(|i| format!("e{i}")).collect();
+    let constants = constants().into_iter().map(|(j, k, i, v)| (j, k, i, Rational::from(v)));
+    Bracket::from_constants(labels, constants).expect("E8 is antisymmetric")
+}
+
+fn e8(criterion: &mut Criterion) {
+    rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("one thread");
+    let entries = constants();
+    let floor = floor::Constants::new(248, &entries);
+    let bracket = bracket();
+    let algebra = LieAlgebra::try_from(bracket.clone()).expect("E8 is a Lie algebra");
+    let zero = Connection::canonical(&algebra, Canonical::Zero);
+    let float = algebra.map(Rational::to_f64).expect("E8 in floats");
+    let zero_float = Connection::canonical(&float, Canonical::Zero);
+    assert_eq!(zero.curvature().len(), 2 * floor.curvature());
+
+    let mut group = criterion.benchmark_group("E8");
+    group.sample_size(20);
+    group.bench_function("constants from roots", |b| b.iter(constants));
+    group.bench_function("bracket from roots", |b| b.iter(crate::bracket));
+    group.bench_function("jacobi/floor", |b| b.iter(|| black_box(&floor).jacobi()));
+    group.bench_function("jacobi/exact", |b| b.iter(|| black_box(&bracket).jacobi()));
+    group.bench_function("killing/floor", |b| b.iter(|| black_box(&floor).killing()));
+    group.bench_function("killing/exact", |b| b.iter(|| black_box(&algebra).killing_form()));
+    group.bench_function("curvature/floor", |b| b.iter(|| black_box(&floor).curvature()));
+    group.bench_function("curvature/exact", |b| b.iter(|| black_box(&zero).curvature()));
+    group.bench_function("curvature/f64", |b| b.iter(|| black_box(&zero_float).curvature()));
+    group.finish();
+}
+
+criterion_group!(benches, e8);
+criterion_main!(benches);
