@@ -1,0 +1,42 @@
+//! How can one rotation group carry two geometries?
+//!
+//! The bracket is the same; the connection is not. `plus` has torsion and no curvature, the
+//! paper's M(3); `zero` has curvature and no torsion, the paper's SO(3).
+
+use affinor::{Bracket, Canonical, Connection, LieAlgebra};
+use affinor_tensors::{Rational, Tensor};
+use std::error::Error;
+
+/// Computes both geometries and prints what is not zero.
+pub fn main() -> Result<(), Box<dyn Error>> {
+    // [e1, e2] = e3 and its cyclic images; indices count from 0, and only j < k is asked for
+    let bracket = Bracket::from_fn(&["e1", "e2", "e3"], |j, k| match (j, k) {
+        (0, 1) => vec![(2, Rational::from(1))],
+        (0, 2) => vec![(1, Rational::from(-1))],
+        _ => vec![(0, Rational::from(1))],
+    })?;
+    let so3 = LieAlgebra::try_from(bracket)?; // the Jacobi identity is checked here
+
+    for which in [Canonical::Plus, Canonical::Zero] {
+        let connection = Connection::canonical(&so3, which);
+        println!("{}: {}", which.name(), which.paper());
+        show("torsion tau", &connection.torsion());
+        show("curvature R", &connection.curvature());
+        show("Ricci tensor", &connection.ricci());
+    }
+
+    assert!(Connection::canonical(&so3, Canonical::Plus).curvature().is_empty());
+    assert!(Connection::canonical(&so3, Canonical::Zero).torsion().is_empty());
+    Ok(())
+}
+
+/// The first nonzero component, indices from 1, and how many there are.
+fn show(name: &str, tensor: &Tensor<Rational>) {
+    match tensor.components().next() {
+        None => println!("  {name} = 0"),
+        Some((at, value)) => {
+            let indices: Vec<usize> = at.iter().map(|i| i + 1).collect();
+            println!("  {name}: {} components, the first {value} at {indices:?}", tensor.len());
+        }
+    }
+}

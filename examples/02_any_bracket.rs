@@ -1,0 +1,37 @@
+//! Is my bracket table a Lie algebra?
+//!
+//! A [`Bracket`] is antisymmetric and no more. Making a [`LieAlgebra`] of it checks the Jacobi
+//! identity, and a table that fails says where and by how much.
+
+use affinor::{Bracket, LieAlgebra};
+use affinor_tensors::Rational;
+use std::error::Error;
+
+/// Checks a right table and one with a wrong sign.
+pub fn main() -> Result<(), Box<dyn Error>> {
+    // rotations and translations of the plane: [r, p] = q, [r, q] = -p
+    let plane = LieAlgebra::try_from(table(1, -1)?)?;
+    let [r, p] = [[1, 0, 0], [0, 1, 0]].map(|v| v.map(Rational::from));
+    println!("[r, p] = {:?} in the basis r, p, q", plane.bracket(&r, &p)?);
+    println!("Killing form: {} nonzero component", plane.killing_form().len());
+
+    // one more bracket, [p, q] = q, and Jacobi fails
+    let mut constants = vec![(0, 1, 2, 1), (0, 2, 1, -1)];
+    constants.push((1, 2, 2, 1));
+    let wrong = constants.into_iter().map(|(j, k, i, v)| (j, k, i, Rational::from(v)));
+    let labels = ["r", "p", "q"].map(String::from);
+    let wrong = Bracket::from_constants(labels.into(), wrong)?;
+    let witness = LieAlgebra::try_from(wrong).expect_err("[p, q] = q does not fit");
+    println!("{witness}");
+    assert!(matches!(witness, affinor::Error::Jacobi { .. }));
+    Ok(())
+}
+
+/// `[r, p] = a q`, `[r, q] = b p`.
+fn table(a: i64, b: i64) -> Result<Bracket<Rational>, affinor::Error> {
+    Bracket::from_fn(&["r", "p", "q"], |j, k| match (j, k) {
+        (0, 1) => vec![(2, Rational::from(a))],
+        (0, 2) => vec![(1, Rational::from(b))],
+        _ => vec![],
+    })
+}

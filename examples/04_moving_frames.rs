@@ -1,0 +1,60 @@
+//! Do the same formulas hold in coordinates, and in a frame that turns from point to point?
+//!
+//! A [`Frame`] is structure functions and derivations. Coordinates have no structure and
+//! partial derivatives; a moving frame has both; the left frame of a group has constant structure
+//! and no derivatives. Levi-Civita and curvature are written once for all of them.
+
+use affinor::{Connection, Frame, Metric};
+use affinor_tensors::{Down, Ring, Symbolic, Tensor, Up};
+use std::error::Error;
+use std::sync::Arc;
+
+/// The plane in polar coordinates and in their unit vectors, and the sphere.
+pub fn main() -> Result<(), Box<dyn Error>> {
+    let r = Symbolic::parameter("r");
+    let one = || Symbolic::from_i64(1);
+    let over_r = one() / &r;
+
+    // coordinates r, t of the plane: g = dr^2 + r^2 dt^2
+    let polar = Frame::coordinates(&["r", "t"])?;
+    let metric = diagonal(&polar, [one(), r.clone() * &r])?;
+    let connection = Connection::levi_civita(&polar, &metric)?;
+    println!("polar coordinates: nabla_t d_t = {} d_r", connection.gamma().get(&[0, 1, 1]));
+    assert!(connection.curvature().is_empty());
+
+    // the unit vectors e_r = d_r, e_t = 1/r d_t: [e_r, e_t] = -1/r e_t
+    let structure = [([1, 0, 1], -over_r.clone()), ([1, 1, 0], over_r.clone())];
+    let structure = Tensor::from_components(2, &[Up, Down, Down], structure)?;
+    let derivations = Arc::new(move |k: usize, f: &Symbolic| match k {
+        0 => f.derivative("r"),
+        _ => f.derivative("t") * &over_r,
+    });
+    let labels = ["e_r", "e_t"].map(String::from).into();
+    let unit = Frame::moving(labels, structure, derivations)?;
+    let metric = diagonal(&unit, [one(), one()])?;
+    let connection = Connection::levi_civita(&unit, &metric)?;
+    println!("unit vectors:      nabla_t e_t = {} e_r", connection.gamma().get(&[0, 1, 1]));
+    assert!(connection.curvature().is_empty());
+
+    // the unit sphere from its pole: g = 4 (dx^2 + dy^2) / (1 + x^2 + y^2)^2
+    let [x, y] = ["x", "y"].map(Symbolic::parameter);
+    let sphere = Frame::coordinates(&["x", "y"])?;
+    let half = (one() + &(x.clone() * &x) + &(y.clone() * &y)) / &Symbolic::from_i64(2);
+    let scale = one() / &(half.clone() * &half);
+    let metric = diagonal(&sphere, [scale.clone(), scale])?;
+    let connection = Connection::levi_civita(&sphere, &metric)?;
+    let [d_x, d_y] = [[1, 0], [0, 1]].map(|v| v.map(Symbolic::from_i64));
+    let curvature = connection.sectional_curvature(&metric, &d_x, &d_y)?;
+    println!("sphere: K = {}", curvature.as_ref().ok_or("a degenerate plane")?);
+    assert_eq!(curvature, Some(one()));
+    Ok(())
+}
+
+/// The metric with these diagonal components.
+fn diagonal(
+    frame: &Frame<Symbolic>,
+    [a, b]: [Symbolic; 2],
+) -> Result<Metric<Symbolic>, Box<dyn Error>> {
+    let components = Tensor::from_components(2, &[Down, Down], [([0, 0], a), ([1, 1], b)])?;
+    Ok(Metric::new(frame.labels(), components)?)
+}

@@ -1,0 +1,41 @@
+//! How do I bring a table from GAP, or from anywhere, to the command line?
+//!
+//! Lines `i j k v`, meaning `[e_i, e_j] = ... + v e_k`, become a definition file. Without an
+//! argument the definition is printed; with one it is written there:
+//!
+//! ```text
+//! cargo run --example 05_definition_from_gap -- E8.toml
+//! cargo run --release -- check E8.toml
+//! ```
+
+use std::error::Error;
+use std::fmt::Write;
+
+/// GAP's table of E8: 248 basis vectors, one line for each constant with `i < j`.
+pub const E8: &str = include_str!("../tests/data/E8.txt");
+
+/// Converts the table of E8.
+pub fn main() -> Result<(), Box<dyn Error>> {
+    let text = definition("E8, basis of GAP", 248, E8)?;
+    match std::env::args_os().nth(1) {
+        Some(path) => std::fs::write(path, text)?,
+        None => print!("{text}"),
+    }
+    Ok(())
+}
+
+/// The definition file of a table; `#` begins a comment.
+pub fn definition(name: &str, dimension: usize, table: &str) -> Result<String, Box<dyn Error>> {
+    let mut text = String::new();
+    writeln!(text, "name = {name:?}")?;
+    writeln!(text, "dimension = {dimension}")?;
+    writeln!(text, "structure_constants = [")?;
+    for line in table.lines().filter(|line| !line.starts_with('#') && !line.trim().is_empty()) {
+        let [i, j, k, value] = line.split_whitespace().collect::<Vec<_>>()[..] else {
+            return Err(format!("`{line}` is not i j k v").into());
+        };
+        writeln!(text, "  [{i}, {j}, {k}, \"{value}\"],")?;
+    }
+    writeln!(text, "]")?;
+    Ok(text)
+}
