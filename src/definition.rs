@@ -96,7 +96,8 @@ pub struct Reading<'r, S> {
 impl<S: Notation> Reading<'_, S> {
     fn value(&self, value: &Symbolic) -> Result<S, InputError> {
         (self.convert)(value).ok_or_else(|| {
-            InputError::usage(format!("the value {value} has no counterpart in this scalar"))
+            let shown = input::shown(&value.to_string());
+            InputError::usage(format!("the value {shown} has no counterpart in this scalar"))
                 .help("set every parameter with --set, and keep floats within 1e308")
         })
     }

@@ -101,11 +101,10 @@ impl<S: Field> MatrixBasis<S> {
                 match column.checked_sub(entries) {
                     Some(i) => constants.push((j, k, i, -value)),
                     None => {
-                        let (row, column) = (column / size + 1, column % size + 1);
                         return Err(Error::NotClosed {
                             x: self.labels[j].clone(),
                             y: self.labels[k].clone(),
-                            residual: format!("{value} at row {row}, column {column}"),
+                            residual: self.entry(column / size, column % size, value),
                         });
                     }
                 }
@@ -138,6 +137,17 @@ impl<S: Field> MatrixBasis<S> {
 
     fn entries(&self) -> usize {
         self.size() * self.size()
+    }
+
+    /// An entry of the real form `[[A, -B], [B, A]]`, as that of `A + iB`.
+    fn entry(&self, row: usize, column: usize, value: S) -> String {
+        let size = if self.complex { self.size() / 2 } else { self.size() };
+        let value = match (row < size, column < size) {
+            (true, true) | (false, false) => value.to_string(),
+            (true, false) => combination([(-value, "i".to_string())]),
+            (false, true) => combination([(value, "i".to_string())]),
+        };
+        format!("{value} at row {}, column {}", row % size + 1, column % size + 1)
     }
 
     /// The combination of matrices that a remainder beyond the entries stands for.

@@ -47,7 +47,9 @@ impl Arguments {
             && dimension != space.definition.dimension()
         {
             let mine = space.definition.dimension();
-            let message = format!("the stored dimension is {dimension}, the computed one {mine}");
+            let name = shown(&file);
+            let message =
+                format!("{name}: the stored dimension is {dimension}, the computed one {mine}");
             return Err(InputError::mathematics(message).into());
         }
         let (selection, file) = (&self.selection, &*file);

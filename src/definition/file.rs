@@ -121,7 +121,16 @@ fn syntax(message: &str) -> InputError {
         .replace("expected i64", "expected an integer");
     match message.split_once(", expected one of ") {
         Some((what, keys)) => {
-            InputError::usage(what).help(format!("the keys are {}", keys.replace('`', "")))
+            let keys = keys.replace('`', "");
+            let unknown = what.split('`').nth(1).unwrap_or("");
+            let distance = |key: &&str| strsim::damerau_levenshtein(key, unknown);
+            // longer words are no slips of the hand
+            let nearest = keys.split(", ").filter(|key| unknown.len() < 32 && distance(key) < 3);
+            let help = match nearest.min_by_key(distance) {
+                Some(key) => format!("did you mean `{key}`?"),
+                None => format!("the keys are {keys}"),
+            };
+            InputError::usage(what).help(help)
         }
         None => InputError::usage(message),
     }

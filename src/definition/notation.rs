@@ -26,8 +26,20 @@ impl Names<'_> {
         Expression::parse_beside(text, &known)
             .and_then(|expression| expression.evaluate(meaning))
             .map_err(|ExpressionError { span, reason }| {
-                InputError::usage(reason).at(&source.find(text, span))
+                let place = source.find(text, span.clone());
+                let error = InputError::usage(reason).at(&place);
+                match text.get(span) {
+                    Some(name) if self.parameters.is_some() && self.is_unknown(name) => error
+                        .help(format!("declare a parameter: parameters = [\"{}\"]", shown(name))),
+                    _ => error,
+                }
             })
+    }
+
+    /// Whether a name is one that nothing has here.
+    fn is_unknown(&self, name: &str) -> bool {
+        let declared = self.parameters.is_some_and(|declared| declared.contains(name));
+        is_name(name) && !declared && !is_no_number(name) && !self.labels.contains_key(name)
     }
 
     /// A scalar.
@@ -67,8 +79,7 @@ impl Names<'_> {
     }
 
     fn parameter(&self, name: &str) -> Result<Symbolic, String> {
-        let name_lower = name.to_ascii_lowercase();
-        if ["nan", "inf", "infinity"].contains(&name_lower.as_str()) {
+        if is_no_number(name) {
             return Err(format!("`{name}` is not a number"));
         }
         match self.parameters {
@@ -79,6 +90,11 @@ impl Names<'_> {
             _ => Ok(Symbolic::parameter(name)),
         }
     }
+}
+
+/// Whether a name stands for what is no number.
+fn is_no_number(name: &str) -> bool {
+    ["nan", "inf", "infinity"].contains(&name.to_ascii_lowercase().as_str())
 }
 
 /// One statement `head[x, y] = right side`.

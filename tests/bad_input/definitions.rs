@@ -39,9 +39,14 @@ fn keys_are_checked() {
             "unknown key",
             &with("brakets = \"\""),
             USAGE,
-            &["a.toml:3:1", "unknown key `brakets`", "the keys are name, basis,"],
+            &["a.toml:3:1", "unknown key `brakets`", "did you mean `brackets`?"],
         ),
-        ("unknown table", &with("[foo]\nbar = 1"), USAGE, &["a.toml:3:2", "unknown key `foo`"]),
+        (
+            "unknown table",
+            &with("[foo]\nbar = 1"),
+            USAGE,
+            &["a.toml:3:2", "`foo`", "the keys are name, basis,"],
+        ),
         ("duplicate key", &with("basis = [\"x\"]"), USAGE, &["a.toml:3:1", "duplicate key"]),
         (
             "two origins",
@@ -156,7 +161,11 @@ fn brackets_are_checked() {
             "undeclared parameter",
             "[x, y] = z\n[y, z] = q*x",
             USAGE,
-            &["a.toml:7:10", "`q` is neither a basis vector here nor a declared parameter"],
+            &[
+                "a.toml:7:10",
+                "`q` is neither a basis vector here nor a declared parameter",
+                "declare a parameter: parameters = [\"q\"]",
+            ],
         ),
         (
             "two basis vectors",
@@ -358,7 +367,7 @@ fn matrices_are_checked() {
             "complex constants",
             "[['0','1'],['0','0']], [['i','0'],['0','0']]",
             MATHEMATICS,
-            &["[e1, e2] leaves their real span", "row 1"],
+            &["[e1, e2] leaves their real span, by -i at row 1, column 2"],
         ),
         (
             "ragged",

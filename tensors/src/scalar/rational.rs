@@ -347,10 +347,15 @@ impl Ring for Rational {
     fn clear_denominators<'a>(values: impl Iterator<Item = &'a Self>) -> Option<(Vec<i64>, i64)> {
         let words: Vec<_> = values.map(Self::words).collect::<Option<_>>()?;
         let mut denominator = 1i64;
-        for &(_, d) in &words {
-            denominator = denominator.checked_mul(d / denominator.gcd(&d))?;
+        for &(_, d) in words.iter().filter(|(_, d)| *d != 1) {
+            if denominator % d != 0 {
+                denominator = denominator.checked_mul(d / denominator.gcd(&d))?;
+            }
         }
-        let scale = |&(n, d): &(i64, i64)| n.checked_mul(denominator / d);
+        let scale = |&(n, d): &(i64, i64)| match denominator {
+            1 => Some(n),
+            _ => n.checked_mul(denominator / d),
+        };
         let integers = words.iter().map(scale).collect::<Option<_>>()?;
         Some((integers, denominator))
     }
