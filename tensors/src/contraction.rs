@@ -122,13 +122,18 @@ fn fold_mirrors<S>(terms: Vec<Product<S>>, pair: Option<(usize, usize)>) -> Vec<
 
 impl<S: Ring> Product<'_, S> {
     /// The term with its values taken as `V`.
-    fn with_values<V>(&self, mut values: impl FnMut(usize, &Tensor<S>) -> Vec<V>) -> Term<V> {
-        let factor = |(at, (roles, tensor)): (usize, &(Vec<Role>, &Tensor<S>))| Factor {
-            roles: roles.clone(),
-            keys: tensor.keyed().map(|(key, _)| key).collect(),
-            values: values(at, tensor),
+    fn with_values<V>(&self, mut values: impl FnMut(usize, &Tensor<S>) -> Vec<V>) -> Term<'_, V> {
+        let factor = |(at, (roles, tensor))| {
+            let (roles, tensor): (&Vec<_>, &Tensor<S>) = (roles, tensor);
+            Factor { roles, keys: tensor.keys(), values: values(at, tensor) }
         };
-        let factors = self.factors.iter().enumerate().map(factor).collect();
+        let factors = self
+            .factors
+            .iter()
+            .map(|(roles, tensor)| (roles, *tensor))
+            .enumerate()
+            .map(factor)
+            .collect();
         Term { factors, mirrored: self.mirrored }
     }
 }

@@ -54,7 +54,9 @@ pub trait Ring:
     ///
     /// A hook for speed: long sums of products then run on machine words and come back through
     /// [`from_quotient`](Ring::from_quotient). `None` (the default) keeps the sums in the ring.
-    fn clear_denominators<'a>(values: impl Iterator<Item = &'a Self>) -> Option<(Vec<i64>, i64)> {
+    fn clear_denominators<'a>(
+        values: impl Iterator<Item = &'a Self> + Clone,
+    ) -> Option<(Vec<i64>, i64)> {
         let _ = values;
         None
     }

@@ -260,8 +260,12 @@ impl<S: Ring> Tensor<S> {
         self
     }
 
-    pub(crate) fn keyed(&self) -> impl ExactSizeIterator<Item = (u64, &S)> {
-        self.keys.iter().copied().zip(&self.values)
+    pub(crate) fn keys(&self) -> &[u64] {
+        &self.keys
+    }
+
+    pub(crate) fn values(&self) -> &[S] {
+        &self.values
     }
 
     /// The position of a component in the order of indices.

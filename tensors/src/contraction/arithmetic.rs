@@ -4,15 +4,15 @@ use super::{Product, Role};
 use crate::{Ring, Sum, Tolerance};
 
 /// A term before it is laid out for a run.
-pub(super) struct Term<V> {
-    pub factors: Vec<Factor<V>>,
+pub(super) struct Term<'t, V> {
+    pub factors: Vec<Factor<'t, V>>,
     pub mirrored: bool,
 }
 
 /// The entries of a tensor with the role of each slot.
-pub(super) struct Factor<V> {
-    pub roles: Vec<Role>,
-    pub keys: Vec<u64>,
+pub(super) struct Factor<'t, V> {
+    pub roles: &'t [Role],
+    pub keys: &'t [u64],
     pub values: Vec<V>,
 }
 
@@ -44,15 +44,15 @@ impl InRing {
     }
 
     /// The terms with the coefficient multiplied into the first factor.
-    pub fn terms<S: Ring>(products: &[Product<S>]) -> Vec<Term<S>> {
-        let term = |product: &Product<S>| {
+    pub fn terms<'t, S: Ring>(products: &'t [Product<S>]) -> Vec<Term<'t, S>> {
+        let term = |product: &'t Product<S>| {
             let coefficient = S::from_i64(product.coefficient);
             product.with_values(|at, tensor| {
-                let scaled = |(_, v): (u64, &S)| match at {
+                let scaled = |v: &S| match at {
                     0 if product.coefficient != 1 => v.clone() * &coefficient,
                     _ => v.clone(),
                 };
-                tensor.keyed().map(scaled).collect()
+                tensor.values().iter().map(scaled).collect()
             })
         };
         products.iter().map(term).collect()
@@ -96,14 +96,17 @@ pub(super) struct OnIntegers<S> {
 
 impl<S: Ring> OnIntegers<S> {
     /// Clears the denominators of all terms, if the scalar can and the sums provably fit 64 bits.
-    pub fn clear(products: &[Product<S>], dimension: usize) -> Option<(Self, Vec<Term<i64>>)> {
+    pub fn clear<'t>(
+        products: &'t [Product<S>],
+        dimension: usize,
+    ) -> Option<(Self, Vec<Term<'t, i64>>)> {
         let mut cleared = Vec::new();
         let mut denominator = 1i64;
         for product in products {
             let factors: Vec<(Vec<i64>, i64)> = product
                 .factors
                 .iter()
-                .map(|(_, tensor)| S::clear_denominators(tensor.keyed().map(|(_, v)| v)))
+                .map(|(_, tensor)| S::clear_denominators(tensor.values().iter()))
                 .collect::<Option<_>>()?;
             let d = factors.iter().try_fold(1i64, |d, (_, f)| d.checked_mul(*f))?;
             denominator = denominator.checked_mul(d / num_integer::gcd(d, denominator))?;

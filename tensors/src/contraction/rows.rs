@@ -17,7 +17,7 @@ pub(super) struct Laid<V> {
 
 impl<V: Clone> Laid<V> {
     /// `None` for a term with an empty factor.
-    pub fn new(term: &Term<V>, n: u64, outer: usize, rank: usize) -> Option<Self> {
+    pub fn new(term: &Term<'_, V>, n: u64, outer: usize, rank: usize) -> Option<Self> {
         if term.factors.iter().any(|factor| factor.keys.is_empty()) {
             return None;
         }
@@ -101,7 +101,7 @@ pub(super) struct Entry<V> {
 }
 
 impl<V: Clone> Rows<V> {
-    fn new(factor: &Factor<V>, layout: &Layout) -> Self {
+    fn new(factor: &Factor<'_, V>, layout: &Layout) -> Self {
         let Layout { n, outer, rank, shared } = *layout;
         let links = n.pow(shared.len() as u32);
         let mut spans = vec![None; outer];
@@ -120,8 +120,8 @@ impl<V: Clone> Rows<V> {
             },
         };
         let weights: Vec<_> = factor.roles.iter().map(weight).collect();
-        let inside: Vec<(usize, usize)> = pairs_inside(&factor.roles);
-        let mut entries = Vec::with_capacity(factor.keys.len());
+        let inside: Vec<(usize, usize)> = pairs_inside(factor.roles);
+        let mut order: Vec<(u64, Place, u32)> = Vec::with_capacity(factor.keys.len());
         let mut digits = vec![0; factor.roles.len()];
         for (at, &key) in factor.keys.iter().enumerate() {
             let mut rest = key;
@@ -136,18 +136,18 @@ impl<V: Clone> Rows<V> {
                 row += digit * r;
                 place = sum(place, p.map(|p| p * *digit as u32));
             }
-            entries.push((row, place, at));
+            order.push((row, place, at as u32));
         }
         let stride = if span <= DIRECT_ROWS { 1 } else { links };
         if stride > 1 {
-            entries.sort_unstable_by_key(|&(row, place, _)| (row, place));
+            order.sort_unstable();
         }
         let steps = span / stride;
-        let starts = (steps <= DIRECT_ROWS).then(|| sort_by_counting(&mut entries, stride, steps));
+        let starts = (steps <= DIRECT_ROWS).then(|| sort_by_counting(&mut order, stride, steps));
         let occupied = starts.is_some().then(|| {
             let words = links.div_ceil(64);
             let mut bits = vec![0; (span / links * words) as usize];
-            for &(row, _, _) in &entries {
+            for &(row, _, _) in &order {
                 let (group, link) = (row / links, row % links);
                 bits[(group * words + link / 64) as usize] |= 1 << (link % 64);
             }
@@ -167,13 +167,13 @@ impl<V: Clone> Rows<V> {
             starts,
             stride,
             occupied,
-            rows: entries.iter().map(|e| e.0).collect(),
-            entries: entries
+            rows: order.iter().map(|e| e.0).collect(),
+            entries: order
                 .iter()
                 .map(|&(_, place, at)| Entry {
                     place,
                     lowest: lowest(place),
-                    value: factor.values[at].clone(),
+                    value: factor.values[at as usize].clone(),
                 })
                 .collect(),
         }
@@ -250,19 +250,25 @@ fn pairs_inside(roles: &[Role]) -> Vec<(usize, usize)> {
 }
 
 /// Sorts entries by steps of `stride` rows, stably, and returns where each step begins.
-fn sort_by_counting(entries: &mut Vec<(u64, Place, usize)>, stride: u64, steps: u64) -> Vec<u32> {
-    let mut starts = vec![0u32; steps as usize + 1];
-    entries.iter().for_each(|e| starts[(e.0 / stride) as usize + 1] += 1);
-    for step in 0..steps as usize {
-        starts[step + 1] += starts[step];
+fn sort_by_counting(entries: &mut Vec<(u64, Place, u32)>, stride: u64, steps: u64) -> Vec<u32> {
+    let step = |entry: &(u64, Place, u32)| match stride {
+        1 => entry.0 as usize,
+        _ => (entry.0 / stride) as usize,
+    };
+    // two places ahead of its own, so that after the counts are summed up, filling a step
+    // moves the begin of the next to where it belongs
+    let mut starts = vec![0u32; steps as usize + 2];
+    entries.iter().for_each(|entry| starts[step(entry) + 2] += 1);
+    for at in 2..starts.len() {
+        starts[at] += starts[at - 1];
     }
-    let mut next = starts.clone();
     let mut sorted = vec![(0, [0, 0], 0); entries.len()];
-    for &entry in entries.iter() {
-        let slot = &mut next[(entry.0 / stride) as usize];
-        sorted[*slot as usize] = entry;
+    for entry in entries.iter() {
+        let slot = &mut starts[step(entry) + 1];
+        sorted[*slot as usize] = *entry;
         *slot += 1;
     }
     *entries = sorted;
+    starts.truncate(steps as usize + 1);
     starts
 }

@@ -344,19 +344,21 @@ impl Ring for Rational {
     fn vanishes(&self) -> bool {
         self.is_zero()
     }
-    fn clear_denominators<'a>(values: impl Iterator<Item = &'a Self>) -> Option<(Vec<i64>, i64)> {
-        let words: Vec<_> = values.map(Self::words).collect::<Option<_>>()?;
+    fn clear_denominators<'a>(
+        values: impl Iterator<Item = &'a Self> + Clone,
+    ) -> Option<(Vec<i64>, i64)> {
         let mut denominator = 1i64;
-        for &(_, d) in words.iter().filter(|(_, d)| *d != 1) {
+        for value in values.clone() {
+            let (_, d) = value.words()?;
             if denominator % d != 0 {
                 denominator = denominator.checked_mul(d / denominator.gcd(&d))?;
             }
         }
-        let scale = |&(n, d): &(i64, i64)| match denominator {
-            1 => Some(n),
-            _ => n.checked_mul(denominator / d),
+        let scale = |value: &Self| {
+            let (n, d) = value.words()?;
+            if d == denominator { Some(n) } else { n.checked_mul(denominator / d) }
         };
-        let integers = words.iter().map(scale).collect::<Option<_>>()?;
+        let integers = values.map(scale).collect::<Option<_>>()?;
         Some((integers, denominator))
     }
     fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {

@@ -143,7 +143,9 @@ impl Ring for Symbolic {
     fn vanishes(&self) -> bool {
         num_traits::Zero::is_zero(self)
     }
-    fn clear_denominators<'a>(values: impl Iterator<Item = &'a Self>) -> Option<(Vec<i64>, i64)> {
+    fn clear_denominators<'a>(
+        values: impl Iterator<Item = &'a Self> + Clone,
+    ) -> Option<(Vec<i64>, i64)> {
         let constants: Vec<_> = values.map(Self::as_constant).collect::<Option<_>>()?;
         Rational::clear_denominators(constants.into_iter())
     }
