@@ -397,6 +397,20 @@ fn a_changed_component_is_named() {
 }
 
 #[test]
+fn a_table_of_another_dimension_does_not_verify() {
+    let folder = folder();
+    for (format, other) in [("json", "8"), ("csv", "at least 8")] {
+        let file = format!("sl3.{format}");
+        let table = ["table", "sl3", "--show", "structure", "--format", format, "-o", &file];
+        assert_eq!(run(folder.path(), &table, b"").status, 0);
+        let outcome = run(folder.path(), &["verify", "so3", &file], b"");
+        assert_eq!(outcome.status, 1, "{}", outcome.err);
+        let message = format!("{file}: the stored dimension is {other}, the computed one 3");
+        assert!(outcome.err.contains(&message), "{}", outcome.err);
+    }
+}
+
+#[test]
 fn the_other_sign_convention_does_not_verify() {
     let folder = folder();
     let text = stdout(&["table", "sl3@zero", "--show", "curvature", "--format", "csv"]);

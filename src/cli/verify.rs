@@ -43,13 +43,16 @@ impl Arguments {
         };
         let stored = read(&file)?;
         let space = self.shared.open(space, &self.options)?;
-        if let Some(dimension) = stored.dimension
-            && dimension != space.definition.dimension()
-        {
-            let mine = space.definition.dimension();
+        let mine = space.definition.dimension();
+        let other = match (stored.dimension, stored.least_dimension()) {
+            (Some(dimension), _) if dimension != mine => Some(dimension.to_string()),
+            (None, least) if least > mine => Some(format!("at least {least}")),
+            _ => None,
+        };
+        if let Some(other) = other {
             let name = shown(&file);
             let message =
-                format!("{name}: the stored dimension is {dimension}, the computed one {mine}");
+                format!("{name}: the stored dimension is {other}, the computed one {mine}");
             return Err(InputError::mathematics(message).into());
         }
         let (selection, file) = (&self.selection, &*file);

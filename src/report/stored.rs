@@ -43,6 +43,12 @@ impl Stored {
         self.tensors.iter().map(|(quantity, _)| *quantity).collect()
     }
 
+    /// The largest index of a stored component: the least dimension that it fits.
+    pub fn least_dimension(&self) -> usize {
+        let components = self.tensors.iter().flat_map(|(_, components)| components);
+        components.flat_map(|(indices, _)| indices).max().map_or(0, |index| index + 1)
+    }
+
     /// The components that differ from a computed table, in the order of the stored one. Values
     /// agree when they are equal; floats within the tolerance of the table.
     ///
