@@ -1,6 +1,7 @@
 //! Certificates: whether a definition is what it claims, with the witness of what fails.
 
 use crate::definition::{Definition, InputError, Reading};
+use crate::error::written;
 use crate::metric::equations;
 use crate::{Connection, ConnectionKind, LieAlgebra};
 use affinor_tensors::{Indices, Kind, Notation, Tensor};
@@ -162,9 +163,8 @@ fn vanishing<S: Notation>(
         return held(name, detail);
     };
     let here = residual.components().filter(|(at, _)| lower(at) == place);
-    let residual: Vec<(usize, String)> = here
-        .map(|(at, value)| (if upper == 1 { at[0] + 1 } else { 0 }, value.to_string()))
-        .collect();
+    let residual: Vec<(usize, String)> =
+        here.map(|(at, value)| (if upper == 1 { at[0] + 1 } else { 0 }, written(value))).collect();
     let indices: Vec<usize> = place.iter().map(|i| i + 1).collect();
     let detail = format!("not zero at {indices:?}: {residual:?}");
     Check { name, ok: false, detail, witness: Some(Witness { indices, residual }) }

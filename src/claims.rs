@@ -217,7 +217,7 @@ fn vanishes<S: Notation>(tensor: &Tensor<S>, sum: &str, letters: &str) -> Verdic
     };
     // beyond dimension 9 an index can have two digits
     let comma = if tensor.dimension() > 9 { "," } else { "" };
-    let values = [value.to_string(), value.latex()];
+    let values = [crate::error::written(value), value.latex()];
     Verdict::Fails(equation(sum, values, |letters| {
         letters.chars().map(index).collect::<Vec<_>>().join(comma)
     }))

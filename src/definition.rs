@@ -38,6 +38,8 @@ pub struct Definition {
     origin: Origin,
     metric: Option<MetricChoice>,
     connection: Option<(ConnectionChoice, Place)>,
+    /// Parameters that were declared, whether or not a value depends on them.
+    declared: Vec<String>,
     /// What it was read from; `None` for brackets on the command line.
     source: Option<Source>,
 }

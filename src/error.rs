@@ -131,7 +131,7 @@ pub(crate) fn combination<S: std::fmt::Display>(
 ) -> String {
     let mut text = String::new();
     for (coefficient, label) in terms {
-        let value = coefficient.to_string();
+        let value = written(&coefficient);
         let compound = value.chars().skip(1).any(|c| matches!(c, ' ' | '+'));
         let (sign, size) = match value.strip_prefix('-') {
             Some(size) if !compound => (" - ", size.to_string()),
@@ -149,4 +149,14 @@ pub(crate) fn combination<S: std::fmt::Display>(
         }
     }
     if text.is_empty() { "0".into() } else { text }
+}
+
+/// A value in plain text; a float far from 1 with an exponent, in place of its zeros.
+pub(crate) fn written(value: &impl std::fmt::Display) -> String {
+    let text = value.to_string();
+    // a point stands in floats only
+    match text.parse::<f64>() {
+        Ok(x) if text.contains('.') && x != 0.0 && x.abs() < 1e-5 => format!("{x:e}"),
+        _ => text,
+    }
 }

@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::algebra::{LieAlgebra, inverse, to_matrix};
 use crate::connection::Connection;
-use crate::error::combination;
+use crate::error::{combination, written};
 use crate::frame::{expect_slots, formula};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Field, Notation, Rational, Tensor, Up};
@@ -29,7 +29,7 @@ impl<S: Field> Metric<S> {
             return Err(Error::NotSymmetric {
                 x: labels[at[0]].clone(),
                 y: labels[at[1]].clone(),
-                residual: residual.to_string(),
+                residual: written(residual),
             });
         }
         let tolerance = components.tolerance();
@@ -41,7 +41,13 @@ impl<S: Field> Metric<S> {
             });
             return Err(Error::Degenerate { null: null.unwrap_or_default() });
         };
-        let inverse = Tensor::from_components(labels.len(), &[Up, Up], entries)?;
+        // rounding must not make the inverse unsymmetric
+        let upper = entries.into_iter().filter(|([i, j], _)| i <= j);
+        let both = upper.flat_map(|([i, j], v)| {
+            let mirrored = (i < j).then(|| ([j, i], v.clone()));
+            [Some(([i, j], v)), mirrored].into_iter().flatten()
+        });
+        let inverse = Tensor::from_components(labels.len(), &[Up, Up], both)?;
         Ok(Metric { components, inverse: inverse.with_tolerance(tolerance) })
     }
 

@@ -4,8 +4,9 @@
 
 mod common;
 
-use affinor::{Connection, LieAlgebra, Metric};
-use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up};
+use affinor::algebra::Complex;
+use affinor::{Connection, LieAlgebra, MatrixBasis, Metric};
+use affinor_tensors::{Down, Rational, Symbolic, Tensor, Tolerance, Up};
 use common::algebras::seeds;
 use common::{Space, fraction, integer, spaces, stored};
 use proptest::prelude::*;
@@ -145,5 +146,63 @@ proptest! {
         let number = Connection::family(&algebra, &integer(lambda));
         prop_assert_eq!(set(&family.curvature()), constant(&number.curvature()));
         prop_assert_eq!(set(&family.torsion()), constant(&number.torsion()));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// The torsion-free connection has no torsion in floats either: not even rounding is shown.
+    #[test]
+    fn levi_civita_in_floats_has_no_torsion(space in spaces(6)) {
+        let (_, metric, [_, _, levi_civita]) = floats(&space);
+        prop_assert!(levi_civita.torsion().is_empty(), "{:?}", levi_civita.torsion());
+        let mirrored = metric.inverse().permute(&[1, 0]).unwrap();
+        prop_assert_eq!(metric.inverse(), &mirrored);
+    }
+
+    /// Matrices whose zeros are only nearly zero: so(3), sl(2) and sl(3) conjugated by rotations
+    /// in every plane. The constants do not change.
+    #[test]
+    fn rotated_matrices_close_in_floats(
+        angles in prop::collection::vec(-3.0..3.0f64, 3),
+        which in 0..3usize,
+    ) {
+        let unit = |i: usize, j: usize, n: usize| {
+            let mut matrix = nalgebra::DMatrix::<f64>::zeros(n, n);
+            matrix[(i, j)] = 1.0;
+            matrix
+        };
+        let pairs = |n: usize| (0..n).flat_map(move |i| (0..n).map(move |j| (i, j)));
+        let n = [3, 2, 3][which];
+        let basis: Vec<_> = match which {
+            0 => pairs(n).filter(|(i, j)| i < j).map(|(i, j)| unit(i, j, n) - unit(j, i, n)).collect(),
+            _ => pairs(n).filter(|&at| at != (n - 1, n - 1)).map(|(i, j)| match i == j {
+                true => unit(i, i, n) - unit(i + 1, i + 1, n),
+                false => unit(i, j, n),
+            }).collect(),
+        };
+        let mut rotation = nalgebra::DMatrix::<f64>::identity(n, n);
+        for ((i, j), angle) in pairs(n).filter(|(i, j)| i < j).zip(&angles) {
+            let (sin, cos) = angle.sin_cos();
+            let mut plane = nalgebra::DMatrix::identity(n, n);
+            (plane[(i, i)], plane[(j, j)], plane[(i, j)], plane[(j, i)]) = (cos, cos, -sin, sin);
+            rotation *= plane;
+        }
+        let structure = |basis: &[nalgebra::DMatrix<f64>]| {
+            let entries = basis.iter().map(|matrix| {
+                pairs(n).map(|(i, j)| (i, j, Complex::real(matrix[(i, j)]))).collect()
+            });
+            let names: Vec<String> = (1..=basis.len()).map(|i| format!("e{i}")).collect();
+            let basis = MatrixBasis::new(names.into(), n, entries.collect(), Tolerance::default());
+            LieAlgebra::try_from(basis.unwrap().bracket().unwrap()).unwrap().structure().clone()
+        };
+        let rotated: Vec<_> =
+            basis.iter().map(|matrix| &rotation * matrix * rotation.transpose()).collect();
+        let (expected, found) = (structure(&basis), structure(&rotated));
+        prop_assert_eq!(found.len(), expected.len(), "{:?}", found);
+        for (at, value) in expected.components() {
+            prop_assert!((found.get(&at) - value).abs() < 1e-12);
+        }
     }
 }

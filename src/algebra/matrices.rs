@@ -2,7 +2,7 @@
 
 use super::Bracket;
 use crate::Error;
-use crate::error::combination;
+use crate::error::{combination, written};
 use affinor_tensors::linear::{Echelon, Matrix};
 use affinor_tensors::{Down, Field, Tensor, Tolerance};
 use std::sync::Arc;
@@ -32,6 +32,8 @@ impl<S: Field> Complex<S> {
 pub struct MatrixBasis<S> {
     labels: Arc<[String]>,
     matrices: Vec<Matrix<S>>,
+    /// The largest entry of each: beside it floats count as zero.
+    scales: Vec<S>,
     complex: bool,
     tolerance: Tolerance,
     /// The matrices as rows of their entries, each followed by its own unit column.
@@ -61,15 +63,21 @@ impl<S: Field> MatrixBasis<S> {
             .map(|entries| real_form(size, entries, complex, tolerance))
             .collect::<Result<_, _>>()?;
         let span = Echelon::new().with_tolerance(tolerance);
-        let mut basis = MatrixBasis { labels, matrices, complex, tolerance, span };
+        let scales: Vec<S> = matrices.iter().map(largest).collect();
+        let mut basis = MatrixBasis { labels, matrices, scales, complex, tolerance, span };
         let entries = basis.entries();
         for (at, matrix) in basis.matrices.iter().enumerate() {
-            let row = flat(matrix, S::one()).chain([(entries + at, S::one())]);
-            let remainder = basis.span.reduce(row);
+            let scale = &basis.scales[at];
+            let noise =
+                |(column, v): &(usize, S)| *column < entries && v.negligible(scale, tolerance);
+            let row = flat(matrix).filter(|entry| !noise(entry)).chain([(entries + at, S::one())]);
+            let mut remainder = basis.span.reduce(row);
+            remainder.retain(|entry| !noise(entry));
             if remainder.first().is_none_or(|(column, _)| *column >= entries) {
                 return Err(Error::Dependent { relation: basis.named(&remainder) });
             }
-            basis.span.insert(remainder).map_err(|_| Error::SingularBasis)?;
+            let entered = basis.span.insert_heaviest(remainder, entries);
+            entered.map_err(|_| Error::SingularBasis)?;
         }
         Ok(basis)
     }
@@ -97,9 +105,16 @@ impl<S: Field> MatrixBasis<S> {
                 })
             };
             let commutator = product(j, k).chain(product(k, j).map(|(at, v)| (at, -v)));
+            let scale = self.scales[j].clone() * &self.scales[k];
             for (column, value) in self.span.reduce(commutator) {
                 match column.checked_sub(entries) {
-                    Some(i) => constants.push((j, k, i, -value)),
+                    Some(i) => {
+                        let size = value.clone() * &self.scales[i];
+                        if !size.negligible(&scale, self.tolerance) {
+                            constants.push((j, k, i, -value));
+                        }
+                    }
+                    None if value.negligible(&scale, self.tolerance) => {}
                     None => {
                         return Err(Error::NotClosed {
                             x: self.labels[j].clone(),
@@ -143,7 +158,7 @@ impl<S: Field> MatrixBasis<S> {
     fn entry(&self, row: usize, column: usize, value: S) -> String {
         let size = if self.complex { self.size() / 2 } else { self.size() };
         let value = match (row < size, column < size) {
-            (true, true) | (false, false) => value.to_string(),
+            (true, true) | (false, false) => written(&value),
             (true, false) => combination([(-value, "i".to_string())]),
             (false, true) => combination([(value, "i".to_string())]),
         };
@@ -180,8 +195,15 @@ fn real_form<S: Field>(
     Ok(matrix.with_tolerance(tolerance))
 }
 
-/// The entries of a matrix in one row, times `factor`.
-fn flat<S: Field>(matrix: &Matrix<S>, factor: S) -> impl Iterator<Item = (usize, S)> {
+/// The entries of a matrix in one row.
+fn flat<S: Field>(matrix: &Matrix<S>) -> impl Iterator<Item = (usize, S)> {
     let columns = matrix.columns();
-    matrix.entries().map(move |(i, j, v)| (i * columns + j, v.clone() * &factor))
+    matrix.entries().map(move |(i, j, v)| (i * columns + j, v.clone()))
+}
+
+/// The entry of the greatest weight, which for floats is the largest; zero if there is none.
+fn largest<S: Field>(matrix: &Matrix<S>) -> S {
+    let entries = matrix.entries().map(|(_, _, value)| value);
+    let largest = entries.max_by(|a, b| a.pivot_weight().total_cmp(&b.pivot_weight()));
+    largest.cloned().unwrap_or_else(S::zero)
 }

@@ -32,7 +32,7 @@ impl Arguments {
         let space = self.shared.open(self.space.as_deref(), &self.options)?;
         let certificate = Certificate { stages: &stages };
         let checks = space.run(self.shared.scalar(), self.shared.tolerance()?, certificate)?;
-        stages.begin("output");
+        stages.begin_output();
         let output = &self.shared.output;
         let inputs: Vec<&Path> = space.file.as_deref().into_iter().collect();
         let name = &space.definition.name;

@@ -1,14 +1,14 @@
 //! `affinor compare`: two spaces side by side.
 
 use super::failure::Failure;
-use super::options::{Shared, SpaceOptions};
+use super::options::Shared;
 use super::output::deliver;
 use super::stages::Stages;
-use affinor::definition::{Definition, InputError, Reading, Work};
+use affinor::definition::{Definition, InputError, Reading, Space, Work};
 use affinor::report::{Comparison, Side};
 use affinor_tensors::Notation;
 use clap::Args;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 
 #[derive(Args)]
@@ -16,8 +16,6 @@ pub struct Arguments {
     /// Two spaces; without them the paper's M(3) and SO(3)
     #[arg(num_args = 0..=2)]
     pub spaces: Vec<String>,
-    #[command(flatten)]
-    pub options: SpaceOptions,
     #[command(flatten)]
     pub shared: Shared,
 }
@@ -35,17 +33,16 @@ impl Arguments {
                     .into());
             }
         };
-        let side = |name: &str| {
+        let [first, second] = self.shared.open_both([left, right])?;
+        let side = |name: &str, space: &Space| {
             stages.begin(name);
-            let space = self.shared.open(Some(name), &self.options)?;
             let tolerance = self.shared.tolerance()?;
-            let side = space.run(self.shared.scalar(), tolerance, OneSide)?;
-            Ok::<(Side, Option<PathBuf>), Failure>((side, space.file))
+            Ok::<Side, Failure>(space.run(self.shared.scalar(), tolerance, OneSide)?)
         };
-        let ((left, first), (right, second)) = (side(left)?, side(right)?);
-        let inputs: Vec<&Path> = [&first, &second].into_iter().flatten().map(|f| &**f).collect();
-        let comparison = Comparison::new(left, right);
-        stages.begin("output");
+        let comparison = Comparison::new(side(left, &first)?, side(right, &second)?);
+        let inputs = [&first, &second].into_iter().filter_map(|space| space.file.as_deref());
+        let inputs: Vec<&Path> = inputs.collect();
+        stages.begin_output();
         let output = &self.shared.output;
         let write = |out: &mut dyn std::io::Write| comparison.write(output.format, out);
         deliver(output.file.as_deref(), &inputs, write)?;

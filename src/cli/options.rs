@@ -111,10 +111,30 @@ impl Shared {
             metric: options.metric.clone(),
             set: self.set.clone(),
         })?;
-        if !space.introduced.is_empty() {
-            note(&format!("taken as parameters: {}", space.introduced.join(", ")));
-        }
+        introduce(&space);
         Ok(space)
+    }
+
+    /// Understands two spaces; `--set` serves whichever has the parameter.
+    pub fn open_both(&self, names: [&str; 2]) -> Result<[Space; 2], Failure> {
+        let open =
+            |name: &str| Space::open(&Request { space: Some(name.into()), ..Request::default() });
+        let mut spaces = [open(names[0])?, open(names[1])?];
+        if let Some(text) = &self.set {
+            let parameters = spaces.each_ref().map(|space| space.definition.parameters());
+            for (space, others) in spaces.iter_mut().zip(parameters.iter().rev()) {
+                space.set(text, others)?;
+            }
+        }
+        spaces.iter().for_each(introduce);
+        Ok(spaces)
+    }
+}
+
+/// Says which parameters the command line brought in.
+fn introduce(space: &Space) {
+    if !space.introduced.is_empty() {
+        note(&format!("taken as parameters: {}", space.introduced.join(", ")));
     }
 }
 

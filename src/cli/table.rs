@@ -123,7 +123,18 @@ impl Work for Write<'_> {
     ) -> Result<Self::Output, InputError> {
         let Arguments { selection, shared, .. } = self.arguments;
         let table = selection.table(definition, reading, &self.quantities, self.stages)?;
-        self.stages.begin("output");
+        let absent = |key: &&Quantity| table.tensors.iter().all(|entry| entry.quantity != **key);
+        let absent: Vec<&str> = self.quantities.iter().filter(absent).map(|q| q.key()).collect();
+        match (selection.frame, definition.has_metric(), selection.show.is_some()) {
+            _ if absent.is_empty() => {}
+            (Frame::Right, true, _) => note(&format!(
+                "not shown: {}; the metric has no constant components in the right-invariant frame",
+                absent.join(", ")
+            )),
+            (_, _, true) => note(&format!("not shown: {}; no metric is given", absent.join(", "))),
+            _ => {}
+        }
+        self.stages.begin_output();
         let inputs: Vec<&Path> = self.input.into_iter().collect();
         let output = &shared.output;
         let done = deliver(output.file.as_deref(), &inputs, |out| table.write(output.format, out));

@@ -5,9 +5,9 @@ use super::note::note;
 use super::options::{Shared, SpaceOptions};
 use super::output::deliver;
 use super::stages::Stages;
-use super::table::Selection;
+use super::table::{Quantities, Selection};
 use affinor::definition::{Definition, InputError, Reading, Work};
-use affinor::report::{Cell, Difference, Format, Grid, Stored};
+use affinor::report::{Cell, Difference, Format, Grid, Quantity, Stored};
 use affinor_tensors::Notation;
 use clap::Args;
 use serde_json::{Value, json};
@@ -41,7 +41,11 @@ impl Arguments {
             [file] => (None, PathBuf::from(file)),
             _ => return Err(InputError::usage("verify takes a SPACE and a FILE").into()),
         };
-        let stored = read(&file)?;
+        let mut stored = read(&file)?;
+        if let Some(Quantities(chosen)) = &self.selection.show {
+            let fail = |reason| InputError::usage(format!("{}: {reason}", shown(&file)));
+            stored.select(chosen).map_err(fail)?;
+        }
         let space = self.shared.open(space, &self.options)?;
         let mine = space.definition.dimension();
         let other = match (stored.dimension, stored.least_dimension()) {
@@ -58,10 +62,12 @@ impl Arguments {
         let (selection, file) = (&self.selection, &*file);
         let work = Differences { selection, file, stored: &stored, stages: &stages };
         let found = space.run(self.shared.scalar(), self.shared.tolerance()?, work)?;
-        stages.begin("output");
+        stages.begin_output();
         let output = &self.shared.output;
         let inputs: Vec<&Path> = space.file.as_deref().into_iter().chain([file]).collect();
-        let write = |out: &mut dyn Write| write(&found, output.format, out);
+        let compared: Vec<&str> = stored.quantities().into_iter().map(Quantity::key).collect();
+        let compared = compared.join(", ");
+        let write = |out: &mut dyn Write| write(&found, &compared, output.format, out);
         deliver(output.file.as_deref(), &inputs, write)?;
         Ok(if found.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(1) })
     }
@@ -111,7 +117,12 @@ impl Work for Differences<'_> {
     }
 }
 
-fn write(found: &[Difference], format: Format, out: &mut dyn Write) -> io::Result<()> {
+fn write(
+    found: &[Difference],
+    compared: &str,
+    format: Format,
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let shown = &found[..found.len().min(SHOWN)];
     if format == Format::Json {
         let entry = |d: &Difference| -> Value {
@@ -120,6 +131,7 @@ fn write(found: &[Difference], format: Format, out: &mut dyn Write) -> io::Resul
         let all = json!({
             "schema": "affinor.verify/1",
             "ok": found.is_empty(),
+            "compared": compared.split(", ").collect::<Vec<_>>(),
             "differences": found.len(),
             "first": shown.iter().map(entry).collect::<Vec<_>>(),
         });
@@ -127,10 +139,11 @@ fn write(found: &[Difference], format: Format, out: &mut dyn Write) -> io::Resul
         return writeln!(out);
     }
     if found.is_empty() && format == Format::Text {
-        return writeln!(out, "the stored table agrees");
+        return writeln!(out, "the stored table agrees: {compared}");
     }
     let title = match found.len() {
-        0 => "The stored table agrees".into(),
+        0 => format!("The stored table agrees: {compared}"),
+        1 => "1 component differs".into(),
         n if n > SHOWN => format!("{n} components differ; the first {SHOWN}"),
         n => format!("{n} components differ"),
     };

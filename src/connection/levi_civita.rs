@@ -22,14 +22,15 @@ impl<S: Field> Connection<S> {
         let derivative = frame.derivative(g)?;
         // b_ijk = g([e_j, e_k], e_i)
         let b = formula("g_im c^m_jk -> _ijk", &[("g", g), ("c", frame.structure())]);
-        let lowered = formula(
-            "d_j_ki + d_k_ij - d_i_jk + b_ijk - b_jki + b_kij -> _ijk",
+        // all but g([e_j, e_k], e_i), which raised is c itself, is symmetric in j and k: so in
+        // floats, too, the torsion is nothing but rounding of c
+        let symmetric = formula(
+            "d_j_ki + d_k_ij - d_i_jk + b_jik + b_kij -> _ijk",
             &[("d", &derivative), ("b", &b)],
         );
-        let gamma = formula(
-            "h^im l_mjk -> ^i_jk",
-            &[("h", metric.inverse()), ("l", &lowered.scale(&half))],
-        );
-        Connection::new(frame.clone(), gamma)
+        let raised = formula("h^im s_mjk -> ^i_jk", &[("h", metric.inverse()), ("s", &symmetric)]);
+        let operands = [("c", frame.structure()), ("r", &raised)];
+        let twice = formula("c^i_jk + r^i_jk -> ^i_jk", &operands);
+        Connection::new(frame.clone(), twice.scale(&half))
     }
 }

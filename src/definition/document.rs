@@ -100,6 +100,7 @@ impl Document<'_> {
             origin,
             metric,
             connection,
+            declared: parameters.into_iter().collect(),
             source: Some(source.clone()),
         })
     }

@@ -25,6 +25,7 @@ impl Definition {
             origin: Origin::Brackets(given),
             metric: None,
             connection: None,
+            declared: vec![],
             source: None,
         }
     }
@@ -94,6 +95,7 @@ impl Definition {
             origin: Origin::Brackets(given),
             metric: None,
             connection: None,
+            declared: vec![],
             source: None,
         })
     }

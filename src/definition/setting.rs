@@ -16,7 +16,8 @@ impl Definition {
     /// A name that is no parameter here, a denominator that becomes zero, or a value that grows
     /// beyond all bounds.
     pub fn set(&mut self, values: &BTreeMap<String, Symbolic>) -> Result<(), InputError> {
-        let parameters = self.parameters();
+        let mut parameters = self.parameters();
+        parameters.extend(self.declared.iter().cloned());
         if let Some(unknown) = values.keys().find(|name| !parameters.contains(name)) {
             let known = match parameters.as_slice() {
                 [] => "there are none".into(),

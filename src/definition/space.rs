@@ -103,19 +103,41 @@ impl Space {
                 definition.connection = Some(connection(&source.text, &open, &source)?);
             }
         }
-        let introduced =
-            definition.parameters().into_iter().filter(|name| !declared.contains(name)).collect();
-        if let Some(text) = &request.set {
-            let source = Source::new("--set", text);
-            let values = settings(&source, &open)?;
-            definition.set(&values).map_err(|error| error.or_at(&source.whole(&source.text)))?;
-        }
         let file = name.filter(|name| is_path(name)).map(|name| match name.as_str() {
             // where that is a file, it has this name too
             "-" => PathBuf::from("/dev/stdin"),
             path => PathBuf::from(path),
         });
-        Ok(Space { definition, introduced, file })
+        let mut space = Space { definition, introduced: vec![], file };
+        space.introduce(&declared);
+        if let Some(text) = &request.set {
+            space.set(text, &[])?;
+        }
+        Ok(space)
+    }
+
+    /// Replaces parameters by values, `name=value,...`. Parameters of `others` alone are left to
+    /// them.
+    ///
+    /// # Errors
+    /// As [`Definition::set`].
+    pub fn set(&mut self, text: &str, others: &[String]) -> Result<(), InputError> {
+        let none = BTreeMap::new();
+        let open = Names { labels: &none, parameters: None };
+        let source = Source::new("--set", text);
+        let before = self.definition.parameters();
+        let mut values = settings(&source, &open)?;
+        values.retain(|name, _| before.contains(name) || !others.contains(name));
+        let set = self.definition.set(&values);
+        set.map_err(|error| error.or_at(&source.whole(&source.text)))?;
+        self.introduce(&before);
+        Ok(())
+    }
+
+    /// Notes the parameters that were not there before.
+    fn introduce(&mut self, before: &[String]) {
+        let now = self.definition.parameters();
+        self.introduced.extend(now.into_iter().filter(|name| !before.contains(name)));
     }
 
     /// Runs `work` over the scalar that the definition needs: rationals while it has no
@@ -288,6 +310,7 @@ fn inline(labels: &str, brackets: &[String]) -> Result<Definition, InputError> {
         origin: Origin::Brackets(given),
         metric: None,
         connection: None,
+        declared: vec![],
         source: None,
     })
 }

@@ -1,5 +1,6 @@
 //! Stored tables, read back to be compared with computed ones.
 
+use super::components::plain;
 use super::{Entry, Quantity, Table, text};
 use affinor_tensors::expression::{Expression, Scalars};
 use affinor_tensors::{Kind, Notation, Rational, Sum, Tensor};
@@ -13,6 +14,8 @@ pub struct Stored {
     /// The dimension, where the file says it.
     pub dimension: Option<usize>,
     tensors: Vec<(Quantity, Vec<Component>)>,
+    /// Whether tensors without components are listed, too: in JSON, not in CSV.
+    lists_zeros: bool,
 }
 
 /// The indices of a component (from 0) and its value as written.
@@ -49,6 +52,26 @@ impl Stored {
         components.flat_map(|(indices, _)| indices).max().map_or(0, |index| index + 1)
     }
 
+    /// Keeps the `chosen` tensors only. One that CSV does not have is zero there.
+    ///
+    /// # Errors
+    /// A tensor that JSON does not have.
+    pub fn select(&mut self, chosen: &[Quantity]) -> Result<(), String> {
+        let mut tensors = Vec::new();
+        for &quantity in chosen {
+            let found = self.tensors.iter().find(|(other, _)| *other == quantity);
+            match found {
+                Some(found) => tensors.push(found.clone()),
+                None if self.lists_zeros => {
+                    return Err(format!("{} is not stored", quantity.key()));
+                }
+                None => tensors.push((quantity, vec![])),
+            }
+        }
+        self.tensors = tensors;
+        Ok(())
+    }
+
     /// The components that differ from a computed table, in the order of the stored one. Values
     /// agree when they are equal; floats within the tolerance of the table.
     ///
@@ -67,6 +90,11 @@ impl Stored {
             for (indices, value) in components {
                 let read = read(value).map_err(|reason| format!("{key}: `{value}`: {reason}"))?;
                 values.push((indices.clone(), read));
+            }
+            values.sort_by(|a, b| a.0.cmp(&b.0));
+            if let Some(twice) = values.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+                let indices: Vec<usize> = twice[0].0.iter().map(|index| index + 1).collect();
+                return Err(format!("{key}: the component {indices:?} is stored twice"));
             }
             let stored = Tensor::from_components(shown.dimension(), shown.slots(), values)
                 .map_err(|error| format!("{key}: {error}"))?
@@ -107,9 +135,12 @@ impl Stored {
             }
             tensors.push((quantity, components));
         }
+        if tensors.is_empty() {
+            return Err("there is no tensor in it".into());
+        }
         let connection = root["connection"]["name"].as_str().map(str::to_string);
         let dimension = root["algebra"]["dimension"].as_u64().and_then(|n| usize::try_from(n).ok());
-        Ok(Stored { connection, dimension, tensors })
+        Ok(Stored { connection, dimension, tensors, lists_zeros: true })
     }
 
     fn csv(text: &str) -> Result<Self, String> {
@@ -139,7 +170,7 @@ impl Stored {
         if tensors.is_empty() {
             return Err("there is no component in it".into());
         }
-        Ok(Stored { connection: None, dimension: None, tensors })
+        Ok(Stored { connection: None, dimension: None, tensors, lists_zeros: false })
     }
 }
 
@@ -184,7 +215,7 @@ fn compare<S: Notation>(
         let (a, b) = (a.unwrap_or(&zero), b.unwrap_or(&zero));
         if differs(a, b) {
             let component = text::component(quantity, computed, &at);
-            let (stored, computed) = (a.to_string(), b.to_string());
+            let (stored, computed) = (plain(a), plain(b));
             differences.push(Difference { component, stored, computed });
         }
     }

@@ -50,6 +50,13 @@ pub trait Ring:
     /// some types answer by their leading part alone.
     fn vanishes(&self) -> bool;
 
+    /// Whether the value counts as zero beside another one. Exact values do so only when they
+    /// vanish; floats up to the tolerance.
+    fn negligible(&self, beside: &Self, tolerance: Tolerance) -> bool {
+        let _ = (beside, tolerance);
+        self.vanishes()
+    }
+
     /// The values as machine integers over one positive denominator, where they have that form.
     ///
     /// A hook for speed: long sums of products then run on machine words and come back through

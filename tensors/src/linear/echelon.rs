@@ -5,7 +5,9 @@ use super::{LinearError, Row};
 use crate::{Field, Ring, Tolerance};
 
 /// A subspace by its reduced row echelon basis: every basis vector leads with a 1 (its pivot),
-/// and the others are zero there. Equal subspaces have equal bases.
+/// and the others are zero there. Equal subspaces have equal bases, as long as vectors enter
+/// through [`insert`](Self::insert); after [`insert_heaviest`](Self::insert_heaviest) a pivot
+/// need not lead.
 ///
 /// ```
 /// use affinor_tensors::{Rational, linear::Echelon};
@@ -60,13 +62,36 @@ impl<S: Field> Echelon<S> {
         &mut self,
         row: impl IntoIterator<Item = (usize, S)>,
     ) -> Result<bool, LinearError> {
+        self.insert_at(row, |remainder| remainder.first())
+    }
+
+    /// As [`insert`](Self::insert), with the pivot at the weightiest component
+    /// ([`Field::pivot_weight`]) of the remainder below `columns`: floats stay accurate, and
+    /// exact numbers short. `false` where there is none.
+    ///
+    /// # Errors
+    /// [`LinearError::NotInvertible`] when that component is a non-unit.
+    pub fn insert_heaviest(
+        &mut self,
+        row: impl IntoIterator<Item = (usize, S)>,
+        columns: usize,
+    ) -> Result<bool, LinearError> {
+        self.insert_at(row, |remainder| heaviest(remainder.iter().filter(|(j, _)| *j < columns)))
+    }
+
+    /// Adds a vector to the span with the pivot that `choose` finds in its remainder.
+    fn insert_at(
+        &mut self,
+        row: impl IntoIterator<Item = (usize, S)>,
+        choose: impl Fn(&[(usize, S)]) -> Option<&(usize, S)>,
+    ) -> Result<bool, LinearError> {
         let remainder = self.reduce(row);
-        let Some((column, lead)) = remainder.first() else {
+        let Some((column, lead)) = choose(&remainder) else {
             return Ok(false);
         };
         let column = *column;
         let unit = (lead.recip()).ok_or(LinearError::NotInvertible { column })?;
-        self.place(column, normalised(&unit, remainder));
+        self.place(column, normalised(&unit, column, remainder));
         Ok(true)
     }
 
@@ -99,7 +124,7 @@ impl<S: Field> Echelon<S> {
     pub fn nullspace(&self, columns: usize) -> Vec<Row<S>> {
         let mut basis = vec![vec![]; columns];
         for (pivot, row) in self.pivots.iter().zip(&self.rows) {
-            for (j, value) in row[1..].iter().filter(|(j, _)| *j < columns) {
+            for (j, value) in row.iter().filter(|(j, _)| j != pivot && *j < columns) {
                 basis[*j].push((*pivot, -value.clone()));
             }
         }
@@ -112,7 +137,7 @@ impl<S: Field> Echelon<S> {
             .collect()
     }
 
-    /// Takes in a remainder with a 1 in its leading column, and clears that column elsewhere.
+    /// Takes in a remainder with a 1 in its pivot column, and clears that column elsewhere.
     pub(super) fn place(&mut self, column: usize, row: Row<S>) {
         for other in &mut self.rows {
             if let Some(value) = at(other, column) {
@@ -145,10 +170,17 @@ impl<S> Default for Echelon<S> {
     }
 }
 
-/// The row times the inverse of its leading entry.
-pub(super) fn normalised<S: Ring>(unit: &S, row: Row<S>) -> Row<S> {
-    let mut entries = row.into_iter();
-    let lead = entries.next().map(|(column, _)| (column, S::one()));
-    let scaled = entries.map(|(j, value)| (j, value * unit));
-    lead.into_iter().chain(scaled.filter(|(_, value)| !value.vanishes())).collect()
+/// The row times the inverse of its entry at the pivot.
+pub(super) fn normalised<S: Ring>(unit: &S, pivot: usize, row: Row<S>) -> Row<S> {
+    let scale = |(j, value): (usize, S)| (j, if j == pivot { S::one() } else { value * unit });
+    row.into_iter().map(scale).filter(|(_, value)| !value.vanishes()).collect()
+}
+
+/// The component of the greatest [`Field::pivot_weight`]; the first of equals.
+fn heaviest<'r, S: Field>(
+    components: impl Iterator<Item = &'r (usize, S)>,
+) -> Option<&'r (usize, S)> {
+    let weigh = |component: &'r (usize, S)| (component, component.1.pivot_weight());
+    let best = components.map(weigh).reduce(|best, next| if next.1 > best.1 { next } else { best });
+    best.map(|(component, _)| component)
 }

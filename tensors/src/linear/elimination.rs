@@ -219,7 +219,7 @@ fn choose<S: Field>(
     let Candidate { lead, rest, origin, .. } = candidates.remove(place);
     let mut row = vec![(column, lead.clone())];
     row.extend(finish::<S>(rest, tolerance));
-    let row = normalised(&unit, row);
+    let row = normalised(&unit, column, row);
     let pivot = Pivot { column, value: lead, row, origin };
     Ok((pivot, candidates))
 }

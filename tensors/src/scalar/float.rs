@@ -40,6 +40,10 @@ impl Ring for f64 {
     fn vanishes(&self) -> bool {
         *self == 0.0
     }
+    fn negligible(&self, beside: &Self, tolerance: Tolerance) -> bool {
+        let bound = tolerance.relative() * beside.abs();
+        *self == 0.0 || (self.abs() <= bound && bound.is_finite())
+    }
     fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
         (denominator != 0).then(|| numerator as f64 / denominator as f64)
     }
