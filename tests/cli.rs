@@ -403,11 +403,25 @@ fn a_changed_component_is_named() {
 #[test]
 fn a_table_of_another_dimension_does_not_verify() {
     let folder = folder();
-    for (format, other) in [("json", "8"), ("csv", "at least 8")] {
-        let file = format!("sl3.{format}");
-        let table = ["table", "sl3", "--show", "structure", "--format", format, "-o", &file];
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    for format in ["json", "csv"] {
+        let (file, structure) = (format!("sl3.{format}"), ["--show", "structure", "-o"]);
+        let table = [&["table", "sl3", "--format", format][..], &structure, &[&file]].concat();
         assert_eq!(run(folder.path(), &table, b"").status, 0);
-        let outcome = run(folder.path(), &["verify", "so3", &file], b"");
+    }
+    let huge = usize::MAX.to_string();
+    write("beyond.csv", "tensor,i,j,k,l,value\nricci,1,4,,,1\n");
+    write("huge.csv", &format!("tensor,i,j,k,l,value\nricci,2,{huge},,,1\n"));
+    let json = "{\"schema\": \"affinor.table/1\", \"tensors\": {\"ricci\": {\"components\": [[[2, 4], \"1\"]]}}}";
+    write("beyond.json", json);
+    for (file, other) in [
+        ("sl3.json", "8"),
+        ("sl3.csv", "at least 8"),
+        ("beyond.json", "at least 4"),
+        ("beyond.csv", "at least 4"),
+        ("huge.csv", &*format!("at least {huge}")),
+    ] {
+        let outcome = run(folder.path(), &["verify", "so3", file], b"");
         assert_eq!(outcome.status, 1, "{}", outcome.err);
         let message = format!("{file}: the stored dimension is {other}, the computed one 3");
         assert!(outcome.err.contains(&message), "{}", outcome.err);

@@ -41,8 +41,6 @@ fn json() {
         ("a value that is an array", components("[[1, 1], []]"), "is no component"),
         ("too few indices", components("[[1], \"1\"]"), "ricci"),
         ("too many indices", components("[[1, 1, 1], \"1\"]"), "ricci"),
-        ("index beyond the dimension", components("[[1, 4], \"1\"]"), "index 3 is out of range"),
-        ("a huge index", components("[[2, 18446744073709551615], \"1\"]"), "out of range"),
         ("a bad value", components("[[1, 1], \"1/0\"]"), "`1/0`: division by zero"),
         ("a parameter", components("[[1, 1], \"a\"]"), "`a`"),
         ("not a number", components("[[1, 1], \"NaN\"]"), "`NaN`"),
@@ -50,10 +48,10 @@ fn json() {
     ] {
         refuse_stored(name, "a.json", &content, USAGE, &["a.json", says]);
     }
-    let other =
-        "{\"schema\": \"affinor.table/1\", \"algebra\": {\"dimension\": 6}, \"tensors\": {}}";
+    let other = components("[[1, 1], \"1\"]")
+        .replace("\"tensors\"", "\"algebra\": {\"dimension\": 6}, \"tensors\"");
     let says = &["the stored dimension is 6, the computed one 3"];
-    refuse_stored("another dimension", "a.json", other, MATHEMATICS, says);
+    refuse_stored("another dimension", "a.json", &other, MATHEMATICS, says);
 }
 
 #[test]
@@ -72,12 +70,6 @@ fn csv() {
             "row 3: an index is no number",
         ),
         ("index zero", "tensor,i,j,k,l,value\nricci,0,1,,,1\n", "row 2: an index is no number"),
-        ("index beyond", "tensor,i,j,k,l,value\nricci,1,4,,,1\n", "index 3 is out of range"),
-        (
-            "a huge index",
-            "tensor,i,j,k,l,value\nricci,2,18446744073709551615,,,1\n",
-            "out of range",
-        ),
         ("no value", "tensor,i,j,k,l,value\nricci,1,1,,,\n", "ricci: ``"),
         ("a bad value", "tensor,i,j,k,l,value\nricci,1,1,,,1/0\n", "`1/0`: division by zero"),
         ("what does not apply", "tensor,i,j,k,l,value\nmetric,1,1,,,1\n", "metric is stored"),
