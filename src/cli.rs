@@ -4,6 +4,7 @@ mod check;
 mod compare;
 mod completions;
 mod conventions;
+mod equations;
 mod failure;
 mod list;
 mod note;
@@ -42,6 +43,8 @@ enum Command {
     Check(check::Arguments),
     /// Compare with a stored table (JSON or CSV): the first differing components
     Verify(verify::Arguments),
+    /// Equations of motion: Euler-Poincare, autoparallels, parallel transport
+    Equations(equations::Arguments),
     /// The catalogue
     List(list::Arguments),
     /// The conventions of signs and indices
@@ -58,6 +61,7 @@ pub fn main() -> ExitCode {
         Command::Table(arguments) => (arguments.run(), arguments.shared.output.color),
         Command::Check(arguments) => (arguments.run(), arguments.shared.output.color),
         Command::Verify(arguments) => (arguments.run(), arguments.shared.output.color),
+        Command::Equations(arguments) => (arguments.run(), arguments.shared.output.color),
         Command::List(arguments) => (arguments.run(), arguments.output.color),
         Command::Conventions(arguments) => (arguments.run(), arguments.output.color),
         Command::Completions(arguments) => {

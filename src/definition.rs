@@ -262,6 +262,14 @@ impl Definition {
         self.connection.is_none()
     }
 
+    /// The same space with a canonical connection.
+    #[must_use]
+    pub fn with_canonical(&self, which: Canonical) -> Self {
+        let place = Place::within(Source::new(which.name(), ""));
+        let connection = Some((ConnectionChoice::Canonical(which), place));
+        Definition { connection, ..self.clone() }
+    }
+
     /// Whether the algebra is given by matrices.
     pub fn is_by_matrices(&self) -> bool {
         matches!(self.origin, Origin::Matrices(..))

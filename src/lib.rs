@@ -38,6 +38,7 @@ pub mod conventions;
 pub mod curvature;
 pub mod definition;
 pub mod dense;
+pub mod equations;
 mod error;
 pub mod frame;
 pub mod geometry;

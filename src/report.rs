@@ -1,8 +1,10 @@
 //! Tables of tensors, and their renderings: one file a format.
 
+mod code;
 mod comparison;
 mod components;
 mod csv;
+mod equations;
 mod grid;
 mod head;
 mod json;
@@ -12,8 +14,10 @@ mod quantity;
 mod stored;
 mod text;
 
+pub use code::Language;
 pub use comparison::{Comparison, Side};
 pub use components::{GROUPED, Group, groups, independent};
+pub use equations::System;
 pub use grid::{Cell, Grid};
 pub use quantity::Quantity;
 pub use stored::{Difference, Stored};

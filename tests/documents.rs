@@ -130,6 +130,10 @@ fn formats_names_every_key_of_every_schema() -> Outcome {
             "affinor check --basis \"x y z\" --bracket \"[x,y]=z; [y,z]=y\"".into(),
         ),
         ("affinor.verify/1", format!("affinor verify so3@plus \"{path}\"")),
+        (
+            "affinor.equations/1",
+            "affinor equations so3 --metric \"diag(a,b,c)\" --connection zero".into(),
+        ),
         ("affinor.list/1", "affinor list".into()),
         ("affinor.conventions/1", "affinor conventions".into()),
     ];

@@ -119,7 +119,7 @@ fn join(quantity: Quantity, scripts: Vec<(Variance, String)>) -> String {
 /// Writes pieces with spaces between, in lines of at most [`WIDTH`] columns: the first behind
 /// `start`, the others indented by its width and two more. A piece that is too wide for a line is
 /// broken at its spaces; a word that is too wide stays whole.
-fn fill(out: &mut dyn Write, start: &str, pieces: &[String]) -> io::Result<()> {
+pub(super) fn fill(out: &mut dyn Write, start: &str, pieces: &[String]) -> io::Result<()> {
     let indent = " ".repeat(start.width() + if start.trim().is_empty() { 2 } else { 0 });
     let mut line = start.to_string();
     let mut fresh = true;

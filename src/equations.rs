@@ -1,0 +1,250 @@
+//! Equations of motion: what a connection says about moving vectors and covectors.
+//!
+//! All are quadratic: the rate of a vector is a bilinear expression in it and in the velocity,
+//! with constant coefficients in the left-invariant frame.
+
+use crate::frame::{expect_slots, formula};
+use crate::{Connection, Error, Metric};
+use affinor_tensors::{Down, Field, Ring, Tensor, Up};
+
+/// Which equations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motion {
+    /// `DH/Dt = M` for the covector `H = g(Omega, .)` (104): for the connection `plus` the
+    /// Euler-Poincare equations (106), (108) of a left-invariant system.
+    EulerPoincare,
+    /// `nabla_v v = 0` (B7): the velocity of an autoparallel.
+    Autoparallel,
+    /// `nabla_w u = 0` (B5): a vector transported along a curve of velocity `w`.
+    Transport,
+}
+
+impl Motion {
+    /// All of them.
+    pub const ALL: [Motion; 3] = [Motion::EulerPoincare, Motion::Autoparallel, Motion::Transport];
+
+    /// The name in options and JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Motion::EulerPoincare => "euler-poincare",
+            Motion::Autoparallel => "autoparallel",
+            Motion::Transport => "transport",
+        }
+    }
+
+    /// The motion of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|motion| motion.name() == name)
+    }
+
+    /// The equations in the conventions of the paper.
+    pub fn statement(self) -> &'static str {
+        match self {
+            Motion::EulerPoincare => {
+                "DH/Dt = M (104): g_ij dOmega^j/dt = Lambda^j_ki Omega^k H_j + M_i, \
+                 H_j = g_jm Omega^m"
+            }
+            Motion::Autoparallel => "nabla_v v = 0 (B7): dv^i/dt = -Lambda^i_jk v^j v^k",
+            Motion::Transport => "nabla_w u = 0 (B5): du^i/dt = -Lambda^i_jk w^j u^k",
+        }
+    }
+}
+
+/// A system `a_ij dx^j/dt = q_ijk y^j x^k + f_ij M_j`; but for [`Motion::Transport`], `y` is `x`.
+///
+/// ```
+/// use affinor::equations::Equations;
+/// use affinor::{Canonical, Connection, Metric, catalogue};
+/// use affinor_tensors::{Down, Rational, Tensor};
+/// # let rotations = affinor::Bracket::from_fn(&["x", "y", "z"], |j, k| match (j, k) {
+/// #     (0, 1) => vec![(2, Rational::from(1))],
+/// #     (0, 2) => vec![(1, Rational::from(-1))],
+/// #     _ => vec![(0, Rational::from(1))],
+/// # })?;
+/// let so3 = affinor::LieAlgebra::try_from(rotations)?;
+/// let moments = (0..3).map(|i| ([i, i], Rational::from(i as i64 + 1)));
+/// let inertia = Metric::new(so3.labels(), Tensor::from_components(3, &[Down, Down], moments)?)?;
+/// let plus = Connection::canonical(&so3, Canonical::Plus);
+/// let euler = Equations::euler_poincare(&plus, &inertia)?;
+/// // Euler's equations: J1 dOmega1/dt = (J2 - J3) Omega2 Omega3
+/// let [omega, free] = [[0, 1, 1].map(Rational::from), [0, 0, 0].map(Rational::from)];
+/// assert_eq!(euler.rate(&omega, &free)?, [-1, 0, 0].map(Rational::from));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Equations<S> {
+    motion: Motion,
+    left: Tensor<S>,
+    inverse: Tensor<S>,
+    quadratic: Tensor<S>,
+    force: Option<Tensor<S>>,
+}
+
+impl<S: Field> Equations<S> {
+    /// The equations of a kind.
+    ///
+    /// # Errors
+    /// [`Error::NoMetric`] for Euler-Poincare without a metric; [`Error::Shape`];
+    /// [`Error::Frame`] in a frame that moves.
+    pub fn new(
+        motion: Motion,
+        connection: &Connection<S>,
+        metric: Option<&Metric<S>>,
+    ) -> Result<Self, Error> {
+        match motion {
+            Motion::EulerPoincare => {
+                Self::euler_poincare(connection, metric.ok_or(Error::NoMetric)?)
+            }
+            Motion::Autoparallel | Motion::Transport => Self::parallel(motion, connection),
+        }
+    }
+
+    /// `DH/Dt = M` (104), written out:
+    /// `g_ij dOmega^j/dt = Lambda^j_ki Omega^k g_jm Omega^m + M_i` (106).
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ; [`Error::Frame`] in a frame that moves.
+    pub fn euler_poincare(connection: &Connection<S>, metric: &Metric<S>) -> Result<Self, Error> {
+        let n = invariant(connection)?;
+        expect_slots("the metric", metric.components(), n, &[Down, Down])?;
+        let operands = [("L", connection.gamma()), ("g", metric.components())];
+        Ok(Equations {
+            motion: Motion::EulerPoincare,
+            left: metric.components().clone(),
+            inverse: metric.inverse().clone(),
+            quadratic: formula("L^j_ki g_jm -> _ikm", &operands),
+            force: Some(Tensor::identity(n).permute(&[1, 0])?),
+        })
+    }
+
+    /// `nabla_w u = 0`, or `nabla_v v = 0`: `dx^i/dt = -Lambda^i_jk y^j x^k`.
+    fn parallel(motion: Motion, connection: &Connection<S>) -> Result<Self, Error> {
+        let identity = Tensor::identity(invariant(connection)?);
+        Ok(Equations {
+            motion,
+            left: identity.clone(),
+            inverse: identity,
+            quadratic: formula("-1 L^i_jk -> ^i_jk", &[("L", connection.gamma())]),
+            force: None,
+        })
+    }
+
+    /// The same equations solved for the rates, `dx^i/dt = h^il (q_ljk y^j x^k + M_l)`.
+    #[must_use]
+    pub fn solved(&self) -> Self {
+        if self.force.is_none() {
+            return self.clone();
+        }
+        let operands = [("h", &self.inverse), ("q", &self.quadratic)];
+        let identity = Tensor::identity(self.dimension());
+        Equations {
+            motion: self.motion,
+            left: identity.clone(),
+            quadratic: formula("h^il q_ljk -> ^i_jk", &operands),
+            force: Some(self.inverse.clone()),
+            inverse: identity,
+        }
+    }
+
+    /// The rates `dx/dt`. `other` is what stands beside the state: the external covector `M`, or
+    /// the velocity `w` of the curve; [`Motion::Autoparallel`] has none, and wants an empty one.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] for vectors of another length.
+    pub fn rate(&self, state: &[S], other: &[S]) -> Result<Vec<S>, Error> {
+        let n = self.dimension();
+        let x = Tensor::vector(state, Up);
+        expect_slots("the state", &x, n, &[Up])?;
+        let expected = if self.motion == Motion::Autoparallel { 0 } else { n };
+        if other.len() != expected {
+            let [expected, found] = [expected, other.len()].map(|n| format!("{n} components"));
+            return Err(Error::Shape { what: "what stands beside the state", expected, found });
+        }
+        let y =
+            if self.motion == Motion::Transport { Tensor::vector(other, Up) } else { x.clone() };
+        let mut system = self.solved();
+        let moved = formula("q^i_jk y^j -> ^i_k", &[("q", &system.quadratic), ("y", &y)]);
+        let moved = formula("q^i_k x^k -> ^i", &[("q", &moved), ("x", &x)]);
+        let rate = match system.force.take() {
+            None => moved,
+            Some(force) => {
+                let given = Tensor::vector(other, Down);
+                formula("r^i + f^ij m_j -> ^i", &[("r", &moved), ("f", &force), ("m", &given)])
+            }
+        };
+        Ok(rate.to_vector().unwrap_or_default())
+    }
+}
+
+/// A quantity in the equations, by its role and its index (from 0).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Variable {
+    /// The velocity `w` of the curve along which a vector is transported.
+    Along(usize),
+    /// The unknown `x`.
+    State(usize),
+    /// The external covector `M`.
+    Force(usize),
+}
+
+/// One equation: coefficients of the rates, and of products of the variables.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row<S> {
+    /// `a_j` for each rate `dx^j/dt`, with `j` from 0.
+    pub left: Vec<(S, usize)>,
+    /// The coefficient of each product; a square has its variable twice.
+    pub right: Vec<(S, Vec<Variable>)>,
+}
+
+impl<S: Ring> Equations<S> {
+    /// Which equations they are.
+    pub fn motion(&self) -> Motion {
+        self.motion
+    }
+
+    /// How many there are.
+    pub fn dimension(&self) -> usize {
+        self.left.dimension()
+    }
+
+    /// The inverse of the matrix before the rates.
+    pub fn inverse(&self) -> &Tensor<S> {
+        &self.inverse
+    }
+
+    /// The equations, one by one, equal products collected.
+    pub fn rows(&self) -> Vec<Row<S>> {
+        let n = self.dimension();
+        let mut rows = vec![Row { left: vec![], right: vec![] }; n];
+        for (at, value) in self.left.components() {
+            rows[at[0]].left.push((value.clone(), at[1]));
+        }
+        let square = self.motion != Motion::Transport;
+        let collected = if square { collect(&self.quadratic) } else { self.quadratic.clone() };
+        for (at, value) in collected.components() {
+            let first = if square { Variable::State(at[1]) } else { Variable::Along(at[1]) };
+            rows[at[0]].right.push((value.clone(), vec![first, Variable::State(at[2])]));
+        }
+        for (at, value) in self.force.iter().flat_map(Tensor::components) {
+            rows[at[0]].right.push((value.clone(), vec![Variable::Force(at[1])]));
+        }
+        rows
+    }
+}
+
+/// `q_ijk x^j x^k` with each product once: `q_ijk + q_ikj` for `j < k`, `q_ijj` for squares.
+fn collect<S: Ring>(quadratic: &Tensor<S>) -> Tensor<S> {
+    let first = if quadratic.slots()[0] == Up { "^i" } else { "_i" };
+    let both = formula(&format!("q{first}_jk + q{first}_kj -> {first}_jk"), &[("q", quadratic)]);
+    let products = both.filter_map(|at, value| (at[1] < at[2]).then(|| value.clone()));
+    let squares = quadratic.filter_map(|at, value| (at[1] == at[2]).then(|| value.clone()));
+    let text = format!("p{first}_jk + s{first}_jk -> {first}_jk");
+    formula(&text, &[("p", &products), ("s", &squares)])
+}
+
+/// The dimension of a connection whose frame does not move.
+fn invariant<S: Ring>(connection: &Connection<S>) -> Result<usize, Error> {
+    let frame = connection.frame();
+    let fixed = frame.is_invariant().then(|| frame.dimension());
+    fixed.ok_or(Error::Frame("equations with constant coefficients need an invariant frame"))
+}

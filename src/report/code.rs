@@ -1,0 +1,285 @@
+//! Equations of motion as source code: a function that returns the rates.
+
+use super::equations::System;
+use crate::equations::{Motion, Variable};
+use affinor_tensors::expression::{Expression, ExpressionError, Meaning};
+use affinor_tensors::{Notation, Rational};
+use std::collections::BTreeSet;
+
+/// A programming language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Language {
+    /// Rust, without any crate.
+    Rust,
+    /// C99.
+    C,
+    /// Python 3, without any package.
+    Python,
+}
+
+impl Language {
+    /// All of them.
+    pub const ALL: [Language; 3] = [Language::Rust, Language::C, Language::Python];
+
+    /// The name in options.
+    pub fn name(self) -> &'static str {
+        match self {
+            Language::Rust => "rust",
+            Language::C => "c",
+            Language::Python => "python",
+        }
+    }
+
+    /// The language of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|language| language.name() == name)
+    }
+}
+
+impl<S: Notation> System<S> {
+    /// A function in double precision that returns the rates.
+    ///
+    /// Its arguments are the state, what stands beside it (the external covector, or the velocity
+    /// of the curve), and the parameters, each behind `p_`, which no reserved word begins with.
+    ///
+    /// # Errors
+    /// A coefficient that is beyond the limits of [expressions](affinor_tensors::expression).
+    pub fn code(&self, language: Language) -> Result<String, ExpressionError> {
+        let motion = self.equations.motion();
+        let (function, state, other) = match motion {
+            Motion::EulerPoincare => ("euler_poincare", "omega", Some("m")),
+            Motion::Autoparallel => ("autoparallel", "v", None),
+            Motion::Transport => ("transport", "u", Some("w")),
+        };
+        let variable = |variable: &Variable| match variable {
+            Variable::State(j) => format!("{state}[{j}]"),
+            Variable::Along(j) | Variable::Force(j) => format!("{}[{j}]", other.unwrap_or("")),
+        };
+        let mut used = BTreeSet::new();
+        let mut term = |value: &S, factors: &[String]| {
+            used.extend(value.parameters());
+            written(value, factors)
+        };
+        let mut right = Vec::new();
+        for row in self.equations.rows() {
+            let mut terms = Vec::new();
+            for (value, factors) in &row.right {
+                terms.push(term(value, &factors.iter().map(variable).collect::<Vec<_>>())?);
+            }
+            right.push(sum(&terms));
+        }
+        // the matrix before the rates is inverted symbolically, here
+        let n = right.len();
+        let inverse = self.equations.inverse();
+        let mut solved = vec![vec![]; n];
+        for (at, value) in inverse.components() {
+            solved[at[0]].push(term(value, &[format!("r[{}]", at[1])])?);
+        }
+        let solved: Vec<String> = solved.iter().map(|terms| sum(terms)).collect();
+        let arguments: Vec<&str> = [Some(state), other].into_iter().flatten().collect();
+        let parameters: Vec<String> = used.iter().map(|name| format!("p_{name}")).collect();
+        let about = [
+            format!("{}, connection {}.", self.title(), self.connection[0]),
+            motion.statement().to_string(),
+        ];
+        let source = Source { function, arguments, parameters, about, right, solved };
+        Ok(match language {
+            Language::Rust => source.rust(),
+            Language::C => source.c(),
+            Language::Python => source.python(),
+        })
+    }
+}
+
+/// A function in pieces that all languages share.
+struct Source<'s> {
+    function: &'s str,
+    arguments: Vec<&'s str>,
+    parameters: Vec<String>,
+    about: [String; 2],
+    /// The right sides.
+    right: Vec<String>,
+    /// The rates, in terms of the right sides `r`.
+    solved: Vec<String>,
+}
+
+impl Source<'_> {
+    fn rust(&self) -> String {
+        let n = self.right.len();
+        let vectors = self.arguments.iter().map(|name| format!("{name}: &[f64; {n}]"));
+        let numbers = self.parameters.iter().map(|name| format!("{name}: f64"));
+        let arguments = vectors.chain(numbers).collect::<Vec<_>>().join(", ");
+        let about = self.about.each_ref().map(|line| format!("/// {line}\n")).concat();
+        let list = |values: &[String], indent: &str| {
+            values.iter().map(|value| format!("{indent}    {value},\n")).collect::<String>()
+        };
+        format!(
+            "{about}#[allow(non_snake_case, unused_variables, clippy::all)]\n\
+             pub fn {}({arguments}) -> [f64; {n}] {{\n    let r: [f64; {n}] = [\n{}    ];\n    \
+             [\n{}    ]\n}}\n",
+            self.function,
+            list(&self.right, "    "),
+            list(&self.solved, "    ")
+        )
+    }
+
+    fn c(&self) -> String {
+        let n = self.right.len();
+        let vectors = self.arguments.iter().map(|name| format!("const double {name}[{n}]"));
+        let numbers = self.parameters.iter().map(|name| format!("double {name}"));
+        let rates = std::iter::once(format!("double rate[{n}]"));
+        let arguments = vectors.chain(numbers).chain(rates).collect::<Vec<_>>().join(", ");
+        let about = self.about.join("\n   ");
+        let lines = |name: &str, values: &[String]| {
+            let line = |(at, value): (usize, &String)| format!("    {name}[{at}] = {value};\n");
+            values.iter().enumerate().map(line).collect::<String>()
+        };
+        format!(
+            "/* {about} */\nvoid {}({arguments})\n{{\n    double r[{n}];\n{}{}}}\n",
+            self.function,
+            lines("r", &self.right),
+            lines("rate", &self.solved)
+        )
+    }
+
+    fn python(&self) -> String {
+        let vectors = self.arguments.iter().map(|name| name.to_string());
+        let arguments = vectors.chain(self.parameters.iter().cloned()).collect::<Vec<_>>();
+        let about = self.about.join("\n    ");
+        let list = |values: &[String]| {
+            values.iter().map(|value| format!("        {value},\n")).collect::<String>()
+        };
+        format!(
+            "def {}({}):\n    \"\"\"{about}\"\"\"\n    r = [\n{}    ]\n    return [\n{}    ]\n",
+            self.function,
+            arguments.join(", "),
+            list(&self.right),
+            list(&self.solved)
+        )
+    }
+}
+
+/// Terms added up.
+fn sum(terms: &[String]) -> String {
+    let join = |sum: String, term: &String| match term.strip_prefix('-') {
+        Some(rest) => format!("{sum} - {rest}"),
+        None => format!("{sum} + {term}"),
+    };
+    let (first, rest) = terms.split_first().map_or(("0.0", &[][..]), |(f, rest)| (f, rest));
+    rest.iter().fold(first.to_string(), join)
+}
+
+/// A coefficient times its factors.
+fn written<S: Notation>(value: &S, factors: &[String]) -> Result<String, ExpressionError> {
+    let value = Expression::parse(&value.to_string())?.evaluate(&Code)?;
+    let factors =
+        factors.iter().map(|factor| Ok(Text { text: factor.clone(), binds: Binds::Atom }));
+    let product = factors.fold(value.text(), |product, factor: Result<_, ()>| {
+        factor.map_or(product.clone(), |factor| Code::product(product, factor))
+    });
+    Ok(product.text)
+}
+
+/// Expressions as source code.
+struct Code;
+
+/// Source code and how tightly it binds.
+#[derive(Clone)]
+struct Text {
+    text: String,
+    binds: Binds,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binds {
+    Sum,
+    Product,
+    Atom,
+}
+
+/// A value, or what a value is to be divided by.
+#[derive(Clone)]
+enum Factor {
+    Value(Text),
+    Divisor(Text),
+}
+
+impl Factor {
+    fn text(self) -> Text {
+        match self {
+            Factor::Value(text) => text,
+            Factor::Divisor(text) => Code::quotient(Code::number("1.0"), text),
+        }
+    }
+}
+
+impl Text {
+    fn within(&self, binds: Binds) -> String {
+        if self.binds >= binds { self.text.clone() } else { format!("({})", self.text) }
+    }
+}
+
+impl Code {
+    fn number(text: &str) -> Text {
+        Text { text: text.into(), binds: Binds::Atom }
+    }
+
+    fn product(a: Text, b: Text) -> Text {
+        match (a.text.as_str(), b.text.as_str()) {
+            ("1.0", _) => b,
+            (_, "1.0") => a,
+            ("-1.0", _) => {
+                Text { text: format!("-{}", b.within(Binds::Product)), binds: Binds::Product }
+            }
+            _ => {
+                let text = format!("{}*{}", a.within(Binds::Product), b.within(Binds::Atom));
+                Text { text, binds: Binds::Product }
+            }
+        }
+    }
+
+    fn quotient(a: Text, b: Text) -> Text {
+        let text = format!("{}/{}", a.within(Binds::Product), b.within(Binds::Atom));
+        Text { text, binds: Binds::Product }
+    }
+}
+
+impl Meaning for Code {
+    type Value = Factor;
+
+    fn number(&self, number: &Rational) -> Result<Factor, String> {
+        Ok(Factor::Value(Code::number(&format!("{:?}", number.to_f64()))))
+    }
+    fn name(&self, name: &str) -> Result<Factor, String> {
+        Ok(Factor::Value(Code::number(&format!("p_{name}"))))
+    }
+    fn add(&self, a: Factor, b: Factor) -> Result<Factor, String> {
+        let text = sum(&[a.text().text, b.text().text]);
+        Ok(Factor::Value(Text { text, binds: Binds::Sum }))
+    }
+    fn multiply(&self, a: Factor, b: Factor) -> Result<Factor, String> {
+        Ok(match (a, b) {
+            (Factor::Value(a), Factor::Value(b)) => Factor::Value(Code::product(a, b)),
+            (Factor::Value(a), Factor::Divisor(b)) | (Factor::Divisor(b), Factor::Value(a)) => {
+                Factor::Value(Code::quotient(a, b))
+            }
+            (Factor::Divisor(a), Factor::Divisor(b)) => Factor::Divisor(Code::product(a, b)),
+        })
+    }
+    fn negate(&self, a: Factor) -> Factor {
+        let Text { text, binds } = a.text();
+        Factor::Value(match binds {
+            Binds::Sum => Text { text: format!("-({text})"), binds: Binds::Product },
+            _ if text.starts_with('-') => {
+                Text { text: format!("-({text})"), binds: Binds::Product }
+            }
+            _ => Text { text: format!("-{text}"), binds: Binds::Product },
+        })
+    }
+    fn reciprocal(&self, a: Factor) -> Result<Factor, String> {
+        Ok(match a {
+            Factor::Value(a) => Factor::Divisor(a),
+            Factor::Divisor(a) => Factor::Value(a),
+        })
+    }
+}

@@ -1,0 +1,276 @@
+//! Equations of motion, written down in every format.
+
+use super::components::plain;
+use super::head::{kind_name, printable};
+use super::latex::escape;
+use super::text::fill;
+use super::{Cell, Format, Grid};
+use crate::equations::{Equations, Motion, Row, Variable};
+use crate::error::combination;
+use crate::{Canonical, Connection, Geometry};
+use affinor_tensors::Notation;
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+/// Equations of motion with what they are of.
+#[derive(Clone, Debug)]
+pub struct System<S> {
+    /// The equations.
+    pub equations: Equations<S>,
+    /// The name of the space.
+    pub name: String,
+    /// The names of the basis vectors.
+    pub labels: Vec<String>,
+    /// The connection: its short name, and in words.
+    pub connection: [String; 2],
+    /// The parameters that the coefficients depend on, sorted.
+    pub parameters: Vec<String>,
+    /// Whether the equations `DH/Dt = M` are those of Euler and Poincare: as those of `plus`.
+    pub genuine: bool,
+}
+
+impl<S: Notation> System<S> {
+    /// The equations of a geometry.
+    pub fn new(equations: Equations<S>, geometry: &Geometry<S>) -> Self {
+        let plus = Connection::canonical(geometry.algebra(), Canonical::Plus);
+        let genuine = geometry.metric().is_none_or(|metric| {
+            let theirs = Equations::euler_poincare(&plus, metric);
+            theirs.is_ok_and(|theirs| theirs.solved().rows() == equations.solved().rows())
+        });
+        let rows = equations.rows();
+        let values = rows.iter().flat_map(|Row { left, right }| {
+            left.iter().map(|(v, _)| v).chain(right.iter().map(|(v, _)| v))
+        });
+        let mut parameters: Vec<String> = values.flat_map(Notation::parameters).collect();
+        parameters.sort();
+        parameters.dedup();
+        System {
+            equations,
+            name: geometry.name().into(),
+            labels: geometry.connection().frame().labels().to_vec(),
+            connection: [geometry.kind().name().into(), geometry.kind().describe()],
+            parameters,
+            genuine,
+        }
+    }
+
+    /// Writes the equations in one of the formats.
+    ///
+    /// # Errors
+    /// What `out` reports.
+    pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        match format {
+            Format::Text => self.text(out),
+            Format::Markdown => self.markdown(out),
+            Format::Latex => self.latex(out),
+            Format::Csv => self.csv(out),
+            Format::Json => self.json(out),
+        }
+    }
+
+    /// The names of the quantities; none is that of a parameter.
+    pub(super) fn names(&self) -> Names {
+        let [state, other] = match self.equations.motion() {
+            Motion::EulerPoincare => ["Omega", "M"],
+            Motion::Autoparallel => ["v", ""],
+            Motion::Transport => ["u", "w"],
+        };
+        let free = |name: &str| {
+            let mut name = name.to_string();
+            let taken = |name: &str| {
+                let index = |p: &String| p.strip_prefix(name).map(str::to_string);
+                let digits = |rest: String| rest.bytes().all(|b| b.is_ascii_digit());
+                self.parameters.iter().filter_map(index).any(digits)
+            };
+            while taken(&name) {
+                name.push('_');
+            }
+            name
+        };
+        Names { state: free(state), other: free(other) }
+    }
+
+    fn text(&self, out: &mut dyn Write) -> io::Result<()> {
+        let names = self.names();
+        fill(out, "", &[self.title()])?;
+        for (title, line) in self.head(&names) {
+            fill(out, &format!("  {title:13}"), &[line])?;
+        }
+        writeln!(out)?;
+        for row in self.equations.rows() {
+            let [left, right] = names.row(&row);
+            fill(out, "  ", &[left, "=".into(), right])?;
+        }
+        Ok(())
+    }
+
+    fn markdown(&self, out: &mut dyn Write) -> io::Result<()> {
+        writeln!(out, "## {}\n", self.title())?;
+        for (title, line) in self.head(&self.names()) {
+            writeln!(out, "- {title}: `{line}`")?;
+        }
+        writeln!(out, "\n```math\n\\begin{{aligned}}\n{}\n\\end{{aligned}}\n```", self.aligned())
+    }
+
+    fn latex(&self, out: &mut dyn Write) -> io::Result<()> {
+        writeln!(out, "% A fragment: it needs \\usepackage{{amsmath}}.")?;
+        writeln!(out, "\\subsection*{{{}}}", escape(&self.title()))?;
+        writeln!(out, "{{\\allowdisplaybreaks\n\\begin{{align*}}\n{}", self.aligned())?;
+        writeln!(out, "\\end{{align*}}}}")
+    }
+
+    fn csv(&self, out: &mut dyn Write) -> io::Result<()> {
+        let names = self.names();
+        let mut rows = Vec::new();
+        for (at, row) in self.equations.rows().into_iter().enumerate() {
+            let left = row.left.iter().map(|(v, j)| ("left", plain(v), names.rate(*j)));
+            let right = row.right.iter().map(|(v, p)| ("right", plain(v), names.product(p)));
+            for (side, coefficient, product) in left.chain(right) {
+                let cells = [(at + 1).to_string(), side.into(), coefficient, product];
+                rows.push(cells.map(Cell::from).to_vec());
+            }
+        }
+        let header = ["equation", "side", "coefficient", "product"].map(String::from).to_vec();
+        Grid { title: String::new(), header, rows }.write(Format::Csv, out)
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        let names = self.names();
+        let value = |v: &S| Value::from(plain(v));
+        let equations = self.equations.rows();
+        let equations = equations.iter().map(|row| {
+            let left = row.left.iter().map(|(v, j)| json!([value(v), names.rate(*j)]));
+            let right = row.right.iter().map(|(v, product)| {
+                let factors = product.iter().map(|variable| names.variable(*variable));
+                json!([value(v), factors.collect::<Vec<_>>()])
+            });
+            json!({ "left": left.collect::<Vec<_>>(), "right": right.collect::<Vec<_>>() })
+        });
+        let all = json!({
+            "schema": "affinor.equations/1",
+            "name": self.name,
+            "motion": self.equations.motion().name(),
+            "statement": self.equations.motion().statement(),
+            "connection": { "name": self.connection[0] },
+            "scalar": kind_name(S::KIND),
+            "basis": self.labels,
+            "parameters": self.parameters,
+            "genuine": (self.equations.motion() == Motion::EulerPoincare).then_some(self.genuine),
+            "equations": equations.collect::<Vec<_>>(),
+        });
+        serde_json::to_writer_pretty(&mut *out, &all)?;
+        writeln!(out)
+    }
+
+    pub(super) fn title(&self) -> String {
+        let kind = match self.equations.motion() {
+            Motion::EulerPoincare if self.genuine => "Euler-Poincare equations",
+            Motion::EulerPoincare => "DH/Dt = M (not the Euler-Poincare equations)",
+            Motion::Autoparallel => "Autoparallels",
+            Motion::Transport => "Parallel transport",
+        };
+        format!("{kind} of {}", printable(&self.name))
+    }
+
+    fn head(&self, names: &Names) -> Vec<(&'static str, String)> {
+        let Names { state, other } = names;
+        let labels =
+            self.labels.iter().map(|label| printable(label)).collect::<Vec<_>>().join(", ");
+        let (what, beside) = match self.equations.motion() {
+            Motion::EulerPoincare => ("the velocity", Some("the external covector")),
+            Motion::Autoparallel => ("the velocity", None),
+            Motion::Transport => ("the transported vector", Some("the velocity of the curve")),
+        };
+        let beside = beside.map_or(String::new(), |beside| format!("; {other} {beside}"));
+        vec![
+            ("basis", labels),
+            ("connection", self.connection[1].clone()),
+            ("statement", self.equations.motion().statement().into()),
+            ("unknowns", format!("{state} {what}{beside}; in the left-invariant frame")),
+        ]
+    }
+
+    /// The lines of an `aligned` environment.
+    fn aligned(&self) -> String {
+        let symbols = match self.equations.motion() {
+            Motion::EulerPoincare => ["\\Omega", "M"],
+            Motion::Autoparallel => ["v", ""],
+            Motion::Transport => ["u", "w"],
+        };
+        let variable = |variable: &Variable| match variable {
+            Variable::State(j) => format!("{}^{{{}}}", symbols[0], j + 1),
+            Variable::Along(j) => format!("{}^{{{}}}", symbols[1], j + 1),
+            Variable::Force(j) => format!("{}_{{{}}}", symbols[1], j + 1),
+        };
+        let product = |product: &[Variable]| match product {
+            [a, b] if a == b => format!("({})^2", variable(a)),
+            factors => factors.iter().map(variable).collect::<Vec<_>>().join(" "),
+        };
+        let rows = self.equations.rows().into_iter().map(|row| {
+            let rates = row
+                .left
+                .iter()
+                .map(|(value, j)| (value, format!("\\dot{{{}}}^{{{}}}", symbols[0], j + 1)));
+            let right = row.right.iter().map(|(value, factors)| (value, product(factors)));
+            format!("{} &= {}", latex_combination(rates), latex_combination(right))
+        });
+        rows.collect::<Vec<_>>().join(" \\\\\n")
+    }
+}
+
+/// How the quantities are called.
+pub(super) struct Names {
+    pub state: String,
+    pub other: String,
+}
+
+impl Names {
+    fn rate(&self, j: usize) -> String {
+        format!("d{}{}/dt", self.state, j + 1)
+    }
+
+    fn variable(&self, variable: Variable) -> String {
+        match variable {
+            Variable::State(j) => format!("{}{}", self.state, j + 1),
+            Variable::Along(j) | Variable::Force(j) => format!("{}{}", self.other, j + 1),
+        }
+    }
+
+    fn product(&self, product: &[Variable]) -> String {
+        match product {
+            [a, b] if a == b => format!("{}^2", self.variable(*a)),
+            factors => factors.iter().map(|v| self.variable(*v)).collect::<Vec<_>>().join("*"),
+        }
+    }
+
+    /// Both sides of an equation.
+    fn row<S: Notation>(&self, row: &Row<S>) -> [String; 2] {
+        let left = row.left.iter().map(|(value, j)| (plain(value), self.rate(*j)));
+        let right = row.right.iter().map(|(value, factors)| (plain(value), self.product(factors)));
+        [combination(left), combination(right)]
+    }
+}
+
+/// `coefficients` times `factors`, in LaTeX.
+fn latex_combination<'v, S: Notation + 'v>(
+    terms: impl IntoIterator<Item = (&'v S, String)>,
+) -> String {
+    let mut text = String::new();
+    for (value, factor) in terms {
+        let sum = value.to_string().chars().skip(1).any(|c| matches!(c, ' ' | '+'));
+        let fraction = value.latex().trim_start_matches('-').starts_with("\\frac");
+        let (sign, size) = match value.is_negative() && (!sum || fraction) {
+            true => ("-", (-value.clone()).latex()),
+            false => ("+", value.latex()),
+        };
+        let size = match size.as_str() {
+            "1" => String::new(),
+            size if sum && !fraction => format!("\\left({size}\\right) "),
+            size => format!("{size} "),
+        };
+        let sign = if text.is_empty() && sign == "+" { "" } else { sign };
+        let space = if text.is_empty() { "" } else { " " };
+        text += &format!("{space}{sign}{space}{size}{factor}");
+    }
+    if text.is_empty() { "0".into() } else { text }
+}
