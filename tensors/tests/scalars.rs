@@ -261,3 +261,35 @@ fn only_digits_are_digits() {
     }
     assert_eq!(Rational::from_digits("007"), Some(7.into()));
 }
+
+proptest! {
+    /// Sums that are reduced at their end are those of the field, at the ends of the words, too.
+    #[test]
+    fn long_sums_agree_with_num(
+        terms in prop::collection::vec((pair(), pair(), any::<bool>()), 1..12),
+    ) {
+        let mut sum = None::<<Rational as Ring>::Sum>;
+        let mut expected = BigRational::from_integer(0.into());
+        for ((a, x), (b, y), product) in &terms {
+            expected += if *product { x * y } else { x.clone() };
+            match (&mut sum, product) {
+                (None, true) => sum = Some(Sum::product(a, b)),
+                (None, false) => sum = Some(Sum::term(a)),
+                (Some(sum), true) => sum.add_product(a, b),
+                (Some(sum), false) => sum.add_term(a),
+            }
+        }
+        let value = sum.unwrap().finish(Tolerance::default());
+        prop_assert_eq!(value.is_none(), expected == BigRational::from_integer(0.into()));
+        prop_assert_eq!(value.unwrap_or_else(|| Rational::from(0)), Rational::from(expected));
+    }
+
+    /// Terms that cancel, with their own mirror images in any order.
+    #[test]
+    fn sums_that_cancel_vanish(terms in prop::collection::vec(pair(), 1..8)) {
+        let mut sum = <Rational as Ring>::Sum::term(&Rational::from(0));
+        terms.iter().for_each(|(a, _)| sum.add_product(a, a));
+        terms.iter().rev().for_each(|(a, _)| sum.add_product(&-a.clone(), a));
+        prop_assert_eq!(sum.finish(Tolerance::default()), None);
+    }
+}

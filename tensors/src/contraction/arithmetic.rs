@@ -66,10 +66,10 @@ impl<S: Ring> Arithmetic<S> for InRing {
         S::Sum::term(&S::zero())
     }
     fn product(&self, a: &S, b: &S, negative: bool) -> S::Sum {
-        if negative { S::Sum::term(&-(a.clone() * b)) } else { S::Sum::product(a, b) }
+        if negative { S::Sum::product(&-a.clone(), b) } else { S::Sum::product(a, b) }
     }
     fn add_product(&self, sum: &mut S::Sum, a: &S, b: &S, negative: bool) {
-        if negative { sum.add_term(&-(a.clone() * b)) } else { sum.add_product(a, b) }
+        if negative { sum.add_product(&-a.clone(), b) } else { sum.add_product(a, b) }
     }
     fn term(&self, a: &S, negative: bool) -> S::Sum {
         if negative { S::Sum::term(&-a.clone()) } else { S::Sum::term(a) }

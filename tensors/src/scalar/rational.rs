@@ -4,7 +4,9 @@
 //! every result moves back as soon as it fits again, so equal values have equal forms.
 //! Products cancel across the bar before they multiply (P. Henrici, *J. ACM* 3 (1956) 6-9).
 
-use super::{ExactSum, Field, Kind, Notation, Ring};
+mod sum;
+
+use super::{Field, Kind, Notation, Ring};
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 use num_bigint::{BigInt, Sign};
@@ -15,6 +17,7 @@ use std::cmp::Ordering;
 use std::fmt;
 use std::num::NonZeroI64;
 use std::ops::{Add, Div, Mul, Neg, Sub};
+pub use sum::RationalSum;
 
 /// An exact rational number in lowest terms with a positive denominator.
 ///
@@ -336,7 +339,7 @@ impl fmt::Debug for Rational {
 }
 
 impl Ring for Rational {
-    type Sum = ExactSum<Self>;
+    type Sum = RationalSum;
 
     fn from_i64(n: i64) -> Self {
         n.into()
