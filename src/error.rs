@@ -132,7 +132,7 @@ pub(crate) fn combination<S: std::fmt::Display>(
     let mut text = String::new();
     for (coefficient, label) in terms {
         let value = written(&coefficient);
-        let compound = value.chars().skip(1).any(|c| matches!(c, ' ' | '+'));
+        let compound = is_sum(&value);
         let (sign, size) = match value.strip_prefix('-') {
             Some(size) if !compound => (" - ", size.to_string()),
             _ if compound => (" + ", format!("({value})")),
@@ -149,6 +149,15 @@ pub(crate) fn combination<S: std::fmt::Display>(
         }
     }
     if text.is_empty() { "0".into() } else { text }
+}
+
+/// Whether a written value is a sum of several terms.
+pub(crate) fn is_sum(value: &str) -> bool {
+    let mut depth = 0i64;
+    value.char_indices().any(|(at, c)| {
+        depth += i64::from(c == '(') - i64::from(c == ')');
+        at > 0 && depth == 0 && matches!(c, ' ' | '+')
+    })
 }
 
 /// A value in plain text; a float far from 1 with an exponent, in place of its zeros.

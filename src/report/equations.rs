@@ -6,7 +6,7 @@ use super::latex::escape;
 use super::text::fill;
 use super::{Cell, Format, Grid};
 use crate::equations::{Equations, Motion, Row, Variable};
-use crate::error::combination;
+use crate::error::{combination, is_sum};
 use crate::{Canonical, Connection, Geometry};
 use affinor_tensors::Notation;
 use serde_json::{Value, json};
@@ -257,7 +257,7 @@ fn latex_combination<'v, S: Notation + 'v>(
 ) -> String {
     let mut text = String::new();
     for (value, factor) in terms {
-        let sum = value.to_string().chars().skip(1).any(|c| matches!(c, ' ' | '+'));
+        let sum = is_sum(&value.to_string());
         let fraction = value.latex().trim_start_matches('-').starts_with("\\frac");
         let (sign, size) = match value.is_negative() && (!sum || fraction) {
             true => ("-", (-value.clone()).latex()),

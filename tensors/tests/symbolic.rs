@@ -348,7 +348,21 @@ fn text_is_what_a_person_would_write() {
         ("3*b - a/2", "-(a - 6*b)/2", r"-\frac{a - 6 b}{2}"),
         ("b - a", "-a + b", "-a + b"),
         ("(b - a)/c", "-(a - b)/c", r"-\frac{a - b}{c}"),
-        ("(2*a + 2*b)/3", "(2*a + 2*b)/3", r"\frac{2 a + 2 b}{3}"),
+        ("(2*a + 2*b)/3", "2*(a + b)/3", r"\frac{2 \left(a + b\right)}{3}"),
+        ("2*t^2 - 2*t", "2*t^2 - 2*t", "2 t^{2} - 2 t"),
+        ("-(a + b)^3*c", "-c*(a + b)^3", r"-c \left(a + b\right)^{3}"),
+        // Heron's, as in Milnor's Ricci curvatures
+        (
+            "(a^2 - (b - c)^2)/(2*b*c)",
+            "(a + b - c)*(a - b + c)/(2*b*c)",
+            r"\frac{\left(a + b - c\right) \left(a - b + c\right)}{2 b c}",
+        ),
+        (
+            "1/((a + b)^2*(a - 2*b)*(c + a)^2)",
+            "1/((a - 2*b)*(a + c)^2*(a + b)^2)",
+            r"\frac{1}{\left(a - 2 b\right) \left(a + c\right)^{2} \left(a + b\right)^{2}}",
+        ),
+        ("4*(a/2 - b)^2/c", "(a - 2*b)^2/c", r"\frac{\left(a - 2 b\right)^{2}}{c}"),
         ("a/(4*c)", "a/(4*c)", r"\frac{a}{4 c}"),
         ("a/c^2", "a/c^2", r"\frac{a}{c^{2}}"),
         ("a/(b*c)", "a/(b*c)", r"\frac{a}{b c}"),

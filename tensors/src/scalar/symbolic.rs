@@ -4,6 +4,7 @@
 //! polynomials over exactly the parameters it depends on, in alphabetical order. Parameters are
 //! told apart by name alone, so any two values combine. Equal values have equal forms.
 
+mod factors;
 mod fraction;
 mod operators;
 mod polynomial;

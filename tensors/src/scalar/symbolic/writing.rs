@@ -1,5 +1,6 @@
 //! Fractions as text and as LaTeX.
 
+use super::factors::{Factors, factors};
 use super::fraction::Fraction;
 use super::polynomial::{Polynomial, common_denominator};
 use crate::scalar::{Notation, Rational};
@@ -13,7 +14,8 @@ pub(super) enum Markup {
     Latex,
 }
 
-/// `1/2*a` for one term without a denominator; otherwise integer polynomials above and below.
+/// `1/2*a` for one term without a denominator; otherwise integer polynomials above and below,
+/// in factors where that is shorter.
 pub(super) fn fraction(f: &Fraction, markup: Markup) -> String {
     let whole = f.denominator.is_constant();
     if whole && f.numerator.terms.len() == 1 {
@@ -21,18 +23,71 @@ pub(super) fn fraction(f: &Fraction, markup: Markup) -> String {
     }
     let unit = common_denominator(&f.numerator);
     let (above, below) = (f.numerator.scale(&unit), f.denominator.scale(&unit));
+    let (sign, size) = if leads_negative(&above) { ("-", -&above) } else { ("", above.clone()) };
     if whole && unit.is_one() {
-        return polynomial(f, &above, markup);
+        let factored = factored(f, &size, Place::Alone, markup).map(|text| format!("{sign}{text}"));
+        return factored.unwrap_or_else(|| polynomial(f, &above, markup));
     }
-    let (sign, above) = if leads_negative(&above) { ("-", -&above) } else { ("", above) };
-    let (top, bottom) = (polynomial(f, &above, markup), polynomial(f, &below, markup));
+    let part = |part: &Polynomial, place| {
+        factored(f, part, place, markup).unwrap_or_else(|| expanded(f, part, place, markup))
+    };
+    let (top, bottom) = (part(&size, Place::Above), part(&below, Place::Below));
     match markup {
         Markup::Latex => format!("{sign}\\frac{{{top}}}{{{bottom}}}"),
-        Markup::Text => {
-            let top = enclosed(top, above.terms.len() > 1);
-            format!("{sign}{top}/{}", enclosed(bottom, factors(&below) > 1))
-        }
+        Markup::Text => format!("{sign}{top}/{bottom}"),
     }
+}
+
+/// Where a polynomial stands.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Place {
+    Alone,
+    Above,
+    Below,
+}
+
+/// The sum of the terms, in parentheses where `/` would tear it apart.
+fn expanded(f: &Fraction, part: &Polynomial, place: Place, markup: Markup) -> String {
+    let torn = match place {
+        Place::Alone => false,
+        Place::Above => part.terms.len() > 1,
+        Place::Below => factors_in(part) > 1,
+    };
+    enclosed(polynomial(f, part, markup), torn && markup == Markup::Text)
+}
+
+/// The product of the factors, if its text is shorter than that of the sum. LaTeX follows.
+fn factored(f: &Fraction, part: &Polynomial, place: Place, markup: Markup) -> Option<String> {
+    if part.terms.len() < 2 {
+        return None;
+    }
+    let found = factors(part);
+    let pieces = found.factors.len() + usize::from(!found.content.is_one());
+    let text = |markup| {
+        let torn = place == Place::Below && pieces > 1 && markup == Markup::Text;
+        enclosed(product(f, &found, markup), torn)
+    };
+    let shorter = text(Markup::Text).len() < expanded(f, part, place, Markup::Text).len();
+    shorter.then(|| text(markup))
+}
+
+fn product(f: &Fraction, found: &Factors, markup: Markup) -> String {
+    let number = Some(found.content.to_string()).filter(|_| !found.content.is_one());
+    let factor = |(factor, exponent): &(Polynomial, u32)| {
+        let text = polynomial(f, factor, markup);
+        let text = match (factor.terms.len(), markup) {
+            (1, _) => text,
+            (_, Markup::Text) => format!("({text})"),
+            (_, Markup::Latex) => format!("\\left({text}\\right)"),
+        };
+        match (exponent, markup) {
+            (1, _) => text,
+            (e, Markup::Text) => format!("{text}^{e}"),
+            (e, Markup::Latex) => format!("{text}^{{{e}}}"),
+        }
+    };
+    let factors = number.into_iter().chain(found.factors.iter().map(factor));
+    factors.collect::<Vec<_>>().join(if markup == Markup::Latex { " " } else { "*" })
 }
 
 /// Whether the leading coefficient is below zero: then the text starts with a minus sign.
@@ -45,7 +100,7 @@ fn enclosed(text: String, needed: bool) -> String {
 }
 
 /// How many factors, or terms, `/` would tear apart.
-fn factors(f: &Polynomial) -> usize {
+fn factors_in(f: &Polynomial) -> usize {
     match &f.terms[..] {
         [(m, c)] => m.exps().iter().filter(|e| **e > 0).count() + usize::from(!c.is_one()),
         terms => terms.len(),

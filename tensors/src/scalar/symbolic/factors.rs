@@ -1,0 +1,146 @@
+//! Polynomials in factors, as far as greatest common divisors and square roots lead.
+//!
+//! Contents in each variable, repeated factors, and the two factors of a quadratic whose
+//! discriminant is a square. That is not a complete factorisation; it serves writing, where a
+//! factor more or less changes no value.
+
+use super::super::Rational;
+use super::polynomial::{Polynomial, cofactors, constant, content};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+use polycore::{Monomial, Order, Poly};
+
+/// Beyond as many terms, or this degree, nobody reads the factors, and finding them takes long.
+const MAX_TERMS: usize = 60;
+const MAX_DEGREE: u32 = 24;
+
+/// `content * f^e * g^d * ...`: primitive factors with positive leading coefficients, none twice.
+pub(super) struct Factors {
+    pub content: Rational,
+    pub factors: Vec<(Polynomial, u32)>,
+}
+
+/// The factors of a polynomial other than zero; itself where it is beyond the limits.
+pub(super) fn factors(f: &Polynomial) -> Factors {
+    let content = content(f);
+    let primitive = match num_traits::Inv::inv(BigRational::from(&content)) {
+        unit if unit.is_one() => f.clone(),
+        unit => f.scale(&Rational::from(unit)),
+    };
+    let mut parts = Vec::new();
+    if f.terms.len() > MAX_TERMS || f.total_degree() > MAX_DEGREE {
+        parts.push(primitive);
+    } else {
+        split(&primitive, &mut parts);
+    }
+    let mut factors: Vec<(Polynomial, u32)> = Vec::new();
+    for part in parts {
+        match factors.iter_mut().find(|(other, _)| *other == part) {
+            Some((_, exponent)) => *exponent += 1,
+            None => factors.push((part, 1)),
+        }
+    }
+    // single variables first, then the simpler sums
+    factors.sort_by_key(|(factor, exponent)| (factor.terms.len(), *exponent));
+    Factors { content, factors }
+}
+
+/// Appends the factors of a primitive polynomial with a positive leading coefficient.
+fn split(f: &Polynomial, parts: &mut Vec<Polynomial>) {
+    if f.is_constant() {
+        return;
+    }
+    match divisor(f) {
+        None => parts.push(f.clone()),
+        Some(divisor) => {
+            let (common, rest, _) = cofactors(f, &divisor);
+            split(&common, parts);
+            split(&rest, parts);
+        }
+    }
+}
+
+/// A divisor that is neither constant nor the whole, if one is found.
+fn divisor(f: &Polynomial) -> Option<Polynomial> {
+    let degrees = f.degrees();
+    let proper = |g: &Polynomial| !g.is_constant() && g.total_degree() < f.total_degree();
+    let variables = || (0..f.nvars).filter(|&x| degrees[x] > 0);
+    let contents = variables().map(|x| {
+        let coefficients = (0..=degrees[x]).map(|power| coefficient(f, x, power));
+        let common = |a: Polynomial, b: Polynomial| match (a.is_zero(), b.is_zero()) {
+            (true, _) => b,
+            (_, true) => a,
+            _ => common_divisor(&a, &b),
+        };
+        coefficients.reduce(common).unwrap_or_else(|| constant(Rational::one(), f.nvars))
+    });
+    let monomials = variables().map(|x| Poly::monomial(Monomial::var(x, f.nvars), Order::GrLex));
+    let monomials = monomials.filter(|x| f.exact(x).is_some());
+    let repeated =
+        variables().filter(|&x| degrees[x] > 1).map(|x| common_divisor(f, &f.derivative(x)));
+    let quadratic = variables().filter(|&x| degrees[x] == 2).filter_map(|x| {
+        let [c, b, a] = [0, 1, 2].map(|power| coefficient(f, x, power));
+        let four = Rational::from(4);
+        let root = square_root(&(&(&b * &b) - &(&a * &c).scale(&four)))?;
+        let x = Poly::var(x, f.nvars, Order::GrLex);
+        let linear = &(&(&a * &x).scale(&Rational::from(2)) + &b) + &root;
+        Some(common_divisor(f, &linear))
+    });
+    monomials.chain(contents).chain(repeated).chain(quadratic).find(proper)
+}
+
+/// The greatest common divisor, primitive with a positive leading coefficient.
+fn common_divisor(f: &Polynomial, g: &Polynomial) -> Polynomial {
+    let primitive = |f: &Polynomial| {
+        f.scale(&Rational::from(BigRational::one() / BigRational::from(&content(f))))
+    };
+    match (f.is_zero(), g.is_zero()) {
+        (false, false) if f == &primitive(g) => f.clone(),
+        (false, false) => cofactors(f, &primitive(g)).0,
+        _ => constant(Rational::one(), f.nvars),
+    }
+}
+
+/// The coefficient of `x^power`, a polynomial in the other variables.
+fn coefficient(f: &Polynomial, x: usize, power: u32) -> Polynomial {
+    let terms = f.terms.iter().filter(|(m, _)| m.exps()[x] == power).map(|(m, c)| {
+        let mut exponents = m.exps().to_vec();
+        exponents[x] = 0;
+        (Monomial::new(exponents), c.clone())
+    });
+    Poly::new(terms.collect(), f.nvars, Order::GrLex)
+}
+
+/// The square root, where it is a polynomial: term by term from the highest.
+fn square_root(f: &Polynomial) -> Option<Polynomial> {
+    let Some((m, c)) = f.terms.first() else { return Some(f.clone()) };
+    let half: Option<Vec<u32>> =
+        m.exps().iter().map(|e| e.is_multiple_of(2).then_some(e / 2)).collect();
+    let lead = Poly::new(vec![(Monomial::new(half?), root(c)?)], f.nvars, Order::GrLex);
+    let (lead_monomial, lead_value) = lead.terms.first().cloned()?;
+    let twice = BigRational::from(&lead_value) * BigRational::from_integer(2.into());
+    let mut square_root = lead;
+    // every step takes a term of the root, which has no more of them than the square
+    for _ in 0..=f.terms.len() {
+        let rest = f - &(&square_root * &square_root);
+        let Some((m, c)) = rest.terms.first() else { return Some(square_root) };
+        let next = Rational::from(BigRational::from(c) / &twice);
+        let term = vec![(m.quo(&lead_monomial)?, next)];
+        square_root = &square_root + &Poly::new(term, f.nvars, Order::GrLex);
+    }
+    None
+}
+
+/// The rational square root of a rational.
+fn root(c: &Rational) -> Option<Rational> {
+    let c = BigRational::from(c);
+    let exact = |n: &BigInt| {
+        let root = n.magnitude().sqrt();
+        (&root * &root == *n.magnitude()).then(|| BigInt::from(root))
+    };
+    if c.is_negative() || c.is_zero() {
+        return None;
+    }
+    Some(BigRational::new(exact(c.numer())?, exact(c.denom())?).into())
+}
