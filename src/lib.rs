@@ -41,6 +41,8 @@ pub mod dense;
 mod error;
 pub mod frame;
 pub mod geometry;
+pub mod invariants;
+pub mod lie_derivative;
 pub mod metric;
 pub mod paper;
 pub mod report;

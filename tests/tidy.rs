@@ -106,6 +106,8 @@ const ARROWS: [(&[&str], &[&str]); 5] = [
             "src/connection",
             "src/metric.rs",
             "src/curvature.rs",
+            "src/invariants.rs",
+            "src/lie_derivative.rs",
             "src/transport.rs",
         ],
         &[

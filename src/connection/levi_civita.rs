@@ -1,7 +1,8 @@
 //! The Levi-Civita connection of a metric, by Koszul's formula.
 
 use super::Connection;
-use crate::frame::{Frame, expect_slots, formula};
+use super::koszul::koszul;
+use crate::frame::{Frame, expect_slots};
 use crate::{Error, Metric};
 use affinor_tensors::{Down, Field};
 
@@ -18,18 +19,7 @@ impl<S: Field> Connection<S> {
     pub fn levi_civita(frame: &Frame<S>, metric: &Metric<S>) -> Result<Self, Error> {
         let g = metric.components();
         expect_slots("the metric", g, frame.dimension(), &[Down, Down])?;
-        let half = S::from_i64(2).recip().ok_or(Error::Frame("2 is not invertible"))?;
-        let derivative = frame.derivative(g)?;
-        // b_ijk = g([e_j, e_k], e_i)
-        let b = formula("g_im c^m_jk -> _ijk", &[("g", g), ("c", frame.structure())]);
-        let lowered = formula(
-            "d_j_ki + d_k_ij - d_i_jk + b_ijk - b_jki + b_kij -> _ijk",
-            &[("d", &derivative), ("b", &b)],
-        );
-        let gamma = formula(
-            "h^im l_mjk -> ^i_jk",
-            &[("h", metric.inverse()), ("l", &lowered.scale(&half))],
-        );
+        let gamma = koszul(metric, &frame.derivative(g)?, frame.structure())?;
         Connection::new(frame.clone(), gamma)
     }
 }
