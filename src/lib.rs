@@ -45,6 +45,7 @@ pub mod invariants;
 pub mod lie_derivative;
 pub mod metric;
 pub mod paper;
+pub mod reductive;
 pub mod report;
 pub mod roots;
 pub mod transport;
@@ -55,6 +56,7 @@ pub use error::Error;
 pub use frame::Frame;
 pub use geometry::{ConnectionKind, Geometry};
 pub use metric::Metric;
+pub use reductive::ReductivePair;
 
 /// The program of the README, as a doctest.
 #[cfg(doctest)]

@@ -108,6 +108,7 @@ const ARROWS: [(&[&str], &[&str]); 5] = [
             "src/curvature.rs",
             "src/invariants.rs",
             "src/lie_derivative.rs",
+            "src/reductive.rs",
             "src/transport.rs",
         ],
         &[
