@@ -106,6 +106,7 @@ const ARROWS: [(&[&str], &[&str]); 5] = [
             "src/connection",
             "src/metric.rs",
             "src/curvature.rs",
+            "src/forms.rs",
             "src/invariants.rs",
             "src/lie_derivative.rs",
             "src/reductive.rs",
