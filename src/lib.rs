@@ -8,7 +8,9 @@
 //! `affinor-tensors`, which knows no geometry. Signs and orders of indices are in [`conventions`].
 //!
 //! - [`frame`], [`algebra`], [`connection`], [`metric`], [`curvature`], [`transport`]: the
-//!   geometry, from the bottom up;
+//!   geometry, from the bottom up; [`forms`] and [`lie_derivative`] on any frame;
+//! - [`reductive`]: homogeneous spaces; [`invariants`]: tensors, connections among them, that an
+//!   algebra leaves alone; [`lie_poisson`]: the dual of an algebra, its bracket and Casimirs;
 //! - [`Geometry`]: an algebra, a connection and a metric; [`paper`] has two of them;
 //! - [`catalogue`]: algebras by name; [`roots`]: root systems and Chevalley bases;
 //! - [`definition`]: what a person writes, on the command line or in a file;
@@ -44,6 +46,7 @@ pub mod frame;
 pub mod geometry;
 pub mod invariants;
 pub mod lie_derivative;
+pub mod lie_poisson;
 pub mod metric;
 pub mod paper;
 pub mod reductive;
@@ -57,6 +60,7 @@ pub use error::Error;
 pub use forms::Form;
 pub use frame::Frame;
 pub use geometry::{ConnectionKind, Geometry};
+pub use lie_poisson::LiePoisson;
 pub use metric::Metric;
 pub use reductive::ReductivePair;
 

@@ -109,6 +109,7 @@ const ARROWS: [(&[&str], &[&str]); 5] = [
             "src/forms.rs",
             "src/invariants.rs",
             "src/lie_derivative.rs",
+            "src/lie_poisson",
             "src/reductive.rs",
             "src/transport.rs",
         ],
