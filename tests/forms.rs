@@ -34,7 +34,7 @@ fn permutations(at: &[usize]) -> Vec<(Vec<usize>, i64)> {
     }
     let shortened = |first: usize| {
         let rest: Vec<_> = at.iter().copied().filter(|i| *i != at[first]).collect();
-        let sign = if first % 2 == 0 { 1 } else { -1 };
+        let sign = if first.is_multiple_of(2) { 1 } else { -1 };
         permutations(&rest)
             .into_iter()
             .map(move |(rest, parity)| ([&[at[first]], &rest[..]].concat(), sign * parity))
