@@ -6,6 +6,9 @@ use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::{Field, Indices, Tensor, Tolerance, Variance};
 
 /// The most unknowns of a search for invariants.
+///
+/// The time depends on the basis: with few structure constants, as in the catalogue, this many take
+/// seconds; in a dense basis numbers grow, and a thousand take minutes.
 pub const MAX_UNKNOWNS: usize = 1 << 16;
 
 /// A basis of the tensors with `slots` on which every endomorphism `A^i_j` acts as zero,

@@ -6,7 +6,7 @@
 
 mod casimirs;
 
-pub use casimirs::MAX_MONOMIALS;
+pub use casimirs::{MAX_DEGREE, MAX_MONOMIALS};
 
 use crate::frame::{expect_slots, formula};
 use crate::{Error, LieAlgebra};

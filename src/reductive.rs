@@ -65,35 +65,35 @@ impl<S: Field> ReductivePair<S> {
         let change = change.with_tolerance(algebra.structure().tolerance());
         let adapted = algebra.change_basis(&BasisChange::new(change)?)?;
         let c = adapted.structure();
-        let of_h = |index: &usize| *index >= r;
-        for (at, _) in c.components() {
-            let (into_h, from) = (of_h(&at[0]), (of_h(&at[1]), of_h(&at[2])));
-            let escapes = matches!((into_h, from), (false, (true, true)) | (true, (true, false)));
-            if escapes {
-                let vector = |k: usize| basis[k].to_vector().unwrap_or_default();
-                let (x, y) = (vector(at[1]), vector(at[2]));
-                let bracket = algebra.bracket(&x, &y)?;
-                let [x, y, bracket] = [x, y, bracket].map(|v| algebra.left_frame().write(v));
-                return Err(match into_h {
-                    false => Error::NotSubalgebra { x, y, bracket },
-                    true => Error::NotReductive { x, y, bracket },
-                });
-            }
+        // the constants c^i_jk whose indices belong to h as told
+        let part = |of_h: [bool; 3]| {
+            c.filter_map(|at, value| at.iter().map(|i| *i >= r).eq(of_h).then(|| value.clone()))
+        };
+        let escaped = |of_h| {
+            let at = part(of_h).components().next().map(|(at, _)| at)?;
+            let vector = |k: usize| basis[k].to_vector().unwrap_or_default();
+            let (x, y) = (vector(at[1]), vector(at[2]));
+            let bracket = algebra.bracket(&x, &y).unwrap_or_default();
+            Some([x, y, bracket].map(|v| algebra.left_frame().write(v)))
+        };
+        if let Some([x, y, bracket]) = escaped([false, true, true]) {
+            return Err(Error::NotSubalgebra { x, y, bracket });
         }
-        // [e_k, e_l]_h
-        let vertical = c.filter_map(|at, value| {
-            let escapes = of_h(&at[0]) && !of_h(&at[1]) && !of_h(&at[2]);
-            escapes.then(|| value.clone())
-        });
-        let holonomy = formula("v^a_kl c^i_aj -> ^i_j[kl]", &[("v", &vertical), ("c", c)]);
+        if let Some([x, y, bracket]) = escaped([true, true, false]) {
+            return Err(Error::NotReductive { x, y, bracket });
+        }
+        // v(x, y) = [x, y]_h
+        let vertical = part([true, false, false]);
+        let curving = formula("v^a_kl c^i_aj -> ^i_j[kl]", &[("v", &vertical), ("c", c)]);
+        let labels = adapted.labels()[..r].into();
+        let frame = Frame::reductive(labels, restricted(c, r)?, restricted(&curving, r)?)?;
+        let acting = part([false, true, false]);
         let isotropy = (r..n).map(|a| {
-            let ad = c.components().filter(|(at, _)| at[1] == a && !of_h(&at[0]) && !of_h(&at[2]));
+            let ad = acting.components().filter(|(at, _)| at[1] == a);
             let ad = ad.map(|(at, value)| ([at[0], at[2]], value.clone()));
             Ok(Tensor::from_components(r, &[Up, Down], ad)?.with_tolerance(c.tolerance()))
         });
         let isotropy = isotropy.collect::<Result<_, Error>>()?;
-        let labels = adapted.labels()[..r].into();
-        let frame = Frame::reductive(labels, restricted(c, r)?, restricted(&holonomy, r)?)?;
         Ok(ReductivePair { algebra: adapted, frame, isotropy })
     }
 

@@ -105,13 +105,13 @@ proptest! {
 /// SO(6) is SU(4) up to covering.
 #[test]
 fn laquer() {
-    for name in ["so(3)", "su(2)", "so(5)"] {
+    for name in ["so(3)", "su(2)", "so(5)", "so(7)"] {
         let algebra = catalogued(name);
         let basis = Connection::bi_invariant(&algebra).unwrap();
         assert_eq!(basis.len(), 1, "{name}");
         assert!(span(&basis).contains(row(algebra.structure())), "{name}");
     }
-    for name in ["su(3)", "su(4)", "so(6)"] {
+    for name in ["su(3)", "su(4)", "so(6)", "su(5)"] {
         assert_eq!(dimension(name), 2, "{name}");
     }
 }

@@ -239,7 +239,9 @@ fn limits_are_named() {
     assert!(e8.casimirs(u32::MAX).is_err());
     let line = left(&by_table(1, &[]));
     assert!(line.casimirs(u32::MAX).is_err());
-    assert_eq!(line.casimirs(1000).unwrap().len(), 1);
+    assert_eq!(line.casimirs(255).unwrap().len(), 1);
+    assert_eq!(line.casimir_generators(40).unwrap(), line.coordinates());
+    assert!(line.casimir_generators(u32::MAX).is_err());
     // parameters are welcome in brackets, but not in Casimirs
     let with = |name: &str| {
         let constants = [(0, 1, 1, Symbolic::parameter(name))];
@@ -254,6 +256,7 @@ fn limits_are_named() {
     let nothing = left(&by_table(0, &[]));
     assert_eq!(nothing.casimirs(0).unwrap().len(), 1);
     assert!(nothing.casimirs(2).unwrap().is_empty());
+    assert!(nothing.casimir_generators(u32::MAX).is_err());
     assert!(nothing.is_casimir(&constant(3)));
     assert!(catalogued("so(3)").coadjoint_orbit_dimension(&[integer(1)]).is_err());
 }

@@ -4,7 +4,7 @@
 mod common;
 
 use affinor::{Canonical, Connection, Error, LieAlgebra, Metric, ReductivePair};
-use affinor_tensors::{Down, Field, Rational, Ring, Tensor, Up, contract};
+use affinor_tensors::{Down, Field, Rational, Ring, Symbolic, Tensor, Up, contract};
 use common::algebras::{by_table, catalogued, seeds};
 use common::{fraction, integer, labels, rationals, stored};
 use num_traits::Zero;
@@ -345,6 +345,46 @@ fn the_trivial_subgroup() {
         assert_eq!(pair.natural().unwrap().curvature(), zero.curvature(), "{name}");
         assert_eq!(pair.invariant_tensors(&[Up]).unwrap().len(), n);
     }
+}
+
+/// Over itself a group is a point.
+#[test]
+fn a_point() {
+    let so3 = catalogued("so(3)");
+    for pair in [
+        ReductivePair::new(&so3, &units(3, 0..3), &[]).unwrap(),
+        ReductivePair::orthogonal(&so3, &units(3, 0..3)).unwrap(),
+    ] {
+        assert_eq!(pair.dimension(), 0);
+        assert!(pair.is_symmetric());
+        assert!(pair.canonical().curvature().is_empty());
+        assert!(pair.invariant_tensors(&[Up, Down, Down]).unwrap().is_empty());
+    }
+}
+
+/// Floats and parameters like exact numbers.
+#[test]
+fn other_scalars() {
+    let so4 = catalogued("so(4)");
+    let exact = ReductivePair::orthogonal(&so4, &units(6, [0])).unwrap();
+    let floats = so4.map(Rational::to_f64).unwrap();
+    let h: Vec<_> = unit(6, 0).iter().map(Rational::to_f64).collect();
+    let floats = ReductivePair::orthogonal(&floats, &[h]).unwrap();
+    let natural = floats.natural().unwrap();
+    assert_eq!(natural.curvature(), exact.natural().unwrap().curvature().map(Rational::to_f64));
+    assert!(natural.bianchi_first().is_empty() && natural.bianchi_second().is_empty());
+    let slots = [Up, Down, Down];
+    let count = floats.invariant_tensors(&slots).unwrap().len();
+    assert_eq!(count, exact.invariant_tensors(&slots).unwrap().len());
+    // the sphere of radius a: K = 1/a^2
+    let so3 = catalogued("so(3)").map(|v| Symbolic::constant(v.clone())).unwrap();
+    let h: Vec<_> = unit(3, 2).into_iter().map(Symbolic::constant).collect();
+    let sphere = ReductivePair::orthogonal(&so3, &[h]).unwrap();
+    let square = Symbolic::parameter("a") * &Symbolic::parameter("a");
+    let g = Tensor::from_components(2, &[Down; 2], [0, 1].map(|i| ([i, i], square.clone())));
+    let g = Metric::new(&labels(2), g.unwrap()).unwrap();
+    let scalar = sphere.levi_civita(&g).unwrap().scalar_curvature(&g).unwrap();
+    assert_eq!(scalar.to_string(), "2/a^2");
 }
 
 /// Not of a semisimple group: the Heisenberg group over its centre is a flat plane, the Euclidean

@@ -8,8 +8,11 @@ use affinor_tensors::{Rational, Ring, Symbolic, Tolerance};
 use num_traits::{One, Zero};
 use std::collections::BTreeMap;
 
-/// The most monomials of a degree in which Casimirs are looked for.
+/// The most monomials of a degree among which Casimirs are looked for; as with
+/// [`MAX_UNKNOWNS`](crate::invariants::MAX_UNKNOWNS), far fewer are practical in a dense basis.
 pub const MAX_MONOMIALS: usize = 1 << 15;
+/// The highest degree in which Casimirs are looked for.
+pub const MAX_DEGREE: u32 = 255;
 
 impl LiePoisson {
     /// A basis of the homogeneous polynomials of that degree that commute with every function: the
@@ -19,7 +22,7 @@ impl LiePoisson {
     /// one above the exponents (C. Chevalley, *Amer. J. Math.* 77 (1955) 778-782).
     ///
     /// # Errors
-    /// [`Error::Size`] beyond [`MAX_MONOMIALS`]; [`Error::Frame`] when the structure constants have
+    /// [`Error::Size`] beyond [`MAX_DEGREE`] or [`MAX_MONOMIALS`]; [`Error::Frame`] when the structure constants have
     /// parameters.
     pub fn casimirs(&self, degree: u32) -> Result<Vec<Symbolic>, Error> {
         let monomials = Monomials::new(self, degree)?;
@@ -33,6 +36,7 @@ impl LiePoisson {
     /// # Errors
     /// As [`casimirs`](Self::casimirs).
     pub fn casimir_generators(&self, most: u32) -> Result<Vec<Symbolic>, Error> {
+        expect_size(self, most)?;
         let mut generators: Vec<(u32, Symbolic)> = vec![];
         for degree in 1..=most {
             let monomials = Monomials::new(self, degree)?;
@@ -51,11 +55,8 @@ impl LiePoisson {
     }
 
     fn invariants(&self, monomials: &Monomials) -> Result<Vec<Row<Rational>>, Error> {
-        if self
-            .tensor
-            .components()
-            .any(|(_, v)| v.parameters().iter().any(|p| !self.names.contains(p)))
-        {
+        let mut letters = self.tensor.components().flat_map(|(_, value)| value.parameters());
+        if letters.any(|letter| !self.names.contains(&letter)) {
             return Err(Error::Frame("Casimirs need structure constants without parameters"));
         }
         let image = |coordinate: &Symbolic, row: &[(usize, Rational)]| {
@@ -81,10 +82,7 @@ struct Monomials {
 
 impl Monomials {
     fn new(space: &LiePoisson, degree: u32) -> Result<Self, Error> {
-        let size = count(space.names.len(), degree);
-        if size > MAX_MONOMIALS {
-            return Err(Error::Size { what: MONOMIALS, size, limit: MAX_MONOMIALS });
-        }
+        expect_size(space, degree)?;
         let exponents = exponents(space.names.len(), degree);
         let named = |exponents: &Vec<u32>| -> Powers {
             let powers = space.names.iter().cloned().zip(exponents.iter().copied());
@@ -115,13 +113,19 @@ impl Monomials {
     }
 }
 
-/// `C(n+d-1, d)`, or more than [`MAX_MONOMIALS`]; the degree itself is bounded as well.
+fn expect_size(space: &LiePoisson, degree: u32) -> Result<(), Error> {
+    let bounded = |what, size, limit| match size > limit {
+        true => Err(Error::Size { what, size, limit }),
+        false => Ok(()),
+    };
+    bounded("degrees", degree as usize, MAX_DEGREE as usize)?;
+    bounded(MONOMIALS, count(space.names.len(), degree), MAX_MONOMIALS)
+}
+
+/// How many monomials there are, `C(n+d-1, d)`; anything above [`MAX_MONOMIALS`] when more.
 fn count(n: usize, degree: u32) -> usize {
-    let degree = degree as usize;
-    let (small, large) = (degree.min(n.saturating_sub(1)), degree.max(n.saturating_sub(1)));
-    if n == 0 || large > MAX_MONOMIALS {
-        return if n == 0 { usize::from(degree == 0) } else { large };
-    }
+    let Some(others) = n.checked_sub(1) else { return usize::from(degree == 0) };
+    let (small, large) = (others.min(degree as usize), others.max(degree as usize));
     let mut size = 1usize;
     for k in 1..=small {
         size = size.saturating_mul(large + k) / k;
@@ -135,21 +139,15 @@ fn count(n: usize, degree: u32) -> usize {
 /// All exponents of `n` variables of that degree, the highest powers of the first variables first.
 fn exponents(n: usize, degree: u32) -> Vec<Vec<u32>> {
     match n {
-        0 => {
-            if degree == 0 {
-                vec![vec![]]
-            } else {
-                vec![]
-            }
-        }
+        0 => (degree == 0).then(Vec::new).into_iter().collect(),
         1 => vec![vec![degree]],
-        _ => (0..=degree)
-            .rev()
-            .flat_map(|first| {
+        _ => {
+            let with = |first: u32| {
                 let rest = exponents(n - 1, degree - first).into_iter();
                 rest.map(move |rest| [&[first], &rest[..]].concat())
-            })
-            .collect(),
+            };
+            (0..=degree).rev().flat_map(with).collect()
+        }
     }
 }
 
