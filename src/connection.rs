@@ -51,7 +51,8 @@ impl<S: Ring> Connection<S> {
 
     /// The covariant derivative of a tensor of any type,
     /// `(nabla_m T)^i_j = e_m(T^i_j) + Lambda^i_mp T^p_j - Lambda^p_mj T^i_p`; the direction `m`
-    /// is the first lower index of the result.
+    /// is the first lower index of the result. Over the frame of a homogeneous space, of invariant
+    /// tensors.
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ; when the result is beyond the engine.

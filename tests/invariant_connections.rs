@@ -100,8 +100,8 @@ proptest! {
     }
 }
 
-/// H. T. Laquer, *Geom. Dedicata* 42 (1992) 309-322: on a simple compact group the bi-invariant
-/// connections are the multiples of `c`, but for SU(n), n >= 3, where there are two dimensions.
+/// H. T. Laquer, *Trans. Amer. Math. Soc.* 331 (1992) 541-551: on a simple compact group the
+/// bi-invariant connections are the multiples of `c`, but for SU(n), n >= 3, where there are two dimensions.
 /// SO(6) is SU(4) up to covering.
 #[test]
 fn laquer() {

@@ -181,7 +181,7 @@ fn projective_space(n: usize) -> Pair {
     ReductivePair::orthogonal(&algebra, &units(algebra.dimension(), h)).unwrap()
 }
 
-/// CP^n: symmetric and Kähler, `Ric = g/2` for `g = -B` (A. L. Besse, *Einstein Manifolds*, 7.73);
+/// CP^n: symmetric and Kähler, `Ric = g/2` for `g = -B` (A. L. Besse, *Einstein Manifolds*, chapter 7);
 /// the holomorphic sectional curvature is constant, `H = 2 Ric/(n+1)`, and
 /// `K(x,y) = H/4 (1 + 3 g(x,Jy)^2)` for orthonormal `x, y` (S. Kobayashi and K. Nomizu,
 /// *Foundations II*, IX.7).
@@ -291,7 +291,7 @@ fn flags() {
 
 /// G x G over the diagonal is G, by `(x, y) -> x - y`: the three complements that `x -> (x, 0)`,
 /// `(0, -x)` and `(x/2, -x/2)` span have minus, plus and zero as canonical connections; the natural
-/// one is zero for all of them (K. Nomizu 1954, section 10, for E. Cartan's three).
+/// one is zero for all of them (K. Nomizu, *Amer. J. Math.* 76 (1954) 33-65, for E. Cartan's three).
 #[test]
 fn groups_as_homogeneous_spaces() {
     for (name, algebra) in seeds().into_iter().filter(|(_, algebra)| algebra.dimension() < 5) {

@@ -9,8 +9,8 @@ impl<S: Field> Connection<S> {
     /// left-invariant frame: the solutions of `L_x Lambda = 0` for all `x`.
     ///
     /// Every combination is one. `c` is among them; on a simple compact group it is alone, but for
-    /// SU(n), n >= 3, which has a symmetric one as well (H. T. Laquer, *Geom. Dedicata* 42 (1992)
-    /// 309-322).
+    /// SU(n), n >= 3, which has a symmetric one as well (H. T. Laquer, *Trans. Amer. Math. Soc.* 331
+    /// (1992) 541-551).
     ///
     /// # Errors
     /// [`Error::Size`] beyond [`MAX_UNKNOWNS`](crate::invariants::MAX_UNKNOWNS) components.
