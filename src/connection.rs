@@ -1,14 +1,21 @@
 //! Connections: affinities over a frame.
 
 mod canonical;
+mod contorsion;
+mod disformation;
+mod invariant;
+mod koszul;
 mod levi_civita;
 mod right_frame;
 
 pub use canonical::Canonical;
+pub use contorsion::contorsion;
+pub use disformation::disformation;
 
 use crate::Error;
 use crate::algebra::indices;
 use crate::frame::{Frame, expect_slots};
+use crate::lie_derivative::{LETTERS, derivation};
 use affinor_tensors::{Down, Ring, Tensor, Up};
 
 /// A connection by its affinities in a frame: `nabla_{e_j} e_k = Lambda^i_jk e_i` (B1).
@@ -44,21 +51,15 @@ impl<S: Ring> Connection<S> {
 
     /// The covariant derivative of a tensor of any type,
     /// `(nabla_m T)^i_j = e_m(T^i_j) + Lambda^i_mp T^p_j - Lambda^p_mj T^i_p`; the direction `m`
-    /// is the first lower index of the result.
+    /// is the first lower index of the result. Over the frame of a homogeneous space, of invariant
+    /// tensors.
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ; when the result is beyond the engine.
     pub fn nabla(&self, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
         let derivative = self.frame.derivative(tensor)?;
-        let letters = &"abcdefgh"[..tensor.rank()];
-        let mut sum = format!("d_m{}", indices(letters, tensor));
-        for (letter, slot) in letters.chars().zip(tensor.slots()) {
-            let summed = indices(&letters.replace(letter, "p"), tensor);
-            sum += &match slot {
-                Up => format!(" + L^{letter}_mp T{summed}"),
-                Down => format!(" - L^p_m{letter} T{summed}"),
-            };
-        }
+        let letters = &LETTERS[..tensor.rank()];
+        let sum = format!("d_m{}{}", indices(letters, tensor), derivation("m", tensor));
         let at = tensor.slots().iter().position(|slot| *slot == Down).unwrap_or(tensor.rank());
         let before = indices(&letters[..at], tensor);
         // nabla keeps the symmetries of the tensor; an antisymmetric last pair is computed once

@@ -119,6 +119,62 @@
 //! assert_eq!(generator.get(&[1, 1]), (-1).into());
 //! # Ok::<(), Error>(())
 //! ```
+//! *Contorsion* `K_ijk = (tau_ijk + tau_jik + tau_kij)/2` and *disformation*
+//! `L_ijk = (Q_ijk - Q_jki - Q_kij)/2`, the first index lowered: `Lambda = LeviCivita + K + L`.
+//! ```
+//! # use affinor::*; use affinor_tensors::*;
+//! # fn aff() -> LieAlgebra<Rational> {
+//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
+//! # }
+//! let one = Tensor::from_fn(2, [Down, Down], |[i, j]| i64::from(i == j).into())?;
+//! let g = Metric::new(aff().labels(), one)?;
+//! let plus = Connection::canonical(&aff(), Canonical::Plus);
+//! let at = [0, 1, 1]; // the part of nabla_y y along x: 0 for plus, 1 for Levi-Civita
+//! let levi_civita = Connection::levi_civita(aff().left_frame(), &g)?;
+//! assert_eq!(levi_civita.gamma().get(&at), 1.into());
+//! assert_eq!(plus.contorsion(&g)?.get(&at), 1.into());
+//! assert_eq!(plus.disformation(&g)?.get(&at), (-2).into());
+//! # Ok::<(), Error>(())
+//! ```
+//! *Lie derivative*: `L_X Y = [X, Y]`. *Forms*: `dw(x,y) = x(w(y)) - y(w(x)) - w([x,y])` and
+//! `(a ^ b)(x,y) = a(x) b(y) - a(y) b(x)`, without factorials.
+//! ```
+//! # use affinor::*; use affinor_tensors::*;
+//! # fn aff() -> LieAlgebra<Rational> {
+//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
+//! # }
+//! let aff = aff();
+//! let frame = aff.left_frame();
+//! let [x, y] = [[1, 0], [0, 1]].map(|v| Tensor::vector(&v.map(Rational::from), Up));
+//! assert_eq!(frame.lie_derivative(&x, &y)?, y);
+//! let [dx, dy] = &frame.coframe()[..] else { unreachable!() };
+//! assert_eq!(aff.d(dy)?.components().get(&[0, 1]), (-1).into());
+//! assert_eq!(dx.wedge(dy)?.components().get(&[0, 1]), 1.into());
+//! # Ok::<(), Error>(())
+//! ```
+//! *Homogeneous spaces* G/H with `g = m + h`: `R(x,y)` on `m` has the further term `-[[x,y]_h, .]`.
+//! ```
+//! # use affinor::*; use affinor_tensors::*;
+//! // [e_1, e_2] = e_3 and cyclic
+//! let so3 = Bracket::from_fn(&["e1", "e2", "e3"], |j, k| {
+//!     vec![(3 - j - k, Rational::from(if k == j + 1 { 1 } else { -1 }))]
+//! })?;
+//! let h = [0, 0, 1].map(Rational::from).to_vec();
+//! let sphere = ReductivePair::orthogonal(&LieAlgebra::try_from(so3)?, &[h])?;
+//! assert_eq!(sphere.canonical().curvature().get(&[0, 1, 0, 1]), 1.into());
+//! # Ok::<(), Error>(())
+//! ```
+//! *Lie-Poisson*: `{mu_i, mu_j} = -c^k_ij mu_k` for left-invariant systems, `+` for right ones.
+//! ```
+//! # use affinor::*; use affinor_tensors::*;
+//! # fn aff() -> LieAlgebra<Rational> {
+//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
+//! # }
+//! let dual = LiePoisson::left(&aff().map(|v| Symbolic::constant(v.clone()))?)?;
+//! let [mu1, mu2] = dual.coordinates() else { unreachable!() };
+//! assert_eq!(dual.bracket(mu1, mu2)?, -mu2.clone());
+//! # Ok::<(), Error>(())
+//! ```
 
 /// The bracket of the frame.
 pub const BRACKET: &str = "[e_j, e_k] = c^i_jk e_i";
@@ -168,6 +224,21 @@ pub const ALL: &[(&str, &[&str])] = &[
         "Levi-Civita",
         &["2 g(nabla_{e_j} e_k, e_i) = g([e_j,e_k],e_i) - g([e_k,e_i],e_j) + g([e_i,e_j],e_k)"],
     ),
+    ("contorsion", &["K_ijk = (tau_ijk + tau_jik + tau_kij)/2, the first index lowered"]),
+    (
+        "disformation",
+        &["L_ijk = (Q_ijk - Q_jki - Q_kij)/2; Lambda = Levi-Civita + contorsion + disformation"],
+    ),
+    ("Lie derivative", &["L_X Y = [X, Y]"]),
+    (
+        "forms",
+        &["dw(x,y) = x(w(y)) - y(w(x)) - w([x,y]); (a ^ b)(x,y) = a(x) b(y) - a(y) b(x), \
+         without factorials"],
+    ),
+    (
+        "homogeneous spaces",
+        &["g = m + h: (B10) with [x,y]_m, (B14) with [x,y]_m and the further term -[[x,y]_h, z]"],
+    ),
     ("Killing form", &[KILLING, "= tr(ad_i ad_j)"]),
     (
         "canonical connections",
@@ -200,4 +271,5 @@ pub const ALL: &[(&str, &[&str])] = &[
          with plus",
         ],
     ),
+    ("Lie-Poisson", &["{mu_i, mu_j} = -c^k_ij mu_k for left-invariant systems, + for right ones"]),
 ];

@@ -19,12 +19,20 @@ impl<S: Ring> Connection<S> {
     /// R^i_jkl = e_k(Lambda^i_lj) - e_l(Lambda^i_kj)
     ///         + Lambda^i_km Lambda^m_lj - Lambda^i_lm Lambda^m_kj - c^m_kl Lambda^i_mj
     /// ```
+    ///
+    /// less the isotropy `h^i_jkl` over the frame of a homogeneous space.
     pub fn curvature(&self) -> Tensor<S> {
         let derivative =
             self.frame().derivative(self.gamma()).expect("the affinities belong to the frame");
+        let isotropy = self.frame().isotropy().expect("of the rank of the derivative");
         formula(
-            "d_k^i_lj - d_l^i_kj + L^i_km L^m_lj - L^i_lm L^m_kj - c^m_kl L^i_mj -> ^i_j[kl]",
-            &[("d", &derivative), ("L", self.gamma()), ("c", self.frame().structure())],
+            "d_k^i_lj - d_l^i_kj + L^i_km L^m_lj - L^i_lm L^m_kj - c^m_kl L^i_mj - h^i_jkl -> ^i_j[kl]",
+            &[
+                ("d", &derivative),
+                ("L", self.gamma()),
+                ("c", self.frame().structure()),
+                ("h", &isotropy),
+            ],
         )
     }
 

@@ -1,6 +1,7 @@
 //! What the mathematics refuses, each with its witness.
 
 use affinor_tensors::TensorError;
+use affinor_tensors::linear::LinearError;
 
 /// An error of the geometry: what failed, where, and by how much.
 ///
@@ -11,6 +12,19 @@ pub enum Error {
     /// Shapes that do not fit together.
     #[error("{0}")]
     Tensor(#[from] TensorError),
+    /// Linear equations over scalars that are no field.
+    #[error("{0}")]
+    Linear(#[from] LinearError),
+    /// A search that is too large.
+    #[error("{size} {what} are too many to search: the limit is {limit}")]
+    Size {
+        /// What is counted.
+        what: &'static str,
+        /// How many there are.
+        size: usize,
+        /// How many there may be.
+        limit: usize,
+    },
     /// A tensor of the wrong dimension or with the wrong slots.
     #[error("{what} should have {expected}, not {found}")]
     Shape {
@@ -78,6 +92,23 @@ pub enum Error {
         /// A vector of the kernel.
         null: String,
     },
+    /// A tensor without a symmetry that it needs.
+    #[error(
+        "{what} is not {law} in the slots {} and {}: component {} is off by {residual}",
+        .slots[0], .slots[1], indices(.at)
+    )]
+    Symmetry {
+        /// The tensor.
+        what: &'static str,
+        /// `symmetric` or `antisymmetric`.
+        law: &'static str,
+        /// The two slots, from 1.
+        slots: [usize; 2],
+        /// The indices of a component, from 1.
+        at: Vec<usize>,
+        /// The component less (or plus) the one with the two indices exchanged.
+        residual: String,
+    },
     /// A Levi-Civita connection without a metric to belong to.
     #[error("levi-civita is the connection of a metric, and none is given")]
     NoMetric,
@@ -98,6 +129,47 @@ pub enum Error {
         j: usize,
         /// Second lower index, from 1.
         k: usize,
+        /// The component.
+        residual: String,
+    },
+    /// Vectors whose span is not closed under the bracket.
+    #[error("the vectors of h span no subalgebra: [{x}, {y}] = {bracket} is not in their span")]
+    NotSubalgebra {
+        /// A vector of the basis.
+        x: String,
+        /// Another one.
+        y: String,
+        /// Their bracket.
+        bracket: String,
+    },
+    /// A complement that the subalgebra does not keep.
+    #[error("the complement m is not invariant under h: [{x}, {y}] = {bracket} is not in m")]
+    NotReductive {
+        /// A vector of the subalgebra.
+        x: String,
+        /// A vector of the complement.
+        y: String,
+        /// Their bracket.
+        bracket: String,
+    },
+    /// A subalgebra without an orthogonal complement.
+    #[error("the Killing form is degenerate on h: {null} is orthogonal to all of it")]
+    DegenerateOnSubalgebra {
+        /// A vector of `h`.
+        null: String,
+    },
+    /// A tensor at the origin of a homogeneous space that belongs to no invariant field.
+    #[error(
+        "h does not leave {what} alone: \
+         moved by {direction}, component {} is {residual}, not 0", indices(.at)
+    )]
+    NotIsotropic {
+        /// The tensor.
+        what: &'static str,
+        /// The vector of `h` that moves it.
+        direction: String,
+        /// The indices of a component, from 1.
+        at: Vec<usize>,
         /// The component.
         residual: String,
     },
@@ -123,6 +195,11 @@ pub enum Error {
     /// An operation that this frame does not support.
     #[error("{0}")]
     Frame(&'static str),
+}
+
+/// Indices as they are listed: `1,2,3`.
+fn indices(at: &[usize]) -> String {
+    at.iter().map(usize::to_string).collect::<Vec<_>>().join(",")
 }
 
 /// `coefficients` as a linear combination of `labels`, zeros left out.

@@ -1,7 +1,7 @@
 //! Frames: structure functions and derivations.
 
 use crate::Error;
-use affinor_tensors::{Down, Ring, Symbolic, Tensor, Up, Variance, contract};
+use affinor_tensors::{Down, Ring, Sum, Symbolic, Tensor, Up, Variance, contract};
 use std::fmt;
 use std::sync::Arc;
 
@@ -9,13 +9,15 @@ use std::sync::Arc;
 /// `f -> e_k(f)`.
 ///
 /// The left-invariant frame of a Lie algebra (constant `c`, zero derivations on constants), the
-/// right-invariant one (the opposite algebra), and a moving or coordinate frame are three kinds of
-/// this one thing, so every formula of the differential geometry is written once.
+/// right-invariant one (the opposite algebra), a moving or coordinate frame, and the tangent space of
+/// a homogeneous space ([`ReductivePair`](crate::ReductivePair)) are kinds of this one thing, so every
+/// formula of the differential geometry is written once.
 #[derive(Clone)]
 pub struct Frame<S> {
     labels: Arc<[String]>,
     structure: Tensor<S>,
     derivations: Option<Derivations<S>>,
+    isotropy: Option<Tensor<S>>,
 }
 
 /// `f -> e_k(f)`, with `k` from 0.
@@ -28,7 +30,7 @@ impl<S: Ring> Frame<S> {
     /// [`Error::Shape`] unless `structure` has the slots `^i_jk` in the dimension of the labels;
     /// [`Error::NotAntisymmetric`].
     pub fn invariant(labels: Arc<[String]>, structure: Tensor<S>) -> Result<Self, Error> {
-        let frame = Frame { labels, structure, derivations: None };
+        let frame = Frame { labels, structure, derivations: None, isotropy: None };
         expect_slots("the structure", &frame.structure, frame.labels.len(), &[Up, Down, Down])?;
         let symmetric = contract("c^i_jk + c^i_kj -> ^i_jk", &[("c", &frame.structure)])?;
         match symmetric.components().next() {
@@ -58,6 +60,18 @@ impl<S: Ring> Frame<S> {
         Ok(Frame { derivations: Some(derivations), ..frame })
     }
 
+    /// The frame of the tangent space `m` of a reductive homogeneous space: its structure is
+    /// `[e_j, e_k]_m`, its isotropy `[[e_k, e_l]_h, e_j] = h^i_jkl e_i`.
+    pub(crate) fn reductive(
+        labels: Arc<[String]>,
+        structure: Tensor<S>,
+        isotropy: Tensor<S>,
+    ) -> Result<Self, Error> {
+        let frame = Self::invariant(labels, structure)?;
+        expect_slots("the isotropy", &isotropy, frame.dimension(), &[Up, Down, Down, Down])?;
+        Ok(Frame { isotropy: Some(isotropy), ..frame })
+    }
+
     /// The dimension.
     pub fn dimension(&self) -> usize {
         self.labels.len()
@@ -73,9 +87,21 @@ impl<S: Ring> Frame<S> {
         &self.structure
     }
 
-    /// Whether the frame is invariant: constant structure and no derivatives.
+    /// The isotropy `h^i_jkl` of a homogeneous space, slots `[Up, Down, Down, Down]`: its part
+    /// `-[[x,y]_h, z]` of `R(x,y)z`. Zero for any other frame.
+    ///
+    /// # Errors
+    /// When the dimension is beyond the engine.
+    pub fn isotropy(&self) -> Result<Tensor<S>, Error> {
+        match &self.isotropy {
+            Some(isotropy) => Ok(isotropy.clone()),
+            None => Ok(Tensor::zero(self.dimension(), &[Up, Down, Down, Down])?),
+        }
+    }
+
+    /// Whether the frame is that of a group: constant structure, no derivatives, no isotropy.
     pub fn is_invariant(&self) -> bool {
-        self.derivations.is_none()
+        self.derivations.is_none() && self.isotropy.is_none()
     }
 
     /// The frame derivatives `e_k(T)` of all components, `k` a new first slot `_k`.
@@ -124,7 +150,8 @@ impl<S: fmt::Debug> fmt::Debug for Frame<S> {
         f.debug_struct("Frame")
             .field("labels", &self.labels)
             .field("structure", &self.structure)
-            .field("invariant", &self.derivations.is_none())
+            .field("derivations", &self.derivations.is_some())
+            .field("isotropy", &self.isotropy)
             .finish()
     }
 }
@@ -145,6 +172,31 @@ pub(crate) fn expect_slots<S: Ring>(
         expected: shape(dimension, slots),
         found: shape(tensor.dimension(), tensor.slots()),
     })
+}
+
+/// Checks that two slots are symmetric (`sign` 1) or antisymmetric (-1).
+pub(crate) fn expect_symmetry<S: Ring>(
+    what: &'static str,
+    tensor: &Tensor<S>,
+    [a, b]: [usize; 2],
+    sign: i64,
+) -> Result<(), Error> {
+    for (at, value) in tensor.components() {
+        let mut exchanged = at.to_vec();
+        exchanged.swap(a, b);
+        let mut sum = S::Sum::term(value);
+        sum.add_product(&S::from_i64(-sign), &tensor.get(&exchanged));
+        if let Some(residual) = sum.finish(tensor.tolerance()) {
+            return Err(Error::Symmetry {
+                what,
+                law: if sign > 0 { "symmetric" } else { "antisymmetric" },
+                slots: [a + 1, b + 1],
+                at: at.iter().map(|index| index + 1).collect(),
+                residual: residual.to_string(),
+            });
+        }
+    }
+    Ok(())
 }
 
 /// A formula of this package: well formed, over slots that constructors have checked.

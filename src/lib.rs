@@ -8,7 +8,9 @@
 //! `affinor-tensors`, which knows no geometry. Signs and orders of indices are in [`conventions`].
 //!
 //! - [`frame`], [`algebra`], [`connection`], [`metric`], [`curvature`], [`transport`]: the
-//!   geometry, from the bottom up;
+//!   geometry, from the bottom up; [`forms`] and [`lie_derivative`] on any frame;
+//! - [`reductive`]: homogeneous spaces; [`invariants`]: tensors, connections among them, that an
+//!   algebra leaves alone; [`lie_poisson`]: the dual of an algebra, its bracket and Casimirs;
 //! - [`Geometry`]: an algebra, a connection and a metric; [`paper`] has two of them;
 //! - [`catalogue`]: algebras by name; [`roots`]: root systems and Chevalley bases;
 //! - [`definition`]: what a person writes, on the command line or in a file;
@@ -40,10 +42,15 @@ pub mod definition;
 pub mod dense;
 pub mod equations;
 mod error;
+pub mod forms;
 pub mod frame;
 pub mod geometry;
+pub mod invariants;
+pub mod lie_derivative;
+pub mod lie_poisson;
 pub mod metric;
 pub mod paper;
+pub mod reductive;
 pub mod report;
 pub mod roots;
 pub mod transport;
@@ -51,9 +58,12 @@ pub mod transport;
 pub use algebra::{BasisChange, Bracket, LieAlgebra, MatrixBasis};
 pub use connection::{Canonical, Connection};
 pub use error::Error;
+pub use forms::Form;
 pub use frame::Frame;
 pub use geometry::{ConnectionKind, Geometry};
+pub use lie_poisson::LiePoisson;
 pub use metric::Metric;
+pub use reductive::ReductivePair;
 
 /// The program of the README, as a doctest.
 #[cfg(doctest)]

@@ -67,8 +67,7 @@ impl<S: Field> Metric<S> {
     /// [`Error::Shape`] when the dimensions differ.
     pub fn ad_variation(&self, algebra: &LieAlgebra<S>) -> Result<Tensor<S>, Error> {
         expect_slots("the metric", &self.components, algebra.dimension(), &[Down, Down])?;
-        let operands = [("g", &self.components), ("c", algebra.structure())];
-        Ok(formula("g_mj c^m_ki + g_im c^m_kj -> _kij", &operands))
+        Connection::family(algebra, &S::from_i64(-1)).nabla(&self.components)
     }
 
     /// Whether the metric is bi-invariant: `g([z,x],y) + g(x,[z,y]) = 0`.

@@ -106,6 +106,11 @@ const ARROWS: [(&[&str], &[&str]); 5] = [
             "src/connection",
             "src/metric.rs",
             "src/curvature.rs",
+            "src/forms.rs",
+            "src/invariants.rs",
+            "src/lie_derivative.rs",
+            "src/lie_poisson",
+            "src/reductive.rs",
             "src/transport.rs",
         ],
         &[

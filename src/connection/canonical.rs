@@ -1,7 +1,7 @@
 //! The canonical connections of a Lie group and the family between them: `Lambda = lambda c`.
 
 use super::Connection;
-use crate::LieAlgebra;
+use crate::{Frame, LieAlgebra};
 use affinor_tensors::{Field, Ring};
 
 /// The three canonical (Cartan-Schouten) connections.
@@ -23,8 +23,12 @@ pub enum Canonical {
 impl<S: Ring> Connection<S> {
     /// The connection `nabla_X Y = lambda [X, Y]` on left-invariant fields: `Lambda = lambda c`.
     pub fn family(algebra: &LieAlgebra<S>, lambda: &S) -> Self {
-        let gamma = algebra.structure().scale(lambda);
-        Connection { frame: algebra.left_frame().clone(), gamma }
+        Self::over(algebra.left_frame(), lambda)
+    }
+
+    /// `Lambda = lambda c` over the structure of any frame.
+    pub(crate) fn over(frame: &Frame<S>, lambda: &S) -> Self {
+        Connection { frame: frame.clone(), gamma: frame.structure().scale(lambda) }
     }
 }
 

@@ -1,7 +1,8 @@
 //! The Levi-Civita connection of a metric, by Koszul's formula.
 
 use super::Connection;
-use crate::frame::{Frame, expect_slots, formula};
+use super::koszul::koszul;
+use crate::frame::{Frame, expect_slots};
 use crate::{Error, Metric};
 use affinor_tensors::{Down, Field};
 
@@ -18,19 +19,7 @@ impl<S: Field> Connection<S> {
     pub fn levi_civita(frame: &Frame<S>, metric: &Metric<S>) -> Result<Self, Error> {
         let g = metric.components();
         expect_slots("the metric", g, frame.dimension(), &[Down, Down])?;
-        let half = S::from_i64(2).recip().ok_or(Error::Frame("2 is not invertible"))?;
-        let derivative = frame.derivative(g)?;
-        // b_ijk = g([e_j, e_k], e_i)
-        let b = formula("g_im c^m_jk -> _ijk", &[("g", g), ("c", frame.structure())]);
-        // all but g([e_j, e_k], e_i), which raised is c itself, is symmetric in j and k: so in
-        // floats, too, the torsion is nothing but rounding of c
-        let symmetric = formula(
-            "d_j_ki + d_k_ij - d_i_jk + b_jik + b_kij -> _ijk",
-            &[("d", &derivative), ("b", &b)],
-        );
-        let raised = formula("h^im s_mjk -> ^i_jk", &[("h", metric.inverse()), ("s", &symmetric)]);
-        let operands = [("c", frame.structure()), ("r", &raised)];
-        let twice = formula("c^i_jk + r^i_jk -> ^i_jk", &operands);
-        Connection::new(frame.clone(), twice.scale(&half))
+        let gamma = koszul(metric, &frame.derivative(g)?, frame.structure())?;
+        Connection::new(frame.clone(), gamma)
     }
 }

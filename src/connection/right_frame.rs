@@ -1,15 +1,16 @@
 //! A left-invariant connection seen from the right-invariant frame.
 
 use super::Connection;
-use crate::frame::formula;
 use crate::{Error, LieAlgebra};
 use affinor_tensors::{Ring, Tensor};
 
 impl<S: Ring> Connection<S> {
     /// How the generators move the affinities, slots `^i_mjk`:
-    /// `(L_m Lambda)^i_jk = c^i_mp Lambda^p_jk - c^p_mj Lambda^i_pk - c^p_mk Lambda^i_jp`.
+    /// `(L_m Lambda)^i_jk = c^i_mp Lambda^p_jk - c^p_mj Lambda^i_pk - c^p_mk Lambda^i_jp`, as `plus`
+    /// differentiates invariant tensors.
     ///
-    /// Zero exactly when the connection is bi-invariant.
+    /// Zero exactly when the connection is bi-invariant; all such connections are
+    /// [`bi_invariant`](Self::bi_invariant).
     ///
     /// # Errors
     /// In a frame that is not invariant, where the question needs more than constants.
@@ -17,10 +18,7 @@ impl<S: Ring> Connection<S> {
         if !self.frame.is_invariant() {
             return Err(Error::Frame("invariance under ad is a question for an invariant frame"));
         }
-        Ok(formula(
-            "c^i_mp L^p_jk - c^p_mj L^i_pk - c^p_mk L^i_jp -> ^i_mjk",
-            &[("c", self.frame.structure()), ("L", &self.gamma)],
-        ))
+        Connection::over(&self.frame, &S::one()).nabla(&self.gamma)
     }
 
     /// The same connection in the right-invariant frame through the same basis:

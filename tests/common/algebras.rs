@@ -1,7 +1,7 @@
 //! Lie algebras: hand-given ones in random bases, two-step nilpotent and semidirect ones.
 
 use super::{integer, invertible, labels, rationals, tensors};
-use affinor::{BasisChange, Bracket, LieAlgebra};
+use affinor::{BasisChange, Bracket, Error, LieAlgebra, catalogue};
 use affinor_tensors::{Down, Rational, Tensor, Up};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -12,6 +12,17 @@ type Algebra = LieAlgebra<Rational>;
 pub fn by_table(n: usize, table: &[(usize, usize, usize, i64)]) -> Algebra {
     let constants = table.iter().map(|&(j, k, i, v)| (j - 1, k - 1, i - 1, integer(v)));
     Bracket::from_constants(labels(n), constants).unwrap().try_into().unwrap()
+}
+
+/// An algebra of the catalogue without parameters, or a sum of such: `so(3)+R^1`.
+pub fn catalogued(name: &str) -> Algebra {
+    let summand = |name: &str| -> Algebra {
+        let entry = catalogue::find(name).unwrap();
+        let bracket = entry.bracket::<_, Error>(|value| Ok(value.as_constant().cloned().unwrap()));
+        bracket.unwrap().try_into().unwrap()
+    };
+    let summands = name.split('+').map(summand);
+    summands.reduce(|sum, summand| sum.direct_sum(&summand).unwrap()).unwrap()
 }
 
 /// Algebras of every kind, with their names.

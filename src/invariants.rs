@@ -1,0 +1,108 @@
+//! Invariant tensors: what a Lie algebra of endomorphisms leaves alone.
+
+use crate::lie_derivative::act;
+use crate::{Error, LieAlgebra};
+use affinor_tensors::linear::{Matrix, Row};
+use affinor_tensors::{Field, Indices, Tensor, Tolerance, Variance};
+
+/// The most unknowns of a search for invariants.
+///
+/// The time depends on the basis: with few structure constants, as in the catalogue, this many take
+/// seconds; in a dense basis numbers grow, and a thousand take minutes.
+pub const MAX_UNKNOWNS: usize = 1 << 16;
+
+/// A basis of the tensors with `slots` on which every endomorphism `A^i_j` acts as zero,
+/// `A^i_p T^p_j - A^p_j T^i_p = 0`, in reduced row echelon form over their components.
+///
+/// ```
+/// use affinor::invariants::invariant_tensors;
+/// use affinor_tensors::{Down, Rational, Tensor, Up};
+/// // a quarter turn of the plane keeps the metric and the area
+/// let turn = [([0, 1], Rational::from(-1)), ([1, 0], Rational::from(1))];
+/// let turn = Tensor::from_components(2, &[Up, Down], turn)?;
+/// assert_eq!(invariant_tensors(2, &[Down, Down], &[turn])?.len(), 2);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Shape`]; [`Error::Size`] when there are more than [`MAX_UNKNOWNS`] components.
+pub fn invariant_tensors<S: Field>(
+    dimension: usize,
+    slots: &[Variance],
+    endomorphisms: &[Tensor<S>],
+) -> Result<Vec<Tensor<S>>, Error> {
+    let size = dimension.saturating_pow(slots.len() as u32);
+    let tolerances = endomorphisms.iter().map(Tensor::tolerance);
+    let tolerance = tolerances.reduce(Tolerance::weaker).unwrap_or_default();
+    let of_row = |row: &[(usize, S)]| {
+        let components = row.iter().map(|(key, v)| (digits(*key, dimension, slots), v.clone()));
+        let tensor = Tensor::from_components(dimension, slots, components)?;
+        Ok(tensor.with_tolerance(tolerance))
+    };
+    let image = |endomorphism: &Tensor<S>, row: &[(usize, S)]| {
+        let acted = act(endomorphism, &of_row(row)?)?;
+        Ok(acted.components().map(|(at, value)| (key(&at, dimension), value.clone())).collect())
+    };
+    let kernel = common_kernel("components of a tensor", size, tolerance, endomorphisms, image)?;
+    (0..kernel.rows()).map(|at| of_row(kernel.row(at))).collect()
+}
+
+/// The place of a component in the order of indices.
+fn key(at: &Indices, dimension: usize) -> usize {
+    at.iter().fold(0, |key, index| key * dimension + index)
+}
+
+/// The indices at a place.
+fn digits(mut key: usize, dimension: usize, slots: &[Variance]) -> Vec<usize> {
+    let mut indices = vec![0; slots.len()];
+    for index in indices.iter_mut().rev() {
+        (*index, key) = (key % dimension, key / dimension);
+    }
+    indices
+}
+
+/// The vectors of `unknowns` components that every map takes to zero, in reduced row echelon form.
+///
+/// One map after another: few vectors are left when the last ones are asked, and the maps are only
+/// ever applied, never written down.
+pub(crate) fn common_kernel<S: Field, M: Copy>(
+    what: &'static str,
+    unknowns: usize,
+    tolerance: Tolerance,
+    maps: impl IntoIterator<Item = M>,
+    image: impl Fn(M, &[(usize, S)]) -> Result<Row<S>, Error>,
+) -> Result<Matrix<S>, Error> {
+    if unknowns > MAX_UNKNOWNS {
+        return Err(Error::Size { what, size: unknowns, limit: MAX_UNKNOWNS });
+    }
+    let mut kernel = Matrix::identity(unknowns).with_tolerance(tolerance);
+    for map in maps {
+        let images = (0..kernel.rows()).map(|at| image(map, kernel.row(at)));
+        let images = images.collect::<Result<Vec<_>, _>>()?;
+        let images = Matrix::from_rows(unknowns, images)?.with_tolerance(tolerance);
+        kernel = images.transpose().nullspace()?.mul(&kernel)?;
+    }
+    Ok(kernel.row_space()?)
+}
+
+impl<S: Field> LieAlgebra<S> {
+    /// A basis of the tensors with `slots` that all `directions` leave alone, `L_x T = 0`; those
+    /// of a subalgebra when they span or generate it.
+    ///
+    /// # Errors
+    /// As [`invariant_tensors`].
+    pub fn invariant_tensors(
+        &self,
+        slots: &[Variance],
+        directions: &[Vec<S>],
+    ) -> Result<Vec<Tensor<S>>, Error> {
+        let endomorphisms = directions.iter().map(|x| self.ad(x));
+        let endomorphisms = endomorphisms.collect::<Result<Vec<_>, _>>()?;
+        invariant_tensors(self.dimension(), slots, &endomorphisms)
+    }
+
+    /// The basis vectors, by their components.
+    pub(crate) fn basis(&self) -> Vec<Vec<S>> {
+        Matrix::identity(self.dimension()).to_dense()
+    }
+}

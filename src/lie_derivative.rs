@@ -1,0 +1,69 @@
+//! Derivations of tensors, and the Lie derivative along a field.
+
+use crate::Error;
+use crate::algebra::indices;
+use crate::frame::{Frame, expect_slots, formula};
+use affinor_tensors::{Down, Ring, Tensor, Up, Variance, contract};
+
+/// The letters of the slots of a tensor; `m` and `p` are left for sums.
+pub(crate) const LETTERS: &str = "abcdefgh";
+
+/// What the derivation `e_k -> L^i_{direction}k e_i` makes of `T`, for the notation of
+/// contractions: a term for every slot, `+ L^a_p T^p..` for an upper and `- L^p_a T_p..` for a
+/// lower one.
+pub(crate) fn derivation<S: Ring>(direction: &str, tensor: &Tensor<S>) -> String {
+    let letters = &LETTERS[..tensor.rank()];
+    let slots = letters.chars().zip(tensor.slots());
+    let term = |(letter, slot): (char, &Variance)| {
+        let summed = indices(&letters.replace(letter, "p"), tensor);
+        match slot {
+            Up => format!(" + L^{letter}_{direction}p T{summed}"),
+            Down => format!(" - L^p_{direction}{letter} T{summed}"),
+        }
+    };
+    slots.map(term).collect()
+}
+
+/// The action of an endomorphism `A^i_j` on a tensor of any type, as a derivation:
+/// `(A T)^i_j = A^i_p T^p_j - A^p_j T^i_p`.
+///
+/// # Errors
+/// [`Error::Shape`] unless `A` has the slots `^i_j` in the dimension of the tensor.
+pub fn act<S: Ring>(endomorphism: &Tensor<S>, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
+    expect_slots("the endomorphism", endomorphism, tensor.dimension(), &[Up, Down])?;
+    if tensor.rank() == 0 {
+        return Ok(Tensor::zero(tensor.dimension(), &[])?);
+    }
+    let result = indices(&LETTERS[..tensor.rank()], tensor);
+    let sum = derivation("", tensor);
+    Ok(contract(&format!("{sum} -> {result}"), &[("L", endomorphism), ("T", tensor)])?)
+}
+
+impl<S: Ring> Frame<S> {
+    /// The Lie derivative along the field `X^i`, of a tensor of any type:
+    ///
+    /// ```text
+    /// (L_X T)^i_j = X^m e_m(T^i_j) + A^i_p T^p_j - A^p_j T^i_p,    A^i_j = X^m c^i_mj - e_j(X^i)
+    /// ```
+    ///
+    /// so `L_X Y = [X, Y]` (A7). In the left-invariant frame of an algebra and with constant
+    /// components, `A = ad_X`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`]; when the derivative of the tensor is beyond the engine.
+    pub fn lie_derivative(
+        &self,
+        field: &Tensor<S>,
+        tensor: &Tensor<S>,
+    ) -> Result<Tensor<S>, Error> {
+        expect_slots("the field", field, self.dimension(), &[Up])?;
+        let d = self.derivative(field)?;
+        let operands = [("c", self.structure()), ("X", field), ("d", &d)];
+        let endomorphism = formula("X^m c^i_mj - d_j^i -> ^i_j", &operands);
+        let acted = act(&endomorphism, tensor)?;
+        let result = indices(&LETTERS[..tensor.rank()], tensor);
+        let text = format!("X^m d_m{result} + A{result} -> {result}");
+        let derivative = self.derivative(tensor)?;
+        Ok(contract(&text, &[("X", field), ("d", &derivative), ("A", &acted)])?)
+    }
+}
