@@ -1,6 +1,7 @@
 //! What the mathematics refuses, each with its witness.
 
 use affinor_tensors::TensorError;
+use affinor_tensors::linear::LinearError;
 
 /// An error of the geometry: what failed, where, and by how much.
 ///
@@ -11,6 +12,9 @@ pub enum Error {
     /// Shapes that do not fit together.
     #[error("{0}")]
     Tensor(#[from] TensorError),
+    /// A question of linear algebra that has no answer.
+    #[error("{0}")]
+    Linear(#[from] LinearError),
     /// A tensor of the wrong dimension or with the wrong slots.
     #[error("{what} should have {expected}, not {found}")]
     Shape {

@@ -9,6 +9,7 @@
 //!
 //! - [`frame`], [`algebra`], [`connection`], [`metric`], [`curvature`], [`transport`]: the
 //!   geometry, from the bottom up;
+//! - [`holonomy`], [`properties`]: what a connection or a metric is like, with proof;
 //! - [`Geometry`]: an algebra, a connection and a metric; [`paper`] has two of them;
 //! - [`catalogue`]: algebras by name; [`roots`]: root systems and Chevalley bases;
 //! - [`definition`]: what a person writes, on the command line or in a file;
@@ -41,8 +42,10 @@ pub mod dense;
 mod error;
 pub mod frame;
 pub mod geometry;
+pub mod holonomy;
 pub mod metric;
 pub mod paper;
+pub mod properties;
 pub mod report;
 pub mod roots;
 pub mod transport;

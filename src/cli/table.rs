@@ -28,7 +28,9 @@ pub struct Arguments {
 #[derive(Args)]
 pub struct Selection {
     /// Tensors, separated by commas: structure, affinities, torsion, curvature, ricci,
-    /// scalar_curvature, metric, inverse_metric, nonmetricity, killing, or all
+    /// scalar_curvature, metric, inverse_metric, nonmetricity, killing, or all for these;
+    /// nabla_torsion, nabla_curvature, ricci_symmetric, ricci_antisymmetric, einstein, schouten,
+    /// weyl, cotton, kretschmann, or derived for these
     #[arg(long, value_name = "TENSORS", value_parser = quantities)]
     pub show: Option<Quantities>,
     /// One component of each set that is equal by symmetry
@@ -77,7 +79,7 @@ impl Selection {
             |quantity: &Quantity| !matches!(quantity, Quantity::InverseMetric | Quantity::Killing);
         match &self.show {
             Some(Quantities(chosen)) => chosen.clone(),
-            None => Quantity::ALL.into_iter().filter(default).collect(),
+            None => Quantity::BASIC.iter().copied().filter(default).collect(),
         }
     }
 
@@ -123,6 +125,11 @@ impl Work for Write<'_> {
     ) -> Result<Self::Output, InputError> {
         let Arguments { selection, shared, .. } = self.arguments;
         let table = selection.table(definition, reading, &self.quantities, self.stages)?;
+        let absent = |quantity: &&Quantity| table.tensors.iter().all(|e| e.quantity != **quantity);
+        let absent: Vec<&str> = self.quantities.iter().filter(absent).map(|q| q.key()).collect();
+        if selection.show.is_some() && !absent.is_empty() {
+            note(&format!("not of this space: {}", absent.join(", ")));
+        }
         self.stages.begin("output");
         let inputs: Vec<&Path> = self.input.into_iter().collect();
         let output = &shared.output;
@@ -132,14 +139,18 @@ impl Work for Write<'_> {
 }
 
 fn quantities(text: &str) -> Result<Quantities, String> {
-    if text.trim() == "all" {
-        return Ok(Quantities(Quantity::ALL.to_vec()));
+    let mut chosen = Vec::new();
+    for key in text.split(',').map(str::trim) {
+        match (key, Quantity::from_key(key)) {
+            ("all", _) => chosen.extend(Quantity::BASIC),
+            ("derived", _) => chosen.extend(Quantity::DERIVED),
+            (_, Some(quantity)) => chosen.push(quantity),
+            (_, None) => {
+                let keys: Vec<&str> = Quantity::ALL.into_iter().map(Quantity::key).collect();
+                let known = format!("{}, all, derived", keys.join(", "));
+                return Err(format!("`{}` is not one of {known}", key.escape_debug()));
+            }
+        }
     }
-    let quantity = |key: &str| {
-        Quantity::from_key(key.trim()).ok_or_else(|| {
-            let all: Vec<&str> = Quantity::ALL.into_iter().map(Quantity::key).collect();
-            format!("`{}` is not one of {}, all", key.escape_debug(), all.join(", "))
-        })
-    };
-    text.split(',').map(quantity).collect::<Result<_, _>>().map(Quantities)
+    Ok(Quantities(chosen))
 }
