@@ -199,7 +199,8 @@ pub const EINSTEIN: &str = "G_jl = Ric_jl - 1/2 S g_jl";
 /// Schouten tensor.
 pub const SCHOUTEN: &str = "P_jl = (Ric_jl - S/(2(n-1)) g_jl)/(n-2)";
 /// Weyl tensor.
-pub const WEYL: &str = "W^i_jkl = R^i_jkl - delta^i_k P_jl + delta^i_l P_jk - g_jl P^i_k + g_jk P^i_l";
+pub const WEYL: &str =
+    "W^i_jkl = R^i_jkl - delta^i_k P_jl + delta^i_l P_jk - g_jl P^i_k + g_jk P^i_l";
 /// Cotton tensor.
 pub const COTTON: &str = "C_jkl = (nabla_k P)_jl - (nabla_l P)_jk";
 /// Kretschmann scalar.

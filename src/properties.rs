@@ -127,11 +127,7 @@ impl<S: Ring> Connection<S> {
 
 /// Whether a tensor is zero; `equation` says what it is and `letters` in which order its slots
 /// stand there.
-fn vanishing<S: Ring>(
-    tensor: &Tensor<S>,
-    equation: String,
-    letters: &'static str,
-) -> Property<S> {
+fn vanishing<S: Ring>(tensor: &Tensor<S>, equation: String, letters: &'static str) -> Property<S> {
     match tensor.components().next() {
         None => Property::Holds(()),
         Some((at, residual)) => Property::Fails(Witness {

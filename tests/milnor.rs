@@ -34,10 +34,10 @@ fn unimodular_groups() {
     let [r1, r2, r3] = [twice(1, 2), twice(2, 0), twice(0, 1)];
     assert_eq!(connection.ricci(), diagonal([r1.clone(), r2.clone(), r3.clone()]));
     // before it: the affinities are nabla_{e_1} e_2 = mu_1 e_3 and so on
-    for i in 0..3 {
+    for (i, mu) in mu.iter().enumerate() {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        assert_eq!(connection.gamma().get(&[k, i, j]), mu[i]);
-        assert_eq!(connection.gamma().get(&[j, i, k]), -mu[i].clone());
+        assert_eq!(connection.gamma().get(&[k, i, j]), *mu);
+        assert_eq!(connection.gamma().get(&[j, i, k]), -mu.clone());
     }
     assert_eq!(connection.gamma().len(), 6);
     let scalar = r1.clone() + &r2 + &r3;

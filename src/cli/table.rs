@@ -128,7 +128,7 @@ impl Work for Write<'_> {
         let absent = |quantity: &&Quantity| table.tensors.iter().all(|e| e.quantity != **quantity);
         let absent: Vec<&str> = self.quantities.iter().filter(absent).map(|q| q.key()).collect();
         if selection.show.is_some() && !absent.is_empty() {
-            note(&format!("not of this space: {}", absent.join(", ")));
+            note(&format!("does not apply to this space: {}", absent.join(", ")));
         }
         self.stages.begin("output");
         let inputs: Vec<&Path> = self.input.into_iter().collect();

@@ -44,7 +44,8 @@ pub(super) fn ratio<S: Field>(
     letters: &'static str,
 ) -> Property<S, S> {
     let pivots = b.components().filter_map(|(at, value)| Some((at, value, value.recip()?)));
-    let best = pivots.max_by(|x, y| x.1.pivot_weight().total_cmp(&y.1.pivot_weight()));
+    // the first of the best
+    let best = pivots.min_by(|x, y| y.1.pivot_weight().total_cmp(&x.1.pivot_weight()));
     let c = best.map_or_else(S::zero, |(at, _, inverse)| a.get(&at) * &inverse);
     let slots = contraction::indices(letters.chars().zip(a.slots().iter().copied()));
     let scaled = b.scale(&c);
@@ -53,10 +54,7 @@ pub(super) fn ratio<S: Field>(
 }
 
 /// Whether what was found is a constant: in a moving frame it could be a function.
-fn constant<S: Field>(
-    frame: &Frame<S>,
-    found: Property<S, S>,
-) -> Result<Property<S, S>, Error> {
+fn constant<S: Field>(frame: &Frame<S>, found: Property<S, S>) -> Result<Property<S, S>, Error> {
     let Property::Holds(c) = found else { return Ok(found) };
     let value = Tensor::from_components(frame.dimension(), &[], [([], c.clone())])?;
     let gradient = frame.derivative(&value)?;

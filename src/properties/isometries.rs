@@ -67,6 +67,10 @@ impl<S: Field> Metric<S> {
         let n = algebra.dimension();
         let (g, c) = (self.components(), algebra.structure());
         let variation = self.ad_variation(algebra)?;
+        if variation.is_empty() {
+            // bi-invariant: phi = 0 will do, whatever k is
+            return Ok(Property::Holds(Tensor::zero(n, &[Up, Down])?));
+        }
         let fields = self.killing_fields(algebra)?;
         // k^i_a, the fields in columns, and brackets with them
         let entries = fields.iter().enumerate().flat_map(|(a, field)| {
@@ -83,9 +87,8 @@ impl<S: Field> Metric<S> {
         let mut system = System::new(fields.len() * n, variation.tolerance());
         for [b, i, q] in triples(fields.len(), n, n) {
             let image = ranks.clone().flat_map(|a| (0..n).map(move |m| (a, m)));
-            let image = image.map(|(a, m)| {
-                (unknown(a, m), -(by.get(&[m, i, b]) * &k.get(&[q, a])))
-            });
+            let image =
+                image.map(|(a, m)| (unknown(a, m), -(by.get(&[m, i, b]) * &k.get(&[q, a]))));
             let bracket = ranks.clone().map(|a| (unknown(a, i), -within.get(&[q, b, a])));
             // homogeneous, and so never in conflict
             system.add(image.chain(bracket).collect(), S::zero())?;

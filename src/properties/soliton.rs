@@ -25,10 +25,7 @@ impl<S: Field> Metric<S> {
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
-    pub fn ricci_soliton(
-        &self,
-        algebra: &LieAlgebra<S>,
-    ) -> Result<Property<S, Soliton<S>>, Error> {
+    pub fn ricci_soliton(&self, algebra: &LieAlgebra<S>) -> Result<Property<S, Soliton<S>>, Error> {
         let levi_civita = Connection::levi_civita(algebra.left_frame(), self)?;
         let ricci = levi_civita.ricci().raise(0, self.inverse())?;
         let c = algebra.structure();
@@ -38,9 +35,8 @@ impl<S: Field> Metric<S> {
             &[("D", &ricci), ("c", c)],
         );
         let opposite = c.map(|value| -value.clone());
-        let equation = |s: &S| {
-            format!("Ric^i_m c^m_jk - c^i_mk Ric^m_j - c^i_jm Ric^m_k + ({s}) c^i_jk")
-        };
+        let equation =
+            |s: &S| format!("Ric^i_m c^m_jk - c^i_mk Ric^m_j - c^i_jm Ric^m_k + ({s}) c^i_jk");
         let constant = match ratio(&defect, &opposite, equation, "ijk") {
             Property::Holds(constant) => constant,
             Property::Fails(witness) => return Ok(Property::Fails(witness)),
