@@ -258,6 +258,40 @@ fn conformal_changes() {
     assert_eq!(weyl(&scaled), before);
 }
 
+/// The example of SageManifolds (`schouten`, `cotton_york` in metric.py): the Heisenberg group, whose
+/// `CY_ij = epsilon^kl_i nabla_k P_lj` is `1/2 epsilon^kl_i C_jkl` here.
+#[test]
+fn heisenberg_group_in_coordinates() {
+    let x = Symbolic::parameter("x");
+    let square = x.clone() * &x;
+    let symmetric = |values: [Symbolic; 4]| {
+        let [xx, yy, yz, zz] = values;
+        let entries =
+            [([0, 0], xx), ([1, 1], yy), ([1, 2], yz.clone()), ([2, 1], yz), ([2, 2], zz)];
+        Tensor::from_components(3, &[Down, Down], entries).unwrap()
+    };
+    let ratio = |n: i64, d: i64| Symbolic::constant(fraction(n, d));
+    let frame = Frame::coordinates(&["x", "y", "z"]).unwrap();
+    let g = symmetric([constant(1), constant(1) + &square, -x.clone(), constant(1)]);
+    let (connection, metric) = levi_civita(&frame, g);
+    let schouten = symmetric([
+        ratio(-3, 8),
+        ratio(5, 8) * &square - &ratio(3, 8),
+        ratio(-5, 8) * &x,
+        ratio(5, 8),
+    ]);
+    assert_eq!(connection.schouten(&metric).unwrap(), schouten);
+    let epsilon = Tensor::from_fn(3, [Up, Up, Up], |[i, j, k]| {
+        let (i, j, k) = (i as i64, j as i64, k as i64);
+        constant((i - j) * (j - k) * (k - i) / 2)
+    });
+    let cotton = connection.cotton(&metric).unwrap();
+    let operands = [("e", &epsilon.unwrap()), ("C", &cotton)];
+    let york = contract("e^klm C_jkl -> ^m_j", &operands).unwrap().scale(&ratio(1, 2));
+    let york = york.lower(0, metric.components()).unwrap();
+    assert_eq!(york, symmetric([ratio(1, 2), ratio(1, 2) - &square, x, constant(-1)]));
+}
+
 /// The unit sphere in stereographic coordinates: `P = g/2`, no Weyl, no Cotton, `Kr = 2 n (n-1)`.
 #[test]
 fn round_spheres() {
