@@ -18,8 +18,8 @@ impl<S: Field> Connection<S> {
     /// smallest space of matrices `A^i_j` that contains all `R(e_k, e_l)` and with `A` also the
     /// `[Lambda_m, A]`, where `(Lambda_m)^i_j = Lambda^i_mj`.
     ///
-    /// K. Nomizu, *Amer. J. Math.* 76 (1954) 33-65; Kobayashi and Nomizu, *Foundations II*, theorem
-    /// X.4.1: the space so spanned is closed under the commutator. With parameters it is that of
+    /// K. Nomizu, *Amer. J. Math.* 76 (1954) 33-65; Kobayashi and Nomizu, *Foundations II*, section
+    /// X.4: the space so spanned is closed under the commutator. With parameters it is that of
     /// generic values; over floats its dimension is as good as the tolerance.
     ///
     /// # Errors

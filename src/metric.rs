@@ -111,6 +111,7 @@ impl<S: Field> Connection<S> {
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
     pub fn scalar_curvature(&self, metric: &Metric<S>) -> Result<S, Error> {
+        metric.expect_dimension(self.frame().dimension())?;
         metric.trace(&self.ricci())
     }
 

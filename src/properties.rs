@@ -110,7 +110,7 @@ impl<S: Ring> Connection<S> {
 
     /// Whether the curvature is parallel, `nabla R = 0`. With parallel torsion the space is then
     /// locally a reductive homogeneous one with its canonical connection: Kobayashi and Nomizu,
-    /// *Foundations II*, theorem X.2.8.
+    /// *Foundations II*, section X.2.
     pub fn parallel_curvature(&self) -> Property<S> {
         vanishing(&self.nabla_curvature(), "(nabla_m R)^i_jkl".into(), "imjkl")
     }

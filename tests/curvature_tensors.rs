@@ -64,7 +64,7 @@ proptest! {
         prop_assert!(trace.is_empty());
     }
 
-    /// A. Besse, Einstein manifolds (1987), 1.116: `|R|^2 = |W|^2 + 4/(n-2) |Ric|^2 - 2 S^2 /
+    /// A. Besse, Einstein manifolds (1987), chapter 1.G: `|R|^2 = |W|^2 + 4/(n-2) |Ric|^2 - 2 S^2 /
     /// ((n-1)(n-2))`; and `tr P = S/(2(n-1))`, `tr G = (1 - n/2) S`.
     #[test]
     fn squares_and_traces(space in spaces(5)) {
@@ -110,6 +110,44 @@ proptest! {
         prop_assert!(free.torsion().is_empty());
         let trace = contract("R^i_ijl -> _jl", &[("R", &free.curvature())])?;
         prop_assert_eq!(free.ricci_antisymmetric()?, trace.scale(&fraction(1, 2)));
+    }
+
+    /// The formulas as they stand, also where Ricci is not symmetric.
+    #[test]
+    fn of_any_connection(space in spaces(4)) {
+        let (metric, n) = (&space.metric, space.dimension());
+        let (g, h) = (metric.components(), metric.inverse());
+        for connection in space.connections() {
+            let (ricci, r) = (connection.ricci(), connection.curvature());
+            let scalar = connection.scalar_curvature(metric)?;
+            let less = |share: Rational, j: usize, l: usize| {
+                ricci.get(&[j, l]) - &(scalar.clone() * &share * &g.get(&[j, l]))
+            };
+            let p = |j: usize, l: usize| {
+                less(fraction(1, 2 * (n as i64 - 1)), j, l) * &fraction(1, n as i64 - 2)
+            };
+            let raised = |i: usize, k: usize| {
+                (0..n).fold(integer(0), |sum, m| sum + &(h.get(&[i, m]) * &p(m, k)))
+            };
+            let einstein = connection.einstein(metric)?;
+            let (schouten, weyl) = (connection.schouten(metric)?, connection.weyl(metric)?);
+            let (cotton, nabla) = (connection.cotton(metric)?, connection.nabla(&schouten)?);
+            let delta = |i: usize, k: usize| integer(i64::from(i == k));
+            for [j, l] in (0..n * n).map(|key| [key / n, key % n]) {
+                prop_assert_eq!(einstein.get(&[j, l]), less(fraction(1, 2), j, l));
+                prop_assert_eq!(schouten.get(&[j, l]), p(j, l));
+                for k in 0..n {
+                    let curl = nabla.get(&[k, j, l]) - &nabla.get(&[l, j, k]);
+                    prop_assert_eq!(cotton.get(&[j, k, l]), curl);
+                    for i in 0..n {
+                        let rest = delta(i, k) * &p(j, l) - &(delta(i, l) * &p(j, k))
+                            + &(g.get(&[j, l]) * &raised(i, k))
+                            - &(g.get(&[j, k]) * &raised(i, l));
+                        prop_assert_eq!(weyl.get(&[i, j, k, l]), r.get(&[i, j, k, l]) - &rest);
+                    }
+                }
+            }
+        }
     }
 
     /// The direction is the first lower index; the canonical connections have parallel torsion and

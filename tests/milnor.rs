@@ -77,7 +77,7 @@ fn unit_metric(algebra: &LieAlgebra<Rational>) -> Metric<Rational> {
     Metric::new(algebra.labels(), unit.unwrap()).unwrap()
 }
 
-/// Corollaries 4.5 to 4.8: the signatures of the Ricci form that occur on each of the six groups,
+/// Section 4: the signatures of the Ricci form that occur on each of the six groups,
 /// which the signs of `l1, l2, l3` tell apart up to their common sign.
 #[test]
 fn signatures() {

@@ -105,7 +105,7 @@ fn damek_ricci_space() {
     assert_eq!((witness.equation.as_str(), witness.letters), ("(nabla_m R)^i_jkl", "imjkl"));
     assert_eq!(space.connection().nabla_curvature().get(&witness.indices), witness.residual);
     assert!(!witness.residual.is_zero());
-    // the group without a is a nilsoliton with the same constant: J. Lauret 2001, theorem 3.7
+    // the group without a is a nilsoliton with the same constant: J. Lauret 2001
     let nil = by_table(6, &[(1, 2, 5, 1), (3, 4, 5, 1), (1, 3, 6, 1), (4, 2, 6, 1)]);
     let soliton = metric(&nil, &[1; 6]).ricci_soliton(&nil).unwrap().holds().unwrap();
     assert_eq!(soliton.constant, integer(-3));

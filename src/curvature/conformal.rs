@@ -29,9 +29,7 @@ impl<S: Field> Connection<S> {
             let inverse = S::from_i64(of as i64).recip();
             inverse.ok_or(Error::Frame("the dimension gives a divisor that is not invertible"))
         };
-        let ricci = self.ricci();
-        let trace = metric.components().scale(&(metric.trace(&ricci)? * &share(2 * (n - 1))?));
-        let difference = formula("r_jl - s_jl -> _jl", &[("r", &ricci), ("s", &trace)]);
+        let difference = self.ricci_less_trace(metric, &share(2 * (n - 1))?)?;
         Ok(difference.scale(&share(n - 2)?))
     }
 

@@ -43,8 +43,18 @@ impl<S: Field> Connection<S> {
     /// ```
     pub fn einstein(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
         let half = S::from_i64(2).recip().ok_or(Error::Frame("2 is not invertible"))?;
+        self.ricci_less_trace(metric, &half)
+    }
+
+    /// `Ric_jl - share S g_jl`.
+    pub(super) fn ricci_less_trace(
+        &self,
+        metric: &Metric<S>,
+        share: &S,
+    ) -> Result<Tensor<S>, Error> {
+        metric.expect_dimension(self.frame().dimension())?;
         let ricci = self.ricci();
-        let half_trace = metric.components().scale(&(metric.trace(&ricci)? * &half));
-        Ok(formula("r_jl - s_jl -> _jl", &[("r", &ricci), ("s", &half_trace)]))
+        let trace = metric.components().scale(&(metric.trace(&ricci)? * share));
+        Ok(formula("r_jl - s_jl -> _jl", &[("r", &ricci), ("s", &trace)]))
     }
 }
