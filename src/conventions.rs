@@ -72,6 +72,50 @@
 //! assert_eq!(plane.scalar_curvature(&g)?, (-2).into());
 //! # Ok::<(), Error>(())
 //! ```
+//! *Ricci, parts*: `symRic`, `altRic` with weight 1/2. *Einstein*: `G_jl = Ric_jl - 1/2 S g_jl`.
+//! *Kretschmann*: `Kr = R_ijkl R^ijkl`.
+//! ```
+//! # use affinor::*; use affinor_tensors::*;
+//! # fn aff() -> LieAlgebra<Rational> {
+//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
+//! # }
+//! // nabla_y y = y and nothing else: R(x,y) y = -nabla_[x,y] y = -y, so Ric(y,x) = 1
+//! let gamma = Tensor::from_components(2, &[Up, Down, Down], [([1, 1, 1], 1.into())])?;
+//! let skew = Connection::new(aff().left_frame().clone(), gamma)?;
+//! assert_eq!(skew.ricci_symmetric()?.get(&[0, 1]), Rational::new(1, 2).unwrap());
+//! assert_eq!(skew.ricci_antisymmetric()?.get(&[1, 0]), Rational::new(1, 2).unwrap());
+//! // the hyperbolic plane: R_1212 = -1 and its mirror images; G = 0 as on every surface
+//! let one = Tensor::from_fn(2, [Down, Down], |[i, j]| i64::from(i == j).into())?;
+//! let g = Metric::new(aff().labels(), one)?;
+//! let plane = Connection::levi_civita(aff().left_frame(), &g)?;
+//! assert_eq!(plane.kretschmann(&g)?, 4.into());
+//! assert!(plane.einstein(&g)?.is_empty());
+//! # Ok::<(), Error>(())
+//! ```
+//! *Schouten*: `P_jl = (Ric_jl - S/(2(n-1)) g_jl)/(n-2)`. *Weyl*: `W^i_jkl = R^i_jkl - delta^i_k P_jl
+//! + delta^i_l P_jk - g_jl P^i_k + g_jk P^i_l`. *Cotton*: `C_jkl = (nabla_k P)_jl - (nabla_l P)_jk`.
+//! ```
+//! # use affinor::*; use affinor_tensors::*;
+//! // the Heisenberg group, [x, y] = z: Ric = diag(-1/2, -1/2, 1/2), S = -1/2
+//! let bracket = Bracket::from_fn(&["x", "y", "z"], |j, k| match (j, k) {
+//!     (0, 1) => vec![(2, Rational::from(1))],
+//!     _ => vec![],
+//! })?;
+//! let algebra = LieAlgebra::try_from(bracket)?;
+//! let g = Metric::new(
+//!     algebra.labels(),
+//!     Tensor::from_fn(3, [Down, Down], |[i, j]| i64::from(i == j).into())?,
+//! )?;
+//! let nil = Connection::levi_civita(algebra.left_frame(), &g)?;
+//! let p = nil.schouten(&g)?;
+//! assert_eq!(p.get(&[0, 0]), Rational::new(-3, 8).unwrap());
+//! assert_eq!(p.get(&[2, 2]), Rational::new(5, 8).unwrap());
+//! // nabla_x y = z/2, nabla_x z = -y/2: (nabla_x P)(z,y) = P(y,y)/2 - P(z,z)/2 = -1/2, and
+//! // (nabla_y P)(z,x) = 1/2
+//! assert_eq!(nil.cotton(&g)?.get(&[2, 0, 1]), Rational::from(-1));
+//! assert!(nil.weyl(&g)?.is_empty()); // in dimension 3
+//! # Ok::<(), Error>(())
+//! ```
 //! *Killing form*: `K_ij = c^m_il c^l_jm = tr(ad_i ad_j)`.
 //! ```
 //! # use affinor::*; use affinor_tensors::*;
@@ -194,6 +238,29 @@ pub const SCALAR_CURVATURE: &str = "S = g^jl Ric_jl";
 /// Nonmetricity.
 pub const NONMETRICITY: &str =
     "Q_kij = (nabla_k g)_ij = e_k(g_ij) - Lambda^m_ki g_mj - Lambda^m_kj g_im";
+/// Metric.
+pub const METRIC: &str = "g_ij = g(e_i, e_j)";
+/// Inverse metric.
+pub const INVERSE_METRIC: &str = "g^ij g_jk = delta^i_k";
+/// Derivative of the torsion.
+pub const NABLA_TORSION: &str = "(nabla tau)^i_mjk = (nabla_m tau)^i_jk";
+/// Derivative of the curvature.
+pub const NABLA_CURVATURE: &str = "(nabla R)^i_mjkl = (nabla_m R)^i_jkl";
+/// Symmetric part of the Ricci tensor.
+pub const RICCI_SYMMETRIC: &str = "symRic_jl = 1/2 (Ric_jl + Ric_lj)";
+/// Antisymmetric part of the Ricci tensor.
+pub const RICCI_ANTISYMMETRIC: &str = "altRic_jl = 1/2 (Ric_jl - Ric_lj)";
+/// Einstein tensor.
+pub const EINSTEIN: &str = "G_jl = Ric_jl - 1/2 S g_jl";
+/// Schouten tensor.
+pub const SCHOUTEN: &str = "P_jl = (Ric_jl - S/(2(n-1)) g_jl)/(n-2)";
+/// Weyl tensor.
+pub const WEYL: &str =
+    "W^i_jkl = R^i_jkl - delta^i_k P_jl + delta^i_l P_jk - g_jl P^i_k + g_jk P^i_l";
+/// Cotton tensor.
+pub const COTTON: &str = "C_jkl = (nabla_k P)_jl - (nabla_l P)_jk";
+/// Kretschmann scalar.
+pub const KRETSCHMANN: &str = "Kr = R_ijkl R^ijkl";
 /// Killing form.
 pub const KILLING: &str = "K_ij = c^m_il c^l_jm";
 
@@ -219,6 +286,10 @@ pub const ALL: &[(&str, &[&str])] = &[
     ("Bianchi, second", &["cyclic sum over m,k,l of (nabla_m R)^i_jkl + tau^p_mk R^i_jpl = 0"]),
     ("Ricci, scalar", &[RICCI, SCALAR_CURVATURE]),
     ("sectional", &["K(x,y) = g(R(x,y)y, x) / (g(x,x) g(y,y) - g(x,y)^2)"]),
+    ("Ricci, parts", &[RICCI_SYMMETRIC, RICCI_ANTISYMMETRIC]),
+    ("Einstein", &[EINSTEIN]),
+    ("Schouten, Weyl, Cotton", &[SCHOUTEN, WEYL, COTTON, "of Levi-Civita, in dimension n >= 3"]),
+    ("Kretschmann", &[KRETSCHMANN]),
     ("nonmetricity", &[NONMETRICITY]),
     (
         "Levi-Civita",

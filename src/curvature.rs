@@ -1,4 +1,9 @@
-//! Torsion, curvature, Ricci, and the Bianchi identities they satisfy.
+//! Torsion, curvature, Ricci, and the Bianchi identities they satisfy; what is made of them.
+
+mod conformal;
+mod derivative;
+mod kretschmann;
+mod ricci;
 
 use crate::Connection;
 use crate::frame::formula;
@@ -45,8 +50,7 @@ impl<S: Ring> Connection<S> {
     /// over `j, k, l` of `R^i_jkl - tau^m_kl tau^i_mj - (nabla_k tau)^i_lj`. Zero for every
     /// connection over a frame whose structure satisfies the Jacobi identity.
     pub fn bianchi_first(&self) -> Tensor<S> {
-        let torsion = self.torsion();
-        let nabla = self.nabla(&torsion).expect("the torsion belongs to the frame");
+        let (torsion, nabla) = (self.torsion(), self.nabla_torsion());
         formula(
             "R^i_jkl + R^i_klj + R^i_ljk \
              - t^m_kl t^i_mj - t^m_lj t^i_mk - t^m_jk t^i_ml \
@@ -58,8 +62,7 @@ impl<S: Ring> Connection<S> {
     /// The residual of the second Bianchi identity with torsion, slots `^i_jmkl`: the cyclic sum
     /// over `m, k, l` of `(nabla_m R)^i_jkl + tau^p_mk R^i_jpl`. Zero as the first.
     pub fn bianchi_second(&self) -> Tensor<S> {
-        let curvature = self.curvature();
-        let nabla = self.nabla(&curvature).expect("the curvature belongs to the frame");
+        let (curvature, nabla) = (self.curvature(), self.nabla_curvature());
         formula(
             "D^i_mjkl + D^i_kjlm + D^i_ljmk \
              + t^p_mk R^i_jpl + t^p_kl R^i_jpm + t^p_lm R^i_jpk -> ^i_j[mkl]",

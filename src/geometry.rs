@@ -106,6 +106,18 @@ impl<S: Notation> Geometry<S> {
     pub fn metric(&self) -> Option<&Metric<S>> {
         self.metric.as_ref()
     }
+
+    /// Whether the connection is that of the metric, chosen so or equal to it: torsion-free and
+    /// compatible, as `zero` is with a bi-invariant metric.
+    ///
+    /// # Errors
+    /// [`Error::Shape`], which a valid geometry does not cause.
+    pub fn is_levi_civita(&self) -> Result<bool, Error> {
+        let Some(metric) = &self.metric else { return Ok(false) };
+        Ok(self.kind == ConnectionKind::LeviCivita
+            || self.connection.torsion().is_empty()
+                && self.connection.nonmetricity(metric)?.is_empty())
+    }
 }
 
 impl<S: Notation> ConnectionKind<S> {

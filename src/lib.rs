@@ -11,6 +11,7 @@
 //!   geometry, from the bottom up; [`forms`] and [`lie_derivative`] on any frame;
 //! - [`reductive`]: homogeneous spaces; [`invariants`]: tensors, connections among them, that an
 //!   algebra leaves alone; [`lie_poisson`]: the dual of an algebra, its bracket and Casimirs;
+//! - [`holonomy`], [`properties`]: what a connection or a metric is like, with proof;
 //! - [`Geometry`]: an algebra, a connection and a metric; [`paper`] has two of them;
 //! - [`catalogue`]: algebras by name; [`roots`]: root systems and Chevalley bases;
 //! - [`definition`]: what a person writes, on the command line or in a file;
@@ -45,11 +46,13 @@ mod error;
 pub mod forms;
 pub mod frame;
 pub mod geometry;
+pub mod holonomy;
 pub mod invariants;
 pub mod lie_derivative;
 pub mod lie_poisson;
 pub mod metric;
 pub mod paper;
+pub mod properties;
 pub mod reductive;
 pub mod report;
 pub mod roots;

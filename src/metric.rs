@@ -61,18 +61,33 @@ impl<S: Field> Metric<S> {
         &self.inverse
     }
 
+    /// The trace `g^jl t_jl` of a bilinear form with the slots `_jl`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless the form has these slots and the dimension of the metric.
+    pub fn trace(&self, form: &Tensor<S>) -> Result<S, Error> {
+        expect_slots("the form", form, self.components.dimension(), &[Down, Down])?;
+        let trace = formula("g^jl t_jl ->", &[("g", &self.inverse), ("t", form)]);
+        Ok(trace.to_scalar().expect("a tensor of rank 0"))
+    }
+
     /// How the generators move the metric, slots `_kij`: `g_mj c^m_ki + g_im c^m_kj`.
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
     pub fn ad_variation(&self, algebra: &LieAlgebra<S>) -> Result<Tensor<S>, Error> {
-        expect_slots("the metric", &self.components, algebra.dimension(), &[Down, Down])?;
+        self.expect_dimension(algebra.dimension())?;
         Connection::family(algebra, &S::from_i64(-1)).nabla(&self.components)
     }
 
     /// Whether the metric is bi-invariant: `g([z,x],y) + g(x,[z,y]) = 0`.
     pub fn is_bi_invariant(&self, algebra: &LieAlgebra<S>) -> bool {
         self.ad_variation(algebra).is_ok_and(|variation| variation.is_empty())
+    }
+
+    /// Checks that the metric is one of this dimension.
+    pub(crate) fn expect_dimension(&self, dimension: usize) -> Result<(), Error> {
+        expect_slots("the metric", &self.components, dimension, &[Down, Down])
     }
 
     /// The covector `v_i = g_ij v^j` (97).
@@ -101,9 +116,8 @@ impl<S: Field> Connection<S> {
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
     pub fn scalar_curvature(&self, metric: &Metric<S>) -> Result<S, Error> {
-        expect_slots("the metric", &metric.inverse, self.frame().dimension(), &[Up, Up])?;
-        let scalar = formula("g^jl r_jl ->", &[("g", &metric.inverse), ("r", &self.ricci())]);
-        Ok(scalar.to_scalar().expect("a tensor of rank 0"))
+        metric.expect_dimension(self.frame().dimension())?;
+        metric.trace(&self.ricci())
     }
 
     /// The sectional curvature `K(x,y) = g(R(x,y)y, x) / (g(x,x) g(y,y) - g(x,y)^2)`; `None` where
@@ -119,7 +133,7 @@ impl<S: Field> Connection<S> {
     ) -> Result<Option<S>, Error> {
         let n = self.frame().dimension();
         let (x, y) = (Tensor::vector(x, Up), Tensor::vector(y, Up));
-        expect_slots("the metric", metric.components(), n, &[Down, Down])?;
+        metric.expect_dimension(n)?;
         expect_slots("the first vector", &x, n, &[Up])?;
         expect_slots("the second vector", &y, n, &[Up])?;
         let g = metric.components();

@@ -60,6 +60,7 @@ fn every_command_writes_every_format() {
         &["table", "M3"],
         &["table", "so3"],
         &["table", "so3", "--metric", "identity", "--show", "all"],
+        &["table", "so3", "--metric", "diag(1,2,3)", "--show", "derived"],
         &["table", "sl2", "--scalar", "float"],
         &["table", "bianchi(VI,h=h)"],
         &["table", "plane.toml", "--frame", "right"],
@@ -653,6 +654,7 @@ fn tables_are_valid_under_the_schema() {
     let validator = jsonschema::validator_for(&schema).unwrap();
     for arguments in [
         &["table", "M3", "--show", "all"][..],
+        &["table", "heisenberg3", "--metric", "diag(1,2,3)", "--show", "all,derived"],
         &["table", "so3", "--metric", "diag(1,2,3)", "--scalar", "float"],
         &["table", "plane.toml@lambda=1/3", "--frame", "right", "--independent"],
         &["table", "R^1"],
@@ -661,5 +663,55 @@ fn tables_are_valid_under_the_schema() {
         if let Err(error) = validator.validate(&table) {
             panic!("{arguments:?}: {error}");
         }
+    }
+}
+
+#[test]
+fn derived_tensors_are_shown_when_asked_for() {
+    let keys = |arguments: &[&str]| -> Vec<String> {
+        let table =
+            json_of(&[&["table", "so4", "--metric", "diag(1,1,1,2,2,2)"], arguments].concat());
+        table["tensors"].as_object().unwrap().keys().cloned().collect()
+    };
+    let basic = "structure, affinities, torsion, curvature, ricci, scalar_curvature, metric, \
+                 inverse_metric, nonmetricity, killing";
+    let derived = "nabla_torsion, nabla_curvature, ricci_symmetric, ricci_antisymmetric, einstein, \
+                   schouten, weyl, cotton, kretschmann";
+    assert_eq!(keys(&["--show", "all"]).join(", "), basic);
+    assert_eq!(keys(&["--show", "derived"]).join(", "), derived);
+    assert_eq!(keys(&["--show", "all,derived"]).join(", "), format!("{basic}, {derived}"));
+    assert_eq!(keys(&["--show", "weyl, ricci"]), ["weyl", "ricci"]);
+    let refused = affinor(&["table", "so4", "--show", "weil"]);
+    assert_eq!(refused.status, 2);
+    assert!(refused.err.contains(&format!("{basic}, {derived}, all, derived")), "{}", refused.err);
+
+    // Weyl, Schouten and Cotton belong to a Levi-Civita connection, however it was named
+    let show = ["--show", "weyl,einstein,schouten", "--format", "csv"];
+    let plus = affinor(&[&["table", "so4@plus;metric=identity"], &show[..]].concat());
+    assert!(plus.err.contains("does not apply to this space: weyl, schouten"), "{}", plus.err);
+    assert_eq!(plus.out, "tensor,i,j,k,l,value\n");
+    let zero = affinor(&[&["table", "so4@zero;metric=killing"], &show[..]].concat());
+    assert!(!zero.err.contains("does not apply"), "{}", zero.err);
+    assert!(rows(&zero.out).iter().any(|row| row[0] == "weyl"));
+    let plane = affinor(&[&["table", "aff1@levi-civita;metric=identity"], &show[..]].concat());
+    assert!(plane.err.contains("does not apply to this space: weyl, schouten"), "{}", plane.err);
+}
+
+/// Stored and read back, with five indices.
+#[test]
+fn derived_tensors_are_verified() {
+    let folder = folder();
+    let space = "heisenberg3@levi-civita;metric=diag(1,2,3)";
+    for format in ["csv", "json"] {
+        let table = ["table", space, "--show", "derived", "--format", format, "-o", "stored"];
+        assert_eq!(run(folder.path(), &table, b"").status, 0);
+        let stored = fs::read_to_string(folder.path().join("stored")).unwrap();
+        assert!(format == "json" || stored.starts_with("tensor,i,j,k,l,m,value\n"), "{stored}");
+        let agrees = run(folder.path(), &["verify", space, "stored"], b"");
+        assert_eq!(agrees.status, 0, "{}{}", agrees.out, agrees.err);
+        let other = "heisenberg3@levi-civita;metric=diag(1,2,4)";
+        let differs = run(folder.path(), &["verify", other, "stored"], b"");
+        assert_eq!(differs.status, 1);
+        assert!(differs.out.contains("(nabla R)^"), "{}", differs.out);
     }
 }

@@ -28,7 +28,9 @@ pub struct Arguments {
 #[derive(Args)]
 pub struct Selection {
     /// Tensors, separated by commas: structure, affinities, torsion, curvature, ricci,
-    /// scalar_curvature, metric, inverse_metric, nonmetricity, killing, or all
+    /// scalar_curvature, metric, inverse_metric, nonmetricity, killing, or all for these;
+    /// nabla_torsion, nabla_curvature, ricci_symmetric, ricci_antisymmetric, einstein, schouten,
+    /// weyl, cotton, kretschmann, or derived for these
     #[arg(long, value_name = "TENSORS", value_parser = quantities)]
     pub show: Option<Quantities>,
     /// One component of each set that is equal by symmetry
@@ -77,7 +79,7 @@ impl Selection {
             |quantity: &Quantity| !matches!(quantity, Quantity::InverseMetric | Quantity::Killing);
         match &self.show {
             Some(Quantities(chosen)) => chosen.clone(),
-            None => Quantity::ALL.into_iter().filter(default).collect(),
+            None => Quantity::BASIC.iter().copied().filter(default).collect(),
         }
     }
 
@@ -123,16 +125,13 @@ impl Work for Write<'_> {
     ) -> Result<Self::Output, InputError> {
         let Arguments { selection, shared, .. } = self.arguments;
         let table = selection.table(definition, reading, &self.quantities, self.stages)?;
-        let absent = |key: &&Quantity| table.tensors.iter().all(|entry| entry.quantity != **key);
+        let absent = |quantity: &&Quantity| table.tensors.iter().all(|e| e.quantity != **quantity);
         let absent: Vec<&str> = self.quantities.iter().filter(absent).map(|q| q.key()).collect();
-        match (selection.frame, definition.has_metric(), selection.show.is_some()) {
-            _ if absent.is_empty() => {}
-            (Frame::Right, true, _) => note(&format!(
-                "not shown: {}; the metric has no constant components in the right-invariant frame",
-                absent.join(", ")
-            )),
-            (_, _, true) => note(&format!("not shown: {}; no metric is given", absent.join(", "))),
-            _ => {}
+        if !absent.is_empty() && selection.frame == Frame::Right && definition.has_metric() {
+            let why = "the metric has no constant components in the right-invariant frame";
+            note(&format!("not shown: {}; {why}", absent.join(", ")));
+        } else if !absent.is_empty() && selection.show.is_some() {
+            note(&format!("does not apply to this space: {}", absent.join(", ")));
         }
         self.stages.begin_output();
         let inputs: Vec<&Path> = self.input.into_iter().collect();
@@ -143,14 +142,18 @@ impl Work for Write<'_> {
 }
 
 fn quantities(text: &str) -> Result<Quantities, String> {
-    if text.trim() == "all" {
-        return Ok(Quantities(Quantity::ALL.to_vec()));
+    let mut chosen = Vec::new();
+    for key in text.split(',').map(str::trim) {
+        match (key, Quantity::from_key(key)) {
+            ("all", _) => chosen.extend(Quantity::BASIC),
+            ("derived", _) => chosen.extend(Quantity::DERIVED),
+            (_, Some(quantity)) => chosen.push(quantity),
+            (_, None) => {
+                let keys: Vec<&str> = Quantity::ALL.into_iter().map(Quantity::key).collect();
+                let known = format!("{}, all, derived", keys.join(", "));
+                return Err(format!("`{}` is not one of {known}", key.escape_debug()));
+            }
+        }
     }
-    let quantity = |key: &str| {
-        Quantity::from_key(key.trim()).ok_or_else(|| {
-            let all: Vec<&str> = Quantity::ALL.into_iter().map(Quantity::key).collect();
-            format!("`{}` is not one of {}, all", key.escape_debug(), all.join(", "))
-        })
-    };
-    text.split(',').map(quantity).collect::<Result<_, _>>().map(Quantities)
+    Ok(Quantities(chosen))
 }

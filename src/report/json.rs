@@ -73,7 +73,8 @@ fn tensor<S: Notation>(table: &Table<S>, entry: &Entry<S>, out: &mut dyn Write) 
     out.write_all(if shown.is_empty() { b"]}" } else { b"\n    ]}" })
 }
 
-/// The formulas of all quantities, so that a reader of the file needs no manual.
+/// The formulas of the basic quantities and of all that are shown, so that a reader of the file
+/// needs no manual.
 fn conventions<S: Notation>(table: &Table<S>) -> Vec<(&'static str, String)> {
     let mut conventions = vec![("indices", "from 1".into())];
     conventions.push(("frame", format!("{}-invariant", table.frame)));
@@ -81,8 +82,12 @@ fn conventions<S: Notation>(table: &Table<S>) -> Vec<(&'static str, String)> {
     if table.independent {
         conventions.push(("components", "one of each set that is equal by symmetry".into()));
     }
-    let formulas = Quantity::ALL.map(|quantity| (quantity.key(), quantity.definition()));
-    conventions.extend(formulas);
+    let shown = |quantity: &Quantity| {
+        Quantity::BASIC.contains(quantity)
+            || table.tensors.iter().any(|entry| entry.quantity == *quantity)
+    };
+    let formulas = Quantity::ALL.into_iter().filter(shown);
+    conventions.extend(formulas.map(|quantity| (quantity.key(), quantity.definition())));
     conventions
 }
 

@@ -39,7 +39,8 @@ fn tensor<S: Notation>(table: &Table<S>, entry: &Entry<S>, out: &mut dyn Write) 
     let (quantity, shown) = (entry.quantity, table.shown(entry));
     writeln!(out, "\\subsection*{{{}}}", quantity.title())?;
     if shown.is_empty() {
-        let letters = quantity.letters().chars().map(String::from);
+        let letters = quantity.letters();
+        let letters = letters.chars().map(String::from);
         let general = join(quantity, scripts(0, shown.slots(), letters));
         return writeln!(out, "\\begin{{align*}}\n{general} &= 0\n\\end{{align*}}");
     }

@@ -26,11 +26,40 @@ pub enum Quantity {
     Nonmetricity,
     /// Killing form `K_ij`.
     Killing,
+    /// Derivative of the torsion `(nabla_m tau)^i_jk`, slots `^i_mjk`.
+    NablaTorsion,
+    /// Derivative of the curvature `(nabla_m R)^i_jkl`, slots `^i_mjkl`.
+    NablaCurvature,
+    /// Symmetric part of the Ricci tensor.
+    RicciSymmetric,
+    /// Antisymmetric part of the Ricci tensor.
+    RicciAntisymmetric,
+    /// Einstein tensor `G_jl`.
+    Einstein,
+    /// Schouten tensor `P_jl` of a Levi-Civita connection.
+    Schouten,
+    /// Weyl tensor `W^i_jkl` of a Levi-Civita connection.
+    Weyl,
+    /// Cotton tensor `C_jkl` of a Levi-Civita connection.
+    Cotton,
+    /// Kretschmann scalar `R_ijkl R^ijkl`.
+    Kretschmann,
+}
+
+/// What there is to say about a quantity.
+struct Entry {
+    key: &'static str,
+    title: &'static str,
+    symbol: &'static str,
+    latex: &'static str,
+    /// The slots with the letters of the definition.
+    slots: &'static str,
+    definition: &'static str,
 }
 
 impl Quantity {
     /// All quantities, in the order of a table.
-    pub const ALL: [Quantity; 10] = {
+    pub const ALL: [Quantity; 19] = {
         use Quantity::*;
         [
             Structure,
@@ -43,23 +72,97 @@ impl Quantity {
             InverseMetric,
             Nonmetricity,
             Killing,
+            NablaTorsion,
+            NablaCurvature,
+            RicciSymmetric,
+            RicciAntisymmetric,
+            Einstein,
+            Schouten,
+            Weyl,
+            Cotton,
+            Kretschmann,
         ]
     };
+    /// What a geometry is given by, with its curvature: the first of them.
+    pub const BASIC: &[Quantity] = Self::ALL.split_at(10).0;
+    /// What is made of these, with more work: the rest.
+    pub const DERIVED: &[Quantity] = Self::ALL.split_at(10).1;
+
+    fn entry(self) -> Entry {
+        use conventions as is;
+        let entry = |key, title, [symbol, latex]: [&'static str; 2], slots, definition| Entry {
+            key,
+            title,
+            symbol,
+            latex,
+            slots,
+            definition,
+        };
+        let ricci = "\\mathrm{Ric}";
+        match self {
+            Quantity::Structure => {
+                entry("structure", "Structure constants", ["c"; 2], "^i_jk", is::BRACKET)
+            }
+            Quantity::Affinities => {
+                let symbol = ["Lambda", "\\Lambda"];
+                entry("affinities", "Affinities", symbol, "^i_jk", is::AFFINITIES)
+            }
+            Quantity::Torsion => {
+                entry("torsion", "Torsion (B10)", ["tau", "\\tau"], "^i_jk", is::TORSION)
+            }
+            Quantity::Curvature => {
+                entry("curvature", "Curvature (B14)", ["R"; 2], "^i_jkl", is::CURVATURE)
+            }
+            Quantity::Ricci => entry("ricci", "Ricci tensor", ["Ric", ricci], "_jl", is::RICCI),
+            Quantity::ScalarCurvature => {
+                entry("scalar_curvature", "Scalar curvature", ["S"; 2], "", is::SCALAR_CURVATURE)
+            }
+            Quantity::Metric => entry("metric", "Metric", ["g"; 2], "_ij", is::METRIC),
+            Quantity::InverseMetric => {
+                entry("inverse_metric", "Inverse metric", ["g"; 2], "^ij", is::INVERSE_METRIC)
+            }
+            Quantity::Nonmetricity => {
+                entry("nonmetricity", "Nonmetricity", ["Q"; 2], "_kij", is::NONMETRICITY)
+            }
+            Quantity::Killing => entry("killing", "Killing form", ["K"; 2], "_ij", is::KILLING),
+            Quantity::NablaTorsion => {
+                let symbol = ["(nabla tau)", "(\\nabla\\tau)"];
+                let title = "Derivative of the torsion";
+                entry("nabla_torsion", title, symbol, "^i_mjk", is::NABLA_TORSION)
+            }
+            Quantity::NablaCurvature => {
+                let symbol = ["(nabla R)", "(\\nabla R)"];
+                let title = "Derivative of the curvature";
+                entry("nabla_curvature", title, symbol, "^i_mjkl", is::NABLA_CURVATURE)
+            }
+            Quantity::RicciSymmetric => {
+                let symbol = ["symRic", "\\mathrm{symRic}"];
+                let title = "Ricci tensor, symmetric part";
+                entry("ricci_symmetric", title, symbol, "_jl", is::RICCI_SYMMETRIC)
+            }
+            Quantity::RicciAntisymmetric => {
+                let symbol = ["altRic", "\\mathrm{altRic}"];
+                let title = "Ricci tensor, antisymmetric part";
+                entry("ricci_antisymmetric", title, symbol, "_jl", is::RICCI_ANTISYMMETRIC)
+            }
+            Quantity::Einstein => {
+                entry("einstein", "Einstein tensor", ["G"; 2], "_jl", is::EINSTEIN)
+            }
+            Quantity::Schouten => {
+                entry("schouten", "Schouten tensor", ["P"; 2], "_jl", is::SCHOUTEN)
+            }
+            Quantity::Weyl => entry("weyl", "Weyl tensor", ["W"; 2], "^i_jkl", is::WEYL),
+            Quantity::Cotton => entry("cotton", "Cotton tensor", ["C"; 2], "_jkl", is::COTTON),
+            Quantity::Kretschmann => {
+                let symbol = ["Kr", "\\mathrm{Kr}"];
+                entry("kretschmann", "Kretschmann scalar", symbol, "", is::KRETSCHMANN)
+            }
+        }
+    }
 
     /// The name in options, JSON and CSV.
     pub fn key(self) -> &'static str {
-        match self {
-            Quantity::Structure => "structure",
-            Quantity::Affinities => "affinities",
-            Quantity::Torsion => "torsion",
-            Quantity::Curvature => "curvature",
-            Quantity::Ricci => "ricci",
-            Quantity::ScalarCurvature => "scalar_curvature",
-            Quantity::Metric => "metric",
-            Quantity::InverseMetric => "inverse_metric",
-            Quantity::Nonmetricity => "nonmetricity",
-            Quantity::Killing => "killing",
-        }
+        self.entry().key
     }
 
     /// The quantity of that name.
@@ -69,94 +172,59 @@ impl Quantity {
 
     /// The heading in text.
     pub fn title(self) -> &'static str {
-        match self {
-            Quantity::Structure => "Structure constants",
-            Quantity::Affinities => "Affinities",
-            Quantity::Torsion => "Torsion (B10)",
-            Quantity::Curvature => "Curvature (B14)",
-            Quantity::Ricci => "Ricci tensor",
-            Quantity::ScalarCurvature => "Scalar curvature",
-            Quantity::Metric => "Metric",
-            Quantity::InverseMetric => "Inverse metric",
-            Quantity::Nonmetricity => "Nonmetricity",
-            Quantity::Killing => "Killing form",
-        }
+        self.entry().title
     }
 
     /// The symbol in text and JSON.
     pub fn symbol(self) -> &'static str {
-        match self {
-            Quantity::Structure => "c",
-            Quantity::Affinities => "Lambda",
-            Quantity::Torsion => "tau",
-            Quantity::Curvature => "R",
-            Quantity::Ricci => "Ric",
-            Quantity::ScalarCurvature => "S",
-            Quantity::Metric | Quantity::InverseMetric => "g",
-            Quantity::Nonmetricity => "Q",
-            Quantity::Killing => "K",
-        }
+        self.entry().symbol
     }
 
     /// The symbol in LaTeX.
     pub fn latex(self) -> &'static str {
-        match self {
-            Quantity::Affinities => "\\Lambda",
-            Quantity::Torsion => "\\tau",
-            Quantity::Ricci => "\\mathrm{Ric}",
-            other => other.symbol(),
-        }
+        self.entry().latex
     }
 
     /// The defining formula, in the conventions of the paper.
     pub fn definition(self) -> String {
+        let definition = self.entry().definition;
         match self {
-            Quantity::Structure => conventions::BRACKET.into(),
-            Quantity::Affinities => conventions::AFFINITIES.into(),
-            Quantity::Torsion => conventions::TORSION.into(),
             Quantity::Curvature => {
-                format!("{}, {}", conventions::CURVATURE, conventions::CURVATURE_COMPONENTS)
+                format!("{definition}, {}", conventions::CURVATURE_COMPONENTS)
             }
-            Quantity::Ricci => conventions::RICCI.into(),
-            Quantity::ScalarCurvature => conventions::SCALAR_CURVATURE.into(),
-            Quantity::Metric => "g_ij = g(e_i, e_j)".into(),
-            Quantity::InverseMetric => "g^ij g_jk = delta^i_k".into(),
-            Quantity::Nonmetricity => conventions::NONMETRICITY.into(),
-            Quantity::Killing => conventions::KILLING.into(),
+            _ => definition.into(),
         }
     }
 
     /// The letters of the indices in the definition, slot by slot.
-    pub fn letters(self) -> &'static str {
-        match self {
-            Quantity::Structure | Quantity::Affinities | Quantity::Torsion => "ijk",
-            Quantity::Curvature => "ijkl",
-            Quantity::Ricci => "jl",
-            Quantity::Metric | Quantity::InverseMetric | Quantity::Killing => "ij",
-            Quantity::Nonmetricity => "kij",
-            Quantity::ScalarCurvature => "",
-        }
+    pub fn letters(self) -> String {
+        self.entry().slots.replace(['^', '_'], "")
     }
 
     /// The slots.
-    pub fn slots(self) -> &'static [Variance] {
-        match self {
-            Quantity::Structure | Quantity::Affinities | Quantity::Torsion => &[Up, Down, Down],
-            Quantity::Curvature => &[Up, Down, Down, Down],
-            Quantity::Ricci | Quantity::Metric | Quantity::Killing => &[Down, Down],
-            Quantity::InverseMetric => &[Up, Up],
-            Quantity::Nonmetricity => &[Down, Down, Down],
-            Quantity::ScalarCurvature => &[],
+    pub fn slots(self) -> Vec<Variance> {
+        let mut slots = Vec::new();
+        let mut level = Down;
+        for mark in self.entry().slots.chars() {
+            match mark {
+                '^' => level = Up,
+                '_' => level = Down,
+                _ => slots.push(level),
+            }
         }
+        slots
     }
 
-    /// The tensor of a geometry; `None` where it does not apply (no metric).
+    /// The tensor of a geometry; `None` where it does not apply: without a metric what needs one,
+    /// and Schouten, Weyl and Cotton for a connection other than Levi-Civita, or in dimension 2 or
+    /// less.
     ///
     /// # Errors
     /// [`Error::Shape`], which a valid geometry does not cause.
     pub fn of<S: Notation>(self, geometry: &Geometry<S>) -> Result<Option<Tensor<S>>, Error> {
         let connection = geometry.connection();
         let n = geometry.algebra().dimension();
+        let scalar = |value: S| Tensor::from_components(n, &[], [([], value)]);
         Ok(Some(match (self, geometry.metric()) {
             (Quantity::Structure, _) => geometry.algebra().structure().clone(),
             (Quantity::Affinities, _) => connection.gamma().clone(),
@@ -164,14 +232,27 @@ impl Quantity {
             (Quantity::Curvature, _) => connection.curvature(),
             (Quantity::Ricci, _) => connection.ricci(),
             (Quantity::Killing, _) => geometry.algebra().killing_form(),
+            (Quantity::NablaTorsion, _) => connection.nabla_torsion(),
+            (Quantity::NablaCurvature, _) => connection.nabla_curvature(),
+            (Quantity::RicciSymmetric, _) => connection.ricci_symmetric()?,
+            (Quantity::RicciAntisymmetric, _) => connection.ricci_antisymmetric()?,
             (_, None) => return Ok(None),
             (Quantity::ScalarCurvature, Some(metric)) => {
-                let scalar = connection.scalar_curvature(metric)?;
-                Tensor::from_components(n, &[], [([], scalar)])?
+                scalar(connection.scalar_curvature(metric)?)?
             }
             (Quantity::Metric, Some(metric)) => metric.components().clone(),
             (Quantity::InverseMetric, Some(metric)) => metric.inverse().clone(),
             (Quantity::Nonmetricity, Some(metric)) => connection.nonmetricity(metric)?,
+            (Quantity::Einstein, Some(metric)) => connection.einstein(metric)?,
+            (Quantity::Kretschmann, Some(metric)) => scalar(connection.kretschmann(metric)?)?,
+            (Quantity::Schouten | Quantity::Weyl | Quantity::Cotton, _)
+                if n < 3 || !geometry.is_levi_civita()? =>
+            {
+                return Ok(None);
+            }
+            (Quantity::Schouten, Some(metric)) => connection.schouten(metric)?,
+            (Quantity::Weyl, Some(metric)) => connection.weyl(metric)?,
+            (Quantity::Cotton, Some(metric)) => connection.cotton(metric)?,
         }))
     }
 }

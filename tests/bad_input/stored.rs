@@ -32,7 +32,7 @@ fn json() {
         ),
         ("an escape sequence", "{\"schema\": \"\\u001b[31m\"}".into(), "`\\u{1b}[31m`"),
         ("no tensors", "{\"schema\": \"affinor.table/1\"}".into(), "no object `tensors`"),
-        ("unknown tensor", table("\"weyl\": {}"), "`weyl` is no tensor"),
+        ("unknown tensor", table("\"bach\": {}"), "`bach` is no tensor"),
         ("no components", table("\"ricci\": {}"), "ricci has no components"),
         ("no component", components("7"), "ricci: 7 is no component"),
         ("index zero", components("[[0, 1], \"1\"]"), "is no component"),
@@ -63,7 +63,7 @@ fn csv() {
         ("only a header", HEADER, "there is no component in it"),
         ("too few columns", "tensor,i,value\nricci,1,1", "the header is not"),
         ("a short row", "tensor,i,j,k,l,value\nricci,1,1\n", "3"),
-        ("unknown tensor", "tensor,i,j,k,l,value\nweyl,1,1,,,1\n", "row 2: `weyl` is no tensor"),
+        ("unknown tensor", "tensor,i,j,k,l,value\nbach,1,1,,,1\n", "row 2: `bach` is no tensor"),
         (
             "no index",
             "tensor,i,j,k,l,value\nricci,1,1,,,1\nricci,x,1,,,1\n",

@@ -4,6 +4,7 @@
 
 pub mod algebras;
 pub mod charts;
+pub mod spaces;
 
 use affinor::{Connection, LieAlgebra, Metric};
 use affinor_tensors::linear::Matrix;

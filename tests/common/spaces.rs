@@ -1,0 +1,41 @@
+//! Spaces as a person names them: definition files and catalogue names.
+
+use affinor::Geometry;
+use affinor::definition::{Reading, Request, Space};
+use affinor_tensors::{Rational, Symbolic, Tolerance};
+use std::path::Path;
+
+fn open<S: affinor_tensors::Notation>(
+    space: String,
+    metric: Option<&str>,
+    set: Option<&str>,
+    convert: &dyn Fn(&Symbolic) -> Option<S>,
+) -> Geometry<S> {
+    let [metric, set] = [metric, set].map(|text| text.map(str::to_string));
+    let request = Request { space: Some(space), metric, set, ..Request::default() };
+    let space = Space::open(&request).unwrap();
+    let tolerance = Tolerance::default();
+    space.definition.geometry(&Reading { convert, tolerance }).unwrap()
+}
+
+/// The path of a definition in `examples/definitions`.
+fn path(file: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/definitions");
+    folder.join(file).to_str().unwrap().to_string()
+}
+
+/// A file of `examples/definitions`, its parameters left as they are.
+pub fn symbolic(file: &str) -> Geometry<Symbolic> {
+    open(path(file), None, None, &|value| Some(value.clone()))
+}
+
+/// A file of `examples/definitions` with values for its parameters.
+pub fn rational(file: &str, set: &str) -> Geometry<Rational> {
+    let set = Some(set).filter(|set| !set.is_empty());
+    open(path(file), None, set, &|value| value.as_constant().cloned())
+}
+
+/// A catalogue name with a metric and its Levi-Civita connection.
+pub fn named(name: &str, metric: &str) -> Geometry<Rational> {
+    open(name.to_string(), Some(metric), None, &|value| value.as_constant().cloned())
+}
