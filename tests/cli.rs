@@ -462,7 +462,7 @@ fn what_is_verified_is_named() {
 fn what_does_not_apply_is_said() {
     let folder = folder();
     let table = run(folder.path(), &["table", "so3@zero", "--show", "metric,torsion"], b"");
-    assert_eq!((table.status, &*table.err), (0, "note: not shown: metric; no metric is given\n"));
+    assert_eq!((table.status, &*table.err), (0, "note: does not apply to this space: metric\n"));
     let table = run(folder.path(), &["table", "M3", "--frame", "right", "--show", "metric"], b"");
     assert!(table.err.contains("no constant components in the right-invariant frame"));
 }
