@@ -84,6 +84,28 @@ pub enum Error {
     /// A change of basis that cannot be inverted.
     #[error("the new basis is linearly dependent")]
     SingularBasis,
+    /// Fields that are linearly dependent everywhere.
+    #[error("the frame is degenerate: its determinant is zero, for {relation} = 0")]
+    DegenerateFrame {
+        /// A vanishing combination of the fields.
+        relation: String,
+    },
+    /// A coordinate that is no name, or the name of two.
+    #[error("`{name}` is not the name of one coordinate")]
+    Coordinate {
+        /// The name.
+        name: String,
+    },
+    /// What needs structure constants, asked of a frame that has structure functions.
+    #[error("{what} needs structure constants, but here {component} = {value}")]
+    NotConstant {
+        /// What needs them.
+        what: &'static str,
+        /// A structure function.
+        component: String,
+        /// Its value.
+        value: String,
+    },
     /// A connection without constant components in the right-invariant frame.
     #[error(
         "the connection has no constant components in the right-invariant frame: \

@@ -9,7 +9,8 @@
 //!
 //! - [`frame`], [`algebra`], [`connection`], [`metric`], [`curvature`], [`transport`]: the
 //!   geometry, from the bottom up;
-//! - [`Geometry`]: an algebra, a connection and a metric; [`paper`] has two of them;
+//! - [`chart`]: coordinates, and frames of functions over them;
+//! - [`Geometry`]: an algebra or a frame, a connection and a metric; [`paper`] has two of them;
 //! - [`catalogue`]: algebras by name; [`roots`]: root systems and Chevalley bases;
 //! - [`definition`]: what a person writes, on the command line or in a file;
 //! - [`report`]: tables, comparisons, and their formats; [`claims`] and [`certificate`]: what holds.
@@ -32,6 +33,7 @@
 pub mod algebra;
 pub mod catalogue;
 pub mod certificate;
+pub mod chart;
 pub mod claims;
 pub mod connection;
 pub mod conventions;
@@ -48,10 +50,11 @@ pub mod roots;
 pub mod transport;
 
 pub use algebra::{BasisChange, Bracket, LieAlgebra, MatrixBasis};
+pub use chart::Chart;
 pub use connection::{Canonical, Connection};
 pub use error::Error;
 pub use frame::Frame;
-pub use geometry::{ConnectionKind, Geometry};
+pub use geometry::{ConnectionKind, Geometry, Ground};
 pub use metric::Metric;
 
 /// The program of the README, as a doctest.

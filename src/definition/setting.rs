@@ -17,6 +17,10 @@ impl Definition {
     /// beyond all bounds.
     pub fn set(&mut self, values: &BTreeMap<String, Symbolic>) -> Result<(), InputError> {
         let parameters = self.parameters();
+        if let Some(fixed) = values.keys().find(|name| self.coordinates().contains(*name)) {
+            let message = format!("`{}` is a coordinate, and varies", shown(fixed));
+            return Err(InputError::usage(message).help("set parameters only"));
+        }
         if let Some(unknown) = values.keys().find(|name| !parameters.contains(name)) {
             let known = match parameters.as_slice() {
                 [] => "there are none".into(),

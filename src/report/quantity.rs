@@ -150,20 +150,24 @@ impl Quantity {
         }
     }
 
-    /// The tensor of a geometry; `None` where it does not apply (no metric).
+    /// The tensor of a geometry; `None` where it does not apply: no metric, or no algebra for a
+    /// Killing form.
     ///
     /// # Errors
     /// [`Error::Shape`], which a valid geometry does not cause.
     pub fn of<S: Notation>(self, geometry: &Geometry<S>) -> Result<Option<Tensor<S>>, Error> {
         let connection = geometry.connection();
-        let n = geometry.algebra().dimension();
+        let n = geometry.frame().dimension();
         Ok(Some(match (self, geometry.metric()) {
-            (Quantity::Structure, _) => geometry.algebra().structure().clone(),
+            (Quantity::Structure, _) => geometry.frame().structure().clone(),
             (Quantity::Affinities, _) => connection.gamma().clone(),
             (Quantity::Torsion, _) => connection.torsion(),
             (Quantity::Curvature, _) => connection.curvature(),
             (Quantity::Ricci, _) => connection.ricci(),
-            (Quantity::Killing, _) => geometry.algebra().killing_form(),
+            (Quantity::Killing, _) => match geometry.algebra() {
+                Some(algebra) => algebra.killing_form(),
+                None => return Ok(None),
+            },
             (_, None) => return Ok(None),
             (Quantity::ScalarCurvature, Some(metric)) => {
                 let scalar = connection.scalar_curvature(metric)?;

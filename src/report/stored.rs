@@ -1,7 +1,7 @@
 //! Stored tables, read back to be compared with computed ones.
 
 use super::{Entry, Quantity, Table, text};
-use affinor_tensors::expression::{Expression, Scalars};
+use affinor_tensors::expression::{Expression, Functions, Scalars};
 use affinor_tensors::{Kind, Notation, Rational, Sum, Tensor};
 use serde_json::Value;
 
@@ -153,7 +153,8 @@ fn read<S: Notation>(value: &str) -> Result<S, String> {
     }
     let parameter = |name: &str| S::parameter(name).ok_or(format!("`{name}` is no number"));
     let expression = Expression::parse(value).map_err(|error| error.to_string())?;
-    expression.evaluate(&Scalars(parameter)).map_err(|error| error.to_string())
+    let meaning = Functions(Scalars(parameter), S::function);
+    expression.evaluate(&meaning).map_err(|error| error.to_string())
 }
 
 fn compare<S: Notation>(
