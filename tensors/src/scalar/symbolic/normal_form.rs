@@ -1,9 +1,11 @@
 //! How functions of angles are written: in sines and cosines.
 //!
-//! A fraction in `t = tan(x/2)` is `A + B sin x` with `A` and `B` rational in `cos x` in one way
-//! only: its even part, and its odd part divided by `sin x`. That is the normal form: sines occur
-//! to the first power, denominators have none. Then factors `1 - cos^2 x` become `sin^2 x`, above
-//! and below, and cancel: `cos(x)/sin(x)` rather than `sin(x)*cos(x)/(1 - cos(x)^2)`.
+//! Numerator and denominator, divided by the same power of `1 + t^2` with `t = tan(x/2)`, are
+//! polynomials in `sin x` and `cos x`, the sine to the first power: `1/(1 + t^2)` is
+//! `(1 + cos x)/2`, `t/(1 + t^2)` is `sin(x)/2`, `t^2/(1 + t^2)` is `(1 - cos x)/2`. The least
+//! power that serves makes this a normal form, and a short one. Factors `1 - cos^2 x` then become
+//! `sin^2 x`. To free denominators of sines as well would be another, and a long one:
+//! `(1 - sin x)/cos^2 x` for `1/(1 + sin x)`.
 
 use super::Symbolic;
 use super::elementary::{angle, half_tangent};
@@ -15,8 +17,7 @@ use num_traits::{One, Zero, pow};
 pub(super) fn in_sines(value: &Symbolic) -> Symbolic {
     let variables = value.variables();
     let angles: Vec<&str> = variables.iter().filter_map(|name| angle(name)).collect();
-    let split = angles.iter().fold(value.clone(), |value, x| split(&value, x));
-    angles.iter().fold(split, |value, x| gathered(value, x))
+    angles.iter().fold(value.clone(), |value, x| gathered(over_sines(&value, x), x))
 }
 
 fn sine(x: &str) -> Symbolic {
@@ -27,37 +28,24 @@ fn cosine(x: &str) -> Symbolic {
     Symbolic::parameter(&format!("cos({x})"))
 }
 
-/// `A + B sin x`.
-fn split(value: &Symbolic, x: &str) -> Symbolic {
-    let name = half_tangent(x);
-    let t = Symbolic::parameter(&name);
-    let mirrored = value.substitute(&[(name.clone(), -t.clone())].into());
-    // a degree beyond the bound of substitutions: left as it is
-    let Some(mirrored) = mirrored else { return value.clone() };
-    let half = Symbolic::one() / &Symbolic::from_i64(2);
-    let even = (value.clone() + &mirrored) * &half;
-    let odd = (value.clone() - &mirrored) * &half;
-    let over_sine = (t.clone() * &t + &Symbolic::one()) / &(t.clone() + &t);
-    in_cosine(&even, x, &name) + &(in_cosine(&(odd * &over_sine), x, &name) * &sine(x))
-}
-
-/// An even function of `t`, by `t^2 = (1 - cos x)/(1 + cos x)`. In lowest terms numerator and
-/// denominator are even themselves.
-fn in_cosine(value: &Symbolic, x: &str, t: &str) -> Symbolic {
+fn over_sines(value: &Symbolic, x: &str) -> Symbolic {
+    let t = half_tangent(x);
     let [above, below] = [value.numerator(), value.denominator()].map(|part| part.terms());
     let power = |powers: &[(String, u32)]| {
-        powers.iter().find(|(name, _)| name == t).map_or(0, |(_, power)| *power as usize / 2)
+        powers.iter().find(|(name, _)| *name == t).map_or(0, |(_, power)| *power as usize)
     };
     let highest = above.iter().chain(&below).map(|(powers, _)| power(powers)).max().unwrap_or(0);
     let (more, less) = (Symbolic::one() + &cosine(x), Symbolic::one() - &cosine(x));
     let image = |terms: &[(Vec<(String, u32)>, crate::Rational)]| {
         terms.iter().fold(Symbolic::zero(), |sum, (powers, coefficient)| {
-            let others = powers.iter().filter(|(name, _)| name != t);
+            let others = powers.iter().filter(|(name, _)| *name != t);
             let others = others.fold(Symbolic::constant(coefficient.clone()), |term, (name, e)| {
                 term * &pow(Symbolic::parameter(name), *e as usize)
             });
-            let k = power(powers);
-            sum + &(others * &pow(less.clone(), k) * &pow(more.clone(), highest - k))
+            let (squares, single) = (power(powers) / 2, power(powers) % 2);
+            let rest = highest.div_ceil(2) - squares - single;
+            let function = pow(less.clone(), squares) * &pow(sine(x), single);
+            sum + &(others * &function * &pow(more.clone(), rest))
         })
     };
     image(&above) / &image(&below)
@@ -65,15 +53,15 @@ fn in_cosine(value: &Symbolic, x: &str, t: &str) -> Symbolic {
 
 /// Factors `1 - cos^2 x` as `sin^2 x`.
 fn gathered(value: Symbolic, x: &str) -> Symbolic {
+    if value.vanishes() {
+        return value;
+    }
     let square = Symbolic::one() - &(cosine(x) * &cosine(x));
     let ratio = sine(x) * &sine(x) / &square;
     let count = |part: Symbolic| {
         let quotients = std::iter::successors(Some(part), |part| Some(part.clone() / &square));
         quotients.skip(1).take_while(|part| part.denominator().is_one()).count()
     };
-    if value.vanishes() {
-        return value;
-    }
     let (above, below) = (count(value.numerator()), count(value.denominator()));
     value * &pow(ratio.clone(), above) / &pow(ratio, below)
 }
