@@ -96,12 +96,12 @@ pub enum Error {
         /// The name.
         name: String,
     },
-    /// What needs structure constants, asked of a frame that has structure functions.
-    #[error("{what} needs structure constants, but here {component} = {value}")]
+    /// A function on a chart where a constant is needed, such as a structure constant.
+    #[error("{what} needs constants, but here {component} = {value}")]
     NotConstant {
-        /// What needs them.
+        /// What needs it.
         what: &'static str,
-        /// A structure function.
+        /// What is not constant.
         component: String,
         /// Its value.
         value: String,

@@ -50,7 +50,12 @@ impl<S: Notation> Geometry<S> {
         let ground = ground.into();
         let frame = ground.frame();
         let canonical = |lambda: &S| {
-            let algebra = ground.algebra_for("a connection lambda c")?;
+            let what = "a connection lambda c";
+            let algebra = ground.algebra_for(what)?;
+            if ground.varies(lambda) {
+                let (component, value) = ("lambda".into(), lambda.to_string());
+                return Err(Error::NotConstant { what, component, value });
+            }
             Connection::new(frame.clone(), Connection::family(algebra, lambda).gamma().clone())
         };
         let connection = match (&kind, &metric) {

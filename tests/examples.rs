@@ -112,6 +112,11 @@ fn the_definitions_say_what_they_claim() -> Outcome {
         ("sl2_matrices.toml", "killing", "killing,1,2,,,4\nkilling,2,1,,,4\nkilling,3,3,,,8\n"),
         ("heisenberg.toml", "ricci", "ricci,1,1,,,-1/2\nricci,2,2,,,-1/2\nricci,3,3,,,1/2\n"),
         ("bianchi_vi_h.toml", "killing", "killing,3,3,,,h^2 + 1\n"),
+        ("sphere.toml", "scalar_curvature", "scalar_curvature,,,,,2/a^2\n"),
+        ("hyperbolic_plane.toml", "scalar_curvature", "scalar_curvature,,,,,-2\n"),
+        ("poincare_half_space.toml", "scalar_curvature", "scalar_curvature,,,,,-6\n"),
+        ("schwarzschild.toml", "ricci", ""),
+        ("euler_angles.toml", "ricci", "ricci,1,1,,,1/2\nricci,2,2,,,1/2\nricci,3,3,,,1/2\n"),
     ];
     for (file, show, rows) in expected {
         let output = Command::new(env!("CARGO_BIN_EXE_affinor"))

@@ -107,6 +107,7 @@ const ARROWS: [(&[&str], &[&str]); 5] = [
             "src/metric.rs",
             "src/curvature.rs",
             "src/transport.rs",
+            "src/chart",
         ],
         &[
             "catalogue",

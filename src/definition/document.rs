@@ -60,6 +60,10 @@ impl Document<'_> {
         let scalars = Names { labels: &none, parameters, coordinates };
         let origin = match (&self.brackets, &self.structure_constants, &self.matrices) {
             (None, None, None) if self.chart.is_some() => self.fields(&names, source)?,
+            _ if self.chart.is_some() => {
+                let message = "a chart has the brackets of its fields, and no others";
+                return Err(InputError::usage(message).at(&source.key("chart")));
+            }
             (Some(block), None, None) => Origin::Brackets(block.statements("", &names, source)?),
             (None, Some(rows), None) => {
                 Origin::Brackets(structure_constants(rows, labels.len(), &scalars, source)?)
@@ -68,10 +72,6 @@ impl Document<'_> {
             (None, None, None) => {
                 return Err(InputError::usage(format!("{} defines no bracket", source.name))
                     .help("give one of brackets, structure_constants, matrices, chart"));
-            }
-            _ if self.chart.is_some() => {
-                let message = "a chart has the brackets of its fields, and no others";
-                return Err(InputError::usage(message).at(&source.key("chart")));
             }
             _ => {
                 let message = format!("{} defines its bracket more than once", source.name);
@@ -195,6 +195,13 @@ impl Document<'_> {
             if self.basis.is_some() || self.dimension.is_some() {
                 let message = "a chart has its coordinates and its frame for a basis";
                 return Err(InputError::usage(message).at(&source.key("chart")));
+            }
+            for (at, Text(name)) in coordinates.iter().enumerate() {
+                if coordinates[..at].iter().any(|Text(other)| other == name) {
+                    let message = format!("the coordinate `{}` is named twice", shown(name));
+                    return Err(InputError::usage(message).at(&source.whole(name)));
+                }
+                check_name(name).map_err(|error| error.at(&source.whole(name)))?;
             }
             return Ok(match &self.frame {
                 Some(FieldsText(fields)) => {

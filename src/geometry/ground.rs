@@ -38,15 +38,19 @@ impl<S: Field> Ground<S> {
     pub fn algebra_for(&self, what: &'static str) -> Result<&LieAlgebra<S>, Error> {
         self.algebra().ok_or_else(|| {
             let frame = self.frame();
-            let varies =
-                |value: &S| (0..frame.dimension()).any(|k| !frame.derive(k, value).vanishes());
-            let found = frame.structure().components().find(|(_, value)| varies(value));
+            let found = frame.structure().components().find(|(_, value)| self.varies(value));
             let (component, value) = found.map_or_else(Default::default, |(at, value)| {
                 let [i, j, k] = [at[0] + 1, at[1] + 1, at[2] + 1];
                 (format!("c^{i}_{j}{k}"), value.to_string())
             });
             Error::NotConstant { what, component, value }
         })
+    }
+
+    /// Whether a value is not constant.
+    pub(super) fn varies(&self, value: &S) -> bool {
+        let frame = self.frame();
+        (0..frame.dimension()).any(|k| !frame.derive(k, value).vanishes())
     }
 
     /// The fields, on a chart.
