@@ -5,9 +5,12 @@
 //! functions are the brackets of its fields (A6), and affinities follow the inhomogeneous law
 //! ([`Connection::moved`](crate::Connection::moved)).
 
+mod canonical;
+mod exponential;
 mod fields;
 mod moved;
 
+pub use canonical::{Canonical, Side};
 pub use fields::Fields;
 
 use crate::algebra::{BasisChange, to_matrix};

@@ -106,6 +106,20 @@ pub enum Error {
         /// Its value.
         value: String,
     },
+    /// Exponential coordinates whose series do not end.
+    #[error("the algebra is not nilpotent: {component} is not zero")]
+    NotNilpotent {
+        /// A component that should vanish.
+        component: String,
+    },
+    /// An exponential that is not made of functions known here.
+    #[error("ad_{x} has an eigenvalue other than small integers a + ib: a root of {polynomial}")]
+    Eigenvalue {
+        /// The basis vector.
+        x: String,
+        /// The minimal polynomial, in `z`.
+        polynomial: String,
+    },
     /// A connection without constant components in the right-invariant frame.
     #[error(
         "the connection has no constant components in the right-invariant frame: \
