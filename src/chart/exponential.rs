@@ -8,7 +8,7 @@
 use super::canonical::{added, square};
 use crate::Error;
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{Field, Notation, Rational, Ring, Symbolic};
+use affinor_tensors::{Notation, Rational, Ring, Symbolic};
 use num_traits::{One, Zero, pow};
 
 /// The largest integer that a part of an eigenvalue may be.

@@ -30,25 +30,44 @@ fn cosine(x: &str) -> Symbolic {
 
 fn over_sines(value: &Symbolic, x: &str) -> Symbolic {
     let t = half_tangent(x);
-    let [above, below] = [value.numerator(), value.denominator()].map(|part| part.terms());
-    let power = |powers: &[(String, u32)]| {
-        powers.iter().find(|(name, _)| *name == t).map_or(0, |(_, power)| *power as usize)
-    };
-    let highest = above.iter().chain(&below).map(|(powers, _)| power(powers)).max().unwrap_or(0);
-    let (more, less) = (Symbolic::one() + &cosine(x), Symbolic::one() - &cosine(x));
-    let image = |terms: &[(Vec<(String, u32)>, crate::Rational)]| {
-        terms.iter().fold(Symbolic::zero(), |sum, (powers, coefficient)| {
-            let others = powers.iter().filter(|(name, _)| *name != t);
-            let others = others.fold(Symbolic::constant(coefficient.clone()), |term, (name, e)| {
-                term * &pow(Symbolic::parameter(name), *e as usize)
-            });
-            let (squares, single) = (power(powers) / 2, power(powers) % 2);
-            let rest = highest.div_ceil(2) - squares - single;
-            let function = pow(less.clone(), squares) * &pow(sine(x), single);
-            sum + &(others * &function * &pow(more.clone(), rest))
-        })
+    let [above, below] = [value.numerator(), value.denominator()].map(|part| by_power(&part, &t));
+    let highest = above.len().max(below.len()).saturating_sub(1).div_ceil(2);
+    let image = |coefficients: &[Symbolic]| {
+        let half = |from: usize| coefficients.iter().skip(from).step_by(2);
+        let odd = homogeneous(half(1), highest.saturating_sub(1), x);
+        homogeneous(half(0), highest, x) + &(odd * &sine(x))
     };
     image(&above) / &image(&below)
+}
+
+/// The coefficients of the powers of a variable, the constant first.
+fn by_power(polynomial: &Symbolic, variable: &str) -> Vec<Symbolic> {
+    let mut coefficients = Vec::new();
+    for (powers, c) in polynomial.terms() {
+        let (own, others): (Vec<_>, Vec<_>) = powers.iter().partition(|(name, _)| name == variable);
+        let term = others.iter().fold(Symbolic::constant(c), |term, (name, power)| {
+            term * &pow(Symbolic::parameter(name), *power as usize)
+        });
+        let at = own.first().map_or(0, |(_, power)| *power as usize);
+        coefficients.resize(coefficients.len().max(at + 1), Symbolic::zero());
+        coefficients[at] = std::mem::replace(&mut coefficients[at], Symbolic::zero()) + &term;
+    }
+    coefficients
+}
+
+/// `sum p_a (1 - cos x)^a (1 + cos x)^(degree - a)`, by Horner's rule.
+fn homogeneous<'s>(
+    coefficients: impl DoubleEndedIterator<Item = &'s Symbolic> + ExactSizeIterator,
+    degree: usize,
+    x: &str,
+) -> Symbolic {
+    let (more, less) = (Symbolic::one() + &cosine(x), Symbolic::one() - &cosine(x));
+    let mut power = pow(more.clone(), (degree + 1).saturating_sub(coefficients.len()));
+    coefficients.rev().fold(Symbolic::zero(), |sum, p| {
+        let next = sum * &less + &(p.clone() * &power);
+        power = power.clone() * &more;
+        next
+    })
 }
 
 /// Factors `1 - cos^2 x` as `sin^2 x`.
