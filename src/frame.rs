@@ -3,7 +3,7 @@
 mod lie;
 
 use crate::Error;
-use affinor_tensors::{Down, Notation, Ring, Tensor, Up, Variance, contract};
+use affinor_tensors::{Down, Ring, Symbolic, Tensor, Up, Variance, contract};
 use std::fmt;
 use std::sync::Arc;
 
@@ -125,7 +125,7 @@ impl<S: Ring> Frame<S> {
     }
 }
 
-impl<S: Notation> Frame<S> {
+impl Frame<Symbolic> {
     /// The frame `d/dx^1 .. d/dx^n` of coordinates that are parameters of the scalars: zero
     /// structure (A9), and partial derivatives.
     ///

@@ -11,7 +11,7 @@ pub enum Ground<S> {
     Algebra(LieAlgebra<S>),
     /// Fields on a chart. If their structure functions are constants they are, near every point,
     /// the left-invariant fields of a group, whose algebra this is.
-    Chart(Fields<S>, Option<LieAlgebra<S>>),
+    Chart(Box<Fields<S>>, Option<LieAlgebra<S>>),
 }
 
 impl<S: Field> Ground<S> {
@@ -75,6 +75,6 @@ impl<S: Field> From<Fields<S>> for Ground<S> {
         let constant = frame.derivative(structure).is_ok_and(|derivative| derivative.is_empty());
         let algebra = constant.then(|| Bracket::new(frame.labels().clone(), structure.clone()));
         let algebra = algebra.and_then(|bracket| LieAlgebra::try_from(bracket.ok()?).ok());
-        Ground::Chart(fields, algebra)
+        Ground::Chart(Box::new(fields), algebra)
     }
 }

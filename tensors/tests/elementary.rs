@@ -73,6 +73,14 @@ fn values_are_written_as_a_person_would() {
         ("1/2*sin(x)", "1/2*sin(x)", r"\frac{1}{2} \sin x"),
         ("exp(2*x - y)", "exp(2*x)/exp(y)", r"\frac{e^{2 x}}{e^{y}}"),
         ("x*exp(x)", "x*exp(x)", "x e^{x}"),
+        ("a^2 + r^2*sin(x)^2", "r^2*sin(x)^2 + a^2", r"r^{2} \sin^{2} x + a^{2}"),
+        ("a*sin(x)^2 + b*cos(x)^2", "a*sin(x)^2 + b*cos(x)^2", r"a \sin^{2} x + b \cos^{2} x"),
+        ("1/(y + sin(x)^4)", "1/(sin(x)^4 + y)", r"\frac{1}{\sin^{4} x + y}"),
+        (
+            "1/(1 - sin(x)^2*cos(y)^2)",
+            "1/(cos(x)^2*cos(y)^2 + sin(y)^2)",
+            r"\frac{1}{\cos^{2} x \cos^{2} y + \sin^{2} y}",
+        ),
         ("cos(x)^2 - sin(x)^2", "2*cos(x)^2 - 1", r"2 \cos^{2} x - 1"),
     ] {
         let value = value(input);
