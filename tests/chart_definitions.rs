@@ -46,6 +46,15 @@ fn lowered(geometry: &Geometry<Symbolic>) -> [Tensor<Symbolic>; 2] {
     ]
 }
 
+/// `R_ijkl R^ijkl`.
+fn kretschmann(geometry: &Geometry<Symbolic>) -> Symbolic {
+    let [r, _] = lowered(geometry);
+    let inverse = geometry.metric().unwrap().inverse();
+    let raised = (0..4).fold(r.clone(), |r, slot| r.raise(slot, inverse).unwrap());
+    let square = contract("R_ijkl U^ijkl ->", &[("R", &r), ("U", &raised)]).unwrap();
+    square.to_scalar().unwrap()
+}
+
 #[test]
 fn spaces_of_constant_curvature() {
     for (file, k) in [
@@ -67,13 +76,7 @@ fn the_field_of_a_mass_is_empty_and_curved() {
     let geometry = geometry("schwarzschild.toml");
     assert!(geometry.connection().ricci().is_empty());
     let [r, _] = lowered(&geometry);
-    let mut raised = r.clone();
-    for slot in 0..4 {
-        raised = raised.raise(slot, geometry.metric().unwrap().inverse()).unwrap();
-    }
-    let operands = [("R", &r), ("U", &raised)];
-    let kretschmann = contract("R_ijkl U^ijkl ->", &operands).unwrap().to_scalar().unwrap();
-    assert_eq!(kretschmann, value("48*M^2/r^6"));
+    assert_eq!(kretschmann(&geometry), value("48*M^2/r^6"));
     // R_trtr = -2M/r^3 in unit vectors, and g_tt g_rr = -1
     assert_eq!(r.get(&[0, 1, 0, 1]), value("-2*M/r^3"));
     let gamma = geometry.connection().gamma();
@@ -81,6 +84,18 @@ fn the_field_of_a_mass_is_empty_and_curved() {
     assert_eq!(gamma.get(&[1, 1, 1]), value("-M/(r*(r - 2*M))"));
     assert_eq!(gamma.get(&[1, 2, 2]), value("2*M - r"));
     assert_eq!(gamma.get(&[2, 3, 3]), value("-sin(theta)*cos(theta)"));
+}
+
+/// R. C. Henry, *Astrophys. J.* 535 (2000) 350: with `c = cos(theta)` and `x = r^2 + a^2 c^2`,
+/// `R_ijkl R^ijkl = 48 M^2 (r^2 - a^2 c^2)(x^2 - 16 r^2 a^2 c^2)/x^6`.
+#[test]
+fn a_rotating_mass() {
+    let geometry = geometry("kerr.toml");
+    assert!(geometry.connection().ricci().is_empty());
+    let x = "(r^2 + a^2*cos(theta)^2)";
+    let ac = "a^2*cos(theta)^2";
+    let expected = format!("48*M^2*(r^2 - {ac})*({x}^2 - 16*r^2*{ac})/{x}^6");
+    assert_eq!(kretschmann(&geometry), value(&expected));
 }
 
 /// Spherical coordinates of flat space, and their unit vectors: M. R. Spiegel, *Vector Analysis*

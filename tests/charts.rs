@@ -239,3 +239,36 @@ fn charts_over_numbers() {
     assert!(fields.frame().structure().is_empty());
     assert_eq!(fields.written(), ["d_x + 2*d_y", "3*d_x + 4*d_y"]);
 }
+
+/// Christoffel symbols as every textbook has them, and the curvature (B12) in a natural basis.
+#[test]
+fn the_classical_formulas_of_coordinates() {
+    let names = ["x", "y", "z"];
+    let frame = Frame::coordinates(&names).unwrap();
+    let entries = ["x^2 + 2", "sin(y)", "1", "exp(z)*x", "0", "cos(x)^2"].map(value);
+    let g = Tensor::from_fn(3, [Down, Down], |[i, j]| {
+        entries[i.min(j) * (5 - i.min(j)) / 2 + i.max(j)].clone()
+    });
+    let metric = Metric::new(&labels(3), g.unwrap()).unwrap();
+    let g = |i: usize, j: usize, k: usize| metric.components().get(&[i, j]).derivative(names[k]);
+    let half = value("1/2");
+    let christoffel = Tensor::from_fn(3, [Up, Down, Down], |[i, j, k]| {
+        let term = |m: usize| {
+            metric.inverse().get(&[i, m]) * &(g(k, m, j) + &g(j, m, k) - &g(j, k, m)) * &half
+        };
+        term(0) + &term(1) + &term(2)
+    });
+    let christoffel = christoffel.unwrap();
+    let connection = Connection::levi_civita(&frame, &metric).unwrap();
+    assert_eq!(connection.gamma(), &christoffel);
+    let gamma = |i: usize, j: usize, k: usize| christoffel.get(&[i, j, k]);
+    let curvature = connection.curvature();
+    for [i, j, k, l] in [[0, 1, 0, 1], [2, 0, 1, 2], [1, 1, 0, 2], [0, 2, 2, 0], [1, 0, 0, 0]] {
+        let derivatives =
+            gamma(i, l, j).derivative(names[k]) - &gamma(i, k, j).derivative(names[l]);
+        let products =
+            (0..3).map(|m| gamma(i, k, m) * &gamma(m, l, j) - &(gamma(i, l, m) * &gamma(m, k, j)));
+        let expected = products.fold(derivatives, |sum, term| sum + &term);
+        assert_eq!(curvature.get(&[i, j, k, l]), expected);
+    }
+}
