@@ -9,6 +9,7 @@ mod canonical;
 mod exponential;
 mod fields;
 mod moved;
+mod point;
 
 pub use canonical::{Canonical, Side};
 pub use fields::Fields;
