@@ -4,10 +4,9 @@
 //! partial derivatives; a moving frame has both; the left frame of a group has constant structure
 //! and no derivatives. Levi-Civita and curvature are written once for all of them.
 
-use affinor::{Connection, Frame, Metric};
-use affinor_tensors::{Down, Ring, Symbolic, Tensor, Up};
+use affinor::{Chart, Connection, Frame, Metric};
+use affinor_tensors::{Down, Notation, Ring, Symbolic, Tensor, Up};
 use std::error::Error;
-use std::sync::Arc;
 
 /// The plane in polar coordinates and in their unit vectors, and the sphere.
 pub fn main() -> Result<(), Box<dyn Error>> {
@@ -22,17 +21,15 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     println!("polar coordinates: nabla_t d_t = {} d_r", connection.gamma().get(&[0, 1, 1]));
     assert!(connection.curvature().is_empty());
 
-    // the unit vectors e_r = d_r, e_t = 1/r d_t: [e_r, e_t] = -1/r e_t
-    let structure = [([1, 0, 1], -over_r.clone()), ([1, 1, 0], over_r.clone())];
-    let structure = Tensor::from_components(2, &[Up, Down, Down], structure)?;
-    let derivations = Arc::new(move |k: usize, f: &Symbolic| match k {
-        0 => f.derivative("r"),
-        _ => f.derivative("t") * &over_r,
-    });
+    // the unit vectors e_r = d_r, e_t = 1/r d_t, whose bracket is computed
+    let fields = [([0, 0], one()), ([1, 1], over_r)];
+    let fields = Tensor::from_components(2, &[Up, Down], fields)?;
     let labels = ["e_r", "e_t"].map(String::from).into();
-    let unit = Frame::moving(labels, structure, derivations)?;
-    let metric = diagonal(&unit, [one(), one()])?;
-    let connection = Connection::levi_civita(&unit, &metric)?;
+    let fields = Chart::new(&["r", "t"])?.fields(labels, fields)?;
+    let unit = fields.frame();
+    println!("unit vectors:      [e_r, e_t] = {} e_t", unit.structure().get(&[1, 0, 1]));
+    let metric = diagonal(unit, [one(), one()])?;
+    let connection = Connection::levi_civita(unit, &metric)?;
     println!("unit vectors:      nabla_t e_t = {} e_r", connection.gamma().get(&[0, 1, 1]));
     assert!(connection.curvature().is_empty());
 
@@ -47,6 +44,14 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let curvature = connection.sectional_curvature(&metric, &d_x, &d_y)?;
     println!("sphere: K = {}", curvature.as_ref().ok_or("a degenerate plane")?);
     assert_eq!(curvature, Some(one()));
+
+    // the same by its angles: g = d theta^2 + sin(theta)^2 d phi^2
+    let angles = Frame::coordinates(&["theta", "phi"])?;
+    let sine = Symbolic::function("sin", &Symbolic::parameter("theta"))?;
+    let metric = diagonal(&angles, [one(), sine.clone() * &sine])?;
+    let connection = Connection::levi_civita(&angles, &metric)?;
+    println!("by its angles: nabla_phi d_phi = {} d_theta", connection.gamma().get(&[0, 1, 1]));
+    assert_eq!(connection.scalar_curvature(&metric)?, Symbolic::from_i64(2));
     Ok(())
 }
 

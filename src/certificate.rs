@@ -1,9 +1,9 @@
 //! Certificates: whether a definition is what it claims, with the witness of what fails.
 
-use crate::definition::{Definition, InputError, Reading};
+use crate::definition::{Definition, InputError, Reading, Refusal};
 use crate::error::written;
 use crate::metric::equations;
-use crate::{Connection, ConnectionKind, LieAlgebra};
+use crate::{Connection, ConnectionKind, Ground, LieAlgebra};
 use affinor_tensors::{Indices, Kind, Notation, Tensor};
 
 /// One check of a certificate.
@@ -41,17 +41,72 @@ pub fn certify<S: Notation>(
     stage: &dyn Fn(&str),
 ) -> Result<Vec<Check>, InputError> {
     let mut checks = Vec::new();
+    let Some(ground) = ground(definition, reading, stage, &mut checks)? else { return Ok(checks) };
+    match definition.metric(&ground, reading) {
+        Ok(None) => {}
+        Ok(Some(_)) => checks.push(held("metric", "symmetric and non-degenerate")),
+        Err(error) if error.refusal == Refusal::Mathematics => {
+            checks.push(failed("metric", error));
+            return Ok(checks);
+        }
+        Err(error) => return Err(error),
+    }
+    let geometry = match definition.geometry_over(ground, reading) {
+        Ok(geometry) => geometry,
+        Err(error) if error.refusal == Refusal::Mathematics => {
+            checks.push(failed("connection", error));
+            return Ok(checks);
+        }
+        Err(error) => return Err(error),
+    };
+    let connection = geometry.connection();
+    if let (ConnectionKind::LeviCivita, Some(metric)) = (geometry.kind(), geometry.metric()) {
+        stage("levi-civita");
+        let size = size(connection);
+        let torsion = connection.torsion();
+        checks.push(vanishing("torsion_free", "tau = 0", &torsion, size));
+        let nonmetricity = connection.nonmetricity(metric)?;
+        let size = size * largest(metric.components());
+        checks.push(vanishing("metric_compatible", "nabla g = 0", &nonmetricity, size));
+    }
+    checks.extend(bianchi(connection, stage));
+    Ok(checks)
+}
+
+/// Checks what the geometry stands on; `None` if that fails.
+fn ground<S: Notation>(
+    definition: &Definition,
+    reading: &Reading<S>,
+    stage: &dyn Fn(&str),
+    checks: &mut Vec<Check>,
+) -> Result<Option<Ground<S>>, InputError> {
+    if definition.is_on_chart() {
+        stage("frame");
+        let ground = match definition.ground(reading) {
+            Ok(ground) => ground,
+            Err(error) if error.refusal == Refusal::Mathematics => {
+                checks.push(failed("frame", error));
+                return Ok(None);
+            }
+            Err(error) => return Err(error),
+        };
+        checks.push(held("frame", "the fields are independent: their determinant is not zero"));
+        let residual = ground.frame().jacobi();
+        checks.push(vanishing("jacobi", "[[x,y],z] + cyclic = 0 for all fields", &residual, 0.0));
+        return Ok(Some(ground));
+    }
     stage("antisymmetry");
     let bracket = match definition.bracket(reading) {
         Ok(bracket) => bracket,
-        Err(error) if error.refusal == crate::definition::Refusal::Mathematics => {
+        Err(error) if error.refusal == Refusal::Mathematics => {
             let mut check =
                 failed(if definition.is_by_matrices() { "closure" } else { "antisymmetry" }, error);
             check.witness = definition.antisymmetry_witness().map(|((j, k), sum)| Witness {
                 indices: vec![j + 1, k + 1],
                 residual: sum.iter().map(|(i, value)| (i + 1, value.to_string())).collect(),
             });
-            return Ok(vec![check]);
+            checks.push(check);
+            return Ok(None);
         }
         Err(error) => return Err(error),
     };
@@ -72,40 +127,11 @@ pub fn certify<S: Notation>(
             jacobi.detail += &format!("; Jacobi holds if {}", conditions.join(", "));
         }
         checks.push(jacobi);
-        return Ok(checks);
+        return Ok(None);
     }
     checks.push(jacobi);
     // the triples were gone through just now
-    let algebra = LieAlgebra::try_from(bracket)?;
-    match definition.metric(&algebra, reading) {
-        Ok(None) => {}
-        Ok(Some(_)) => checks.push(held("metric", "symmetric and non-degenerate")),
-        Err(error) if error.refusal == crate::definition::Refusal::Mathematics => {
-            checks.push(failed("metric", error));
-            return Ok(checks);
-        }
-        Err(error) => return Err(error),
-    }
-    let geometry = match definition.geometry_over(algebra, reading) {
-        Ok(geometry) => geometry,
-        Err(error) if error.refusal == crate::definition::Refusal::Mathematics => {
-            checks.push(failed("connection", error));
-            return Ok(checks);
-        }
-        Err(error) => return Err(error),
-    };
-    let connection = geometry.connection();
-    if let (ConnectionKind::LeviCivita, Some(metric)) = (geometry.kind(), geometry.metric()) {
-        stage("levi-civita");
-        let size = size(connection);
-        let torsion = connection.torsion();
-        checks.push(vanishing("torsion_free", "tau = 0", &torsion, size));
-        let nonmetricity = connection.nonmetricity(metric)?;
-        let size = size * largest(metric.components());
-        checks.push(vanishing("metric_compatible", "nabla g = 0", &nonmetricity, size));
-    }
-    checks.extend(bianchi(connection, stage));
-    Ok(checks)
+    Ok(Some(LieAlgebra::try_from(bracket)?.into()))
 }
 
 fn bianchi<S: Notation>(connection: &Connection<S>, stage: &dyn Fn(&str)) -> [Check; 2] {

@@ -126,10 +126,11 @@ impl Claim {
     /// Computes whether the claim holds of a geometry.
     ///
     /// # Errors
-    /// [`Error::Shape`], which a valid geometry does not cause.
+    /// [`Error::NotConstant`]: the claims are about structure constants.
     pub fn verdict<S: Notation>(self, geometry: &Geometry<S>) -> Result<Verdict, Error> {
         let connection = geometry.connection();
-        let c = geometry.algebra().structure();
+        let algebra = geometry.ground().algebra_for("a claim of the paper")?;
+        let c = algebra.structure();
         let none = Verdict::NotApplicable("no metric");
         let vanish = |sum: &str| {
             let torsion = connection.torsion();
@@ -166,7 +167,7 @@ impl Claim {
                 }
             }
             (Claim::BiInvariant, Some(metric)) => {
-                let variation = metric.ad_variation(geometry.algebra())?;
+                let variation = metric.ad_variation(algebra)?;
                 vanishes(&variation, "g_mj c^m_ki + g_im c^m_kj", "kij")
             }
         })
@@ -181,7 +182,7 @@ fn share<S: Notation>(n: i64) -> S {
 /// Transport along the autoparallels of all basis vectors, whose generator `G` is linear in the
 /// direction, by minus a share of `ad`.
 fn transport<S: Notation>(geometry: &Geometry<S>, share: &S, sum: &str) -> Result<Verdict, Error> {
-    let algebra = geometry.algebra();
+    let algebra = geometry.ground().algebra_for("transport by ad")?;
     for j in 0..algebra.dimension() {
         let mut n = vec![S::zero(); algebra.dimension()];
         n[j] = S::one();

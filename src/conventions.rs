@@ -151,6 +151,21 @@
 //! assert_eq!(changed.structure().get(&[1, 0, 1]), Rational::from(1)); // [e'_1, e'_2] = e'_2
 //! # Ok::<(), Error>(())
 //! ```
+//! *Change of frame* by functions `A`: affinities follow the inhomogeneous law
+//! `Lambda' = A^-1 (Lambda(A, A) + e(A))`, structure functions its antisymmetric part (A6).
+//! ```
+//! # use affinor::*; use affinor_tensors::*;
+//! // the flat plane: e'_1 = d_x, e'_2 = x d_y, so nabla_{e'_1} e'_2 = 1/x e'_2
+//! let plane = Connection::new(
+//!     Frame::coordinates(&["x", "y"])?, Tensor::zero(2, &[Up, Down, Down])?,
+//! )?;
+//! let (x, one) = (Symbolic::parameter("x"), Symbolic::from_i64(1));
+//! let a = Tensor::from_components(2, &[Up, Down], [([0, 0], one.clone()), ([1, 1], x.clone())])?;
+//! let moved = plane.moved(["u", "v"].map(String::from).into(), &BasisChange::new(a)?)?;
+//! assert_eq!(moved.gamma().get(&[1, 0, 1]), one.clone() / &x);
+//! assert_eq!(moved.frame().structure().get(&[1, 0, 1]), one / &x);
+//! # Ok::<(), Error>(())
+//! ```
 //! *Transport* along the autoparallel of a constant `n`: `du/dt = -Lambda(n) u`, that is `-ad_n`
 //! for `plus`.
 //! ```
@@ -327,6 +342,11 @@ pub const ALL: &[(&str, &[&str])] = &[
         ],
     ),
     ("change of basis", &["e'_a = A^i_a e_i; c' = A^-1 c (A, A), g' = A^T g A"]),
+    (
+        "change of frame",
+        &["e'_a = A^i_a e_i with functions A: Lambda'^c_ab = B^c_i (Lambda^i_jk A^j_a A^k_b \
+         + A^j_a e_j(A^i_b)), B = A^-1; [e'_a, e'_b] = c'^c_ab e'_c (A6)"],
+    ),
     ("transport", &["du/dt = -Lambda(n) u along the autoparallel of n: -ad_n for plus"]),
     ("tangent operators", &["T_left(x) = sum (-ad_x)^k/(k+1)!, T_right(x) = sum ad_x^k/(k+1)!"]),
     ("spin", &["spin(w) x = w x x, rows [0,-w3,w2], [w3,0,-w1], [-w2,w1,0]"]),

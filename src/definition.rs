@@ -4,6 +4,7 @@
 //! inline ([`Space`]). All become one [`Definition`], exact and symbolic, which is then taken into
 //! the scalar of the computation. Files are TOML or JSON with the same keys.
 
+mod chart;
 mod document;
 mod entry;
 mod escapes;
@@ -19,14 +20,15 @@ pub use space::{Request, ScalarChoice, Space, Work};
 
 use crate::algebra::Complex;
 use crate::catalogue::MAX_DIMENSION;
-use crate::geometry::{ConnectionKind, Geometry};
+use crate::geometry::{ConnectionKind, Geometry, Ground};
 use crate::{Bracket, Canonical, Error, LieAlgebra, MatrixBasis, Metric};
 use affinor_tensors::{Down, Notation, Ring, Symbolic, Tensor, Tolerance, Up};
+use chart::OnChart;
 use num_traits::Zero;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-/// An algebra with, perhaps, a connection and a metric, as written down: exact, in parameters,
-/// and not yet checked.
+/// An algebra, or fields on a chart, with, perhaps, a connection and a metric, as written down:
+/// exact, in parameters, and not yet checked.
 #[derive(Clone, Debug)]
 pub struct Definition {
     /// The name.
@@ -51,6 +53,8 @@ enum Origin {
     Brackets(Pairs),
     /// A matrix basis: entries (row, column, value) of each matrix.
     Matrices(usize, Vec<MatrixEntries>),
+    /// Fields on a chart.
+    Chart(OnChart),
 }
 
 /// Right sides by ordered pair.
@@ -119,9 +123,25 @@ impl Definition {
     pub fn parameters(&self) -> Vec<String> {
         let mut names = Vec::new();
         self.each_value(&mut |value| names.extend(value.parameters()));
+        let coordinates = self.coordinates();
+        names.retain(|name| !coordinates.contains(name));
         names.sort();
         names.dedup();
         names
+    }
+
+    /// The coordinates, of which values may be functions; none without a chart.
+    pub fn coordinates(&self) -> &BTreeSet<String> {
+        static NONE: BTreeSet<String> = BTreeSet::new();
+        match &self.origin {
+            Origin::Chart(chart) => &chart.coordinates,
+            _ => &NONE,
+        }
+    }
+
+    /// Whether the components are functions on a chart.
+    pub fn is_on_chart(&self) -> bool {
+        matches!(self.origin, Origin::Chart(_))
     }
 
     /// Whether a metric was given.
@@ -155,6 +175,7 @@ impl Definition {
             Origin::Matrices(..) => {
                 self.matrix_basis(reading)?.bracket().map_err(|error| self.refused(error))?
             }
+            Origin::Chart(_) => return Err(InputError::usage("a chart has no table of brackets")),
         };
         Ok(bracket)
     }
@@ -167,13 +188,24 @@ impl Definition {
         LieAlgebra::try_from(self.bracket(reading)?).map_err(|error| self.refused(error))
     }
 
-    /// The metric over an algebra, if one is given.
+    /// What the geometry stands on: the [`algebra`](Self::algebra), or the fields on a chart.
     ///
     /// # Errors
-    /// A form that is not symmetric or degenerate.
+    /// As [`algebra`](Self::algebra); fields that are dependent everywhere.
+    pub fn ground<S: Notation>(&self, reading: &Reading<S>) -> Result<Ground<S>, InputError> {
+        match &self.origin {
+            Origin::Chart(chart) => Ok(chart.fields(&self.labels, reading)?.into()),
+            _ => Ok(self.algebra(reading)?.into()),
+        }
+    }
+
+    /// The metric in the frame of the geometry, if one is given.
+    ///
+    /// # Errors
+    /// A form that is not symmetric or degenerate; the Killing form over structure functions.
     pub fn metric<S: Notation>(
         &self,
-        algebra: &LieAlgebra<S>,
+        ground: &Ground<S>,
         reading: &Reading<S>,
     ) -> Result<Option<Metric<S>>, InputError> {
         let n = self.dimension();
@@ -184,7 +216,11 @@ impl Definition {
                 let ones = (0..n).map(|i| ([i, i], S::one()));
                 (Tensor::from_components(n, &slots, ones)?, None)
             }
-            Some(MetricChoice::Killing(place)) => (algebra.killing_form(), Some(place)),
+            Some(MetricChoice::Killing(place)) => {
+                let algebra = ground.algebra_for("a Killing form");
+                let algebra = algebra.map_err(|error| InputError::from(error).at(place))?;
+                (algebra.killing_form(), Some(place))
+            }
             Some(MetricChoice::Components(entries, place)) => {
                 let mut values = Vec::new();
                 for (at, value) in entries {
@@ -201,35 +237,35 @@ impl Definition {
             }
         };
         let components = components.with_tolerance(reading.tolerance);
-        let metric = Metric::new(algebra.labels(), components);
+        let metric = Metric::new(ground.frame().labels(), components);
         metric.map(Some).map_err(|error| InputError::from(error).or_at_some(place))
     }
 
-    /// The geometry: algebra, metric and connection. Without a connection it is levi-civita if
-    /// there is a metric, else zero.
+    /// The geometry: ground, metric and connection. Without a connection it is levi-civita if
+    /// there is a metric, else zero; over a chart a metric is asked for.
     ///
     /// # Errors
-    /// As [`algebra`](Self::algebra) and [`metric`](Self::metric).
+    /// As [`ground`](Self::ground) and [`metric`](Self::metric).
     pub fn geometry<S: Notation>(&self, reading: &Reading<S>) -> Result<Geometry<S>, InputError> {
-        self.geometry_over(self.algebra(reading)?, reading)
+        self.geometry_over(self.ground(reading)?, reading)
     }
 
-    /// The geometry over the [`algebra`](Self::algebra) computed before.
+    /// The geometry over the [`ground`](Self::ground) computed before.
     ///
     /// # Errors
     /// As [`metric`](Self::metric).
     pub fn geometry_over<S: Notation>(
         &self,
-        algebra: LieAlgebra<S>,
+        ground: Ground<S>,
         reading: &Reading<S>,
     ) -> Result<Geometry<S>, InputError> {
-        let metric = self.metric(&algebra, reading)?;
+        let metric = self.metric(&ground, reading)?;
         let (choice, place) = match &self.connection {
             Some((choice, place)) => (Some(choice), Some(place)),
             None => (None, None),
         };
         let kind = match choice {
-            None if metric.is_some() => ConnectionKind::LeviCivita,
+            None if metric.is_some() || self.is_on_chart() => ConnectionKind::LeviCivita,
             None => ConnectionKind::Canonical(Canonical::Zero),
             Some(ConnectionChoice::Canonical(which)) => ConnectionKind::Canonical(*which),
             Some(ConnectionChoice::Family(lambda)) => {
@@ -249,7 +285,7 @@ impl Definition {
                 ConnectionKind::Affinities(gamma.with_tolerance(reading.tolerance))
             }
         };
-        let geometry = Geometry::new(self.name.clone(), algebra, kind, metric)
+        let geometry = Geometry::new(self.name.clone(), ground, kind, metric)
             .map_err(|error| InputError::from(error).or_at_some(place))?;
         Ok(match &self.algebra_name {
             Some(name) => geometry.over(name),
@@ -352,6 +388,10 @@ impl Definition {
                     f(&mut value.re);
                     f(&mut value.im);
                 }
+            }
+            Origin::Chart(chart) => {
+                let values = chart.fields.iter_mut().flat_map(|field| field.value.values_mut());
+                values.for_each(&mut *f);
             }
         }
         match &mut self.metric {

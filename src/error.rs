@@ -115,6 +115,42 @@ pub enum Error {
     /// A change of basis that cannot be inverted.
     #[error("the new basis is linearly dependent")]
     SingularBasis,
+    /// Fields that are linearly dependent everywhere.
+    #[error("the frame is degenerate: its determinant is zero, for {relation} = 0")]
+    DegenerateFrame {
+        /// A vanishing combination of the fields.
+        relation: String,
+    },
+    /// A coordinate that is no name, or the name of two.
+    #[error("`{name}` is not the name of one coordinate")]
+    Coordinate {
+        /// The name.
+        name: String,
+    },
+    /// A function on a chart where a constant is needed, such as a structure constant.
+    #[error("{what} needs constants, but here {component} = {value}")]
+    NotConstant {
+        /// What needs it.
+        what: &'static str,
+        /// What is not constant.
+        component: String,
+        /// Its value.
+        value: String,
+    },
+    /// Exponential coordinates whose series do not end.
+    #[error("the algebra is not nilpotent: {component} is not zero")]
+    NotNilpotent {
+        /// A component that should vanish.
+        component: String,
+    },
+    /// An exponential that is not made of functions known here.
+    #[error("ad_{x} has an eigenvalue other than small integers a + ib: a root of {polynomial}")]
+    Eigenvalue {
+        /// The basis vector.
+        x: String,
+        /// The minimal polynomial, in `z`.
+        polynomial: String,
+    },
     /// A connection without constant components in the right-invariant frame.
     #[error(
         "the connection has no constant components in the right-invariant frame: \

@@ -124,6 +124,24 @@ impl<S: Ring> Frame<S> {
         Ok(derivative.with_tolerance(tensor.tolerance()))
     }
 
+    /// The derivative `e_k(f)` of one function, `k` from 0.
+    pub fn derive(&self, k: usize, f: &S) -> S {
+        self.derivations.as_ref().map_or_else(S::zero, |derive| derive(k, f))
+    }
+
+    /// The Jacobi residual, slots `^i_jkl`: `[[e_j,e_k],e_l] + [[e_k,e_l],e_j] + [[e_l,e_j],e_k]`,
+    /// where `[[e_j,e_k],e_l] = c^m_jk c^i_ml e_i - e_l(c^i_jk) e_i`. Zero for fields on a
+    /// manifold.
+    pub fn jacobi(&self) -> Tensor<S> {
+        let derivative = self.derivative(&self.structure).expect("the structure of this frame");
+        // the second term is written [[e_j,e_l],e_k] with its sign, so that it mirrors the first
+        formula(
+            "c^m_jk c^i_ml - c^m_jl c^i_mk + c^m_kl c^i_mj \
+             - d_l^i_jk + d_k^i_jl - d_j^i_kl -> ^i_[jkl]",
+            &[("c", &self.structure), ("d", &derivative)],
+        )
+    }
+
     /// Components as a linear combination of the frame vectors.
     pub(crate) fn write(&self, components: impl IntoIterator<Item = S>) -> String {
         let named = components.into_iter().zip(self.labels.iter().cloned());

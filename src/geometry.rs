@@ -1,9 +1,14 @@
-//! Geometries: an algebra, a connection and a metric.
+//! Geometries: an algebra or a frame over a chart, a connection and a metric.
 
-use crate::{Canonical, Connection, Error, LieAlgebra, Metric};
+mod ground;
+
+pub use ground::Ground;
+
+use crate::{Canonical, Connection, Error, Frame, LieAlgebra, Metric};
 use affinor_tensors::{Notation, Tensor};
 
-/// A Lie algebra with a left-invariant connection and, perhaps, a left-invariant metric.
+/// A Lie algebra, or fields on a chart, with a connection and, perhaps, a metric, both given in
+/// that frame.
 ///
 /// A connection is not a kind of metric, nor the other way round: M(3) and SO(3) share their
 /// algebra and differ in both ([`paper`](crate::paper)).
@@ -11,7 +16,7 @@ use affinor_tensors::{Notation, Tensor};
 pub struct Geometry<S> {
     name: String,
     algebra_name: Option<String>,
-    algebra: LieAlgebra<S>,
+    ground: Ground<S>,
     connection: Connection<S>,
     kind: ConnectionKind<S>,
     metric: Option<Metric<S>>,
@@ -34,24 +39,35 @@ impl<S: Notation> Geometry<S> {
     /// The geometry with a connection of the given kind.
     ///
     /// # Errors
-    /// [`Error::NoMetric`] for Levi-Civita without a metric; [`Error::Shape`].
+    /// [`Error::NoMetric`] for Levi-Civita without a metric; [`Error::NotConstant`] for a canonical
+    /// connection over structure functions; [`Error::Shape`].
     pub fn new(
         name: impl Into<String>,
-        algebra: LieAlgebra<S>,
+        ground: impl Into<Ground<S>>,
         kind: ConnectionKind<S>,
         metric: Option<Metric<S>>,
     ) -> Result<Self, Error> {
-        let frame = algebra.left_frame();
+        let ground = ground.into();
+        let frame = ground.frame();
+        let canonical = |lambda: &S| {
+            let what = "a connection lambda c";
+            let algebra = ground.algebra_for(what)?;
+            if ground.varies(lambda) {
+                let (component, value) = ("lambda".into(), lambda.to_string());
+                return Err(Error::NotConstant { what, component, value });
+            }
+            Connection::new(frame.clone(), Connection::family(algebra, lambda).gamma().clone())
+        };
         let connection = match (&kind, &metric) {
-            (ConnectionKind::Canonical(which), _) => Connection::canonical(&algebra, *which),
-            (ConnectionKind::Family(lambda), _) => Connection::family(&algebra, lambda),
+            (ConnectionKind::Canonical(which), _) => canonical(&which.lambda())?,
+            (ConnectionKind::Family(lambda), _) => canonical(lambda)?,
             (ConnectionKind::LeviCivita, Some(metric)) => Connection::levi_civita(frame, metric)?,
             (ConnectionKind::LeviCivita, None) => return Err(Error::NoMetric),
             (ConnectionKind::Affinities(gamma), _) => {
                 Connection::new(frame.clone(), gamma.clone())?
             }
         };
-        Ok(Geometry { name: name.into(), algebra_name: None, algebra, connection, kind, metric })
+        Ok(Geometry { name: name.into(), algebra_name: None, ground, connection, kind, metric })
     }
 
     /// The same geometry with its components in the right-invariant frame: structure `-c`,
@@ -59,12 +75,18 @@ impl<S: Notation> Geometry<S> {
     /// there, and is left out.
     ///
     /// # Errors
-    /// [`Error::NotInvariant`] for a connection without constant components there.
+    /// [`Error::NotInvariant`] for a connection without constant components there;
+    /// [`Error::Frame`] over a chart.
     pub fn in_right_frame(&self) -> Result<Self, Error> {
-        let connection = self.connection.in_right_frame(&self.algebra)?;
-        let metric = self.metric.as_ref().filter(|metric| metric.is_bi_invariant(&self.algebra));
+        let Ground::Algebra(algebra) = &self.ground else {
+            return Err(Error::Frame(
+                "fields on a chart have no right-invariant frame beside them",
+            ));
+        };
+        let connection = self.connection.in_right_frame(algebra)?;
+        let metric = self.metric.as_ref().filter(|metric| metric.is_bi_invariant(algebra));
         Ok(Geometry {
-            algebra: self.algebra.opposite(),
+            ground: algebra.opposite().into(),
             connection,
             metric: metric.cloned(),
             ..self.clone()
@@ -87,12 +109,22 @@ impl<S: Notation> Geometry<S> {
         &self.name
     }
 
-    /// The Lie algebra.
-    pub fn algebra(&self) -> &LieAlgebra<S> {
-        &self.algebra
+    /// What it stands on.
+    pub fn ground(&self) -> &Ground<S> {
+        &self.ground
     }
 
-    /// The connection, in the left-invariant frame.
+    /// The frame of all components.
+    pub fn frame(&self) -> &Frame<S> {
+        self.connection.frame()
+    }
+
+    /// The Lie algebra; `None` over structure functions.
+    pub fn algebra(&self) -> Option<&LieAlgebra<S>> {
+        self.ground.algebra()
+    }
+
+    /// The connection, in the [`frame`](Self::frame).
     pub fn connection(&self) -> &Connection<S> {
         &self.connection
     }

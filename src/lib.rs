@@ -12,7 +12,8 @@
 //! - [`reductive`]: homogeneous spaces; [`invariants`]: tensors, connections among them, that an
 //!   algebra leaves alone; [`lie_poisson`]: the dual of an algebra, its bracket and Casimirs;
 //! - [`holonomy`], [`properties`]: what a connection or a metric is like, with proof;
-//! - [`Geometry`]: an algebra, a connection and a metric; [`paper`] has two of them;
+//! - [`chart`]: coordinates, and frames of functions over them;
+//! - [`Geometry`]: an algebra or a frame, a connection and a metric; [`paper`] has two of them;
 //! - [`catalogue`]: algebras by name; [`roots`]: root systems and Chevalley bases;
 //! - [`definition`]: what a person writes, on the command line or in a file;
 //! - [`report`]: tables, comparisons, and their formats; [`claims`] and [`certificate`]: what holds.
@@ -35,6 +36,7 @@
 pub mod algebra;
 pub mod catalogue;
 pub mod certificate;
+pub mod chart;
 pub mod claims;
 pub mod connection;
 pub mod conventions;
@@ -59,11 +61,12 @@ pub mod roots;
 pub mod transport;
 
 pub use algebra::{BasisChange, Bracket, LieAlgebra, MatrixBasis};
+pub use chart::Chart;
 pub use connection::{Canonical, Connection};
 pub use error::Error;
 pub use forms::Form;
 pub use frame::Frame;
-pub use geometry::{ConnectionKind, Geometry};
+pub use geometry::{ConnectionKind, Geometry, Ground};
 pub use lie_poisson::LiePoisson;
 pub use metric::Metric;
 pub use reductive::ReductivePair;

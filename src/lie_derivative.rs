@@ -1,4 +1,4 @@
-//! Derivations of tensors, and the Lie derivative along a field.
+//! Derivations of tensors, the Lie derivative along a field, the bracket of two.
 
 use crate::Error;
 use crate::algebra::indices;
@@ -40,6 +40,28 @@ pub fn act<S: Ring>(endomorphism: &Tensor<S>, tensor: &Tensor<S>) -> Result<Tens
 }
 
 impl<S: Ring> Frame<S> {
+    /// The bracket of two fields, given like the result by components in this frame:
+    /// `[X, Y]^i = X^j e_j(Y^i) - Y^j e_j(X^i) + c^i_jk X^j Y^k` (32), (A6).
+    ///
+    /// ```
+    /// use affinor::Frame;
+    /// use affinor_tensors::{Ring, Symbolic};
+    /// let plane = Frame::coordinates(&["x", "y"])?;
+    /// let [x, y, zero] = [Symbolic::parameter("x"), Symbolic::parameter("y"), Symbolic::from_i64(0)];
+    /// let rotation = [-y, x.clone()];
+    /// let shift = [Symbolic::from_i64(1), zero.clone()];
+    /// assert_eq!(plane.bracket(&shift, &rotation)?, [zero, Symbolic::from_i64(1)]);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless both have as many components as the frame.
+    pub fn bracket(&self, x: &[S], y: &[S]) -> Result<Vec<S>, Error> {
+        let field = |v: &[S]| Tensor::vector(v, Up).with_tolerance(self.structure().tolerance());
+        let bracket = self.lie_derivative(&field(x), &field(y))?;
+        Ok(bracket.to_vector().expect("a tensor of rank 1"))
+    }
+
     /// The Lie derivative along the field `X^i`, of a tensor of any type:
     ///
     /// ```text

@@ -63,14 +63,25 @@ pub struct Table<S> {
     pub connection_words: String,
     /// The factor of a connection `Lambda = lambda c`.
     pub lambda: Option<S>,
-    /// The frame of the components: `left` or `right`.
+    /// The frame of the components: `left-invariant`, `right-invariant`, `coordinate` or `moving`.
     pub frame: &'static str,
+    /// The chart, where the components are functions on one.
+    pub chart: Option<OnChart>,
     /// When a float counted as zero.
     pub tolerance: Tolerance,
     /// Whether one component stands for each set that is equal by symmetry.
     pub independent: bool,
     /// The tensors, in the order in which they are shown.
     pub tensors: Vec<Entry<S>>,
+}
+
+/// Coordinates, and the fields of a frame over them, as they are written.
+#[derive(Clone, Debug)]
+pub struct OnChart {
+    /// The names of the coordinates.
+    pub coordinates: Vec<String>,
+    /// The fields, `1/sin(theta)*d_phi`, in the order of the labels.
+    pub fields: Vec<String>,
 }
 
 /// A tensor with its name.
@@ -83,7 +94,7 @@ pub struct Entry<S> {
 }
 
 impl<S: Notation> Table<S> {
-    /// The table of a geometry in its left-invariant frame, with the quantities that apply.
+    /// The table of a geometry in its frame, with the quantities that apply.
     ///
     /// # Errors
     /// As [`Quantity::of`].
@@ -114,13 +125,21 @@ impl<S: Notation> Table<S> {
         Ok(Table {
             name: geometry.name().into(),
             algebra: geometry.algebra_name().into(),
-            labels: geometry.algebra().labels().to_vec(),
+            labels: geometry.frame().labels().to_vec(),
             parameters,
             connection: geometry.kind().name().into(),
             connection_words: geometry.kind().describe(),
             lambda: geometry.kind().lambda(),
-            frame: "left",
-            tolerance: geometry.algebra().structure().tolerance(),
+            frame: match geometry.ground().fields() {
+                None => "left-invariant",
+                Some(fields) if fields.are_coordinates() => "coordinate",
+                Some(_) => "moving",
+            },
+            chart: geometry.ground().fields().map(|fields| OnChart {
+                coordinates: fields.chart().coordinates().to_vec(),
+                fields: fields.written(),
+            }),
+            tolerance: geometry.frame().structure().tolerance(),
             independent: false,
             tensors,
         })
@@ -158,6 +177,14 @@ impl<S: Notation> Table<S> {
             Format::Json => json::write(self, &mut out),
         }?;
         out.flush()
+    }
+
+    /// The heading of a tensor: structure constants may be functions on a chart.
+    fn title(&self, quantity: Quantity) -> &'static str {
+        match quantity {
+            Quantity::Structure if self.chart.is_some() => "Structure functions (A6)",
+            _ => quantity.title(),
+        }
     }
 
     /// The components of an entry that are printed: all, or only the independent ones.

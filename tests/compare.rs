@@ -48,8 +48,8 @@ fn residual(space: &str, claim: Claim) -> String {
 /// The first component that a claim says is zero and that is not, `c^i_jk` and so on summed by
 /// loops; the end of a residual, ` = value`. `None` where the claim holds or does not apply.
 fn by_loops<S: Notation>(claim: Claim, geometry: &Geometry<S>) -> Option<String> {
-    let n = geometry.algebra().dimension();
-    let c = |i, j, k| geometry.algebra().structure().get(&[i, j, k]);
+    let n = geometry.frame().dimension();
+    let c = |i, j, k| geometry.frame().structure().get(&[i, j, k]);
     let gamma = |i, j, k| geometry.connection().gamma().get(&[i, j, k]);
     let g = |i, j| geometry.metric().unwrap().components().get(&[i, j]);
     let over = |term: &dyn Fn(usize) -> S| (0..n).map(term).fold(S::zero(), |sum, v| sum + &v);
@@ -72,7 +72,7 @@ fn by_loops<S: Notation>(claim: Claim, geometry: &Geometry<S>) -> Option<String>
     let transport = |share: S| {
         (0..n).find_map(|j| {
             let bends = (0..n).any(|i| !gamma(i, j, j).vanishes());
-            let label = &geometry.algebra().labels()[j];
+            let label = &geometry.frame().labels()[j];
             let text =
                 first(2, &|at: &[usize]| c(at[0], j, at[1]) * &share - &gamma(at[0], j, at[1]));
             match bends {

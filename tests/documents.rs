@@ -124,6 +124,7 @@ fn formats_names_every_key_of_every_schema() -> Outcome {
             "affinor table so3 --metric \"diag(a,b,c)\" --show all --independent".into(),
         ),
         ("affinor.table/1", "affinor table so3@zero --scalar float".into()),
+        ("affinor.table/1", "affinor table examples/definitions/sphere.toml".into()),
         ("affinor.compare/1", "affinor compare M3 so3@zero".into()),
         (
             "affinor.check/1",

@@ -10,7 +10,9 @@ mod common;
 use affinor::{Connection, Error, Frame, Metric};
 use affinor_tensors::{Down, Field, Rational, Symbolic, Tensor, Up, Variance};
 use common::algebras::by_table;
-use common::charts::{Chart, Moved, affine, constant, heisenberg, special_linear, sum};
+use common::charts::{
+    Chart, Moved, affine, constant, euclidean, euler_angles, heisenberg, special_linear, sum,
+};
 
 /// Components without symmetry, as constants.
 fn constants<const RANK: usize>(n: usize, slots: [Variance; RANK]) -> Tensor<Symbolic> {
@@ -70,7 +72,7 @@ fn same_levi_civita(moved: &Moved, frame: &Frame<Symbolic>) {
 
 #[test]
 fn the_fields_are_a_left_frame() {
-    for chart in [heisenberg(), affine(), special_linear()] {
+    for chart in [heisenberg(), affine(), special_linear(), euclidean(), euler_angles()] {
         let (n, c) = (chart.dimension(), chart.algebra.structure());
         for [a, j, k] in (0..n.pow(3)).map(|key| [key / n / n, key / n % n, key % n]) {
             let bracket = chart.derive(j, &chart.fields.get(&[a, k]))
@@ -83,7 +85,7 @@ fn the_fields_are_a_left_frame() {
 
 #[test]
 fn coordinate_frames() {
-    for chart in [heisenberg(), affine(), special_linear()] {
+    for chart in [heisenberg(), affine(), special_linear(), euclidean(), euler_angles()] {
         let moved = chart.coordinates();
         assert!(moved.structure().is_empty());
         let frame = Frame::coordinates(chart.names).unwrap();

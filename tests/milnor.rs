@@ -60,7 +60,7 @@ fn other_groups() {
     let [a, d] = [one.clone() + &x, one - &x];
     let [b, c] = [a.clone() * &y, -d.clone() * &y];
     assert!((a.clone() * &c + &(b.clone() * &d)).is_zero());
-    let structure = space.algebra().structure();
+    let structure = space.frame().structure();
     let brackets = [([1, 0, 1], &a), ([2, 0, 1], &b), ([1, 0, 2], &c), ([2, 0, 2], &d)];
     assert!(brackets.iter().all(|(at, value)| structure.get(at) == **value));
     let square = |v: &Symbolic| v.clone() * v;

@@ -114,6 +114,7 @@ const ARROWS: [(&[&str], &[&str]); 6] = [
             "src/properties",
             "src/reductive.rs",
             "src/transport.rs",
+            "src/chart",
         ],
         &[
             "catalogue",

@@ -6,7 +6,7 @@ use affinor_tensors::contraction;
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Field, Tensor, Up};
 
-/// A change of basis `e'_a = A^i_a e_i` with constant, invertible `A`.
+/// A change of basis `e'_a = A^i_a e_i` with invertible `A`: constants, or functions over a chart.
 #[derive(Clone, Debug)]
 pub struct BasisChange<S> {
     matrix: Tensor<S>,
@@ -24,6 +24,16 @@ impl<S: Field> BasisChange<S> {
         let inverse = Tensor::from_components(matrix.dimension(), &[Up, Down], inverse)?;
         let inverse = inverse.with_tolerance(matrix.tolerance());
         Ok(BasisChange { matrix, inverse })
+    }
+
+    /// The matrix `A^i_a`.
+    pub fn matrix(&self) -> &Tensor<S> {
+        &self.matrix
+    }
+
+    /// The inverse `B^a_i`.
+    pub fn inverse(&self) -> &Tensor<S> {
+        &self.inverse
     }
 
     /// The components in the new basis: `A^-1` on every upper slot, `A` on every lower one.

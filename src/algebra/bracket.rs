@@ -1,7 +1,7 @@
 //! Brackets: antisymmetric, not yet known to satisfy the Jacobi identity.
 
 use crate::Error;
-use crate::frame::{Frame, formula};
+use crate::frame::Frame;
 use affinor_tensors::{Down, Ring, Tensor, Up};
 use std::sync::Arc;
 
@@ -68,11 +68,7 @@ impl<S: Ring> Bracket<S> {
     /// The Jacobi residual, slots `^i_jkl`:
     /// `[[e_j,e_k],e_l] + [[e_k,e_l],e_j] + [[e_l,e_j],e_k]`. Zero for a Lie algebra.
     pub fn jacobi(&self) -> Tensor<S> {
-        // the second term is written [[e_j,e_l],e_k] with its sign, so that it mirrors the first
-        formula(
-            "c^m_jk c^i_ml - c^m_jl c^i_mk + c^m_kl c^i_mj -> ^i_[jkl]",
-            &[("c", self.structure())],
-        )
+        self.frame.jacobi()
     }
 
     /// The first triple of basis vectors that violates the Jacobi identity.

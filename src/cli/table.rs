@@ -58,11 +58,11 @@ impl Arguments {
         stages.begin("input");
         let space = self.shared.open(self.space.as_deref(), &self.options)?;
         if space.definition.connection_is_default() {
-            let (name, why) = match space.definition.has_metric() {
-                true => ("levi-civita", "there is a metric"),
-                false => ("zero", "there is no metric"),
-            };
-            note(&format!("no connection is named, and {why}: {name}"));
+            if space.definition.has_metric() {
+                note("no connection is named, and there is a metric: levi-civita");
+            } else if !space.definition.is_on_chart() {
+                note("no connection is named, and there is no metric: zero");
+            }
         }
         let quantities = self.selection.quantities();
         let input = space.file.as_deref();
@@ -92,16 +92,16 @@ impl Selection {
         stages: &Stages,
     ) -> Result<Table<S>, InputError> {
         stages.begin("jacobi");
-        let algebra = definition.algebra(reading)?;
+        let ground = definition.ground(reading)?;
         stages.begin("connection");
-        let mut geometry = definition.geometry_over(algebra, reading)?;
+        let mut geometry = definition.geometry_over(ground, reading)?;
         if self.frame == Frame::Right {
             geometry = geometry.in_right_frame()?;
         }
         let mut table = Table::in_stages(&geometry, quantities, &|name| stages.begin(name))?;
         table.independent = self.independent;
         if self.frame == Frame::Right {
-            table.frame = "right";
+            table.frame = "right-invariant";
         }
         table.finite()?;
         Ok(table)

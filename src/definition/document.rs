@@ -1,11 +1,14 @@
 //! The keys of a definition, and what they define.
 
+use super::chart::OnChart;
 use super::input::{InputError, Place, Source, shown};
 use super::notation::{Names, basis, check_name, lines, metric, metric_rows, statement};
 use super::space::connection;
-use super::written::{Block, Cell, MatrixRows, MetricText, Row, Text};
+use super::written::{
+    Block, Cell, ChartText, ConnectionText, FieldsText, MatrixRows, MetricText, Row, Text,
+};
 use super::{ConnectionChoice, Definition, Given, MatrixEntries, Origin, Pairs, check_dimension};
-use affinor_tensors::Ring;
+use affinor_tensors::{Ring, Symbolic};
 use std::borrow::Cow;
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
@@ -29,9 +32,13 @@ pub(super) struct Document<'t> {
     #[serde(borrow)]
     matrices: Option<Vec<MatrixRows<'t>>>,
     #[serde(borrow)]
+    chart: Option<ChartText<'t>>,
+    #[serde(borrow)]
+    frame: Option<FieldsText<'t>>,
+    #[serde(borrow)]
     metric: Option<MetricText<'t>>,
     #[serde(borrow)]
-    connection: Option<Text<'t>>,
+    connection: Option<ConnectionText<'t>>,
     #[serde(borrow)]
     affinities: Option<Block<'t>>,
 }
@@ -45,12 +52,19 @@ impl Document<'_> {
         let labels = self.labels(source)?;
         let labels: Vec<&str> = labels.iter().map(|label| &**label).collect();
         let indices = basis(&labels, source)?;
-        let parameters = self.declared(&indices, source)?;
-        let names = Names { labels: &indices, parameters: Some(&parameters) };
+        let (parameters, coordinates) = self.declared(&indices, source)?;
+        let declared = parameters.iter().cloned().collect();
+        let (parameters, coordinates) = (Some(&parameters), &coordinates);
+        let names = Names { labels: &indices, parameters, coordinates };
         // values know no basis vectors
         let none = BTreeMap::new();
-        let scalars = Names { labels: &none, parameters: Some(&parameters) };
+        let scalars = Names { labels: &none, parameters, coordinates };
         let origin = match (&self.brackets, &self.structure_constants, &self.matrices) {
+            (None, None, None) if self.chart.is_some() => self.fields(&names, source)?,
+            _ if self.chart.is_some() => {
+                let message = "a chart has the brackets of its fields, and no others";
+                return Err(InputError::usage(message).at(&source.key("chart")));
+            }
             (Some(block), None, None) => Origin::Brackets(block.statements("", &names, source)?),
             (None, Some(rows), None) => {
                 Origin::Brackets(structure_constants(rows, labels.len(), &scalars, source)?)
@@ -58,7 +72,7 @@ impl Document<'_> {
             (None, None, Some(matrices)) => matrix_basis(matrices, &labels, &scalars, source)?,
             (None, None, None) => {
                 return Err(InputError::usage(format!("{} defines no bracket", source.name))
-                    .help("give one of brackets, structure_constants, matrices"));
+                    .help("give one of brackets, structure_constants, matrices, chart"));
             }
             _ => {
                 let message = format!("{} defines its bracket more than once", source.name);
@@ -77,10 +91,17 @@ impl Document<'_> {
                 Some(metric_rows(&rows, labels.len(), &scalars, source, source.key("metric"))?)
             }
         };
-        let connection = match (&self.connection, &self.affinities) {
+        let table = self.connection.as_ref();
+        let kind = table.and_then(|table| table.kind.as_ref());
+        let within = table.and_then(|table| table.affinities.as_ref());
+        let connection = match (kind, within.or(self.affinities.as_ref())) {
+            (None, None) if table.is_some() => {
+                let error = InputError::usage("the connection has neither kind nor affinities");
+                return Err(error.at(&source.key("connection")));
+            }
             (None, None) => None,
             (Some(Text(text)), None) => Some(connection(text, &scalars, source)?),
-            (None, Some(block)) => {
+            (None, Some(block)) if within.is_none() || self.affinities.is_none() => {
                 let given = block.statements("nabla", &names, source)?;
                 Some((ConnectionChoice::Affinities(given), source.key("affinities")))
             }
@@ -100,28 +121,69 @@ impl Document<'_> {
             origin,
             metric,
             connection,
-            declared: parameters.into_iter().collect(),
+            declared,
             source: Some(source.clone()),
         })
     }
 
-    /// The parameters, none of them the name of something else.
+    /// The parameters, coordinates among them, and the coordinates alone; none of them the name of
+    /// something else.
     fn declared(
         &self,
         labels: &BTreeMap<String, usize>,
         source: &Source,
-    ) -> Result<BTreeSet<String>, InputError> {
-        let mut parameters = BTreeSet::new();
-        for Text(name) in &self.parameters {
+    ) -> Result<(BTreeSet<String>, BTreeSet<String>), InputError> {
+        let coordinates = self.chart.as_ref().map_or(&[][..], |chart| &chart.coordinates);
+        let fields: Vec<String> = coordinates.iter().map(|Text(name)| field_of(name)).collect();
+        let (mut parameters, mut declared) = (BTreeSet::new(), BTreeSet::new());
+        let coordinates = coordinates.iter().map(|text| (text, "coordinate"));
+        for (Text(name), what) in
+            coordinates.chain(self.parameters.iter().map(|t| (t, "parameter")))
+        {
             let place = source.whole(name);
             check_name(name).map_err(|error| error.at(&place))?;
-            let taken = labels.contains_key(&**name) || !parameters.insert(name.to_string());
+            let known = labels.contains_key(&**name) || fields.iter().any(|field| field == name);
+            let taken = known || !parameters.insert(name.to_string());
             if taken || (name == "i" && self.matrices.is_some()) {
-                let message = format!("the parameter `{name}` is already the name of something");
+                let message = format!("the {what} `{name}` is already the name of something");
                 return Err(InputError::usage(message).at(&place));
             }
+            if what == "coordinate" {
+                declared.insert(name.to_string());
+            }
         }
-        Ok(parameters)
+        Ok((parameters, declared))
+    }
+
+    /// The fields of `frame`, by the coordinate fields; without it these themselves.
+    fn fields(&self, names: &Names, source: &Source) -> Result<Origin, InputError> {
+        let coordinates = self.chart.as_ref().map_or(&[][..], |chart| &chart.coordinates);
+        let labels = coordinates.iter().zip(0..).map(|(Text(name), at)| (field_of(name), at));
+        let labels: BTreeMap<String, usize> = labels.collect();
+        let names = Names { labels: &labels, ..*names };
+        let place = source.key(if self.frame.is_some() { "frame" } else { "chart" });
+        let fields = match &self.frame {
+            None => {
+                let unit = |a| BTreeMap::from([(a, Symbolic::from_i64(1))]);
+                let fields = (0..coordinates.len()).map(|a| (unit(a), place.clone()));
+                fields.map(|(value, place)| Given { value, place }).collect()
+            }
+            Some(FieldsText(fields)) => {
+                let (found, n) = (fields.len(), coordinates.len());
+                if found != n {
+                    let message = format!("the frame has {found} fields for {n} coordinates");
+                    return Err(InputError::usage(message).at(&place));
+                }
+                let field = |(_, Text(field)): &(Text, Text)| {
+                    let value = names.vector(field, source)?;
+                    Ok(Given { value, place: source.whole(field) })
+                };
+                fields.iter().map(field).collect::<Result<_, InputError>>()?
+            }
+        };
+        let ordered = coordinates.iter().map(|Text(name)| name.to_string()).collect();
+        let coordinates = names.coordinates.clone();
+        Ok(Origin::Chart(OnChart { coordinates, names: ordered, fields, place }))
     }
 
     /// The basis, from `basis`, `dimension`, the matrices' names, or their number.
@@ -131,6 +193,30 @@ impl Document<'_> {
             Some(Text(name)) => Cow::Borrowed(&**name),
             None => numbered(at),
         };
+        if let Some(ChartText { coordinates }) = &self.chart {
+            if self.basis.is_some() || self.dimension.is_some() {
+                let message = "a chart has its coordinates and its frame for a basis";
+                return Err(InputError::usage(message).at(&source.key("chart")));
+            }
+            for (at, Text(name)) in coordinates.iter().enumerate() {
+                if coordinates[..at].iter().any(|Text(other)| other == name) {
+                    let message = format!("the coordinate `{}` is named twice", shown(name));
+                    return Err(InputError::usage(message).at(&source.whole(name)));
+                }
+                check_name(name).map_err(|error| error.at(&source.whole(name)))?;
+            }
+            return Ok(match &self.frame {
+                Some(FieldsText(fields)) => {
+                    fields.iter().map(|(Text(name), _)| Cow::Borrowed(&**name)).collect()
+                }
+                None => coordinates.iter().map(|Text(name)| field_of(name).into()).collect(),
+            });
+        }
+        if self.frame.is_some() {
+            let error = InputError::usage("a frame stands over a chart");
+            let help = "give its coordinates: [chart] coordinates = [\"x\", \"y\"]";
+            return Err(error.at(&source.key("frame")).help(help));
+        }
         match (&self.basis, self.dimension, &self.matrices) {
             (Some(basis), None, _) => {
                 Ok(basis.iter().map(|Text(label)| Cow::Borrowed(&**label)).collect())
@@ -151,6 +237,11 @@ impl Document<'_> {
                 .help("give basis = [\"x\", \"y\", ...] or dimension = 3")),
         }
     }
+}
+
+/// The name of the coordinate field `d/dx`.
+fn field_of(coordinate: &str) -> String {
+    format!("d_{coordinate}")
 }
 
 /// The right sides by ordered pair, from rows `[i, j, k, "v"]`.

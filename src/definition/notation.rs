@@ -3,8 +3,10 @@
 use super::input::{InputError, Place, Source, shown};
 use super::{Given, MetricChoice};
 use crate::algebra::Complex;
-use affinor_tensors::expression::{Expression, ExpressionError, Meaning, Scalars, is_name};
-use affinor_tensors::{Field, Rational, Ring, Symbolic};
+use affinor_tensors::expression::{
+    Expression, ExpressionError, Functions, Meaning, Scalars, is_name,
+};
+use affinor_tensors::{Field, Notation, Rational, Ring, Symbolic};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The names that an expression may use.
@@ -12,6 +14,8 @@ pub(super) struct Names<'n> {
     pub labels: &'n BTreeMap<String, usize>,
     /// The declared parameters; `None` lets every other name be one.
     pub parameters: Option<&'n BTreeSet<String>>,
+    /// The coordinates, of which there are functions like `sin`; declared as parameters, too.
+    pub coordinates: &'n BTreeSet<String>,
 }
 
 impl Names<'_> {
@@ -44,7 +48,21 @@ impl Names<'_> {
 
     /// A scalar.
     pub fn scalar(&self, text: &str, source: &Source) -> Result<Symbolic, InputError> {
-        self.read(text, source, &Scalars(|name: &str| self.parameter(name)))
+        let scalars = Scalars(|name: &str| self.parameter(name));
+        let function = |name: &str, argument: &Symbolic| self.function(name, argument);
+        self.read(text, source, &Functions(scalars, function))
+    }
+
+    /// A function of coordinates.
+    fn function(&self, name: &str, argument: &Symbolic) -> Result<Symbolic, String> {
+        if self.coordinates.is_empty() {
+            return Err(format!("`{}` is no function here: only a chart has some", shown(name)));
+        }
+        let others = argument.parameters();
+        match others.iter().find(|other| !self.coordinates.contains(*other)) {
+            Some(other) => Err(format!("{} takes coordinates, and `{other}` is none", shown(name))),
+            None => Symbolic::function(name, argument),
+        }
     }
 
     /// A linear combination of basis vectors.
@@ -85,7 +103,10 @@ impl Names<'_> {
         match self.parameters {
             Some(declared) if !declared.contains(name) => {
                 let name = shown(name);
-                Err(format!("`{name}` is neither a basis vector here nor a declared parameter"))
+                let known = if self.coordinates.is_empty() { "" } else { "coordinate nor a " };
+                Err(format!(
+                    "`{name}` is neither a basis vector here nor a {known}declared parameter"
+                ))
             }
             _ => Ok(Symbolic::parameter(name)),
         }
@@ -335,6 +356,15 @@ impl Meaning for Elements<'_> {
             return Err("a basis vector cannot divide".into());
         }
         Ok(Element { scalar: scalars().reciprocal(a.scalar)?, vector: BTreeMap::new() })
+    }
+    fn function(&self, name: &str, argument: Element) -> Result<Element, String> {
+        if !argument.vector.is_empty() {
+            return Err("a basis vector is no argument".into());
+        }
+        Ok(Element {
+            scalar: self.names.function(name, &argument.scalar)?,
+            vector: BTreeMap::new(),
+        })
     }
 }
 

@@ -18,6 +18,10 @@ impl Definition {
     pub fn set(&mut self, values: &BTreeMap<String, Symbolic>) -> Result<(), InputError> {
         let mut parameters = self.parameters();
         parameters.extend(self.declared.iter().cloned());
+        if let Some(fixed) = values.keys().find(|name| self.coordinates().contains(*name)) {
+            let message = format!("`{}` is a coordinate, and varies", shown(fixed));
+            return Err(InputError::usage(message).help("set parameters only"));
+        }
         if let Some(unknown) = values.keys().find(|name| !parameters.contains(name)) {
             let known = match parameters.as_slice() {
                 [] => "there are none".into(),

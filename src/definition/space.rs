@@ -8,7 +8,7 @@ use super::{ConnectionChoice, Definition, Origin, Reading};
 use crate::Canonical;
 use crate::catalogue::CatalogueError;
 use affinor_tensors::{Notation, Rational, Symbolic, Tolerance};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// What the command line says about a space.
@@ -87,8 +87,8 @@ impl Space {
             }
         };
         let declared = if name.is_some() { definition.parameters() } else { vec![] };
-        let none = BTreeMap::new();
-        let open = Names { labels: &none, parameters: None };
+        let (none, coordinates) = (BTreeMap::new(), definition.coordinates().clone());
+        let open = Names { labels: &none, parameters: None, coordinates: &coordinates };
         let given = [(&modifiers.metric, "@metric"), (&request.metric, "--metric")];
         for (text, origin) in given {
             if let Some(text) = text {
@@ -122,8 +122,8 @@ impl Space {
     /// # Errors
     /// As [`Definition::set`].
     pub fn set(&mut self, text: &str, others: &[String]) -> Result<(), InputError> {
-        let none = BTreeMap::new();
-        let open = Names { labels: &none, parameters: None };
+        let (none, coordinates) = (BTreeMap::new(), self.definition.coordinates().clone());
+        let open = Names { labels: &none, parameters: None, coordinates: &coordinates };
         let source = Source::new("--set", text);
         let before = self.definition.parameters();
         let mut values = settings(&source, &open)?;
@@ -153,7 +153,11 @@ impl Space {
     ) -> Result<W::Output, InputError> {
         let parameters = self.definition.parameters();
         match choice {
-            ScalarChoice::Exact if parameters.is_empty() => {
+            ScalarChoice::Float if self.definition.is_on_chart() => {
+                let message = "functions on a chart are differentiated, so they are exact";
+                Err(InputError::usage(message).help("leave --scalar float away"))
+            }
+            ScalarChoice::Exact if parameters.is_empty() && !self.definition.is_on_chart() => {
                 let convert = |value: &Symbolic| value.as_constant().cloned();
                 work.run::<Rational>(&self.definition, &Reading { convert: &convert, tolerance })
             }
@@ -294,7 +298,7 @@ fn inline(labels: &str, brackets: &[String]) -> Result<Definition, InputError> {
     let labels = source.text.split([' ', ',', '\t', '\n']);
     let labels: Vec<&str> = labels.filter(|label| !label.is_empty()).collect();
     let indices = basis(&labels, &source)?;
-    let names = Names { labels: &indices, parameters: None };
+    let names = Names { labels: &indices, parameters: None, coordinates: &BTreeSet::new() };
     let mut given = BTreeMap::new();
     for block in brackets {
         let source = Source::new("--bracket", block);

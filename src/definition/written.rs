@@ -17,11 +17,28 @@ pub(super) struct Row<'t>(pub [i64; 3], pub Cell<'t>);
 /// A block of statements: one string with a line each, or an array of such strings.
 pub(super) struct Block<'t>(pub Vec<Text<'t>>);
 
-/// A metric in words, or its rows.
+/// A metric in words, or its rows; either may stand in a table as its `components`.
 pub(super) enum MetricText<'t> {
     Word(Text<'t>),
     Rows(Vec<Vec<Cell<'t>>>),
 }
+
+/// A connection by name, or a table with its `kind` or its `affinities`.
+pub(super) struct ConnectionText<'t> {
+    pub kind: Option<Text<'t>>,
+    pub affinities: Option<Block<'t>>,
+}
+
+/// Coordinates.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ChartText<'t> {
+    #[serde(borrow)]
+    pub coordinates: Vec<Text<'t>>,
+}
+
+/// Fields by their names, in order.
+pub(super) struct FieldsText<'t>(pub Vec<(Text<'t>, Text<'t>)>);
 
 /// A matrix: `{name, rows}`, or its rows alone.
 pub(super) struct MatrixRows<'t> {
@@ -162,6 +179,54 @@ impl<'t> Form<'t> for MetricText<'t> {
     fn list<A: SeqAccess<'t>>(items: A) -> Result<Self, A::Error> {
         all(items).map(MetricText::Rows)
     }
+
+    fn table<A: MapAccess<'t>>(items: A) -> Result<Self, A::Error> {
+        #[derive(serde::Deserialize)]
+        #[serde(deny_unknown_fields)]
+        struct Table<'t> {
+            #[serde(borrow)]
+            components: MetricText<'t>,
+        }
+        let table = Table::deserialize(de::value::MapAccessDeserializer::new(items))?;
+        Ok(table.components)
+    }
+}
+
+impl<'t> Form<'t> for ConnectionText<'t> {
+    const EXPECTED: &'static str = "the name of a connection, or a table with kind or affinities";
+
+    fn text(text: Text<'t>) -> Option<Self> {
+        Some(ConnectionText { kind: Some(text), affinities: None })
+    }
+
+    fn table<A: MapAccess<'t>>(items: A) -> Result<Self, A::Error> {
+        #[derive(serde::Deserialize)]
+        #[serde(deny_unknown_fields)]
+        struct Table<'t> {
+            #[serde(borrow)]
+            kind: Option<Text<'t>>,
+            #[serde(borrow)]
+            affinities: Option<Block<'t>>,
+        }
+        let Table { kind, affinities } =
+            Table::deserialize(de::value::MapAccessDeserializer::new(items))?;
+        Ok(ConnectionText { kind, affinities })
+    }
+}
+
+impl<'t> Form<'t> for FieldsText<'t> {
+    const EXPECTED: &'static str = "a table of fields, like e1 = \"d_x\"";
+
+    fn table<A: MapAccess<'t>>(mut items: A) -> Result<Self, A::Error> {
+        let mut fields: Vec<(Text, Text)> = Vec::new();
+        while let Some((name, field)) = items.next_entry::<Text, Text>()? {
+            if fields.iter().any(|(other, _)| other.0 == name.0) {
+                return Err(de::Error::custom(format_args!("duplicate key `{}`", name.0)));
+            }
+            fields.push((name, field));
+        }
+        Ok(FieldsText(fields))
+    }
 }
 
 impl<'t> Form<'t> for MatrixRows<'t> {
@@ -211,6 +276,18 @@ impl<'de: 't, 't> Deserialize<'de> for Block<'t> {
 }
 
 impl<'de: 't, 't> Deserialize<'de> for MetricText<'t> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read(deserializer)
+    }
+}
+
+impl<'de: 't, 't> Deserialize<'de> for ConnectionText<'t> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read(deserializer)
+    }
+}
+
+impl<'de: 't, 't> Deserialize<'de> for FieldsText<'t> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         read(deserializer)
     }

@@ -7,7 +7,7 @@ use crate::claims::{Claim, Residual, Verdict};
 use crate::error::combination;
 use crate::frame::formula;
 use crate::metric::equations;
-use crate::{ConnectionKind, Error, Geometry};
+use crate::{ConnectionKind, Error, Geometry, LieAlgebra};
 use affinor_tensors::{Notation, Tensor};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -36,10 +36,11 @@ impl Side {
     /// Computes one side.
     ///
     /// # Errors
-    /// [`Error::Shape`], which a valid geometry does not cause.
+    /// [`Error::NotConstant`]: claims are about structure constants.
     pub fn new<S: Notation>(geometry: &Geometry<S>) -> Result<Self, Error> {
         let kind = geometry.kind();
-        let basis = basis(geometry.algebra().labels());
+        let algebra = geometry.ground().algebra_for("a comparison")?;
+        let basis = basis(algebra.labels());
         let mut rows = vec![("basis", basis.into()), ("connection", kind.describe().into())];
         let shown = [
             ("structure constants", Quantity::Structure),
@@ -53,7 +54,7 @@ impl Side {
             rows.push((title, tensor.map_or("none".into(), |tensor| listed(quantity, &tensor))));
         }
         rows.push(("compatibility", compatibility(geometry)?));
-        rows.push(("transport along n", transport(geometry)));
+        rows.push(("transport along n", transport(geometry, algebra)));
         let verdict = |claim: Claim| Ok((claim, claim.verdict(geometry)?));
         let verdicts = Claim::ALL.into_iter().map(verdict).collect::<Result<_, Error>>()?;
         let connection = match kind {
@@ -234,8 +235,8 @@ fn compatibility<S: Notation>(geometry: &Geometry<S>) -> Result<Cell, Error> {
 }
 
 /// The generator of transport along an autoparallel, as a multiple of `ad_n` where it is one.
-fn transport<S: Notation>(geometry: &Geometry<S>) -> Cell {
-    let (c, gamma) = (geometry.algebra().structure(), geometry.connection().gamma());
+fn transport<S: Notation>(geometry: &Geometry<S>, algebra: &LieAlgebra<S>) -> Cell {
+    let (c, gamma) = (algebra.structure(), geometry.connection().gamma());
     let generator = |text: &str, latex: &str| {
         both(&format!("du/dt = G u, {text}"), &format!("$\\dot u = G u$, {latex}"))
     };

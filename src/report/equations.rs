@@ -32,8 +32,9 @@ pub struct System<S> {
 impl<S: Notation> System<S> {
     /// The equations of a geometry.
     pub fn new(equations: Equations<S>, geometry: &Geometry<S>) -> Self {
-        let plus = Connection::canonical(geometry.algebra(), Canonical::Plus);
-        let genuine = geometry.metric().is_none_or(|metric| {
+        let given = geometry.algebra().zip(geometry.metric());
+        let genuine = given.is_none_or(|(algebra, metric)| {
+            let plus = Connection::canonical(algebra, Canonical::Plus);
             let theirs = Equations::euler_poincare(&plus, metric);
             theirs.is_ok_and(|theirs| theirs.solved().rows() == equations.solved().rows())
         });

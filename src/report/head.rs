@@ -1,6 +1,6 @@
 //! What stands at the head of a table: the space, its connection and its scalar.
 
-use super::Table;
+use super::{OnChart, Table};
 use crate::conventions;
 use affinor_tensors::{Kind, Notation};
 
@@ -14,10 +14,17 @@ impl<S: Notation> Table<S> {
     pub(super) fn head(&self) -> Vec<(&'static str, String)> {
         let mut lines = vec![
             ("dimension", self.labels.len().to_string()),
-            ("frame", format!("{}-invariant", self.frame)),
+            ("frame", self.frame.into()),
             ("connection", printable(&self.connection_line())),
             ("scalar", self.scalar_line()),
         ];
+        if let Some(OnChart { coordinates, fields }) = &self.chart {
+            let equal = self.labels.iter().zip(fields).map(|(e, field)| format!("{e} = {field}"));
+            lines.insert(1, ("coordinates", coordinates.join(", ")));
+            if self.frame == "moving" {
+                lines.insert(3, ("fields", equal.collect::<Vec<_>>().join(", ")));
+            }
+        }
         if self.independent {
             lines.push(("components", "one of each set that is equal by symmetry".into()));
         }

@@ -2,7 +2,7 @@
 
 use super::components::append;
 use super::head::kind_name;
-use super::{Entry, Quantity, Table};
+use super::{Entry, OnChart, Quantity, Table};
 use affinor_tensors::{Kind, Notation, Up};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -31,6 +31,9 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
     writeln!(out, "{{")?;
     for (key, value) in head {
         writeln!(out, "  \"{key}\": {value},")?;
+    }
+    if let Some(OnChart { coordinates, fields }) = &table.chart {
+        writeln!(out, "  \"chart\": {},", json!({ "coordinates": coordinates, "fields": fields }))?;
     }
     write!(out, "  \"conventions\": {{")?;
     for (position, (key, text)) in conventions(table).into_iter().enumerate() {
@@ -77,7 +80,7 @@ fn tensor<S: Notation>(table: &Table<S>, entry: &Entry<S>, out: &mut dyn Write) 
 /// needs no manual.
 fn conventions<S: Notation>(table: &Table<S>) -> Vec<(&'static str, String)> {
     let mut conventions = vec![("indices", "from 1".into())];
-    conventions.push(("frame", format!("{}-invariant", table.frame)));
+    conventions.push(("frame", table.frame.into()));
     conventions.extend(table.zero_line().map(|zero| ("zero", zero)));
     if table.independent {
         conventions.push(("components", "one of each set that is equal by symmetry".into()));

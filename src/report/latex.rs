@@ -37,7 +37,7 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
 
 fn tensor<S: Notation>(table: &Table<S>, entry: &Entry<S>, out: &mut dyn Write) -> io::Result<()> {
     let (quantity, shown) = (entry.quantity, table.shown(entry));
-    writeln!(out, "\\subsection*{{{}}}", quantity.title())?;
+    writeln!(out, "\\subsection*{{{}}}", table.title(quantity))?;
     if shown.is_empty() {
         let letters = quantity.letters();
         let letters = letters.chars().map(String::from);

@@ -22,7 +22,7 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
 fn tensor<S: Notation>(table: &Table<S>, entry: &Entry<S>, out: &mut dyn Write) -> io::Result<()> {
     let shown = table.shown(entry);
     let name = |at: &[usize]| component(entry.quantity, &shown, at);
-    writeln!(out, "\n## {}\n", entry.quantity.title())?;
+    writeln!(out, "\n## {}\n", table.title(entry.quantity))?;
     if shown.is_empty() {
         return writeln!(out, "`{} = 0`", general(entry.quantity, &shown));
     }

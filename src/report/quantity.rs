@@ -216,22 +216,25 @@ impl Quantity {
     }
 
     /// The tensor of a geometry; `None` where it does not apply: without a metric what needs one,
-    /// and Schouten, Weyl and Cotton for a connection other than Levi-Civita, or in dimension 2 or
-    /// less.
+    /// without an algebra the Killing form, and Schouten, Weyl and Cotton for a connection other
+    /// than Levi-Civita, or in dimension 2 or less.
     ///
     /// # Errors
     /// [`Error::Shape`], which a valid geometry does not cause.
     pub fn of<S: Notation>(self, geometry: &Geometry<S>) -> Result<Option<Tensor<S>>, Error> {
         let connection = geometry.connection();
-        let n = geometry.algebra().dimension();
+        let n = geometry.frame().dimension();
         let scalar = |value: S| Tensor::from_components(n, &[], [([], value)]);
         Ok(Some(match (self, geometry.metric()) {
-            (Quantity::Structure, _) => geometry.algebra().structure().clone(),
+            (Quantity::Structure, _) => geometry.frame().structure().clone(),
             (Quantity::Affinities, _) => connection.gamma().clone(),
             (Quantity::Torsion, _) => connection.torsion(),
             (Quantity::Curvature, _) => connection.curvature(),
             (Quantity::Ricci, _) => connection.ricci(),
-            (Quantity::Killing, _) => geometry.algebra().killing_form(),
+            (Quantity::Killing, _) => match geometry.algebra() {
+                Some(algebra) => algebra.killing_form(),
+                None => return Ok(None),
+            },
             (Quantity::NablaTorsion, _) => connection.nabla_torsion(),
             (Quantity::NablaCurvature, _) => connection.nabla_curvature(),
             (Quantity::RicciSymmetric, _) => connection.ricci_symmetric()?,

@@ -2,7 +2,7 @@
 
 use super::components::plain;
 use super::{Entry, Quantity, Table, text};
-use affinor_tensors::expression::{Expression, Scalars};
+use affinor_tensors::expression::{Expression, Functions, Scalars};
 use affinor_tensors::{Kind, Notation, Rational, Sum, Tensor};
 use serde_json::Value;
 
@@ -184,7 +184,8 @@ fn read<S: Notation>(value: &str) -> Result<S, String> {
     }
     let parameter = |name: &str| S::parameter(name).ok_or(format!("`{name}` is no number"));
     let expression = Expression::parse(value).map_err(|error| error.to_string())?;
-    expression.evaluate(&Scalars(parameter)).map_err(|error| error.to_string())
+    let meaning = Functions(Scalars(parameter), S::function);
+    expression.evaluate(&meaning).map_err(|error| error.to_string())
 }
 
 fn compare<S: Notation>(

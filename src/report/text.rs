@@ -51,7 +51,7 @@ fn tensor<S: Notation>(
     labels: &[String],
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let (quantity, title) = (entry.quantity, entry.quantity.title());
+    let (quantity, title) = (entry.quantity, table.title(entry.quantity));
     let shown = table.shown(entry);
     if shown.is_empty() {
         writeln!(out, "{title}")?;

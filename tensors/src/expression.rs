@@ -1,4 +1,5 @@
-//! The written form of scalars: `+ - * / ^ ( )`, integers, `p/q`, decimals, `1e-3` and names.
+//! The written form of scalars: `+ - * / ^ ( )`, integers, `p/q`, decimals, `1e-3`, names, and
+//! functions like `sin(x)`.
 //!
 //! Decimals are exact. `*` or a space stands between a number and a name; `2x` and `a b` are
 //! refused rather than guessed. What a name means is the caller's affair ([`Meaning`]), so one
@@ -51,6 +52,8 @@ enum Node {
     /// Factors, each with whether it divides.
     Product(Vec<(bool, Expression)>),
     Power(Box<Expression>, i64),
+    /// A function and its argument.
+    Call(String, Box<Expression>),
 }
 
 /// What numbers, names and operations mean to a reader of expressions.
@@ -71,6 +74,11 @@ pub trait Meaning {
     fn negate(&self, a: Self::Value) -> Self::Value;
     /// `1 / a`.
     fn reciprocal(&self, a: Self::Value) -> Result<Self::Value, String>;
+    /// A function at an argument; there is none unless a meaning says otherwise.
+    fn function(&self, name: &str, argument: Self::Value) -> Result<Self::Value, String> {
+        let _ = argument;
+        Err(format!("`{name}` is no function here"))
+    }
 }
 
 impl Expression {
@@ -147,6 +155,9 @@ impl Expression {
                 }
                 power(meaning, value, exponent.unsigned_abs()).map_err(here)
             }
+            Node::Call(name, argument) => {
+                meaning.function(name, argument.evaluate(meaning)?).map_err(here)
+            }
         }
     }
 
@@ -198,6 +209,38 @@ impl<S: Notation, F: Fn(&str) -> Result<S, String>> Meaning for Scalars<F> {
     }
     fn reciprocal(&self, a: S) -> Result<S, String> {
         finite(a.recip().ok_or("division by zero")?)
+    }
+}
+
+/// A meaning with functions: a name and an argument to a value.
+pub struct Functions<M, F>(pub M, pub F);
+
+impl<M, F> Meaning for Functions<M, F>
+where
+    M: Meaning,
+    F: Fn(&str, &M::Value) -> Result<M::Value, String>,
+{
+    type Value = M::Value;
+    fn number(&self, number: &Rational) -> Result<M::Value, String> {
+        self.0.number(number)
+    }
+    fn name(&self, name: &str) -> Result<M::Value, String> {
+        self.0.name(name)
+    }
+    fn add(&self, a: M::Value, b: M::Value) -> Result<M::Value, String> {
+        self.0.add(a, b)
+    }
+    fn multiply(&self, a: M::Value, b: M::Value) -> Result<M::Value, String> {
+        self.0.multiply(a, b)
+    }
+    fn negate(&self, a: M::Value) -> M::Value {
+        self.0.negate(a)
+    }
+    fn reciprocal(&self, a: M::Value) -> Result<M::Value, String> {
+        self.0.reciprocal(a)
+    }
+    fn function(&self, name: &str, argument: M::Value) -> Result<M::Value, String> {
+        self.1(name, &argument)
     }
 }
 
@@ -380,7 +423,12 @@ impl Parser<'_> {
                 let rest = &self.text[from..];
                 self.at += rest.find(|c| !continues_name(c)).unwrap_or(rest.len());
                 let name = self.text[from..self.at].to_string();
-                Ok(Expression { span: from..self.at, node: Node::Name(name) })
+                if self.peek() != Some('(') {
+                    return Ok(Expression { span: from..self.at, node: Node::Name(name) });
+                }
+                let argument = self.atom()?;
+                let node = Node::Call(name, Box::new(argument));
+                Ok(Expression { span: from..self.at, node })
             }
             Some(c) => Err(self.unexpected(c)),
         }

@@ -1,8 +1,9 @@
 //! Sparse tensors, contraction by index letters and exact linear algebra, over any scalar.
 //!
 //! This package knows no geometry. It holds
-//! - [`scalar`]: the traits [`Ring`] and [`Field`], their laws, and three scalars: exact
-//!   [`Rational`]s, `f64`, and [`Symbolic`] rational functions of parameters;
+//! - [`scalar`]: the traits [`Ring`] and [`Field`], their laws, and the scalars: exact
+//!   [`Rational`]s, `f64`, [`Symbolic`] rational functions of parameters, and [`Jet`]s, floats
+//!   with derivatives;
 //! - [`expression`]: the written form of scalars;
 //! - [`Tensor`]: sorted nonzero components with upper and lower slots;
 //! - [`contract`]: signed sums of products written by index letters, through one kernel;
@@ -18,5 +19,5 @@ mod tensor;
 
 pub use contraction::contract;
 pub use error::TensorError;
-pub use scalar::{Field, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance};
+pub use scalar::{Field, Jet, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance};
 pub use tensor::{Down, Indices, Tensor, Up, Variance};

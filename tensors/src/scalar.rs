@@ -8,6 +8,7 @@
 //! ([`Ring::vanishes`]). The laws that every scalar must obey are functions in [`laws`].
 
 mod float;
+mod jet;
 pub mod laws;
 mod notation;
 mod rational;
@@ -17,6 +18,7 @@ use num_traits::{One, Zero};
 use std::fmt::{Debug, Display};
 use std::ops::{Add, Mul, Neg, Sub};
 
+pub use jet::Jet;
 pub use notation::{Kind, Notation};
 pub use rational::Rational;
 pub use symbolic::Symbolic;

@@ -5,6 +5,7 @@
 mod program;
 
 mod case;
+mod charts;
 mod definitions;
 mod encodings;
 mod expressions;

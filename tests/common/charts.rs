@@ -3,7 +3,8 @@
 use super::algebras::by_table;
 use super::{inverse, labels, transform};
 use affinor::{Frame, LieAlgebra};
-use affinor_tensors::{Down, Field, Ring, Symbolic, Tensor, Up};
+use affinor_tensors::expression::{Expression, Functions, Scalars};
+use affinor_tensors::{Down, Field, Notation, Ring, Symbolic, Tensor, Up};
 use num_traits::Zero;
 use std::sync::Arc;
 
@@ -87,6 +88,49 @@ pub fn special_linear() -> Chart {
     let algebra = by_table(3, &[(1, 2, 2, 2), (1, 3, 3, -2), (2, 3, 1, 1)]);
     let algebra = algebra.map(|v| Symbolic::constant(v.clone())).unwrap();
     Chart { names: &["a", "v", "u"], algebra, fields: inverse(&forms) }
+}
+
+/// SE(2), `(theta, x, y)`: a rotation, then a translation.
+pub fn euclidean() -> Chart {
+    by_fields(
+        &["theta", "x", "y"],
+        &[(1, 2, 3, 1), (1, 3, 2, -1)],
+        [["1", "0", "0"], ["0", "cos(theta)", "-sin(theta)"], ["0", "sin(theta)", "cos(theta)"]],
+    )
+}
+
+/// SO(3), `R_z(phi) R_x(theta) R_z(psi)`: H. Goldstein, *Classical Mechanics* (1980), (4-125).
+pub fn euler_angles() -> Chart {
+    by_fields(
+        &["phi", "theta", "psi"],
+        &[(1, 2, 3, 1), (2, 3, 1, 1), (3, 1, 2, 1)],
+        [
+            ["sin(psi)/sin(theta)", "cos(psi)/sin(theta)", "0"],
+            ["cos(psi)", "-sin(psi)", "0"],
+            ["-cot(theta)*sin(psi)", "-cot(theta)*cos(psi)", "1"],
+        ],
+    )
+}
+
+/// A value as a definition file has it.
+pub fn value(text: &str) -> Symbolic {
+    let names = Scalars(|name: &str| Ok(Symbolic::parameter(name)));
+    let expression = Expression::parse(text).unwrap();
+    expression.evaluate(&Functions(names, <Symbolic as Notation>::function)).unwrap()
+}
+
+/// The matrix with these entries.
+pub fn values<const N: usize>(rows: [[&str; N]; N]) -> Tensor<Symbolic> {
+    Tensor::from_fn(N, [Up, Down], |[i, j]| value(rows[i][j])).unwrap()
+}
+
+fn by_fields<const N: usize>(
+    names: &'static [&'static str],
+    table: &[(usize, usize, usize, i64)],
+    rows: [[&str; N]; N],
+) -> Chart {
+    let algebra = by_table(N, table).map(|v| Symbolic::constant(v.clone())).unwrap();
+    Chart { names, algebra, fields: values(rows) }
 }
 
 /// The frame `e'_a = A^i_a e_i` of functions over a chart.

@@ -11,11 +11,13 @@ const TOML: &[&str] = &[
     "name = \"Bianchi VI_h\"\nbasis = [\"e1\", \"e2\", \"e3\"]\nparameters = [\"h\"]\nbrackets = \"\"\"\n[e1, e3] = e1\n[e2, e3] = h*e2 # and more\n\"\"\"\nmetric = \"diag(1, 1, 2)\"\nconnection = \"lambda = 1/3\"\n",
     "dimension = 3\nstructure_constants = [[1, 2, 3, \"1\"], [2, 3, 1, \"1/2\"], [1, 3, 2, -1]]\nmetric = [[\"1\", \"0\", 0], [0, 1, 0], [0, 0, 1]]\n",
     "matrices = [{name = 'x', rows = [['0', '1'], ['0', '0']]}, {name = 'y', rows = [['i', '0'], ['0', '1/2*i']]}]\nmetric = 'killing'\n",
+    "parameters = ['M']\nconnection = {kind = 'levi-civita'}\n[chart]\ncoordinates = ['r', 'phi']\n[frame]\na = 'sin(phi)*d_r'\nb = '1/r*d_phi - d_r'\n[metric]\ncomponents = 'diag(1 - 2*M/r, cosh(r))'\n",
     "dimension = 2\nmatrices = [[['1', '0'], ['0', '0']], [['0', '0'], ['0', '1']]]\n",
     "basis = ['x', 'y']\nbrackets = ['[x, y] = x', '[y, x] = -x']\naffinities = \"nabla[x, y] = 1/2*y\\nnabla[y, y] = x\"\n",
 ];
 
 const JSON: &[&str] = &[
+    "{\"chart\": {\"coordinates\": [\"t\"]}, \"frame\": {\"u\": \"exp(t)*d_t\"}, \"affinities\": \"nabla[u, u] = tan(t)*u\"}",
     "{\"name\": \"so(3)\", \"basis\": [\"x\", \"y\", \"z\"],\n \"brackets\": \"[x,y]=z\\n[y,z]=x\\n[z,x]=y\", \"metric\": \"identity\"}",
     "{\"dimension\": 2, \"structure_constants\": [[1, 2, 1, \"a\"]], \"parameters\": [\"a\"], \"connection\": \"levi-civita\", \"metric\": [[\"1\", \"0\"], [\"0\", \"2\"]]}",
     "{\"matrices\": [[[\"0\", \"1\"], [\"-1\", \"0\"]]]}",

@@ -2,7 +2,7 @@
 
 use crate::mutation::{mutants, sentences, texts};
 use crate::within;
-use affinor_tensors::expression::{Expression, ExpressionError, Scalars};
+use affinor_tensors::expression::{Expression, ExpressionError, Functions, Scalars};
 use affinor_tensors::{Notation, Rational, Symbolic};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -22,6 +22,8 @@ const WORDS: &[&str] = &[
     "1e9999",
     "e",
     "e1",
+    "sin(",
+    "exp(x)",
     "x",
     "y",
     "_z",
@@ -59,6 +61,8 @@ const SEEDS: &[&str] = &[
     "(x + y)^30/(x - y)^20",
     "1/(x + 1) + 1/(x + 2) + 1/(y + 3)",
     "((((1))))",
+    "cos(theta)/sin(theta) - exp(2*x - y)*cosh(y)",
+    "r^2*sin(2*theta + phi)^2/(1 + cos(phi))",
     "2^-2 - 1e-3",
     "999999999999999999999999999999^99",
 ];
@@ -66,7 +70,8 @@ const SEEDS: &[&str] = &[
 fn evaluate(text: &str) -> Vec<Result<(), ExpressionError>> {
     fn over<S: Notation>(text: &str) -> Result<(), ExpressionError> {
         let name = |name: &str| S::parameter(name).or_else(|| S::from_quotient(1, 3));
-        let meaning = Scalars(|text: &str| name(text).ok_or("no value".to_string()));
+        let names = Scalars(|text: &str| name(text).ok_or("no value".to_string()));
+        let meaning = Functions(names, S::function);
         let value = Expression::parse(text)?.evaluate(&meaning)?;
         // a value is written, read, and stays itself
         let again = Expression::parse(&value.to_string())?.evaluate(&meaning)?;
@@ -94,6 +99,8 @@ fn formulas() -> impl Strategy<Value = String> {
         4 => select(&["a", "b", "c", "d"][..]).prop_map(String::from),
         2 => (0..20u32).prop_map(|n| n.to_string()),
         1 => (1..400u32).prop_map(|n| format!("{n}/7")),
+        2 => (select(&["sin", "cos", "tan", "exp", "tanh"][..]), -3..9i32)
+            .prop_map(|(name, n)| format!("{name}({n}*a - b)")),
     ];
     leaf.prop_recursive(6, 60, 4, |inner| {
         prop_oneof![

@@ -39,7 +39,7 @@ fn eq_99_m3_has_the_inertia_as_its_metric() {
     let rows = [["J11", "J12", "J13"], ["J12", "J22", "J23"], ["J13", "J23", "J33"]];
     let inertia = Tensor::from_fn(3, [Down, Down], |[i, j]| value(rows[i][j])).unwrap();
     assert_tensors(m3.metric().unwrap().components(), &inertia, "J");
-    assert_tensors(m3.algebra().structure(), &epsilons("1"), "c");
+    assert_tensors(m3.frame().structure(), &epsilons("1"), "c");
 }
 
 #[test]

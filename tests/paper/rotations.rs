@@ -56,7 +56,7 @@ fn eq_63_and_69_left_and_right_frames_are_products_with_spin_matrices() {
 #[test]
 fn eq_64_and_65_structure_and_affinities_of_so3() {
     let so3 = paper::so3().unwrap();
-    assert_tensors(so3.algebra().structure(), &epsilons("1"), "(64)");
+    assert_tensors(so3.frame().structure(), &epsilons("1"), "(64)");
     assert_tensors(so3.connection().gamma(), &epsilons("1/2"), "(65)");
     assert!(so3.connection().torsion().is_empty());
 }
@@ -171,8 +171,8 @@ fn eq_89_and_90_spin_is_an_isomorphism() {
     let of_matrices = basis.bracket().unwrap();
     assert_tensors(of_matrices.structure(), &epsilons("1"), "(89)");
     let (m3, so3) = (paper::m3().unwrap(), paper::so3().unwrap());
-    let abstract_constants = m3.algebra().structure();
+    let abstract_constants = m3.frame().structure();
     let constants = abstract_constants.map(|v| v.as_constant().unwrap().clone());
     assert_eq!(stored(&constants), stored(of_matrices.structure()), "(90)");
-    assert_eq!(stored(&constants), stored(so3.algebra().structure()), "(90)");
+    assert_eq!(stored(&constants), stored(so3.frame().structure()), "(90)");
 }

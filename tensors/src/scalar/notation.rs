@@ -32,6 +32,22 @@ pub trait Notation: Field {
         vec![]
     }
 
+    /// The value of a function like `sin` at an argument.
+    ///
+    /// # Errors
+    /// Why there is none: an unknown function, or an argument at which it is no value of this
+    /// scalar.
+    fn function(name: &str, argument: &Self) -> Result<Self, String> {
+        let _ = argument;
+        Err(format!("`{name}` is no function here"))
+    }
+
+    /// The partial derivative by the parameter of that name; zero for numbers.
+    fn derivative(&self, name: &str) -> Self {
+        let _ = name;
+        Self::zero()
+    }
+
     /// The numerator as a sum of monomials in the parameters (names and powers), with rational
     /// coefficients; the value vanishes exactly when they do. Empty for floats, which are not
     /// polynomials.

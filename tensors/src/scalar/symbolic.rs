@@ -2,10 +2,13 @@
 //!
 //! A value without parameters is a plain [`Rational`]; every other one is a quotient of coprime
 //! polynomials over exactly the parameters it depends on, in alphabetical order. Parameters are
-//! told apart by name alone, so any two values combine. Equal values have equal forms.
+//! told apart by name alone, so any two values combine. Equal values have equal forms. Sines,
+//! cosines and exponentials of parameters are rational functions of further variables.
 
+mod elementary;
 mod factors;
 mod fraction;
+mod normal_form;
 mod operators;
 mod polynomial;
 mod substitution;
@@ -64,11 +67,24 @@ impl Symbolic {
         }
     }
 
-    /// The names of the parameters on which the value depends, in alphabetical order.
+    /// The names of the parameters on which the value depends, in alphabetical order; `x` for
+    /// `sin(x)`.
     pub fn parameters(&self) -> Vec<String> {
+        let own = self.variables().iter().map(|name| elementary::parameter(name).to_string());
+        let mut names: Vec<String> = own.collect();
+        if names.iter().zip(self.variables()).any(|(name, own)| **name != **own) {
+            names.sort_by(|a, b| variables::natural(a, b));
+            names.dedup();
+        }
+        names
+    }
+
+    /// The variables of the fraction: parameters, and `tan(x/2)` and `exp(x)` for functions of
+    /// them.
+    fn variables(&self) -> &[Arc<str>] {
         match &self.0 {
-            Form::Constant(_) => Vec::new(),
-            Form::Fraction(f) => f.variables.iter().map(|name| name.to_string()).collect(),
+            Form::Constant(_) => &[],
+            Form::Fraction(f) => &f.variables,
         }
     }
 
@@ -89,14 +105,8 @@ impl Symbolic {
         }
     }
 
-    /// The partial derivative by the parameter of that name.
-    ///
-    /// ```
-    /// use affinor_tensors::Symbolic;
-    /// let [a, b] = ["a", "b"].map(Symbolic::parameter);
-    /// assert_eq!((a / &b).derivative("b").to_string(), "-a/b^2");
-    /// ```
-    pub fn derivative(&self, name: &str) -> Self {
+    /// The partial derivative by a variable of the fraction.
+    fn partial(&self, name: &str) -> Self {
         let Form::Fraction(f) = &self.0 else {
             return Self::from_i64(0);
         };
@@ -111,7 +121,7 @@ impl Symbolic {
     ///
     /// A polynomial is thereby a vector over the monomials: its denominator is 1, and constant
     /// denominators are part of the coefficients. Of other values only the numerator is listed.
-    /// Zero has no terms.
+    /// Zero has no terms. Functions of a parameter `x` occur as powers of `tan(x/2)` and `exp(x)`.
     ///
     /// ```
     /// use affinor_tensors::{Rational, Symbolic};
@@ -177,9 +187,11 @@ impl Notation for Symbolic {
     fn from_rational(value: &Rational) -> Option<Self> {
         Some(Self::constant(value.clone()))
     }
-    /// `None` unless the name is an identifier: an ASCII letter or `_`, then letters, digits or `_`.
+    /// `None` unless the name is an identifier: an ASCII letter or `_`, then letters, digits or `_`;
+    /// or that of a variable for functions of one, `tan(x/2)` or `exp(x)`.
     fn parameter(name: &str) -> Option<Self> {
-        crate::expression::is_name(name).then(|| Symbolic::parameter(name))
+        let own = elementary::parameter(name);
+        crate::expression::is_name(own).then(|| Symbolic::parameter(name))
     }
     fn to_f64(&self) -> Option<f64> {
         self.as_constant().map(Rational::to_f64)
@@ -187,14 +199,23 @@ impl Notation for Symbolic {
     fn latex(&self) -> String {
         match &self.0 {
             Form::Constant(c) => c.latex(),
-            Form::Fraction(f) => writing::fraction(f, Markup::Latex),
+            Form::Fraction(f) => self.written(f, Markup::Latex),
         }
     }
     fn is_negative(&self) -> bool {
         match &self.0 {
             Form::Constant(c) => c.is_negative(),
+            Form::Fraction(_) if self.has_angles() => normal_form::in_sines(self).is_negative(),
             Form::Fraction(f) => writing::leads_negative(&f.numerator),
         }
+    }
+    /// `sin`, `cos`, `tan`, `cot`, `exp`, `sinh`, `cosh` and `tanh` of integer combinations of
+    /// parameters.
+    fn function(name: &str, argument: &Self) -> Result<Self, String> {
+        Self::function_of(name, argument)
+    }
+    fn derivative(&self, name: &str) -> Self {
+        Symbolic::derivative(self, name)
     }
     fn numerator_terms(&self) -> Vec<(Vec<(String, u32)>, Rational)> {
         self.numerator().terms()
@@ -222,6 +243,23 @@ impl Notation for Symbolic {
 }
 
 impl Symbolic {
+    /// Whether sines or cosines are to be written.
+    fn has_angles(&self) -> bool {
+        self.variables().iter().any(|name| elementary::angle(name).is_some())
+    }
+
+    fn written(&self, f: &Fraction, markup: Markup) -> String {
+        if !self.has_angles() {
+            return writing::fraction(f, markup);
+        }
+        let value = normal_form::in_sines(self);
+        match &value.0 {
+            Form::Constant(c) if markup == Markup::Latex => c.latex(),
+            Form::Constant(c) => c.to_string(),
+            Form::Fraction(f) => writing::fraction(f, markup),
+        }
+    }
+
     /// The size and the number of terms, of numerator and denominator.
     fn parts(&self) -> [(usize, usize); 2] {
         match &self.0 {
@@ -247,7 +285,7 @@ impl fmt::Display for Symbolic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.0 {
             Form::Constant(c) => c.fmt(f),
-            Form::Fraction(fraction) => f.write_str(&writing::fraction(fraction, Markup::Text)),
+            Form::Fraction(fraction) => f.write_str(&self.written(fraction, Markup::Text)),
         }
     }
 }

@@ -48,7 +48,7 @@ impl Symbolic {
         let value = match &self.0 {
             Form::Constant(c) => c.to_f64(),
             Form::Fraction(f) => {
-                let point = f.variables.iter().map(|name| lookup(name));
+                let point = f.variables.iter().map(|name| super::elementary::value(name, &lookup));
                 let point: Vec<f64> = point.collect::<Option<_>>()?;
                 at(&f.numerator, &point) / at(&f.denominator, &point)
             }

@@ -17,9 +17,18 @@ pub(super) fn union(a: &Variables, b: &Variables) -> Variables {
     all.into()
 }
 
-/// Alphabetical, with numbers compared by value: `J2 < J10 < K1`.
-fn natural(a: &str, b: &str) -> Ordering {
-    pieces(a).cmp(pieces(b)).then_with(|| a.cmp(b))
+/// Alphabetical, with numbers compared by value: `J2 < J10 < K1`. Functions stand behind, by their
+/// arguments, the sine first: `z < sin(x) < cos(x) < sin(y)`.
+pub(super) fn natural(a: &str, b: &str) -> Ordering {
+    let alphabetical = |a: &str, b: &str| pieces(a).cmp(pieces(b)).then_with(|| a.cmp(b));
+    match (a.split_once('('), b.split_once('(')) {
+        (Some((f, x)), Some((g, y))) => {
+            alphabetical(x, y).then_with(|| (f != "sin", f).cmp(&(g != "sin", g)))
+        }
+        (Some(_), None) => Ordering::Greater,
+        (None, Some(_)) => Ordering::Less,
+        (None, None) => alphabetical(a, b),
+    }
 }
 
 /// Letters and the number behind them, piece by piece; numbers as (length, digits).
@@ -45,8 +54,10 @@ mod tests {
 
     #[test]
     fn numbers_within_names_compare_by_value() {
-        let sorted =
+        let names =
             ["J", "J02", "J2", "J10", "J10a", "J11", "J33", "K1", "a", "a1b2", "a1b10", "b"];
+        let functions = ["sin(x)", "cos(x)", "exp(x)", "sin(y)"];
+        let sorted = [&names[..], &functions[..]].concat();
         for (i, a) in sorted.iter().enumerate() {
             for (j, b) in sorted.iter().enumerate() {
                 assert_eq!(natural(a, b), i.cmp(&j), "{a} {b}");

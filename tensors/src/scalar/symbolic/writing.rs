@@ -134,11 +134,31 @@ fn term(f: &Fraction, coefficient: &Rational, monomial: &Monomial, markup: Marku
 }
 
 fn power(name: &str, exponent: u32, markup: Markup) -> String {
+    if let Some((function, argument)) = name.strip_suffix(')').and_then(|n| n.split_once('(')) {
+        return function_power(function, argument, exponent, markup);
+    }
     match (markup, exponent) {
         (Markup::Text, 1) => name.to_owned(),
         (Markup::Text, _) => format!("{name}^{exponent}"),
         (Markup::Latex, 1) => latex_name(name),
         (Markup::Latex, _) => format!("{}^{{{exponent}}}", latex_name(name)),
+    }
+}
+
+/// `sin(x)^2`, `exp(2*x)`, `\sin^{2} x`, `e^{2 x}`.
+fn function_power(function: &str, argument: &str, exponent: u32, markup: Markup) -> String {
+    let multiple = if exponent == 1 { String::new() } else { exponent.to_string() };
+    match (markup, function, exponent) {
+        (Markup::Text, _, 1) => format!("{function}({argument})"),
+        (Markup::Text, "exp", _) => format!("exp({multiple}*{argument})"),
+        (Markup::Text, _, _) => format!("{function}({argument})^{multiple}"),
+        (Markup::Latex, "exp", _) => {
+            format!("e^{{{}}}", format!("{multiple} {}", latex_name(argument)).trim_start())
+        }
+        (Markup::Latex, _, 1) => format!("\\{function} {}", latex_name(argument)),
+        (Markup::Latex, _, _) => {
+            format!("\\{function}^{{{multiple}}} {}", latex_name(argument))
+        }
     }
 }
 

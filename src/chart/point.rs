@@ -1,0 +1,51 @@
+//! Frames given by closures, at a point in floats.
+
+use crate::algebra::BasisChange;
+use crate::{Error, Frame};
+use affinor_tensors::{Down, Jet, Tensor, Up};
+use std::sync::Arc;
+
+impl Frame<Jet> {
+    /// The frame of the fields `e_i = e^a_i(x) d/dx^a` at a point: `fields(x, [a, i])` is the
+    /// component `e^a_i` at the coordinates `x`, and is differentiated as it is computed.
+    ///
+    /// Jets know two derivatives, as much as the curvature (B14) of a metric takes.
+    ///
+    /// ```
+    /// use affinor::{Connection, Frame, Metric};
+    /// use affinor_tensors::{Down, Jet, Ring, Tensor};
+    /// // the paraboloid z = (x^2 + y^2)/2 at (1, 0), by an orthonormal frame: K = 1/(1 + r^2)^2
+    /// let labels = ["e1", "e2"].map(String::from);
+    /// let frame = Frame::at_point(labels.into(), &[1.0, 0.0], |x, at| {
+    ///     let r2 = x[0].clone() * &x[0] + &(x[1].clone() * &x[1]);
+    ///     // (1 + x x^T)^(-1/2) = 1 - x x^T / (s (s + 1)) with s^2 = 1 + r^2
+    ///     let s = (r2 + Jet::constant(1.0)).sqrt();
+    ///     let one = Jet::constant(f64::from(at[0] == at[1]));
+    ///     one - x[at[0]].clone() * &x[at[1]] / (s.clone() * &(s + Jet::constant(1.0)))
+    /// })?;
+    /// let one = Tensor::from_fn(2, [Down, Down], |[i, j]| Jet::from_i64(i64::from(i == j)))?;
+    /// let metric = Metric::new(frame.labels(), one)?;
+    /// let curvature = Connection::levi_civita(&frame, &metric)?.curvature();
+    /// assert!((curvature.get(&[0, 1, 0, 1]).value() - 0.25).abs() < 1e-14);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless there are as many labels as coordinates; [`Error::SingularBasis`] for
+    /// fields that are dependent at the point.
+    pub fn at_point(
+        labels: Arc<[String]>,
+        point: &[f64],
+        fields: impl Fn(&[Jet], [usize; 2]) -> Jet,
+    ) -> Result<Self, Error> {
+        let n = point.len();
+        let coordinate = |(a, value): (usize, &f64)| Jet::coordinate(*value, a, n);
+        let x: Vec<Jet> = point.iter().enumerate().map(coordinate).collect();
+        let names = (1..=n).map(|a| format!("d_{a}")).collect();
+        let structure = Tensor::zero(n, &[Up, Down, Down])?;
+        let derive = Arc::new(|a: usize, f: &Jet| f.derivative(a));
+        let coordinates = Frame::moving(names, structure, derive)?;
+        let matrix = Tensor::from_fn(n, [Up, Down], |at| fields(&x, at))?;
+        coordinates.moved(labels, &BasisChange::new(matrix)?)
+    }
+}

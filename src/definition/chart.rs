@@ -1,0 +1,37 @@
+//! Definitions over a chart: its coordinates, and fields given by functions of them.
+
+use super::input::{InputError, Place};
+use super::{Given, Reading};
+use crate::chart::{Chart, Fields};
+use affinor_tensors::{Down, Notation, Tensor, Up};
+use std::collections::BTreeSet;
+
+/// Coordinates, and fields by their components in the coordinate frame.
+#[derive(Clone, Debug)]
+pub(super) struct OnChart {
+    pub coordinates: BTreeSet<String>,
+    /// The coordinates in their order.
+    pub names: Vec<String>,
+    pub fields: Vec<Given>,
+    /// Where the fields stand.
+    pub place: Place,
+}
+
+impl OnChart {
+    /// The fields over a scalar.
+    pub fn fields<S: Notation>(
+        &self,
+        labels: &[String],
+        reading: &Reading<S>,
+    ) -> Result<Fields<S>, InputError> {
+        let mut entries = Vec::new();
+        for (i, Given { value, place }) in self.fields.iter().enumerate() {
+            for (a, value) in value {
+                entries.push(([*a, i], reading.value_at(value, place)?));
+            }
+        }
+        let components = Tensor::from_components(labels.len(), &[Up, Down], entries)?;
+        let fields = Chart::new(&self.names)?.fields(labels.into(), components);
+        fields.map_err(|error| InputError::from(error).at(&self.place))
+    }
+}

@@ -1,0 +1,144 @@
+//! How functions of angles are written: in sines and cosines.
+//!
+//! Numerator and denominator, divided by the same power of `1 + t^2` with `t = tan(x/2)`, are
+//! polynomials in `sin x` and `cos x`, the sine to the first power: `1/(1 + t^2)` is
+//! `(1 + cos x)/2`, `t/(1 + t^2)` is `sin(x)/2`, `t^2/(1 + t^2)` is `(1 - cos x)/2`. The least
+//! power that serves makes this a normal form, and a short one. Factors `1 - cos^2 x` then become
+//! `sin^2 x`, and whole polynomials are written by sines, or in powers of one degree, where that
+//! takes fewer terms: `a^2*sin(x)^2 + b^2*cos(x)^2`. To free denominators of sines as well would be another, and a long one:
+//! `(1 - sin x)/cos^2 x` for `1/(1 + sin x)`.
+
+use super::Symbolic;
+use super::elementary::{angle, half_tangent};
+use crate::scalar::Ring;
+use num_traits::{One, Zero, pow};
+
+/// The value over the variables `sin(x)`, `cos(x)` in the place of every `tan(x/2)`. They are for
+/// the eye only: that their squares add up to 1 is not known to the result.
+pub(super) fn in_sines(value: &Symbolic) -> Symbolic {
+    let variables = value.variables();
+    let angles: Vec<&str> = variables.iter().filter_map(|name| angle(name)).collect();
+    angles.iter().fold(value.clone(), |value, x| shortest(&gathered(over_sines(&value, x), x), x))
+}
+
+fn sine(x: &str) -> Symbolic {
+    Symbolic::parameter(&format!("sin({x})"))
+}
+
+fn cosine(x: &str) -> Symbolic {
+    Symbolic::parameter(&format!("cos({x})"))
+}
+
+fn over_sines(value: &Symbolic, x: &str) -> Symbolic {
+    let t = half_tangent(x);
+    let [above, below] = [value.numerator(), value.denominator()].map(|part| by_power(&part, &t));
+    let highest = above.len().max(below.len()).saturating_sub(1).div_ceil(2);
+    let image = |coefficients: &[Symbolic]| {
+        let half = |from: usize| coefficients.iter().skip(from).step_by(2);
+        let odd = homogeneous(half(1), highest.saturating_sub(1), x);
+        homogeneous(half(0), highest, x) + &(odd * &sine(x))
+    };
+    image(&above) / &image(&below)
+}
+
+/// The coefficients of the powers of a variable, the constant first.
+fn by_power(polynomial: &Symbolic, variable: &str) -> Vec<Symbolic> {
+    let mut coefficients = Vec::new();
+    for (powers, c) in polynomial.terms() {
+        let (own, others): (Vec<_>, Vec<_>) = powers.iter().partition(|(name, _)| name == variable);
+        let term = others.iter().fold(Symbolic::constant(c), |term, (name, power)| {
+            term * &pow(Symbolic::parameter(name), *power as usize)
+        });
+        let at = own.first().map_or(0, |(_, power)| *power as usize);
+        coefficients.resize(coefficients.len().max(at + 1), Symbolic::zero());
+        coefficients[at] = std::mem::replace(&mut coefficients[at], Symbolic::zero()) + &term;
+    }
+    coefficients
+}
+
+/// `sum p_a (1 - cos x)^a (1 + cos x)^(degree - a)`, by Horner's rule.
+fn homogeneous<'s>(
+    coefficients: impl DoubleEndedIterator<Item = &'s Symbolic> + ExactSizeIterator,
+    degree: usize,
+    x: &str,
+) -> Symbolic {
+    let (more, less) = (Symbolic::one() + &cosine(x), Symbolic::one() - &cosine(x));
+    let mut power = pow(more.clone(), (degree + 1).saturating_sub(coefficients.len()));
+    coefficients.rev().fold(Symbolic::zero(), |sum, p| {
+        let next = sum * &less + &(p.clone() * &power);
+        power = power.clone() * &more;
+        next
+    })
+}
+
+/// Factors `1 - cos^2 x` as `sin^2 x`.
+fn gathered(value: Symbolic, x: &str) -> Symbolic {
+    if value.vanishes() {
+        return value;
+    }
+    let square = Symbolic::one() - &(cosine(x) * &cosine(x));
+    let ratio = sine(x) * &sine(x) / &square;
+    let count = |part: Symbolic| {
+        let quotients = std::iter::successors(Some(part), |part| Some(part.clone() / &square));
+        quotients.skip(1).take_while(|part| part.denominator().is_one()).count()
+    };
+    let (above, below) = (count(value.numerator()), count(value.denominator()));
+    value * &pow(ratio.clone(), above) / &pow(ratio, below)
+}
+
+/// Beyond this degree no other form is tried.
+const DEGREE: usize = 64;
+
+/// Numerator and denominator in the form with the fewest terms.
+fn shortest(value: &Symbolic, x: &str) -> Symbolic {
+    let [above, below] = [value.numerator(), value.denominator()].map(|part| {
+        let terms = part.terms();
+        let count = |form: &Symbolic| form.terms().len();
+        let forms = others(&terms, x).into_iter();
+        forms.fold(part, |best, form| if count(&form) < count(&best) { form } else { best })
+    });
+    above / &below
+}
+
+/// The other forms of a polynomial: by cosines, by sines, in powers of one degree.
+fn others(terms: &[(Vec<(String, u32)>, crate::Rational)], x: &str) -> Vec<Symbolic> {
+    let (sin, cos) = (sine(x), cosine(x));
+    let [sin2, cos2] = [&sin, &cos].map(|f| f.clone() * f);
+    let one = Symbolic::one();
+    let names = [format!("sin({x})"), format!("cos({x})")];
+    let split: Vec<_> = terms
+        .iter()
+        .map(|(powers, c)| {
+            let power = |name: &String| {
+                powers.iter().find(|(other, _)| other == name).map_or(0, |(_, e)| *e as usize)
+            };
+            let rest = powers.iter().filter(|(name, _)| !names.contains(name));
+            let rest = rest.fold(Symbolic::constant(c.clone()), |term, (name, e)| {
+                term * &pow(Symbolic::parameter(name), *e as usize)
+            });
+            (rest, power(&names[0]), power(&names[1]))
+        })
+        .collect();
+    let highest = split.iter().map(|(_, s, c)| s + c).max().unwrap_or(0);
+    if highest > DEGREE {
+        return Vec::new();
+    }
+    let sum = |form: &dyn Fn(usize, usize) -> Symbolic| {
+        let terms = split.iter().map(|(rest, s, c)| rest.clone() * &form(*s, *c));
+        terms.fold(Symbolic::zero(), |sum, term| sum + &term)
+    };
+    let even = split.iter().all(|(_, s, c)| (highest - s - c) % 2 == 0);
+    let by_cosines = sum(&|s, c| {
+        pow(one.clone() - &cos2, s / 2) * &pow(sin.clone(), s % 2) * &pow(cos.clone(), c)
+    });
+    let by_sines = sum(&|s, c| {
+        pow(one.clone() - &sin2, c / 2) * &pow(cos.clone(), c % 2) * &pow(sin.clone(), s)
+    });
+    let of_one_degree = even.then(|| {
+        sum(&|s, c| {
+            let rest = pow(sin2.clone() + &cos2, (highest - s - c) / 2);
+            rest * &pow(sin.clone(), s) * &pow(cos.clone(), c)
+        })
+    });
+    [by_cosines, by_sines].into_iter().chain(of_one_degree).collect()
+}
