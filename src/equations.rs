@@ -1,7 +1,7 @@
 //! Equations of motion: what a connection says about moving vectors and covectors.
 //!
-//! All are quadratic: the rate of a vector is a bilinear expression in it and in the velocity,
-//! with constant coefficients in the left-invariant frame.
+//! All are quadratic: the rate of a vector is a bilinear expression in it and in the velocity. The
+//! coefficients are constants in an invariant frame, functions of the position in one that moves.
 
 use crate::frame::{expect_slots, formula};
 use crate::{Connection, Error, Metric};
@@ -84,8 +84,8 @@ impl<S: Field> Equations<S> {
     /// The equations of a kind.
     ///
     /// # Errors
-    /// [`Error::NoMetric`] for Euler-Poincare without a metric; [`Error::Shape`];
-    /// [`Error::Frame`] in a frame that moves.
+    /// [`Error::NoMetric`] for Euler-Poincare without a metric; as
+    /// [`euler_poincare`](Self::euler_poincare).
     pub fn new(
         motion: Motion,
         connection: &Connection<S>,
@@ -95,7 +95,7 @@ impl<S: Field> Equations<S> {
             Motion::EulerPoincare => {
                 Self::euler_poincare(connection, metric.ok_or(Error::NoMetric)?)
             }
-            Motion::Autoparallel | Motion::Transport => Self::parallel(motion, connection),
+            Motion::Autoparallel | Motion::Transport => Ok(Self::parallel(motion, connection)),
         }
     }
 
@@ -103,10 +103,14 @@ impl<S: Field> Equations<S> {
     /// `g_ij dOmega^j/dt = Lambda^j_ki Omega^k g_jm Omega^m + M_i` (106).
     ///
     /// # Errors
-    /// [`Error::Shape`] when the dimensions differ; [`Error::Frame`] in a frame that moves.
+    /// [`Error::Shape`] when the dimensions differ; [`Error::Frame`] for a metric that varies in
+    /// the frame, as then `H` does with the position.
     pub fn euler_poincare(connection: &Connection<S>, metric: &Metric<S>) -> Result<Self, Error> {
-        let n = invariant(connection)?;
+        let n = connection.frame().dimension();
         expect_slots("the metric", metric.components(), n, &[Down, Down])?;
+        if !connection.frame().derivative(metric.components())?.is_empty() {
+            return Err(Error::Frame("Euler-Poincare equations need a metric of constants"));
+        }
         let operands = [("L", connection.gamma()), ("g", metric.components())];
         Ok(Equations {
             motion: Motion::EulerPoincare,
@@ -118,15 +122,15 @@ impl<S: Field> Equations<S> {
     }
 
     /// `nabla_w u = 0`, or `nabla_v v = 0`: `dx^i/dt = -Lambda^i_jk y^j x^k`.
-    fn parallel(motion: Motion, connection: &Connection<S>) -> Result<Self, Error> {
-        let identity = Tensor::identity(invariant(connection)?);
-        Ok(Equations {
+    fn parallel(motion: Motion, connection: &Connection<S>) -> Self {
+        let identity = Tensor::identity(connection.frame().dimension());
+        Equations {
             motion,
             left: identity.clone(),
             inverse: identity,
             quadratic: formula("-1 L^i_jk -> ^i_jk", &[("L", connection.gamma())]),
             force: None,
-        })
+        }
     }
 
     /// The same equations solved for the rates, `dx^i/dt = h^il (q_ljk y^j x^k + M_l)`.
@@ -240,11 +244,4 @@ fn collect<S: Ring>(quadratic: &Tensor<S>) -> Tensor<S> {
     let squares = quadratic.filter_map(|at, value| (at[1] == at[2]).then(|| value.clone()));
     let text = format!("p{first}_jk + s{first}_jk -> {first}_jk");
     formula(&text, &[("p", &products), ("s", &squares)])
-}
-
-/// The dimension of a connection whose frame does not move.
-fn invariant<S: Ring>(connection: &Connection<S>) -> Result<usize, Error> {
-    let frame = connection.frame();
-    let fixed = frame.is_invariant().then(|| frame.dimension());
-    fixed.ok_or(Error::Frame("equations with constant coefficients need an invariant frame"))
 }

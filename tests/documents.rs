@@ -135,6 +135,10 @@ fn formats_names_every_key_of_every_schema() -> Outcome {
             "affinor.equations/1",
             "affinor equations so3 --metric \"diag(a,b,c)\" --connection zero".into(),
         ),
+        (
+            "affinor.equations/1",
+            "affinor equations examples/definitions/sphere.toml --motion autoparallel".into(),
+        ),
         ("affinor.list/1", "affinor list".into()),
         ("affinor.conventions/1", "affinor conventions".into()),
     ];

@@ -185,7 +185,7 @@ fn run(folder: &Path, language: Language, source: &str, call: &str, n: usize) ->
             );
             std::fs::write(file("main.c"), main).unwrap();
             let mut cc = Command::new("cc");
-            cc.args(["-std=c99", "-Wall", "-Werror", "main.c", "-o", "c"]);
+            cc.args(["-std=c99", "-Wall", "-Werror", "main.c", "-o", "c", "-lm"]);
             (file("c"), Some(cc))
         }
         Language::Python => {
@@ -257,6 +257,58 @@ fn generated_code_gives_the_same_numbers() {
             }
         }
     }
+}
+
+/// What `affinor equations` prints.
+fn printed(arguments: &[&str]) -> String {
+    let program = env!("CARGO_BIN_EXE_affinor");
+    let output = Command::new(program).arg("equations").args(arguments).output().unwrap();
+    assert!(output.status.success(), "{arguments:?}: {output:?}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// Great circles: `theta'' = sin theta cos theta phi'^2`, `phi'' = -2 cot theta theta' phi'`.
+#[test]
+fn geodesics_of_the_sphere_in_coordinates() {
+    let sphere = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/definitions/sphere.toml");
+    let folder = tempfile::tempdir().unwrap();
+    let (theta, v) = (0.7f64, [0.4, -1.2]);
+    let expected =
+        [v[0], v[1], theta.sin() * theta.cos() * v[1] * v[1], -2.0 / theta.tan() * v[0] * v[1]];
+    for (language, call) in [
+        (Language::Rust, "autoparallel(&[0.7, 0.3], &[0.4, -1.2])"),
+        (Language::C, "autoparallel((const double[]){0.7, 0.3}, (const double[]){0.4, -1.2}, x);"),
+        (Language::Python, "autoparallel([0.7, 0.3], [0.4, -1.2])"),
+    ] {
+        let code = printed(&[sphere, "--motion", "autoparallel", "--code", language.name()]);
+        let Some(rates) = run(folder.path(), language, &code, call, 4) else {
+            eprintln!("{} is not installed: not tested", language.name());
+            continue;
+        };
+        for (rate, expected) in rates.iter().zip(expected) {
+            assert!((rate - expected).abs() < 1e-14, "{rates:?}\n{code}");
+        }
+    }
+}
+
+/// The kinematics of Euler angles z-x-z (Goldstein, Classical Mechanics, 4-87, solved for the
+/// rates), and the refusal where the metric varies.
+#[test]
+fn kinematics_of_euler_angles() {
+    let path = |name: &str| format!("{}/examples/definitions/{name}", env!("CARGO_MANIFEST_DIR"));
+    let angles = path("euler_angles.toml");
+    let text = printed(&[&angles, "--metric", "diag(1,2,3)", "--connection", "plus"]);
+    for line in [
+        "dphi/dt = sin(psi)/sin(theta)*Omega1 + cos(psi)/sin(theta)*Omega2\n",
+        "dtheta/dt = cos(psi)*Omega1 - sin(psi)*Omega2\n",
+        "dOmega1/dt = -Omega2*Omega3 + M1\n",
+    ] {
+        assert!(text.contains(line), "{text}");
+    }
+    let program = env!("CARGO_BIN_EXE_affinor");
+    let output = Command::new(program).args(["equations", &path("sphere.toml")]).output().unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("need a metric of constants"));
 }
 
 #[test]

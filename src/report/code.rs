@@ -41,11 +41,14 @@ impl<S: Notation> System<S> {
     ///
     /// Its arguments are the state, what stands beside it (the external covector, or the velocity
     /// of the curve), and the parameters, each behind `p_`, which no reserved word begins with.
+    /// Over a chart the position comes first, among the arguments and among the rates.
     ///
     /// # Errors
     /// A coefficient that is beyond the limits of [expressions](affinor_tensors::expression).
     pub fn code(&self, language: Language) -> Result<String, ExpressionError> {
         let motion = self.equations.motion();
+        let coordinates = self.position.as_ref().map_or(&[][..], |(names, _)| names);
+        let meaning = Code { language, coordinates };
         let (function, state, other) = match motion {
             Motion::EulerPoincare => ("euler_poincare", "omega", Some("m")),
             Motion::Autoparallel => ("autoparallel", "v", None),
@@ -58,8 +61,16 @@ impl<S: Notation> System<S> {
         let mut used = BTreeSet::new();
         let mut term = |value: &S, factors: &[String]| {
             used.extend(value.parameters());
-            written(value, factors)
+            meaning.written(value, factors)
         };
+        let mut positions = Vec::new();
+        for (_, terms) in self.positions() {
+            let mut written = Vec::new();
+            for (value, along) in &terms {
+                written.push(term(value, &[variable(along)])?);
+            }
+            positions.push(sum(&written));
+        }
         let mut right = Vec::new();
         for row in self.equations.rows() {
             let mut terms = Vec::new();
@@ -75,9 +86,12 @@ impl<S: Notation> System<S> {
         for (at, value) in inverse.components() {
             solved[at[0]].push(term(value, &[format!("r[{}]", at[1])])?);
         }
-        let solved: Vec<String> = solved.iter().map(|terms| sum(terms)).collect();
-        let arguments: Vec<&str> = [Some(state), other].into_iter().flatten().collect();
-        let parameters: Vec<String> = used.iter().map(|name| format!("p_{name}")).collect();
+        let solved: Vec<String> =
+            positions.into_iter().chain(solved.iter().map(|terms| sum(terms))).collect();
+        let position = self.position.as_ref().map(|_| "x");
+        let arguments: Vec<&str> = [position, Some(state), other].into_iter().flatten().collect();
+        let parameters = used.iter().filter(|name| !coordinates.contains(name));
+        let parameters: Vec<String> = parameters.map(|name| format!("p_{name}")).collect();
         let about = [
             format!("{}, connection {}.", self.title(), self.connection[0]),
             motion.statement().to_string(),
@@ -99,7 +113,7 @@ struct Source<'s> {
     about: [String; 2],
     /// The right sides.
     right: Vec<String>,
-    /// The rates, in terms of the right sides `r`.
+    /// The rates, in terms of the right sides `r`; before them those of the position.
     solved: Vec<String>,
 }
 
@@ -115,9 +129,10 @@ impl Source<'_> {
         };
         format!(
             "{about}#[allow(non_snake_case, unused_variables, clippy::all)]\n\
-             pub fn {}({arguments}) -> [f64; {n}] {{\n    let r: [f64; {n}] = [\n{}    ];\n    \
+             pub fn {}({arguments}) -> [f64; {}] {{\n    let r: [f64; {n}] = [\n{}    ];\n    \
              [\n{}    ]\n}}\n",
             self.function,
+            self.solved.len(),
             list(&self.right, "    "),
             list(&self.solved, "    ")
         )
@@ -127,15 +142,21 @@ impl Source<'_> {
         let n = self.right.len();
         let vectors = self.arguments.iter().map(|name| format!("const double {name}[{n}]"));
         let numbers = self.parameters.iter().map(|name| format!("double {name}"));
-        let rates = std::iter::once(format!("double rate[{n}]"));
+        let rates = std::iter::once(format!("double rate[{}]", self.solved.len()));
         let arguments = vectors.chain(numbers).chain(rates).collect::<Vec<_>>().join(", ");
         let about = self.about.join("\n   ");
+        let math = self.right.iter().chain(&self.solved);
+        let needs = ["sin(", "cos(", "tan(", "exp("];
+        let needs = match math.into_iter().any(|text| needs.iter().any(|f| text.contains(f))) {
+            true => "#include <math.h>\n\n",
+            false => "",
+        };
         let lines = |name: &str, values: &[String]| {
             let line = |(at, value): (usize, &String)| format!("    {name}[{at}] = {value};\n");
             values.iter().enumerate().map(line).collect::<String>()
         };
         format!(
-            "/* {about} */\nvoid {}({arguments})\n{{\n    double r[{n}];\n{}{}}}\n",
+            "{needs}/* {about} */\nvoid {}({arguments})\n{{\n    double r[{n}];\n{}{}}}\n",
             self.function,
             lines("r", &self.right),
             lines("rate", &self.solved)
@@ -149,8 +170,13 @@ impl Source<'_> {
         let list = |values: &[String]| {
             values.iter().map(|value| format!("        {value},\n")).collect::<String>()
         };
+        let needs = if self.right.iter().chain(&self.solved).any(|text| text.contains("math.")) {
+            "import math\n\n\n"
+        } else {
+            ""
+        };
         format!(
-            "def {}({}):\n    \"\"\"{about}\"\"\"\n    r = [\n{}    ]\n    return [\n{}    ]\n",
+            "{needs}def {}({}):\n    \"\"\"{about}\"\"\"\n    r = [\n{}    ]\n    return [\n{}    ]\n",
             self.function,
             arguments.join(", "),
             list(&self.right),
@@ -169,19 +195,12 @@ fn sum(terms: &[String]) -> String {
     rest.iter().fold(first.to_string(), join)
 }
 
-/// A coefficient times its factors.
-fn written<S: Notation>(value: &S, factors: &[String]) -> Result<String, ExpressionError> {
-    let value = Expression::parse(&value.to_string())?.evaluate(&Code)?;
-    let factors =
-        factors.iter().map(|factor| Ok(Text { text: factor.clone(), binds: Binds::Atom }));
-    let product = factors.fold(value.text(), |product, factor: Result<_, ()>| {
-        factor.map_or(product.clone(), |factor| Code::product(product, factor))
-    });
-    Ok(product.text)
-}
-
 /// Expressions as source code.
-struct Code;
+struct Code<'c> {
+    language: Language,
+    /// The names that stand for components of the position.
+    coordinates: &'c [String],
+}
 
 /// Source code and how tightly it binds.
 #[derive(Clone)]
@@ -219,7 +238,20 @@ impl Text {
     }
 }
 
-impl Code {
+impl Code<'_> {
+    /// A coefficient times its factors.
+    fn written<S: Notation>(
+        &self,
+        value: &S,
+        factors: &[String],
+    ) -> Result<String, ExpressionError> {
+        let mut product = Expression::parse(&value.to_string())?.evaluate(self)?.text();
+        for factor in factors {
+            product = Self::product(product, Self::number(factor));
+        }
+        Ok(product.text)
+    }
+
     fn number(text: &str) -> Text {
         Text { text: text.into(), binds: Binds::Atom }
     }
@@ -244,14 +276,30 @@ impl Code {
     }
 }
 
-impl Meaning for Code {
+impl Meaning for Code<'_> {
     type Value = Factor;
 
     fn number(&self, number: &Rational) -> Result<Factor, String> {
         Ok(Factor::Value(Code::number(&format!("{:?}", number.to_f64()))))
     }
     fn name(&self, name: &str) -> Result<Factor, String> {
-        Ok(Factor::Value(Code::number(&format!("p_{name}"))))
+        let text = match self.coordinates.iter().position(|coordinate| coordinate == name) {
+            Some(at) => format!("x[{at}]"),
+            None => format!("p_{name}"),
+        };
+        Ok(Factor::Value(Code::number(&text)))
+    }
+    fn function(&self, name: &str, argument: Factor) -> Result<Factor, String> {
+        if !["sin", "cos", "tan", "exp"].contains(&name) {
+            return Err(format!("`{name}` has no counterpart in source code"));
+        }
+        let argument = argument.text();
+        let text = match self.language {
+            Language::Rust => format!("{}.{name}()", argument.within(Binds::Atom)),
+            Language::C => format!("{name}({})", argument.text),
+            Language::Python => format!("math.{name}({})", argument.text),
+        };
+        Ok(Factor::Value(Code::number(&text)))
     }
     fn add(&self, a: Factor, b: Factor) -> Result<Factor, String> {
         let text = sum(&[a.text().text, b.text().text]);

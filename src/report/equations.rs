@@ -8,7 +8,7 @@ use super::{Cell, Format, Grid};
 use crate::equations::{Equations, Motion, Row, Variable};
 use crate::error::{combination, is_sum};
 use crate::{Canonical, Connection, Geometry};
-use affinor_tensors::Notation;
+use affinor_tensors::{Notation, Symbolic, Tensor};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -25,6 +25,8 @@ pub struct System<S> {
     pub connection: [String; 2],
     /// The parameters that the coefficients depend on, sorted.
     pub parameters: Vec<String>,
+    /// Over a chart the coordinates, and the fields `e^a_i` of the frame.
+    pub position: Option<(Vec<String>, Tensor<S>)>,
     /// Whether the equations `DH/Dt = M` are those of Euler and Poincare: as those of `plus`.
     pub genuine: bool,
 }
@@ -38,11 +40,17 @@ impl<S: Notation> System<S> {
             let theirs = Equations::euler_poincare(&plus, metric);
             theirs.is_ok_and(|theirs| theirs.solved().rows() == equations.solved().rows())
         });
+        let position = geometry
+            .ground()
+            .fields()
+            .map(|fields| (fields.chart().coordinates().to_vec(), fields.components().clone()));
         let rows = equations.rows();
         let values = rows.iter().flat_map(|Row { left, right }| {
             left.iter().map(|(v, _)| v).chain(right.iter().map(|(v, _)| v))
         });
-        let mut parameters: Vec<String> = values.flat_map(Notation::parameters).collect();
+        let fields = position.iter().flat_map(|(_, fields)| fields.components().map(|(_, v)| v));
+        let mut parameters: Vec<String> =
+            values.chain(fields).flat_map(Notation::parameters).collect();
         parameters.sort();
         parameters.dedup();
         System {
@@ -51,8 +59,24 @@ impl<S: Notation> System<S> {
             labels: geometry.connection().frame().labels().to_vec(),
             connection: [geometry.kind().name().into(), geometry.kind().describe()],
             parameters,
+            position,
             genuine,
         }
+    }
+
+    /// The motion of the position, `dx^a/dt = e^a_i w^i`: for every coordinate its name, and the
+    /// right side.
+    pub(super) fn positions(&self) -> Vec<(&str, Vec<(S, Variable)>)> {
+        let Some((coordinates, fields)) = &self.position else { return vec![] };
+        let along = match self.equations.motion() {
+            Motion::Transport => Variable::Along,
+            Motion::EulerPoincare | Motion::Autoparallel => Variable::State,
+        };
+        let right = |a: usize| {
+            let terms = fields.components().filter(|(at, _)| at[0] == a);
+            terms.map(|(at, value)| (value.clone(), along(at[1]))).collect()
+        };
+        coordinates.iter().enumerate().map(|(a, name)| (name.as_str(), right(a))).collect()
     }
 
     /// Writes the equations in one of the formats.
@@ -98,6 +122,10 @@ impl<S: Notation> System<S> {
             fill(out, &format!("  {title:13}"), &[line])?;
         }
         writeln!(out)?;
+        for (name, right) in self.positions() {
+            let right = right.iter().map(|(value, v)| (plain(value), names.variable(*v)));
+            fill(out, "  ", &[format!("d{name}/dt"), "=".into(), combination(right)])?;
+        }
         for row in self.equations.rows() {
             let [left, right] = names.row(&row);
             fill(out, "  ", &[left, "=".into(), right])?;
@@ -123,6 +151,12 @@ impl<S: Notation> System<S> {
     fn csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let names = self.names();
         let mut rows = Vec::new();
+        for (name, right) in self.positions() {
+            for (value, variable) in right {
+                let cells = [name.into(), "right".into(), plain(&value), names.variable(variable)];
+                rows.push(cells.map(Cell::from).to_vec());
+            }
+        }
         for (at, row) in self.equations.rows().into_iter().enumerate() {
             let left = row.left.iter().map(|(v, j)| ("left", plain(v), names.rate(*j)));
             let right = row.right.iter().map(|(v, p)| ("right", plain(v), names.product(p)));
@@ -147,6 +181,10 @@ impl<S: Notation> System<S> {
             });
             json!({ "left": left.collect::<Vec<_>>(), "right": right.collect::<Vec<_>>() })
         });
+        let positions = self.positions().into_iter().map(|(name, right)| {
+            let right = right.iter().map(|(v, along)| json!([value(v), [names.variable(*along)]]));
+            json!({ "coordinate": name, "right": right.collect::<Vec<_>>() })
+        });
         let all = json!({
             "schema": "affinor.equations/1",
             "name": self.name,
@@ -157,6 +195,7 @@ impl<S: Notation> System<S> {
             "basis": self.labels,
             "parameters": self.parameters,
             "genuine": (self.equations.motion() == Motion::EulerPoincare).then_some(self.genuine),
+            "positions": positions.collect::<Vec<_>>(),
             "equations": equations.collect::<Vec<_>>(),
         });
         serde_json::to_writer_pretty(&mut *out, &all)?;
@@ -182,12 +221,16 @@ impl<S: Notation> System<S> {
             Motion::Autoparallel => ("the velocity", None),
             Motion::Transport => ("the transported vector", Some("the velocity of the curve")),
         };
+        let frame = match &self.position {
+            None => "the left-invariant frame".to_string(),
+            Some((coordinates, _)) => format!("the frame over {}", coordinates.join(", ")),
+        };
         let beside = beside.map_or(String::new(), |beside| format!("; {other} {beside}"));
         vec![
             ("basis", labels),
             ("connection", self.connection[1].clone()),
             ("statement", self.equations.motion().statement().into()),
-            ("unknowns", format!("{state} {what}{beside}; in the left-invariant frame")),
+            ("unknowns", format!("{state} {what}{beside}; in {frame}")),
         ]
     }
 
@@ -207,6 +250,11 @@ impl<S: Notation> System<S> {
             [a, b] if a == b => format!("({})^2", variable(a)),
             factors => factors.iter().map(variable).collect::<Vec<_>>().join(" "),
         };
+        let positions = self.positions().into_iter().map(|(name, right)| {
+            let right = right.iter().map(|(value, v)| (value, variable(v)));
+            let name = Symbolic::parameter(name).latex();
+            format!("\\dot{{{name}}} &= {}", latex_combination(right))
+        });
         let rows = self.equations.rows().into_iter().map(|row| {
             let rates = row
                 .left
@@ -215,7 +263,7 @@ impl<S: Notation> System<S> {
             let right = row.right.iter().map(|(value, factors)| (value, product(factors)));
             format!("{} &= {}", latex_combination(rates), latex_combination(right))
         });
-        rows.collect::<Vec<_>>().join(" \\\\\n")
+        positions.chain(rows).collect::<Vec<_>>().join(" \\\\\n")
     }
 }
 
@@ -267,6 +315,8 @@ fn latex_combination<'v, S: Notation + 'v>(
         let size = match size.as_str() {
             "1" => String::new(),
             size if sum && !fraction => format!("\\left({size}\\right) "),
+            // without the space the argument of a function would seem to go on
+            size if size.contains("\\sin") || size.contains("\\cos") => format!("{size} \\, "),
             size => format!("{size} "),
         };
         let sign = if text.is_empty() && sign == "+" { "" } else { sign };
