@@ -4,8 +4,8 @@
 //! what counts, not the absolute times.
 
 use affinor::roots::{CartanType, RootSystem, Series, chevalley_constants};
-use affinor::{Bracket, Canonical, Connection, LieAlgebra};
-use affinor_tensors::Rational;
+use affinor::{Bracket, Canonical, Connection, LieAlgebra, Metric};
+use affinor_tensors::{Down, Rational, Tensor};
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 
@@ -44,6 +44,16 @@ fn e8(criterion: &mut Criterion) {
     group.bench_function("curvature/floor", |b| b.iter(|| black_box(&floor).curvature()));
     group.bench_function("curvature/exact", |b| b.iter(|| black_box(&zero).curvature()));
     group.bench_function("curvature/f64", |b| b.iter(|| black_box(&zero_float).curvature()));
+    // the Levi-Civita connection of diag(1, ..., 248): 8.1 million components
+    let diagonal = (0..248).map(|i| ([i, i], Rational::from(i as i64 + 1)));
+    let diagonal = Tensor::from_components(248, &[Down, Down], diagonal).expect("a square");
+    let metric = Metric::new(algebra.labels(), diagonal).expect("a metric");
+    let exact = Connection::levi_civita(algebra.left_frame(), &metric).expect("one frame");
+    let float = Connection::new(float.left_frame().clone(), exact.gamma().map(Rational::to_f64));
+    let float = float.expect("affinities in floats");
+    group.sample_size(10);
+    group.bench_function("levi-civita curvature/exact", |b| b.iter(|| exact.curvature()));
+    group.bench_function("levi-civita curvature/f64", |b| b.iter(|| float.curvature()));
     group.finish();
 }
 

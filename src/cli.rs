@@ -1,6 +1,7 @@
 //! The commands: one file each, over the options they share.
 
 mod check;
+mod color;
 mod compare;
 mod completions;
 mod conventions;
@@ -65,7 +66,7 @@ pub fn main() -> ExitCode {
         Command::List(arguments) => (arguments.run(), arguments.output.color),
         Command::Conventions(arguments) => (arguments.run(), arguments.output.color),
         Command::Completions(arguments) => {
-            (arguments.run(&mut <Cli as clap::CommandFactory>::command()), options::Color::Auto)
+            (arguments.run(&mut <Cli as clap::CommandFactory>::command()), color::Color::Auto)
         }
     };
     match outcome {

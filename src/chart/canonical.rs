@@ -1,11 +1,11 @@
 //! Invariant fields of any Lie algebra in canonical coordinates.
 
-use super::exponential::exponential;
+use super::exponential::{added, exponential, square};
 use super::{Chart, Fields};
 use crate::algebra::{inverse, to_matrix};
 use crate::{Error, LieAlgebra};
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{Field, Ring, Symbolic, Tensor, Up, Variance};
+use affinor_tensors::{Ring, Symbolic, Tensor, Up, Variance};
 use num_traits::One;
 
 /// Which translations keep the fields.
@@ -131,15 +131,4 @@ fn second_kind(
     });
     let columns: Vec<Vec<Symbolic>> = columns.collect();
     Ok(Matrix::from_dense(&columns).expect("columns of one length").transpose())
-}
-
-pub(super) fn square<S: Field>(a: &Matrix<S>, b: &Matrix<S>) -> Matrix<S> {
-    a.mul(b).expect("square matrices of one size")
-}
-
-pub(super) fn added<S: Field>(a: &Matrix<S>, b: &Matrix<S>) -> Matrix<S> {
-    let both = a.entries().chain(b.entries());
-    let mut rows = vec![vec![]; a.rows()];
-    both.for_each(|(i, j, value)| rows[i].push((j, value.clone())));
-    Matrix::from_rows(a.columns(), rows).expect("columns of the operands")
 }

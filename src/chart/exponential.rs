@@ -5,10 +5,9 @@
 //! for other `i < d`. The solutions are spanned by `x^p e^(ax) cos(bx)` and `x^p e^(ax) sin(bx)`
 //! for the roots `a + ib` of `mu`: I. E. Leonard, *SIAM Review* 38 (1996) 507-512.
 
-use super::canonical::{added, square};
 use crate::Error;
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{Notation, Rational, Ring, Symbolic};
+use affinor_tensors::{Field, Notation, Rational, Ring, Symbolic};
 use num_traits::{One, Zero, pow};
 
 /// The largest integer that a part of an eigenvalue may be.
@@ -114,4 +113,15 @@ fn at_zero(f: &Symbolic, x: &str) -> Symbolic {
     let (tan, exp) = (format!("tan({x}/2)"), format!("exp({x})"));
     let values = [(x.to_string(), zero.clone()), (tan, zero), (exp, Symbolic::one())];
     f.substitute(&values.into()).expect("an entire function")
+}
+
+pub(super) fn square<S: Field>(a: &Matrix<S>, b: &Matrix<S>) -> Matrix<S> {
+    a.mul(b).expect("square matrices of one size")
+}
+
+pub(super) fn added<S: Field>(a: &Matrix<S>, b: &Matrix<S>) -> Matrix<S> {
+    let both = a.entries().chain(b.entries());
+    let mut rows = vec![vec![]; a.rows()];
+    both.for_each(|(i, j, value)| rows[i].push((j, value.clone())));
+    Matrix::from_rows(a.columns(), rows).expect("columns of the operands")
 }

@@ -1,6 +1,6 @@
 //! How a failure is shown: what, where, why, what to do; and its exit status.
 
-use super::options::Color;
+use super::color::Color;
 use affinor::Error;
 use affinor::definition::{InputError, Refusal};
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};

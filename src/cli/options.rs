@@ -1,5 +1,6 @@
 //! The options that commands share.
 
+use super::color::Color;
 use super::failure::Failure;
 use super::note::note;
 use affinor::definition::{InputError, Request, ScalarChoice, Space};
@@ -65,13 +66,6 @@ pub struct Output {
 pub enum Scalar {
     Exact,
     Float,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Color {
-    Auto,
-    Always,
-    Never,
 }
 
 impl Shared {

@@ -2,8 +2,9 @@
 
 use super::chart::OnChart;
 use super::input::{InputError, Place, Source, shown};
-use super::notation::{Names, basis, check_name, lines, metric, metric_rows, statement};
-use super::space::connection;
+use super::notation::{
+    Names, basis, check_name, connection, lines, metric, metric_rows, statement,
+};
 use super::written::{
     Block, Cell, ChartText, ConnectionText, FieldsText, MatrixRows, MetricText, Row, Text,
 };

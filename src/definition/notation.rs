@@ -1,7 +1,8 @@
 //! Notation over basis names: right sides like `h*e2 + 1/2 e1`, and complex entries.
 
 use super::input::{InputError, Place, Source, shown};
-use super::{Given, MetricChoice};
+use super::{ConnectionChoice, Given, MetricChoice};
+use crate::Canonical;
 use crate::algebra::Complex;
 use affinor_tensors::expression::{
     Expression, ExpressionError, Functions, Meaning, Scalars, is_name,
@@ -406,4 +407,30 @@ impl Meaning for ComplexNumbers<'_> {
         let conjugate = Complex { re: a.re, im: -a.im };
         self.multiply(conjugate, Complex::real(factor))
     }
+}
+
+/// A connection by name, and where it stands.
+pub(super) fn connection(
+    text: &str,
+    names: &Names,
+    source: &Source,
+) -> Result<(ConnectionChoice, Place), InputError> {
+    let trimmed = text.trim();
+    let family =
+        trimmed.strip_prefix("lambda").and_then(|rest| rest.trim_start().strip_prefix('='));
+    let place = source.whole(trimmed);
+    let choice = match (trimmed, family) {
+        ("plus", _) => ConnectionChoice::Canonical(Canonical::Plus),
+        ("zero", _) => ConnectionChoice::Canonical(Canonical::Zero),
+        ("minus", _) => ConnectionChoice::Canonical(Canonical::Minus),
+        ("levi-civita", _) => ConnectionChoice::LeviCivita,
+        (_, Some(value)) => ConnectionChoice::Family(names.scalar(value, source)?),
+        _ => {
+            let message = format!("`{}` is not a connection", shown(trimmed));
+            return Err(InputError::usage(message)
+                .at(&place)
+                .help("plus, zero, minus, lambda=1/3, or levi-civita"));
+        }
+    };
+    Ok((choice, place))
 }

@@ -1,11 +1,10 @@
 //! A SPACE as named on the command line, and the options that complete it.
 
 use super::document;
-use super::input::{InputError, Place, Source, shown};
-use super::notation::{Names, basis, lines, metric, statement};
+use super::input::{InputError, Source, shown};
+use super::notation::{Names, basis, connection, lines, metric, statement};
 use super::setting::settings;
-use super::{ConnectionChoice, Definition, Origin, Reading};
-use crate::Canonical;
+use super::{Definition, Origin, Reading};
 use crate::catalogue::CatalogueError;
 use affinor_tensors::{Notation, Rational, Symbolic, Tolerance};
 use std::collections::{BTreeMap, BTreeSet};
@@ -317,30 +316,4 @@ fn inline(labels: &str, brackets: &[String]) -> Result<Definition, InputError> {
         declared: vec![],
         source: None,
     })
-}
-
-/// A connection by name, and where it stands.
-pub(super) fn connection(
-    text: &str,
-    names: &Names,
-    source: &Source,
-) -> Result<(ConnectionChoice, Place), InputError> {
-    let trimmed = text.trim();
-    let family =
-        trimmed.strip_prefix("lambda").and_then(|rest| rest.trim_start().strip_prefix('='));
-    let place = source.whole(trimmed);
-    let choice = match (trimmed, family) {
-        ("plus", _) => ConnectionChoice::Canonical(Canonical::Plus),
-        ("zero", _) => ConnectionChoice::Canonical(Canonical::Zero),
-        ("minus", _) => ConnectionChoice::Canonical(Canonical::Minus),
-        ("levi-civita", _) => ConnectionChoice::LeviCivita,
-        (_, Some(value)) => ConnectionChoice::Family(names.scalar(value, source)?),
-        _ => {
-            let message = format!("`{}` is not a connection", shown(trimmed));
-            return Err(InputError::usage(message)
-                .at(&place)
-                .help("plus, zero, minus, lambda=1/3, or levi-civita"));
-        }
-    };
-    Ok((choice, place))
 }
