@@ -459,6 +459,14 @@ fn what_is_verified_is_named() {
 }
 
 #[test]
+fn square_roots_of_squares_are_exact() {
+    let folder = folder();
+    let table = ["table", "so3@zero;metric=diag(sqrt(9/4),1,1)", "--show", "metric"];
+    let table = run(folder.path(), &[&table[..], &["--format", "csv"]].concat(), b"");
+    assert!(table.out.contains("metric,1,1,,,3/2\n"), "{}{}", table.out, table.err);
+}
+
+#[test]
 fn what_does_not_apply_is_said() {
     let folder = folder();
     let table = run(folder.path(), &["table", "so3@zero", "--show", "metric,torsion"], b"");

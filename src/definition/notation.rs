@@ -54,8 +54,14 @@ impl Names<'_> {
         self.read(text, source, &Functions(scalars, function))
     }
 
-    /// A function of coordinates.
+    /// A function of coordinates, or the square root of a square.
     fn function(&self, name: &str, argument: &Symbolic) -> Result<Symbolic, String> {
+        if name == "sqrt" {
+            let root = argument.as_constant().and_then(Rational::sqrt).map(Symbolic::constant);
+            return root.ok_or_else(|| {
+                format!("the square root of {argument} is not rational; exact values are")
+            });
+        }
         if self.coordinates.is_empty() {
             return Err(format!("`{}` is no function here: only a chart has some", shown(name)));
         }

@@ -181,9 +181,9 @@ fn functions() {
     let table: &[(&str, String, i32, &[&str])] = &[
         (
             "an unknown function",
-            with_metric("sqrt(x)"),
+            with_metric("log(x)"),
             USAGE,
-            &["a.toml:3:19", "`sqrt` is no function here: there are sin, cos, tan"],
+            &["a.toml:3:19", "`log` is no function here: there are sin, cos, tan"],
         ),
         (
             "an undeclared coordinate",

@@ -107,6 +107,25 @@ impl Rational {
         if self.is_negative() { -self } else { self }
     }
 
+    /// The square root that is not negative, where it is rational.
+    ///
+    /// ```
+    /// use affinor_tensors::Rational;
+    /// assert_eq!(Rational::new(9, 4).and_then(|x| x.sqrt()), Rational::new(3, 2));
+    /// assert_eq!(Rational::from(2).sqrt(), None);
+    /// ```
+    pub fn sqrt(&self) -> Option<Self> {
+        if self.is_negative() {
+            return None;
+        }
+        let value = BigRational::from(self);
+        let exact = |n: &BigInt| {
+            let root = n.sqrt();
+            (&root * &root == *n).then_some(root)
+        };
+        Some(BigRational::new(exact(value.numer())?, exact(value.denom())?).into())
+    }
+
     /// The quotient in lowest terms; the denominator is not zero.
     fn reduced(numerator: i128, denominator: i128) -> Self {
         if let (Ok(n), Ok(d)) = (i64::try_from(numerator), i64::try_from(denominator))

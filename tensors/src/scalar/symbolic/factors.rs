@@ -6,9 +6,8 @@
 
 use super::super::Rational;
 use super::polynomial::{Polynomial, cofactors, constant, content};
-use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::One;
 use polycore::{Monomial, Order, Poly};
 
 /// Beyond as many terms, or this degree, nobody reads the factors, and finding them takes long.
@@ -117,7 +116,7 @@ fn square_root(f: &Polynomial) -> Option<Polynomial> {
     let Some((m, c)) = f.terms.first() else { return Some(f.clone()) };
     let half: Option<Vec<u32>> =
         m.exps().iter().map(|e| e.is_multiple_of(2).then_some(e / 2)).collect();
-    let lead = Poly::new(vec![(Monomial::new(half?), root(c)?)], f.nvars, Order::GrLex);
+    let lead = Poly::new(vec![(Monomial::new(half?), c.sqrt()?)], f.nvars, Order::GrLex);
     let (lead_monomial, lead_value) = lead.terms.first().cloned()?;
     let twice = BigRational::from(&lead_value) * BigRational::from_integer(2.into());
     let mut square_root = lead;
@@ -130,17 +129,4 @@ fn square_root(f: &Polynomial) -> Option<Polynomial> {
         square_root = &square_root + &Poly::new(term, f.nvars, Order::GrLex);
     }
     None
-}
-
-/// The rational square root of a rational.
-fn root(c: &Rational) -> Option<Rational> {
-    let c = BigRational::from(c);
-    let exact = |n: &BigInt| {
-        let root = n.magnitude().sqrt();
-        (&root * &root == *n.magnitude()).then(|| BigInt::from(root))
-    };
-    if c.is_negative() || c.is_zero() {
-        return None;
-    }
-    Some(BigRational::new(exact(c.numer())?, exact(c.denom())?).into())
 }
