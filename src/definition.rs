@@ -366,10 +366,21 @@ impl Definition {
             .map_err(|error| self.refused(error))
     }
 
-    /// What the mathematics refuses here, with the source.
+    /// What the mathematics refuses here, with its place: the first bracket that is given of those
+    /// that it names, or the source.
     fn refused(&self, error: Error) -> InputError {
-        let place = self.source.clone().map(Place::within);
-        InputError::from(error).or_at_some(place.as_ref())
+        let whole = self.source.clone().map(Place::within);
+        let bracket = match (&error, &self.origin) {
+            (Error::Jacobi { x, y, z, .. }, Origin::Brackets(given)) => {
+                let index = |label: &String| self.labels.iter().position(|other| other == label);
+                let pairs =
+                    [(x, y), (y, z), (z, x)].into_iter().flat_map(|(x, y)| [(x, y), (y, x)]);
+                let mut pairs = pairs.filter_map(|(x, y)| Some((index(x)?, index(y)?)));
+                pairs.find_map(|pair| given.get(&pair)).map(|given| given.place.clone())
+            }
+            _ => None,
+        };
+        InputError::from(error).or_at_some(bracket.or(whole).as_ref())
     }
 
     fn each_value(&self, f: &mut dyn FnMut(&Symbolic)) {

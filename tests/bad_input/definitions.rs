@@ -237,7 +237,7 @@ fn brackets_are_checked() {
             "[x, y] = z\n[y, z] = x\n[x, z] = -1e-12*x - y",
             MATHEMATICS,
             &[
-                "a.toml",
+                "a.toml:6:1",
                 "[[x,y],z] + [[y,z],x] + [[z,x],y] = 1/1000000000000*z",
                 "the brackets of these three",
             ],
@@ -246,7 +246,7 @@ fn brackets_are_checked() {
             "Jacobi, in a parameter",
             "[x, y] = z\n[y, z] = h*y",
             MATHEMATICS,
-            &["[[x,y],z] + [[y,z],x] + [[z,x],y] = -h*z"],
+            &["a.toml:6:1", "[[x,y],z] + [[y,z],x] + [[z,x],y] = -h*z"],
         ),
         (
             "digits glued to e",
