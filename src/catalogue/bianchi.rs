@@ -35,8 +35,8 @@ use affinor_tensors::{Notation, Ring, Symbolic};
 pub(super) const FAMILY: Family = Family {
     pattern: "bianchi(TYPE,h=v)",
     needs: "a TYPE from I to IX in capitals, and `h=v` in VI and VII only",
-    summary: "three dimensions, basis e1,e2,e3; VI: [e1,e3] = e1, [e2,e3] = h e2 (VI_0 is h=-1, \
-              III is h=0); VII: [e1,e3] = h e1 - e2, [e2,e3] = e1 + h e2; h is a parameter if not given",
+    summary: "three dimensions, basis e1,e2,e3; VI: [e1,e3] = e1, [e2,e3] = h*e2 (VI_0 is h=-1, \
+              III is h=0); VII: [e1,e3] = h*e1 - e2, [e2,e3] = e1 + h*e2; h is a parameter if not given",
     example: "bianchi(IX)",
     head: "bianchi",
     reader: Reader::Words(read),

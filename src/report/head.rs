@@ -54,6 +54,7 @@ impl<S: Notation> Table<S> {
             (Kind::Symbolic, _) if !self.parameters.is_empty() => {
                 format!("symbolic in {}", printable(&self.parameters.join(", ")))
             }
+            (Kind::Symbolic, _) => "symbolic, though no parameter is left in it".into(),
             (kind, _) => kind_name(kind).into(),
         }
     }
