@@ -459,6 +459,24 @@ fn what_is_verified_is_named() {
 }
 
 #[test]
+fn a_stored_table_of_another_kind_is_remarked_upon() {
+    let folder = folder();
+    for (option, remark) in [
+        (&["--independent"][..], "stored are independent components only"),
+        (&["--frame", "right"], "stored in the right-invariant frame, computed in the left"),
+        (&["--scalar", "float"], "stored in floats, computed exactly"),
+    ] {
+        let table = [&["table", "so3@zero", "--format", "json", "-o", "a.json"], option].concat();
+        assert_eq!(run(folder.path(), &table, b"").status, 0);
+        let bare = run(folder.path(), &["verify", "so3@zero", "a.json"], b"");
+        assert!(bare.err.contains(remark), "{}", bare.err);
+        let alike = [&["verify", "so3@zero", "a.json"], option].concat();
+        let alike = run(folder.path(), &alike, b"");
+        assert_eq!((alike.status, &*alike.err), (0, ""), "{}", alike.out);
+    }
+}
+
+#[test]
 fn square_roots_of_squares_are_exact() {
     let folder = folder();
     let table = ["table", "so3@zero;metric=diag(sqrt(9/4),1,1)", "--show", "metric"];

@@ -111,6 +111,7 @@ impl Work for Differences<'_> {
             let (stored, computed) = (name.escape_debug(), &table.connection);
             note(&format!("stored with {stored}, computed with {computed}"));
         }
+        self.stored.remarks(&table).iter().for_each(|remark| note(remark));
         self.stages.begin("comparison");
         let fail = |reason: String| InputError::usage(format!("{}: {reason}", shown(self.file)));
         self.stored.differences(&table).map_err(fail)

@@ -13,6 +13,12 @@ pub struct Stored {
     pub connection: Option<String>,
     /// The dimension, where the file says it.
     pub dimension: Option<usize>,
+    /// The frame, where the file says it: `left-invariant`.
+    frame: Option<String>,
+    /// The scalar, where the file says it.
+    scalar: Option<String>,
+    /// Whether only independent components are listed, where the file says it.
+    independent: bool,
     tensors: Vec<(Quantity, Vec<Component>)>,
     /// Whether tensors without components are listed, too: in JSON, not in CSV.
     lists_zeros: bool,
@@ -50,6 +56,23 @@ impl Stored {
     pub fn least_dimension(&self) -> usize {
         let components = self.tensors.iter().flat_map(|(_, components)| components);
         components.flat_map(|(indices, _)| indices).max().map_or(0, |index| index + 1)
+    }
+
+    /// What the stored table says of itself that the computed one is not, each with the option that
+    /// would make it so: differences are then no surprise.
+    pub fn remarks<S: Notation>(&self, table: &Table<S>) -> Vec<String> {
+        let mut remarks = Vec::new();
+        if let Some(frame) = self.frame.as_ref().filter(|frame| *frame != table.frame) {
+            let frame = frame.escape_debug();
+            remarks.push(format!("stored in the {frame} frame, computed in the {}", table.frame));
+        }
+        if self.independent && !table.independent {
+            remarks.push("stored are independent components only: see --independent".into());
+        }
+        if self.scalar.as_deref() == Some("float") && S::KIND != Kind::Float {
+            remarks.push("stored in floats, computed exactly: see --scalar float".into());
+        }
+        remarks
     }
 
     /// Keeps the `chosen` tensors only. One that CSV does not have is zero there.
@@ -140,7 +163,17 @@ impl Stored {
         }
         let connection = root["connection"]["name"].as_str().map(str::to_string);
         let dimension = root["algebra"]["dimension"].as_u64().and_then(|n| usize::try_from(n).ok());
-        Ok(Stored { connection, dimension, tensors, lists_zeros: true })
+        let text = |value: &Value| value.as_str().map(str::to_string);
+        let conventions = &root["conventions"];
+        Ok(Stored {
+            connection,
+            dimension,
+            frame: text(&conventions["frame"]),
+            scalar: text(&root["scalar"]),
+            independent: !conventions["components"].is_null(),
+            tensors,
+            lists_zeros: true,
+        })
     }
 
     fn csv(text: &str) -> Result<Self, String> {
@@ -170,7 +203,15 @@ impl Stored {
         if tensors.is_empty() {
             return Err("there is no component in it".into());
         }
-        Ok(Stored { connection: None, dimension: None, tensors, lists_zeros: false })
+        Ok(Stored {
+            connection: None,
+            dimension: None,
+            frame: None,
+            scalar: None,
+            independent: false,
+            tensors,
+            lists_zeros: false,
+        })
     }
 }
 
