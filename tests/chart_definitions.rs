@@ -140,20 +140,21 @@ fn the_order_of_the_fields_is_that_of_the_file() {
     }
 }
 
-/// The rotation group by its Euler angles, against its brackets; and the other way round.
+/// The rotation group in its charts, against its brackets.
 #[test]
-fn euler_angles_and_the_gibbs_vector_are_so3() {
+fn charts_of_the_rotation_group_are_so3() {
     let temporary = TempDir::new().unwrap();
-    let euler = folder().join("euler_angles.toml").to_str().unwrap().to_string();
+    let path = |file: &str| folder().join(file).to_str().unwrap().to_string();
+    let euler = path("euler_angles.toml");
+    let charts = [&euler, &path("gibbs_vector.toml"), &path("rotation_vector.toml")];
     let show = "structure,affinities,torsion,curvature,ricci,killing";
-    let gibbs = folder().join("gibbs_vector.toml").to_str().unwrap().to_string();
     for connection in ["plus", "zero", "minus", "lambda=1/3"] {
         for format in ["json", "csv"] {
             let table =
                 ["table", "so3", "--connection", connection, "--show", show, "--format", format];
             let stored = run(temporary.path(), &[&table[..], &["-o", "so3"]].concat(), b"");
             assert_eq!(stored.status, 0, "{}", stored.err);
-            for chart in [&euler, &gibbs] {
+            for chart in charts {
                 let verify = ["verify", chart, "so3", "--connection", connection];
                 let outcome = run(temporary.path(), &verify, b"");
                 assert_eq!(outcome.status, 0, "{}", outcome.out);

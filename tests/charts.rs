@@ -279,3 +279,80 @@ fn the_classical_formulas_of_coordinates() {
         assert_eq!(curvature.get(&[i, j, k, l]), expected);
     }
 }
+
+/// The Cartesian components `q^a = theta n^a` of the rotation vector, over the polar chart
+/// `(theta, alpha, beta)`: left-invariant fields, and the fields `d/dq^a`.
+fn rotation_vectors() -> (Fields<Symbolic>, BasisChange<Symbolic>) {
+    let n = ["sin(alpha)*cos(beta)", "sin(alpha)*sin(beta)", "cos(alpha)"];
+    let along = ["cos(alpha)*cos(beta)", "cos(alpha)*sin(beta)", "-sin(alpha)"];
+    let around = ["-sin(beta)", "cos(beta)", "0"];
+    let half = "sin(theta)/(1 - cos(theta))";
+    let row = |f: &dyn Fn(usize) -> String| [0, 1, 2].map(f);
+    let table = |rows: [[String; 3]; 3]| {
+        let components = Tensor::from_fn(3, [Up, Down], |[a, i]| value(&rows[a][i]));
+        components.unwrap()
+    };
+    let left = table([
+        row(&|i| n[i].into()),
+        row(&|i| format!("1/2*({half}*({}) - ({}))", along[i], around[i])),
+        row(&|i| format!("1/2*({half}*({}) + ({}))/sin(alpha)", around[i], along[i])),
+    ]);
+    let cartesian = table([
+        row(&|a| n[a].into()),
+        row(&|a| format!("({})/theta", along[a])),
+        row(&|a| format!("({})/(theta*sin(alpha))", around[a])),
+    ]);
+    let chart = Chart::new(&["theta", "alpha", "beta"]).unwrap();
+    let fields = chart.fields(labels(3), left).unwrap();
+    let change =
+        contract("B^i_a q^a_j -> ^i_j", &[("B", fields.change().inverse()), ("q", &cartesian)]);
+    let change = BasisChange::new(change.unwrap()).unwrap();
+    (fields, change)
+}
+
+/// (75): in canonical coordinates the symmetric part of the affinities vanishes at the pole, and
+/// the antisymmetric part is half the torsion; after (75): off the pole it does not vanish, though
+/// its contraction with `q^j q^k` does, for rays are autoparallel.
+#[test]
+fn eq_75_affinities_in_canonical_coordinates() {
+    let (fields, change) = rotation_vectors();
+    let frame = fields.frame();
+    let ray = Tensor::vector(
+        &["sin(alpha)*cos(beta)", "sin(alpha)*sin(beta)", "cos(alpha)"].map(value),
+        Up,
+    );
+    let mut symmetric_parts = Vec::new();
+    for lambda in ["1", "1/2", "0"] {
+        let gamma = frame.structure().scale(&value(lambda));
+        let left = Connection::new(frame.clone(), gamma).unwrap();
+        let here = left.moved(labels(3), &change).unwrap();
+        assert!(here.frame().structure().is_empty(), "d/dq^a commute (A9)");
+        let gamma = here.gamma();
+        let operands = [("G", gamma), ("n", &ray)];
+        let turned = contract("G^i_jk n^j -> ^i_k", &operands).unwrap();
+        let turned = contract("G^i_k n^k -> ^i", &[("G", &turned), ("n", &ray)]).unwrap();
+        assert!(turned.is_empty(), "{turned:?}");
+        let part = |sign: i64| {
+            let text = format!("G^i_jk + {sign} G^i_kj -> ^i_jk");
+            contract(&text, &[("G", gamma)]).unwrap()
+        };
+        assert_eq!(part(-1), here.torsion());
+        let symmetric = part(1);
+        assert!(!symmetric.is_empty(), "off the pole");
+        // linear in the distance from the pole, along any ray
+        let size = |theta: f64| {
+            let at = |name: &str| match name {
+                "theta" => Some(theta),
+                "alpha" => Some(0.8),
+                _ => Some(2.3),
+            };
+            let values = symmetric.components().map(|(_, v)| v.evaluate(at).unwrap().abs());
+            values.fold(0.0, f64::max)
+        };
+        assert!(size(1e-2) < 1e-2 && size(1e-3) < 1e-3, "{} {}", size(1e-2), size(1e-3));
+        assert!(size(1.0) > 1e-2);
+        symmetric_parts.push(symmetric);
+    }
+    // torsion aside, the three canonical connections are one
+    assert!(symmetric_parts.windows(2).all(|pair| pair[0] == pair[1]));
+}

@@ -96,6 +96,9 @@ fn every_definition_passes_check() -> Outcome {
     Ok(())
 }
 
+/// The Killing form of so(3).
+const KILLING: &str = "killing,1,1,,,-2\nkilling,2,2,,,-2\nkilling,3,3,,,-2\n";
+
 /// The Killing form of so(4) in the basis of `jensen_so4.toml`.
 const JENSEN: &str = "killing,1,1,,,-4\nkilling,2,2,,,-4\nkilling,3,3,,,-4\n\
                       killing,4,4,,,-4\nkilling,5,5,,,-4\nkilling,6,6,,,-4\n";
@@ -125,7 +128,8 @@ fn the_definitions_say_what_they_claim() -> Outcome {
         ("poincare_half_space.toml", "scalar_curvature", "scalar_curvature,,,,,-6\n"),
         ("schwarzschild.toml", "ricci", ""),
         ("kerr.toml", "ricci", ""),
-        ("gibbs_vector.toml", "killing", "killing,1,1,,,-2\nkilling,2,2,,,-2\nkilling,3,3,,,-2\n"),
+        ("gibbs_vector.toml", "killing", KILLING),
+        ("rotation_vector.toml", "killing", KILLING),
         ("euler_angles.toml", "ricci", "ricci,1,1,,,1/2\nricci,2,2,,,1/2\nricci,3,3,,,1/2\n"),
     ];
     for (file, show, rows) in expected {

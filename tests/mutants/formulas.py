@@ -30,16 +30,19 @@ SWITCH = """    let switched = std::env::var("AFFINOR_MUTANT").ok();
 TERM = r"(-?\d+ )?[A-Za-z]+[\^_\w]*( [A-Za-z]+[\^_\w]*)?"
 FORMULA = re.compile(rf"{TERM}( [+-] {TERM})* ->[ \^_\w\[\]]*")
 
-# nabla writes its formula for the tensor at hand, so its mutants are changes of its source
-NABLA = [
-    (" + L^{letter}_mp T{summed}", " - L^{letter}_mp T{summed}"),
-    (" + L^{letter}_mp T{summed}", " + L^{letter}_pm T{summed}"),
-    (" + L^{letter}_mp T{summed}", " + 2 L^{letter}_mp T{summed}"),
-    (" - L^p_m{letter} T{summed}", " + L^p_m{letter} T{summed}"),
-    (" - L^p_m{letter} T{summed}", " - L^p_{letter}m T{summed}"),
-    (" - L^p_m{letter} T{summed}", " - 2 L^p_m{letter} T{summed}"),
-    ('format!("d_m{}"', 'format!("2 d_m{}"'),
-    ('format!("d_m{}"', 'format!("-1 d_m{}"'),
+# derivations write their formula for the tensor at hand, so its mutants are changes of their source
+UPPER, LOWER = " + L^{letter}_{direction}p T{summed}", " - L^p_{direction}{letter} T{summed}"
+DERIVATIONS = [
+    ("src/lie_derivative.rs", UPPER, UPPER.replace("+", "-")),
+    ("src/lie_derivative.rs", UPPER, UPPER.replace("{direction}p", "p{direction}")),
+    ("src/lie_derivative.rs", UPPER, UPPER.replace("+", "+ 2")),
+    ("src/lie_derivative.rs", LOWER, LOWER.replace("-", "+")),
+    ("src/lie_derivative.rs", LOWER, LOWER.replace("{direction}{letter}", "{letter}{direction}")),
+    ("src/lie_derivative.rs", LOWER, LOWER.replace("-", "- 2")),
+    ("src/lie_derivative.rs", "X^m d_m{result} + A", "X^m d_m{result} - A"),
+    ("src/lie_derivative.rs", "X^m d_m{result} + A", "2 X^m d_m{result} + A"),
+    ("src/connection.rs", 'format!("d_m{}', 'format!("2 d_m{}'),
+    ("src/connection.rs", 'format!("d_m{}', 'format!("-1 d_m{}'),
 ]
 
 
@@ -134,13 +137,16 @@ def main():
                     environment["AFFINOR_MUTANT"] = f"{formula}|{mutant}"
                     judge(path, formula, what)
         environment.pop("AFFINOR_MUTANT", None)
-        nabla = tree / "src/connection.rs"
-        text = nabla.read_text()
-        for old, new in NABLA if options.only in "src/connection.rs nabla" else []:
-            assert old in text, f"nabla no longer says {old}"
-            nabla.write_text(text.replace(old, new))
+        for path, old, new in DERIVATIONS:
+            if options.only not in f"{path} {old}":
+                continue
+            source = tree / path
+            text = source.read_text()
+            assert old in text, f"{path} no longer says {old}"
+            source.write_text(text.replace(old, new))
             binaries = build()
-            judge("src/connection.rs", old, new)
+            judge(path, old, new)
+            source.write_text(text)
         print(f"{count} mutants, {survivors} survive")
         sys.exit(bool(survivors))
 
