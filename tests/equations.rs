@@ -114,6 +114,30 @@ proptest! {
         prop_assert_eq!(free(zero.rows()), halves.collect::<Vec<_>>());
     }
 
+    /// (B5) and (B7) by plain sums: the direction is the first lower index.
+    #[test]
+    fn parallel_vectors_by_plain_sums(space in spaces(4), seed in 1..50i64) {
+        let n = space.dimension();
+        let numbers = |k: i64| (0..n as i64).map(move |i| integer((seed + k) * (i + 2) % 11 - 5));
+        let (u, w): (Vec<_>, Vec<_>) = (numbers(1).collect(), numbers(7).collect());
+        for connection in space.connections() {
+            let expected = |w: &[Rational], u: &[Rational]| {
+                let term = |i, j: usize, k: usize| {
+                    connection.gamma().get(&[i, j, k]) * &w[j] * &u[k]
+                };
+                let sum = |i| {
+                    let pairs = (0..n).flat_map(|j| (0..n).map(move |k| (j, k)));
+                    pairs.fold(integer(0), |sum, (j, k)| sum - &term(i, j, k))
+                };
+                (0..n).map(sum).collect::<Vec<_>>()
+            };
+            let transport = Equations::new(Motion::Transport, &connection, None).unwrap();
+            prop_assert_eq!(transport.rate(&u, &w).unwrap(), expected(&w, &u));
+            let geodesic = Equations::new(Motion::Autoparallel, &connection, None).unwrap();
+            prop_assert_eq!(geodesic.rate(&u, &[]).unwrap(), expected(&u, &u));
+        }
+    }
+
     /// The rows say what `rate` computes, for every motion and connection.
     #[test]
     fn rows_are_the_rates(space in spaces(4), seed in 1..50i64) {
