@@ -329,6 +329,10 @@ fn kinematics_of_euler_angles() {
     ] {
         assert!(text.contains(line), "{text}");
     }
+    let orbits = ["--motion", "autoparallel", "--format", "latex"];
+    let orbits = printed(&[&[path("schwarzschild.toml").as_str()], &orbits[..]].concat());
+    let sine = "- \\sin^{2} \\theta \\left(2 M - r\\right) \\, (v^{4})^2";
+    assert!(orbits.contains(sine), "{orbits}");
     let program = env!("CARGO_BIN_EXE_affinor");
     let output = Command::new(program).args(["equations", &path("sphere.toml")]).output().unwrap();
     assert_eq!(output.status.code(), Some(1));

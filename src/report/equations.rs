@@ -2,7 +2,7 @@
 
 use super::components::plain;
 use super::head::{kind_name, printable};
-use super::latex::escape;
+use super::latex::{WIDTH, escape, width};
 use super::text::fill;
 use super::{Cell, Format, Grid};
 use crate::equations::{Equations, Motion, Row, Variable};
@@ -253,7 +253,7 @@ impl<S: Notation> System<S> {
         let positions = self.positions().into_iter().map(|(name, right)| {
             let right = right.iter().map(|(value, v)| (value, variable(v)));
             let name = Symbolic::parameter(name).latex();
-            format!("\\dot{{{name}}} &= {}", latex_combination(right))
+            latex_equation(&[format!("\\dot{{{name}}}")], &latex_terms(right))
         });
         let rows = self.equations.rows().into_iter().map(|row| {
             let rates = row
@@ -261,7 +261,7 @@ impl<S: Notation> System<S> {
                 .iter()
                 .map(|(value, j)| (value, format!("\\dot{{{}}}^{{{}}}", symbols[0], j + 1)));
             let right = row.right.iter().map(|(value, factors)| (value, product(factors)));
-            format!("{} &= {}", latex_combination(rates), latex_combination(right))
+            latex_equation(&latex_terms(rates), &latex_terms(right))
         });
         positions.chain(rows).collect::<Vec<_>>().join(" \\\\\n")
     }
@@ -300,11 +300,28 @@ impl Names {
     }
 }
 
-/// `coefficients` times `factors`, in LaTeX.
-fn latex_combination<'v, S: Notation + 'v>(
+/// `left = right` in LaTeX, the right side in as many lines as it needs.
+fn latex_equation(left: &[String], right: &[String]) -> String {
+    let mut text = format!("{} &= ", if left.is_empty() { "0".into() } else { left.join(" ") });
+    let mut column = width(&text);
+    for (position, term) in right.iter().enumerate() {
+        if position > 0 && column + width(term) > WIDTH {
+            text.push_str("\\\\\n&\\quad ");
+            column = 8;
+        } else if position > 0 {
+            text.push(' ');
+        }
+        column += width(term) + 1;
+        text.push_str(term);
+    }
+    if right.is_empty() { text + "0" } else { text }
+}
+
+/// The terms `coefficient factor` in LaTeX, each with its sign but for a plus of the first.
+fn latex_terms<'v, S: Notation + 'v>(
     terms: impl IntoIterator<Item = (&'v S, String)>,
-) -> String {
-    let mut text = String::new();
+) -> Vec<String> {
+    let mut written: Vec<String> = Vec::new();
     for (value, factor) in terms {
         let sum = is_sum(&value.to_string());
         let fraction = value.latex().trim_start_matches('-').starts_with("\\frac");
@@ -319,9 +336,11 @@ fn latex_combination<'v, S: Notation + 'v>(
             size if size.contains("\\sin") || size.contains("\\cos") => format!("{size} \\, "),
             size => format!("{size} "),
         };
-        let sign = if text.is_empty() && sign == "+" { "" } else { sign };
-        let space = if text.is_empty() { "" } else { " " };
-        text += &format!("{space}{sign}{space}{size}{factor}");
+        written.push(match (written.is_empty(), sign) {
+            (true, "+") => format!("{size}{factor}"),
+            (true, _) => format!("-{size}{factor}"),
+            (false, sign) => format!("{sign} {size}{factor}"),
+        });
     }
-    if text.is_empty() { "0".into() } else { text }
+    written
 }

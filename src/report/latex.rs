@@ -7,7 +7,7 @@ use affinor_tensors::{Notation, Symbolic, Tensor, Up, Variance};
 use std::io::{self, Write};
 
 /// How many letters a line takes, roughly.
-const WIDTH: usize = 58;
+pub(super) const WIDTH: usize = 58;
 
 /// The conventions in brief.
 const CONVENTIONS: &str = "$[e_j, e_k] = c^{i}{}_{jk} e_i$, \
@@ -120,6 +120,8 @@ impl Equation {
             Some((sign, above, below)) => format!("{sign}({above})/({below})"),
             None => self.value.clone(),
         };
+        // between \left and \right no line can break
+        let value = value.replace("\\left(", "(").replace("\\right)", ")");
         format!("\\hangindent=2em ${} = {value}$\\par", self.members.join(" = "))
     }
 }
@@ -158,7 +160,7 @@ fn closing(text: &str) -> Option<usize> {
 }
 
 /// Roughly how many letters a formula is wide.
-fn width(latex: &str) -> usize {
+pub(super) fn width(latex: &str) -> usize {
     let mut width = 0;
     let mut command = false;
     for c in latex.chars() {

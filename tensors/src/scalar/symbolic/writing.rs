@@ -74,16 +74,17 @@ fn factored(f: &Fraction, part: &Polynomial, place: Place, markup: Markup) -> Op
 fn product(f: &Fraction, found: &Factors, markup: Markup) -> String {
     let number = Some(found.content.to_string()).filter(|_| !found.content.is_one());
     let factor = |(factor, exponent): &(Polynomial, u32)| {
-        let text = polynomial(f, factor, markup);
-        let text = match (factor.terms.len(), markup) {
-            (1, _) => text,
-            (_, Markup::Text) => format!("({text})"),
-            (_, Markup::Latex) => format!("\\left({text}\\right)"),
-        };
+        if let [(monomial, _)] = &factor.terms[..] {
+            // a variable, which may be a function and carry its power inside
+            let at = monomial.exps().iter().position(|e| *e > 0).unwrap_or(0);
+            return power(&f.variables[at], *exponent, markup);
+        }
+        let sum = polynomial(f, factor, markup);
         match (exponent, markup) {
-            (1, _) => text,
-            (e, Markup::Text) => format!("{text}^{e}"),
-            (e, Markup::Latex) => format!("{text}^{{{e}}}"),
+            (1, Markup::Text) => format!("({sum})"),
+            (e, Markup::Text) => format!("({sum})^{e}"),
+            (1, Markup::Latex) => format!("\\left({sum}\\right)"),
+            (e, Markup::Latex) => format!("\\left({sum}\\right)^{{{e}}}"),
         }
     };
     let factors = number.into_iter().chain(found.factors.iter().map(factor));
