@@ -80,9 +80,8 @@ impl Chart {
     /// # Errors
     /// When the dimension is beyond the engine.
     pub fn coordinate_frame<S: Notation>(&self) -> Result<Frame<S>, Error> {
-        let structure = Tensor::zero(self.dimension(), &[Up, Down, Down])?;
         let names = self.coordinates.clone();
-        Frame::moving(self.labels(), structure, Arc::new(move |k, f: &S| f.derivative(&names[k])))
+        Frame::holonomic(self.labels(), Arc::new(move |k, f: &S| f.derivative(&names[k])))
     }
 
     /// The frame of the fields `e_i = e_i^a d/dx^a`, from the components `e^a_i`, slots

@@ -60,8 +60,31 @@ impl<S: Ring> Frame<S> {
         Ok(Frame { derivations: Some(derivations), ..frame })
     }
 
+    /// The coordinate frame of partial derivatives: zero structure (A9).
+    ///
+    /// # Errors
+    /// When the dimension is beyond the engine.
+    pub(crate) fn holonomic(labels: Arc<[String]>, partial: Derivations<S>) -> Result<Self, Error> {
+        let structure = Tensor::zero(labels.len(), &[Up, Down, Down])?;
+        Self::moving(labels, structure, partial)
+    }
+
+    /// This frame with other vectors: `structure` and `isotropy` are theirs, and so is `derive`,
+    /// which is asked only where this frame has derivatives.
+    pub(crate) fn with_vectors(
+        &self,
+        labels: Arc<[String]>,
+        structure: Tensor<S>,
+        isotropy: Tensor<S>,
+        derive: Derivations<S>,
+    ) -> Result<Self, Error> {
+        let derivations = self.derivations.as_ref().map(|_| derive);
+        Ok(Frame { derivations, ..Self::reductive(labels, structure, isotropy)? })
+    }
+
     /// The frame of the tangent space `m` of a reductive homogeneous space: its structure is
-    /// `[e_j, e_k]_m`, its isotropy `[[e_k, e_l]_h, e_j] = h^i_jkl e_i`.
+    /// `[e_j, e_k]_m`, its isotropy `[[e_k, e_l]_h, e_j] = h^i_jkl e_i`. Without isotropy it is that
+    /// of a group.
     pub(crate) fn reductive(
         labels: Arc<[String]>,
         structure: Tensor<S>,
@@ -69,7 +92,7 @@ impl<S: Ring> Frame<S> {
     ) -> Result<Self, Error> {
         let frame = Self::invariant(labels, structure)?;
         expect_slots("the isotropy", &isotropy, frame.dimension(), &[Up, Down, Down, Down])?;
-        Ok(Frame { isotropy: Some(isotropy), ..frame })
+        Ok(Frame { isotropy: (!isotropy.is_empty()).then_some(isotropy), ..frame })
     }
 
     /// The dimension.
@@ -157,9 +180,8 @@ impl Frame<Symbolic> {
     /// When the dimension is beyond the engine.
     pub fn coordinates(names: &[&str]) -> Result<Self, Error> {
         let names: Arc<[String]> = names.iter().map(|name| name.to_string()).collect();
-        let structure = Tensor::zero(names.len(), &[Up, Down, Down])?;
         let variables = names.clone();
-        Self::moving(names, structure, Arc::new(move |k, f| f.derivative(&variables[k])))
+        Self::holonomic(names, Arc::new(move |k, f| f.derivative(&variables[k])))
     }
 }
 

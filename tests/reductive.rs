@@ -3,7 +3,7 @@
 
 mod common;
 
-use affinor::{Canonical, Connection, Error, LieAlgebra, Metric, ReductivePair};
+use affinor::{BasisChange, Canonical, Connection, Error, LieAlgebra, Metric, ReductivePair};
 use affinor_tensors::{Down, Field, Rational, Ring, Symbolic, Tensor, Up, contract};
 use common::algebras::{by_table, catalogued, seeds};
 use common::{fraction, integer, labels, rationals, stored};
@@ -432,6 +432,22 @@ proptest! {
             Err(Error::DegenerateOnSubalgebra { .. }) => prop_assert!(square.vanishes()),
             Err(other) => return Err(TestCaseError::fail(other.to_string())),
         }
+    }
+}
+
+/// Another basis of `m` moves torsion and curvature as tensors, the part of `h` in them too.
+#[test]
+fn another_basis_of_the_tangent_space() {
+    let (so4, _) = orthogonal(&[1; 4]);
+    let pair = Pair::new(&so4, &units(6, [3, 4, 5]), &units(6, [0, 1, 2])).unwrap();
+    let rows = [[2, 1, 0], [0, 1, -3], [1, 0, 1]];
+    let matrix = Tensor::from_fn(3, [Up, Down], |[i, a]| integer(rows[i][a])).unwrap();
+    let change = BasisChange::new(matrix).unwrap();
+    for connection in [pair.canonical(), pair.natural().unwrap()] {
+        let moved = connection.moved(labels(3), &change).unwrap();
+        assert!(!moved.curvature().is_empty());
+        assert_eq!(moved.curvature(), change.apply(&connection.curvature()).unwrap());
+        assert_eq!(moved.torsion(), change.apply(&connection.torsion()).unwrap());
     }
 }
 

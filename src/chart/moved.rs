@@ -8,7 +8,8 @@ use std::sync::Arc;
 
 impl<S: Field> Frame<S> {
     /// The frame `e'_a = A^i_a e_i`, with derivatives `e'_a(f) = A^j_a e_j(f)` and
-    /// `[e'_a, e'_b] = (A^j_a e_j(A^i_b) - A^j_b e_j(A^i_a) + c^i_jk A^j_a A^k_b) e_i` (A6).
+    /// `[e'_a, e'_b] = (A^j_a e_j(A^i_b) - A^j_b e_j(A^i_a) + c^i_jk A^j_a A^k_b) e_i` (A6). On a
+    /// homogeneous space, for constant `A`, the isotropy moves as a tensor.
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
@@ -17,9 +18,7 @@ impl<S: Field> Frame<S> {
         let h = inhomogeneous(self, change)?;
         let operands = [("c", &constant), ("h", &h)];
         let structure = formula("c^i_jk + h^i_jk - h^i_kj -> ^i_jk", &operands);
-        if self.is_invariant() {
-            return Frame::invariant(labels, structure);
-        }
+        let isotropy = change.apply(&self.isotropy()?)?;
         let (frame, matrix) = (self.clone(), change.matrix().clone());
         let columns: Vec<Vec<(usize, S)>> = (0..self.dimension())
             .map(|a| {
@@ -31,7 +30,7 @@ impl<S: Field> Frame<S> {
             let along = columns[a].iter().map(|(j, value)| frame.derive(*j, f) * value);
             along.fold(S::zero(), |sum, term| sum + &term)
         };
-        Frame::moving(labels, structure, Arc::new(derive))
+        self.with_vectors(labels, structure, isotropy, Arc::new(derive))
     }
 }
 

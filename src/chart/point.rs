@@ -42,9 +42,7 @@ impl Frame<Jet> {
         let coordinate = |(a, value): (usize, &f64)| Jet::coordinate(*value, a, n);
         let x: Vec<Jet> = point.iter().enumerate().map(coordinate).collect();
         let names = (1..=n).map(|a| format!("d_{a}")).collect();
-        let structure = Tensor::zero(n, &[Up, Down, Down])?;
-        let derive = Arc::new(|a: usize, f: &Jet| f.derivative(a));
-        let coordinates = Frame::moving(names, structure, derive)?;
+        let coordinates = Frame::holonomic(names, Arc::new(|a, f: &Jet| f.derivative(a)))?;
         let matrix = Tensor::from_fn(n, [Up, Down], |at| fields(&x, at))?;
         coordinates.moved(labels, &BasisChange::new(matrix)?)
     }
