@@ -298,12 +298,10 @@ impl Definition {
         self.connection.is_none()
     }
 
-    /// The same space with a canonical connection.
-    #[must_use]
-    pub fn with_canonical(&self, which: Canonical) -> Self {
+    /// Gives the space a canonical connection, in the place of its own.
+    pub fn set_canonical(&mut self, which: Canonical) {
         let place = Place::within(Source::new(which.name(), ""));
-        let connection = Some((ConnectionChoice::Canonical(which), place));
-        Definition { connection, ..self.clone() }
+        self.connection = Some((ConnectionChoice::Canonical(which), place));
     }
 
     /// Whether the algebra is given by matrices.

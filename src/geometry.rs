@@ -51,12 +51,12 @@ impl<S: Notation> Geometry<S> {
         let frame = ground.frame();
         let canonical = |lambda: &S| {
             let what = "a connection lambda c";
-            let algebra = ground.algebra_for(what)?;
+            ground.algebra_for(what)?;
             if ground.varies(lambda) {
                 let (component, value) = ("lambda".into(), lambda.to_string());
                 return Err(Error::NotConstant { what, component, value });
             }
-            Connection::new(frame.clone(), Connection::family(algebra, lambda).gamma().clone())
+            Ok(Connection::over(frame, lambda))
         };
         let connection = match (&kind, &metric) {
             (ConnectionKind::Canonical(which), _) => canonical(&which.lambda())?,

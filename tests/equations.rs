@@ -339,6 +339,24 @@ fn kinematics_of_euler_angles() {
     assert!(String::from_utf8_lossy(&output.stderr).contains("need a metric of constants"));
 }
 
+/// In a moving frame the Euler-Poincare equations are Boltzmann's and Hamel's, with structure
+/// functions; another connection does not give them.
+#[test]
+fn moving_frames_tell_other_connections_apart() {
+    let folder = tempfile::tempdir().unwrap();
+    let frame = "[chart]\ncoordinates = ['theta', 'phi']\n[frame]\ne1 = 'd_theta'\n\
+                 e2 = '1/sin(theta)*d_phi'\n[metric]\ncomponents = 'identity'\n[connection]\n";
+    for (connection, title) in [
+        ("kind = 'levi-civita'", "Euler-Poincare equations of"),
+        ("affinities = 'nabla[e1, e2] = e1'", "DH/Dt = M (not the Euler-Poincare equations) of"),
+    ] {
+        let path = folder.path().join("sphere.toml");
+        std::fs::write(&path, format!("name = 'sphere'\n{frame}{connection}\n")).unwrap();
+        let text = printed(&[path.to_str().unwrap()]);
+        assert!(text.starts_with(title), "{text}");
+    }
+}
+
 #[test]
 fn names_do_not_meet_parameters() {
     let so3 = seed("so(3)").map(|v| Symbolic::constant(v.clone())).unwrap();
@@ -352,9 +370,14 @@ fn names_do_not_meet_parameters() {
     let equations =
         Equations::euler_poincare(geometry.connection(), geometry.metric().unwrap()).unwrap();
     let mut text = Vec::new();
-    System::new(equations, &geometry).write(Format::Text, &mut text).unwrap();
+    let system = System::new(equations, &geometry);
+    system.write(Format::Text, &mut text).unwrap();
     let text = String::from_utf8(text).unwrap();
     assert!(text.contains("M1*dOmega_1/dt = (Omega2 - c)*Omega_2*Omega_3 + M_1"), "{text}");
+    let mut latex = Vec::new();
+    system.write(Format::Latex, &mut latex).unwrap();
+    let latex = String::from_utf8(latex).unwrap();
+    assert!(latex.contains("\\mathit{M\\_}_{1}"), "{latex}");
 }
 
 fn zero() -> Symbolic {

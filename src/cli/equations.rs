@@ -1,7 +1,7 @@
 //! `affinor equations`: the equations of motion of one space.
 
 use super::failure::Failure;
-use super::note::note;
+use super::note::{note, note_default_connection};
 use super::options::{Shared, SpaceOptions};
 use super::output::deliver;
 use super::stages::Stages;
@@ -39,20 +39,11 @@ impl Arguments {
         let stages = Stages::new(self.shared.timings);
         stages.begin("input");
         let mut space = self.shared.open(self.space.as_deref(), &self.options)?;
-        if space.definition.connection_is_default() {
-            let which = match self.motion {
-                Motion::EulerPoincare => Some(Canonical::Plus),
-                _ if space.definition.has_metric() => None,
-                _ => Some(Canonical::Zero),
-            };
-            match which {
-                Some(which) => {
-                    note(&format!("no connection is named: {}", which.name()));
-                    space.definition = space.definition.with_canonical(which);
-                }
-                None => note("no connection is named, and there is a metric: levi-civita"),
-            }
+        if self.motion == Motion::EulerPoincare && space.definition.connection_is_default() {
+            note("no connection is named: plus");
+            space.definition.set_canonical(Canonical::Plus);
         }
+        note_default_connection(&space.definition);
         let system = Build { arguments: self, input: space.file.as_deref(), stages: &stages };
         space.run(self.shared.scalar(), self.shared.tolerance()?, system)?
     }

@@ -1,7 +1,7 @@
 //! `affinor table`: the tensors of one space.
 
 use super::failure::Failure;
-use super::note::note;
+use super::note::{note, note_default_connection};
 use super::options::{Shared, SpaceOptions};
 use super::output::deliver;
 use super::stages::Stages;
@@ -57,13 +57,7 @@ impl Arguments {
         let stages = Stages::new(self.shared.timings);
         stages.begin("input");
         let space = self.shared.open(self.space.as_deref(), &self.options)?;
-        if space.definition.connection_is_default() {
-            if space.definition.has_metric() {
-                note("no connection is named, and there is a metric: levi-civita");
-            } else if !space.definition.is_on_chart() {
-                note("no connection is named, and there is no metric: zero");
-            }
-        }
+        note_default_connection(&space.definition);
         let quantities = self.selection.quantities();
         let input = space.file.as_deref();
         let write = Write { arguments: self, input, quantities, stages: &stages };

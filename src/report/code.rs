@@ -1,9 +1,10 @@
 //! Equations of motion as source code: a function that returns the rates.
 
-use super::equations::System;
-use crate::equations::{Motion, Variable};
+use super::equations::{System, letters};
+use crate::equations::Variable;
 use affinor_tensors::expression::{Expression, ExpressionError, Meaning};
 use affinor_tensors::{Notation, Rational};
+use std::cell::Cell;
 use std::collections::BTreeSet;
 
 /// A programming language.
@@ -48,15 +49,11 @@ impl<S: Notation> System<S> {
     pub fn code(&self, language: Language) -> Result<String, ExpressionError> {
         let motion = self.equations.motion();
         let coordinates = self.position.as_ref().map_or(&[][..], |(names, _)| names);
-        let meaning = Code { language, coordinates };
-        let (function, state, other) = match motion {
-            Motion::EulerPoincare => ("euler_poincare", "omega", Some("m")),
-            Motion::Autoparallel => ("autoparallel", "v", None),
-            Motion::Transport => ("transport", "u", Some("w")),
-        };
+        let meaning = Code { language, coordinates, calls: Cell::new(false) };
+        let [state, other] = letters(motion).map(str::to_lowercase);
         let variable = |variable: &Variable| match variable {
             Variable::State(j) => format!("{state}[{j}]"),
-            Variable::Along(j) | Variable::Force(j) => format!("{}[{j}]", other.unwrap_or("")),
+            Variable::Along(j) | Variable::Force(j) => format!("{other}[{j}]"),
         };
         let mut used = BTreeSet::new();
         let mut term = |value: &S, factors: &[String]| {
@@ -88,15 +85,23 @@ impl<S: Notation> System<S> {
         }
         let solved: Vec<String> =
             positions.into_iter().chain(solved.iter().map(|terms| sum(terms))).collect();
-        let position = self.position.as_ref().map(|_| "x");
-        let arguments: Vec<&str> = [position, Some(state), other].into_iter().flatten().collect();
+        let position = if self.position.is_some() { "x" } else { "" };
+        let arguments = [position, &state, &other].into_iter().filter(|name| !name.is_empty());
         let parameters = used.iter().filter(|name| !coordinates.contains(name));
         let parameters: Vec<String> = parameters.map(|name| format!("p_{name}")).collect();
         let about = [
             format!("{}, connection {}.", self.title(), self.connection[0]),
             motion.statement().to_string(),
         ];
-        let source = Source { function, arguments, parameters, about, right, solved };
+        let source = Source {
+            function: motion.name().replace('-', "_"),
+            arguments: arguments.map(str::to_string).collect(),
+            parameters,
+            about,
+            right,
+            solved,
+            calls: meaning.calls.get(),
+        };
         Ok(match language {
             Language::Rust => source.rust(),
             Language::C => source.c(),
@@ -106,18 +111,20 @@ impl<S: Notation> System<S> {
 }
 
 /// A function in pieces that all languages share.
-struct Source<'s> {
-    function: &'s str,
-    arguments: Vec<&'s str>,
+struct Source {
+    function: String,
+    arguments: Vec<String>,
     parameters: Vec<String>,
     about: [String; 2],
     /// The right sides.
     right: Vec<String>,
     /// The rates, in terms of the right sides `r`; before them those of the position.
     solved: Vec<String>,
+    /// Whether functions like the sine are called.
+    calls: bool,
 }
 
-impl Source<'_> {
+impl Source {
     fn rust(&self) -> String {
         let n = self.right.len();
         let vectors = self.arguments.iter().map(|name| format!("{name}: &[f64; {n}]"));
@@ -145,12 +152,7 @@ impl Source<'_> {
         let rates = std::iter::once(format!("double rate[{}]", self.solved.len()));
         let arguments = vectors.chain(numbers).chain(rates).collect::<Vec<_>>().join(", ");
         let about = self.about.join("\n   ");
-        let math = self.right.iter().chain(&self.solved);
-        let needs = ["sin(", "cos(", "tan(", "exp("];
-        let needs = match math.into_iter().any(|text| needs.iter().any(|f| text.contains(f))) {
-            true => "#include <math.h>\n\n",
-            false => "",
-        };
+        let needs = if self.calls { "#include <math.h>\n\n" } else { "" };
         let lines = |name: &str, values: &[String]| {
             let line = |(at, value): (usize, &String)| format!("    {name}[{at}] = {value};\n");
             values.iter().enumerate().map(line).collect::<String>()
@@ -164,17 +166,12 @@ impl Source<'_> {
     }
 
     fn python(&self) -> String {
-        let vectors = self.arguments.iter().map(|name| name.to_string());
-        let arguments = vectors.chain(self.parameters.iter().cloned()).collect::<Vec<_>>();
+        let arguments = [&self.arguments[..], &self.parameters].concat();
         let about = self.about.join("\n    ");
         let list = |values: &[String]| {
             values.iter().map(|value| format!("        {value},\n")).collect::<String>()
         };
-        let needs = if self.right.iter().chain(&self.solved).any(|text| text.contains("math.")) {
-            "import math\n\n\n"
-        } else {
-            ""
-        };
+        let needs = if self.calls { "import math\n\n\n" } else { "" };
         format!(
             "{needs}def {}({}):\n    \"\"\"{about}\"\"\"\n    r = [\n{}    ]\n    return [\n{}    ]\n",
             self.function,
@@ -200,6 +197,8 @@ struct Code<'c> {
     language: Language,
     /// The names that stand for components of the position.
     coordinates: &'c [String],
+    /// Whether a function was met.
+    calls: Cell<bool>,
 }
 
 /// Source code and how tightly it binds.
@@ -293,6 +292,7 @@ impl Meaning for Code<'_> {
         if !["sin", "cos", "tan", "exp"].contains(&name) {
             return Err(format!("`{name}` has no counterpart in source code"));
         }
+        self.calls.set(true);
         let argument = argument.text();
         let text = match self.language {
             Language::Rust => format!("{}.{name}()", argument.within(Binds::Atom)),

@@ -7,7 +7,7 @@ use super::text::fill;
 use super::{Cell, Format, Grid};
 use crate::equations::{Equations, Motion, Row, Variable};
 use crate::error::{combination, is_sum};
-use crate::{Canonical, Connection, Geometry};
+use crate::{Connection, Geometry};
 use affinor_tensors::{Notation, Symbolic, Tensor};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -27,16 +27,16 @@ pub struct System<S> {
     pub parameters: Vec<String>,
     /// Over a chart the coordinates, and the fields `e^a_i` of the frame.
     pub position: Option<(Vec<String>, Tensor<S>)>,
-    /// Whether the equations `DH/Dt = M` are those of Euler and Poincare: as those of `plus`.
-    pub genuine: bool,
+    /// Whether equations `DH/Dt = M` are those of Euler and Poincare, in which `Lambda = c`.
+    pub genuine: Option<bool>,
 }
 
 impl<S: Notation> System<S> {
     /// The equations of a geometry.
     pub fn new(equations: Equations<S>, geometry: &Geometry<S>) -> Self {
-        let given = geometry.algebra().zip(geometry.metric());
-        let genuine = given.is_none_or(|(algebra, metric)| {
-            let plus = Connection::canonical(algebra, Canonical::Plus);
+        let metric = geometry.metric().filter(|_| equations.motion() == Motion::EulerPoincare);
+        let genuine = metric.map(|metric| {
+            let plus = Connection::over(geometry.frame(), &S::one());
             let theirs = Equations::euler_poincare(&plus, metric);
             theirs.is_ok_and(|theirs| theirs.solved().rows() == equations.solved().rows())
         });
@@ -56,7 +56,7 @@ impl<S: Notation> System<S> {
         System {
             equations,
             name: geometry.name().into(),
-            labels: geometry.connection().frame().labels().to_vec(),
+            labels: geometry.frame().labels().to_vec(),
             connection: [geometry.kind().name().into(), geometry.kind().describe()],
             parameters,
             position,
@@ -94,12 +94,8 @@ impl<S: Notation> System<S> {
     }
 
     /// The names of the quantities; none is that of a parameter.
-    pub(super) fn names(&self) -> Names {
-        let [state, other] = match self.equations.motion() {
-            Motion::EulerPoincare => ["Omega", "M"],
-            Motion::Autoparallel => ["v", ""],
-            Motion::Transport => ["u", "w"],
-        };
+    fn names(&self) -> Names {
+        let [state, other] = letters(self.equations.motion());
         let free = |name: &str| {
             let mut name = name.to_string();
             let taken = |name: &str| {
@@ -194,7 +190,7 @@ impl<S: Notation> System<S> {
             "scalar": kind_name(S::KIND),
             "basis": self.labels,
             "parameters": self.parameters,
-            "genuine": (self.equations.motion() == Motion::EulerPoincare).then_some(self.genuine),
+            "genuine": self.genuine,
             "positions": positions.collect::<Vec<_>>(),
             "equations": equations.collect::<Vec<_>>(),
         });
@@ -204,8 +200,10 @@ impl<S: Notation> System<S> {
 
     pub(super) fn title(&self) -> String {
         let kind = match self.equations.motion() {
-            Motion::EulerPoincare if self.genuine => "Euler-Poincare equations",
-            Motion::EulerPoincare => "DH/Dt = M (not the Euler-Poincare equations)",
+            Motion::EulerPoincare if self.genuine == Some(false) => {
+                "DH/Dt = M (not the Euler-Poincare equations)"
+            }
+            Motion::EulerPoincare => "Euler-Poincare equations",
             Motion::Autoparallel => "Autoparallels",
             Motion::Transport => "Parallel transport",
         };
@@ -236,11 +234,8 @@ impl<S: Notation> System<S> {
 
     /// The lines of an `aligned` environment.
     fn aligned(&self) -> String {
-        let symbols = match self.equations.motion() {
-            Motion::EulerPoincare => ["\\Omega", "M"],
-            Motion::Autoparallel => ["v", ""],
-            Motion::Transport => ["u", "w"],
-        };
+        let Names { state, other } = self.names();
+        let symbols = [state, other].map(|name| Symbolic::parameter(&name).latex());
         let variable = |variable: &Variable| match variable {
             Variable::State(j) => format!("{}^{{{}}}", symbols[0], j + 1),
             Variable::Along(j) => format!("{}^{{{}}}", symbols[1], j + 1),
@@ -267,10 +262,19 @@ impl<S: Notation> System<S> {
     }
 }
 
+/// The letters of the unknown and of what stands beside it.
+pub(super) fn letters(motion: Motion) -> [&'static str; 2] {
+    match motion {
+        Motion::EulerPoincare => ["Omega", "M"],
+        Motion::Autoparallel => ["v", ""],
+        Motion::Transport => ["u", "w"],
+    }
+}
+
 /// How the quantities are called.
-pub(super) struct Names {
-    pub state: String,
-    pub other: String,
+struct Names {
+    state: String,
+    other: String,
 }
 
 impl Names {
