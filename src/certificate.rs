@@ -42,23 +42,13 @@ pub fn certify<S: Notation>(
 ) -> Result<Vec<Check>, InputError> {
     let mut checks = Vec::new();
     let Some(ground) = ground(definition, reading, stage, &mut checks)? else { return Ok(checks) };
-    match definition.metric(&ground, reading) {
-        Ok(None) => {}
-        Ok(Some(_)) => checks.push(held("metric", "symmetric and non-degenerate")),
-        Err(error) if error.refusal == Refusal::Mathematics => {
-            checks.push(failed("metric", error));
-            return Ok(checks);
-        }
-        Err(error) => return Err(error),
+    match passed("metric", definition.metric(&ground, reading), &mut checks)? {
+        None => return Ok(checks),
+        Some(None) => {}
+        Some(Some(_)) => checks.push(held("metric", "symmetric and non-degenerate")),
     }
-    let geometry = match definition.geometry_over(ground, reading) {
-        Ok(geometry) => geometry,
-        Err(error) if error.refusal == Refusal::Mathematics => {
-            checks.push(failed("connection", error));
-            return Ok(checks);
-        }
-        Err(error) => return Err(error),
-    };
+    let geometry = definition.geometry_over(ground, reading);
+    let Some(geometry) = passed("connection", geometry, &mut checks)? else { return Ok(checks) };
     let connection = geometry.connection();
     if let (ConnectionKind::LeviCivita, Some(metric)) = (geometry.kind(), geometry.metric()) {
         stage("levi-civita");
@@ -82,33 +72,23 @@ fn ground<S: Notation>(
 ) -> Result<Option<Ground<S>>, InputError> {
     if definition.is_on_chart() {
         stage("frame");
-        let ground = match definition.ground(reading) {
-            Ok(ground) => ground,
-            Err(error) if error.refusal == Refusal::Mathematics => {
-                checks.push(failed("frame", error));
-                return Ok(None);
-            }
-            Err(error) => return Err(error),
-        };
+        let ground = passed("frame", definition.ground(reading), checks)?;
+        let Some(ground) = ground else { return Ok(None) };
         checks.push(held("frame", "the fields are independent: their determinant is not zero"));
         let residual = ground.frame().jacobi();
         checks.push(vanishing("jacobi", "[[x,y],z] + cyclic = 0 for all fields", &residual, 0.0));
         return Ok(Some(ground));
     }
     stage("antisymmetry");
-    let bracket = match definition.bracket(reading) {
-        Ok(bracket) => bracket,
-        Err(error) if error.refusal == Refusal::Mathematics => {
-            let mut check =
-                failed(if definition.is_by_matrices() { "closure" } else { "antisymmetry" }, error);
+    let name = if definition.is_by_matrices() { "closure" } else { "antisymmetry" };
+    let Some(bracket) = passed(name, definition.bracket(reading), checks)? else {
+        if let Some(check) = checks.last_mut() {
             check.witness = definition.antisymmetry_witness().map(|((j, k), sum)| Witness {
                 indices: vec![j + 1, k + 1],
                 residual: sum.iter().map(|(i, value)| (i + 1, value.to_string())).collect(),
             });
-            checks.push(check);
-            return Ok(None);
         }
-        Err(error) => return Err(error),
+        return Ok(None);
     };
     if definition.is_by_matrices() {
         checks.push(held("closure", "the commutators stay in the real span of the matrices"));
@@ -166,8 +146,20 @@ fn held(name: &'static str, detail: &str) -> Check {
     Check { name, ok: true, detail: detail.into(), witness: None }
 }
 
-fn failed(name: &'static str, error: InputError) -> Check {
-    Check { name, ok: false, detail: error.message, witness: None }
+/// What came of a step; where the mathematics refuses, a failed check and `None`.
+fn passed<T>(
+    name: &'static str,
+    step: Result<T, InputError>,
+    checks: &mut Vec<Check>,
+) -> Result<Option<T>, InputError> {
+    match step {
+        Ok(value) => Ok(Some(value)),
+        Err(error) if error.refusal == Refusal::Mathematics => {
+            checks.push(Check { name, ok: false, detail: error.message, witness: None });
+            Ok(None)
+        }
+        Err(error) => Err(error),
+    }
 }
 
 /// The check that a residual with one upper index, in front, is zero. A float is zero below the

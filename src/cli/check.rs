@@ -26,12 +26,10 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(&self) -> Result<ExitCode, Failure> {
-        self.shared.start_threads()?;
-        let stages = Stages::new(self.shared.timings);
-        stages.begin("input");
+        let stages = self.shared.start()?;
         let space = self.shared.open(self.space.as_deref(), &self.options)?;
         let certificate = Certificate { stages: &stages };
-        let checks = space.run(self.shared.scalar(), self.shared.tolerance()?, certificate)?;
+        let checks = self.shared.run(&space, certificate)?;
         stages.begin_output();
         let output = &self.shared.output;
         let inputs: Vec<&Path> = space.file.as_deref().into_iter().collect();

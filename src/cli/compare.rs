@@ -3,7 +3,6 @@
 use super::failure::Failure;
 use super::options::Shared;
 use super::output::deliver;
-use super::stages::Stages;
 use affinor::definition::{Definition, InputError, Reading, Space, Work};
 use affinor::report::{Comparison, Side};
 use affinor_tensors::Notation;
@@ -22,8 +21,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(&self) -> Result<ExitCode, Failure> {
-        self.shared.start_threads()?;
-        let stages = Stages::new(self.shared.timings);
+        let stages = self.shared.start()?;
         let [left, right] = match self.spaces.as_slice() {
             [] => ["M(3)", "SO(3)"],
             [left, right] => [left.as_str(), right.as_str()],
@@ -36,8 +34,7 @@ impl Arguments {
         let [first, second] = self.shared.open_both([left, right])?;
         let side = |name: &str, space: &Space| {
             stages.begin(name);
-            let tolerance = self.shared.tolerance()?;
-            Ok::<Side, Failure>(space.run(self.shared.scalar(), tolerance, OneSide)?)
+            self.shared.run(space, OneSide)
         };
         let comparison = Comparison::new(side(left, &first)?, side(right, &second)?);
         let inputs = [&first, &second].into_iter().filter_map(|space| space.file.as_deref());

@@ -35,9 +35,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(&self) -> Result<ExitCode, Failure> {
-        self.shared.start_threads()?;
-        let stages = Stages::new(self.shared.timings);
-        stages.begin("input");
+        let stages = self.shared.start()?;
         let mut space = self.shared.open(self.space.as_deref(), &self.options)?;
         if self.motion == Motion::EulerPoincare && space.definition.connection_is_default() {
             note("no connection is named: plus");
@@ -45,7 +43,7 @@ impl Arguments {
         }
         note_default_connection(&space.definition);
         let system = Build { arguments: self, input: space.file.as_deref(), stages: &stages };
-        space.run(self.shared.scalar(), self.shared.tolerance()?, system)?
+        self.shared.run(&space, system)?
     }
 }
 

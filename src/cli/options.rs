@@ -3,7 +3,8 @@
 use super::color::Color;
 use super::failure::Failure;
 use super::note::note;
-use affinor::definition::{InputError, Request, ScalarChoice, Space};
+use super::stages::Stages;
+use affinor::definition::{InputError, Request, ScalarChoice, Space, Work};
 use affinor::report::Format;
 use affinor_tensors::Tolerance;
 use clap::{Args, ValueEnum};
@@ -69,14 +70,14 @@ pub enum Scalar {
 }
 
 impl Shared {
-    pub fn scalar(&self) -> ScalarChoice {
+    fn scalar(&self) -> ScalarChoice {
         match self.scalar {
             Scalar::Exact => ScalarChoice::Exact,
             Scalar::Float => ScalarChoice::Float,
         }
     }
 
-    pub fn tolerance(&self) -> Result<Tolerance, Failure> {
+    fn tolerance(&self) -> Result<Tolerance, Failure> {
         let Some(relative) = self.tolerance else { return Ok(Tolerance::default()) };
         Tolerance::new(relative).ok_or_else(|| {
             let message = format!("--tolerance {relative} is not in 0 <= T < 1");
@@ -84,8 +85,21 @@ impl Shared {
         })
     }
 
+    /// Begins a command, with the reading of its input; the stages of it.
+    pub fn start(&self) -> Result<Stages, Failure> {
+        self.start_threads()?;
+        let stages = Stages::new(self.timings);
+        stages.begin("input");
+        Ok(stages)
+    }
+
+    /// Runs work over the scalar that a space needs.
+    pub fn run<W: Work>(&self, space: &Space, work: W) -> Result<W::Output, Failure> {
+        Ok(space.run(self.scalar(), self.tolerance()?, work)?)
+    }
+
     /// Sets the number of threads for everything that follows.
-    pub fn start_threads(&self) -> Result<(), Failure> {
+    fn start_threads(&self) -> Result<(), Failure> {
         let Some(given) = self.threads else { return Ok(()) };
         let Some(threads) = usize::try_from(given).ok().filter(|n| (1..=1024).contains(n)) else {
             let message = format!("--threads {given} is not between 1 and 1024");

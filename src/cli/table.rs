@@ -53,16 +53,13 @@ pub struct Quantities(pub Vec<Quantity>);
 
 impl Arguments {
     pub fn run(&self) -> Result<ExitCode, Failure> {
-        self.shared.start_threads()?;
-        let stages = Stages::new(self.shared.timings);
-        stages.begin("input");
+        let stages = self.shared.start()?;
         let space = self.shared.open(self.space.as_deref(), &self.options)?;
         note_default_connection(&space.definition);
         let quantities = self.selection.quantities();
         let input = space.file.as_deref();
         let write = Write { arguments: self, input, quantities, stages: &stages };
-        let tolerance = self.shared.tolerance()?;
-        space.run(self.shared.scalar(), tolerance, write)?
+        self.shared.run(&space, write)?
     }
 }
 

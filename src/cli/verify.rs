@@ -33,9 +33,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(&self) -> Result<ExitCode, Failure> {
-        self.shared.start_threads()?;
-        let stages = Stages::new(self.shared.timings);
-        stages.begin("input");
+        let stages = self.shared.start()?;
         let (space, file) = match self.arguments.as_slice() {
             [space, file] => (Some(space.as_str()), PathBuf::from(file)),
             [file] => (None, PathBuf::from(file)),
@@ -61,7 +59,7 @@ impl Arguments {
         }
         let (selection, file) = (&self.selection, &*file);
         let work = Differences { selection, file, stored: &stored, stages: &stages };
-        let found = space.run(self.shared.scalar(), self.shared.tolerance()?, work)?;
+        let found = self.shared.run(&space, work)?;
         stages.begin_output();
         let output = &self.shared.output;
         let inputs: Vec<&Path> = space.file.as_deref().into_iter().chain([file]).collect();
