@@ -220,6 +220,20 @@ pub enum Error {
         /// `Lambda^i_jk n^j n^k e_i`.
         residual: String,
     },
+    /// A group element without a logarithm in the algebra.
+    #[error("no logarithm: {reason}")]
+    NoLogarithm {
+        /// What stands against one, with its witness.
+        reason: String,
+    },
+    /// A vector at which the exponential is no local chart.
+    #[error(
+        "the tangent operator of exp is singular at {x:?}: ad_x has an eigenvalue 2 pi i k, k != 0"
+    )]
+    SingularTangent {
+        /// The components of the vector.
+        x: Vec<f64>,
+    },
     /// A float that left its range.
     #[error("{component} = {value}: the computation left the range of f64")]
     Overflow {

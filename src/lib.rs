@@ -13,6 +13,7 @@
 //!   algebra leaves alone; [`lie_poisson`]: the dual of an algebra, its bracket and Casimirs;
 //! - [`holonomy`], [`properties`]: what a connection or a metric is like, with proof;
 //! - [`chart`]: coordinates, and frames of functions over them;
+//! - [`group`]: group elements in floats: exp, log, translations, tangent operators;
 //! - [`Geometry`]: an algebra or a frame, a connection and a metric; [`paper`] has two of them;
 //! - [`catalogue`]: algebras by name; [`roots`]: root systems and Chevalley bases;
 //! - [`definition`]: what a person writes, on the command line or in a file;
@@ -48,6 +49,7 @@ mod error;
 pub mod forms;
 pub mod frame;
 pub mod geometry;
+pub mod group;
 pub mod holonomy;
 pub mod invariants;
 pub mod lie_derivative;

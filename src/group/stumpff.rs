@@ -1,0 +1,96 @@
+//! The Stumpff functions, in which the closed forms of rotations and their kin are written.
+
+/// `c_k(z) = sum (-z)^i/(k + 2i)!` for `k = 0..=5`, for any sign of `z`.
+///
+/// `c_0(x^2) = cos x`, `c_1(x^2) = sin x/x`, `c_0(-x^2) = cosh x`, and `c_k = 1/k! - z c_{k+2}`. For a
+/// matrix with `A^3 = -z A`, `exp(A) = 1 + c_1 A + c_2 A^2` and `sum A^k/(k+1)! = 1 + c_2 A + c_3 A^2`.
+/// K. Stumpff, *Himmelsmechanik* (1959), section V.41.
+///
+/// ```
+/// use affinor::group::stumpff::Stumpff;
+/// let c = Stumpff::at(1e-8); // where (1 - cos x)/x^2 has lost half of its digits
+/// assert_eq!(c.c2, 0.5 - 1e-8 / 24.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stumpff {
+    /// `cos x`.
+    pub c0: f64,
+    /// `sin x / x`.
+    pub c1: f64,
+    /// `(1 - cos x)/x^2`.
+    pub c2: f64,
+    /// `(x - sin x)/x^3`.
+    pub c3: f64,
+    /// `(x^2/2 - 1 + cos x)/x^4`.
+    pub c4: f64,
+    /// `(x^3/6 - x + sin x)/x^5`.
+    pub c5: f64,
+}
+
+/// Below this modulus of `z` the differences lose digits, and the series have few terms.
+const SERIES: f64 = 10.0;
+
+impl Stumpff {
+    /// All of them at `z`. They overflow where cosh does.
+    pub fn at(z: f64) -> Self {
+        if z.abs() < SERIES {
+            let (c4, c5) = (series(&FOURTH, z), series(&FIFTH, z));
+            let (c2, c3) = (0.5 - z * c4, 1.0 / 6.0 - z * c5);
+            return Stumpff { c0: 1.0 - z * c2, c1: 1.0 - z * c3, c2, c3, c4, c5 };
+        }
+        let root = z.abs().sqrt();
+        let (c0, c1, half) = if z > 0.0 {
+            let (sin, cos) = (0.5 * root).sin_cos();
+            (cos * cos - sin * sin, 2.0 * sin * cos / root, 2.0 * sin / root)
+        } else {
+            (root.cosh(), root.sinh() / root, 2.0 * (0.5 * root).sinh() / root)
+        };
+        // no difference: 1 - cos x = 2 sin^2(x/2)
+        let c2 = 0.5 * half * half;
+        let c3 = (1.0 - c1) / z;
+        Stumpff { c0, c1, c2, c3, c4: (0.5 - c2) / z, c5: (1.0 / 6.0 - c3) / z }
+    }
+
+    /// `c_2'(z) = c_4 - c_3/2`.
+    pub fn slope2(&self) -> f64 {
+        self.c4 - 0.5 * self.c3
+    }
+
+    /// `c_3'(z) = (3 c_5 - c_4)/2`.
+    pub fn slope3(&self) -> f64 {
+        1.5 * self.c5 - 0.5 * self.c4
+    }
+}
+
+/// `1/(k + 2i)!`.
+const fn coefficients(k: u32) -> [f64; 15] {
+    let mut coefficients = [1.0; 15];
+    let mut factorial = 1.0;
+    let mut n = 1;
+    while n <= k + 28 {
+        factorial *= n as f64;
+        if n >= k && (n - k).is_multiple_of(2) {
+            coefficients[((n - k) / 2) as usize] = 1.0 / factorial;
+        }
+        n += 1;
+    }
+    coefficients
+}
+
+const FOURTH: [f64; 15] = coefficients(4);
+const FIFTH: [f64; 15] = coefficients(5);
+
+/// Fifteen terms: for `|z| < 10` the last is below `1e-18`.
+fn series(coefficients: &[f64; 15], z: f64) -> f64 {
+    coefficients.iter().rev().fold(0.0, |sum, c| c - z * sum)
+}
+
+/// `(1 - (x/2) cot(x/2))/x^2` at `z = x^2`: `(sum A^k/(k+1)!)^-1 = 1 - A/2 + d A^2` where
+/// `A^3 = -z A`.
+///
+/// With `w = z/4` it is `(c_2(w) - c_3(w))/(4 c_1(w))`, without a difference of near equals up to its first pole
+/// `x = 2 pi`.
+pub fn inverse_tangent(z: f64) -> f64 {
+    let c = Stumpff::at(0.25 * z);
+    (c.c2 - c.c3) / (4.0 * c.c1)
+}
