@@ -5,6 +5,7 @@
 //! left-invariant frame, so that `g x` for a matrix group is the left translate of `x`.
 
 pub mod coordinates;
+mod polynomial;
 pub mod series;
 pub mod so3;
 pub mod stumpff;
