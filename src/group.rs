@@ -6,6 +6,7 @@
 
 pub mod coordinates;
 mod polynomial;
+pub mod rotation;
 pub mod series;
 pub mod so3;
 pub mod stumpff;

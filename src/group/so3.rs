@@ -2,6 +2,7 @@
 
 use super::LieGroup;
 use super::polynomial::polynomial;
+use super::rotation;
 use super::stumpff::{Stumpff, first_two, inverse_tangent};
 use crate::Error;
 use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
@@ -96,8 +97,7 @@ impl LieGroup for So3 {
 
     /// The rotation matrix `R`.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
-        let matrix = g.to_rotation_matrix();
-        DMatrix::from_column_slice(3, 3, matrix.matrix().as_slice())
+        DMatrix::from_column_slice(3, 3, rotation::matrix(g).as_slice())
     }
 
     /// `c_1 v - c_2 x cross v + c_3 x (x . v)` with the Stumpff functions of `|x|^2`: the map that
