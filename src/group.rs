@@ -4,6 +4,7 @@
 //! Vectors are components in the basis of the algebra, tangent vectors at `g` components in its
 //! left-invariant frame, so that `g x` for a matrix group is the left translate of `x`.
 
+pub mod batch;
 pub mod coordinates;
 mod polynomial;
 pub mod rotation;
