@@ -6,6 +6,7 @@
 #[path = "common/rotation_peers.rs"]
 mod rotation_peers;
 
+use affinor::group::batch::{self, Quaternions, Vectors};
 use affinor::group::rotation::{from_matrix, matrix};
 use affinor::group::{LieGroup, So3};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
@@ -55,10 +56,13 @@ struct Row {
     condition: f64,
 }
 
+/// From the numbers of a point.
+type Judge = Box<dyn Fn(&[f64]) -> Row>;
+
 /// The errors of a method at all points where it has the function.
 fn rows(peer: &Peer, kind: &str) -> Option<Vec<Row>> {
     let three = |p: &[f64]| -> [f64; 3] { p[..3].try_into().unwrap() };
-    let row: Box<dyn Fn(&[f64]) -> Row> = match kind {
+    let row: Judge = match kind {
         // vector part and the whole each to its own length, so that tiny rotations count
         "exp" => {
             let f = peer.exp?;
@@ -222,6 +226,39 @@ proptest! {
             prop_assert!((So3.log(&So3.exp(&x)).unwrap() - x).norm() <= 8.0 * EPS * x.norm().max(1e-300));
         }
     }
+}
+
+/// Columns give what single calls give, also in tasks with an element out of the ordinary.
+#[test]
+fn batches() {
+    let vectors: Vec<Vector3<f64>> =
+        points("exp").map(|p| Vector3::from_row_slice(&p[..3])).collect();
+    let near: Vec<Vector3<f64>> =
+        (0..5000).map(|k| Vector3::new(1e-4, -3e-4, 2e-4) * f64::from(k)).collect();
+    for mut vectors in [vectors, near] {
+        for _ in 0..2 {
+            let rotations: Quaternions = vectors.iter().map(|x| So3.exp(x)).collect();
+            let mut found = Quaternions::zeros(vectors.len());
+            batch::exp(&vectors.iter().copied().collect(), &mut found);
+            let mut logarithms = Vectors::zeros(vectors.len());
+            batch::log(&rotations, &mut logarithms);
+            let mut squares = Quaternions::zeros(vectors.len());
+            batch::compose(&rotations, &found, &mut squares);
+            for (at, x) in vectors.iter().enumerate() {
+                let g = So3.exp(x);
+                assert!((found.get(at).coords - g.coords).norm() <= 2.0 * EPS, "{x}");
+                assert!((squares.get(at).coords - (g * g).coords).norm() <= 4.0 * EPS, "{x}");
+                let log = So3.log(&g).unwrap();
+                assert!((logarithms.get(at) - log).norm() <= 2.0 * EPS * log.norm(), "{x}");
+            }
+            vectors.push(Vector3::new(0.0, 7.0, 1e200));
+        }
+    }
+    let strayed: Quaternions =
+        [UnitQuaternion::new_unchecked(Quaternion::new(3.0, 0.0, 4.0, 0.0))].into_iter().collect();
+    let mut found = Vectors::zeros(1);
+    batch::log(&strayed, &mut found);
+    assert!((found.get(0) - Vector3::y() * (2.0 * 4.0f64.atan2(3.0))).norm() < 4.0 * EPS);
 }
 
 /// The table: largest error in machine epsilons, divided by the condition number.

@@ -52,8 +52,7 @@ pub fn exp(vectors: &Vectors, rotations: &mut Quaternions) {
     });
 }
 
-/// Logarithms of all rotations, of length at most `pi`. Lengths of quaternions may stray from 1, but
-/// zero gives NaN.
+/// Logarithms of all rotations, of length at most `pi`; NaN for a quaternion that is zero or not finite.
 ///
 /// # Panics
 /// If the numbers of elements differ.
@@ -61,10 +60,18 @@ pub fn log(rotations: &Quaternions, vectors: &mut Vectors) {
     assert_eq!(rotations.len(), vectors.len(), "as many vectors as rotations");
     tasks3(vectors).enumerate().for_each(|(task, (x, y, z))| {
         let [w, i, j, k] = part(&rotations.0, task);
+        let mut all_unit = true;
         for t in 0..x.len().min(w.len()) {
             let square = i[t] * i[t] + j[t] * j[t] + k[t] * k[t];
-            let factor = so3::logarithm([i[t], j[t], k[t], w[t]], square);
+            let norm = w[t] * w[t] + square;
+            all_unit &= so3::is_unit(norm);
+            let factor = so3::logarithm([i[t], j[t], k[t], w[t]], square, norm);
             (x[t], y[t], z[t]) = (i[t] * factor, j[t] * factor, k[t] * factor);
+        }
+        for t in if all_unit { 0..0 } else { 0..w.len() } {
+            let g = UnitQuaternion::new_unchecked(Quaternion::new(w[t], i[t], j[t], k[t]));
+            let vector = So3.log(&g).unwrap_or(Vector3::repeat(f64::NAN));
+            (x[t], y[t], z[t]) = (vector.x, vector.y, vector.z);
         }
     });
 }

@@ -1,9 +1,9 @@
 //! Rotations by others: nalgebra and glam as they are, the formulas of Sophus and manif restated.
 //!
-//! - Sophus 1.22 (H. Strasdat), `so3.hpp`: thresholds at `epsilon = 1e-10`.
-//! - manif 0.0.5 (J. Deray, J. Sola), `SO3_base.h`, `SO3Tangent_base.h`: thresholds on squares at `eps = 1e-14`.
+//! - Sophus (H. Strasdat), `sophus/so3.hpp`: thresholds on angles at `epsilon = 1e-10`.
+//! - manif (J. Deray, J. Sola), `impl/so3/SO3_base.h` and `SO3Tangent_base.h`: thresholds on squares at `eps = 1e-14`.
 //!
-//! Their Jacobians act on vectors here, and all are brought to `T_left` (others: right Jacobian).
+//! Their Jacobians are matrices; here they act on vectors, and all are brought to `T_left` (the right Jacobian).
 #![allow(dead_code, reason = "each takes what it needs")]
 
 use affinor::group::rotation::matrix;
