@@ -1,6 +1,6 @@
 //! Lie groups in floats: exponential, logarithm, translations and tangent operators.
 //!
-//! A group implements [`LieGroup`]; so do the rotations [`So3`](so3::So3), and every other file of this folder.
+//! A group implements [`LieGroup`]; so do the rotations [`So3`], and every other file of this folder.
 //! Vectors are components in the basis of the algebra, tangent vectors at `g` components in its
 //! left-invariant frame, so that `g x` for a matrix group is the left translate of `x`.
 
