@@ -234,6 +234,14 @@ pub enum Error {
         /// The components of the vector.
         x: Vec<f64>,
     },
+    /// A differential equation that cannot be solved further.
+    #[error("the integration stops at t = {t}: {reason}")]
+    Integration {
+        /// The time that was reached.
+        t: f64,
+        /// Why.
+        reason: String,
+    },
     /// A float that left its range.
     #[error("{component} = {value}: the computation left the range of f64")]
     Overflow {

@@ -12,7 +12,7 @@ pub mod stumpff;
 pub use coordinates::Coordinates;
 pub use so3::So3;
 
-use crate::Error;
+use crate::{Bracket, Error, LieAlgebra};
 use nalgebra::DMatrix;
 use std::fmt::Debug;
 
@@ -108,6 +108,21 @@ pub trait LieGroup {
         let n = self.dimension();
         let unit = |a: usize| (0..n).map(|i| f64::from(i == a)).collect::<Vec<f64>>();
         (0..n).map(|a| Self::Vector::from_components(&unit(a))).collect()
+    }
+
+    /// The algebra, with the basis `e1`, `e2`, ... of the components.
+    ///
+    /// # Errors
+    /// [`Error::Jacobi`] for a `bracket` that is none.
+    fn algebra(&self) -> Result<LieAlgebra<f64>, Error> {
+        let basis = self.basis();
+        let labels: Vec<String> = (1..=basis.len()).map(|i| format!("e{i}")).collect();
+        let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
+        let bracket = Bracket::from_fn(&labels, |j, k| {
+            let bracket = self.bracket(&basis[j], &basis[k]);
+            bracket.components().iter().copied().enumerate().collect()
+        })?;
+        LieAlgebra::try_from(bracket)
     }
 
     /// The matrix of a linear map of the algebra, such as `|v| group.tangent_left(&x, v)`: the
