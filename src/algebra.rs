@@ -5,7 +5,7 @@ mod bracket;
 mod matrices;
 
 pub use basis::BasisChange;
-pub(crate) use basis::{indices, inverse, to_matrix};
+pub(crate) use basis::{LETTERS, indices, inverse, to_matrix};
 pub use bracket::Bracket;
 pub use matrices::{Complex, MatrixBasis};
 
