@@ -56,6 +56,16 @@ impl<S: Ring> LieAlgebra<S> {
         self.frame.labels()
     }
 
+    /// The basis vectors, by their components.
+    pub(crate) fn basis(&self) -> impl Iterator<Item = Vec<S>> {
+        let n = self.dimension();
+        (0..n).map(move |j| {
+            let mut vector = vec![S::zero(); n];
+            vector[j] = S::one();
+            vector
+        })
+    }
+
     /// The left-invariant frame through the basis: structure `c`, zero derivations.
     pub fn left_frame(&self) -> &Frame<S> {
         &self.frame

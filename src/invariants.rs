@@ -100,9 +100,4 @@ impl<S: Field> LieAlgebra<S> {
         let endomorphisms = endomorphisms.collect::<Result<Vec<_>, _>>()?;
         invariant_tensors(self.dimension(), slots, &endomorphisms)
     }
-
-    /// The basis vectors, by their components.
-    pub(crate) fn basis(&self) -> Vec<Vec<S>> {
-        Matrix::identity(self.dimension()).to_dense()
-    }
 }
