@@ -1,6 +1,6 @@
 //! Invariant fields of any Lie algebra in canonical coordinates.
 
-use super::exponential::{added, exponential, square};
+use super::exponential::exponential;
 use super::{Chart, Fields};
 use crate::algebra::{inverse, to_matrix};
 use crate::{Error, LieAlgebra};
@@ -91,9 +91,9 @@ fn first_kind(ad_x: &Matrix<Symbolic>, side: Side) -> Result<Matrix<Symbolic>, E
     let step = if side == Side::Left { ad_x.map(|v| -v.clone()) } else { ad_x.clone() };
     let (mut sum, mut term) = (Matrix::zero(n, n), Matrix::identity(n));
     for k in 0..=n as i64 {
-        sum = added(&sum, &term);
+        sum = sum.add(&term)?;
         let share = Symbolic::one() / &Symbolic::from_i64(k + 2);
-        term = square(&step, &term).map(|value| value.clone() * &share);
+        term = step.mul(&term)?.map(|value| value.clone() * &share);
     }
     match term.entries().next() {
         None => Ok(sum),
