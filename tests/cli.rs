@@ -470,6 +470,7 @@ fn a_stored_table_of_another_kind_is_remarked_upon() {
         assert_eq!(run(folder.path(), &table, b"").status, 0);
         let bare = run(folder.path(), &["verify", "so3@zero", "a.json"], b"");
         assert!(bare.err.contains(remark), "{}", bare.err);
+        assert!(bare.err.contains(&format!(": see {}", option.join(" "))), "{}", bare.err);
         let alike = [&["verify", "so3@zero", "a.json"], option].concat();
         let alike = run(folder.path(), &alike, b"");
         assert_eq!((alike.status, &*alike.err), (0, ""), "{}", alike.out);
