@@ -5,7 +5,7 @@ mod bracket;
 mod matrices;
 
 pub use basis::BasisChange;
-pub(crate) use basis::{indices, inverse, to_matrix};
+pub(crate) use basis::{LETTERS, indices, inverse, to_matrix};
 pub use bracket::Bracket;
 pub use matrices::{Complex, MatrixBasis};
 
@@ -54,6 +54,16 @@ impl<S: Ring> LieAlgebra<S> {
     /// The names of the basis vectors.
     pub fn labels(&self) -> &Arc<[String]> {
         self.frame.labels()
+    }
+
+    /// The basis vectors, by their components.
+    pub(crate) fn basis(&self) -> impl Iterator<Item = Vec<S>> {
+        let n = self.dimension();
+        (0..n).map(move |j| {
+            let mut vector = vec![S::zero(); n];
+            vector[j] = S::one();
+            vector
+        })
     }
 
     /// The left-invariant frame through the basis: structure `c`, zero derivations.

@@ -25,7 +25,7 @@ use crate::{Bracket, Canonical, Error, LieAlgebra, MatrixBasis, Metric};
 use affinor_tensors::{Down, Notation, Ring, Symbolic, Tensor, Tolerance, Up};
 use chart::OnChart;
 use num_traits::Zero;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// An algebra, or fields on a chart, with, perhaps, a connection and a metric, as written down:
 /// exact, in parameters, and not yet checked.
@@ -131,11 +131,10 @@ impl Definition {
     }
 
     /// The coordinates, of which values may be functions; none without a chart.
-    pub fn coordinates(&self) -> &BTreeSet<String> {
-        static NONE: BTreeSet<String> = BTreeSet::new();
+    pub fn coordinates(&self) -> &[String] {
         match &self.origin {
             Origin::Chart(chart) => &chart.coordinates,
-            _ => &NONE,
+            _ => &[],
         }
     }
 

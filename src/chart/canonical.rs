@@ -1,6 +1,6 @@
 //! Invariant fields of any Lie algebra in canonical coordinates.
 
-use super::exponential::{added, exponential, square};
+use super::exponential::exponential;
 use super::{Chart, Fields};
 use crate::algebra::{inverse, to_matrix};
 use crate::{Error, LieAlgebra};
@@ -91,9 +91,9 @@ fn first_kind(ad_x: &Matrix<Symbolic>, side: Side) -> Result<Matrix<Symbolic>, E
     let step = if side == Side::Left { ad_x.map(|v| -v.clone()) } else { ad_x.clone() };
     let (mut sum, mut term) = (Matrix::zero(n, n), Matrix::identity(n));
     for k in 0..=n as i64 {
-        sum = added(&sum, &term);
+        sum = sum.add(&term)?;
         let share = Symbolic::one() / &Symbolic::from_i64(k + 2);
-        term = square(&step, &term).map(|value| value.clone() * &share);
+        term = step.mul(&term)?.map(|value| value.clone() * &share);
     }
     match term.entries().next() {
         None => Ok(sum),
@@ -110,24 +110,20 @@ fn second_kind(
     side: Side,
 ) -> Result<Matrix<Symbolic>, Error> {
     let n = algebra.dimension();
-    let unit = |m: usize| (0..n).map(move |i| Symbolic::from_i64(i64::from(i == m))).collect();
     let mut exponentials = Vec::new();
-    for (m, (x, label)) in chart.coordinates().iter().zip(algebra.labels().iter()).enumerate() {
-        let e: Vec<Symbolic> = unit(m);
+    let names = chart.coordinates().iter().zip(algebra.labels().iter());
+    for ((x, label), e) in names.zip(algebra.basis()) {
         let ad = to_matrix(&algebra.ad(&e)?);
         let ad = if side == Side::Left { ad.map(|v| -v.clone()) } else { ad };
         exponentials.push(exponential(&ad, x, label)?);
     }
-    let columns = (0..n).map(|a| {
-        let mut column: Vec<Symbolic> = unit(a);
+    let columns = algebra.basis().enumerate().map(|(a, e)| {
         let others: Vec<usize> = match side {
             Side::Left => (a + 1..n).collect(),
             Side::Right => (0..a).rev().collect(),
         };
-        for m in others {
-            column = exponentials[m].apply(&column).expect("a square matrix");
-        }
-        column
+        let apply = |e: Vec<_>, m: usize| exponentials[m].apply(&e).expect("a square matrix");
+        others.into_iter().fold(e, apply)
     });
     let columns: Vec<Vec<Symbolic>> = columns.collect();
     Ok(Matrix::from_dense(&columns).expect("columns of one length").transpose())

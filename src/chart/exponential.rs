@@ -7,7 +7,7 @@
 
 use crate::Error;
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{Field, Notation, Rational, Ring, Symbolic};
+use affinor_tensors::{Notation, Rational, Ring, Symbolic};
 use num_traits::{One, Zero, pow};
 
 /// The largest integer that a part of an eigenvalue may be.
@@ -41,14 +41,11 @@ pub(super) fn exponential(
     }
     let wronskian = Matrix::from_dense(&wronskian).ok().and_then(|w| w.inverse());
     let coefficients = wronskian.expect("independent solutions");
-    let sum =
-        powers.iter().enumerate().fold(Matrix::zero(m.rows(), m.rows()), |sum, (j, power)| {
-            let terms =
-                solutions.iter().enumerate().map(|(k, f)| f.clone() * &coefficients.get(k, j));
-            let f = terms.fold(Symbolic::zero(), |sum, term| sum + &term);
-            added(&sum, &power.map(|value| value.clone() * &f))
-        });
-    Ok(sum)
+    powers.iter().enumerate().try_fold(Matrix::zero(m.rows(), m.rows()), |sum, (j, power)| {
+        let terms = solutions.iter().enumerate().map(|(k, f)| f.clone() * &coefficients.get(k, j));
+        let f = terms.fold(Symbolic::zero(), |sum, term| sum + &term);
+        Ok(sum.add(&power.map(|value| value.clone() * &f))?)
+    })
 }
 
 /// The powers below the degree of the minimal polynomial, and the next as a combination of them.
@@ -56,7 +53,7 @@ fn minimal(m: &Matrix<Symbolic>) -> (Vec<Matrix<Symbolic>>, Vec<Symbolic>) {
     let entries = |m: &Matrix<Symbolic>| m.to_dense().concat();
     let mut powers = vec![Matrix::identity(m.rows())];
     loop {
-        let next = square(m, &powers[powers.len() - 1]);
+        let next = m.mul(&powers[powers.len() - 1]).expect("square matrices of one size");
         let columns: Vec<_> = powers.iter().map(entries).collect();
         let columns = Matrix::from_dense(&columns).expect("powers of one size").transpose();
         match columns.solve(&entries(&next)).expect("as many entries as rows") {
@@ -113,15 +110,4 @@ fn at_zero(f: &Symbolic, x: &str) -> Symbolic {
     let (tan, exp) = (format!("tan({x}/2)"), format!("exp({x})"));
     let values = [(x.to_string(), zero.clone()), (tan, zero), (exp, Symbolic::one())];
     f.substitute(&values.into()).expect("an entire function")
-}
-
-pub(super) fn square<S: Field>(a: &Matrix<S>, b: &Matrix<S>) -> Matrix<S> {
-    a.mul(b).expect("square matrices of one size")
-}
-
-pub(super) fn added<S: Field>(a: &Matrix<S>, b: &Matrix<S>) -> Matrix<S> {
-    let both = a.entries().chain(b.entries());
-    let mut rows = vec![vec![]; a.rows()];
-    both.for_each(|(i, j, value)| rows[i].push((j, value.clone())));
-    Matrix::from_rows(a.columns(), rows).expect("columns of the operands")
 }

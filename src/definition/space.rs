@@ -7,7 +7,7 @@ use super::setting::settings;
 use super::{Definition, Origin, Reading};
 use crate::catalogue::CatalogueError;
 use affinor_tensors::{Notation, Rational, Symbolic, Tolerance};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// What the command line says about a space.
@@ -86,7 +86,7 @@ impl Space {
             }
         };
         let declared = if name.is_some() { definition.parameters() } else { vec![] };
-        let (none, coordinates) = (BTreeMap::new(), definition.coordinates().clone());
+        let (none, coordinates) = (BTreeMap::new(), definition.coordinates().to_vec());
         let open = Names { labels: &none, parameters: None, coordinates: &coordinates };
         let given = [(&modifiers.metric, "@metric"), (&request.metric, "--metric")];
         for (text, origin) in given {
@@ -121,7 +121,7 @@ impl Space {
     /// # Errors
     /// As [`Definition::set`].
     pub fn set(&mut self, text: &str, others: &[String]) -> Result<(), InputError> {
-        let (none, coordinates) = (BTreeMap::new(), self.definition.coordinates().clone());
+        let (none, coordinates) = (BTreeMap::new(), self.definition.coordinates().to_vec());
         let open = Names { labels: &none, parameters: None, coordinates: &coordinates };
         let source = Source::new("--set", text);
         let before = self.definition.parameters();
@@ -297,7 +297,7 @@ fn inline(labels: &str, brackets: &[String]) -> Result<Definition, InputError> {
     let labels = source.text.split([' ', ',', '\t', '\n']);
     let labels: Vec<&str> = labels.filter(|label| !label.is_empty()).collect();
     let indices = basis(&labels, &source)?;
-    let names = Names { labels: &indices, parameters: None, coordinates: &BTreeSet::new() };
+    let names = Names { labels: &indices, parameters: None, coordinates: &[] };
     let mut given = BTreeMap::new();
     for block in brackets {
         let source = Source::new("--bracket", block);
