@@ -5,11 +5,25 @@
 //! left-invariant frame, so that `g x` for a matrix group is the left translate of `x`.
 
 pub mod coordinates;
+mod cubic;
+pub mod heisenberg;
+mod screws;
+pub mod se2;
+pub mod se23;
+pub mod se3;
 pub mod series;
+pub mod sl2;
+pub mod so2;
 pub mod so3;
 pub mod stumpff;
 
 pub use coordinates::Coordinates;
+pub use heisenberg::Heisenberg;
+pub use se2::Se2;
+pub use se3::Se3;
+pub use se23::{ExtendedPose, Se23};
+pub use sl2::Sl2;
+pub use so2::So2;
 pub use so3::So3;
 
 use crate::Error;
