@@ -85,7 +85,8 @@ fn class<S: Field>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
             let vector = crate::error::combination(
                 next.rows()[0].iter().map(|(i, v)| (v, algebra.labels()[*i].clone())),
             );
-            let component = format!("the vector {vector} in every term of the lower central series");
+            let component =
+                format!("the vector {vector} in every term of the lower central series");
             return Err(Error::NotNilpotent { component });
         }
         term = next.rows().iter().map(|row| dense(n, row)).collect();
