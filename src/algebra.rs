@@ -1,6 +1,7 @@
 //! Lie algebras: brackets that satisfy the Jacobi identity.
 
 mod basis;
+mod bch;
 mod bracket;
 mod matrices;
 

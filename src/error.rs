@@ -220,6 +220,12 @@ pub enum Error {
         /// `Lambda^i_jk n^j n^k e_i`.
         residual: String,
     },
+    /// An adjoint representation that is not faithful.
+    #[error("the algebra has a centre: {central} commutes with everything, and ad takes it to 0")]
+    Centre {
+        /// A vector of the centre.
+        central: String,
+    },
     /// A group element without a logarithm in the algebra.
     #[error("no logarithm: {reason}")]
     NoLogarithm {

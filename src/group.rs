@@ -1,15 +1,37 @@
 //! Lie groups in floats: exponential, logarithm, translations and tangent operators.
 //!
-//! A group implements [`LieGroup`]; so do the rotations [`So3`](so3::So3), and every other file of this folder.
+//! A group implements [`LieGroup`]. In closed form there are [`So2`], [`So3`], [`Se2`], [`Se3`], [`Se23`], [`Sl2`] and
+//! [`Heisenberg`]; any nilpotent algebra has its [`Nilpotent`] group, any algebra of matrices its [`MatrixGroup`].
+//!
 //! Vectors are components in the basis of the algebra, tangent vectors at `g` components in its
 //! left-invariant frame, so that `g x` for a matrix group is the left translate of `x`.
 
 pub mod coordinates;
+mod cubic;
+pub mod fields;
+pub mod heisenberg;
+mod logarithm;
+pub mod matrix_group;
+pub mod nilpotent;
+mod screws;
+pub mod se2;
+pub mod se23;
+pub mod se3;
 pub mod series;
+pub mod sl2;
+pub mod so2;
 pub mod so3;
 pub mod stumpff;
 
 pub use coordinates::Coordinates;
+pub use heisenberg::Heisenberg;
+pub use matrix_group::MatrixGroup;
+pub use nilpotent::Nilpotent;
+pub use se2::Se2;
+pub use se3::Se3;
+pub use se23::{ExtendedPose, Se23};
+pub use sl2::Sl2;
+pub use so2::So2;
 pub use so3::So3;
 
 use crate::{Bracket, Error, LieAlgebra};

@@ -1,7 +1,6 @@
 //! SO(3), the rotations of space, as unit quaternions.
 
-use super::LieGroup;
-use super::stumpff::{Stumpff, inverse_tangent};
+use super::{LieGroup, cubic};
 use crate::Error;
 use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
 
@@ -88,31 +87,17 @@ impl LieGroup for So3 {
     /// `v - c_2 x cross v + c_3 x cross (x cross v)` with the Stumpff functions of `|x|^2`: the
     /// map that stands behind (86).
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
-        let square = x.norm_squared();
-        if square > *SQUARES.end() {
-            // what is left is the part along x
-            let unit = (x / x.amax()).normalize();
-            return unit * unit.dot(v);
-        }
-        let c = Stumpff::at(square);
-        let xv = x.cross(v);
-        v - xv * c.c2 + x.cross(&xv) * c.c3
+        cubic::tangent_left(self, Vector3::norm_squared, x, v)
     }
 
-    /// `v + x cross v/2 + d x cross (x cross v)`, `d` of [`inverse_tangent`]; singular at
-    /// `|x| = 2 pi k`, `k > 0`.
+    /// `v + x cross v/2 + d x cross (x cross v)`, `d` of
+    /// [`inverse_tangent`](super::stumpff::inverse_tangent); singular at `|x| = 2 pi k`, `k > 0`.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,
         v: &Self::Vector,
     ) -> Result<Self::Vector, Error> {
-        let square = x.norm_squared();
-        let d = inverse_tangent(square);
-        if square > *SQUARES.end() || !d.is_finite() {
-            return Err(Error::SingularTangent { x: x.iter().copied().collect() });
-        }
-        let xv = x.cross(v);
-        Ok(v + xv * 0.5 + x.cross(&xv) * d)
+        cubic::tangent_left_inverse(self, Vector3::norm_squared, x, v)
     }
 }
 

@@ -13,6 +13,8 @@
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stumpff {
+    /// The argument.
+    pub z: f64,
     /// `cos x`.
     pub c0: f64,
     /// `sin x / x`.
@@ -36,7 +38,7 @@ impl Stumpff {
         if z.abs() < SERIES {
             let (c4, c5) = (series(&FOURTH, z), series(&FIFTH, z));
             let (c2, c3) = (0.5 - z * c4, 1.0 / 6.0 - z * c5);
-            return Stumpff { c0: 1.0 - z * c2, c1: 1.0 - z * c3, c2, c3, c4, c5 };
+            return Stumpff { z, c0: 1.0 - z * c2, c1: 1.0 - z * c3, c2, c3, c4, c5 };
         }
         let root = z.abs().sqrt();
         let (c0, c1, half) = if z > 0.0 {
@@ -48,17 +50,26 @@ impl Stumpff {
         // no difference: 1 - cos x = 2 sin^2(x/2)
         let c2 = 0.5 * half * half;
         let c3 = (1.0 - c1) / z;
-        Stumpff { c0, c1, c2, c3, c4: (0.5 - c2) / z, c5: (1.0 / 6.0 - c3) / z }
+        Stumpff { z, c0, c1, c2, c3, c4: (0.5 - c2) / z, c5: (1.0 / 6.0 - c3) / z }
     }
 
-    /// `c_2'(z) = c_4 - c_3/2`.
+    /// `c_2'(z) = c_4 - c_3/2 = (c_1/2 - c_2)/z`.
     pub fn slope2(&self) -> f64 {
-        self.c4 - 0.5 * self.c3
+        if self.z.abs() < SERIES {
+            self.c4 - 0.5 * self.c3
+        } else {
+            // far out the first form is a difference of near equals
+            (0.5 * self.c1 - self.c2) / self.z
+        }
     }
 
-    /// `c_3'(z) = (3 c_5 - c_4)/2`.
+    /// `c_3'(z) = (3 c_5 - c_4)/2 = (c_2 - 3 c_3)/(2 z)`.
     pub fn slope3(&self) -> f64 {
-        1.5 * self.c5 - 0.5 * self.c4
+        if self.z.abs() < SERIES {
+            1.5 * self.c5 - 0.5 * self.c4
+        } else {
+            (0.5 * self.c2 - 1.5 * self.c3) / self.z
+        }
     }
 }
 
