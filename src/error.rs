@@ -232,6 +232,20 @@ pub enum Error {
         /// What stands against one, with its witness.
         reason: String,
     },
+    /// Numbers that belong to no rotation.
+    #[error("no rotation: {reason}")]
+    NoRotation {
+        /// What is wrong with them, with its witness.
+        reason: String,
+    },
+    /// A point that coordinates do not reach.
+    #[error("no {what}: {reason}")]
+    NoCoordinates {
+        /// The coordinates.
+        what: &'static str,
+        /// Why they fail there.
+        reason: String,
+    },
     /// A vector at which the exponential is no local chart.
     #[error(
         "the tangent operator of exp is singular at {x:?}: ad_x has an eigenvalue 2 pi i k, k != 0"

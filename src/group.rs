@@ -13,6 +13,8 @@ pub mod heisenberg;
 mod logarithm;
 pub mod matrix_group;
 pub mod nilpotent;
+mod polynomial;
+pub mod rotation;
 mod screws;
 pub mod se2;
 pub mod se23;

@@ -1,5 +1,7 @@
 //! The Stumpff functions, in which the closed forms of rotations and their kin are written.
 
+use super::polynomial::polynomial;
+
 /// `c_k(z) = sum (-z)^i/(k + 2i)!` for `k = 0..=5`, for any sign of `z`.
 ///
 /// `c_0(x^2) = cos x`, `c_1(x^2) = sin x/x`, `c_0(-x^2) = cosh x`, and `c_k = 1/k! - z c_{k+2}`. For a
@@ -36,19 +38,13 @@ impl Stumpff {
     /// All of them at `z`. They overflow where cosh does.
     pub fn at(z: f64) -> Self {
         if z.abs() < SERIES {
-            let (c4, c5) = (series(&FOURTH, z), series(&FIFTH, z));
+            let (c4, c5) = (polynomial(&FOURTH, z), polynomial(&FIFTH, z));
             let (c2, c3) = (0.5 - z * c4, 1.0 / 6.0 - z * c5);
             return Stumpff { z, c0: 1.0 - z * c2, c1: 1.0 - z * c3, c2, c3, c4, c5 };
         }
-        let root = z.abs().sqrt();
-        let (c0, c1, half) = if z > 0.0 {
-            let (sin, cos) = (0.5 * root).sin_cos();
-            (cos * cos - sin * sin, 2.0 * sin * cos / root, 2.0 * sin / root)
-        } else {
-            (root.cosh(), root.sinh() / root, 2.0 * (0.5 * root).sinh() / root)
-        };
+        let (cos, half) = far(0.25 * z);
         // no difference: 1 - cos x = 2 sin^2(x/2)
-        let c2 = 0.5 * half * half;
+        let (c0, c1, c2) = (1.0 - 0.5 * z * half * half, half * cos, 0.5 * half * half);
         let c3 = (1.0 - c1) / z;
         Stumpff { z, c0, c1, c2, c3, c4: (0.5 - c2) / z, c5: (1.0 / 6.0 - c3) / z }
     }
@@ -73,28 +69,53 @@ impl Stumpff {
     }
 }
 
-/// `1/(k + 2i)!`.
-const fn coefficients(k: u32) -> [f64; 15] {
-    let mut coefficients = [1.0; 15];
+/// `(c_0(z), c_1(z))` alone, to a rounding or two.
+#[inline]
+pub fn first_two(z: f64) -> (f64, f64) {
+    if z.abs() < NEAR { near(z) } else { far(z) }
+}
+
+/// Where [`near`] holds: a quarter turn and a little more.
+pub(super) const NEAR: f64 = 2.5;
+
+/// [`first_two`] for `|z| < NEAR`, without a branch.
+#[inline(always)]
+pub(super) fn near(z: f64) -> (f64, f64) {
+    (polynomial(&ZEROTH, z), polynomial(&FIRST, z))
+}
+
+/// [`first_two`] where `z` is not small.
+fn far(z: f64) -> (f64, f64) {
+    let root = z.abs().sqrt();
+    if z > 0.0 {
+        let (sin, cos) = root.sin_cos();
+        (cos, sin / root)
+    } else {
+        (root.cosh(), root.sinh() / root)
+    }
+}
+
+/// `(-1)^i/(k + 2i)!`.
+const fn coefficients<const N: usize>(k: usize) -> [f64; N] {
+    let mut coefficients = [1.0; N];
     let mut factorial = 1.0;
     let mut n = 1;
-    while n <= k + 28 {
+    while n < k + 2 * N {
         factorial *= n as f64;
         if n >= k && (n - k).is_multiple_of(2) {
-            coefficients[((n - k) / 2) as usize] = 1.0 / factorial;
+            let i = (n - k) / 2;
+            coefficients[i] = if i.is_multiple_of(2) { 1.0 } else { -1.0 } / factorial;
         }
         n += 1;
     }
     coefficients
 }
 
+// the first term left out is below 1e-16 of the sum up to NEAR, below 1e-18 of it up to SERIES
+const ZEROTH: [f64; 12] = coefficients(0);
+const FIRST: [f64; 12] = coefficients(1);
 const FOURTH: [f64; 15] = coefficients(4);
 const FIFTH: [f64; 15] = coefficients(5);
-
-/// Fifteen terms: for `|z| < 10` the last is below `1e-18`.
-fn series(coefficients: &[f64; 15], z: f64) -> f64 {
-    coefficients.iter().rev().fold(0.0, |sum, c| c - z * sum)
-}
 
 /// `(1 - (x/2) cot(x/2))/x^2` at `z = x^2`: `(sum A^k/(k+1)!)^-1 = 1 - A/2 + d A^2` where
 /// `A^3 = -z A`.

@@ -1,0 +1,24 @@
+//! Coordinates of rotations: quaternions, matrices, Euler angles, Rodrigues parameters.
+//!
+//! Rotation vectors, the canonical coordinates of the first kind, are `exp` and `log` of
+//! [`So3`](super::So3). Every conversion passes through the unit quaternion, `w` first; where coordinates
+//! fail, the function says so.
+//!
+//! | coordinates | to and from the quaternion | where they fail |
+//! |---|---|---|
+//! | quaternion | [`wxyz`], [`from_wxyz`] | nowhere; `q` and `-q` are one rotation |
+//! | rotation vector | [`LieGroup::log`](super::LieGroup::log), [`exp`](super::LieGroup::exp) | nowhere; at `pi` a rule chooses the sign |
+//! | matrix | [`matrix`], [`from_matrix`] | nowhere |
+//! | Euler angles (second kind) | [`Sequence::angles`], [`Sequence::rotation`] | gimbal lock, reported with a rule |
+//! | Gibbs vector `tan(angle/2) n` | [`gibbs`], [`from_gibbs`] | refused at `pi` |
+//! | modified Rodrigues `tan(angle/4) n` | [`modified`], [`from_modified`] | nowhere up to `pi` |
+
+pub mod euler;
+mod matrices;
+mod quaternion;
+mod rodrigues;
+
+pub use euler::{Axis, EulerAngles, Lock, Sequence, Turns};
+pub use matrices::{from_matrix, matrix};
+pub use quaternion::{from_wxyz, wxyz};
+pub use rodrigues::{from_gibbs, from_modified, gibbs, modified};

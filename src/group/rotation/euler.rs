@@ -1,0 +1,196 @@
+//! Euler angles: the canonical coordinates of the second kind, products of turns about axes.
+
+use crate::Error;
+use nalgebra::{Quaternion, UnitQuaternion};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::str::FromStr;
+
+/// An axis of coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// The first.
+    X,
+    /// The second.
+    Y,
+    /// The third.
+    Z,
+}
+
+/// Which axes the turns are about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turns {
+    /// The axes of the body, as the earlier turns left them: `R = R_1(a) R_2(b) R_3(c)`.
+    Intrinsic,
+    /// The axes of space: `R = R_3(c) R_2(b) R_1(a)`.
+    Extrinsic,
+}
+
+/// A sequence of three axes, no two neighbours equal: there are 12, each with two kinds of turns.
+///
+/// The intrinsic products `exp(a e_1) exp(b e_2) exp(c e_3)` are the canonical coordinates of the second
+/// kind of SO(3). As text, `ZYX` is intrinsic and `zyx` extrinsic.
+///
+/// ```
+/// use affinor::group::rotation::{Lock, Sequence, from_wxyz};
+/// let aerospace: Sequence = "ZYX".parse()?; // yaw, pitch, roll
+/// let found = aerospace.angles(&aerospace.rotation([0.3, -0.2, 0.1]));
+/// assert!((found.angles[1] + 0.2).abs() < 1e-15 && found.lock.is_none());
+///
+/// let up = from_wxyz([1.0, 0.0, 1.0, 0.0])?; // pitch of a quarter turn: gimbal lock
+/// assert_eq!(aerospace.angles(&up).lock, Some(Lock::Difference));
+/// assert_eq!(aerospace.angles(&up).angles[2], 0.0);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sequence {
+    axes: [Axis; 3],
+    turns: Turns,
+}
+
+/// Euler angles, and what is left undetermined in them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EulerAngles {
+    /// In the order of the sequence. First and last in `[-pi, pi]`; the middle one in `[0, pi]` if first and last
+    /// axis are equal, else in `[-pi/2, pi/2]`.
+    pub angles: [f64; 3],
+    /// Whether the rotation determines only one combination of the first and the last angle. Then the last
+    /// is 0 by rule.
+    pub lock: Option<Lock>,
+}
+
+/// Gimbal lock, by the combination of the first and last angle that is still determined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lock {
+    /// Their sum.
+    Sum,
+    /// Their difference.
+    Difference,
+}
+
+/// A sine of half an angle that is nothing but rounding.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+impl Sequence {
+    /// A sequence.
+    ///
+    /// # Errors
+    /// [`Error::NoCoordinates`] if neighbours are equal, for their turns add up.
+    pub fn new(axes: [Axis; 3], turns: Turns) -> Result<Self, Error> {
+        if axes[0] == axes[1] || axes[1] == axes[2] {
+            let reason = format!("{axes:?} repeats an axis, so two angles act as one");
+            return Err(Error::NoCoordinates { what: "Euler angles", reason });
+        }
+        Ok(Sequence { axes, turns })
+    }
+
+    /// All 24.
+    pub fn all() -> impl Iterator<Item = Sequence> {
+        let axes = [Axis::X, Axis::Y, Axis::Z];
+        let triples = (0..27).map(move |n| [axes[n / 9], axes[n / 3 % 3], axes[n % 3]]);
+        triples.flat_map(|axes| {
+            [Turns::Intrinsic, Turns::Extrinsic]
+                .map(|turns| Sequence::new(axes, turns))
+                .into_iter()
+                .flatten()
+        })
+    }
+
+    /// The rotation of the angles.
+    pub fn rotation(&self, angles: [f64; 3]) -> UnitQuaternion<f64> {
+        let turn = |k: usize| {
+            let (sin, cos) = (0.5 * angles[k]).sin_cos();
+            let mut q = Quaternion::new(cos, 0.0, 0.0, 0.0);
+            q[self.axes[k] as usize] = sin;
+            UnitQuaternion::new_unchecked(q)
+        };
+        match self.turns {
+            Turns::Intrinsic => turn(0) * turn(1) * turn(2),
+            Turns::Extrinsic => turn(2) * turn(1) * turn(0),
+        }
+    }
+
+    /// The angles of a rotation.
+    ///
+    /// E. Bernardes and S. Viollet, *PLoS ONE* 17 (2022) e0276302: half the sum and half the difference of first and
+    /// last angle are arguments of two complex numbers, the middle angle compares their moduli.
+    pub fn angles(&self, g: &UnitQuaternion<f64>) -> EulerAngles {
+        let intrinsic = self.turns == Turns::Intrinsic;
+        // body axes are space axes in the opposite order
+        let [first, middle, last] = self.axes.map(|axis| axis as usize);
+        let (i, j, end) = if intrinsic { (last, middle, first) } else { (first, middle, last) };
+        let proper = i == end;
+        let k = 3 - i - j;
+        let sign = if (j + 3 - i) % 3 == 1 { 1.0 } else { -1.0 };
+        let q = g.coords;
+        let (a, b, c, d) = if proper {
+            (q[3], q[i], q[j], sign * q[k])
+        } else {
+            // a quarter turn about the middle axis makes it a proper sequence
+            (q[3] - q[j], q[i] + sign * q[k], q[j] + q[3], sign * q[k] - q[i])
+        };
+        let (of_sum, of_difference) = (a.hypot(b), c.hypot(d));
+        let (mut sum, mut difference) = (b.atan2(a), d.atan2(c));
+        let length = of_sum.hypot(of_difference);
+        let mut lock = None;
+        if of_difference <= ROUNDING * length {
+            difference = if intrinsic { sum } else { -sum };
+            lock = Some(Lock::Sum);
+        } else if of_sum <= ROUNDING * length {
+            sum = if intrinsic { difference } else { -difference };
+            lock = Some(Lock::Difference);
+        }
+        let mut angles = [sum - difference, 2.0 * of_difference.atan2(of_sum), sum + difference];
+        if !proper {
+            angles[1] -= FRAC_PI_2;
+            angles[2] *= sign;
+            if sign < 0.0 {
+                lock = lock.map(Lock::other);
+            }
+        }
+        if intrinsic {
+            angles.swap(0, 2);
+        }
+        for at in [0, 2] {
+            angles[at] = wrapped(angles[at]);
+        }
+        EulerAngles { angles, lock }
+    }
+}
+
+impl Lock {
+    fn other(self) -> Self {
+        match self {
+            Lock::Sum => Lock::Difference,
+            Lock::Difference => Lock::Sum,
+        }
+    }
+}
+
+/// The angle in `[-pi, pi]`, from one less than two turns away.
+fn wrapped(angle: f64) -> f64 {
+    if angle > PI {
+        angle - TAU
+    } else if angle < -PI {
+        angle + TAU
+    } else {
+        angle
+    }
+}
+
+impl FromStr for Sequence {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self, Error> {
+        let turns =
+            if text.starts_with(char::is_uppercase) { Turns::Intrinsic } else { Turns::Extrinsic };
+        let letters = if turns == Turns::Intrinsic { "XYZ" } else { "xyz" };
+        let axis = |c: char| letters.find(c).map(|at| [Axis::X, Axis::Y, Axis::Z][at]);
+        let axes: Option<Vec<Axis>> = text.chars().map(axis).collect();
+        let axes = axes.and_then(|axes| <[Axis; 3]>::try_from(axes).ok());
+        let axes = axes.ok_or_else(|| Error::NoCoordinates {
+            what: "Euler angles",
+            reason: format!("`{text}` is not three of XYZ (intrinsic) or of xyz (extrinsic)"),
+        })?;
+        Sequence::new(axes, turns)
+    }
+}
