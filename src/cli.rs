@@ -5,17 +5,22 @@ mod color;
 mod compare;
 mod completions;
 mod conventions;
+mod convert;
 mod equations;
+mod exp;
 mod failure;
 mod list;
 mod note;
 mod options;
 mod output;
+mod rows;
 mod stages;
 mod table;
+mod transport;
 mod verify;
 
 use clap::{Parser, Subcommand};
+use exp::Operation;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -46,6 +51,18 @@ enum Command {
     Verify(verify::Arguments),
     /// Equations of motion: Euler-Poincare, autoparallels, parallel transport
     Equations(equations::Arguments),
+    /// The group element exp(x) of coordinates x
+    Exp(exp::Arguments),
+    /// Coordinates of a group element, given as a matrix row by row
+    Log(exp::Arguments),
+    /// Coordinates of exp(x) exp(y): a row is x, then y
+    Compose(exp::Arguments),
+    /// The matrix of Ad at exp(x)
+    Adjoint(exp::Arguments),
+    /// Parallel translation along arcs of the group
+    Transport(transport::Arguments),
+    /// Rotation vectors, quaternions, matrices, Euler angles: one into another
+    Convert(convert::Arguments),
     /// The catalogue
     List(list::Arguments),
     /// The conventions of signs and indices
@@ -63,6 +80,12 @@ pub fn main() -> ExitCode {
         Command::Check(arguments) => (arguments.run(), arguments.shared.output.color),
         Command::Verify(arguments) => (arguments.run(), arguments.shared.output.color),
         Command::Equations(arguments) => (arguments.run(), arguments.shared.output.color),
+        Command::Exp(arguments) => on_group(&arguments, Operation::Exp),
+        Command::Log(arguments) => on_group(&arguments, Operation::Log),
+        Command::Compose(arguments) => on_group(&arguments, Operation::Compose),
+        Command::Adjoint(arguments) => on_group(&arguments, Operation::Adjoint),
+        Command::Transport(arguments) => (arguments.run(), arguments.shared.output.color),
+        Command::Convert(arguments) => (arguments.run(), arguments.output.color),
         Command::List(arguments) => (arguments.run(), arguments.output.color),
         Command::Conventions(arguments) => (arguments.run(), arguments.output.color),
         Command::Completions(arguments) => {
@@ -73,6 +96,13 @@ pub fn main() -> ExitCode {
         Ok(code) => code,
         Err(failure) => failure.report(color),
     }
+}
+
+fn on_group(
+    arguments: &exp::Arguments,
+    operation: Operation,
+) -> (Result<ExitCode, failure::Failure>, color::Color) {
+    (arguments.run(operation), arguments.shared.output.color)
 }
 
 /// Ends the program as clap does, with control characters escaped where it repeats the arguments.

@@ -9,13 +9,16 @@ mod document;
 mod entry;
 mod escapes;
 mod file;
+mod group;
 mod input;
 mod notation;
+mod numbers;
 mod setting;
 mod space;
 mod written;
 
 pub use input::{InputError, Place, Refusal, Source};
+pub use numbers::numbers;
 pub use space::{Request, ScalarChoice, Space, Work};
 
 use crate::algebra::Complex;

@@ -226,6 +226,12 @@ pub enum Error {
         /// A vector of the centre.
         central: String,
     },
+    /// A matrix that is no element of the group.
+    #[error("no element of the group: {reason}")]
+    NotInGroup {
+        /// What is wrong with it, with its witness.
+        reason: String,
+    },
     /// A group element without a logarithm in the algebra.
     #[error("no logarithm: {reason}")]
     NoLogarithm {
