@@ -6,10 +6,14 @@
 //! ([`Connection::moved`](crate::Connection::moved)).
 
 mod canonical;
+mod canonical_at_point;
+mod eigenvalues;
 mod exponential;
 mod fields;
+mod invariant_fields;
 mod moved;
 mod point;
+mod series;
 
 pub use canonical::{Canonical, Side};
 pub use fields::Fields;

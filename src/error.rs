@@ -137,16 +137,16 @@ pub enum Error {
         /// Its value.
         value: String,
     },
-    /// Exponential coordinates whose series do not end.
-    #[error("the algebra is not nilpotent: {component} is not zero")]
-    NotNilpotent {
-        /// A component that should vanish.
-        component: String,
+    /// A point at which coordinates are singular.
+    #[error("the coordinates are singular at this point: the invariant forms vanish on {vector}")]
+    SingularPoint {
+        /// A vector that the forms take to zero.
+        vector: String,
     },
     /// An exponential that is not made of functions known here.
     #[error("ad_{x} has an eigenvalue other than small integers a + ib: a root of {polynomial}")]
     Eigenvalue {
-        /// The basis vector.
+        /// The vector.
         x: String,
         /// The minimal polynomial, in `z`.
         polynomial: String,
@@ -225,6 +225,12 @@ pub enum Error {
     Centre {
         /// A vector of the centre.
         central: String,
+    },
+    /// An algebra whose lower central series does not end at 0.
+    #[error("the algebra is not nilpotent: {component} is not zero")]
+    NotNilpotent {
+        /// A component that should vanish.
+        component: String,
     },
     /// A matrix that is no element of the group.
     #[error("no element of the group: {reason}")]

@@ -4,8 +4,8 @@ use super::{Definition, InputError, Origin, Reading};
 use crate::catalogue;
 use crate::group::{AnyGroup, MatrixGroup, Nilpotent, Se2, Se3, Sl2, So2, So3};
 use crate::{Error, LieAlgebra, MatrixBasis};
-use affinor_tensors::linear::Matrix;
 use affinor_tensors::Rational;
+use affinor_tensors::linear::Matrix;
 use nalgebra::DMatrix;
 
 impl Definition {
