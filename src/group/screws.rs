@@ -4,7 +4,7 @@
 //! them: each operator of SO(3) acts on `w`, its derivative on the `u_a`. V. Brodsky and
 //! M. Shoham, *Mechanism and Machine Theory* 34 (1999) 693-718.
 
-use super::stumpff::Stumpff;
+use super::stumpff::{FAR, Stumpff};
 use super::{LieGroup, So3};
 use crate::Error;
 use nalgebra::{DMatrix, SVector, UnitQuaternion, Vector3};
@@ -13,9 +13,6 @@ use nalgebra::{DMatrix, SVector, UnitQuaternion, Vector3};
 type Screw<const K: usize> = (Vector3<f64>, [Vector3<f64>; K]);
 /// An element of the group, `R` and the vectors `t_a`.
 type Motion<const K: usize> = (UnitQuaternion<f64>, [Vector3<f64>; K]);
-
-/// Beyond this square of an angle, `cos` and `sin` are noise, and its square underflows.
-const FAR: f64 = 1e100;
 
 /// The components of a vector, three by three.
 pub(super) fn split<const N: usize, const K: usize>(x: &SVector<f64, N>) -> Screw<K> {
