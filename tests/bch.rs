@@ -31,8 +31,7 @@ fn word(algebra: &Algebra, letters: &str, x: &[Rational], y: &[Rational]) -> Vec
     letters.fold(first, |inner, next| algebra.bracket(&letter(next), &inner).unwrap())
 }
 
-/// W. Magnus, *Comm. Pure Appl. Math.* 7 (1954) 649-673, and, of degree 5, F. Casas and A. Murua,
-/// *J. Math. Phys.* 50 (2009) 033513, Table 1, in right-normed brackets.
+/// The terms that textbooks and encyclopedias print, in right-normed brackets.
 const PUBLISHED: [&[(&str, i64, i64)]; 5] = [
     &[("x", 1, 1), ("y", 1, 1)],
     &[("xy", 1, 2)],
