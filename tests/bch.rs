@@ -1,4 +1,6 @@
-//! The Baker-Campbell-Hausdorff series: published terms, exact groups, and convergence to products of matrices.
+//! The Baker-Campbell-Hausdorff series: published terms, exact groups, convergence to products of
+//! matrices.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod common;
 

@@ -1,7 +1,7 @@
 //! Logarithms of matrices by inverse scaling and squaring.
 //!
-//! `log(A) = 2^k log(A^(1/2^k))`, with as many square roots as bring the matrix near 1, where a Pade approximant
-//! is exact to rounding. N. J. Higham, *Functions of Matrices* (2008), chapter 11.
+//! `log(A) = 2^k log(A^(1/2^k))`, with as many square roots as bring the matrix near 1, where a Pade
+//! approximant is exact to rounding. N. J. Higham, *Functions of Matrices* (2008), chapter 11.
 
 use super::series::exp;
 use crate::Error;
@@ -59,7 +59,7 @@ fn off_the_negative_axis(a: &DMatrix<f64>) -> Result<(), Error> {
     };
     let rounding = n as f64 * f64::EPSILON * a.norm();
     for value in schur.complex_eigenvalues().iter() {
-        if value.re <= rounding && value.im.abs() <= rounding {
+        if value.re <= 0.0 && value.im.abs() <= rounding {
             let value = value.re;
             let reason = format!("the eigenvalue {value} is on the closed negative axis");
             return Err(refused(reason));
