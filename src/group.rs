@@ -1,7 +1,8 @@
 //! Lie groups in floats: exponential, logarithm, translations and tangent operators.
 //!
-//! A group implements [`LieGroup`]. In closed form there are [`So2`], [`So3`], [`Se2`], [`Se3`], [`Se23`], [`Sl2`] and
-//! [`Heisenberg`]; any nilpotent algebra has its [`Nilpotent`] group, any algebra of matrices its [`MatrixGroup`].
+//! A group implements [`LieGroup`]. In closed form there are [`So2`], [`So3`], [`Se2`], [`Se3`],
+//! [`Se23`], [`Sl2`] and [`Heisenberg`]; any nilpotent algebra has its [`Nilpotent`] group, any
+//! algebra of matrices its [`MatrixGroup`].
 //!
 //! Vectors are components in the basis of the algebra, tangent vectors at `g` components in its
 //! left-invariant frame, so that `g x` for a matrix group is the left translate of `x`.

@@ -15,7 +15,8 @@ impl<S: Field> LieAlgebra<S> {
     /// ```
     ///
     /// On a nilpotent algebra the sum ends and is the product of the group; on others it converges
-    /// near zero. V. S. Varadarajan, *Lie Groups, Lie Algebras, and Their Representations* (1974), Lemma 2.15.3.
+    /// near zero. V. S. Varadarajan, *Lie Groups, Lie Algebras, and Their Representations* (1974),
+    /// Lemma 2.15.3.
     ///
     /// ```
     /// use affinor::{Bracket, LieAlgebra};

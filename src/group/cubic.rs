@@ -1,11 +1,8 @@
 //! Tangent operators in closed form, for the groups with `ad_x^3 = -z(x) ad_x`.
 
-use super::stumpff::{Stumpff, inverse_tangent};
+use super::stumpff::{FAR, Stumpff, inverse_tangent};
 use super::{Coordinates, LieGroup};
 use crate::Error;
-
-/// Beyond this `z`, a square of an angle, `cos` and `sin` are noise, and squares overflow.
-const FAR: f64 = 1e280;
 
 /// `T_left(x) v = v - c_2 [x, v] + c_3 [x, [x, v]]` with the Stumpff functions of `z(x)`.
 pub(super) fn tangent_left<G: LieGroup>(

@@ -155,6 +155,11 @@ impl LieGroup for MatrixGroup {
     /// The principal logarithm of the matrix, where it lies in the algebra. Others, as of a rotation by
     /// `pi`, are not looked for.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
+        if g.shape() != (self.size(), self.size()) {
+            let expected = format!("{0} rows and {0} columns", self.size());
+            let found = format!("{} and {}", g.nrows(), g.ncols());
+            return Err(Error::Shape { what: "an element", expected, found });
+        }
         let log = logarithm(g)?;
         let x = self.coordinates(&log);
         let outside = (self.generator(&x) - &log).norm();

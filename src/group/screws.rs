@@ -1,10 +1,9 @@
 //! Rotations with vectors that they turn: what SE(3) and SE_2(3) share.
 //!
-//! `(w; u_1 .. u_K)` stands for `w + d_1 u_1 + .. + d_K u_K`, so(3) over numbers with `d_a d_b = 0`, and its group for SO(3) over
-//! them: each operator of SO(3) acts on `w`, its derivative on the `u_a`. V. Brodsky and
-//! M. Shoham, *Mechanism and Machine Theory* 34 (1999) 693-718.
+//! `(w; u_1 .. u_K)` stands for `w + d_1 u_1 + .. + d_K u_K`, so(3) over dual numbers, `d_a d_b = 0`:
+//! each operator of SO(3) acts on `w` and, by its derivative, on the `u_a`. V. Brodsky and M. Shoham, *Mechanism and Machine Theory* 34 (1999) 693-718.
 
-use super::stumpff::Stumpff;
+use super::stumpff::{FAR, Stumpff};
 use super::{LieGroup, So3};
 use crate::Error;
 use nalgebra::{DMatrix, SVector, UnitQuaternion, Vector3};
@@ -13,9 +12,6 @@ use nalgebra::{DMatrix, SVector, UnitQuaternion, Vector3};
 type Screw<const K: usize> = (Vector3<f64>, [Vector3<f64>; K]);
 /// An element of the group, `R` and the vectors `t_a`.
 type Motion<const K: usize> = (UnitQuaternion<f64>, [Vector3<f64>; K]);
-
-/// Beyond this square of an angle, `cos` and `sin` are noise, and its square underflows.
-const FAR: f64 = 1e100;
 
 /// The components of a vector, three by three.
 pub(super) fn split<const N: usize, const K: usize>(x: &SVector<f64, N>) -> Screw<K> {
@@ -67,7 +63,8 @@ pub(super) fn tangent_left<const K: usize>((w, u): Screw<K>, (v, s): Screw<K>) -
     (So3.tangent_left(&w, &v), std::array::from_fn(lower))
 }
 
-/// The inverse, from above to below: `v' = T_left(w)^-1 v`, `s'_a = T_left(w)^-1 (s_a - Q(w, u_a) v')`.
+/// The inverse, from above to below: `v' = T_left(w)^-1 v`, then
+/// `s'_a = T_left(w)^-1 (s_a - Q(w, u_a) v')`.
 pub(super) fn tangent_left_inverse<const K: usize>(
     (w, u): Screw<K>,
     (v, s): Screw<K>,
@@ -87,7 +84,8 @@ pub(super) fn matrix<const K: usize>((r, t): Motion<K>) -> DMatrix<f64> {
     matrix
 }
 
-/// `Q(x, p) v = d/de T_left(x + e p) v` at `e = 0`, for `T_left(x) v = v - c_2 x cross v + c_3 x cross (x cross v)`.
+/// `Q(x, p) v = d/de T_left(x + e p) v` at `e = 0`, for
+/// `T_left(x) v = v - c_2 x cross v + c_3 x cross (x cross v)`.
 fn slope(x: &Vector3<f64>, p: &Vector3<f64>, v: &Vector3<f64>) -> Vector3<f64> {
     if x.norm_squared() > FAR {
         // that of the mean over a turn, the projection on x

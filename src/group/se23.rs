@@ -8,7 +8,8 @@ use nalgebra::{DMatrix, SVector, UnitQuaternion, Vector3};
 /// The extended poses of inertial navigation: matrices `[[R, v, p], [0, 1]]` of size 5.
 ///
 /// Vectors are `(w, a, u)`: rotation, then what becomes velocity, then position; rotations act on
-/// both, and both commute. A. Barrau and S. Bonnabel, *IEEE Transactions on Automatic Control* 62 (2017) 1797-1812.
+/// both, and both commute. A. Barrau and S. Bonnabel, *IEEE Transactions on Automatic Control* 62
+/// (2017) 1797-1812.
 ///
 /// ```
 /// use affinor::group::{LieGroup, Se23};

@@ -31,6 +31,10 @@ pub struct Stumpff {
     pub c5: f64,
 }
 
+/// Beyond this square of an angle, floats are many turns apart, and `cos` and `sin` are noise: what is
+/// left of a tangent operator is its mean over a turn.
+pub(super) const FAR: f64 = 1e40;
+
 /// Below this modulus of `z` the differences lose digits, and the series have few terms.
 const SERIES: f64 = 10.0;
 
