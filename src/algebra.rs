@@ -1,11 +1,12 @@
 //! Lie algebras: brackets that satisfy the Jacobi identity.
 
 mod basis;
+mod bch;
 mod bracket;
 mod matrices;
 
 pub use basis::BasisChange;
-pub(crate) use basis::{indices, inverse, to_matrix};
+pub(crate) use basis::{LETTERS, indices, inverse, to_matrix};
 pub use bracket::Bracket;
 pub use matrices::{Complex, MatrixBasis};
 
@@ -56,6 +57,16 @@ impl<S: Ring> LieAlgebra<S> {
         self.frame.labels()
     }
 
+    /// The basis vectors, by their components.
+    pub(crate) fn basis(&self) -> impl Iterator<Item = Vec<S>> {
+        let n = self.dimension();
+        (0..n).map(move |j| {
+            let mut vector = vec![S::zero(); n];
+            vector[j] = S::one();
+            vector
+        })
+    }
+
     /// The left-invariant frame through the basis: structure `c`, zero derivations.
     pub fn left_frame(&self) -> &Frame<S> {
         &self.frame
@@ -82,8 +93,7 @@ impl<S: Ring> LieAlgebra<S> {
     /// # Errors
     /// [`Error::Shape`] unless `n` has as many components as the algebra.
     pub fn ad(&self, n: &[S]) -> Result<Tensor<S>, Error> {
-        let n = self.vector(n)?;
-        Ok(formula("c^i_jk n^j -> ^i_k", &[("c", self.structure()), ("n", &n)]))
+        ad(self.structure(), n)
     }
 
     /// The bracket of two vectors, `[x, y]^i = c^i_jk x^j y^k`.
@@ -124,9 +134,7 @@ impl<S: Ring> LieAlgebra<S> {
 
     /// A vector of the algebra as a tensor.
     pub(crate) fn vector(&self, components: &[S]) -> Result<Tensor<S>, Error> {
-        let vector = Tensor::vector(components, Up).with_tolerance(self.structure().tolerance());
-        crate::frame::expect_slots("the vector", &vector, self.dimension(), &[Up])?;
-        Ok(vector)
+        vector(self.structure(), components)
     }
 
     /// The same algebra over another scalar, by a homomorphism of rings.
@@ -149,6 +157,18 @@ impl<S: Field> LieAlgebra<S> {
         // covariance keeps Jacobi, and floats need not prove it twice
         Ok(LieAlgebra { frame: Frame::invariant(labels, structure)? })
     }
+}
+
+/// The matrix of `[n, .]` from structure constants that need not be checked again.
+pub(crate) fn ad<S: Ring>(structure: &Tensor<S>, n: &[S]) -> Result<Tensor<S>, Error> {
+    let n = vector(structure, n)?;
+    Ok(formula("c^i_jk n^j -> ^i_k", &[("c", structure), ("n", &n)]))
+}
+
+fn vector<S: Ring>(structure: &Tensor<S>, components: &[S]) -> Result<Tensor<S>, Error> {
+    let vector = Tensor::vector(components, Up).with_tolerance(structure.tolerance());
+    crate::frame::expect_slots("the vector", &vector, structure.dimension(), &[Up])?;
+    Ok(vector)
 }
 
 /// Labels behind labels; one that would meet an earlier one gets a prime.

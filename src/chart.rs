@@ -6,10 +6,14 @@
 //! ([`Connection::moved`](crate::Connection::moved)).
 
 mod canonical;
+mod canonical_at_point;
+mod eigenvalues;
 mod exponential;
 mod fields;
+mod invariant_fields;
 mod moved;
 mod point;
+mod series;
 
 pub use canonical::{Canonical, Side};
 pub use fields::Fields;
@@ -72,7 +76,7 @@ impl Chart {
 
     /// The names of the coordinate fields: `d_x` for `x`.
     pub fn labels(&self) -> Arc<[String]> {
-        self.coordinates.iter().map(|name| format!("d_{name}")).collect()
+        self.coordinates.iter().map(|name| field_of(name)).collect()
     }
 
     /// The frame of the coordinate fields: zero structure (A9), and partial derivatives.
@@ -108,4 +112,9 @@ impl Chart {
         let frame = self.coordinate_frame()?.moved(labels, &change)?;
         Ok(Fields::new(self.clone(), change, frame))
     }
+}
+
+/// The name of the field `d/dx` of the coordinate `x`.
+pub(crate) fn field_of(coordinate: &str) -> String {
+    format!("d_{coordinate}")
 }

@@ -183,9 +183,7 @@ fn share<S: Notation>(n: i64) -> S {
 /// direction, by minus a share of `ad`.
 fn transport<S: Notation>(geometry: &Geometry<S>, share: &S, sum: &str) -> Result<Verdict, Error> {
     let algebra = geometry.ground().algebra_for("transport by ad")?;
-    for j in 0..algebra.dimension() {
-        let mut n = vec![S::zero(); algebra.dimension()];
-        n[j] = S::one();
+    for (j, n) in algebra.basis().enumerate() {
         let generator = match geometry.connection().transport_generator(&n) {
             Ok(generator) => generator,
             Err(Error::NotAutoparallel { n, residual }) => {

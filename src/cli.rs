@@ -5,17 +5,22 @@ mod color;
 mod compare;
 mod completions;
 mod conventions;
+mod convert;
 mod equations;
+mod exp;
 mod failure;
 mod list;
 mod note;
 mod options;
 mod output;
+mod rows;
 mod stages;
 mod table;
+mod transport;
 mod verify;
 
 use clap::{Parser, Subcommand};
+use exp::Operation;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -46,6 +51,18 @@ enum Command {
     Verify(verify::Arguments),
     /// Equations of motion: Euler-Poincare, autoparallels, parallel transport
     Equations(equations::Arguments),
+    /// The group element exp(x) of coordinates x
+    Exp(exp::Arguments),
+    /// Coordinates of a group element, given as a matrix row by row
+    Log(exp::Arguments),
+    /// Coordinates of exp(x) exp(y): a row is x, then y
+    Compose(exp::Arguments),
+    /// The matrix of Ad at exp(x)
+    Adjoint(exp::Arguments),
+    /// Parallel translation along arcs of the group
+    Transport(transport::Arguments),
+    /// Rotation vectors, quaternions, matrices, Euler angles: one into another
+    Convert(convert::Arguments),
     /// The catalogue
     List(list::Arguments),
     /// The conventions of signs and indices
@@ -56,13 +73,20 @@ enum Command {
 
 /// Parses the arguments, runs the command, reports its failure.
 pub fn main() -> ExitCode {
-    let cli = Cli::try_parse().unwrap_or_else(|error| refuse(&error));
+    let arguments = std::env::args_os().map(shielded);
+    let cli = Cli::try_parse_from(arguments).unwrap_or_else(|error| refuse(&error));
     let (outcome, color) = match cli.command {
         Command::Compare(arguments) => (arguments.run(), arguments.shared.output.color),
         Command::Table(arguments) => (arguments.run(), arguments.shared.output.color),
         Command::Check(arguments) => (arguments.run(), arguments.shared.output.color),
         Command::Verify(arguments) => (arguments.run(), arguments.shared.output.color),
         Command::Equations(arguments) => (arguments.run(), arguments.shared.output.color),
+        Command::Exp(arguments) => on_group(&arguments, Operation::Exp),
+        Command::Log(arguments) => on_group(&arguments, Operation::Log),
+        Command::Compose(arguments) => on_group(&arguments, Operation::Compose),
+        Command::Adjoint(arguments) => on_group(&arguments, Operation::Adjoint),
+        Command::Transport(arguments) => (arguments.run(), arguments.shared.output.color),
+        Command::Convert(arguments) => (arguments.run(), arguments.output.color),
         Command::List(arguments) => (arguments.run(), arguments.output.color),
         Command::Conventions(arguments) => (arguments.run(), arguments.output.color),
         Command::Completions(arguments) => {
@@ -75,6 +99,27 @@ pub fn main() -> ExitCode {
     }
 }
 
+fn on_group(
+    arguments: &exp::Arguments,
+    operation: Operation,
+) -> (Result<ExitCode, failure::Failure>, color::Color) {
+    (arguments.run(operation), arguments.shared.output.color)
+}
+
+/// A row of numbers that begins with a minus, behind a space, so that it is not taken for an option.
+fn shielded(argument: OsString) -> OsString {
+    let number = |text: &&str| {
+        let constant = text.starts_with("pi") || text.starts_with("tau");
+        let digit = text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        // a lone number is an argument already
+        constant || (digit && text.contains([',', ' ', '/', '*']))
+    };
+    match argument.to_str().and_then(|text| text.strip_prefix('-')).filter(number) {
+        Some(row) => format!(" -{row}").into(),
+        None => argument,
+    }
+}
+
 /// Ends the program as clap does, with control characters escaped where it repeats the arguments.
 fn refuse(error: &clap::Error) -> ! {
     let mut escaped = false;
@@ -83,7 +128,7 @@ fn refuse(error: &clap::Error) -> ! {
             escaped = true;
             text.escape_debug().to_string().into()
         }
-        _ => argument,
+        _ => shielded(argument),
     });
     let arguments: Vec<OsString> = arguments.collect();
     match Cli::try_parse_from(arguments) {

@@ -13,9 +13,9 @@ pub use contorsion::contorsion;
 pub use disformation::disformation;
 
 use crate::Error;
-use crate::algebra::indices;
+use crate::algebra::{LETTERS, indices};
 use crate::frame::{Frame, expect_slots};
-use crate::lie_derivative::{LETTERS, derivation};
+use crate::lie_derivative::derivation;
 use affinor_tensors::{Down, Ring, Tensor, Up};
 
 /// A connection by its affinities in a frame: `nabla_{e_j} e_k = Lambda^i_jk e_i` (B1).

@@ -9,13 +9,16 @@ mod document;
 mod entry;
 mod escapes;
 mod file;
+mod group;
 mod input;
 mod notation;
+mod numbers;
 mod setting;
 mod space;
 mod written;
 
 pub use input::{InputError, Place, Refusal, Source};
+pub use numbers::numbers;
 pub use space::{Request, ScalarChoice, Space, Work};
 
 use crate::algebra::Complex;
@@ -25,7 +28,7 @@ use crate::{Bracket, Canonical, Error, LieAlgebra, MatrixBasis, Metric};
 use affinor_tensors::{Down, Notation, Ring, Symbolic, Tensor, Tolerance, Up};
 use chart::OnChart;
 use num_traits::Zero;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// An algebra, or fields on a chart, with, perhaps, a connection and a metric, as written down:
 /// exact, in parameters, and not yet checked.
@@ -131,11 +134,10 @@ impl Definition {
     }
 
     /// The coordinates, of which values may be functions; none without a chart.
-    pub fn coordinates(&self) -> &BTreeSet<String> {
-        static NONE: BTreeSet<String> = BTreeSet::new();
+    pub fn coordinates(&self) -> &[String] {
         match &self.origin {
             Origin::Chart(chart) => &chart.coordinates,
-            _ => &NONE,
+            _ => &[],
         }
     }
 

@@ -137,16 +137,16 @@ pub enum Error {
         /// Its value.
         value: String,
     },
-    /// Exponential coordinates whose series do not end.
-    #[error("the algebra is not nilpotent: {component} is not zero")]
-    NotNilpotent {
-        /// A component that should vanish.
-        component: String,
+    /// A point at which coordinates are singular.
+    #[error("the coordinates are singular at this point: the invariant forms vanish on {vector}")]
+    SingularPoint {
+        /// A vector that the forms take to zero.
+        vector: String,
     },
     /// An exponential that is not made of functions known here.
     #[error("ad_{x} has an eigenvalue other than small integers a + ib: a root of {polynomial}")]
     Eigenvalue {
-        /// The basis vector.
+        /// The vector.
         x: String,
         /// The minimal polynomial, in `z`.
         polynomial: String,
@@ -220,6 +220,24 @@ pub enum Error {
         /// `Lambda^i_jk n^j n^k e_i`.
         residual: String,
     },
+    /// An adjoint representation that is not faithful.
+    #[error("the algebra has a centre: {central} commutes with everything, and ad takes it to 0")]
+    Centre {
+        /// A vector of the centre.
+        central: String,
+    },
+    /// An algebra whose lower central series does not end at 0.
+    #[error("the algebra is not nilpotent: {component} is not zero")]
+    NotNilpotent {
+        /// A component that should vanish.
+        component: String,
+    },
+    /// A matrix that is no element of the group.
+    #[error("no element of the group: {reason}")]
+    NotInGroup {
+        /// What is wrong with it, with its witness.
+        reason: String,
+    },
     /// A group element without a logarithm in the algebra.
     #[error("no logarithm: {reason}")]
     NoLogarithm {
@@ -247,6 +265,14 @@ pub enum Error {
     SingularTangent {
         /// The components of the vector.
         x: Vec<f64>,
+    },
+    /// A differential equation that cannot be solved further.
+    #[error("the integration stops at t = {t}: {reason}")]
+    Integration {
+        /// The time that was reached.
+        t: f64,
+        /// Why.
+        reason: String,
     },
     /// A float that left its range.
     #[error("{component} = {value}: the computation left the range of f64")]

@@ -5,9 +5,9 @@
 //! `(e^1 ^ e^2)(e_1, e_2) = 1` and `dw(x,y) = x(w(y)) - y(w(x)) - w([x,y])` (the convention of
 //! Spivak and Warner; that of Kobayashi and Nomizu divides by `p + 1`).
 
+use crate::algebra::LETTERS;
 use crate::connection::Connection;
 use crate::frame::{Frame, expect_slots, expect_symmetry};
-use crate::lie_derivative::LETTERS;
 use crate::{Error, LieAlgebra};
 use affinor_tensors::{Down, Indices, Ring, Tensor, TensorError, Up, contract};
 

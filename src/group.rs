@@ -1,21 +1,46 @@
 //! Lie groups in floats: exponential, logarithm, translations and tangent operators.
 //!
-//! A group implements [`LieGroup`]; so do the rotations [`So3`], and every other file of this folder.
+//! A group implements [`LieGroup`]. In closed form there are [`So2`], [`So3`], [`Se2`], [`Se3`],
+//! [`Se23`], [`Sl2`] and [`Heisenberg`]; any nilpotent algebra has its [`Nilpotent`] group, any
+//! algebra of matrices its [`MatrixGroup`].
+//!
 //! Vectors are components in the basis of the algebra, tangent vectors at `g` components in its
 //! left-invariant frame, so that `g x` for a matrix group is the left translate of `x`.
 
+pub mod any;
 pub mod batch;
 pub mod coordinates;
+mod cubic;
+pub mod fields;
+pub mod heisenberg;
+mod logarithm;
+pub mod matrix_group;
+pub mod nilpotent;
 mod polynomial;
 pub mod rotation;
+mod screws;
+pub mod se2;
+pub mod se23;
+pub mod se3;
 pub mod series;
+pub mod sl2;
+pub mod so2;
 pub mod so3;
 pub mod stumpff;
 
+pub use any::{AnyGroup, Written};
 pub use coordinates::Coordinates;
+pub use heisenberg::Heisenberg;
+pub use matrix_group::MatrixGroup;
+pub use nilpotent::Nilpotent;
+pub use se2::Se2;
+pub use se3::Se3;
+pub use se23::{ExtendedPose, Se23};
+pub use sl2::Sl2;
+pub use so2::So2;
 pub use so3::So3;
 
-use crate::Error;
+use crate::{Bracket, Error, LieAlgebra};
 use nalgebra::DMatrix;
 use std::fmt::Debug;
 
@@ -111,6 +136,21 @@ pub trait LieGroup {
         let n = self.dimension();
         let unit = |a: usize| (0..n).map(|i| f64::from(i == a)).collect::<Vec<f64>>();
         (0..n).map(|a| Self::Vector::from_components(&unit(a))).collect()
+    }
+
+    /// The algebra, with the basis `e1`, `e2`, ... of the components.
+    ///
+    /// # Errors
+    /// [`Error::Jacobi`] for a `bracket` that is none.
+    fn algebra(&self) -> Result<LieAlgebra<f64>, Error> {
+        let basis = self.basis();
+        let labels: Vec<String> = (1..=basis.len()).map(|i| format!("e{i}")).collect();
+        let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
+        let bracket = Bracket::from_fn(&labels, |j, k| {
+            let bracket = self.bracket(&basis[j], &basis[k]);
+            bracket.components().iter().copied().enumerate().collect()
+        })?;
+        LieAlgebra::try_from(bracket)
     }
 
     /// The matrix of a linear map of the algebra, such as `|v| group.tangent_left(&x, v)`: the

@@ -2,14 +2,14 @@
 
 use crate::frame::formula;
 use crate::{Connection, Error};
-use affinor_tensors::linear::Echelon;
+use affinor_tensors::linear::{Echelon, Row};
 use affinor_tensors::{Down, Field, Indices, Ring, Tensor, Up};
 
 /// The Lie algebra of the holonomy group: a subalgebra of gl(n), by its reduced basis.
 #[derive(Clone, Debug)]
 pub struct Holonomy<S> {
     dimension: usize,
-    /// Matrices in rows of `n n` entries, entry `(i, j)` at `i n + j`.
+    /// Matrices as rows of `n n` entries.
     span: Echelon<S>,
 }
 
@@ -51,7 +51,7 @@ impl<S: Field> Connection<S> {
         // R(e_k, e_l) is the matrix of slots 0 and 1, apart by slots 2 and 3
         let mut open = matrices(&self.curvature(), [0, 1], &[2, 3])?;
         while let Some(matrix) = open.pop() {
-            if !span.insert(row(&matrix))? {
+            if !span.insert(matrix.to_row())? {
                 continue;
             }
             let moved = formula(
@@ -75,18 +75,15 @@ impl<S: Field> Holonomy<S> {
     /// # Errors
     /// When the dimension is beyond the engine, which that of a connection is not.
     pub fn basis(&self) -> Result<Vec<Tensor<S>>, Error> {
-        let n = self.dimension;
-        let matrix = |row: &Vec<(usize, S)>| {
-            let entries = row.iter().map(|(at, value)| ([at / n, at % n], value.clone()));
-            Ok(Tensor::from_components(n, &[Up, Down], entries)?)
-        };
+        let matrix =
+            |row: &Row<S>| Ok(Tensor::from_row(self.dimension, &[Up, Down], row.iter().cloned())?);
         self.span.rows().iter().map(matrix).collect()
     }
 
     /// Whether a matrix `A^i_j`, slots `[Up, Down]`, lies in the algebra.
     pub fn contains(&self, matrix: &Tensor<S>) -> bool {
         let fits = matrix.slots() == [Up, Down] && matrix.dimension() == self.dimension;
-        fits && self.span.contains(row(matrix))
+        fits && self.span.contains(matrix.to_row())
     }
 }
 
@@ -104,9 +101,4 @@ fn matrices<S: Ring>(
     let matrix = |entries| Tensor::from_components(tensor.dimension(), &[Up, Down], entries);
     let matrices = entries.into_values().map(|entries: Vec<([usize; 2], S)>| matrix(entries));
     Ok(matrices.collect::<Result<_, _>>()?)
-}
-
-fn row<S: Ring>(matrix: &Tensor<S>) -> Vec<(usize, S)> {
-    let n = matrix.dimension();
-    matrix.components().map(|(at, value)| (at[0] * n + at[1], value.clone())).collect()
 }

@@ -3,7 +3,7 @@
 use crate::lie_derivative::act;
 use crate::{Error, LieAlgebra};
 use affinor_tensors::linear::{Matrix, Row};
-use affinor_tensors::{Field, Indices, Tensor, Tolerance, Variance};
+use affinor_tensors::{Field, Tensor, Tolerance, Variance};
 
 /// The most unknowns of a search for invariants.
 ///
@@ -35,30 +35,14 @@ pub fn invariant_tensors<S: Field>(
     let tolerances = endomorphisms.iter().map(Tensor::tolerance);
     let tolerance = tolerances.reduce(Tolerance::weaker).unwrap_or_default();
     let of_row = |row: &[(usize, S)]| {
-        let components = row.iter().map(|(key, v)| (digits(*key, dimension, slots), v.clone()));
-        let tensor = Tensor::from_components(dimension, slots, components)?;
+        let tensor = Tensor::from_row(dimension, slots, row.iter().cloned())?;
         Ok(tensor.with_tolerance(tolerance))
     };
     let image = |endomorphism: &Tensor<S>, row: &[(usize, S)]| {
-        let acted = act(endomorphism, &of_row(row)?)?;
-        Ok(acted.components().map(|(at, value)| (key(&at, dimension), value.clone())).collect())
+        Ok(act(endomorphism, &of_row(row)?)?.to_row())
     };
     let kernel = common_kernel("components of a tensor", size, tolerance, endomorphisms, image)?;
     (0..kernel.rows()).map(|at| of_row(kernel.row(at))).collect()
-}
-
-/// The place of a component in the order of indices.
-fn key(at: &Indices, dimension: usize) -> usize {
-    at.iter().fold(0, |key, index| key * dimension + index)
-}
-
-/// The indices at a place.
-fn digits(mut key: usize, dimension: usize, slots: &[Variance]) -> Vec<usize> {
-    let mut indices = vec![0; slots.len()];
-    for index in indices.iter_mut().rev() {
-        (*index, key) = (key % dimension, key / dimension);
-    }
-    indices
 }
 
 /// The vectors of `unknowns` components that every map takes to zero, in reduced row echelon form.
@@ -99,10 +83,5 @@ impl<S: Field> LieAlgebra<S> {
         let endomorphisms = directions.iter().map(|x| self.ad(x));
         let endomorphisms = endomorphisms.collect::<Result<Vec<_>, _>>()?;
         invariant_tensors(self.dimension(), slots, &endomorphisms)
-    }
-
-    /// The basis vectors, by their components.
-    pub(crate) fn basis(&self) -> Vec<Vec<S>> {
-        Matrix::identity(self.dimension()).to_dense()
     }
 }

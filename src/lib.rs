@@ -55,6 +55,7 @@ pub mod invariants;
 pub mod lie_derivative;
 pub mod lie_poisson;
 pub mod metric;
+pub mod ode;
 pub mod paper;
 pub mod properties;
 pub mod reductive;

@@ -1,12 +1,9 @@
 //! Derivations of tensors, the Lie derivative along a field, the bracket of two.
 
 use crate::Error;
-use crate::algebra::indices;
+use crate::algebra::{LETTERS, indices};
 use crate::frame::{Frame, expect_slots, formula};
 use affinor_tensors::{Down, Ring, Tensor, Up, Variance, contract};
-
-/// The letters of the slots of a tensor; `m` and `p` are left for sums.
-pub(crate) const LETTERS: &str = "abcdefgh";
 
 /// What the derivation `e_k -> L^i_{direction}k e_i` makes of `T`, for the notation of
 /// contractions: a term for every slot, `+ L^a_p T^p..` for an upper and `- L^p_a T_p..` for a

@@ -1,12 +1,28 @@
-//! Parallel transport along autoparallels: its generator.
+//! Parallel translation: its generator, along curves of a group, and the curves that carry their
+//! own tangent.
+
+mod autoparallel;
+mod curve;
+
+pub use curve::ParallelTranslation;
 
 use crate::frame::{expect_slots, formula};
 use crate::{Connection, Error};
 use affinor_tensors::{Ring, Tensor, Up};
 
 impl<S: Ring> Connection<S> {
-    /// The generator of parallel transport along the autoparallel with the constant tangent `n`,
-    /// slots `^i_k`: `du/dt = G u` with `G^i_k = -Lambda^i_jk n^j`, from (42) and (45).
+    /// The generator of parallel translation along a curve with the tangent `w`, slots `^i_k`:
+    /// `du/dt = G u` with `G^i_k = -Lambda^i_jk w^j`, from (42), (B5).
+    ///
+    /// # Errors
+    /// [`Error::Shape`].
+    pub fn transport_along(&self, w: &[S]) -> Result<Tensor<S>, Error> {
+        let vector = Tensor::vector(w, Up).with_tolerance(self.gamma().tolerance());
+        expect_slots("the direction", &vector, self.frame().dimension(), &[Up])?;
+        Ok(formula("-1 L^i_jk w^j -> ^i_k", &[("L", self.gamma()), ("w", &vector)]))
+    }
+
+    /// The generator along the autoparallel with the constant tangent `n`, (45).
     ///
     /// It is `-ad_n` for `plus`, `-ad_n/2` for `zero`, and 0 for `minus`.
     ///
@@ -14,9 +30,8 @@ impl<S: Ring> Connection<S> {
     /// [`Error::NotAutoparallel`] unless `Lambda^i_jk n^j n^k = 0` (B7): else the tangent of the
     /// autoparallel does not stay constant in this frame. [`Error::Shape`].
     pub fn transport_generator(&self, n: &[S]) -> Result<Tensor<S>, Error> {
+        let generator = self.transport_along(n)?;
         let vector = Tensor::vector(n, Up).with_tolerance(self.gamma().tolerance());
-        expect_slots("the direction", &vector, self.frame().dimension(), &[Up])?;
-        let generator = formula("-1 L^i_jk n^j -> ^i_k", &[("L", self.gamma()), ("n", &vector)]);
         let drift = formula("-1 G^i_k n^k -> ^i", &[("G", &generator), ("n", &vector)]);
         if drift.is_empty() {
             return Ok(generator);

@@ -315,6 +315,14 @@ fn geodesics_of_the_sphere_in_coordinates() {
     }
 }
 
+#[test]
+fn rows_of_a_csv_are_named_by_coordinate_or_number() {
+    let sphere = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/definitions/sphere.toml");
+    let csv = printed(&[sphere, "--motion", "autoparallel", "--format", "csv"]);
+    let names: Vec<_> = csv.lines().map(|line| line.split(',').next().unwrap()).collect();
+    assert_eq!(names, ["equation", "theta", "phi", "1", "1", "2", "2"], "{csv}");
+}
+
 /// The kinematics of Euler angles z-x-z (Goldstein, Classical Mechanics, 4-87, solved for the
 /// rates), and the refusal where the metric varies.
 #[test]

@@ -170,6 +170,16 @@ fn matrices_are_orthogonal() {
     }
 }
 
+/// The float nearest to `pi` is a little less, so the vector returns, by the quaternion and by the matrix.
+#[test]
+fn the_largest_angle_below_a_half_turn() {
+    for x in [Vector3::z() * PI, Vector3::y() * -PI, Vector3::x() * -PI] {
+        let g = So3.exp(&x);
+        assert_eq!(So3.log(&g).unwrap(), x);
+        assert_eq!(So3.log(&from_matrix(&matrix(&g), 4.0 * EPS).unwrap()).unwrap(), x);
+    }
+}
+
 /// At exactly `pi` the first component of the axis that is not zero is positive.
 #[test]
 fn the_sign_at_a_half_turn() {

@@ -115,6 +115,7 @@ const ARROWS: [(&[&str], &[&str]); 6] = [
             "src/reductive.rs",
             "src/transport.rs",
             "src/chart",
+            "src/group",
         ],
         &[
             "catalogue",

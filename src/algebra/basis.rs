@@ -42,7 +42,7 @@ impl<S: Field> BasisChange<S> {
     /// [`Error::Shape`] when the dimensions differ.
     pub fn apply(&self, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
         expect_slots("the tensor", tensor, self.matrix.dimension(), tensor.slots())?;
-        let letters = &"abcdefgh"[..tensor.rank()];
+        let letters = &LETTERS[..tensor.rank()];
         let mut result = tensor.clone();
         for (at, letter) in letters.chars().enumerate() {
             let old = letters.replace(letter, "p");
@@ -61,6 +61,9 @@ impl<S: Field> BasisChange<S> {
         Ok(result)
     }
 }
+
+/// The letters of the slots of a tensor; `m` and `p` are left for sums.
+pub(crate) const LETTERS: &str = "abcdefgh";
 
 /// One letter a slot, as the notation of contractions writes them.
 pub(crate) fn indices<S: affinor_tensors::Ring>(letters: &str, tensor: &Tensor<S>) -> String {

@@ -87,6 +87,11 @@ impl<S: Field> MatrixBasis<S> {
         &self.labels
     }
 
+    /// The matrices, complex ones in their real form of twice the size.
+    pub fn matrices(&self) -> &[Matrix<S>] {
+        &self.matrices
+    }
+
     /// The bracket of the span: `[A, B] = AB - BA` in coordinates of the basis.
     ///
     /// # Errors

@@ -1,127 +1,96 @@
-//! `exp(x M)` in closed form.
+//! `exp` of a matrix and its integral, in closed form.
 //!
-//! With the minimal polynomial `mu` of `M`, of degree `d`, it is `sum f_j(x) M^j`, `j < d`, where the
-//! `f_j` solve `mu(d/dx) f = 0` and the `i`-th derivative of `f_j` at 0 is 1 for `i = j < d` and 0
-//! for other `i < d`. The solutions are spanned by `x^p e^(ax) cos(bx)` and `x^p e^(ax) sin(bx)`
-//! for the roots `a + ib` of `mu`: I. E. Leonard, *SIAM Review* 38 (1996) 507-512.
+//! With a polynomial `mu` of degree `d` that annihilates `M`, `exp(sM)` is `sum f_j(s) M^j`,
+//! `j < d`, where the `f_j` solve `mu(d/ds) f = 0` and the `i`-th derivative of `f_j` at 0 is 1 for
+//! `i = j < d` and 0 for other `i < d`. The solutions are spanned by `s^p e^(as) cos(bs)` and
+//! `s^p e^(as) sin(bs)` for the roots `a + ib` of `mu`: I. E. Leonard, *SIAM Review* 38 (1996)
+//! 507-512. Here `a` and `b` are linear forms of the coordinates.
 
+use super::canonical::{Entire, Side};
+use super::eigenvalues::{Eigenvalue, eigenvalues, multiplied, refusal};
 use crate::Error;
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{Field, Notation, Rational, Ring, Symbolic};
-use num_traits::{One, Zero, pow};
+use affinor_tensors::{Notation, Ring, Symbolic};
+use num_traits::{One, Zero};
 
-/// The largest integer that a part of an eigenvalue may be.
-const LARGEST: i64 = 12;
-
-/// `exp(x M)` for the parameter `x`; `label` names whose matrix it is.
-pub(super) fn exponential(
-    m: &Matrix<Symbolic>,
-    x: &str,
-    label: &str,
+/// A function of `-ad_x` (left) or `ad_x` (right), for coordinates `x` along `labels`.
+pub(super) fn closed_form(
+    function: Entire,
+    side: Side,
+    ad_x: &Matrix<Symbolic>,
+    coordinates: &[String],
+    labels: &[String],
 ) -> Result<Matrix<Symbolic>, Error> {
-    let (powers, relation) = minimal(m);
-    let refuse = || {
-        let terms = relation.iter().enumerate().map(|(j, a)| (-a.clone(), format!("z^{j}")));
-        let leading = [(Symbolic::one(), format!("z^{}", relation.len()))];
-        let terms = leading.into_iter().chain(terms.rev()).filter(|(a, _)| !a.vanishes());
-        let polynomial = crate::error::combination(terms);
-        Error::Eigenvalue { x: label.into(), polynomial }
+    let x: Vec<Symbolic> = coordinates.iter().map(|name| Symbolic::parameter(name)).collect();
+    let found = eigenvalues(ad_x, coordinates, labels)?;
+    let mut roots: Vec<Eigenvalue> = match side {
+        Side::Left => found.into_iter().map(Eigenvalue::opposite).collect(),
+        Side::Right => found,
     };
-    let constants: Option<Vec<Rational>> =
-        relation.iter().map(|a| a.as_constant().map(|a| -a.clone())).collect();
-    let mut mu = constants.ok_or_else(refuse)?;
-    mu.push(Rational::one());
-    let solutions = solutions(mu, x).ok_or_else(refuse)?;
-    let d = solutions.len();
-    let mut wronskian = Vec::new();
-    let mut derivatives = solutions.clone();
-    for _ in 0..d {
-        wronskian.push(derivatives.iter().map(|f| at_zero(f, x)).collect());
-        derivatives = derivatives.iter().map(|f| f.derivative(x)).collect();
-    }
-    let wronskian = Matrix::from_dense(&wronskian).ok().and_then(|w| w.inverse());
-    let coefficients = wronskian.expect("independent solutions");
-    let sum =
-        powers.iter().enumerate().fold(Matrix::zero(m.rows(), m.rows()), |sum, (j, power)| {
-            let terms =
-                solutions.iter().enumerate().map(|(k, f)| f.clone() * &coefficients.get(k, j));
-            let f = terms.fold(Symbolic::zero(), |sum, term| sum + &term);
-            added(&sum, &power.map(|value| value.clone() * &f))
-        });
-    Ok(sum)
-}
-
-/// The powers below the degree of the minimal polynomial, and the next as a combination of them.
-fn minimal(m: &Matrix<Symbolic>) -> (Vec<Matrix<Symbolic>>, Vec<Symbolic>) {
-    let entries = |m: &Matrix<Symbolic>| m.to_dense().concat();
+    let mu = roots.iter().fold(vec![Symbolic::one()], |mu, root| {
+        let factor = root.factor(&x);
+        (0..root.multiplicity).fold(mu, |mu, _| multiplied(&mu, &factor))
+    });
+    let m = side.signed(ad_x);
     let mut powers = vec![Matrix::identity(m.rows())];
-    loop {
-        let next = square(m, &powers[powers.len() - 1]);
-        let columns: Vec<_> = powers.iter().map(entries).collect();
-        let columns = Matrix::from_dense(&columns).expect("powers of one size").transpose();
-        match columns.solve(&entries(&next)).expect("as many entries as rows") {
-            Some(relation) => return (powers, relation),
-            None => powers.push(next),
-        }
+    for _ in 1..mu.len() {
+        powers.push(m.mul(&powers[powers.len() - 1])?);
     }
-}
-
-/// A basis of the solutions of `mu(d/dx) f = 0`; `None` if a root is no small integer `a + ib`.
-fn solutions(mut mu: Vec<Rational>, x: &str) -> Option<Vec<Symbolic>> {
-    let x = Symbolic::parameter(x);
-    let times = |n: i64| x.clone() * &Symbolic::from_i64(n);
-    let mut solutions = Vec::new();
-    let roots = (0..=LARGEST).flat_map(|b| (-LARGEST..=LARGEST).map(move |a| (a, b)));
-    for (a, b) in roots {
-        let factor = match b {
-            0 => vec![-a, 1],
-            _ => vec![a * a + b * b, -2 * a, 1],
-        };
-        let mut p = 0;
-        while let Some(quotient) = divided(&mu, &factor) {
-            let growth = Symbolic::function("exp", &times(a)).ok()? * &pow(x.clone(), p);
-            let waves: &[&str] = if b == 0 { &["cos"] } else { &["cos", "sin"] };
-            for wave in waves {
-                solutions.push(Symbolic::function(wave, &times(b)).ok()? * &growth);
+    let at_m = |coefficients: &[Symbolic]| {
+        let zero = Matrix::zero(m.rows(), m.rows());
+        powers
+            .iter()
+            .zip(coefficients)
+            .try_fold(zero, |sum, (power, f)| sum.add(&power.map(|value| value.clone() * f)))
+    };
+    // the roots were found at points: this proves them
+    if at_m(&mu)?.entries().next().is_some() {
+        return Err(refusal("x", &mu));
+    }
+    // with f the remainder of e^z by z mu, (f - 1)/z is that of the integral by mu
+    let skipped = match function {
+        Entire::Exponential => 0,
+        Entire::Integral => {
+            match roots.iter_mut().find(|root| root.is_zero()) {
+                Some(root) => root.multiplicity += 1,
+                None => roots.push(Eigenvalue::zero(x.len())),
             }
-            (mu, p) = (quotient, p + 1);
+            1
+        }
+    };
+    let remainder = remainder(&roots, &x).ok_or_else(|| refusal("x", &mu))?;
+    Ok(at_m(&remainder[skipped..])?)
+}
+
+/// The remainder of `e^z` by the polynomial with these roots: the `f_j` at `s = 1`; `None` where a
+/// form is beyond the functions known.
+fn remainder(roots: &[Eigenvalue], x: &[Symbolic]) -> Option<Vec<Symbolic>> {
+    let parts = |root: &Eigenvalue| if root.at(x)[1].vanishes() { 1 } else { 2 };
+    let degree = roots.iter().map(|root| root.multiplicity * parts(root)).sum();
+    let (mut derivatives, mut values) = (Vec::new(), Vec::new());
+    for root in roots {
+        let [a, b] = root.at(x);
+        let mut growth = Symbolic::function("exp", &a).ok()?;
+        let waves = ["cos", "sin"].map(|wave| Symbolic::function(wave, &b));
+        // of s^p/p! e^((a+ib)s) at 0: real and imaginary parts
+        let mut before = vec![[Symbolic::zero(), Symbolic::zero()]; degree];
+        for p in 0..root.multiplicity {
+            let first = if p == 0 { Symbolic::one() } else { Symbolic::zero() };
+            let mut own = vec![[first, Symbolic::zero()]];
+            for i in 1..degree {
+                let ([re, im], [more_re, more_im]) = (own[i - 1].clone(), &before[i - 1]);
+                let next_re = a.clone() * &re - &(b.clone() * &im) + more_re;
+                let next_im = a.clone() * &im + &(b.clone() * &re) + more_im;
+                own.push([next_re, next_im]);
+            }
+            for (part, wave) in waves.iter().enumerate().take(parts(root)) {
+                derivatives.push(own.iter().map(|pair| pair[part].clone()).collect());
+                values.push(wave.clone().ok()? * &growth);
+            }
+            growth = growth / &Symbolic::from_i64(p as i64 + 1);
+            before = own;
         }
     }
-    (mu.len() == 1).then_some(solutions)
-}
-
-/// The quotient by a polynomial with leading coefficient 1, if it divides; the constant first.
-fn divided(polynomial: &[Rational], factor: &[i64]) -> Option<Vec<Rational>> {
-    let degree = factor.len() - 1;
-    let mut rest = polynomial.to_vec();
-    let mut quotient =
-        vec![Rational::zero(); polynomial.len().checked_sub(degree).filter(|n| *n > 0)?];
-    for at in (0..quotient.len()).rev() {
-        let leading = rest[at + degree].clone();
-        for (k, c) in factor.iter().enumerate() {
-            let product = leading.clone() * &Rational::from(*c);
-            rest[at + k] = rest[at + k].clone() - &product;
-        }
-        quotient[at] = leading;
-    }
-    rest.iter().all(Ring::vanishes).then_some(quotient)
-}
-
-/// The value at `x = 0`.
-fn at_zero(f: &Symbolic, x: &str) -> Symbolic {
-    let zero = Symbolic::zero();
-    let (tan, exp) = (format!("tan({x}/2)"), format!("exp({x})"));
-    let values = [(x.to_string(), zero.clone()), (tan, zero), (exp, Symbolic::one())];
-    f.substitute(&values.into()).expect("an entire function")
-}
-
-pub(super) fn square<S: Field>(a: &Matrix<S>, b: &Matrix<S>) -> Matrix<S> {
-    a.mul(b).expect("square matrices of one size")
-}
-
-pub(super) fn added<S: Field>(a: &Matrix<S>, b: &Matrix<S>) -> Matrix<S> {
-    let both = a.entries().chain(b.entries());
-    let mut rows = vec![vec![]; a.rows()];
-    both.for_each(|(i, j, value)| rows[i].push((j, value.clone())));
-    Matrix::from_rows(a.columns(), rows).expect("columns of the operands")
+    let inverse = Matrix::from_dense(&derivatives).expect("as many derivatives of each").inverse();
+    Some(inverse.expect("independent solutions").apply(&values).expect("as many values"))
 }

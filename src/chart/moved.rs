@@ -17,7 +17,8 @@ impl<S: Field> Frame<S> {
         let constant = change.apply(self.structure())?;
         let h = inhomogeneous(self, change)?;
         let operands = [("c", &constant), ("h", &h)];
-        let structure = formula("c^i_jk + h^i_jk - h^i_kj -> ^i_jk", &operands);
+        // antisymmetric to the last bit, also in floats
+        let structure = formula("c^i_jk + h^i_jk - h^i_kj -> ^i_[jk]", &operands);
         let isotropy = change.apply(&self.isotropy()?)?;
         let (frame, matrix) = (self.clone(), change.matrix().clone());
         let columns: Vec<Vec<(usize, S)>> = (0..self.dimension())

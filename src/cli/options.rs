@@ -77,7 +77,8 @@ impl Shared {
         }
     }
 
-    fn tolerance(&self) -> Result<Tolerance, Failure> {
+    /// When a float counts as zero.
+    pub fn tolerance(&self) -> Result<Tolerance, Failure> {
         let Some(relative) = self.tolerance else { return Ok(Tolerance::default()) };
         Tolerance::new(relative).ok_or_else(|| {
             let message = format!("--tolerance {relative} is not in 0 <= T < 1");

@@ -15,7 +15,7 @@ impl<S: Field> Connection<S> {
     /// # Errors
     /// [`Error::Size`] beyond [`MAX_UNKNOWNS`](crate::invariants::MAX_UNKNOWNS) components.
     pub fn bi_invariant(algebra: &LieAlgebra<S>) -> Result<Vec<Tensor<S>>, Error> {
-        Self::invariant_under(algebra, &algebra.basis())
+        Self::invariant_under(algebra, &algebra.basis().collect::<Vec<_>>())
     }
 
     /// A basis of the left-invariant connections that are invariant under right translations by

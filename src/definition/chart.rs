@@ -4,14 +4,11 @@ use super::input::{InputError, Place};
 use super::{Given, Reading};
 use crate::chart::{Chart, Fields};
 use affinor_tensors::{Down, Notation, Tensor, Up};
-use std::collections::BTreeSet;
 
 /// Coordinates, and fields by their components in the coordinate frame.
 #[derive(Clone, Debug)]
 pub(super) struct OnChart {
-    pub coordinates: BTreeSet<String>,
-    /// The coordinates in their order.
-    pub names: Vec<String>,
+    pub coordinates: Vec<String>,
     pub fields: Vec<Given>,
     /// Where the fields stand.
     pub place: Place,
@@ -31,7 +28,7 @@ impl OnChart {
             }
         }
         let components = Tensor::from_components(labels.len(), &[Up, Down], entries)?;
-        let fields = Chart::new(&self.names)?.fields(labels.into(), components);
+        let fields = Chart::new(&self.coordinates)?.fields(labels.into(), components);
         fields.map_err(|error| InputError::from(error).at(&self.place))
     }
 }

@@ -9,6 +9,7 @@ use super::written::{
     Block, Cell, ChartText, ConnectionText, FieldsText, MatrixRows, MetricText, Row, Text,
 };
 use super::{ConnectionChoice, Definition, Given, MatrixEntries, Origin, Pairs, check_dimension};
+use crate::chart::field_of;
 use affinor_tensors::{Ring, Symbolic};
 use std::borrow::Cow;
 use std::collections::btree_map::Entry;
@@ -44,7 +45,7 @@ pub(super) struct Document<'t> {
     affinities: Option<Block<'t>>,
 }
 
-impl Document<'_> {
+impl<'t> Document<'t> {
     /// What the keys define.
     ///
     /// # Errors
@@ -53,7 +54,9 @@ impl Document<'_> {
         let labels = self.labels(source)?;
         let labels: Vec<&str> = labels.iter().map(|label| &**label).collect();
         let indices = basis(&labels, source)?;
-        let (parameters, coordinates) = self.declared(&indices, source)?;
+        let parameters = self.declared(&indices, source)?;
+        let coordinates: Vec<String> =
+            self.coordinates().iter().map(|Text(name)| name.to_string()).collect();
         let declared = parameters.iter().cloned().collect();
         let (parameters, coordinates) = (Some(&parameters), &coordinates);
         let names = Names { labels: &indices, parameters, coordinates };
@@ -127,17 +130,20 @@ impl Document<'_> {
         })
     }
 
-    /// The parameters, coordinates among them, and the coordinates alone; none of them the name of
-    /// something else.
+    /// The coordinates as written; none without a chart.
+    fn coordinates(&self) -> &[Text<'t>] {
+        self.chart.as_ref().map_or(&[], |chart| &chart.coordinates)
+    }
+
+    /// The parameters, coordinates among them; none the name of something else.
     fn declared(
         &self,
         labels: &BTreeMap<String, usize>,
         source: &Source,
-    ) -> Result<(BTreeSet<String>, BTreeSet<String>), InputError> {
-        let coordinates = self.chart.as_ref().map_or(&[][..], |chart| &chart.coordinates);
-        let fields: Vec<String> = coordinates.iter().map(|Text(name)| field_of(name)).collect();
-        let (mut parameters, mut declared) = (BTreeSet::new(), BTreeSet::new());
-        let coordinates = coordinates.iter().map(|text| (text, "coordinate"));
+    ) -> Result<BTreeSet<String>, InputError> {
+        let fields: Vec<_> = self.coordinates().iter().map(|Text(name)| field_of(name)).collect();
+        let mut parameters = BTreeSet::new();
+        let coordinates = self.coordinates().iter().map(|text| (text, "coordinate"));
         for (Text(name), what) in
             coordinates.chain(self.parameters.iter().map(|t| (t, "parameter")))
         {
@@ -149,18 +155,14 @@ impl Document<'_> {
                 let message = format!("the {what} `{name}` is already the name of something");
                 return Err(InputError::usage(message).at(&place));
             }
-            if what == "coordinate" {
-                declared.insert(name.to_string());
-            }
         }
-        Ok((parameters, declared))
+        Ok(parameters)
     }
 
     /// The fields of `frame`, by the coordinate fields; without it these themselves.
     fn fields(&self, names: &Names, source: &Source) -> Result<Origin, InputError> {
-        let coordinates = self.chart.as_ref().map_or(&[][..], |chart| &chart.coordinates);
-        let labels = coordinates.iter().zip(0..).map(|(Text(name), at)| (field_of(name), at));
-        let labels: BTreeMap<String, usize> = labels.collect();
+        let coordinates = names.coordinates;
+        let labels = coordinates.iter().zip(0..).map(|(name, at)| (field_of(name), at)).collect();
         let names = Names { labels: &labels, ..*names };
         let place = source.key(if self.frame.is_some() { "frame" } else { "chart" });
         let fields = match &self.frame {
@@ -182,9 +184,7 @@ impl Document<'_> {
                 fields.iter().map(field).collect::<Result<_, InputError>>()?
             }
         };
-        let ordered = coordinates.iter().map(|Text(name)| name.to_string()).collect();
-        let coordinates = names.coordinates.clone();
-        Ok(Origin::Chart(OnChart { coordinates, names: ordered, fields, place }))
+        Ok(Origin::Chart(OnChart { coordinates: coordinates.to_vec(), fields, place }))
     }
 
     /// The basis, from `basis`, `dimension`, the matrices' names, or their number.
@@ -238,11 +238,6 @@ impl Document<'_> {
                 .help("give basis = [\"x\", \"y\", ...] or dimension = 3")),
         }
     }
-}
-
-/// The name of the coordinate field `d/dx`.
-fn field_of(coordinate: &str) -> String {
-    format!("d_{coordinate}")
 }
 
 /// The right sides by ordered pair, from rows `[i, j, k, "v"]`.

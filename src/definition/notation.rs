@@ -16,7 +16,7 @@ pub(super) struct Names<'n> {
     /// The declared parameters; `None` lets every other name be one.
     pub parameters: Option<&'n BTreeSet<String>>,
     /// The coordinates, of which there are functions like `sin`; declared as parameters, too.
-    pub coordinates: &'n BTreeSet<String>,
+    pub coordinates: &'n [String],
 }
 
 impl Names<'_> {

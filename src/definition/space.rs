@@ -7,7 +7,7 @@ use super::setting::settings;
 use super::{Definition, Origin, Reading};
 use crate::catalogue::CatalogueError;
 use affinor_tensors::{Notation, Rational, Symbolic, Tolerance};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// What the command line says about a space.
@@ -86,7 +86,7 @@ impl Space {
             }
         };
         let declared = if name.is_some() { definition.parameters() } else { vec![] };
-        let (none, coordinates) = (BTreeMap::new(), definition.coordinates().clone());
+        let (none, coordinates) = (BTreeMap::new(), definition.coordinates().to_vec());
         let open = Names { labels: &none, parameters: None, coordinates: &coordinates };
         let given = [(&modifiers.metric, "@metric"), (&request.metric, "--metric")];
         for (text, origin) in given {
@@ -121,7 +121,7 @@ impl Space {
     /// # Errors
     /// As [`Definition::set`].
     pub fn set(&mut self, text: &str, others: &[String]) -> Result<(), InputError> {
-        let (none, coordinates) = (BTreeMap::new(), self.definition.coordinates().clone());
+        let (none, coordinates) = (BTreeMap::new(), self.definition.coordinates().to_vec());
         let open = Names { labels: &none, parameters: None, coordinates: &coordinates };
         let source = Source::new("--set", text);
         let before = self.definition.parameters();
@@ -152,9 +152,8 @@ impl Space {
     ) -> Result<W::Output, InputError> {
         let parameters = self.definition.parameters();
         match choice {
-            ScalarChoice::Float if self.definition.is_on_chart() => {
-                let message = "functions on a chart are differentiated, so they are exact";
-                Err(InputError::usage(message).help("leave --scalar float away"))
+            ScalarChoice::Float => {
+                self.in_floats(tolerance, |definition, reading| work.run(definition, reading))
             }
             ScalarChoice::Exact if parameters.is_empty() && !self.definition.is_on_chart() => {
                 let convert = |value: &Symbolic| value.as_constant().cloned();
@@ -164,15 +163,30 @@ impl Space {
                 let convert = |value: &Symbolic| Some(value.clone());
                 work.run::<Symbolic>(&self.definition, &Reading { convert: &convert, tolerance })
             }
-            ScalarChoice::Float if parameters.is_empty() => {
-                let convert = |value: &Symbolic| value.to_f64().filter(|x| x.is_finite());
-                work.run::<f64>(&self.definition, &Reading { convert: &convert, tolerance })
-            }
-            ScalarChoice::Float => {
-                let message = format!("floats need numbers for {}", parameters.join(", "));
-                Err(InputError::usage(message).help("set them, as in --set \"J1=1/2,h=-1\""))
-            }
         }
+    }
+
+    /// Runs `work` in floats.
+    ///
+    /// # Errors
+    /// A chart, whose functions are exact; parameters without values; whatever the work refuses.
+    pub fn in_floats<R>(
+        &self,
+        tolerance: Tolerance,
+        work: impl FnOnce(&Definition, &Reading<f64>) -> Result<R, InputError>,
+    ) -> Result<R, InputError> {
+        if self.definition.is_on_chart() {
+            let message = "functions on a chart are differentiated, so they are exact";
+            return Err(InputError::usage(message).help("leave --scalar float away"));
+        }
+        let parameters = self.definition.parameters();
+        if !parameters.is_empty() {
+            let message = format!("floats need numbers for {}", parameters.join(", "));
+            let help = "set them, as in --set \"J1=1/2,h=-1\"";
+            return Err(InputError::usage(message).help(help));
+        }
+        let convert = |value: &Symbolic| value.to_f64().filter(|x| x.is_finite());
+        work(&self.definition, &Reading { convert: &convert, tolerance })
     }
 }
 
@@ -297,7 +311,7 @@ fn inline(labels: &str, brackets: &[String]) -> Result<Definition, InputError> {
     let labels = source.text.split([' ', ',', '\t', '\n']);
     let labels: Vec<&str> = labels.filter(|label| !label.is_empty()).collect();
     let indices = basis(&labels, &source)?;
-    let names = Names { labels: &indices, parameters: None, coordinates: &BTreeSet::new() };
+    let names = Names { labels: &indices, parameters: None, coordinates: &[] };
     let mut given = BTreeMap::new();
     for block in brackets {
         let source = Source::new("--bracket", block);

@@ -45,9 +45,16 @@ pub fn exp(vectors: &Vectors, rotations: &mut Quaternions) {
             let half = 0.5 * sin;
             (w[t], i[t], j[t], k[t]) = (cos, x[t] * half, y[t] * half, z[t] * half);
         }
-        for t in if all_near { 0..0 } else { 0..x.len() } {
-            let g = So3.exp(&Vector3::new(x[t], y[t], z[t]));
-            (w[t], i[t], j[t], k[t]) = (g.w, g.i, g.j, g.k);
+        if all_near {
+            return;
+        }
+        for t in 0..x.len() {
+            let vector = Vector3::new(x[t], y[t], z[t]);
+            let quarter = 0.25 * vector.norm_squared();
+            if quarter.is_nan() || quarter >= NEAR {
+                let g = So3.exp(&vector);
+                (w[t], i[t], j[t], k[t]) = (g.w, g.i, g.j, g.k);
+            }
         }
     });
 }

@@ -3,7 +3,7 @@
 use super::LieGroup;
 use super::polynomial::polynomial;
 use super::rotation;
-use super::stumpff::{Stumpff, first_two, inverse_tangent};
+use super::stumpff::{FAR, Stumpff, first_two, inverse_tangent};
 use crate::Error;
 use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
 
@@ -24,8 +24,6 @@ pub struct So3;
 
 /// Squares of lengths below this are not near the end of floats.
 const LARGE: f64 = 1e280;
-/// Squares of angles so large that `1/angle` is nothing beside 1.
-const FAR: f64 = 1e40;
 
 impl LieGroup for So3 {
     type Element = UnitQuaternion<f64>;

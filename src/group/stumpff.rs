@@ -15,6 +15,8 @@ use super::polynomial::polynomial;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stumpff {
+    /// The argument.
+    pub z: f64,
     /// `cos x`.
     pub c0: f64,
     /// `sin x / x`.
@@ -29,6 +31,10 @@ pub struct Stumpff {
     pub c5: f64,
 }
 
+/// Beyond this square of an angle, floats are many turns apart, and `cos` and `sin` are noise: what is
+/// left of a tangent operator is its mean over a turn.
+pub(super) const FAR: f64 = 1e40;
+
 /// Below this modulus of `z` the differences lose digits, and the series have few terms.
 const SERIES: f64 = 10.0;
 
@@ -39,23 +45,32 @@ impl Stumpff {
         if z.abs() < SERIES {
             let (c4, c5) = (polynomial(&FOURTH, z), polynomial(&FIFTH, z));
             let (c2, c3) = (0.5 - z * c4, 1.0 / 6.0 - z * c5);
-            return Stumpff { c0: 1.0 - z * c2, c1: 1.0 - z * c3, c2, c3, c4, c5 };
+            return Stumpff { z, c0: 1.0 - z * c2, c1: 1.0 - z * c3, c2, c3, c4, c5 };
         }
         let (cos, half) = far(0.25 * z);
         // no difference: 1 - cos x = 2 sin^2(x/2)
         let (c0, c1, c2) = (1.0 - 0.5 * z * half * half, half * cos, 0.5 * half * half);
         let c3 = (1.0 - c1) / z;
-        Stumpff { c0, c1, c2, c3, c4: (0.5 - c2) / z, c5: (1.0 / 6.0 - c3) / z }
+        Stumpff { z, c0, c1, c2, c3, c4: (0.5 - c2) / z, c5: (1.0 / 6.0 - c3) / z }
     }
 
-    /// `c_2'(z) = c_4 - c_3/2`.
+    /// `c_2'(z) = c_4 - c_3/2 = (c_1/2 - c_2)/z`.
     pub fn slope2(&self) -> f64 {
-        self.c4 - 0.5 * self.c3
+        if self.z.abs() < SERIES {
+            self.c4 - 0.5 * self.c3
+        } else {
+            // far out the first form is a difference of near equals
+            (0.5 * self.c1 - self.c2) / self.z
+        }
     }
 
-    /// `c_3'(z) = (3 c_5 - c_4)/2`.
+    /// `c_3'(z) = (3 c_5 - c_4)/2 = (c_2 - 3 c_3)/(2 z)`.
     pub fn slope3(&self) -> f64 {
-        1.5 * self.c5 - 0.5 * self.c4
+        if self.z.abs() < SERIES {
+            1.5 * self.c5 - 0.5 * self.c4
+        } else {
+            (0.5 * self.c2 - 1.5 * self.c3) / self.z
+        }
     }
 }
 
@@ -65,8 +80,9 @@ pub fn first_two(z: f64) -> (f64, f64) {
     if z.abs() < NEAR { near(z) } else { far(z) }
 }
 
-/// Where [`near`] holds: a quarter turn and a little more.
-pub(super) const NEAR: f64 = 2.5;
+/// Where [`near`] is taken: up to 1.5 for `x`. At a right angle `z` no longer tells on which side of it
+/// `x` is, but its root does.
+pub(super) const NEAR: f64 = 2.25;
 
 /// [`first_two`] for `|z| < NEAR`, without a branch.
 #[inline(always)]

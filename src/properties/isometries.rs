@@ -108,9 +108,7 @@ impl<S: Field> Metric<S> {
                 }));
             }
         }
-        let solution = system.solution();
-        let solution = solution.map(|(at, value)| ([at / n, at % n], value));
-        let phi = Tensor::from_components(n, &[Up, Down], solution)?;
+        let phi = Tensor::from_row(n, &[Up, Down], system.solution())?;
         Ok(Property::Holds(formula("k^i_a p^a_j -> ^i_j", &[("k", &k), ("p", &phi)])))
     }
 }

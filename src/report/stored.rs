@@ -59,12 +59,17 @@ impl Stored {
     }
 
     /// What the stored table says of itself that the computed one is not, each with the option that
-    /// would make it so: differences are then no surprise.
+    /// would make it so, if one does: differences are then no surprise.
     pub fn remarks<S: Notation>(&self, table: &Table<S>) -> Vec<String> {
         let mut remarks = Vec::new();
         if let Some(frame) = self.frame.as_ref().filter(|frame| *frame != table.frame) {
-            let frame = frame.escape_debug();
-            remarks.push(format!("stored in the {frame} frame, computed in the {}", table.frame));
+            let see = match (frame.as_str(), table.frame) {
+                ("right-invariant", "left-invariant") => ": see --frame right",
+                ("left-invariant", "right-invariant") => ": see --frame left",
+                _ => "",
+            };
+            let (stored, computed) = (frame.escape_debug(), table.frame);
+            remarks.push(format!("stored in the {stored} frame, computed in the {computed}{see}"));
         }
         if self.independent && !table.independent {
             remarks.push("stored are independent components only: see --independent".into());

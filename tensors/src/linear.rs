@@ -60,12 +60,13 @@ pub enum LinearError {
         /// The number of columns.
         columns: usize,
     },
-    /// The shapes (rows, columns) of two factors or of the two sides of a system do not match.
+    /// The shapes (rows, columns) of two terms, of two factors or of the two sides of a system do
+    /// not match.
     #[error("shapes {}x{} and {}x{} do not match", .left.0, .left.1, .right.0, .right.1)]
     Shape {
-        /// Rows and columns of the left factor.
+        /// Rows and columns of the left one.
         left: (usize, usize),
-        /// Rows and columns of the right factor.
+        /// Rows and columns of the right one.
         right: (usize, usize),
     },
     /// Only a square matrix has a determinant.
@@ -208,6 +209,20 @@ impl<S: Ring> Matrix<S> {
             rows: self.rows.iter().map(mapped).collect(),
             tolerance: self.tolerance,
         }
+    }
+
+    /// The sum `A + B`.
+    ///
+    /// # Errors
+    /// [`LinearError::Shape`] unless both have as many rows and columns.
+    pub fn add(&self, other: &Self) -> Result<Self, LinearError> {
+        if (self.rows(), self.columns) != (other.rows(), other.columns) {
+            return Err(self.mismatch(other.rows(), other.columns));
+        }
+        let tolerance = self.tolerance.weaker(other.tolerance);
+        let sum = |(a, b): (&Row<S>, &Row<S>)| collect(a.iter().chain(b).cloned(), tolerance);
+        let rows = self.rows.iter().zip(&other.rows).map(sum).collect();
+        Ok(Matrix { columns: self.columns, rows, tolerance })
     }
 
     /// The product `A B`, `(AB)_ij = A_ik B_kj`.

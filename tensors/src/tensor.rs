@@ -1,5 +1,6 @@
 //! Tensors: sparse, sorted, with upper and lower slots.
 
+use crate::linear::Row;
 use crate::{Ring, Sum, TensorError, Tolerance};
 use std::fmt;
 use std::ops::Deref;
@@ -59,20 +60,39 @@ impl<S: Ring> Tensor<S> {
         components: impl IntoIterator<Item = (I, S)>,
     ) -> Result<Self, TensorError> {
         let zero = Self::zero(dimension, slots)?;
-        let mut keyed = Vec::new();
-        for (indices, value) in components {
-            keyed.push((zero.key(indices.as_ref())?, value));
-        }
-        keyed.sort_by_key(|(key, _)| *key);
-        let mut tensor = zero;
-        for run in keyed.chunk_by(|a, b| a.0 == b.0) {
-            let mut sum = S::Sum::term(&run[0].1);
-            run[1..].iter().for_each(|(_, value)| sum.add_term(value));
-            if let Some(value) = sum.finish(tensor.tolerance) {
-                tensor.push(run[0].0, value);
-            }
-        }
-        Ok(tensor)
+        let keyed = components.into_iter();
+        let keyed = keyed.map(|(indices, value)| Ok((zero.key(indices.as_ref())?, value)));
+        let keyed = keyed.collect::<Result<_, _>>()?;
+        Ok(zero.gather(keyed))
+    }
+
+    /// The tensor whose components stand in one sparse row, each at its place in the order of
+    /// indices: `i` for a vector, `i n + j` for a matrix, `(i n + j) n + k` for rank 3. Those of
+    /// equal places are added up. The inverse of [`to_row`](Self::to_row).
+    ///
+    /// ```
+    /// use affinor_tensors::{Down, Tensor};
+    /// let form = Tensor::from_row(3, &[Down, Down], [(1 * 3 + 2, 5.0)])?;
+    /// assert_eq!(form.get(&[1, 2]), 5.0);
+    /// assert_eq!(form.to_row(), [(5, 5.0)]);
+    /// # Ok::<(), affinor_tensors::TensorError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A place that is not below `n^rank`, or a tensor that is too large.
+    pub fn from_row(
+        dimension: usize,
+        slots: &[Variance],
+        row: impl IntoIterator<Item = (usize, S)>,
+    ) -> Result<Self, TensorError> {
+        let zero = Self::zero(dimension, slots)?;
+        let places = (dimension as u64).pow(slots.len() as u32);
+        let keyed = row.into_iter().map(|(place, value)| match place as u64 {
+            key if key < places => Ok((key, value)),
+            _ => Err(TensorError::IndexRange { index: place, dimension: places as usize }),
+        });
+        let keyed = keyed.collect::<Result<_, _>>()?;
+        Ok(zero.gather(keyed))
     }
 
     /// The tensor with the components `f([i, j, ...])`, indices from 0.
@@ -181,6 +201,13 @@ impl<S: Ring> Tensor<S> {
         (self.rank() == 1).then(|| (0..self.dimension).map(|i| self.get(&[i])).collect())
     }
 
+    /// The nonzero components as one sparse row, each at its place in the order of indices:
+    /// [`from_row`](Self::from_row) says which.
+    pub fn to_row(&self) -> Row<S> {
+        let places = self.keys.iter().map(|&key| key as usize);
+        places.zip(self.values.iter().cloned()).collect()
+    }
+
     /// The components mapped into another ring, the tolerance kept.
     pub fn map<T: Ring>(&self, f: impl Fn(&S) -> T) -> Tensor<T> {
         self.filter_map(|_, value| Some(f(value)))
@@ -242,6 +269,19 @@ impl<S: Ring> Tensor<S> {
                 sum.finish(self.tolerance).is_none()
             })
         })
+    }
+
+    /// Takes over components in any order, those of equal keys added up.
+    fn gather(mut self, mut keyed: Vec<(u64, S)>) -> Self {
+        keyed.sort_by_key(|(key, _)| *key);
+        for run in keyed.chunk_by(|a, b| a.0 == b.0) {
+            let mut sum = S::Sum::term(&run[0].1);
+            run[1..].iter().for_each(|(_, value)| sum.add_term(value));
+            if let Some(value) = sum.finish(self.tolerance) {
+                self.push(run[0].0, value);
+            }
+        }
+        self
     }
 
     /// Appends a component behind all stored ones; zeros are dropped.

@@ -218,6 +218,8 @@ fn what_has_no_answer_is_refused() -> Test {
     assert_eq!(outside.to_string(), "column 2 is out of range for 2 columns");
     let wide = Matrix::from_dense(&[row(3), row(3)])?;
     assert_eq!(wide.mul(&wide).unwrap_err().to_string(), "shapes 2x3 and 2x3 do not match");
+    let sum = wide.add(&wide.transpose());
+    assert_eq!(sum.unwrap_err().to_string(), "shapes 2x3 and 3x2 do not match");
     assert!(matches!(wide.solve(&row(3)), Err(LinearError::Shape { .. })));
     assert!(matches!(wide.apply(&row(2)), Err(LinearError::Shape { .. })));
     assert!(matches!(wide.determinant(), Err(LinearError::NotSquare { .. })));

@@ -27,6 +27,10 @@ fn square_laws<S: Notation>(a: &Matrix<S>, b: &Matrix<S>, x: &[S]) -> Result<(),
     prop_assert!(same(&a.transpose().determinant()?, &determinant));
     let product = determinant.clone() * &b.determinant()?;
     prop_assert!(same(&a.mul(b)?.determinant()?, &product));
+    let images = a.apply(x)?.into_iter().zip(b.apply(x)?);
+    let sums: Vec<S> = images.map(|(y, z)| y + &z).collect();
+    prop_assert!(same_vector(&a.add(b)?.apply(x)?, &sums));
+    prop_assert_eq!(a.add(&a.map(|value| -value.clone()))?, Matrix::zero(n, n));
     let Some(inverse) = a.inverse() else {
         prop_assert!(determinant.vanishes());
         prop_assert!(a.rank()? < n);

@@ -67,6 +67,17 @@ fn wrong_indices_are_refused() {
 }
 
 #[test]
+fn rows_are_checked() -> Test {
+    let place = |place| Tensor::from_row(3, &[Up, Down], [(place, integer(1))]);
+    assert_eq!(stored(&place(8)?), [(vec![2, 2], integer(1))]);
+    assert_eq!(place(9).unwrap_err(), TensorError::IndexRange { index: 9, dimension: 9 });
+    assert!(Tensor::from_row(0, &[Up], [(0, integer(1))]).is_err());
+    let scalar = Tensor::from_row(3, &[], [(0, integer(2)), (0, integer(5))])?;
+    assert_eq!(scalar.to_scalar(), Some(integer(7)));
+    Ok(())
+}
+
+#[test]
 fn sizes_have_limits() {
     let zero =
         |dimension, rank| Tensor::<Rational>::zero(dimension, &vec![Down; rank]).map(|t| t.rank());
@@ -132,6 +143,15 @@ proptest! {
             prop_assert_eq!(&moved.get(&[at[2], at[0], at[1]]), value);
         }
         prop_assert_eq!(moved.permute(&[1, 2, 0])?, t);
+    }
+
+    #[test]
+    fn rows(t in tensors(4, [Up, Down, Down])) {
+        let place = |at: &Vec<usize>| at[0] * 16 + at[1] * 4 + at[2];
+        let expected: Vec<_> = stored(&t).into_iter().map(|(at, v)| (place(&at), v)).collect();
+        prop_assert_eq!(t.to_row(), expected);
+        let reversed = t.to_row().into_iter().rev();
+        prop_assert_eq!(Tensor::from_row(4, t.slots(), reversed)?, t);
     }
 
     #[test]

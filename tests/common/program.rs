@@ -42,6 +42,13 @@ pub fn run<A: AsRef<OsStr>>(folder: &Path, arguments: &[A], input: &[u8]) -> Out
     Outcome { status, out: out.join().unwrap(), err: err.join().unwrap() }
 }
 
+/// Runs what has to succeed in `folder`; standard output.
+pub fn stdout(folder: &Path, arguments: &[&str]) -> String {
+    let outcome = run(folder, arguments, b"");
+    assert_eq!(outcome.status, 0, "{arguments:?}: {}", outcome.err);
+    outcome.out
+}
+
 /// The exit status, within the time limit.
 pub fn wait(child: &mut Child) -> i32 {
     let start = Instant::now();

@@ -61,6 +61,16 @@ impl Jet {
         self.value
     }
 
+    /// Whether the value and all derivatives that are known are finite.
+    pub fn is_finite(&self) -> bool {
+        let finite = |values: &Option<Vec<f64>>| values.iter().flatten().all(|v| v.is_finite());
+        self.value.is_finite()
+            && match &self.derivatives {
+                Constant => true,
+                Known(gradient, hessian) => finite(gradient) && finite(hessian),
+            }
+    }
+
     /// The partial derivative by coordinate `at`, from 0.
     #[must_use]
     pub fn derivative(&self, at: usize) -> Jet {

@@ -6,7 +6,6 @@
 
 use super::super::Rational;
 use super::polynomial::{Polynomial, cofactors, constant, content};
-use num_rational::BigRational;
 use num_traits::One;
 use polycore::{Monomial, Order, Poly};
 
@@ -22,11 +21,7 @@ pub(super) struct Factors {
 
 /// The factors of a polynomial other than zero; itself where it is beyond the limits.
 pub(super) fn factors(f: &Polynomial) -> Factors {
-    let content = content(f);
-    let primitive = match num_traits::Inv::inv(BigRational::from(&content)) {
-        unit if unit.is_one() => f.clone(),
-        unit => f.scale(&Rational::from(unit)),
-    };
+    let (content, primitive) = primitive(f);
     let mut parts = Vec::new();
     if f.terms.len() > MAX_TERMS || f.total_degree() > MAX_DEGREE {
         parts.push(primitive);
@@ -43,6 +38,13 @@ pub(super) fn factors(f: &Polynomial) -> Factors {
     // single variables first, then the simpler sums
     factors.sort_by_key(|(factor, exponent)| (factor.terms.len(), *exponent));
     Factors { content, factors }
+}
+
+/// The content, and the polynomial divided by it.
+fn primitive(f: &Polynomial) -> (Rational, Polynomial) {
+    let content = content(f);
+    let part = f.scale(&(Rational::one() / &content));
+    (content, part)
 }
 
 /// Appends the factors of a primitive polynomial with a positive leading coefficient.
@@ -91,14 +93,10 @@ fn divisor(f: &Polynomial) -> Option<Polynomial> {
 
 /// The greatest common divisor, primitive with a positive leading coefficient.
 fn common_divisor(f: &Polynomial, g: &Polynomial) -> Polynomial {
-    let primitive = |f: &Polynomial| {
-        f.scale(&Rational::from(BigRational::one() / BigRational::from(&content(f))))
-    };
-    match (f.is_zero(), g.is_zero()) {
-        (false, false) if f == &primitive(g) => f.clone(),
-        (false, false) => cofactors(f, &primitive(g)).0,
-        _ => constant(Rational::one(), f.nvars),
+    if f.is_zero() || g.is_zero() {
+        return constant(Rational::one(), f.nvars);
     }
+    cofactors(f, &primitive(g).1).0
 }
 
 /// The coefficient of `x^power`, a polynomial in the other variables.
@@ -118,14 +116,13 @@ fn square_root(f: &Polynomial) -> Option<Polynomial> {
         m.exps().iter().map(|e| e.is_multiple_of(2).then_some(e / 2)).collect();
     let lead = Poly::new(vec![(Monomial::new(half?), c.sqrt()?)], f.nvars, Order::GrLex);
     let (lead_monomial, lead_value) = lead.terms.first().cloned()?;
-    let twice = BigRational::from(&lead_value) * BigRational::from_integer(2.into());
+    let twice = lead_value * Rational::from(2);
     let mut square_root = lead;
     // every step takes a term of the root, which has no more of them than the square
     for _ in 0..=f.terms.len() {
         let rest = f - &(&square_root * &square_root);
         let Some((m, c)) = rest.terms.first() else { return Some(square_root) };
-        let next = Rational::from(BigRational::from(c) / &twice);
-        let term = vec![(m.quo(&lead_monomial)?, next)];
+        let term = vec![(m.quo(&lead_monomial)?, c.clone() / &twice)];
         square_root = &square_root + &Poly::new(term, f.nvars, Order::GrLex);
     }
     None

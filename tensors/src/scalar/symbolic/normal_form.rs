@@ -44,16 +44,29 @@ fn over_sines(value: &Symbolic, x: &str) -> Symbolic {
 /// The coefficients of the powers of a variable, the constant first.
 fn by_power(polynomial: &Symbolic, variable: &str) -> Vec<Symbolic> {
     let mut coefficients = Vec::new();
-    for (powers, c) in polynomial.terms() {
-        let (own, others): (Vec<_>, Vec<_>) = powers.iter().partition(|(name, _)| name == variable);
-        let term = others.iter().fold(Symbolic::constant(c), |term, (name, power)| {
-            term * &pow(Symbolic::parameter(name), *power as usize)
-        });
-        let at = own.first().map_or(0, |(_, power)| *power as usize);
+    for ([at], term) in apart(polynomial, [variable]) {
         coefficients.resize(coefficients.len().max(at + 1), Symbolic::zero());
         coefficients[at] = std::mem::replace(&mut coefficients[at], Symbolic::zero()) + &term;
     }
     coefficients
+}
+
+/// The terms of a polynomial: the powers of some variables, and the rest of the term.
+fn apart<const N: usize>(
+    polynomial: &Symbolic,
+    variables: [&str; N],
+) -> impl Iterator<Item = ([usize; N], Symbolic)> {
+    polynomial.terms().into_iter().map(move |(powers, c)| {
+        let power = |variable| {
+            let found = powers.iter().find(|(name, _)| name == variable);
+            found.map_or(0, |(_, e)| *e as usize)
+        };
+        let others = powers.iter().filter(|(name, _)| !variables.contains(&&**name));
+        let rest = others.fold(Symbolic::constant(c), |rest, (name, e)| {
+            rest * &pow(Symbolic::parameter(name), *e as usize)
+        });
+        (variables.map(power), rest)
+    })
 }
 
 /// `sum p_a (1 - cos x)^a (1 + cos x)^(degree - a)`, by Horner's rule.
@@ -92,42 +105,29 @@ const DEGREE: usize = 64;
 /// Numerator and denominator in the form with the fewest terms.
 fn shortest(value: &Symbolic, x: &str) -> Symbolic {
     let [above, below] = [value.numerator(), value.denominator()].map(|part| {
-        let terms = part.terms();
         let count = |form: &Symbolic| form.terms().len();
-        let forms = others(&terms, x).into_iter();
+        let forms = others(&part, x).into_iter();
         forms.fold(part, |best, form| if count(&form) < count(&best) { form } else { best })
     });
     above / &below
 }
 
 /// The other forms of a polynomial: by cosines, by sines, in powers of one degree.
-fn others(terms: &[(Vec<(String, u32)>, crate::Rational)], x: &str) -> Vec<Symbolic> {
+fn others(polynomial: &Symbolic, x: &str) -> Vec<Symbolic> {
     let (sin, cos) = (sine(x), cosine(x));
     let [sin2, cos2] = [&sin, &cos].map(|f| f.clone() * f);
     let one = Symbolic::one();
     let names = [format!("sin({x})"), format!("cos({x})")];
-    let split: Vec<_> = terms
-        .iter()
-        .map(|(powers, c)| {
-            let power = |name: &String| {
-                powers.iter().find(|(other, _)| other == name).map_or(0, |(_, e)| *e as usize)
-            };
-            let rest = powers.iter().filter(|(name, _)| !names.contains(name));
-            let rest = rest.fold(Symbolic::constant(c.clone()), |term, (name, e)| {
-                term * &pow(Symbolic::parameter(name), *e as usize)
-            });
-            (rest, power(&names[0]), power(&names[1]))
-        })
-        .collect();
-    let highest = split.iter().map(|(_, s, c)| s + c).max().unwrap_or(0);
+    let split: Vec<_> = apart(polynomial, names.each_ref().map(String::as_str)).collect();
+    let highest = split.iter().map(|([s, c], _)| s + c).max().unwrap_or(0);
     if highest > DEGREE {
         return Vec::new();
     }
     let sum = |form: &dyn Fn(usize, usize) -> Symbolic| {
-        let terms = split.iter().map(|(rest, s, c)| rest.clone() * &form(*s, *c));
+        let terms = split.iter().map(|([s, c], rest)| rest.clone() * &form(*s, *c));
         terms.fold(Symbolic::zero(), |sum, term| sum + &term)
     };
-    let even = split.iter().all(|(_, s, c)| (highest - s - c) % 2 == 0);
+    let even = split.iter().all(|([s, c], _)| (highest - s - c) % 2 == 0);
     let by_cosines = sum(&|s, c| {
         pow(one.clone() - &cos2, s / 2) * &pow(sin.clone(), s % 2) * &pow(cos.clone(), c)
     });

@@ -1,0 +1,76 @@
+//! Rows of floats as written: vectors, matrices row by row, lines of CSV and JSON.
+
+use super::input::{InputError, Source, shown};
+use affinor_tensors::expression::{Expression, Meaning};
+use affinor_tensors::{Notation, Rational};
+use std::f64::consts::{PI, TAU};
+
+/// The numbers in a line, apart by commas, spaces or brackets: `1, 2, 3`, `[[1,0],[0,1]]`,
+/// `pi/2 -0.5 1e-3`.
+///
+/// ```
+/// use affinor::definition::{Source, numbers};
+/// let row = numbers(&Source::new("a line", "[1/2, -1e-3, 2*pi]"))?;
+/// assert_eq!(row, [0.5, -0.001, std::f64::consts::TAU]);
+/// # Ok::<(), affinor::definition::InputError>(())
+/// ```
+///
+/// # Errors
+/// What is no finite number, with its place.
+pub fn numbers(source: &Source) -> Result<Vec<f64>, InputError> {
+    let apart = |c: char| c.is_whitespace() || ",;[]".contains(c);
+    let words = source.text.split(apart).filter(|word| !word.is_empty());
+    words.map(|word| number(word, source)).collect()
+}
+
+fn number(word: &str, source: &Source) -> Result<f64, InputError> {
+    // `inf` and `nan`, which parse too, are refused below
+    if let Some(value) = word.parse().ok().filter(|value: &f64| value.is_finite()) {
+        return Ok(value);
+    }
+    let value = Expression::parse(word).and_then(|number| number.evaluate(&Floats));
+    let value = value.map_err(|error| {
+        let place = source.find(word, error.span.clone());
+        InputError::usage(format!("`{}` is no number: {}", shown(word), error.reason)).at(&place)
+    })?;
+    if value.is_finite() {
+        return Ok(value);
+    }
+    let message = format!("`{}` is beyond the range of floats", shown(word));
+    Err(InputError::usage(message).at(&source.whole(word)))
+}
+
+/// Numbers, `pi` and `tau`, in floats.
+struct Floats;
+
+impl Meaning for Floats {
+    type Value = f64;
+
+    fn number(&self, number: &Rational) -> Result<f64, String> {
+        f64::from_rational(number).ok_or_else(|| "it is beyond the range of floats".into())
+    }
+
+    fn name(&self, name: &str) -> Result<f64, String> {
+        match name {
+            "pi" => Ok(PI),
+            "tau" => Ok(TAU),
+            _ => Err("names are pi and tau".into()),
+        }
+    }
+
+    fn add(&self, a: f64, b: f64) -> Result<f64, String> {
+        Ok(a + b)
+    }
+
+    fn multiply(&self, a: f64, b: f64) -> Result<f64, String> {
+        Ok(a * b)
+    }
+
+    fn negate(&self, a: f64) -> f64 {
+        -a
+    }
+
+    fn reciprocal(&self, a: f64) -> Result<f64, String> {
+        if a == 0.0 { Err("it divides by zero".into()) } else { Ok(1.0 / a) }
+    }
+}

@@ -1,0 +1,42 @@
+//! Tangent operators in closed form, for the groups with `ad_x^3 = -z(x) ad_x`.
+
+use super::stumpff::{FAR, Stumpff, inverse_tangent};
+use super::{Coordinates, LieGroup};
+use crate::Error;
+
+/// `T_left(x) v = v - c_2 [x, v] + c_3 [x, [x, v]]` with the Stumpff functions of `z(x)`.
+pub(super) fn tangent_left<G: LieGroup>(
+    group: &G,
+    z: impl Fn(&G::Vector) -> f64,
+    x: &G::Vector,
+    v: &G::Vector,
+) -> G::Vector {
+    let at = z(x);
+    if at > FAR {
+        // the mean over a turn, which is the part that x leaves alone
+        let largest = x.components().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let unit = x.clone() * largest.recip();
+        let twice = group.bracket(&unit, &group.bracket(&unit, v));
+        return v.clone() + twice * z(&unit).recip();
+    }
+    let c = Stumpff::at(at);
+    let once = group.bracket(x, v);
+    v.clone() - once.clone() * c.c2 + group.bracket(x, &once) * c.c3
+}
+
+/// `T_left(x)^-1 v = v + [x, v]/2 + d [x, [x, v]]` with `d` of [`inverse_tangent`] at `z(x)`;
+/// singular at `z = (2 pi k)^2`, `k > 0`.
+pub(super) fn tangent_left_inverse<G: LieGroup>(
+    group: &G,
+    z: impl Fn(&G::Vector) -> f64,
+    x: &G::Vector,
+    v: &G::Vector,
+) -> Result<G::Vector, Error> {
+    let at = z(x);
+    let d = inverse_tangent(at);
+    if at > FAR || !d.is_finite() {
+        return Err(Error::SingularTangent { x: x.components().to_vec() });
+    }
+    let once = group.bracket(x, v);
+    Ok(v.clone() + once.clone() * 0.5 + group.bracket(x, &once) * d)
+}

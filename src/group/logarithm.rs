@@ -1,0 +1,143 @@
+//! Logarithms of matrices by inverse scaling and squaring.
+//!
+//! `log(A) = 2^k log(A^(1/2^k))`, with as many square roots as bring the matrix near 1, where a Pade
+//! approximant is exact to rounding. N. J. Higham, *Functions of Matrices* (2008), chapter 11.
+
+use super::series::exp;
+use crate::Error;
+use nalgebra::DMatrix;
+use nalgebra::linalg::Schur;
+
+/// The approximant with [`NODES`] nodes is exact to rounding up to this norm (Higham, Table 11.1).
+const NEAR: f64 = 0.25;
+const NODES: usize = 8;
+/// Root after root halves the logarithm, at most this often; iterations of one root.
+const ROOTS: usize = 64;
+const STEPS: usize = 60;
+/// What the exponential of the result may be off by, relatively.
+const OFF: f64 = 1e-9;
+
+/// The principal logarithm: its eigenvalues have imaginary parts between `-pi` and `pi`.
+///
+/// # Errors
+/// [`Error::NoLogarithm`] for an eigenvalue on the closed negative axis, and when rounding wins.
+pub(super) fn logarithm(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
+    off_the_negative_axis(a)?;
+    if let Some(log) = unipotent(a) {
+        return Ok(log);
+    }
+    let (mut root, mut squarings) = (a.clone(), 0);
+    while less_identity(&root).norm() > NEAR {
+        if squarings == ROOTS {
+            return Err(refused(format!("{ROOTS} square roots do not come near 1")));
+        }
+        root = square_root(&root)?;
+        squarings += 1;
+    }
+    let log = near_identity(&less_identity(&root))? * 2.0_f64.powi(squarings as i32);
+    let off = (exp(&log) - a).norm() / a.norm();
+    // not above: NaN is refused as well
+    if off <= OFF {
+        return Ok(log);
+    }
+    Err(refused(format!("the series does not converge: its exponential is off by {off:e}")))
+}
+
+/// `sum -(-X)^k/k` for `a = 1 + X`, where `X` is nilpotent and the sum ends.
+fn unipotent(a: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let x = less_identity(a);
+    let (mut power, mut sum) = (x.clone(), x.clone());
+    for k in 2..=a.nrows() {
+        power = -(&power * &x);
+        sum += &power / k as f64;
+    }
+    (power * x).iter().all(|entry| *entry == 0.0).then_some(sum)
+}
+
+fn refused(reason: String) -> Error {
+    Error::NoLogarithm { reason }
+}
+
+fn less_identity(a: &DMatrix<f64>) -> DMatrix<f64> {
+    a - DMatrix::identity(a.nrows(), a.nrows())
+}
+
+fn off_the_negative_axis(a: &DMatrix<f64>) -> Result<(), Error> {
+    if let Some(value) = a.iter().find(|value| !value.is_finite()) {
+        return Err(refused(format!("an entry is {value}")));
+    }
+    let n = a.nrows();
+    let Some(schur) = Schur::try_new(a.clone(), 4.0 * f64::EPSILON, 100 * n) else {
+        // without eigenvalues there is no reason to give, but the roots will not converge either
+        return Ok(());
+    };
+    let rounding = n as f64 * f64::EPSILON * a.norm();
+    for value in schur.complex_eigenvalues().iter() {
+        if value.re <= 0.0 && value.im.abs() <= rounding {
+            let value = value.re;
+            let reason = format!("the eigenvalue {value} is on the closed negative axis");
+            return Err(refused(reason));
+        }
+    }
+    Ok(())
+}
+
+/// The principal square root by the product form of the iteration of Denman and Beavers, scaled by
+/// the determinant: `X -> A^(1/2)`, `M -> 1`. S. H. Cheng, N. J. Higham, C. S. Kenney and A. J. Laub,
+/// *SIAM J. Matrix Anal. Appl.* 22 (2001) 1112-1125.
+fn square_root(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
+    let n = a.nrows();
+    let one = DMatrix::identity(n, n);
+    let (mut m, mut x) = (a.clone(), a.clone());
+    let mut before = f64::INFINITY;
+    for _ in 0..STEPS {
+        let lu = m.clone().lu();
+        let size = lu.determinant().abs().powf(-0.5 / n as f64);
+        // near the limit the scaling would only disturb
+        let scale = if before < 0.01 || !size.is_normal() { 1.0 } else { size };
+        let singular = || refused("a square root does not converge".into());
+        let inverse = lu.try_inverse().ok_or_else(singular)? * (scale * scale).recip();
+        x = &x * (&one + &inverse) * (0.5 * scale);
+        m = (&one + (m * (scale * scale) + inverse) * 0.5) * 0.5;
+        let distance = less_identity(&m).norm();
+        let settled = distance <= n as f64 * f64::EPSILON;
+        if settled || (distance < 1e-6 && distance >= before) {
+            return Ok(x);
+        }
+        before = distance;
+    }
+    Err(refused(format!("a square root does not converge: it is off by {before:e}")))
+}
+
+/// `log(1 + X) = int_0^1 X (1 + s X)^-1 ds` by Gauss-Legendre quadrature, which is the diagonal Pade
+/// approximant: L. Dieci, B. Morini and A. Papini, *SIAM J. Matrix Anal. Appl.* 17 (1996) 570-593.
+fn near_identity(x: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
+    let n = x.nrows();
+    let mut sum = DMatrix::zeros(n, n);
+    for (node, weight) in nodes() {
+        let denominator = DMatrix::identity(n, n) + x * node;
+        let term = denominator.lu().solve(x);
+        sum += term.ok_or_else(|| refused("the series does not converge".into()))? * weight;
+    }
+    Ok(sum)
+}
+
+/// The nodes and weights of Gauss and Legendre between 0 and 1: the zeros `t` of the Legendre
+/// polynomial `P` by Newton, and `2/((1 - t^2) P'(t)^2)`.
+fn nodes() -> [(f64, f64); NODES] {
+    let n = NODES as f64;
+    std::array::from_fn(|at| {
+        let mut t = (std::f64::consts::PI * (at as f64 + 0.75) / (n + 0.5)).cos();
+        let mut slope = 1.0;
+        for _ in 0..8 {
+            let (mut before, mut value) = (1.0, t);
+            for k in 2..=NODES {
+                let k = k as f64;
+                (before, value) = (value, ((2.0 * k - 1.0) * t * value - (k - 1.0) * before) / k);
+            }
+            slope = n * (t * value - before) / (t * t - 1.0);
+            t -= value / slope;
+        }
+        (0.5 * (1.0 + t), 1.0 / ((1.0 - t * t) * slope * slope))
+    })
+}

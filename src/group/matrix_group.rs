@@ -1,0 +1,186 @@
+//! Groups of real matrices, given by a basis of their algebra.
+
+use super::LieGroup;
+use super::logarithm::logarithm;
+use super::series::exp;
+use crate::algebra::Complex;
+use crate::dense::to_dmatrix;
+use crate::{Error, LieAlgebra, MatrixBasis};
+use affinor_tensors::Tolerance;
+use nalgebra::{DMatrix, DVector};
+use std::sync::Arc;
+
+/// How far from the algebra a logarithm may be by rounding, relatively.
+const OUTSIDE: f64 = 1e-9;
+
+/// The group of the exponentials of a Lie algebra of real matrices, and their products.
+///
+/// ```
+/// use affinor::group::{LieGroup, MatrixGroup};
+/// use nalgebra::{DMatrix, DVector};
+/// // the affine maps s -> a s + b of the line, a > 0
+/// let stretch = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 0.0]);
+/// let shift = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 0.0, 0.0]);
+/// let line = MatrixGroup::new(&[stretch, shift])?;
+/// let x = DVector::from_vec(vec![0.5, 2.0]);
+/// let g = line.exp(&x);
+/// assert!((g[(0, 1)] - 2.0 * 0.5_f64.exp_m1() / 0.5).abs() < 1e-14);
+/// assert!((line.log(&g)? - x).norm() < 1e-14);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct MatrixGroup {
+    basis: Vec<DMatrix<f64>>,
+    /// Takes the entries of a matrix to the coordinates of the nearest one in the algebra.
+    nearest: DMatrix<f64>,
+}
+
+impl MatrixGroup {
+    /// The group of the span of square matrices of one size.
+    ///
+    /// # Errors
+    /// [`Error::Shape`]; [`Error::Overflow`] for an entry that is not finite; [`Error::Dependent`];
+    /// [`Error::NotClosed`] with the first commutator that leaves the span.
+    pub fn new(matrices: &[DMatrix<f64>]) -> Result<Self, Error> {
+        let labels = (1..=matrices.len()).map(|at| format!("e{at}")).collect();
+        Self::from_basis(&matrix_basis(labels, matrices)?)
+    }
+
+    /// The group of a basis of matrices; complex ones `A + iB` act as `[[A, -B], [B, A]]`.
+    ///
+    /// # Errors
+    /// [`Error::NotClosed`]; [`Error::Shape`] without a matrix.
+    pub fn from_basis(basis: &MatrixBasis<f64>) -> Result<Self, Error> {
+        basis.bracket()?;
+        let dense = |m: &affinor_tensors::linear::Matrix<f64>| {
+            DMatrix::from_fn(m.rows(), m.columns(), |i, j| m.get(i, j))
+        };
+        let basis: Vec<DMatrix<f64>> = basis.matrices().iter().map(dense).collect();
+        if basis.is_empty() {
+            let (expected, found) = ("at least one matrix".into(), "none".into());
+            return Err(Error::Shape { what: "the basis", expected, found });
+        }
+        let columns: Vec<_> =
+            basis.iter().map(|m| DVector::from_column_slice(m.as_slice())).collect();
+        let (q, r) = DMatrix::from_columns(&columns).qr().unpack();
+        let nearest = r.solve_upper_triangular(&q.transpose()).ok_or(Error::SingularBasis)?;
+        Ok(MatrixGroup { basis, nearest })
+    }
+
+    /// The group `exp(ad_x)` of inner automorphisms of an algebra without a centre: near the identity any
+    /// group of the algebra is like it.
+    ///
+    /// # Errors
+    /// [`Error::Centre`] with a central vector, which acts as 0.
+    pub fn adjoint(algebra: &LieAlgebra<f64>) -> Result<Self, Error> {
+        let n = algebra.dimension();
+        let unit = |at: usize| (0..n).map(|i| f64::from(i == at)).collect::<Vec<f64>>();
+        let ad = |at: usize| to_dmatrix(&algebra.ad(&unit(at))?);
+        let matrices = (0..n).map(ad).collect::<Result<Vec<_>, Error>>()?;
+        match matrix_basis(algebra.labels().clone(), &matrices) {
+            Err(Error::Dependent { relation }) => Err(Error::Centre { central: relation }),
+            basis => Self::from_basis(&basis?),
+        }
+    }
+
+    /// The matrix of a vector, `x^i B_i`.
+    pub fn generator(&self, x: &DVector<f64>) -> DMatrix<f64> {
+        let zero = DMatrix::zeros(self.size(), self.size());
+        self.basis.iter().zip(x.iter()).fold(zero, |sum, (b, x)| sum + b * *x)
+    }
+
+    /// The coordinates of the matrix of the algebra that is nearest to `m`, entry by entry.
+    pub fn coordinates(&self, m: &DMatrix<f64>) -> DVector<f64> {
+        &self.nearest * DVector::from_column_slice(m.as_slice())
+    }
+
+    fn size(&self) -> usize {
+        self.basis[0].nrows()
+    }
+}
+
+/// Checked for shape, finite entries and independence.
+fn matrix_basis(
+    labels: Arc<[String]>,
+    matrices: &[DMatrix<f64>],
+) -> Result<MatrixBasis<f64>, Error> {
+    let size = matrices.first().map_or(0, DMatrix::nrows);
+    for (matrix, label) in matrices.iter().zip(labels.iter()) {
+        if matrix.shape() != (size, size) {
+            let expected = format!("{size} rows and columns");
+            let found = format!("{} and {}", matrix.nrows(), matrix.ncols());
+            return Err(Error::Shape { what: "a matrix of the basis", expected, found });
+        }
+        if let Some(value) = matrix.iter().find(|value| !value.is_finite()) {
+            let component = format!("an entry of {label}");
+            return Err(Error::Overflow { component, value: value.to_string() });
+        }
+    }
+    let entries = |m: &DMatrix<f64>| {
+        let places = (0..size).flat_map(|i| (0..size).map(move |j| (i, j)));
+        let nonzero = places.filter(|&place| m[place] != 0.0);
+        nonzero.map(|(i, j)| (i, j, Complex::real(m[(i, j)]))).collect()
+    };
+    let entries = matrices.iter().map(entries).collect();
+    MatrixBasis::new(labels, size, entries, Tolerance::default())
+}
+
+/// Vectors and matrices of another size than that of the group panic, as they do in nalgebra.
+impl LieGroup for MatrixGroup {
+    type Element = DMatrix<f64>;
+    type Vector = DVector<f64>;
+
+    fn dimension(&self) -> usize {
+        self.basis.len()
+    }
+
+    fn identity(&self) -> Self::Element {
+        DMatrix::identity(self.size(), self.size())
+    }
+
+    fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
+        g * h
+    }
+
+    /// NaN for a singular matrix, which is no element.
+    fn inverse(&self, g: &Self::Element) -> Self::Element {
+        let nan = || DMatrix::from_element(g.nrows(), g.ncols(), f64::NAN);
+        g.clone().try_inverse().unwrap_or_else(nan)
+    }
+
+    fn exp(&self, x: &Self::Vector) -> Self::Element {
+        exp(&self.generator(x))
+    }
+
+    /// The principal logarithm of the matrix, where it lies in the algebra. Others, as of a rotation by
+    /// `pi`, are not looked for.
+    fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
+        if g.shape() != (self.size(), self.size()) {
+            let expected = format!("{0} rows and {0} columns", self.size());
+            let found = format!("{} and {}", g.nrows(), g.ncols());
+            return Err(Error::Shape { what: "an element", expected, found });
+        }
+        let log = logarithm(g)?;
+        let x = self.coordinates(&log);
+        let outside = (self.generator(&x) - &log).norm();
+        if outside <= OUTSIDE * (1.0 + log.norm()) {
+            return Ok(x);
+        }
+        let reason = format!("the principal logarithm leaves the algebra by {outside:e}");
+        Err(Error::NoLogarithm { reason })
+    }
+
+    /// `g x g^-1`.
+    fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
+        self.coordinates(&(g * self.generator(x) * self.inverse(g)))
+    }
+
+    fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
+        let (x, y) = (self.generator(x), self.generator(y));
+        self.coordinates(&(&x * &y - &y * &x))
+    }
+
+    fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
+        g.clone()
+    }
+}

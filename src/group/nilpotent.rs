@@ -1,0 +1,168 @@
+//! The simply connected group of a nilpotent algebra.
+
+use super::LieGroup;
+use super::series::exp;
+use crate::dense::to_dmatrix;
+use crate::{Error, LieAlgebra};
+use affinor_tensors::Field;
+use affinor_tensors::linear::Echelon;
+use nalgebra::{DMatrix, DVector};
+
+/// The simply connected group of a nilpotent algebra, in canonical coordinates of the first kind:
+/// `exp` and `log` are the identity map, and the product is the Baker-Campbell-Hausdorff series, which ends.
+///
+/// Over any field it is exact ([`product`](Self::product)); over floats it is a [`LieGroup`].
+///
+/// ```
+/// use affinor::group::Nilpotent;
+/// use affinor::{Bracket, LieAlgebra};
+/// use affinor_tensors::Rational;
+/// let whole = |n: &[i64]| n.iter().map(|n| Rational::from(*n)).collect::<Vec<_>>();
+/// // [e1, e2] = e3, [e1, e3] = e4
+/// let bracket = Bracket::from_fn(&["e1", "e2", "e3", "e4"], |j, k| match (j, k) {
+///     (0, 1 | 2) => vec![(k + 1, Rational::from(1))],
+///     _ => vec![],
+/// })?;
+/// let group = Nilpotent::new(LieAlgebra::try_from(bracket)?)?;
+/// assert_eq!(group.class(), 3);
+/// let product = group.product(&whole(&[1, 0, 0, 0]), &whole(&[0, 1, 0, 0]))?;
+/// let product: Vec<String> = product.iter().map(Rational::to_string).collect();
+/// assert_eq!(product, ["1", "1", "1/2", "1/12"]);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Nilpotent<S> {
+    algebra: LieAlgebra<S>,
+    class: usize,
+}
+
+impl<S: Field> Nilpotent<S> {
+    /// The group of the algebra.
+    ///
+    /// # Errors
+    /// [`Error::NotNilpotent`], naming a vector in every term of the lower central series.
+    pub fn new(algebra: LieAlgebra<S>) -> Result<Self, Error> {
+        let class = class(&algebra)?;
+        Ok(Nilpotent { algebra, class })
+    }
+
+    /// The algebra.
+    pub fn algebra(&self) -> &LieAlgebra<S> {
+        &self.algebra
+    }
+
+    /// The nilpotency class: brackets of more factors vanish.
+    pub fn class(&self) -> usize {
+        self.class
+    }
+
+    /// `log(exp(x) exp(y))`.
+    ///
+    /// # Errors
+    /// As [`LieAlgebra::bch`].
+    pub fn product(&self, x: &[S], y: &[S]) -> Result<Vec<S>, Error> {
+        let parts = self.algebra.bch(x, y, self.class)?;
+        let zero = vec![S::zero(); self.algebra.dimension()];
+        let sum = |sum: Vec<S>, part: Vec<S>| sum.into_iter().zip(part).map(|(a, b)| a + &b);
+        Ok(parts.into_iter().fold(zero, |total, part| sum(total, part).collect()))
+    }
+}
+
+/// The first term of the lower central series that is zero.
+fn class<S: Field>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
+    let n = algebra.dimension();
+    let unit = |at: usize| (0..n).map(|i| S::from_i64(i64::from(i == at))).collect::<Vec<S>>();
+    let mut term: Vec<Vec<S>> = (0..n).map(unit).collect();
+    let mut class = 0;
+    while !term.is_empty() {
+        let mut next = Echelon::new().with_tolerance(algebra.structure().tolerance());
+        for vector in &term {
+            for e in (0..n).map(unit) {
+                next.insert(algebra.bracket(&e, vector)?.into_iter().enumerate())?;
+            }
+        }
+        if next.rank() == term.len() {
+            let vector = crate::error::combination(
+                next.rows()[0].iter().map(|(i, v)| (v, algebra.labels()[*i].clone())),
+            );
+            let component =
+                format!("the vector {vector} in every term of the lower central series");
+            return Err(Error::NotNilpotent { component });
+        }
+        term = next.rows().iter().map(|row| dense(n, row)).collect();
+        class += 1;
+    }
+    Ok(class)
+}
+
+fn dense<S: Field>(n: usize, row: &[(usize, S)]) -> Vec<S> {
+    let mut vector = vec![S::zero(); n];
+    for (i, value) in row {
+        vector[*i] = value.clone();
+    }
+    vector
+}
+
+impl Nilpotent<f64> {
+    fn ad(&self, x: &DVector<f64>) -> DMatrix<f64> {
+        let ad = self.algebra.ad(x.as_slice()).and_then(|ad| to_dmatrix(&ad));
+        ad.expect("as many components as the algebra")
+    }
+}
+
+/// Vectors of another dimension than that of the algebra panic, as they do in nalgebra.
+impl LieGroup for Nilpotent<f64> {
+    type Element = DVector<f64>;
+    type Vector = DVector<f64>;
+
+    fn dimension(&self) -> usize {
+        self.algebra.dimension()
+    }
+
+    fn identity(&self) -> Self::Element {
+        DVector::zeros(self.dimension())
+    }
+
+    fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
+        let product = self.product(g.as_slice(), h.as_slice());
+        DVector::from_vec(product.expect("as many components as the algebra"))
+    }
+
+    fn inverse(&self, g: &Self::Element) -> Self::Element {
+        -g
+    }
+
+    /// The identity map.
+    fn exp(&self, x: &Self::Vector) -> Self::Element {
+        x.clone()
+    }
+
+    /// The identity map.
+    fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
+        Ok(g.clone())
+    }
+
+    fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
+        exp(&self.ad(g)) * x
+    }
+
+    fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
+        self.ad(x) * y
+    }
+
+    /// `Ad_g`: a homomorphism, but 1 on the centre. [`Heisenberg`](super::Heisenberg) has a faithful one.
+    fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
+        exp(&self.ad(g))
+    }
+
+    /// The series, which ends.
+    fn tangent_left_inverse(
+        &self,
+        x: &Self::Vector,
+        v: &Self::Vector,
+    ) -> Result<Self::Vector, Error> {
+        let order = self.class.saturating_sub(1);
+        let image = self.algebra.tangent_left_inverse(x.as_slice(), v.as_slice(), order)?;
+        Ok(DVector::from_vec(image))
+    }
+}

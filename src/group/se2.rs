@@ -1,0 +1,101 @@
+//! SE(2), the rigid motions of a plane.
+
+use super::{LieGroup, cubic};
+use crate::Error;
+use nalgebra::{DMatrix, Isometry2, UnitComplex, Vector2, Vector3};
+
+/// The rigid motions of a plane, `p -> R p + t`.
+///
+/// Vectors are the angle and the translation, `(w, u_1, u_2)`, in the basis of the catalogue's
+/// `se(2)`: `[e, p1] = p2`, `[e, p2] = -p1`.
+///
+/// ```
+/// use affinor::group::{LieGroup, Se2};
+/// use nalgebra::Vector3;
+/// // drive ahead while turning by a quarter: an arc of radius 1
+/// let quarter = std::f64::consts::FRAC_PI_2;
+/// let end = Se2.exp(&Vector3::new(quarter, quarter, 0.0)).translation.vector;
+/// assert!((end - nalgebra::Vector2::new(1.0, 1.0)).norm() < 1e-15);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Se2;
+
+/// `ad_x^3 = -z ad_x`.
+fn z(x: &Vector3<f64>) -> f64 {
+    x[0] * x[0]
+}
+
+/// A quarter turn.
+fn turned(u: Vector2<f64>) -> Vector2<f64> {
+    Vector2::new(-u.y, u.x)
+}
+
+fn translation(x: &Vector3<f64>) -> Vector2<f64> {
+    Vector2::new(x[1], x[2])
+}
+
+fn join(angle: f64, u: Vector2<f64>) -> Vector3<f64> {
+    Vector3::new(angle, u.x, u.y)
+}
+
+impl LieGroup for Se2 {
+    type Element = Isometry2<f64>;
+    type Vector = Vector3<f64>;
+
+    fn dimension(&self) -> usize {
+        3
+    }
+
+    fn identity(&self) -> Self::Element {
+        Isometry2::identity()
+    }
+
+    fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
+        g * h
+    }
+
+    fn inverse(&self, g: &Self::Element) -> Self::Element {
+        g.inverse()
+    }
+
+    /// The rotation by the angle `w`, and the translation part of `T_right(x) x' = T_right(w) u`.
+    fn exp(&self, x: &Self::Vector) -> Self::Element {
+        let turn = join(x[0], Vector2::zeros());
+        let end = self.tangent_right(&turn, &join(0.0, translation(x)));
+        Isometry2::from_parts(translation(&end).into(), UnitComplex::new(x[0]))
+    }
+
+    /// With the angle between `-pi` and `pi`.
+    fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
+        let turn = join(g.rotation.angle(), Vector2::zeros());
+        let u = self.tangent_right_inverse(&turn, &join(0.0, g.translation.vector))?;
+        Ok(turn + u)
+    }
+
+    fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
+        join(x[0], g.rotation * translation(x) - turned(g.translation.vector) * x[0])
+    }
+
+    fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
+        join(0.0, turned(translation(y)) * x[0] - turned(translation(x)) * y[0])
+    }
+
+    /// Of size 3, homogeneous.
+    fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
+        DMatrix::from_column_slice(3, 3, g.to_homogeneous().as_slice())
+    }
+
+    /// `ad_x^3 = -w^2 ad_x`, so `1 - c_2 ad_x + c_3 ad_x^2` as for rotations.
+    fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
+        cubic::tangent_left(self, z, x, v)
+    }
+
+    /// Singular at `w = 2 pi k`, `k != 0`.
+    fn tangent_left_inverse(
+        &self,
+        x: &Self::Vector,
+        v: &Self::Vector,
+    ) -> Result<Self::Vector, Error> {
+        cubic::tangent_left_inverse(self, z, x, v)
+    }
+}

@@ -1,0 +1,91 @@
+//! SE(3), the rigid motions of space.
+
+use super::LieGroup;
+use super::screws::{self, join, split};
+use crate::Error;
+use nalgebra::{DMatrix, Isometry3, UnitQuaternion, Vector3, Vector6};
+
+/// The rigid motions of space, `p -> R p + t`: body to spatial coordinates.
+///
+/// Vectors are twists `(w, u)`, the angular velocity first, in the basis of the catalogue's `se(3)`:
+/// `[(w, u), (w', u')] = (w cross w', w cross u' + u cross w')`.
+///
+/// ```
+/// use affinor::group::{LieGroup, Se3};
+/// use nalgebra::Vector6;
+/// // half a turn about z with 2 units along it: a screw
+/// let x = Vector6::new(0.0, 0.0, std::f64::consts::PI, 0.0, 0.0, 2.0);
+/// let g = Se3.exp(&x);
+/// assert_eq!(g.translation.z, 2.0);
+/// assert!((Se3.log(&g)? - x).norm() < 1e-14);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Se3;
+
+fn parts(g: &Isometry3<f64>) -> (UnitQuaternion<f64>, [Vector3<f64>; 1]) {
+    (g.rotation, [g.translation.vector])
+}
+
+fn whole((rotation, [t]): (UnitQuaternion<f64>, [Vector3<f64>; 1])) -> Isometry3<f64> {
+    Isometry3::from_parts(t.into(), rotation)
+}
+
+impl LieGroup for Se3 {
+    type Element = Isometry3<f64>;
+    type Vector = Vector6<f64>;
+
+    fn dimension(&self) -> usize {
+        6
+    }
+
+    fn identity(&self) -> Self::Element {
+        Isometry3::identity()
+    }
+
+    fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
+        whole(screws::compose(parts(g), parts(h)))
+    }
+
+    fn inverse(&self, g: &Self::Element) -> Self::Element {
+        whole(screws::inverse(parts(g)))
+    }
+
+    /// `R = exp(w)`, `t = T_right(w) u`.
+    fn exp(&self, x: &Self::Vector) -> Self::Element {
+        whole(screws::exp(split(x)))
+    }
+
+    /// With a rotation vector of length at most `pi`, as that of [`So3`](super::So3).
+    fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
+        screws::log(parts(g)).map(join)
+    }
+
+    /// `(R w, R u + t cross R w)`.
+    fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
+        join(screws::adjoint(parts(g), split(x)))
+    }
+
+    fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
+        join(screws::bracket::<1>(split(x), split(y)))
+    }
+
+    /// Of size 4, homogeneous.
+    fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
+        screws::matrix(parts(g))
+    }
+
+    /// `[[T, 0], [Q, T]]`, where `T` is that of SO(3) at `w` and `Q` its derivative along `u`.
+    fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
+        join(screws::tangent_left::<1>(split(x), split(v)))
+    }
+
+    /// Singular where that of [`So3`](super::So3) is.
+    fn tangent_left_inverse(
+        &self,
+        x: &Self::Vector,
+        v: &Self::Vector,
+    ) -> Result<Self::Vector, Error> {
+        screws::tangent_left_inverse::<1>(split(x), split(v)).map(join)
+    }
+}

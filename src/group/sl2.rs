@@ -1,0 +1,141 @@
+//! SL(2,R), the real matrices of size 2 and determinant 1.
+
+use super::stumpff::Stumpff;
+use super::{LieGroup, cubic};
+use crate::Error;
+use nalgebra::{DMatrix, Matrix2, Vector3};
+use std::f64::consts::PI;
+
+/// The real matrices of size 2 and determinant 1.
+///
+/// Vectors `(e, f, h)` are the matrices `[[h, e], [f, -h]]`, in the basis of the catalogue's
+/// `sl(2)`: `[E, F] = H`, `[H, E] = 2 E`, `[H, F] = -2 F`. The exponential is not onto: it reaches
+/// `-1` and what has a trace above -2.
+///
+/// ```
+/// use affinor::group::{LieGroup, Sl2};
+/// use nalgebra::Matrix2;
+/// let refused = Sl2.log(&Matrix2::new(-2.0, 0.0, 0.0, -0.5)).unwrap_err();
+/// let reason = "no logarithm: the trace is -2.5, that of exp(x) is above -2 unless exp(x) = -1";
+/// assert_eq!(refused.to_string(), reason);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sl2;
+
+/// Entries beyond this have squares that overflow.
+const LARGE: f64 = 1e150;
+
+fn traceless(x: &Vector3<f64>) -> Matrix2<f64> {
+    Matrix2::new(x[2], x[0], x[1], -x[2])
+}
+
+/// The components of the traceless part.
+fn components(m: &Matrix2<f64>) -> Vector3<f64> {
+    Vector3::new(m[(0, 1)], m[(1, 0)], 0.5 * (m[(0, 0)] - m[(1, 1)]))
+}
+
+/// The determinant of `x`, with `x^2 = -det(x)`.
+fn determinant(x: &Vector3<f64>) -> f64 {
+    let largest = x.amax();
+    let product = |x: &Vector3<f64>| -x[2] * x[2] - x[0] * x[1];
+    if largest < LARGE {
+        return product(x);
+    }
+    match product(&(x / largest)) {
+        0.0 => 0.0,
+        small => largest * small * largest,
+    }
+}
+
+/// `ad_x^3 = -z ad_x`: the eigenvalues of `ad_x` are twice those of `x`, and 0.
+fn z(x: &Vector3<f64>) -> f64 {
+    4.0 * determinant(x)
+}
+
+impl LieGroup for Sl2 {
+    type Element = Matrix2<f64>;
+    type Vector = Vector3<f64>;
+
+    fn dimension(&self) -> usize {
+        3
+    }
+
+    fn identity(&self) -> Self::Element {
+        Matrix2::identity()
+    }
+
+    fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
+        g * h
+    }
+
+    /// The adjugate, for a determinant of 1.
+    fn inverse(&self, g: &Self::Element) -> Self::Element {
+        Matrix2::new(g[(1, 1)], -g[(0, 1)], -g[(1, 0)], g[(0, 0)])
+    }
+
+    /// `c_0 + c_1 x` with the Stumpff functions of `det x`. A hyperbolic `x`, `det x < 0`, overflows
+    /// where cosh does.
+    fn exp(&self, x: &Self::Vector) -> Self::Element {
+        let z = determinant(x);
+        if z > LARGE {
+            let unit = x / x.amax();
+            let length = determinant(&unit).sqrt();
+            let (sin, cos) = (x.amax() * length).sin_cos();
+            return Matrix2::identity() * cos + traceless(&unit) * (sin / length);
+        }
+        let c = Stumpff::at(z);
+        Matrix2::identity() * c.c0 + traceless(x) * c.c1
+    }
+
+    /// The logarithm with angles of at most `pi`; that of `-1` is the half turn `pi (F - E)`, one of
+    /// a whole orbit.
+    fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
+        if (g + Matrix2::identity()).amax() <= 4.0 * f64::EPSILON {
+            return Ok(Vector3::new(-PI, PI, 0.0));
+        }
+        // g = cos + (sin / angle) x, or cosh and sinh
+        let (cos, part) = (0.5 * g.trace(), components(g));
+        let square = determinant(&part);
+        let sine = square.abs().sqrt();
+        if square <= 0.0 && cos < 0.0 {
+            let reason = format!(
+                "the trace is {}, that of exp(x) is above -2 unless exp(x) = -1",
+                2.0 * cos
+            );
+            return Err(Error::NoLogarithm { reason });
+        }
+        let angle = if square > 0.0 { sine.atan2(cos) } else { sine.asinh() };
+        Ok(if sine == 0.0 { part } else { part * (angle / sine) })
+    }
+
+    /// `g x g^-1`.
+    fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
+        components(&(g * traceless(x) * self.inverse(g)))
+    }
+
+    fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
+        Vector3::new(
+            2.0 * (x[2] * y[0] - x[0] * y[2]),
+            2.0 * (x[1] * y[2] - x[2] * y[1]),
+            x[0] * y[1] - x[1] * y[0],
+        )
+    }
+
+    fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
+        DMatrix::from_column_slice(2, 2, g.as_slice())
+    }
+
+    /// `1 - c_2 ad_x + c_3 ad_x^2` with the Stumpff functions of `4 det x`.
+    fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
+        cubic::tangent_left(self, z, x, v)
+    }
+
+    /// Singular where `det x = (pi k)^2`, `k > 0`.
+    fn tangent_left_inverse(
+        &self,
+        x: &Self::Vector,
+        v: &Self::Vector,
+    ) -> Result<Self::Vector, Error> {
+        cubic::tangent_left_inverse(self, z, x, v)
+    }
+}

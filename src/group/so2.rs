@@ -1,0 +1,72 @@
+//! SO(2), the rotations of a plane, as complex numbers of modulus 1.
+
+use super::LieGroup;
+use crate::Error;
+use nalgebra::{DMatrix, UnitComplex, Vector1};
+
+/// The rotations of a plane, counterclockwise; vectors are angles in radians.
+///
+/// ```
+/// use affinor::group::{LieGroup, So2};
+/// use nalgebra::Vector1;
+/// let quarter = So2.exp(&Vector1::new(std::f64::consts::FRAC_PI_2));
+/// let half = So2.compose(&quarter, &quarter);
+/// assert!((So2.log(&half)?[0].abs() - std::f64::consts::PI).abs() < 1e-15);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct So2;
+
+impl LieGroup for So2 {
+    type Element = UnitComplex<f64>;
+    type Vector = Vector1<f64>;
+
+    fn dimension(&self) -> usize {
+        1
+    }
+
+    fn identity(&self) -> Self::Element {
+        UnitComplex::identity()
+    }
+
+    fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
+        g * h
+    }
+
+    fn inverse(&self, g: &Self::Element) -> Self::Element {
+        g.inverse()
+    }
+
+    fn exp(&self, x: &Self::Vector) -> Self::Element {
+        UnitComplex::new(x[0])
+    }
+
+    /// The angle between `-pi` and `pi`; the half turn has one of the two.
+    fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
+        Ok(Vector1::new(g.angle()))
+    }
+
+    fn adjoint(&self, _: &Self::Element, x: &Self::Vector) -> Self::Vector {
+        *x
+    }
+
+    fn bracket(&self, _: &Self::Vector, _: &Self::Vector) -> Self::Vector {
+        Vector1::zeros()
+    }
+
+    fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
+        DMatrix::from_column_slice(2, 2, g.to_rotation_matrix().matrix().as_slice())
+    }
+
+    fn tangent_left(&self, _: &Self::Vector, v: &Self::Vector) -> Self::Vector {
+        *v
+    }
+
+    fn tangent_left_inverse(
+        &self,
+        _: &Self::Vector,
+        v: &Self::Vector,
+    ) -> Result<Self::Vector, Error> {
+        Ok(*v)
+    }
+}

@@ -1,0 +1,462 @@
+//! Every group obeys the laws of a Lie group: axioms, exp and log, Ad and ad, tangent operators.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use affinor::algebra::Complex;
+use affinor::group::fields::{InvariantField, Side, right_components, right_translate};
+use affinor::group::{
+    Coordinates, Heisenberg, LieGroup, MatrixGroup, Nilpotent, Se2, Se3, Se23, Sl2, So2, So3,
+};
+use affinor::{Error, LieAlgebra, MatrixBasis};
+use affinor_tensors::Tolerance;
+use common::algebras::{by_table, catalogued};
+use common::labels;
+use nalgebra::{DMatrix, DVector, Matrix2, SVector, UnitQuaternion, Vector3};
+use proptest::collection::vec;
+use proptest::prelude::*;
+
+fn norm<V: Coordinates>(x: &V) -> f64 {
+    DVector::from_column_slice(x.components()).norm()
+}
+
+/// `exp(x) exp(y)`-sized numbers are compared beside their own size.
+fn close<V: Coordinates>(x: &V, y: &V, tolerance: f64) {
+    let (off, size) = (norm(&(x.clone() - y.clone())), 1.0 + norm(x) + norm(y));
+    assert!(off <= tolerance * size, "{x:?} and {y:?} differ by {off:e}");
+}
+
+fn near(a: &DMatrix<f64>, b: &DMatrix<f64>, tolerance: f64) {
+    let (off, size) = ((a - b).norm(), 1.0 + a.norm() + b.norm());
+    assert!(off <= tolerance * size, "{a}and {b}differ by {off:e}");
+}
+
+/// As matrices, and by the logarithm of `g^-1 h`.
+fn same<G: LieGroup>(group: &G, g: &G::Element, h: &G::Element, tolerance: f64) {
+    near(&group.matrix(g), &group.matrix(h), tolerance);
+    let size = 1.0 + group.matrix(g).norm() * group.matrix(&group.inverse(g)).norm();
+    let off = norm(&group.log(&group.compose(&group.inverse(g), h)).unwrap());
+    assert!(off <= tolerance * size, "{g:?} and {h:?} differ by {off:e}");
+}
+
+fn ad<G: LieGroup>(group: &G, x: &G::Vector) -> DMatrix<f64> {
+    group.operator(|v| group.bracket(x, v))
+}
+
+fn axioms<G: LieGroup>(group: &G, [x, y, z]: [&G::Vector; 3]) {
+    let (g, h, k) = (group.exp(x), group.exp(y), group.exp(z));
+    let e = group.identity();
+    same(group, &group.compose(&g, &e), &g, 1e-13);
+    same(group, &group.compose(&e, &g), &g, 1e-13);
+    same(group, &group.compose(&g, &group.inverse(&g)), &e, 1e-12);
+    same(group, &group.exp(&(x.clone() * 0.0)), &e, 1e-14);
+    let gh = group.compose(&g, &h);
+    let hk = group.compose(&h, &k);
+    same(group, &group.compose(&gh, &k), &group.compose(&g, &hk), 1e-11);
+    near(&group.matrix(&gh), &(group.matrix(&g) * group.matrix(&h)), 1e-12);
+}
+
+fn exponential<G: LieGroup>(group: &G, x: &G::Vector) {
+    let g = group.exp(x);
+    close(&group.log(&g).unwrap(), x, 1e-11);
+    same(group, &group.exp(&group.log(&g).unwrap()), &g, 1e-11);
+    // one parameter (25)
+    let part = |t: f64| group.exp(&(x.clone() * t));
+    same(group, &group.compose(&part(0.3), &part(0.7)), &g, 1e-11);
+    same(group, &part(-1.0), &group.inverse(&g), 1e-11);
+    // the exponential of the velocity at the identity
+    let h = 1e-4;
+    let difference = |h: f64| (group.matrix(&part(h)) - group.matrix(&part(-h))) / (2.0 * h);
+    let velocity = (difference(h) * 4.0 - difference(2.0 * h)) / 3.0;
+    near(&velocity.exp(), &group.matrix(&g), 1e-9);
+}
+
+fn adjoint<G: LieGroup>(group: &G, [x, y, v]: [&G::Vector; 3]) {
+    let (g, h) = (group.exp(x), group.exp(y));
+    let twice = group.adjoint(&g, &group.adjoint(&h, v));
+    close(&group.adjoint(&group.compose(&g, &h), v), &twice, 1e-11);
+    near(&group.operator(|v| group.adjoint(&g, v)), &ad(group, x).exp(), 1e-11);
+    // Ad is an automorphism, and g exp(v) g^-1 = exp(Ad_g v)
+    let moved = group.bracket(&group.adjoint(&g, y), &group.adjoint(&g, v));
+    close(&group.adjoint(&g, &group.bracket(y, v)), &moved, 1e-11);
+    let conjugate = group.compose(&group.compose(&g, &group.exp(v)), &group.inverse(&g));
+    near(&group.matrix(&group.exp(&group.adjoint(&g, v))), &group.matrix(&conjugate), 1e-9);
+    // Jacobi
+    let ad_of_bracket = ad(group, &group.bracket(x, y));
+    let commutator = ad(group, x) * ad(group, y) - ad(group, y) * ad(group, x);
+    near(&ad_of_bracket, &commutator, 1e-12);
+}
+
+fn tangents<G: LieGroup>(group: &G, [x, v]: [&G::Vector; 2]) {
+    let g = group.exp(x);
+    let left = group.tangent_left(x, v);
+    let n = group.dimension();
+    let mut term = DMatrix::identity(n, n);
+    let mut series = DMatrix::zeros(n, n);
+    for k in 1..=80 {
+        series += &term / f64::from(k);
+        term = -ad(group, x) * term / f64::from(k);
+    }
+    near(&group.operator(|v| group.tangent_left(x, v)), &series, 1e-11);
+    let right = group.tangent_right(x, v);
+    close(&right, &group.adjoint(&g, &left), 1e-10);
+    close(&group.tangent_left_inverse(x, &left).unwrap(), v, 1e-9);
+    close(&group.tangent_right_inverse(x, &right).unwrap(), v, 1e-9);
+    close(&group.tangent_left(x, &group.tangent_left_inverse(x, v).unwrap()), v, 1e-9);
+    // what they are: derivatives of exp
+    let moved = |h: f64| group.exp(&(x.clone() + v.clone() * h));
+    let log = |g: &G::Element| group.log(g).unwrap();
+    let back = group.inverse(&g);
+    let from_left = |h: f64| log(&group.compose(&back, &moved(h)));
+    let from_right = |h: f64| log(&group.compose(&moved(h), &back));
+    let h = 1e-4;
+    close(&((from_left(h) - from_left(-h)) * (0.5 / h)), &left, 1e-6);
+    close(&((from_right(h) - from_right(-h)) * (0.5 / h)), &right, 1e-6);
+}
+
+/// Along the flows of `X` and `Y` there and back lies the bracket: `s^2 [X, Y]` and what is odd beyond.
+fn commutator_of_flows<G: LieGroup>(
+    group: &G,
+    g: &G::Element,
+    [x, y]: [&InvariantField<G::Vector>; 2],
+) -> G::Vector {
+    let around = |s: f64| {
+        let legs = [(x, s), (y, s), (x, -s), (y, -s)];
+        let end = legs.iter().fold(g.clone(), |at, (field, s)| field.flow(group, &at, *s));
+        group.log(&group.compose(&group.inverse(g), &end)).unwrap()
+    };
+    let s = 1e-3;
+    (around(s) + around(-s)) * (0.5 / (s * s))
+}
+
+fn fields<G: LieGroup>(group: &G, [x, y, v]: [&G::Vector; 3]) {
+    let g = group.exp(v);
+    for (first, second) in
+        [(Side::Left, Side::Left), (Side::Right, Side::Right), (Side::Left, Side::Right)]
+    {
+        let x = InvariantField { side: first, vector: x.clone() };
+        let y = InvariantField { side: second, vector: y.clone() };
+        let measured = commutator_of_flows(group, &g, [&x, &y]);
+        close(&measured, &x.bracket(group, &y).at(group, &g), 1e-4);
+        // a field is the velocity of its flow
+        let s = 1e-4;
+        let step = |s: f64| {
+            let end = y.flow(group, &g, s);
+            group.log(&group.compose(&group.inverse(&g), &end)).unwrap()
+        };
+        close(&((step(s) - step(-s)) * (0.5 / s)), &y.at(group, &g), 1e-6);
+    }
+    // right translation of a curve through g along v, by h
+    let (h, s) = (group.exp(x), 1e-4);
+    let gh = group.compose(&g, &h);
+    let curve = |s: f64| {
+        let end = group.compose(&group.compose(&g, &group.exp(&(y.clone() * s))), &h);
+        group.log(&group.compose(&group.inverse(&gh), &end)).unwrap()
+    };
+    close(&((curve(s) - curve(-s)) * (0.5 / s)), &right_translate(group, y, &h), 1e-6);
+    let there = right_components(group, &g, y);
+    close(&InvariantField { side: Side::Right, vector: there }.at(group, &g), y, 1e-11);
+}
+
+fn laws<G: LieGroup>(group: &G, numbers: &[f64]) {
+    let n = group.dimension();
+    let vector = |at: usize| G::Vector::from_components(&numbers[at * n..(at + 1) * n]);
+    let (x, y, z) = (vector(0), vector(1), vector(2));
+    axioms(group, [&x, &y, &z]);
+    exponential(group, &x);
+    adjoint(group, [&x, &y, &z]);
+    tangents(group, [&(x.clone() * 2.0), &z]);
+    tangents(group, [&(x.clone() * 1e-5), &z]);
+    fields(group, [&x, &y, &z]);
+}
+
+/// A test of all laws for each group.
+macro_rules! laws {
+    ($($name:ident: $group:expr;)*) => {
+        proptest! {
+            #![proptest_config(ProptestConfig::with_cases(48))]
+            $(
+                #[test]
+                fn $name(numbers in vec(-1.0..1.0f64, 30)) {
+                    laws(&$group, &numbers);
+                }
+            )*
+        }
+    };
+}
+
+laws! {
+    so2: So2;
+    so3: So3;
+    se2: Se2;
+    se3: Se3;
+    se23: Se23;
+    sl2: Sl2;
+    heisenberg_3: Heisenberg::<3>;
+    heisenberg_5: Heisenberg::<5>;
+    filiform: Nilpotent::new(floats("filiform")).unwrap();
+    unitriangular: Nilpotent::new(floats("unitriangular")).unwrap();
+    matrices_of_so3: matrices(&spins());
+    matrices_of_gl2: matrices(&units(2));
+    matrices_of_the_affine_line: matrices(&units(2)[..2]);
+    su2: MatrixGroup::from_basis(&pauli()).unwrap();
+    adjoint_so3: MatrixGroup::adjoint(&floats("so(3)")).unwrap();
+    adjoint_sl2: MatrixGroup::adjoint(&floats("sl(2)")).unwrap();
+    adjoint_affine: MatrixGroup::adjoint(&floats("aff(1)+aff(1)")).unwrap();
+}
+
+fn floats(name: &str) -> LieAlgebra<f64> {
+    let algebra = match name {
+        "filiform" => by_table(5, &[(1, 2, 3, 1), (1, 3, 4, 1), (1, 4, 5, 1)]),
+        "unitriangular" => by_table(6, &[(1, 2, 4, 1), (2, 3, 5, 1), (1, 5, 6, 1), (4, 3, 6, 1)]),
+        _ => catalogued(name),
+    };
+    algebra.map(|v| v.to_f64()).unwrap()
+}
+
+fn matrices(basis: &[DMatrix<f64>]) -> MatrixGroup {
+    MatrixGroup::new(basis).unwrap()
+}
+
+/// `E_ij`, row by row.
+fn units(n: usize) -> Vec<DMatrix<f64>> {
+    let unit = |at: usize| DMatrix::from_fn(n, n, |i, j| f64::from(u8::from(i * n + j == at)));
+    (0..n * n).map(unit).collect()
+}
+
+/// `-i/2` times the matrices of Pauli.
+fn pauli() -> MatrixBasis<f64> {
+    let real = |re| Complex { re, im: 0.0 };
+    let imaginary = |im| Complex { re: 0.0, im };
+    let matrices = vec![
+        vec![(0, 1, imaginary(-0.5)), (1, 0, imaginary(-0.5))],
+        vec![(0, 1, real(-0.5)), (1, 0, real(0.5))],
+        vec![(0, 0, imaginary(-0.5)), (1, 1, imaginary(0.5))],
+    ];
+    MatrixBasis::new(labels(3), 2, matrices, Tolerance::default()).unwrap()
+}
+
+fn spins() -> Vec<DMatrix<f64>> {
+    let spin = |e: Vector3<f64>| DMatrix::from_column_slice(3, 3, e.cross_matrix().as_slice());
+    [Vector3::x(), Vector3::y(), Vector3::z()].map(spin).to_vec()
+}
+
+#[test]
+fn brackets_are_those_of_the_catalogue() {
+    fn agree<G: LieGroup>(group: &G, algebra: &LieAlgebra<f64>) {
+        let basis = group.basis();
+        assert_eq!(basis.len(), algebra.dimension());
+        for (j, x) in basis.iter().enumerate() {
+            for (k, y) in basis.iter().enumerate() {
+                let bracket = group.bracket(x, y);
+                for (i, value) in bracket.components().iter().enumerate() {
+                    let expected = algebra.structure().get(&[i, j, k]);
+                    assert!((value - expected).abs() < 1e-14, "c^{i}_{j}{k} = {value}");
+                }
+            }
+        }
+    }
+    agree(&So2, &floats("R^1"));
+    agree(&So3, &floats("so(3)"));
+    agree(&Se2, &floats("se(2)"));
+    agree(&Se3, &floats("se(3)"));
+    agree(&Sl2, &floats("sl(2)"));
+    agree(&Heisenberg::<3>, &floats("heisenberg(3)"));
+    agree(&Heisenberg::<7>, &floats("heisenberg(7)"));
+    agree(&matrices(&spins()), &floats("so(3)"));
+    agree(&matrices(&units(3)), &floats("gl(3)"));
+    agree(&MatrixGroup::from_basis(&pauli()).unwrap(), &floats("so(3)"));
+    for name in ["so(3)", "sl(2)", "se(2)", "so(2,1)"] {
+        agree(&MatrixGroup::adjoint(&floats(name)).unwrap(), &floats(name));
+    }
+    // SE_2(3): SE(3) in rotation and velocity, and in rotation and position
+    let se3 = |at: usize| {
+        move |x: &SVector<f64, 9>| -> SVector<f64, 6> {
+            SVector::from_fn(|i, _| if i < 3 { x[i] } else { x[i + at] })
+        }
+    };
+    for x in Se23.basis() {
+        for y in Se23.basis() {
+            for part in [se3(0), se3(3)] {
+                assert_eq!(part(&Se23.bracket(&x, &y)), Se3.bracket(&part(&x), &part(&y)));
+            }
+        }
+    }
+}
+
+/// Closed forms and matrices know nothing of each other.
+#[test]
+fn closed_forms_agree_with_matrix_groups() {
+    fn agree<G: LieGroup>(group: &G, numbers: &[f64]) {
+        let x = G::Vector::from_components(numbers);
+        let basis: Vec<DMatrix<f64>> = group
+            .basis()
+            .iter()
+            .map(|e| {
+                let part = |t: f64| group.matrix(&group.exp(&(e.clone() * t)));
+                let difference = |h: f64| (part(h) - part(-h)) / (2.0 * h);
+                let h = 1e-2;
+                // exact to h^4/480, then rounded to the integers that they are
+                ((difference(h) * 4.0 - difference(2.0 * h)) / 3.0).map(f64::round)
+            })
+            .collect();
+        let matrices = matrices(&basis);
+        let vector = DVector::from_column_slice(x.components());
+        let g = matrices.exp(&vector);
+        near(&group.matrix(&group.exp(&x)), &g, 1e-13);
+        let log = matrices.log(&g).unwrap();
+        close(&log, &vector, 1e-12);
+        let v = vector.map(|v| 1.0 - v);
+        let closed = group.tangent_left(&x, &G::Vector::from_components(v.as_slice()));
+        let closed = DVector::from_column_slice(closed.components());
+        close(&matrices.tangent_left(&vector, &v), &closed, 1e-12);
+    }
+    let numbers = [0.7, -1.1, 0.4, 2.0, -3.0, 0.5, 1.5, 0.25, -0.75];
+    agree(&So2, &numbers);
+    agree(&So3, &numbers);
+    agree(&Se2, &numbers);
+    agree(&Se3, &numbers);
+    agree(&Se23, &numbers);
+    agree(&Sl2, &numbers);
+    agree(&Heisenberg::<5>, &numbers);
+}
+
+proptest! {
+    /// Principal logarithms of matrices come back; other matrices have one or say why not.
+    #[test]
+    fn logarithms_of_matrices(numbers in vec(-0.75..0.75f64, 16), entries in vec(-3.0..3.0f64, 16)) {
+        let group = matrices(&units(4));
+        let x = DVector::from_vec(numbers);
+        close(&group.log(&group.exp(&x)).unwrap(), &x, 1e-11);
+        let any = DMatrix::from_vec(4, 4, entries);
+        match group.log(&any) {
+            Ok(log) => near(&group.exp(&log), &any, 1e-9),
+            Err(error) => {
+                let roots = any.complex_eigenvalues();
+                let negative = roots.iter().any(|root| root.re < 0.0 && root.im.abs() < 1e-8);
+                prop_assert!(negative, "{error} for {roots}");
+            }
+        }
+    }
+
+    /// What has no logarithm in SL(2,R) has a trace of -2 or less.
+    #[test]
+    fn logarithms_in_sl2(x in vec(-3.0..3.0f64, 3), y in vec(-3.0..3.0f64, 3)) {
+        let [x, y] = [x, y].map(|x| Sl2.exp(&Vector3::from_vec(x)));
+        let g = Sl2.compose(&x, &y);
+        match Sl2.log(&g) {
+            Ok(log) => prop_assert!((Sl2.exp(&log) - g).norm() <= 1e-11 * (1.0 + g.norm())),
+            Err(_) => prop_assert!(g.trace() <= -2.0 + 1e-12),
+        }
+    }
+}
+
+#[test]
+fn elements_without_a_logarithm_are_refused() {
+    let reason = |result: Result<Vector3<f64>, Error>| match result {
+        Err(Error::NoLogarithm { reason }) => reason,
+        other => panic!("{other:?}"),
+    };
+    // hyperbolic and parabolic with a negative trace
+    assert!(reason(Sl2.log(&Matrix2::new(-2.0, 0.0, 0.0, -0.5))).contains("-2.5"));
+    assert!(reason(Sl2.log(&Matrix2::new(-1.0, 1.0, 0.0, -1.0))).contains("trace is -2,"));
+    // -1 has many
+    let half_turn = Sl2.log(&-Matrix2::identity()).unwrap();
+    assert!((Sl2.exp(&half_turn) + Matrix2::identity()).norm() < 1e-15);
+
+    let gl2 = matrices(&units(2));
+    let refused = |g: [f64; 4]| match gl2.log(&DMatrix::from_row_slice(2, 2, &g)) {
+        Err(Error::NoLogarithm { reason }) => reason,
+        other => panic!("{other:?}"),
+    };
+    assert!(refused([-2.0, 0.0, 0.0, -0.5]).contains("closed negative axis"));
+    assert!(refused([1.0, 1.0, 0.0, -1.0]).contains("the eigenvalue -1"));
+    assert!(!refused([1.0, 1.0, 1.0, 1.0]).is_empty());
+    // a half turn has real logarithms, but not a principal one
+    assert!(!refused([-1.0, 0.0, 0.0, -1.0]).is_empty());
+    let small = gl2.log(&DMatrix::from_row_slice(2, 2, &[1e-20, 0.0, 0.0, 1.0])).unwrap();
+    assert!((small[0] - 1e-20_f64.ln()).abs() < 1e-12, "{small}");
+    assert!(matches!(gl2.log(&DMatrix::zeros(2, 3)), Err(Error::Shape { .. })));
+    assert!(refused([f64::NAN, 0.0, 0.0, 1.0]).contains("NaN"));
+    assert!(refused([f64::INFINITY, 0.0, 0.0, 1.0]).contains("inf"));
+    // a matrix of GL(3) near SO(3) that is no rotation
+    let stretched = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0, 2.0]));
+    let outside = matrices(&spins()).log(&stretched).unwrap_err().to_string();
+    assert!(outside.contains("leaves the algebra by 6.93"), "{outside}");
+}
+
+#[test]
+fn what_is_no_matrix_group_is_refused() {
+    let units = units(2);
+    let open = MatrixGroup::new(&units[1..3]).unwrap_err();
+    assert!(matches!(open, Error::NotClosed { .. }), "{open}");
+    let twice = [units[0].clone(), &units[0] * 2.0];
+    let dependent = MatrixGroup::new(&twice).unwrap_err();
+    assert!(matches!(dependent, Error::Dependent { .. }), "{dependent}");
+    let shapes = [units[0].clone(), DMatrix::zeros(2, 3)];
+    assert!(matches!(MatrixGroup::new(&shapes), Err(Error::Shape { .. })));
+    assert!(matches!(MatrixGroup::new(&[]), Err(Error::Shape { .. })));
+    let infinite = [&units[0] * f64::INFINITY];
+    assert!(MatrixGroup::new(&infinite).is_err());
+    let centre = MatrixGroup::adjoint(&floats("so(3)+heisenberg(3)")).unwrap_err();
+    assert_eq!(centre, Error::Centre { central: "z".into() });
+    let class = Nilpotent::new(catalogued("aff(1)")).unwrap_err().to_string();
+    assert!(class.contains("the vector y"), "{class}");
+}
+
+/// Rotations by any angle, and translations of any size.
+#[test]
+fn huge_and_tiny_vectors_give_no_nan() {
+    fn finite<G: LieGroup>(group: &G, x: &G::Vector) {
+        let g = group.exp(x);
+        let all = |x: &[f64]| assert!(x.iter().all(|x| x.is_finite()), "{x:?}");
+        all(group.matrix(&g).as_slice());
+        all(group.log(&g).unwrap().components());
+        let v = G::Vector::from_components(&[1.0; 9][..group.dimension()]);
+        all(group.tangent_left(x, &v).components());
+        all(group.tangent_right(x, &v).components());
+        match group.tangent_left_inverse(x, &v) {
+            Ok(image) => all(image.components()),
+            Err(error) => assert!(matches!(error, Error::SingularTangent { .. })),
+        }
+    }
+    let sizes = [0.0, 5e-324, 1e-300, 1e-160, 1e-100, 1e-20, 1e-8, 1e3, 1e8, 1e17, 1e60, 1e120];
+    for turn in sizes.iter().chain(&[1e154, 1e200, 1e300, 1.7e308]) {
+        finite(&So2, &SVector::from([*turn]));
+        finite(&So3, &Vector3::new(*turn, -turn, turn * 0.3));
+        // on the line of E - F, a rotation
+        finite(&Sl2, &Vector3::new(*turn, -turn * 0.9, turn * 0.1));
+        for shift in &sizes {
+            finite(&Se2, &Vector3::new(*turn, *shift, -shift));
+            let x = [*turn, -turn, turn * 0.3, *shift, -shift, 0.0, 0.0, *shift, *shift];
+            finite(&Se3, &SVector::from_row_slice(&x[..6]));
+            finite(&Se23, &SVector::from(x));
+        }
+    }
+    for shift in sizes {
+        finite(&Sl2, &Vector3::new(shift, 0.0, 0.0));
+        finite(&Heisenberg::<3>, &Vector3::repeat(shift));
+    }
+    for size in [0.0, 5e-324, 1e-300, 1e-160, 1e-8, 1.0, 100.0] {
+        finite(&matrices(&spins()), &DVector::from_vec(vec![size, 0.5 * size, 0.0]));
+    }
+}
+
+/// The tangent operator of SE(3) keeps its digits through many turns.
+#[test]
+fn many_turns_of_a_screw() {
+    for turn in [3.0, 3.2, 10.0, 50.0, 300.0] {
+        let x = SVector::from([0.6 * turn, 0.0, 0.8 * turn, 1.0, -2.0, 0.5]);
+        let closed = Se3.operator(|v| Se3.tangent_left(&x, v));
+        let by_series = affinor::group::series::phi1(&-ad(&Se3, &x));
+        assert!((closed - by_series).norm() < 1e-13 * turn, "{turn}");
+    }
+}
+
+#[test]
+fn a_quaternion_and_its_negative_are_one_motion() {
+    let g = Se3.exp(&SVector::from([0.3, 0.2, 0.1, 1.0, 2.0, 3.0]));
+    let other = UnitQuaternion::new_unchecked(-g.rotation.into_inner());
+    let negative = nalgebra::Isometry3::from_parts(g.translation, other);
+    assert!((Se3.log(&g).unwrap() - Se3.log(&negative).unwrap()).norm() < 1e-15);
+}

@@ -1,0 +1,220 @@
+//! Parallel translation and autoparallels on groups, against closed forms and conservation laws.
+
+use affinor::group::{LieGroup, So3};
+use affinor::transport::ParallelTranslation;
+use affinor::{Bracket, Canonical, Connection, Error, LieAlgebra, Metric};
+use affinor_tensors::{Down, Tensor};
+use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3};
+use proptest::prelude::*;
+use std::f64::consts::{PI, TAU};
+
+fn so3() -> LieAlgebra<f64> {
+    So3.algebra().unwrap()
+}
+
+fn canonical(which: Canonical) -> ParallelTranslation<So3> {
+    ParallelTranslation::new(So3, Connection::canonical(&so3(), which)).unwrap()
+}
+
+fn levi_civita(j: Matrix3<f64>) -> ParallelTranslation<So3> {
+    let algebra = so3();
+    let metric = Tensor::from_fn(3, [Down, Down], |[i, k]| j[(i, k)]).unwrap();
+    let metric = Metric::new(algebra.labels(), metric).unwrap();
+    let connection = Connection::levi_civita(algebra.left_frame(), &metric).unwrap();
+    ParallelTranslation::new(So3, connection).unwrap()
+}
+
+fn vector() -> impl Strategy<Value = Vector3<f64>> {
+    [-1.5..1.5, -1.5..1.5, -1.5..1.5f64].prop_map(Vector3::from)
+}
+
+/// The rotation matrix as a dynamic matrix.
+fn rotation(g: &UnitQuaternion<f64>) -> DMatrix<f64> {
+    So3.matrix(g)
+}
+
+/// An analytic curve through the identity with all components of its velocity.
+fn curve(t: f64) -> UnitQuaternion<f64> {
+    So3.compose(
+        &So3.exp(&Vector3::new(t.sin(), t, -t * t)),
+        &So3.exp(&Vector3::new(0.0, t.cos() - 1.0, 2.0 * t)),
+    )
+}
+
+/// Its velocity `g^-1 g'` from the product rule, with the tangent operator of each factor.
+fn velocity(t: f64) -> Vector3<f64> {
+    let (x, y) = (Vector3::new(t.sin(), t, -t * t), Vector3::new(0.0, t.cos() - 1.0, 2.0 * t));
+    let (dx, dy) = (Vector3::new(t.cos(), 1.0, -2.0 * t), Vector3::new(0.0, -t.sin(), 2.0));
+    let back = So3.inverse(&So3.exp(&y));
+    So3.adjoint(&back, &So3.tangent_left(&x, &dx)) + So3.tangent_left(&y, &dy)
+}
+
+proptest! {
+    /// Plus is right translation, minus left translation, zero `L_sqrt(p) R_sqrt(p)`: all in left
+    /// components at `p = exp(x)`.
+    #[test]
+    fn canonical_translations_are_those_of_the_group(x in vector(), u in vector()) {
+        let u_dynamic = DVector::from_column_slice(u.as_slice());
+        let carried = |which| canonical(which).along_subgroup(&x).unwrap() * &u_dynamic;
+        let p = So3.exp(&x);
+        // R_p* u = u p = p (p^-1 u p)
+        let right = So3.adjoint(&So3.inverse(&p), &u);
+        prop_assert!((carried(Canonical::Plus) - DVector::from_column_slice(right.as_slice())).amax() < 1e-14);
+        prop_assert!((carried(Canonical::Minus) - &u_dynamic).amax() == 0.0);
+        let half = So3.adjoint(&So3.inverse(&So3.exp(&(x * 0.5))), &u);
+        prop_assert!((carried(Canonical::Zero) - DVector::from_column_slice(half.as_slice())).amax() < 1e-14);
+    }
+
+    /// For every connection: along an arc and back is the identity.
+    #[test]
+    fn there_and_back(x in vector(), j in vector()) {
+        let inertia = Matrix3::from_diagonal(&Vector3::new(2.0, 3.0, 4.0)) + j * j.transpose();
+        for on_group in [canonical(Canonical::Plus), canonical(Canonical::Zero), levi_civita(inertia)] {
+            let both = on_group.along_subgroup(&-x).unwrap() * on_group.along_subgroup(&x).unwrap();
+            prop_assert!((both - DMatrix::identity(3, 3)).amax() < 1e-13);
+        }
+    }
+
+    /// Levi-Civita keeps lengths and angles: `B^T g B = g`.
+    #[test]
+    fn levi_civita_keeps_the_metric(j in vector()) {
+        let inertia = Matrix3::from_diagonal(&Vector3::new(2.0, 3.0, 4.0)) + j * j.transpose();
+        let on_group = levi_civita(inertia);
+        let carried = on_group.along_curve(velocity, &[0.0, 1.0], 1e-12).unwrap();
+        let g = DMatrix::from_column_slice(3, 3, inertia.as_slice());
+        prop_assert!((carried[1].transpose() * &g * &carried[1] - &g).amax() < 1e-10);
+    }
+}
+
+/// On M(3) the end points decide: `B = Ad_{q^-1 p}` whatever the curve. On SO(3) they do not.
+#[test]
+fn translation_is_path_independent_on_m3_alone() {
+    let (start, end) = (curve(0.0), curve(2.0));
+    let plus = canonical(Canonical::Plus);
+    let along = plus.along_curve(velocity, &[0.0, 2.0], 1e-12).unwrap();
+    let right = rotation(&So3.compose(&So3.inverse(&end), &start));
+    assert!((&along[1] - &right).amax() < 1e-11);
+    let straight = plus.along_samples(&[start, end]).unwrap();
+    assert!((&along[1] - straight).amax() < 1e-11);
+
+    let zero = canonical(Canonical::Zero);
+    let along = zero.along_curve(velocity, &[0.0, 2.0], 1e-12).unwrap();
+    let straight = zero.along_samples(&[start, end]).unwrap();
+    assert!((&along[1] - straight).amax() > 0.1);
+}
+
+/// Samples come to the curve as the square of their distance.
+#[test]
+fn samples_are_of_second_order() {
+    let zero = canonical(Canonical::Zero);
+    let exact = &zero.along_curve(velocity, &[0.0, 1.0], 1e-13).unwrap()[1];
+    let error = |n: usize| {
+        let samples: Vec<_> = (0..=n).map(|i| curve(i as f64 / n as f64)).collect();
+        (zero.along_samples(&samples).unwrap() - exact).norm()
+    };
+    let order = (error(40) / error(80)).log2();
+    assert!((order - 2.0).abs() < 0.05, "{order}");
+}
+
+/// The closed subgroup of full turns: the identity on M(3), a half turn on SO(3) (after (71)), and a
+/// small loop turns by curvature times area.
+#[test]
+fn holonomy_of_loops() {
+    let turn = Vector3::new(0.0, TAU, 0.0);
+    let plus = canonical(Canonical::Plus).along_subgroup(&turn).unwrap();
+    assert!((plus - DMatrix::identity(3, 3)).amax() < 1e-14);
+    let zero = canonical(Canonical::Zero).along_subgroup(&turn).unwrap();
+    let half_turn = rotation(&So3.exp(&Vector3::new(0.0, PI, 0.0)));
+    assert!((zero - half_turn).amax() < 1e-14);
+
+    // R(e1, e2) e2 = e1/4 along the square of side h in the plane of e1 and e2; the bracket of the
+    // sides closes it
+    let h = 1e-3;
+    let sides =
+        [Vector3::x(), Vector3::y(), -Vector3::x(), -Vector3::y()].map(|e| So3.exp(&(e * h)));
+    let mut corners = vec![So3.identity()];
+    for side in sides {
+        corners.push(So3.compose(&corners[corners.len() - 1], &side));
+    }
+    corners.push(So3.identity());
+    let on_group = canonical(Canonical::Zero);
+    let around = on_group.along_samples(&corners).unwrap();
+    let change = (around - DMatrix::identity(3, 3)) / (h * h);
+    let curvature = on_group.connection().curvature();
+    for i in 0..3 {
+        for j in 0..3 {
+            assert!((change[(i, j)] + curvature.get(&[i, j, 0, 1])).abs() < 1e-3, "{change}");
+        }
+    }
+}
+
+/// Geodesics of the inertia are free bodies: R H and the energy are constant, the velocity obeys
+/// Euler's equations, also for an inertia that is not diagonal.
+#[test]
+fn geodesics_are_free_bodies() {
+    let inertia = Matrix3::new(2.0, 0.3, -0.2, 0.3, 3.0, 0.5, -0.2, 0.5, 4.0);
+    let on_group = levi_civita(inertia);
+    let (g0, w0) = (curve(0.7), Vector3::new(1.0, -0.4, 0.8));
+    let momentum = |g: &UnitQuaternion<f64>, w: &Vector3<f64>| g * (inertia * w);
+    let h0 = momentum(&g0, &w0);
+    let times = [0.5, 2.0, 10.0];
+    let motion = on_group.autoparallel(&g0, &w0, &times, 1e-12).unwrap();
+    for (g, w) in &motion {
+        assert!((momentum(g, w) - h0).norm() < 1e-9);
+        assert!((w.dot(&(inertia * w)) - w0.dot(&(inertia * w0))).abs() < 1e-9);
+        assert!((g.norm() - 1.0).abs() < 1e-13);
+    }
+    // and it moves: not a fixed point that keeps everything
+    assert!((motion[2].1 - w0).norm() > 0.1);
+    // backwards from the end is the start
+    let (g, w) = &motion[2];
+    let back = on_group.autoparallel(g, &-w, &[10.0], 1e-12).unwrap();
+    assert!(So3.log(&So3.compose(&So3.inverse(&g0), &back[0].0)).unwrap().norm() < 1e-8);
+}
+
+/// Autoparallels of the three canonical connections are the same curves `g exp(t n)` (43), (B8).
+#[test]
+fn canonical_autoparallels_are_one_parameter_groups() {
+    let (g0, n) = (curve(0.3), Vector3::new(0.6, -2.0, 1.5));
+    for which in [Canonical::Plus, Canonical::Zero, Canonical::Minus] {
+        let (g, tangent) = &canonical(which).autoparallel(&g0, &n, &[3.0], 1e-12).unwrap()[0];
+        let expected = So3.compose(&g0, &So3.exp(&(n * 3.0)));
+        assert!(So3.log(&So3.compose(&So3.inverse(&expected), g)).unwrap().norm() < 1e-10);
+        assert!((tangent - n).norm() < 1e-12);
+    }
+}
+
+#[test]
+fn a_geodesic_between_two_points() {
+    let inertia = Matrix3::new(2.0, 0.3, -0.2, 0.3, 3.0, 0.5, -0.2, 0.5, 4.0);
+    let on_group = levi_civita(inertia);
+    let (p, q) = (curve(0.2), curve(0.8));
+    let n = on_group.autoparallel_between(&p, &q, 1e-10).unwrap();
+    let end = &on_group.autoparallel(&p, &n, &[1.0], 1e-12).unwrap()[0].0;
+    assert!(So3.log(&So3.compose(&So3.inverse(&q), end)).unwrap().norm() < 1e-9);
+    // it is not the one-parameter group
+    assert!((n - So3.log(&So3.compose(&So3.inverse(&p), &q)).unwrap()).norm() > 1e-2);
+    // from a point to itself
+    assert_eq!(on_group.autoparallel_between(&p, &p, 1e-10).unwrap().norm(), 0.0);
+}
+
+#[test]
+fn what_does_not_fit_is_refused() {
+    let heisenberg = Bracket::from_fn(&["x", "y", "z"], |j, k| match (j, k) {
+        (0, 1) => vec![(2, 1.0)],
+        _ => vec![],
+    });
+    let heisenberg = LieAlgebra::try_from(heisenberg.unwrap()).unwrap();
+    let other = Connection::canonical(&heisenberg, Canonical::Plus);
+    let error = ParallelTranslation::new(So3, other).unwrap_err();
+    assert!(error.to_string().contains("c^2_1,3 = 0 and not -1"), "{error}");
+
+    let plus = canonical(Canonical::Plus);
+    let pole = |t: f64| Vector3::new(1.0 / (1.0 - t), 0.0, 1.0 / (1.0 - t));
+    let stops = plus.along_curve(pole, &[0.0, 2.0], 1e-9).unwrap_err();
+    assert!(matches!(stops, Error::Integration { .. }), "{stops}");
+    let fast = plus.autoparallel(&So3.identity(), &Vector3::repeat(1e300), &[1.0], 1e-9);
+    assert!(matches!(fast.unwrap_err(), Error::Integration { .. }));
+    let nowhere = plus.autoparallel(&So3.identity(), &Vector3::x(), &[f64::NAN], 1e-9);
+    assert!(matches!(nowhere.unwrap_err(), Error::Integration { .. }));
+}
