@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::options::{Shared, SpaceOptions};
 use super::rows::{Expected, Row, map_rows};
-use affinor::group::AnyGroup;
+use affinor::any_group::AnyGroup;
 use clap::Args;
 use nalgebra::DMatrix;
 use std::process::ExitCode;
