@@ -245,7 +245,8 @@ def about():
     print(f"{time.strftime('%Y-%m-%d')}; {os.cpu_count()} cores, {model}; load average at the start {load}; limits "
           f"of a cell {SECONDS:.0f} s of CPU, {MEMORY:.0f} GB.")
     python = options.python
-    parts = [version([options.affinor, "--version"]), "Python " + version([python, "-c", "import platform as p; print(p.python_version())"]),
+    platform = "import platform as p; print(p.python_version())"
+    parts = [version([options.affinor, "--version"]), "Python " + version([python, "-c", platform]),
              "SymPy " + version([python, "-c", module("sympy")]), version(["maxima", "--version"])]
     if options.table == "numbers":
         parts += ["SciPy " + version([python, "-c", module("scipy")]),
