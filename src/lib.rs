@@ -46,6 +46,7 @@ pub mod conventions;
 pub mod curvature;
 pub mod definition;
 pub mod dense;
+pub mod dynamics;
 pub mod equations;
 mod error;
 pub mod forms;
