@@ -26,6 +26,7 @@ pub mod sl2;
 pub mod so2;
 pub mod so3;
 pub mod stumpff;
+pub mod velocity;
 
 pub use any::{AnyGroup, Written};
 pub use coordinates::Coordinates;
@@ -38,6 +39,7 @@ pub use se23::{ExtendedPose, Se23};
 pub use sl2::Sl2;
 pub use so2::So2;
 pub use so3::So3;
+pub use velocity::Velocity;
 
 use crate::{Bracket, Error, LieAlgebra};
 use nalgebra::DMatrix;
