@@ -14,11 +14,14 @@ mod canonical;
 mod charts;
 mod dynamics;
 mod extensions;
+mod fields;
 mod groups;
 mod kinematics;
 mod matrices;
 mod metrics;
+mod on_groups;
 mod rotations;
+mod translations;
 
 use affinor::{LieAlgebra, Metric};
 use affinor_tensors::expression::{Expression, Scalars};
