@@ -139,7 +139,7 @@ pub trait LieGroup {
         (0..n).map(|a| Self::Vector::from_components(&unit(a))).collect()
     }
 
-    /// The algebra, with the basis `e1`, `e2`, ... of the components.
+    /// The algebra, with the basis `e1`, `e2`, ... of the components unless the group has names for it.
     ///
     /// # Errors
     /// [`Error::Jacobi`] for a `bracket` that is none.
