@@ -1,4 +1,5 @@
-//! Section 3 by the library's own invariant fields, exactly: (28)-(36).
+//! Section 3 by the library's own invariant fields, exactly: (28)-(36), and what
+//! later sections say of fields: (101), (105), (A8), (B6).
 //!
 //! They are those of canonical coordinates of the second kind, `exp(x1 e1) exp(x2 e2) ..`, in which any
 //! of these algebras has a closed form.
@@ -10,7 +11,7 @@ use crate::{algebras, assert_tensors, symbolic, value};
 use affinor::chart::{Canonical as Kind, Chart, Fields, Side};
 use affinor::group::LieGroup;
 use affinor::{Canonical, Connection, Frame, LieAlgebra};
-use affinor_tensors::{Symbolic, Tensor, Up, contract};
+use affinor_tensors::{Down, Symbolic, Tensor, Up, contract};
 
 struct Group {
     name: &'static str,
@@ -185,5 +186,95 @@ fn eq_33_to_36_invariant_fields_commute_and_are_parallel() {
         };
         assert!(all(Canonical::Plus, false) && all(Canonical::Minus, true), "{}", group.name);
         assert!(all(Canonical::Zero, false) && all(Canonical::Zero, true), "{}", group.name);
+    }
+}
+
+#[test]
+fn eq_a8_constants_belong_to_invariant_frames() {
+    for group in groups() {
+        let coordinates = group.left.chart().coordinate_frame::<Symbolic>().unwrap();
+        let field = |j: usize| -> Vec<Symbolic> {
+            (0..group.n()).map(|a| group.left.components().get(&[a, j])).collect()
+        };
+        // [e_j, e_k] = c^i_jk e_i with both sides in coordinates
+        for (j, k) in (0..group.n()).flat_map(|j| (0..group.n()).map(move |k| (j, k))) {
+            let found = coordinates.bracket(&field(j), &field(k)).unwrap();
+            for (a, found) in found.iter().enumerate() {
+                let terms = (0..group.n())
+                    .map(|i| group.algebra.structure().get(&[i, j, k]) * &field(i)[a]);
+                assert_eq!(*found, sum(terms), "{} {j} {k}", group.name);
+            }
+        }
+    }
+    // of another frame they are functions: e_1, x1 e_2 with [e_1, e_2] = e_2 on Aff(1)
+    let group = groups().find(|group| group.name == "aff(1)").unwrap();
+    let scaled = crate::tensor(2, [Up, Down], &[([1, 1], "1"), ([2, 2], "x1")]);
+    let change = affinor::BasisChange::new(scaled).unwrap();
+    let moved = group.frame().moved(crate::common::labels(2), &change).unwrap();
+    assert_eq!(moved.structure().get(&[1, 0, 1]), value("1 + 1/x1"));
+}
+
+#[test]
+fn eq_b6_invariant_fields_carry_themselves() {
+    for group in groups() {
+        let n: Vec<_> = (0..group.n()).map(|i| constant(2 * i as i64 - 1)).collect();
+        let through_identity = |side: Side| match side {
+            Side::Left => n.clone(),
+            Side::Right => {
+                let fields: Vec<_> = (0..group.n()).map(|m| group.right(m)).collect();
+                (0..group.n())
+                    .map(|i| sum(n.iter().zip(&fields).map(|(n, f)| n.clone() * &f[i])))
+                    .collect()
+            }
+        };
+        let zero = vec![constant(0); group.n()];
+        for side in [Side::Left, Side::Right] {
+            let x = through_identity(side);
+            for which in [Canonical::Plus, Canonical::Zero, Canonical::Minus] {
+                assert_eq!(group.nabla(which, &x, &x), zero, "{} {which:?}", group.name);
+            }
+        }
+        // a field without a pattern does not
+        assert_ne!(group.nabla(Canonical::Zero, &group.wild(), &group.wild()), zero);
+    }
+}
+
+/// A symmetric matrix of constants without a pattern.
+fn inertia(n: usize) -> Tensor<Symbolic> {
+    let entry = |i: usize, j: usize| if i == j { 3 + i as i64 } else { (i + j) as i64 % 2 };
+    Tensor::from_fn(n, [Down, Down], |[i, j]| constant(entry(i, j))).unwrap()
+}
+
+#[test]
+fn eq_101_the_metric_is_the_same_at_every_point() {
+    for group in groups() {
+        let j = inertia(group.n());
+        // left translations keep it: they are the flows of right-invariant fields
+        let along = |field: Vec<Symbolic>| {
+            group.frame().lie_derivative(&Tensor::vector(&field, Up), &j).unwrap()
+        };
+        assert!((0..group.n()).all(|k| along(group.right(k)).is_empty()), "{}", group.name);
+        // right translations do not keep it
+        assert!((0..group.n()).any(|k| !along(group.e(k)).is_empty()), "{}", group.name);
+        assert!(group.frame().derivative(&j).unwrap().is_empty());
+    }
+}
+
+#[test]
+fn eq_105_rate_of_a_covector() {
+    for group in groups() {
+        let (n, omega, h) = (group.n(), group.e(0), group.wild());
+        let gamma = Connection::canonical(&group.algebra, Canonical::Plus).gamma().clone();
+        let plus = Connection::new(group.frame().clone(), gamma).unwrap();
+        let of = |covector: &[Symbolic], i: usize| {
+            let nabla = plus.nabla(&Tensor::vector(covector, Down)).unwrap();
+            sum((0..n).map(|k| nabla.get(&[k, i]) * &omega[k]))
+        };
+        for i in 0..n {
+            // Hdot_i + H_j (nabla_k e^j)_i Omega^k
+            let rate = sum((0..n).map(|k| group.frame().derive(k, &h[i]) * &omega[k]));
+            let turned = sum((0..n).map(|j| h[j].clone() * &of(&group.e(j), i)));
+            assert_eq!(of(&h, i), rate + &turned, "{} {i}", group.name);
+        }
     }
 }

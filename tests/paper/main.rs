@@ -12,6 +12,7 @@ mod common;
 mod appendices;
 mod canonical;
 mod charts;
+mod classical;
 mod coordinates;
 mod dynamics;
 mod extensions;
