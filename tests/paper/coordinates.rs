@@ -189,7 +189,7 @@ fn eq_84_and_85_phi_takes_brackets_to_commutators() {
 }
 
 #[test]
-fn eq_86_and_after_the_derivative_elsewhere_takes_the_tangent_operator() {
+fn after_86_the_derivative_elsewhere_takes_the_tangent_operator() {
     fn law<G: LieGroup>(name: &str, group: &G, basis: &Basis) {
         let [q, dq, bend] = vectors(group);
         let (q, t) = (q * 1.4, 0.3);
