@@ -7,7 +7,7 @@
 //! Vectors are components in the basis of the algebra, tangent vectors at `g` components in its
 //! left-invariant frame, so that `g x` for a matrix group is the left translate of `x`.
 
-pub mod any;
+pub mod batch;
 pub mod coordinates;
 mod cubic;
 pub mod fields;
@@ -28,7 +28,6 @@ pub mod so3;
 pub mod stumpff;
 pub mod velocity;
 
-pub use any::{AnyGroup, Written};
 pub use coordinates::Coordinates;
 pub use heisenberg::Heisenberg;
 pub use matrix_group::MatrixGroup;
