@@ -10,8 +10,9 @@ use crate::on_groups::{
 };
 use crate::{assert_tensors, epsilons};
 use affinor::algebra::Complex;
+use affinor::any_group::Written;
 use affinor::group::fields::{InvariantField, Side};
-use affinor::group::{Coordinates, LieGroup, MatrixGroup, Sl2, So3, Velocity, Written};
+use affinor::group::{Coordinates, LieGroup, MatrixGroup, Sl2, So3, Velocity};
 use affinor::{Error, MatrixBasis};
 use affinor_tensors::{Rational, Tensor, Tolerance};
 use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
@@ -74,7 +75,7 @@ fn eq_73_product_of_canonical_coordinates() {
         let [p, q, r] = vectors(group);
         let factors = [p * 0.5, q * 0.6, r * -0.3];
         let lists: Vec<Vec<f64>> = factors.iter().map(|x| x.components().to_vec()).collect();
-        let found = affinor::group::AnyGroup::compose(group, &lists).unwrap();
+        let found = affinor::any_group::AnyGroup::compose(group, &lists).unwrap();
         let ones = DMatrix::identity(basis.0[0].nrows(), basis.0[0].nrows());
         let expected = factors.iter().fold(ones, |g, x| g * hat(basis, x).exp());
         same(&basis.combine(&found).exp(), &expected, name);

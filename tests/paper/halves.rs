@@ -11,7 +11,7 @@ use affinor::Canonical::{Minus, Plus, Zero};
 use affinor::equations::{Equations, Motion};
 use affinor::group::fields::{InvariantField, Side};
 use affinor::group::{Coordinates, LieGroup, Se2, Se3, So3, Velocity};
-use affinor::transport::ParallelTranslation;
+use affinor::transport::{ParallelTranslation, TangentVector};
 use affinor::{Canonical, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3, Vector6};
@@ -188,13 +188,13 @@ fn claim_after_71_so3_serves_with_plus_or_with_levi_civita_of_j() {
     let at = |t: f64| body.autoparallel(&start, &omega, &[t], 1e-13).unwrap().remove(0);
     let h0 = start * (j * omega);
     for t in [0.5, 3.0] {
-        let (g, tangent) = at(t);
-        let Velocity { body, spatial } = Velocity::of_path(&So3, |t| at(t).0, t, 0.02).unwrap();
+        let TangentVector { base: g, left: tangent } = at(t);
+        let Velocity { body, spatial } = Velocity::of_path(&So3, |t| at(t).base, t, 0.02).unwrap();
         assert!((body - tangent).norm() < 1e-8, "Rdot = R Omega~");
         assert!((spatial - g * tangent).norm() < 1e-8, "(10)");
         assert!((g * (j * tangent) - h0).norm() < 1e-10, "R H");
         assert!((tangent - omega).norm() > 0.05, "it moves");
-        let (h, d) = (1e-3, |t: f64| at(t).1);
+        let (h, d) = (1e-3, |t: f64| at(t).left);
         let rate = (d(t + h) - d(t - h)) / (2.0 * h);
         let residual = j * rate + tangent.cross(&(j * tangent));
         assert!(residual.norm() < 1e-4, "(108): {residual}");
@@ -206,7 +206,7 @@ fn claim_after_71_so3_serves_with_plus_or_with_levi_civita_of_j() {
     let round = levi_civita(&So3, &(DMatrix::identity(3, 3) * 2.0));
     let zero = translation(&So3, Zero);
     crate::assert_tensors(round.connection().gamma(), zero.connection().gamma(), "(0)");
-    let tangent = zero.autoparallel(&start, &omega, &[3.0], 1e-12).unwrap()[0].1;
+    let tangent = zero.autoparallel(&start, &omega, &[3.0], 1e-12).unwrap()[0].left;
     assert!((tangent - omega).norm() < 1e-12);
 }
 
@@ -234,7 +234,8 @@ fn claim_after_71_on_the_motions_of_a_plane() {
         let back = Se2.inverse(g);
         Se2.operator(|v| Se2.adjoint(&back, v)).transpose() * (&j * column(w))
     };
-    let (g, w) = &body.autoparallel(&start, &omega, &[2.0], 1e-12).unwrap()[0];
+    let TangentVector { base: g, left: w } =
+        &body.autoparallel(&start, &omega, &[2.0], 1e-12).unwrap()[0];
     assert!((momentum(g, w) - momentum(&start, &omega)).amax() < 1e-10);
     assert!((w - omega).norm() > 0.05);
 }
