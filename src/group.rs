@@ -26,6 +26,7 @@ pub mod sl2;
 pub mod so2;
 pub mod so3;
 pub mod stumpff;
+pub mod velocity;
 
 pub use coordinates::Coordinates;
 pub use heisenberg::Heisenberg;
@@ -37,6 +38,7 @@ pub use se23::{ExtendedPose, Se23};
 pub use sl2::Sl2;
 pub use so2::So2;
 pub use so3::So3;
+pub use velocity::Velocity;
 
 use crate::{Bracket, Error, LieAlgebra};
 use nalgebra::DMatrix;
@@ -147,7 +149,7 @@ pub trait LieGroup {
         (0..self.dimension()).map(|a| self.unit(a)).collect()
     }
 
-    /// The algebra, with the basis `e1`, `e2`, ... of the components.
+    /// The algebra, with the basis `e1`, `e2`, ... of the components unless the group has names for it.
     ///
     /// # Errors
     /// [`Error::Jacobi`] for a `bracket` that is none.
