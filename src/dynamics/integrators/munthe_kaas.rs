@@ -89,6 +89,9 @@ impl MuntheKaas {
         h: f64,
     ) -> Result<(State<G>, f64), Error> {
         let group = system.group();
+        let finite = |x: &G::Vector| x.components().iter().all(|x| x.is_finite());
+        let stopped =
+            || Error::Integration { t: state.time, reason: "a value is not finite".into() };
         let zero = G::Vector::from_fn(group.dimension(), |_| 0.0);
         let mut slopes: [(G::Vector, Option<G::Vector>); STAGES] =
             std::array::from_fn(|_| (zero.clone(), None));
@@ -100,16 +103,17 @@ impl MuntheKaas {
         for stage in 0..self.stages {
             let (u, spatial) = self.moved(&slopes[..stage], &self.a[stage], h, state, &zero);
             let rates = system.rates(&at(state.time + self.c[stage] * h, &u, spatial));
+            if !finite(&rates.velocity) || rates.spatial.as_ref().is_some_and(|x| !finite(x)) {
+                return Err(stopped());
+            }
             slopes[stage] = (group.tangent_left_inverse(&u, &rates.velocity)?, rates.spatial);
         }
         let (u, spatial) = self.moved(&slopes, &self.b, h, state, &zero);
         let next = at(state.time + h, &u, spatial);
         let origin = State { spatial: zero.clone(), ..state.clone() };
         let (off, off_spatial) = self.moved(&slopes, &self.error, h, &origin, &zero);
-        let finite = |x: &G::Vector| x.components().iter().all(|x| x.is_finite());
         if !finite(&u) || !finite(&next.spatial) {
-            let reason = "a value is not finite".into();
-            return Err(Error::Integration { t: state.time, reason });
+            return Err(stopped());
         }
         let size = |x: &G::Vector| x.components().iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         let scale = size(&state.spatial).max(f64::MIN_POSITIVE);
