@@ -105,6 +105,8 @@ pub enum Role {
     Ray,
     /// An auxiliary line.
     Guide,
+    /// A curve dropped onto the plane of the first two axes.
+    Shadow,
     /// The tangent of an autoparallel.
     Direction,
     /// The tangent of a motion.
@@ -123,8 +125,8 @@ pub enum Role {
 
 impl Panel {
     /// The ball of rotation vectors with nothing in it but the identity.
-    fn ball(title: impl Into<String>, identity: &str) -> Self {
-        let e = Mark::new(identity, "the identity", Vector3::zeros());
+    fn ball(title: impl Into<String>) -> Self {
+        let e = Mark::new("e", "e, the identity", Vector3::zeros());
         let axes = ["Ψ¹", "Ψ²", "Ψ³"];
         let title = title.into();
         Panel { title, radius: ball::RADIUS, axes, curves: vec![], arrows: vec![], marks: vec![e] }

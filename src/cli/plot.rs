@@ -4,12 +4,12 @@ use super::color::Color;
 use super::failure::Failure;
 use super::output::deliver;
 use super::rows::{Expected, read};
-use affinor::Error;
 use affinor::definition::{InputError, Request, Space};
 use affinor::figures::{self, Connected, Figure, Path};
 use affinor::group::So3;
 use affinor::plot::{self, MAX_WIDTH, View};
 use affinor::transport::ParallelTranslation;
+use affinor::{ConnectionKind, Error};
 use affinor_tensors::Tolerance;
 use clap::{Args, Subcommand};
 use nalgebra::Vector3;
@@ -81,7 +81,7 @@ struct Moving {
     #[arg(long = "factor", value_name = "X", allow_hyphen_values = true)]
     factors: Vec<String>,
     /// The time of the point that is looked at
-    #[arg(long, value_name = "T", default_value_t = 0.8, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", default_value_t = 0.7, allow_negative_numbers = true)]
     at: f64,
 }
 
@@ -121,7 +121,10 @@ impl Arguments {
             Kind::Motion { motion, paper } => (motion.show(figures::motion), paper),
             Kind::Transport { connections, motion, paper } => {
                 let both = connections.or(&["plus", "zero"]);
-                (both.and_then(|both| motion.show(|path, t| figures::transport(&both, path, t))), paper)
+                (
+                    both.and_then(|both| motion.show(|path, t| figures::transport(&both, path, t))),
+                    paper,
+                )
             }
             Kind::Frames { connections, motion, paper } => {
                 let all = connections.or(&[]);
@@ -141,7 +144,10 @@ impl Arguments {
 }
 
 impl Moving {
-    fn show(&self, figure: impl Fn(&Path, f64) -> Result<Figure, Error>) -> Result<Figure, Failure> {
+    fn show(
+        &self,
+        figure: impl Fn(&Path, f64) -> Result<Figure, Error>,
+    ) -> Result<Figure, Failure> {
         if !(0.0..=1.0).contains(&self.at) {
             let message = format!("--at {} is not in 0 <= T <= 1", self.at);
             return Err(InputError::usage(message).into());
@@ -150,7 +156,7 @@ impl Moving {
         let mut factors = given.collect::<Result<Vec<_>, _>>()?;
         if factors.is_empty() {
             // a steady precession
-            factors = vec![Vector3::new(0.0, -0.4, 2.2), Vector3::new(0.5, 2.1, 0.3)];
+            factors = vec![Vector3::new(0.7, -2.2, 2.8), Vector3::new(2.3, 2.6, -0.2)];
         }
         Ok(figure(&Path { factors }, self.at)?)
     }
@@ -173,15 +179,18 @@ impl Connections {
             metric: self.metric.clone(),
             ..Request::default()
         })?;
-        let geometry = space.in_floats(Tolerance::default(), |definition, reading| {
-            definition.geometry(reading)
-        })?;
+        let geometry = space
+            .in_floats(Tolerance::default(), |definition, reading| definition.geometry(reading))?;
         let of_paper = match geometry.kind().name() {
             "plus" => "M(3): ",
             "zero" => "SO(3): ",
             _ => "",
         };
-        let name = format!("{of_paper}connection {}", geometry.kind().describe());
+        let kind = match geometry.kind() {
+            ConnectionKind::Family(lambda) => format!("lambda = {lambda}"),
+            kind => kind.name().into(),
+        };
+        let name = format!("{of_paper}connection {kind}");
         let translation = ParallelTranslation::new(So3, geometry.connection().clone())?;
         Ok(Connected { name, translation })
     }

@@ -22,9 +22,10 @@ pub fn autoparallels(connections: &[Connected], axis: &Vector3<f64>) -> Result<F
 }
 
 fn panel(connected: &Connected, axis: &Vector3<f64>) -> Result<Panel, Error> {
-    let mut panel = Panel::ball(&connected.name, "e");
+    let mut panel = Panel::ball(&connected.name);
     let from_identity = |n: Vector3<f64>, end: f64| {
-        let times: Vec<f64> = (0..=SAMPLES).map(|i| end * f64::from(i) / f64::from(SAMPLES)).collect();
+        let times: Vec<f64> =
+            (0..=SAMPLES).map(|i| end * f64::from(i) / f64::from(SAMPLES)).collect();
         let on_curve =
             connected.translation.autoparallel(&So3.identity(), &n, &times, TOLERANCE)?;
         ball::curve(&on_curve.into_iter().map(|(g, _)| g).collect::<Vec<_>>())
@@ -37,19 +38,26 @@ fn panel(connected: &Connected, axis: &Vector3<f64>) -> Result<Panel, Error> {
     let curve = from_identity(n, s)?;
     let q = curve.last().and_then(|piece| piece.last()).copied().unwrap_or_default();
     panel.curve(Role::Autoparallel, ["η(s)", "the autoparallel along n"], curve);
-    panel.arrow(Role::Direction, ["n", "its tangent at e, of length 1"], ball::arrow(&Vector3::zeros(), &n, 1.0)?);
-    let corners = [Vector3::zeros(), q.component_mul(&Vector3::x()), Vector3::new(q.x, q.y, 0.0), q];
-    panel.curve(Role::Guide, ["", "the coordinates of q"], vec![corners.to_vec()]);
-    let numbers: Vec<String> = q.iter().map(|x| format!("{:.2}", x + 0.0)).collect();
-    let caption = format!("s = {s:.2}: Ψ = ({})", numbers.join(", "));
-    panel.marks.push(Mark::new("q", &caption, q));
+    panel.arrow(
+        Role::Direction,
+        ["n", "its tangent at e, of length 1"],
+        ball::arrow(&Vector3::zeros(), &n, 1.0)?,
+    );
+    let corners = [Vector3::zeros(), Vector3::new(q.x, 0.0, 0.0), Vector3::new(q.x, q.y, 0.0), q];
+    for (edge, label) in corners.windows(2).zip(["q¹", "q²", "q³"]) {
+        panel.curve(Role::Guide, [label, "coordinates of q"], vec![edge.to_vec()]);
+    }
+    panel.marks.push(Mark::new("q", &format!("q = η({s:.2})"), q));
     Ok(panel)
 }
 
-/// Directions from the centre of a cube to its faces and corners, of length 1.
+/// Directions to the corners of an icosahedron, of length 1: evenly spread, none along an axis.
 fn fan() -> Vec<Vector3<f64>> {
-    let faces = (0..6).map(|i| Vector3::ith(i / 2, if i % 2 == 0 { 1.0 } else { -1.0 }));
-    let sign = |bits: u8, i: u8| if bits >> i & 1 == 0 { 1.0 } else { -1.0 };
-    let corners = (0..8).map(|bits| Vector3::new(sign(bits, 0), sign(bits, 1), sign(bits, 2)));
-    faces.chain(corners.map(|corner| corner.normalize())).collect()
+    let golden = 0.5 * (1.0 + 5f64.sqrt());
+    let signs = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+    let corners = signs.iter().flat_map(|[a, b]| {
+        let (a, b) = (*a, b * golden);
+        [Vector3::new(0.0, a, b), Vector3::new(a, b, 0.0), Vector3::new(b, 0.0, a)]
+    });
+    corners.map(|corner| corner.normalize()).collect()
 }

@@ -13,11 +13,7 @@ pub const RADIUS: f64 = PI;
 ///
 /// # Errors
 /// [`Error::SingularTangent`], far outside of the ball.
-pub fn arrow(
-    x: &Vector3<f64>,
-    u: &Vector3<f64>,
-    scale: f64,
-) -> Result<[Vector3<f64>; 2], Error> {
+pub fn arrow(x: &Vector3<f64>, u: &Vector3<f64>, scale: f64) -> Result<[Vector3<f64>; 2], Error> {
     Ok([*x, x + So3.tangent_left_inverse(x, u)? * scale])
 }
 

@@ -1,7 +1,7 @@
 //! A motion as a curve of points and as a turning body, with the map between both: figure 5.
 
 use super::images::{SAMPLES, with_motion};
-use super::{Curve, Figure, Mark, Panel, Path, Role};
+use super::{Figure, Mark, Panel, Path, Role};
 use crate::Error;
 use crate::group::rotation;
 use nalgebra::{Matrix3, Vector3};
@@ -12,7 +12,7 @@ use nalgebra::{Matrix3, Vector3};
 /// # Errors
 /// None for rotations.
 pub fn motion(path: &Path, t: f64) -> Result<Figure, Error> {
-    let mut points = Panel::ball("γ in canonical coordinates", "e");
+    let mut points = Panel::ball("γ in canonical coordinates");
     with_motion(&mut points, path, t)?;
     let title = "A motion: the points γ(t), and the body they turn".into();
     Ok(Figure { title, panels: vec![points, body(path, t)?] })
@@ -35,10 +35,9 @@ fn body(path: &Path, t: f64) -> Result<Panel, Error> {
     for i in 0..3 {
         let points = (0..=SAMPLES).map(|k| f64::from(k) / f64::from(SAMPLES));
         let points = points.map(|t| matrix(t).column(i).into_owned()).collect();
-        let caption = "columns of R(t)".into();
-        panel.curves.push(Curve { role: Role::Motion, label: String::new(), caption, points });
         let tip = q.column(i).into_owned();
         let symbol = ["R E₁", "R E₂", "R E₃"][i];
+        panel.curve(Role::Frame(i), ["", &format!("{symbol} and its curve")], vec![points]);
         panel.arrow(Role::Frame(i), [symbol, ""], [Vector3::zeros(), tip]);
         let caption = "columns of dR/dt = R spin(Ω)";
         panel.arrow(Role::Velocity, ["", caption], [tip, tip + velocity.column(i) * scale]);

@@ -22,9 +22,8 @@ impl Path {
     /// `Omega(t) = g^-1 g'`, the angular velocity in the body: `Ad_h^-1 Omega + x` for each factor
     /// `h = exp(t x)`.
     pub fn velocity(&self, t: f64) -> Vector3<f64> {
-        let carry = |omega: Vector3<f64>, x: &Vector3<f64>| {
-            So3.adjoint(&So3.exp(&(x * -t)), &omega) + x
-        };
+        let carry =
+            |omega: Vector3<f64>, x: &Vector3<f64>| So3.adjoint(&So3.exp(&(x * -t)), &omega) + x;
         self.factors.iter().fold(Vector3::zeros(), carry)
     }
 

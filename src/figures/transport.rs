@@ -20,7 +20,7 @@ pub fn transport(connections: &[Connected], path: &Path, t: f64) -> Result<Figur
 }
 
 fn panel(connected: &Connected, path: &Path, t: f64) -> Result<Panel, Error> {
-    let mut panel = Panel::ball(&connected.name, "e");
+    let mut panel = Panel::ball(&connected.name);
     let Moment { x, omega_body, omega_space, scale } = with_motion(&mut panel, path, t)?;
     let identity = Vector3::zeros();
     panel.arrow(Role::Left, ["Ω", "Ω, left image"], ball::arrow(&identity, &omega_body, scale)?);

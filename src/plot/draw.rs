@@ -14,9 +14,9 @@ const COLUMNS: usize = 2;
 /// Of the title; of the head of a panel.
 const HEADS: [f64; 2] = [44.0, 26.0];
 /// Around a panel.
-const MARGIN: f64 = 24.0;
+const MARGIN: f64 = 22.0;
 /// How far the axes reach, in radii.
-const AXES: f64 = 1.2;
+const AXES: f64 = 1.12;
 /// The length of an arrow's head.
 const HEAD: f64 = 11.0;
 
@@ -100,8 +100,7 @@ impl Sheet<'_> {
             ring(Vector3::new(-azimuth.sin(), azimuth.cos(), 0.0), 0.5 * PI, r)
         });
         let wires: Vec<_> = parallels.chain(meridians).collect();
-        let great: Vec<_> =
-            (0..3).map(|i| ring(Vector3::ith(i, 1.0), 0.5 * PI, r)).collect();
+        let great: Vec<_> = (0..3).map(|i| ring(Vector3::ith(i, 1.0), 0.5 * PI, r)).collect();
         for side in [1, 0] {
             for (circles, strokes) in [(&wires, look::WIRES), (&great, look::GREAT_CIRCLES)] {
                 for circle in circles {
@@ -123,12 +122,6 @@ impl Sheet<'_> {
 
     fn contents(&mut self, panel: &Panel) {
         let behind = self.shapes.len();
-        for curve in panel.curves.iter().filter(|curve| curve.role == Role::Motion) {
-            let shadow: Vec<_> = curve.points.iter().map(|x| Vector3::new(x.x, x.y, 0.0)).collect();
-            if panel.radius > 1.0 {
-                self.line(&shadow, look::SHADOW);
-            }
-        }
         let mut curves: Vec<&Curve> = panel.curves.iter().collect();
         curves.sort_by_key(|curve| look(curve.role).1);
         for curve in curves {
@@ -156,8 +149,10 @@ impl Sheet<'_> {
             labels.put(&arrow.label, to, along, look(arrow.role).0.ink);
         }
         for curve in &panel.curves {
-            if let Some(middle) = curve.points.get(curve.points.len() * 2 / 5) {
-                let at = self.place(middle);
+            if let Some(pair) =
+                curve.points.windows(2).nth(curve.points.len().saturating_sub(1) * 3 / 5)
+            {
+                let at = self.place(&pair[0].lerp(&pair[1], 0.5));
                 labels.put(&curve.label, at, [0.0, 0.0], look(curve.role).0.ink);
             }
         }
@@ -171,7 +166,7 @@ impl Sheet<'_> {
     }
 }
 
-/// A shaft on a bright edge, and a head; seen from its end it is the edge alone.
+/// A shaft on a bright edge, and a head; seen from its end, a dot.
 pub(super) fn arrow_shapes(from: Point, to: Point, stroke: Stroke) -> Vec<Shape> {
     let [x, y] = [to[0] - from[0], to[1] - from[1]];
     let length = x.hypot(y);
@@ -185,11 +180,11 @@ pub(super) fn arrow_shapes(from: Point, to: Point, stroke: Stroke) -> Vec<Shape>
         let across = side * 0.36 * head;
         [to[0] - head * x - across * y, to[1] - head * y + across * x]
     };
-    vec![
-        Shape::Line { points: vec![from, neck], stroke: edge(stroke) },
-        Shape::Line { points: vec![from, neck], stroke },
-        Shape::Area { points: vec![to, corner(1.0), neck, corner(-1.0)], ink: stroke.ink },
-    ]
+    let shaft = |stroke| Shape::Line { points: vec![from, neck], stroke };
+    // through the gaps of a dashed arrow one sees what is behind it
+    let bright = stroke.dash.is_empty().then(|| shaft(edge(stroke)));
+    let head = Shape::Area { points: vec![to, corner(1.0), neck, corner(-1.0)], ink: stroke.ink };
+    bright.into_iter().chain([shaft(stroke), head]).collect()
 }
 
 /// What keeps a line apart from those behind it.

@@ -42,9 +42,9 @@ impl Labels {
         }
         let wish = ahead[1].atan2(ahead[0]);
         let wished = ahead != [0.0, 0.0];
-        let places = [13.0, 18.0, 25.0, 34.0].into_iter().flat_map(|far| {
-            (0..24).map(move |i| (far, TAU * f64::from(i) / 24.0))
-        });
+        let places = [13.0, 18.0, 25.0, 34.0]
+            .into_iter()
+            .flat_map(|far| (0..24).map(move |i| (far, TAU * f64::from(i) / 24.0)));
         let cost = |(far, angle): (f64, f64)| {
             let at = beside(near, text, far, angle);
             let area = extent(at, text, SIZE);

@@ -35,8 +35,7 @@ impl Legend {
                 add(Sample::Arrow(look(arrow.role).0), &arrow.caption);
             }
             for mark in &panel.marks {
-                let caption = format!("{}: {}", mark.label, mark.caption);
-                add(Sample::Point, if mark.caption.is_empty() { "" } else { &caption });
+                add(Sample::Point, &mark.caption);
             }
         }
         Legend(entries)

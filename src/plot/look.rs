@@ -25,24 +25,23 @@ pub(super) const GREAT_CIRCLES: [Stroke; 2] = [
     Stroke { ink: "#cccccc", width: 0.9, dash: &[4.0, 4.0] },
 ];
 pub(super) const AXIS: Stroke = Stroke { ink: "#a0a0a0", width: 0.9, dash: SOLID };
-/// The shadow of a curve on the plane of the first two axes.
-pub(super) const SHADOW: Stroke = Stroke { ink: "#d0d0d0", width: 2.2, dash: SOLID };
 
 /// The stroke of a role, and which lies on top.
 pub(super) fn look(role: Role) -> (Stroke, u8) {
     let (ink, width, dash, layer) = match role {
+        Role::Shadow => ("#d0d0d0", 2.2, SOLID, 0),
         Role::Guide => (GREY, 1.0, DOTTED, 0),
-        Role::Ray => ("#7d97ab", 1.1, SOLID, 1),
-        Role::Autoparallel => (GREY, 1.7, DASHED, 2),
+        Role::Ray => ("#6f8fa8", 1.4, SOLID, 1),
+        Role::Autoparallel => ("#3c3c3c", 1.7, DASHED, 2),
         Role::Motion => (BLACK, 2.4, SOLID, 3),
         Role::Trace => ("#d9a5c2", 1.5, SOLID, 4),
-        Role::Frame(0) => ("#b8500a", 2.0, SOLID, 5),
+        Role::Frame(0) => ("#a3173f", 2.0, SOLID, 5),
         Role::Frame(1) => ("#0b7a5c", 2.0, LONG, 5),
         Role::Frame(_) => ("#1f4e9c", 2.0, SHORT, 5),
         Role::Direction => (GREY, 2.2, SOLID, 6),
         Role::Left => ("#0a5fa8", 2.8, SOLID, 7),
         Role::Right => ("#1aa67a", 2.8, SOLID, 8),
-        Role::Carried => ("#8e2a6b", 2.2, DASHED, 9),
+        Role::Carried => ("#7d1d5e", 2.0, DASHED, 9),
         Role::Velocity => ("#d05a00", 2.8, SOLID, 10),
     };
     (Stroke { ink, width, dash }, layer)
