@@ -5,6 +5,7 @@ use affinor::figures::{self, Arrow, Connected, Figure, Panel, Path, Role, ball};
 use affinor::group::{LieGroup, So3};
 use affinor::transport::ParallelTranslation;
 use affinor::{Canonical, Connection, Metric};
+use affinor_tensors::{Down, Tensor};
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;
 
@@ -125,9 +126,10 @@ proptest! {
         let end = exp(pieces.last().unwrap().points.last().unwrap());
         prop_assert!((end - rotation(&path, 1.0)).norm() < 1e-9);
         let samples: Vec<_> = (0..=600).map(|i| rotation(&path, f64::from(i) / 600.0)).collect();
-        for x in pieces.iter().flat_map(|piece| &piece.points) {
+        for x in pieces.iter().flat_map(|piece| &piece.points).step_by(7) {
+            let here = exp(x);
             prop_assert!(x.norm() <= ball::RADIUS * (1.0 + 1e-11));
-            let nearest = samples.iter().map(|g| (g - exp(x)).norm()).fold(f64::MAX, f64::min);
+            let nearest = samples.iter().map(|g| (g - here).norm()).fold(f64::MAX, f64::min);
             prop_assert!(nearest < 0.02, "{nearest}");
         }
     }
@@ -178,9 +180,11 @@ fn autoparallels_of_the_family_are_straight_and_others_are_not() {
     let axis = Vector3::new(0.9, 1.9, 1.3);
     let algebra = So3.algebra().unwrap();
     let frame = algebra.left_frame();
-    let inertia = from_matrix(&DMatrix::from_diagonal(&dvector![1.0, 2.0, 3.0]));
+    let inertia =
+        Tensor::from_fn(3, [Down, Down], |[i, j]| if i == j { 1.0 + i as f64 } else { 0.0 });
     let levi_civita =
-        Connection::levi_civita(frame, &Metric::new(frame.labels(), inertia).unwrap()).unwrap();
+        Connection::levi_civita(frame, &Metric::new(algebra.labels(), inertia.unwrap()).unwrap())
+            .unwrap();
     let connections =
         [canonical(Canonical::Plus), canonical(Canonical::Zero), connected(levi_civita)];
     let figure = figures::autoparallels(&connections, &axis).unwrap();
