@@ -74,21 +74,23 @@ fn orders<G: LieGroup + Clone>(group: G, velocity: &G::Vector, steps: usize) {
     let exact = run(&MuntheKaas::DORMAND_PRINCE, &body, &start, 1.0, 500);
     let adaptive = Adaptive::new(1e-12).states(&body, &start, &[1.3]).unwrap().remove(0);
     assert!(distance(&group, &adaptive, &exact) < 1e-10);
-    let check = |name: &str, order: u32, error: &dyn Fn(usize) -> f64, halvings: usize| {
-        for halving in 0..halvings {
-            let n = steps << halving;
-            let observed = (error(n) / error(2 * n)).log2();
-            assert!((observed - f64::from(order)).abs() < 0.1, "{name}: {observed} at {n}");
-        }
-    };
+    let check =
+        |name: &str, order: u32, error: &dyn Fn(usize) -> f64, halvings: usize, off: f64| {
+            for halving in 0..halvings {
+                let n = steps << halving;
+                let observed = (error(n) / error(2 * n)).log2();
+                assert!((observed - f64::from(order)).abs() < off, "{name}: {observed} at {n}");
+            }
+        };
     let error = |n: usize| distance(&group, &run(&MuntheKaas::RK4, &body, &start, 1.0, n), &exact);
-    check("RKMK4", MuntheKaas::RK4.order(), &error, 4);
+    check("RKMK4", MuntheKaas::RK4.order(), &error, 4, 0.1);
     let error = |n: usize| distance(&group, &run(&CommutatorFree, &body, &start, 1.0, n), &exact);
-    check("CF4", CommutatorFree.order(), &error, 4);
+    check("CF4", CommutatorFree.order(), &error, 4, 0.1);
     let error = |n: usize| {
         distance(&group, &run(&MuntheKaas::DORMAND_PRINCE, &body, &start, 1.0, n), &exact)
     };
-    check("DP5", MuntheKaas::DORMAND_PRINCE.order(), &|n| error(4 * n), 1);
+    // the next halving meets rounding
+    check("DP5", MuntheKaas::DORMAND_PRINCE.order(), &|n| error(2 * n), 1, 0.2);
 }
 
 #[test]

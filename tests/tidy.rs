@@ -118,6 +118,8 @@ const ARROWS: [(&[&str], &[&str]); 7] = [
             "src/ode.rs",
             "src/chart",
             "src/group",
+            "src/figures",
+            "src/plot",
         ],
         &[
             "catalogue",
@@ -164,6 +166,7 @@ const ARROWS: [(&[&str], &[&str]); 7] = [
         ],
     ),
     (&["src/geometry.rs"], &["catalogue", "definition", "report", "claims", "certificate", "cli"]),
+    (&["src/figures"], &["plot"]),
     (&["src/definition", "src/report"], &["cli"]),
 ];
 
@@ -248,7 +251,7 @@ fn named(map: &str) -> Vec<String> {
 fn the_map_is_true() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let map = fs::read_to_string(root.join("ARCHITECTURE.md")).expect("the map");
-    assert!(map.lines().count() <= 180, "ARCHITECTURE.md has {} lines", map.lines().count());
+    assert!(map.lines().count() <= 200, "ARCHITECTURE.md has {} lines", map.lines().count());
     let named = named(&map);
     for file in library() {
         assert!(named.contains(&file.path), "{} is not in ARCHITECTURE.md", file.path);
