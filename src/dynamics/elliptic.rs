@@ -35,12 +35,13 @@ impl Jacobi {
     /// The functions of modulus `k` and complement `sqrt(1 - k^2) > 0`, both in `[0, 1]`.
     pub fn new(modulus: f64, complement: f64) -> Self {
         let (mut k, mut complement) = (modulus, complement);
-        let mut jacobi = Jacobi { quarter: FRAC_PI_2, moduli: [(0.0, 1.0); LEVELS], levels: 0 };
+        // the product of all 1 + k1, times a right angle, has more roundings
+        let quarter = first_kind([1.0, 0.0, complement]);
+        let mut jacobi = Jacobi { quarter, moduli: [(0.0, 1.0); LEVELS], levels: 0 };
         while k > CIRCULAR && jacobi.levels < LEVELS {
             (k, complement) = gauss(k, complement);
             jacobi.moduli[jacobi.levels] = (k, complement * complement / (1.0 + k));
             jacobi.levels += 1;
-            jacobi.quarter *= 1.0 + k;
         }
         jacobi.moduli[..jacobi.levels].reverse();
         jacobi
@@ -95,6 +96,8 @@ pub fn first_kind([s, c, d]: [f64; 3]) -> f64 {
 /// `int_0^u sn^2/(1 + n sn^2)` from `sn u`, `cn u >= 0`, `dn u`, for `n >= 0`:
 /// `sn^3 R_J(cn^2, dn^2, 1, 1 + n sn^2)/3`, the integral of the third kind less that of the first.
 pub fn third_kind([s, c, d]: [f64; 3], n: f64) -> f64 {
+    // a rounding may take it below 0
+    let c = c.max(0.0);
     let square = s * s;
     let mut p = 1.0 + n * square;
     let [mut x, mut y, mut z] = [c * c, d * d, 1.0];

@@ -135,7 +135,8 @@ impl FreeBody {
         let scale = if largest > 0.0 { largest } else { 1.0 };
         let length = (momentum / scale).norm() * scale;
         let velocity = inertia.velocity(&momentum);
-        for (what, value) in [("|H|", length), ("Omega", velocity.sum())] {
+        let rate = length / inertia.moments().min();
+        for (what, value) in [("|H|/J", rate), ("Omega", velocity.sum())] {
             if !value.is_finite() {
                 let [component, value] = [what.into(), value.to_string()];
                 return Err(Error::Overflow { component, value });
@@ -221,7 +222,8 @@ fn turning(inertia: &Inertia, unit: &Vector3<f64>, length: f64) -> Option<Motion
         m.z.hypot(m.y * upper.sqrt()).copysign(m.z),
     );
     let [first, second, r] = [amplitudes.x.abs(), amplitudes.y, amplitudes.z.abs()];
-    let speed = (sum * amplitudes.z).signum() * m.x.signum() * (whole * part).sqrt() * r;
+    let speed =
+        sum.signum() * amplitudes.z.signum() * m.x.signum() * whole.sqrt() * part.sqrt() * r;
     let beside = first * first / (1.0 + r); // 1 - r
     let start = [m.y / second, m.x.abs() / first, m.z.abs() / r];
     let mut frame = Frame {
@@ -268,7 +270,10 @@ impl Course {
                 let half = 2.0 * jacobi.quarter_period();
                 let turns = (v / half).round();
                 let sign = if turns.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
-                let below = jacobi.at(v - turns * half);
+                // huge times round to beyond a quarter
+                let quarter_period = jacobi.quarter_period();
+                let reduced = (v - turns * half).max(-quarter_period).min(quarter_period);
+                let below = jacobi.at(reduced);
                 let rest = 2.0 * turns * quarter + third_kind(below, *characteristic);
                 let [sn, cn, dn] = raise(below, *modulus);
                 ([sign * cn, sign * sn, dn], rest)
