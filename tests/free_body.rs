@@ -57,8 +57,8 @@ fn states_are_those_of_taylor_series() {
         let angle = (inertia.velocity(&start.momentum).norm() * time).abs();
         let unstable = ["near-middle", "near-sep", "dzhan"].iter().any(|x| name.starts_with(x));
         // principal axes of a dense matrix are a few roundings off
-        let factor = if unstable { 20.0 } else { f64::from(1 + 3 * u8::from(name == "dense")) };
-        let tolerance = 2e-16 * (10.0 + angle) * factor;
+        let factor = if unstable { 10.0 } else { f64::from(1 + u8::from(name == "dense")) };
+        let tolerance = 4e-16 * (10.0 + angle) * factor;
         let error = distance(&found, &end);
         assert!(error < tolerance, "{name} at {time}: {error:e}, more than {tolerance:e}");
         if name == "hairer-vilmart" {
@@ -233,7 +233,9 @@ proptest! {
         let inertia = Inertia::diagonal(&moments.into()).unwrap();
         let body = FreeBody::new(&inertia, &BodyState { attitude: UnitQuaternion::identity(), momentum }).unwrap();
         let Some(phase) = body.phase() else { return Ok(()) };
-        prop_assume!(phase.period < 40.0);
+        if phase.period > 40.0 {
+            return Ok(()); // more points would be needed
+        }
         // the axis about which H circulates is the one whose component keeps its sign
         let count = 2000;
         let times = (0..count).map(|i| phase.period * f64::from(i) / f64::from(count));
@@ -264,9 +266,11 @@ proptest! {
         let moments = Vector3::new(number(0), number(1), number(2)).abs();
         let Ok(inertia) = Inertia::diagonal(&moments) else { return Ok(()) };
         let momentum = Vector3::new(number(3), number(4), number(5));
+        prop_assume!(momentum != Vector3::zeros());
         let start = BodyState { attitude: UnitQuaternion::identity(), momentum };
         if let Ok(body) = FreeBody::new(&inertia, &start) {
-            let state = body.at(time.clamp(-1.0, 1.0) / inertia.velocity(&momentum).norm());
+            let time = time.clamp(-1.0, 1.0) / inertia.velocity(&momentum).amax();
+            let state = body.at(time);
             let length = state.momentum.norm() / momentum.norm();
             prop_assert!((length - 1.0).abs() < 1e-12 || !time.is_finite(), "{length} {body:?}");
             let unit = (state.attitude.norm() - 1.0).abs() < 1e-12;

@@ -118,6 +118,7 @@ const ARROWS: [(&[&str], &[&str]); 7] = [
             "src/ode.rs",
             "src/chart",
             "src/group",
+            "src/dynamics",
         ],
         &[
             "catalogue",
@@ -133,7 +134,7 @@ const ARROWS: [(&[&str], &[&str]); 7] = [
         ],
     ),
     (&["src/curvature", "src/holonomy.rs"], &["properties"]),
-    (&["src/group"], &["transport", "any_group"]),
+    (&["src/group"], &["transport", "any_group", "dynamics"]),
     (
         &["src/roots"],
         &[
