@@ -250,6 +250,12 @@ pub enum Error {
         /// What is wrong with them, with its witness.
         reason: String,
     },
+    /// A matrix that is no inertia of a rigid body.
+    #[error("no inertia: {reason}")]
+    NoInertia {
+        /// What is wrong with it, with its witness.
+        reason: String,
+    },
     /// A point that coordinates do not reach.
     #[error("no {what}: {reason}")]
     NoCoordinates {

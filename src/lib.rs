@@ -15,6 +15,7 @@
 //! - [`chart`]: coordinates, and frames of functions over them;
 //! - [`group`]: group elements in floats: exp, log, translations, tangent operators;
 //!   [`transport`]: what connections carry along its curves; [`any_group`]: chosen at run time;
+//! - [`dynamics`]: motions of the free rigid body, exact and by steps;
 //! - [`Geometry`]: an algebra or a frame, a connection and a metric; [`paper`] has two of them;
 //! - [`catalogue`]: algebras by name; [`roots`]: root systems and Chevalley bases;
 //! - [`definition`]: what a person writes, on the command line or in a file;

@@ -120,6 +120,7 @@ const ARROWS: [(&[&str], &[&str]); 7] = [
             "src/group",
             "src/figures",
             "src/plot",
+            "src/dynamics",
         ],
         &[
             "catalogue",
@@ -135,7 +136,7 @@ const ARROWS: [(&[&str], &[&str]); 7] = [
         ],
     ),
     (&["src/curvature", "src/holonomy.rs"], &["properties"]),
-    (&["src/group"], &["transport", "any_group"]),
+    (&["src/group"], &["transport", "any_group", "dynamics"]),
     (
         &["src/roots"],
         &[

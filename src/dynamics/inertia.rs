@@ -1,0 +1,120 @@
+//! The inertia of a rigid body, and its state.
+
+use crate::Error;
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+
+/// How far a matrix may be from symmetric, relative to its largest entry.
+const SYMMETRIC: f64 = 1e-12;
+
+/// Attitude and momentum of a rigid body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyState {
+    /// From body to space components.
+    pub attitude: UnitQuaternion<f64>,
+    /// The angular momentum `H = J Omega` (103), in body components.
+    pub momentum: Vector3<f64>,
+}
+
+impl BodyState {
+    /// The angular momentum in space, `R H`. A free body keeps it.
+    pub fn space_momentum(&self) -> Vector3<f64> {
+        self.attitude * self.momentum
+    }
+}
+
+/// A symmetric, positive definite inertia with its principal axes.
+///
+/// ```
+/// use affinor::dynamics::Inertia;
+/// use nalgebra::{Matrix3, Vector3};
+/// let inertia = Inertia::new(&Matrix3::new(2.0, 1.0, 0.0, 1.0, 2.0, 0.0, 0.0, 0.0, 2.5))?;
+/// let mut moments: Vec<f64> = inertia.moments().iter().copied().collect();
+/// moments.sort_by(f64::total_cmp);
+/// assert!((moments[0] - 1.0).abs() < 1e-15 && (moments[2] - 3.0).abs() < 1e-15);
+/// assert!(inertia.is_of_a_body());
+/// assert!(!Inertia::diagonal(&Vector3::new(1.0, 1.0, 3.0))?.is_of_a_body());
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inertia {
+    moments: Vector3<f64>,
+    /// Columns are principal axes in body components; a rotation.
+    axes: Matrix3<f64>,
+}
+
+impl Inertia {
+    /// The inertia of principal moments, in the axes of the body.
+    ///
+    /// # Errors
+    /// [`Error::NoInertia`] for a moment that is not positive and finite.
+    pub fn diagonal(moments: &Vector3<f64>) -> Result<Self, Error> {
+        Self::principal(*moments, Matrix3::identity())
+    }
+
+    /// Any inertia: its principal axes are computed. A diagonal one keeps its axes and their order.
+    ///
+    /// # Errors
+    /// [`Error::NoInertia`] for a matrix that is not symmetric, to 12 digits, or not positive definite.
+    pub fn new(matrix: &Matrix3<f64>) -> Result<Self, Error> {
+        let size = matrix.amax();
+        let skew = matrix - matrix.transpose();
+        if !size.is_finite() || skew.amax() > SYMMETRIC * size {
+            let reason = format!("the matrix is off symmetric by {}", skew.amax());
+            return Err(Error::NoInertia { reason });
+        }
+        let scaled = matrix / size;
+        let symmetric = (scaled + scaled.transpose()) * 0.5;
+        let diagonal = Matrix3::from_diagonal(&symmetric.diagonal());
+        if symmetric == diagonal || size == 0.0 {
+            return Self::diagonal(&matrix.diagonal());
+        }
+        let eigen = symmetric.symmetric_eigen();
+        let mut axes = eigen.eigenvectors;
+        if axes.determinant() < 0.0 {
+            axes.column_mut(0).neg_mut();
+        }
+        Self::principal(eigen.eigenvalues * size, axes)
+    }
+
+    fn principal(moments: Vector3<f64>, axes: Matrix3<f64>) -> Result<Self, Error> {
+        // one whose reciprocal overflows is no use either
+        match moments.iter().find(|moment| !(moment.is_normal() && **moment > 0.0)) {
+            Some(moment) => {
+                let reason = format!("{moment} is a principal moment");
+                Err(Error::NoInertia { reason })
+            }
+            None => Ok(Inertia { moments, axes }),
+        }
+    }
+
+    /// The principal moments, in the order of the [`axes`](Self::axes).
+    pub fn moments(&self) -> &Vector3<f64> {
+        &self.moments
+    }
+
+    /// The principal axes: columns of a rotation matrix, in body components.
+    pub fn axes(&self) -> &Matrix3<f64> {
+        &self.axes
+    }
+
+    /// Whether masses can have it: no moment is larger than the sum of the others. The motion does not ask for it.
+    pub fn is_of_a_body(&self) -> bool {
+        let largest = self.moments.max();
+        largest <= self.moments.sum() - largest
+    }
+
+    /// `H = J Omega` (103).
+    pub fn momentum(&self, velocity: &Vector3<f64>) -> Vector3<f64> {
+        self.axes * (self.axes.tr_mul(velocity)).component_mul(&self.moments)
+    }
+
+    /// `Omega = J^-1 H`.
+    pub fn velocity(&self, momentum: &Vector3<f64>) -> Vector3<f64> {
+        self.axes * (self.axes.tr_mul(momentum)).component_div(&self.moments)
+    }
+
+    /// The kinetic energy `H . J^-1 H/2`.
+    pub fn energy(&self, momentum: &Vector3<f64>) -> f64 {
+        0.5 * momentum.dot(&self.velocity(momentum))
+    }
+}
