@@ -78,7 +78,8 @@ enum Command {
 
 /// Parses the arguments, runs the command, reports its failure.
 pub fn main() -> ExitCode {
-    let cli = Cli::try_parse().unwrap_or_else(|error| refuse(&error));
+    let arguments = std::env::args_os().map(shielded);
+    let cli = Cli::try_parse_from(arguments).unwrap_or_else(|error| refuse(&error));
     let (outcome, color) = match cli.command {
         Command::Compare(arguments) => (arguments.run(), arguments.shared.output.color),
         Command::Table(arguments) => (arguments.run(), arguments.shared.output.color),
@@ -112,6 +113,20 @@ fn on_group(
     (arguments.run(operation), arguments.shared.output.color)
 }
 
+/// A row of numbers that begins with a minus, behind a space, so that it is not taken for an option.
+fn shielded(argument: OsString) -> OsString {
+    let number = |text: &&str| {
+        let constant = text.starts_with("pi") || text.starts_with("tau");
+        let digit = text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        // a lone number is an argument already
+        constant || (digit && text.contains([',', ' ', '/', '*']))
+    };
+    match argument.to_str().and_then(|text| text.strip_prefix('-')).filter(number) {
+        Some(row) => format!(" -{row}").into(),
+        None => argument,
+    }
+}
+
 /// Ends the program as clap does, with control characters escaped where it repeats the arguments.
 fn refuse(error: &clap::Error) -> ! {
     let mut escaped = false;
@@ -120,7 +135,7 @@ fn refuse(error: &clap::Error) -> ! {
             escaped = true;
             text.escape_debug().to_string().into()
         }
-        _ => argument,
+        _ => shielded(argument),
     });
     let arguments: Vec<OsString> = arguments.collect();
     match Cli::try_parse_from(arguments) {

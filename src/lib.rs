@@ -14,6 +14,7 @@
 //! - [`holonomy`], [`properties`]: what a connection or a metric is like, with proof;
 //! - [`chart`]: coordinates, and frames of functions over them;
 //! - [`group`]: group elements in floats: exp, log, translations, tangent operators;
+//!   [`transport`]: what connections carry along its curves; [`any_group`]: chosen at run time;
 //! - [`Geometry`]: an algebra or a frame, a connection and a metric; [`paper`] has two of them;
 //! - [`catalogue`]: algebras by name; [`roots`]: root systems and Chevalley bases;
 //! - [`definition`]: what a person writes, on the command line or in a file;
@@ -36,6 +37,7 @@
 //! ```
 
 pub mod algebra;
+pub mod any_group;
 pub mod catalogue;
 pub mod certificate;
 pub mod chart;
@@ -45,6 +47,7 @@ pub mod conventions;
 pub mod curvature;
 pub mod definition;
 pub mod dense;
+pub mod dynamics;
 pub mod equations;
 mod error;
 pub mod figures;

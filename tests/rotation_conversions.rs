@@ -133,7 +133,7 @@ fn sequences() {
 #[test]
 fn known_values() {
     let third = from_wxyz([1.0, 1.0, 1.0, 1.0]).unwrap(); // permutes the axes
-    assert_eq!(matrix(&third), nalgebra::matrix![0.0, 0.0, 1.0; 1.0, 0.0, 0.0; 0.0, 1.0, 0.0]);
+    assert_eq!(matrix(&third), Matrix3::new(0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0));
     assert_eq!(gibbs(&third).unwrap(), Vector3::repeat(1.0));
     assert!((modified(&third).norm() - (0.5 * FRAC_PI_3).tan()).abs() < EPS);
     let half = from_wxyz([0.0, 0.0, -2.0, 0.0]).unwrap();

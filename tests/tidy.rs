@@ -113,7 +113,9 @@ const ARROWS: [(&[&str], &[&str]); 7] = [
             "src/lie_poisson",
             "src/properties",
             "src/reductive.rs",
-            "src/transport.rs",
+            "src/transport",
+            "src/any_group.rs",
+            "src/ode.rs",
             "src/chart",
             "src/group",
             "src/figures",
@@ -133,6 +135,7 @@ const ARROWS: [(&[&str], &[&str]); 7] = [
         ],
     ),
     (&["src/curvature", "src/holonomy.rs"], &["properties"]),
+    (&["src/group"], &["transport", "any_group"]),
     (
         &["src/roots"],
         &[

@@ -25,7 +25,7 @@ pub struct Arguments {
     #[arg(long, value_name = "KIND", value_parser = kind)]
     pub to: Kind,
     /// Rows, each one argument; without them, lines of standard input, as CSV or JSON
-    #[arg(value_name = "ROW", allow_hyphen_values = true)]
+    #[arg(value_name = "ROW", allow_negative_numbers = true)]
     pub rows: Vec<String>,
     /// Rotation vectors and Euler angles in degrees
     #[arg(long)]

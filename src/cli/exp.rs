@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::options::{Shared, SpaceOptions};
 use super::rows::{Expected, Row, map_rows};
-use affinor::group::AnyGroup;
+use affinor::any_group::AnyGroup;
 use clap::Args;
 use nalgebra::DMatrix;
 use std::process::ExitCode;
@@ -15,7 +15,7 @@ pub struct Arguments {
     pub space: String,
     /// Rows, each one argument, as in "0, pi/2, 1e-3"; without them, lines of standard input, as
     /// CSV or JSON
-    #[arg(value_name = "ROW", allow_hyphen_values = true)]
+    #[arg(value_name = "ROW", allow_negative_numbers = true)]
     pub rows: Vec<String>,
     /// Angles in degrees, of the group's rotation vectors, in and out
     #[arg(long)]

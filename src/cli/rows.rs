@@ -106,9 +106,9 @@ pub fn read(name: &str, line: &str, expected: &Expected) -> Result<Vec<f64>, Fai
     Err(InputError::usage(message).help(format!("it reads `{}`", line.escape_debug())).into())
 }
 
-/// A vector in one line, a matrix in aligned rows behind an empty line.
+/// To twelve digits: a vector in one line, a matrix in aligned rows behind an empty line.
 fn text(out: &mut dyn Write, row: &Row) -> io::Result<()> {
-    let cells = row.values.map_to_strings();
+    let cells = cells(&row.values, briefly);
     let width = cells.iter().map(String::len).max().unwrap_or(0);
     for line in cells.chunks(row.values.ncols().max(1)) {
         if row.values.nrows() == 1 {
@@ -123,12 +123,12 @@ fn text(out: &mut dyn Write, row: &Row) -> io::Result<()> {
 
 /// All numbers in one line, a matrix row by row.
 fn csv(out: &mut dyn Write, row: &Row) -> io::Result<()> {
-    writeln!(out, "{}", row.values.map_to_strings().join(","))
+    writeln!(out, "{}", cells(&row.values, exactly).join(","))
 }
 
 /// An array in one line; a matrix as an array of its rows.
 fn json(out: &mut dyn Write, row: &Row) -> io::Result<()> {
-    let cells = row.values.map_to_strings();
+    let cells = cells(&row.values, exactly);
     let lines = cells.chunks(row.values.ncols().max(1)).map(|line| format!("[{}]", line.join(",")));
     let lines: Vec<String> = lines.collect();
     match lines.as_slice() {
@@ -137,20 +137,20 @@ fn json(out: &mut dyn Write, row: &Row) -> io::Result<()> {
     }
 }
 
-trait Cells {
-    /// The entries, row by row, with as many digits as it takes to read them back.
-    fn map_to_strings(&self) -> Vec<String>;
+/// The entries, row by row.
+fn cells(values: &DMatrix<f64>, write: fn(f64) -> String) -> Vec<String> {
+    let rows = values.row_iter();
+    rows.flat_map(|row| row.iter().map(|value| write(*value)).collect::<Vec<_>>()).collect()
 }
 
-impl Cells for DMatrix<f64> {
-    fn map_to_strings(&self) -> Vec<String> {
-        let rows = self.row_iter();
-        // no negative zero, and no `.0` behind whole numbers
-        let write = |value: &f64| {
-            let value = value + 0.0;
-            let written = format!("{value:?}");
-            written.strip_suffix(".0").map(str::to_string).unwrap_or(written)
-        };
-        rows.flat_map(|row| row.iter().map(write).collect::<Vec<_>>()).collect()
-    }
+/// As many digits as it takes to read the number back; no negative zero, and no `.0` behind whole
+/// numbers.
+fn exactly(value: f64) -> String {
+    let written = format!("{:?}", value + 0.0);
+    written.strip_suffix(".0").map(str::to_string).unwrap_or(written)
+}
+
+/// For people: the twelve digits that rounding leaves alone.
+fn briefly(value: f64) -> String {
+    exactly(format!("{value:.11e}").parse().unwrap_or(value))
 }

@@ -15,10 +15,10 @@ pub struct Arguments {
     pub space: String,
     /// Vectors at the start, in left components, each one argument; `-` for lines of standard
     /// input; without any, the matrix that carries them
-    #[arg(value_name = "VECTOR", allow_hyphen_values = true)]
+    #[arg(value_name = "VECTOR", allow_negative_numbers = true)]
     pub vectors: Vec<String>,
     /// An arc exp(s x), 0 <= s <= 1, given by x; repeat it for a curve of arcs, one after the other
-    #[arg(long, value_name = "X", allow_hyphen_values = true, required = true)]
+    #[arg(long, value_name = "X", allow_negative_numbers = true, required = true)]
     pub along: Vec<String>,
     /// Angles of the arcs in degrees
     #[arg(long)]

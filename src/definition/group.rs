@@ -1,8 +1,9 @@
 //! The group of a definition.
 
 use super::{Definition, InputError, Origin, Reading};
+use crate::any_group::AnyGroup;
 use crate::catalogue;
-use crate::group::{AnyGroup, MatrixGroup, Nilpotent, Se2, Se3, Sl2, So2, So3};
+use crate::group::{MatrixGroup, Nilpotent, Se2, Se3, Sl2, So2, So3};
 use crate::{Error, LieAlgebra, MatrixBasis};
 use affinor_tensors::Rational;
 use affinor_tensors::linear::Matrix;

@@ -23,6 +23,9 @@ const OFF: f64 = 1e-9;
 /// [`Error::NoLogarithm`] for an eigenvalue on the closed negative axis, and when rounding wins.
 pub(super) fn logarithm(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     off_the_negative_axis(a)?;
+    if let Some(log) = unipotent(a) {
+        return Ok(log);
+    }
     let (mut root, mut squarings) = (a.clone(), 0);
     while less_identity(&root).norm() > NEAR {
         if squarings == ROOTS {
@@ -38,6 +41,17 @@ pub(super) fn logarithm(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
         return Ok(log);
     }
     Err(refused(format!("the series does not converge: its exponential is off by {off:e}")))
+}
+
+/// `sum -(-X)^k/k` for `a = 1 + X`, where `X` is nilpotent and the sum ends.
+fn unipotent(a: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let x = less_identity(a);
+    let (mut power, mut sum) = (x.clone(), x.clone());
+    for k in 2..=a.nrows() {
+        power = -(&power * &x);
+        sum += &power / k as f64;
+    }
+    (power * x).iter().all(|entry| *entry == 0.0).then_some(sum)
 }
 
 fn refused(reason: String) -> Error {

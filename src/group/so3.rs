@@ -3,7 +3,7 @@
 use super::LieGroup;
 use super::polynomial::polynomial;
 use super::rotation;
-use super::stumpff::{Stumpff, first_two, inverse_tangent};
+use super::stumpff::{FAR, Stumpff, first_two, inverse_tangent};
 use crate::Error;
 use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
 
@@ -24,8 +24,6 @@ pub struct So3;
 
 /// Squares of lengths below this are not near the end of floats.
 const LARGE: f64 = 1e280;
-/// Squares of angles so large that `1/angle` is nothing beside 1.
-const FAR: f64 = 1e40;
 
 impl LieGroup for So3 {
     type Element = UnitQuaternion<f64>;
@@ -40,6 +38,7 @@ impl LieGroup for So3 {
     }
 
     /// The product of quaternions. It is not normalised again: its norm strays by one rounding a product.
+    #[inline]
     fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
         g * h
     }
@@ -71,24 +70,27 @@ impl LieGroup for So3 {
     /// (`w = 0`) its first component that is not zero is positive. A length that strayed from 1 does no harm.
     ///
     /// # Errors
-    /// [`Error::NoLogarithm`] if the quaternion is zero or not finite, which no product of rotations is.
+    /// [`Error::NoRotation`] if the quaternion is zero or not finite, which no product of rotations is.
     #[inline]
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         let v = g.imag();
         let square = v.norm_squared();
-        if (1e-200..1e200).contains(&(g.w * g.w + square)) {
-            return Ok(v * logarithm(g.coords.into(), square));
+        let norm = g.w * g.w + square;
+        if is_unit(norm) {
+            return Ok(v * logarithm(g.coords.into(), square, norm));
         }
-        let largest = g.coords.amax();
-        let q = g.coords / largest;
-        if largest > 0.0 && q.iter().all(|q| q.is_finite()) {
-            return Ok(q.xyz() * logarithm(q.into(), q.xyz().norm_squared()));
-        }
-        Err(Error::NoLogarithm { reason: format!("{} is not a rotation", g.quaternion()) })
+        let unit = rotation::from_wxyz([g.w, g.i, g.j, g.k])?;
+        let square = unit.imag().norm_squared();
+        Ok(unit.imag() * logarithm(unit.coords.into(), square, 1.0))
     }
 
     fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
         g * x
+    }
+
+    /// `R^T h`.
+    fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
+        g.inverse_transform_vector(h)
     }
 
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
@@ -164,11 +166,18 @@ impl So3 {
     }
 }
 
-/// The rotation vector over the vector part of the quaternion `x, y, z, w`: `4 atan(tan(angle/4))` over
-/// the sine, where `tan(angle/4) = |v|/(|q| + |w|)` is at most 1. So there is no branch, neither at the identity nor at `pi`.
+/// Whether a square `|q|^2` is so near to 1 that `|q| = (1 + |q|^2)/2` without error.
 #[inline(always)]
-pub(super) fn logarithm([x, y, z, w]: [f64; 4], square: f64) -> f64 {
-    let scale = 1.0 / (w.abs() + (w * w + square).sqrt());
+pub(super) fn is_unit(norm: f64) -> bool {
+    (norm - 1.0).abs() < 1e-8
+}
+
+/// The rotation vector over the vector part of the quaternion `x, y, z, w` of squares `|v|^2` and
+/// `|q|^2`, the latter [`is_unit`]: `4 atan(tan(angle/4))` over the sine, where
+/// `tan(angle/4) = |v|/(|q| + |w|)` is at most 1. So there is no case, neither at the identity nor at `pi`.
+#[inline(always)]
+pub(super) fn logarithm([x, y, z, w]: [f64; 4], square: f64, norm: f64) -> f64 {
+    let scale = 1.0 / (w.abs() + (0.5 + 0.5 * norm));
     let size = 4.0 * scale * polynomial(&ARCTANGENT, square * scale * scale);
     let rest = if y != 0.0 { y } else { z };
     let sign = if x != 0.0 { x } else { rest };

@@ -40,6 +40,7 @@ const SERIES: f64 = 10.0;
 
 impl Stumpff {
     /// All of them at `z`. They overflow where cosh does.
+    #[inline]
     pub fn at(z: f64) -> Self {
         if z.abs() < SERIES {
             let (c4, c5) = (polynomial(&FOURTH, z), polynomial(&FIFTH, z));
@@ -79,8 +80,9 @@ pub fn first_two(z: f64) -> (f64, f64) {
     if z.abs() < NEAR { near(z) } else { far(z) }
 }
 
-/// Where [`near`] holds: a quarter turn and a little more.
-pub(super) const NEAR: f64 = 2.5;
+/// Where [`near`] is taken: up to 1.5 for `x`. At a right angle `z` no longer tells on which side of it
+/// `x` is, but its root does.
+pub(super) const NEAR: f64 = 2.25;
 
 /// [`first_two`] for `|z| < NEAR`, without a branch.
 #[inline(always)]
@@ -126,6 +128,7 @@ const FIFTH: [f64; 15] = coefficients(5);
 ///
 /// With `w = z/4` it is `(c_2(w) - c_3(w))/(4 c_1(w))`, without a difference of near equals up to its first pole
 /// `x = 2 pi`.
+#[inline]
 pub fn inverse_tangent(z: f64) -> f64 {
     let c = Stumpff::at(0.25 * z);
     (c.c2 - c.c3) / (4.0 * c.c1)

@@ -8,7 +8,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 /// ```
 /// use affinor::group::rotation::{from_wxyz, gibbs};
 /// let third = from_wxyz([0.5, 0.5, 0.5, 0.5])?; // a third of a turn
-/// assert_eq!(gibbs(&third)?, nalgebra::vector![1.0, 1.0, 1.0]);
+/// assert_eq!(gibbs(&third)?, nalgebra::Vector3::repeat(1.0));
 /// assert!(gibbs(&from_wxyz([0.0, 0.0, 0.0, 1.0])?).is_err());
 /// # Ok::<(), affinor::Error>(())
 /// ```

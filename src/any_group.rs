@@ -1,6 +1,8 @@
 //! Groups that are chosen while the program runs: vectors as lists, elements as matrices.
 
-use super::{Coordinates, LieGroup, MatrixGroup, Nilpotent, Se2, Se3, Sl2, So2, So3, rotation};
+use crate::group::{
+    Coordinates, LieGroup, MatrixGroup, Nilpotent, Se2, Se3, Sl2, So2, So3, rotation,
+};
 use crate::transport::ParallelTranslation;
 use crate::{Connection, Error};
 use nalgebra::{

@@ -1,0 +1,206 @@
+//! Many rotations at once: a column for every component, on all cores.
+//!
+//! The formulas are those of [`So3`]; over columns the compiler turns their loops into vector instructions.
+
+use super::stumpff::{NEAR, near};
+use super::{LieGroup, So3, so3};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use rayon::prelude::*;
+
+/// Vectors in the columns `x, y, z`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Vectors([Vec<f64>; 3]);
+
+/// Unit quaternions in the columns `w, x, y, z`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Quaternions([Vec<f64>; 4]);
+
+/// Elements of one task: their columns fit a core's own cache.
+const TASK: usize = 1024;
+
+/// Exponentials of all vectors.
+///
+/// ```
+/// use affinor::group::batch::{self, Quaternions, Vectors};
+/// use affinor::group::{LieGroup, So3};
+/// use nalgebra::Vector3;
+/// let vectors: Vectors = (0..3000).map(|k| Vector3::new(1e-3, 2e-3, 4e-3) * f64::from(k)).collect();
+/// let mut rotations = Quaternions::zeros(vectors.len());
+/// batch::exp(&vectors, &mut rotations);
+/// let one = So3.exp(&vectors.get(2000));
+/// assert!((rotations.get(2000).coords - one.coords).norm() < 1e-15);
+/// ```
+///
+/// # Panics
+/// If the numbers of elements differ, like all functions here.
+pub fn exp(vectors: &Vectors, rotations: &mut Quaternions) {
+    assert_eq!(vectors.len(), rotations.len(), "as many rotations as vectors");
+    tasks4(rotations).enumerate().for_each(|(task, (w, i, j, k))| {
+        let [x, y, z] = part(&vectors.0, task);
+        let mut all_near = true;
+        for t in 0..w.len().min(x.len()) {
+            let quarter = 0.25 * (x[t] * x[t] + y[t] * y[t] + z[t] * z[t]);
+            all_near &= quarter < NEAR;
+            let (cos, sin) = near(quarter);
+            let half = 0.5 * sin;
+            (w[t], i[t], j[t], k[t]) = (cos, x[t] * half, y[t] * half, z[t] * half);
+        }
+        if all_near {
+            return;
+        }
+        for t in 0..x.len() {
+            let vector = Vector3::new(x[t], y[t], z[t]);
+            let quarter = 0.25 * vector.norm_squared();
+            if quarter.is_nan() || quarter >= NEAR {
+                let g = So3.exp(&vector);
+                (w[t], i[t], j[t], k[t]) = (g.w, g.i, g.j, g.k);
+            }
+        }
+    });
+}
+
+/// Logarithms of all rotations, of length at most `pi`; NaN for a quaternion that is zero or not finite.
+///
+/// # Panics
+/// If the numbers of elements differ.
+pub fn log(rotations: &Quaternions, vectors: &mut Vectors) {
+    assert_eq!(rotations.len(), vectors.len(), "as many vectors as rotations");
+    tasks3(vectors).enumerate().for_each(|(task, (x, y, z))| {
+        let [w, i, j, k] = part(&rotations.0, task);
+        let mut all_unit = true;
+        for t in 0..x.len().min(w.len()) {
+            let square = i[t] * i[t] + j[t] * j[t] + k[t] * k[t];
+            let norm = w[t] * w[t] + square;
+            all_unit &= so3::is_unit(norm);
+            let factor = so3::logarithm([i[t], j[t], k[t], w[t]], square, norm);
+            (x[t], y[t], z[t]) = (i[t] * factor, j[t] * factor, k[t] * factor);
+        }
+        for t in if all_unit { 0..0 } else { 0..w.len() } {
+            let g = UnitQuaternion::new_unchecked(Quaternion::new(w[t], i[t], j[t], k[t]));
+            let vector = So3.log(&g).unwrap_or(Vector3::repeat(f64::NAN));
+            (x[t], y[t], z[t]) = (vector.x, vector.y, vector.z);
+        }
+    });
+}
+
+/// Products `g h` of all pairs.
+///
+/// # Panics
+/// If the numbers of elements differ.
+pub fn compose(g: &Quaternions, h: &Quaternions, products: &mut Quaternions) {
+    assert!(g.len() == h.len() && h.len() == products.len(), "as many products as factors");
+    tasks4(products).enumerate().for_each(|(task, (w, x, y, z))| {
+        let [a, b, c, d] = part(&g.0, task);
+        let [e, f, g, h] = part(&h.0, task);
+        for t in 0..w.len().min(a.len()).min(e.len()) {
+            w[t] = a[t] * e[t] - b[t] * f[t] - c[t] * g[t] - d[t] * h[t];
+            x[t] = a[t] * f[t] + b[t] * e[t] + c[t] * h[t] - d[t] * g[t];
+            y[t] = a[t] * g[t] - b[t] * h[t] + c[t] * e[t] + d[t] * f[t];
+            z[t] = a[t] * h[t] + b[t] * g[t] - c[t] * f[t] + d[t] * e[t];
+        }
+    });
+}
+
+/// The columns of one task, cut to one length so that the loops need no checks.
+fn part<const N: usize>(columns: &[Vec<f64>; N], task: usize) -> [&[f64]; N] {
+    let length = columns[0].len();
+    let range = (task * TASK).min(length)..((task + 1) * TASK).min(length);
+    columns.each_ref().map(|column| &column[range.clone()])
+}
+
+type Chunk<'a> = &'a mut [f64];
+
+fn tasks3(
+    vectors: &mut Vectors,
+) -> impl IndexedParallelIterator<Item = (Chunk<'_>, Chunk<'_>, Chunk<'_>)> {
+    let [x, y, z] = vectors.0.each_mut().map(|column| column.par_chunks_mut(TASK));
+    (x, y, z).into_par_iter()
+}
+
+fn tasks4(
+    rotations: &mut Quaternions,
+) -> impl IndexedParallelIterator<Item = (Chunk<'_>, Chunk<'_>, Chunk<'_>, Chunk<'_>)> {
+    let [w, x, y, z] = rotations.0.each_mut().map(|column| column.par_chunks_mut(TASK));
+    (w, x, y, z).into_par_iter()
+}
+
+impl Vectors {
+    /// Zero vectors.
+    pub fn zeros(count: usize) -> Self {
+        Vectors(std::array::from_fn(|_| vec![0.0; count]))
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.0[0].len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// One of them.
+    ///
+    /// # Panics
+    /// If there are not so many.
+    pub fn get(&self, at: usize) -> Vector3<f64> {
+        self.0.each_ref().map(|column| column[at]).into()
+    }
+
+    /// The columns.
+    pub fn columns(&self) -> [&[f64]; 3] {
+        self.0.each_ref().map(Vec::as_slice)
+    }
+}
+
+impl Quaternions {
+    /// Room for results: quaternions that are zero, and so no rotations yet.
+    pub fn zeros(count: usize) -> Self {
+        Quaternions(std::array::from_fn(|_| vec![0.0; count]))
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.0[0].len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// One of them.
+    ///
+    /// # Panics
+    /// If there are not so many.
+    pub fn get(&self, at: usize) -> UnitQuaternion<f64> {
+        let [w, x, y, z] = self.0.each_ref().map(|column| column[at]);
+        UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z))
+    }
+
+    /// The columns.
+    pub fn columns(&self) -> [&[f64]; 4] {
+        self.0.each_ref().map(Vec::as_slice)
+    }
+}
+
+impl FromIterator<Vector3<f64>> for Vectors {
+    fn from_iter<I: IntoIterator<Item = Vector3<f64>>>(vectors: I) -> Self {
+        let mut columns = Vectors::default();
+        for vector in vectors {
+            columns.0.iter_mut().zip(vector.iter()).for_each(|(column, c)| column.push(*c));
+        }
+        columns
+    }
+}
+
+impl FromIterator<UnitQuaternion<f64>> for Quaternions {
+    fn from_iter<I: IntoIterator<Item = UnitQuaternion<f64>>>(rotations: I) -> Self {
+        let mut columns = Quaternions::default();
+        for g in rotations {
+            columns.0.iter_mut().zip([g.w, g.i, g.j, g.k]).for_each(|(column, c)| column.push(c));
+        }
+        columns
+    }
+}
