@@ -1,7 +1,7 @@
 //! Pictures: figures drawn on a plane, and written as SVG or PNG.
 //!
 //! A [`Picture`] is a list of [`Shape`]s. [`draw`] makes one of a [`Figure`](crate::figures::Figure); a backend
-//! is a function of a picture, [`svg`] and [`png`] so far.
+//! is a function of a picture, [`svg()`] and [`png()`] so far.
 
 mod draw;
 mod label;

@@ -18,7 +18,7 @@ fn canonical(which: Canonical) -> Connected {
     connected(Connection::canonical(&So3.algebra().unwrap(), which))
 }
 
-fn all<'p>(panel: &'p Panel, role: Role) -> Vec<&'p Arrow> {
+fn all(panel: &Panel, role: Role) -> Vec<&Arrow> {
     panel.arrows.iter().filter(|arrow| arrow.role == role).collect()
 }
 
@@ -142,11 +142,12 @@ proptest! {
         let q = rotation(&path, t);
         let omega = q * path.velocity(t);
         let arrows = all(body, Role::Velocity);
-        for i in 0..3 {
+        prop_assert_eq!(arrows.len(), 3);
+        for (i, arrow) in arrows.iter().enumerate() {
             let tip = q.column(i).into_owned();
             prop_assert!(close(&the(body, Role::Frame(i)), &tip, 1e-12));
-            let velocity = arrows[i].ends[1] - arrows[i].ends[0];
-            prop_assert!(close(&arrows[i].ends[0], &tip, 1e-12));
+            let velocity = arrow.ends[1] - arrow.ends[0];
+            prop_assert!(close(&arrow.ends[0], &tip, 1e-12));
             prop_assert!(velocity.cross(&omega.cross(&tip)).norm() < 1e-12 * (1.0 + omega.norm()));
             prop_assert!(velocity.dot(&omega.cross(&tip)) >= 0.0);
         }

@@ -28,7 +28,7 @@ fn panel(connected: &Connected, axis: &Vector3<f64>) -> Result<Panel, Error> {
             (0..=SAMPLES).map(|i| end * f64::from(i) / f64::from(SAMPLES)).collect();
         let on_curve =
             connected.translation.autoparallel(&So3.identity(), &n, &times, TOLERANCE)?;
-        ball::curve(&on_curve.into_iter().map(|(g, _)| g).collect::<Vec<_>>())
+        ball::curve(&on_curve.into_iter().map(|tangent| tangent.base).collect::<Vec<_>>())
     };
     for n in fan() {
         let caption = "autoparallels from e to s = π";
