@@ -58,6 +58,7 @@ pub struct FreeBody {
 }
 
 #[derive(Clone, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "one a body, and no way to go for its data")]
 enum Motion {
     /// Momentum and velocity are parallel.
     Steady { velocity: Vector3<f64> },
@@ -82,6 +83,7 @@ struct Frame {
 }
 
 #[derive(Clone, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "one a body, and no way to go for its data")]
 enum Course {
     /// Circulation about the axis c.
     Periodic {
