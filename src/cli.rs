@@ -13,6 +13,8 @@ mod list;
 mod note;
 mod options;
 mod output;
+#[cfg(feature = "plot")]
+mod plot;
 mod rows;
 mod stages;
 mod table;
@@ -63,6 +65,9 @@ enum Command {
     Transport(transport::Arguments),
     /// Rotation vectors, quaternions, matrices, Euler angles: one into another
     Convert(convert::Arguments),
+    /// The figures of the paper, computed and drawn
+    #[cfg(feature = "plot")]
+    Plot(plot::Arguments),
     /// The catalogue
     List(list::Arguments),
     /// The conventions of signs and indices
@@ -87,6 +92,8 @@ pub fn main() -> ExitCode {
         Command::Adjoint(arguments) => on_group(&arguments, Operation::Adjoint),
         Command::Transport(arguments) => (arguments.run(), arguments.shared.output.color),
         Command::Convert(arguments) => (arguments.run(), arguments.output.color),
+        #[cfg(feature = "plot")]
+        Command::Plot(arguments) => arguments.run(),
         Command::List(arguments) => (arguments.run(), arguments.output.color),
         Command::Conventions(arguments) => (arguments.run(), arguments.output.color),
         Command::Completions(arguments) => {

@@ -26,6 +26,7 @@ pub mod sl2;
 pub mod so2;
 pub mod so3;
 pub mod stumpff;
+pub mod velocity;
 
 pub use coordinates::Coordinates;
 pub use heisenberg::Heisenberg;
@@ -37,6 +38,7 @@ pub use se23::{ExtendedPose, Se23};
 pub use sl2::Sl2;
 pub use so2::So2;
 pub use so3::So3;
+pub use velocity::Velocity;
 
 use crate::{Bracket, Error, LieAlgebra};
 use nalgebra::DMatrix;
@@ -129,14 +131,25 @@ pub trait LieGroup {
         self.tangent_left_inverse(&-x.clone(), v)
     }
 
-    /// The basis of the algebra, in components.
-    fn basis(&self) -> Vec<Self::Vector> {
-        let n = self.dimension();
-        let unit = |a: usize| (0..n).map(|i| f64::from(i == a)).collect::<Vec<f64>>();
-        (0..n).map(|a| Self::Vector::from_components(&unit(a))).collect()
+    /// `Ad*_g h`, the covector with `(Ad*_g h)_i = h_j (Ad_g e_i)^j`: spatial to body momentum.
+    fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
+        Self::Vector::from_fn(self.dimension(), |i| {
+            let image = self.adjoint(g, &self.unit(i));
+            h.components().iter().zip(image.components()).map(|(h, x)| h * x).sum()
+        })
     }
 
-    /// The algebra, with the basis `e1`, `e2`, ... of the components.
+    /// The basis vector of an index, from 0.
+    fn unit(&self, at: usize) -> Self::Vector {
+        Self::Vector::from_fn(self.dimension(), |i| f64::from(i == at))
+    }
+
+    /// The basis of the algebra, in components.
+    fn basis(&self) -> Vec<Self::Vector> {
+        (0..self.dimension()).map(|a| self.unit(a)).collect()
+    }
+
+    /// The algebra, with the basis `e1`, `e2`, ... of the components unless the group has names for it.
     ///
     /// # Errors
     /// [`Error::Jacobi`] for a `bracket` that is none.

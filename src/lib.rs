@@ -19,6 +19,7 @@
 //! - [`Geometry`]: an algebra or a frame, a connection and a metric; [`paper`] has two of them;
 //! - [`catalogue`]: algebras by name; [`roots`]: root systems and Chevalley bases;
 //! - [`definition`]: what a person writes, on the command line or in a file;
+//! - [`figures`]: scenes of the rotation group, as numbers; `plot` (a feature, on by default) draws them;
 //! - [`report`]: tables, comparisons, and their formats; [`claims`] and [`certificate`]: what holds.
 //!
 //! ```
@@ -50,6 +51,7 @@ pub mod dense;
 pub mod dynamics;
 pub mod equations;
 mod error;
+pub mod figures;
 pub mod forms;
 pub mod frame;
 pub mod geometry;
@@ -61,6 +63,8 @@ pub mod lie_poisson;
 pub mod metric;
 pub mod ode;
 pub mod paper;
+#[cfg(feature = "plot")]
+pub mod plot;
 pub mod properties;
 pub mod reductive;
 pub mod report;

@@ -4,6 +4,7 @@
 mod autoparallel;
 mod curve;
 
+pub use autoparallel::TangentVector;
 pub use curve::ParallelTranslation;
 
 use crate::frame::{expect_slots, formula};

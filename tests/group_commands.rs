@@ -1,4 +1,5 @@
 //! `exp`, `log`, `compose`, `adjoint`, `transport` and `convert`, through the program.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 #[path = "common/program.rs"]
 mod program;

@@ -284,6 +284,28 @@ fn brackets_are_those_of_the_catalogue() {
     }
 }
 
+/// Matrices of an algebra in any basis have that algebra, its zeros too.
+#[test]
+fn matrix_groups_know_their_algebra() {
+    assert_eq!(matrices(&spins()).algebra().unwrap().structure().len(), 6);
+    // 27 products E_ij E_jl, in both orders, less the squares E_ii E_ii
+    assert_eq!(matrices(&units(3)).algebra().unwrap().structure().len(), 2 * 27 - 2 * 3);
+    let mixed: Vec<_> = (0..3)
+        .map(|a| {
+            let terms = spins().into_iter().enumerate();
+            terms.map(|(i, m)| m * (1.0 + 0.7 * (3.0 * i as f64 + a as f64).sin())).sum()
+        })
+        .collect();
+    let group = matrices(&mixed);
+    let algebra = group.algebra().unwrap();
+    for (j, k) in (0..3).flat_map(|j| (0..3).map(move |k| (j, k))) {
+        let bracket = group.bracket(&group.basis()[j], &group.basis()[k]);
+        for i in 0..3 {
+            assert!((algebra.structure().get(&[i, j, k]) - bracket[i]).abs() < 1e-13);
+        }
+    }
+}
+
 /// Closed forms and matrices know nothing of each other.
 #[test]
 fn closed_forms_agree_with_matrix_groups() {

@@ -98,7 +98,7 @@ fn tensors_know_no_geometry() {
 }
 
 /// Who must not know whom: sources by the beginnings of their paths, then modules and types.
-const ARROWS: [(&[&str], &[&str]); 7] = [
+const ARROWS: [(&[&str], &[&str]); 8] = [
     (
         &[
             "src/frame.rs",
@@ -118,6 +118,8 @@ const ARROWS: [(&[&str], &[&str]); 7] = [
             "src/ode.rs",
             "src/chart",
             "src/group",
+            "src/figures",
+            "src/plot",
             "src/dynamics",
         ],
         &[
@@ -165,6 +167,7 @@ const ARROWS: [(&[&str], &[&str]); 7] = [
         ],
     ),
     (&["src/geometry.rs"], &["catalogue", "definition", "report", "claims", "certificate", "cli"]),
+    (&["src/figures"], &["plot"]),
     (&["src/definition", "src/report"], &["cli"]),
 ];
 
@@ -249,7 +252,7 @@ fn named(map: &str) -> Vec<String> {
 fn the_map_is_true() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let map = fs::read_to_string(root.join("ARCHITECTURE.md")).expect("the map");
-    assert!(map.lines().count() <= 180, "ARCHITECTURE.md has {} lines", map.lines().count());
+    assert!(map.lines().count() <= 200, "ARCHITECTURE.md has {} lines", map.lines().count());
     let named = named(&map);
     for file in library() {
         assert!(named.contains(&file.path), "{} is not in ARCHITECTURE.md", file.path);

@@ -20,6 +20,9 @@ pub trait Coordinates:
     /// If the size is fixed and the list is shorter.
     fn from_components(components: &[f64]) -> Self;
 
+    /// From a function of the index, for a dimension; a fixed size wins over it.
+    fn from_fn(dimension: usize, component: impl FnMut(usize) -> f64) -> Self;
+
     /// The list of components.
     fn components(&self) -> &[f64];
 }
@@ -27,6 +30,10 @@ pub trait Coordinates:
 impl<const N: usize> Coordinates for SVector<f64, N> {
     fn from_components(components: &[f64]) -> Self {
         Self::from_column_slice(&components[..N])
+    }
+
+    fn from_fn(_: usize, mut component: impl FnMut(usize) -> f64) -> Self {
+        SVector::from_fn(|i, _| component(i))
     }
 
     fn components(&self) -> &[f64] {
@@ -37,6 +44,10 @@ impl<const N: usize> Coordinates for SVector<f64, N> {
 impl Coordinates for DVector<f64> {
     fn from_components(components: &[f64]) -> Self {
         Self::from_column_slice(components)
+    }
+
+    fn from_fn(dimension: usize, mut component: impl FnMut(usize) -> f64) -> Self {
+        DVector::from_fn(dimension, |i, _| component(i))
     }
 
     fn components(&self) -> &[f64] {

@@ -5,7 +5,7 @@ use super::logarithm::logarithm;
 use super::series::exp;
 use crate::algebra::Complex;
 use crate::dense::to_dmatrix;
-use crate::{Error, LieAlgebra, MatrixBasis};
+use crate::{Bracket, Error, LieAlgebra, MatrixBasis};
 use affinor_tensors::Tolerance;
 use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
@@ -33,6 +33,7 @@ pub struct MatrixGroup {
     basis: Vec<DMatrix<f64>>,
     /// Takes the entries of a matrix to the coordinates of the nearest one in the algebra.
     nearest: DMatrix<f64>,
+    bracket: Bracket<f64>,
 }
 
 impl MatrixGroup {
@@ -51,7 +52,7 @@ impl MatrixGroup {
     /// # Errors
     /// [`Error::NotClosed`]; [`Error::Shape`] without a matrix.
     pub fn from_basis(basis: &MatrixBasis<f64>) -> Result<Self, Error> {
-        basis.bracket()?;
+        let bracket = basis.bracket()?;
         let dense = |m: &affinor_tensors::linear::Matrix<f64>| {
             DMatrix::from_fn(m.rows(), m.columns(), |i, j| m.get(i, j))
         };
@@ -64,7 +65,7 @@ impl MatrixGroup {
             basis.iter().map(|m| DVector::from_column_slice(m.as_slice())).collect();
         let (q, r) = DMatrix::from_columns(&columns).qr().unpack();
         let nearest = r.solve_upper_triangular(&q.transpose()).ok_or(Error::SingularBasis)?;
-        Ok(MatrixGroup { basis, nearest })
+        Ok(MatrixGroup { basis, nearest, bracket })
     }
 
     /// The group `exp(ad_x)` of inner automorphisms of an algebra without a centre: near the identity any
@@ -182,5 +183,10 @@ impl LieGroup for MatrixGroup {
 
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
         g.clone()
+    }
+
+    /// That of the basis, with its labels: by elimination, in which zeros stay zeros.
+    fn algebra(&self) -> Result<LieAlgebra<f64>, Error> {
+        LieAlgebra::try_from(self.bracket.clone())
     }
 }

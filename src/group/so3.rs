@@ -88,6 +88,11 @@ impl LieGroup for So3 {
         g * x
     }
 
+    /// `R^T h`.
+    fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
+        g.inverse_transform_vector(h)
+    }
+
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
         x.cross(y)
     }

@@ -10,9 +10,18 @@ const MAX_CHARTS: f64 = 1e5;
 /// The most Newton steps between two points.
 const MAX_STEPS: usize = 50;
 
+/// A tangent vector of a group, and where it stands.
+#[derive(Clone, Debug)]
+pub struct TangentVector<G: LieGroup> {
+    /// The element of the group.
+    pub base: G::Element,
+    /// The vector there, in left components.
+    pub left: G::Vector,
+}
+
 impl<G: LieGroup> ParallelTranslation<G> {
-    /// The autoparallel (B7) through `start` with the tangent `n` (left components) at time 0: the
-    /// element and the tangent at each of the times.
+    /// The autoparallel (B7) through `start` with the tangent `n` (left components) at time 0: its
+    /// tangent at each of the times.
     ///
     /// `dn/dt = -Lambda_n n`, and `g' = g n` in coordinates `g = g_0 exp(x)`, `dx/dt = T_left(x)^-1 n`,
     /// taken anew before `x` is large, so that elements stay on the group.
@@ -25,7 +34,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
         n: &G::Vector,
         times: &[f64],
         tolerance: f64,
-    ) -> Result<Vec<(G::Element, G::Vector)>, Error> {
+    ) -> Result<Vec<TangentVector<G>>, Error> {
         let (mut t, mut g, mut n) = (0.0, start.clone(), n.clone());
         let mut values = Vec::with_capacity(times.len());
         for &end in times {
@@ -34,7 +43,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
                 let (x, tangent) = self.in_chart(&n, t, next, tolerance)?;
                 (g, n, t) = (self.group().compose(&g, &self.group().exp(&x)), tangent, next);
             }
-            values.push((g.clone(), n.clone()));
+            values.push(TangentVector { base: g.clone(), left: n.clone() });
         }
         Ok(values)
     }
@@ -59,7 +68,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
         let fine = (1e-3 * tolerance).clamp(1e-14, 1e-9);
         let miss = |n: &G::Vector| -> Result<DVector<f64>, Error> {
             let end = self.autoparallel(from, n, &[1.0], fine)?;
-            let x = group.log(&group.compose(&there, &end[0].0))?;
+            let x = group.log(&group.compose(&there, &end[0].base))?;
             Ok(DVector::from_column_slice(x.components()))
         };
         let mut n = group.log(&group.compose(&group.inverse(from), to))?;

@@ -1,4 +1,4 @@
-//! Section 5: metrics and what the connection does to them, (96)-(103).
+//! Section 5: covectors, metrics and what the connection does to them, (91)-(103).
 
 use crate::common::charts::sum;
 use crate::common::labels;
@@ -7,12 +7,43 @@ use crate::{
 };
 use crate::{symbolic, tensor, value, values};
 use affinor::algebra::Complex;
+use affinor::forms::Form;
 use affinor::metric::equations;
 use affinor::{Canonical, Connection, LieAlgebra, MatrixBasis, paper};
-use affinor_tensors::{Down, Rational, Symbolic, Tensor, Tolerance};
+use affinor_tensors::{Down, Rational, Symbolic, Tensor, Tolerance, Up};
+
+/// The value of a covector on a vector.
+fn of(covector: &Form<Rational>, u: &[Rational]) -> Rational {
+    let value = covector.interior(&Tensor::vector(u, Up)).unwrap();
+    value.components().to_scalar().unwrap()
+}
 
 #[test]
-fn eq_96_to_98_the_metric_lowers_and_gives_the_energy() {
+fn eq_91_to_95_covectors() {
+    // indefinite and not diagonal
+    let g = metric::<Rational>(&[&["2", "1/3", "-1"], &["1/3", "-5", "0"], &["-1", "0", "4"]]);
+    let (v, u): (Vec<Rational>, Vec<_>) = (values(["3", "6", "-1"]), values(["1", "-2", "5"]));
+    let covector = Form::new(Tensor::vector(&g.lower(&v).unwrap(), Down)).unwrap();
+    // (91), (95): v*(u) = v^i u^j g_ij, by a loop
+    let mut product = Rational::from(0);
+    for (i, j) in (0..9).map(|at| (at / 3, at % 3)) {
+        product = product + &(v[i].clone() * &u[j] * &g.components().get(&[i, j]));
+    }
+    assert_eq!(of(&covector, &u), product);
+    // (93), (94): the components are the values on the basis, and the pairing is v_i u^i
+    let units = [["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]].map(values::<Rational, 3>);
+    let lowered = units.iter().map(|unit| of(&covector, unit)).collect::<Vec<_>>();
+    assert_eq!(lowered, g.lower(&v).unwrap());
+    // (92)
+    for (i, e) in so3().left_frame().coframe().iter().enumerate() {
+        for (j, unit) in units.iter().enumerate() {
+            assert_eq!(of(e, unit), Rational::from(crate::delta(i, j)));
+        }
+    }
+}
+
+#[test]
+fn eq_96_to_98_and_103_the_metric_lowers_and_gives_the_energy() {
     let numbers = metric::<Rational>(&[&["2", "1/3", "-1"], &["1/3", "5", "0"], &["-1", "0", "4"]]);
     let omega = values(["3", "6", "-1"]);
     let h = numbers.lower(&omega).unwrap();

@@ -1,0 +1,75 @@
+//! The velocity of a motion and its two images at the identity: figure 2.
+
+use super::{Figure, Mark, Panel, Path, Role, ball};
+use crate::Error;
+use crate::group::{LieGroup, So3};
+use nalgebra::Vector3;
+
+/// Points on the curve of a motion.
+pub(super) const SAMPLES: u32 = 600;
+/// Velocities are drawn with the longest as long as this.
+const LONGEST: f64 = 1.5;
+
+/// The motion, `w` at the point `p` of time `t`, and its images `Omega` by left (55), `omega = A Omega` by right
+/// translation (57), (59); the autoparallel from `e` to `p` with its tangents `n` and `n_p`.
+///
+/// # Errors
+/// None for rotations.
+pub fn images(path: &Path, t: f64) -> Result<Figure, Error> {
+    let mut panel = Panel::ball("");
+    let p = with_motion(&mut panel, path, t)?;
+    let Moment { x, omega_body, omega_space, scale } = p;
+    let identity = Vector3::zeros();
+    if let Some(n) = x.try_normalize(0.0) {
+        panel.arrow(
+            Role::Direction,
+            ["n", "tangents of η at e and p"],
+            ball::arrow(&identity, &n, 0.8)?,
+        );
+        panel.arrow(Role::Direction, ["nₚ", "tangents of η at e and p"], ball::arrow(&x, &n, 0.8)?);
+    }
+    let left = ["Ω", "Ω: w = Lₚ∗ Ω, left translation"];
+    panel.arrow(Role::Left, left, ball::arrow(&identity, &omega_body, scale)?);
+    let right = ["ω", "ω: w = Rₚ∗ ω, right translation"];
+    panel.arrow(Role::Right, right, ball::arrow(&identity, &omega_space, scale)?);
+    Ok(Figure {
+        title: "The angular velocity w and its images Ω and ω".into(),
+        panels: vec![panel],
+    })
+}
+
+/// A point of a motion.
+pub(super) struct Moment {
+    /// Its rotation vector.
+    pub x: Vector3<f64>,
+    /// `Omega`, the left components of `w`.
+    pub omega_body: Vector3<f64>,
+    /// `omega = Ad_p Omega`.
+    pub omega_space: Vector3<f64>,
+    /// How long velocities are drawn.
+    pub scale: f64,
+}
+
+/// Puts the motion, its point at `t`, the velocity there and the autoparallel to it into a panel.
+pub(super) fn with_motion(panel: &mut Panel, path: &Path, t: f64) -> Result<Moment, Error> {
+    let p = path.element(t);
+    let (x, omega_body) = (So3.log(&p)?, path.velocity(t));
+    let omega_space = So3.adjoint(&p, &omega_body);
+    let curve = ball::curve(&path.sampled(1.0, SAMPLES))?;
+    let onto_plane = |x: &Vector3<f64>| Vector3::new(x.x, x.y, 0.0);
+    let shadow = curve.iter().map(|piece| piece.iter().map(onto_plane).collect()).collect();
+    panel.curve(Role::Motion, ["γ", "γ(t), the motion"], curve);
+    panel.curve(Role::Shadow, ["", "its shadow on the plane Ψ³ = 0"], shadow);
+    let ray = vec![vec![Vector3::zeros(), x]];
+    panel.curve(Role::Autoparallel, ["η", "η, the autoparallel from e to p"], ray);
+    panel.curve(Role::Guide, ["", ""], vec![vec![x, onto_plane(&x)]]);
+    panel.marks.push(Mark::new("p", &format!("p = γ({t})"), x));
+    let drawn = So3.tangent_left_inverse(&x, &omega_body)?.norm();
+    let scale = if drawn > 0.0 { LONGEST / drawn } else { 1.0 };
+    panel.arrow(
+        Role::Velocity,
+        ["w", "w, tangent of γ at p"],
+        ball::arrow(&x, &omega_body, scale)?,
+    );
+    Ok(Moment { x, omega_body, omega_space, scale })
+}

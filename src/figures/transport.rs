@@ -1,0 +1,41 @@
+//! The velocity of a motion, carried to the identity by connections: figure 3.
+
+use super::images::{Moment, with_motion};
+use super::{Connected, Figure, Panel, Path, Role, ball};
+use crate::Error;
+use nalgebra::{DVector, Vector3};
+
+/// Vectors drawn on the way, the last one at the identity.
+const STOPS: u32 = 5;
+
+/// `w` at the point of time `t`, its images `Omega` and `omega`, and what each connection makes of `w` by carrying it
+/// along the autoparallel to `e`: `omega` for `plus` (57), half way between both for `zero` (71), `Omega` for `minus`.
+///
+/// # Errors
+/// None for rotations.
+pub fn transport(connections: &[Connected], path: &Path, t: f64) -> Result<Figure, Error> {
+    let panels = connections.iter().map(|connected| panel(connected, path, t));
+    let title = "The angular velocity w, carried in parallel to the identity".into();
+    Ok(Figure { title, panels: panels.collect::<Result<_, _>>()? })
+}
+
+fn panel(connected: &Connected, path: &Path, t: f64) -> Result<Panel, Error> {
+    let mut panel = Panel::ball(&connected.name);
+    let Moment { x, omega_body, omega_space, scale } = with_motion(&mut panel, path, t)?;
+    let identity = Vector3::zeros();
+    panel.arrow(Role::Left, ["Ω", "Ω, left image"], ball::arrow(&identity, &omega_body, scale)?);
+    panel.arrow(Role::Right, ["ω", "ω, right image"], ball::arrow(&identity, &omega_space, scale)?);
+    let u = DVector::from_column_slice(omega_body.as_slice());
+    for stop in 1..=STOPS {
+        let s = f64::from(stop) / f64::from(STOPS);
+        let carried = connected.translation.along_subgroup(&(x * -s))? * &u;
+        let carried = Vector3::from_column_slice(carried.as_slice());
+        let ends = ball::arrow(&(x * (1.0 - s)), &carried, scale)?;
+        if stop < STOPS {
+            panel.arrow(Role::Trace, ["", "w on its way along η"], ends);
+        } else {
+            panel.arrow(Role::Carried, ["ω′", "ω′, w carried to e"], ends);
+        }
+    }
+    Ok(panel)
+}

@@ -1,0 +1,280 @@
+//! Section 3 by the library's own invariant fields, exactly: (28)-(36), and what
+//! later sections say of fields: (101), (105), (A8), (B6).
+//!
+//! They are those of canonical coordinates of the second kind, `exp(x1 e1) exp(x2 e2) ..`, in which any
+//! of these algebras has a closed form.
+
+use crate::common::charts::{constant, sum};
+use crate::matrices::Basis;
+use crate::on_groups::{commutator, differ, equal, on_every_group, vectors};
+use crate::{algebras, assert_tensors, symbolic, value};
+use affinor::chart::{Canonical as Kind, Chart, Fields, Side};
+use affinor::group::LieGroup;
+use affinor::{Canonical, Connection, Frame, LieAlgebra};
+use affinor_tensors::{Down, Symbolic, Tensor, Up, contract};
+
+struct Group {
+    name: &'static str,
+    algebra: LieAlgebra<Symbolic>,
+    left: Fields<Symbolic>,
+    right: Fields<Symbolic>,
+}
+
+/// SE(3) is left to floats: its six coordinates make long functions.
+fn groups() -> impl Iterator<Item = Group> {
+    algebras().into_iter().filter(|(name, _)| *name != "se(3)").map(|(name, algebra)| {
+        let algebra = symbolic(&algebra);
+        let names: Vec<_> = (1..=algebra.dimension()).map(|a| format!("x{a}")).collect();
+        let chart = Chart::new(&names).unwrap();
+        let fields = |side| chart.invariant_fields(&algebra, Kind::Second, side).unwrap();
+        let (left, right) = (fields(Side::Left), fields(Side::Right));
+        Group { name, algebra, left, right }
+    })
+}
+
+impl Group {
+    fn n(&self) -> usize {
+        self.algebra.dimension()
+    }
+
+    /// The left-invariant `e_j`, in left components as all fields here.
+    fn e(&self, j: usize) -> Vec<Symbolic> {
+        (0..self.n()).map(|i| constant(i64::from(i == j))).collect()
+    }
+
+    /// The right-invariant field through `e_j` at the identity.
+    fn right(&self, j: usize) -> Vec<Symbolic> {
+        let column = (0..self.n()).map(|a| self.right.components().get(&[a, j]));
+        let field = Tensor::vector(&column.collect::<Vec<_>>(), Up);
+        self.left.change().apply(&field).unwrap().to_vector().unwrap()
+    }
+
+    /// A field without a pattern.
+    fn wild(&self) -> Vec<Symbolic> {
+        let x = |a: usize| Symbolic::parameter(&format!("x{}", a % self.n() + 1));
+        (0..self.n()).map(|i| x(i) * &x(i + 1) + &constant(i as i64 + 1)).collect()
+    }
+
+    fn frame(&self) -> &Frame<Symbolic> {
+        self.left.frame()
+    }
+
+    fn bracket(&self, x: &[Symbolic], y: &[Symbolic]) -> Vec<Symbolic> {
+        self.frame().bracket(x, y).unwrap()
+    }
+
+    /// `nabla_X Y` of a canonical connection over the left frame.
+    fn nabla(&self, which: Canonical, x: &[Symbolic], y: &[Symbolic]) -> Vec<Symbolic> {
+        let gamma = Connection::canonical(&self.algebra, which).gamma().clone();
+        let connection = Connection::new(self.frame().clone(), gamma).unwrap();
+        let nabla = connection.nabla(&Tensor::vector(y, Up)).unwrap();
+        let operands = [("D", &nabla), ("X", &Tensor::vector(x, Up))];
+        contract("D^i_m X^m -> ^i", &operands).unwrap().to_vector().unwrap()
+    }
+
+    /// The coefficients of `e_j` in the right-invariant fields: frozen at a point, they give the
+    /// right-invariant field through `e_j` there.
+    fn frozen(&self, j: usize) -> Vec<Symbolic> {
+        let column = (0..self.n()).map(|a| self.left.components().get(&[a, j]));
+        let field = Tensor::vector(&column.collect::<Vec<_>>(), Up);
+        self.right.change().apply(&field).unwrap().to_vector().unwrap()
+    }
+
+    /// `1/2 [e_j, Y] + 1/2 a^m [R_m, Y]` with the numbers `a`.
+    fn half(&self, j: usize, a: &[Symbolic], y: &[Symbolic]) -> Vec<Symbolic> {
+        let left = self.bracket(&self.e(j), y);
+        let right: Vec<_> = (0..self.n()).map(|m| self.bracket(&self.right(m), y)).collect();
+        let of_right = |i: usize| sum(a.iter().zip(&right).map(|(a, b)| a.clone() * &b[i]));
+        (0..self.n()).map(|i| (left[i].clone() + &of_right(i)) * &value("1/2")).collect()
+    }
+}
+
+#[test]
+fn eq_28_bracket_of_the_algebra_is_that_of_left_extensions() {
+    for group in groups() {
+        let c = group.algebra.structure();
+        assert_tensors(group.left.frame().structure(), c, group.name);
+        let minus = c.map(|v| -v.clone());
+        assert_tensors(group.right.frame().structure(), &minus, group.name);
+    }
+    // of matrices the commutator, and not its negative
+    fn law<G: LieGroup>(name: &str, group: &G, basis: &Basis) {
+        let [x, y, _] = vectors(group);
+        let bracket = group.bracket(&x, &y);
+        let bracket = crate::on_groups::column(&bracket);
+        equal(&bracket, &commutator(basis, &x, &y), name);
+        differ(&bracket, &commutator(basis, &y, &x), name);
+    }
+    on_every_group!(law);
+}
+
+#[test]
+fn eq_29_plus_by_left_invariant_fields() {
+    for group in groups() {
+        let y = group.wild();
+        for j in 0..group.n() {
+            let nabla = group.nabla(Canonical::Plus, &group.e(j), &y);
+            assert_eq!(nabla, group.bracket(&group.e(j), &y), "{} {j}", group.name);
+        }
+        let other = group.nabla(Canonical::Minus, &group.e(0), &y);
+        assert_ne!(other, group.bracket(&group.e(0), &y), "{}", group.name);
+    }
+}
+
+#[test]
+fn eq_30_minus_by_right_invariant_fields() {
+    for group in groups() {
+        let y = group.wild();
+        for j in 0..group.n() {
+            let right = group.right(j);
+            let nabla = group.nabla(Canonical::Minus, &right, &y);
+            assert_eq!(nabla, group.bracket(&right, &y), "{} {j}", group.name);
+        }
+        let other = group.nabla(Canonical::Plus, &group.right(0), &y);
+        assert_ne!(other, group.bracket(&group.right(0), &y), "{}", group.name);
+    }
+}
+
+#[test]
+fn eq_31_zero_by_half_of_both_through_the_same_vector() {
+    for group in groups() {
+        let y = group.wild();
+        for j in 0..group.n() {
+            let nabla = group.nabla(Canonical::Zero, &group.e(j), &y);
+            assert_eq!(group.half(j, &group.frozen(j), &y), nabla, "{} {j}", group.name);
+        }
+    }
+}
+
+#[test]
+fn before_39_right_invariant_fields_go_through_the_vector_at_p() {
+    for group in groups() {
+        let different = |j: &usize| group.frozen(*j) != group.e(*j);
+        let j = (0..group.n()).find(different).unwrap();
+        // through e_j(e), as the text builds them, a general field is differentiated wrongly ..
+        let (y, through_identity) = (group.wild(), group.e(j));
+        let nabla = group.nabla(Canonical::Zero, &group.e(j), &y);
+        assert_ne!(group.half(j, &through_identity, &y), nabla, "{}", group.name);
+        // .. and the frame is not, because [R, L] = 0 (35)
+        for k in 0..group.n() {
+            let nabla = group.nabla(Canonical::Zero, &group.e(j), &group.e(k));
+            assert_eq!(group.half(j, &through_identity, &group.e(k)), nabla, "{}", group.name);
+        }
+    }
+}
+
+#[test]
+fn eq_33_to_36_invariant_fields_commute_and_are_parallel() {
+    for group in groups() {
+        let n = group.n();
+        let zero = vec![constant(0); n];
+        for (j, k) in (0..n).flat_map(|j| (0..n).map(move |k| (j, k))) {
+            // (33), (34): c does not depend on the point
+            let c = (0..n).map(|i| group.algebra.structure().get(&[i, j, k])).collect::<Vec<_>>();
+            assert_eq!(group.bracket(&group.e(j), &group.e(k)), c, "{}", group.name);
+            assert_eq!(group.bracket(&group.e(j), &group.right(k)), zero, "{}", group.name);
+            let plus = group.nabla(Canonical::Plus, &group.e(j), &group.right(k));
+            assert_eq!(plus, zero, "{}", group.name);
+            let minus = group.nabla(Canonical::Minus, &group.e(j), &group.e(k));
+            assert_eq!(minus, zero, "{}", group.name);
+        }
+        // and crosswise they are not
+        let all = |which, right: bool| {
+            let field = |k| if right { group.right(k) } else { group.e(k) };
+            let pairs = (0..n).flat_map(|j| (0..n).map(move |k| (j, k)));
+            pairs.map(|(j, k)| group.nabla(which, &group.e(j), &field(k))).any(|v| v != zero)
+        };
+        assert!(all(Canonical::Plus, false) && all(Canonical::Minus, true), "{}", group.name);
+        assert!(all(Canonical::Zero, false) && all(Canonical::Zero, true), "{}", group.name);
+    }
+}
+
+#[test]
+fn eq_a8_constants_belong_to_invariant_frames() {
+    for group in groups() {
+        let coordinates = group.left.chart().coordinate_frame::<Symbolic>().unwrap();
+        let field = |j: usize| -> Vec<Symbolic> {
+            (0..group.n()).map(|a| group.left.components().get(&[a, j])).collect()
+        };
+        // [e_j, e_k] = c^i_jk e_i with both sides in coordinates
+        for (j, k) in (0..group.n()).flat_map(|j| (0..group.n()).map(move |k| (j, k))) {
+            let found = coordinates.bracket(&field(j), &field(k)).unwrap();
+            for (a, found) in found.iter().enumerate() {
+                let terms = (0..group.n())
+                    .map(|i| group.algebra.structure().get(&[i, j, k]) * &field(i)[a]);
+                assert_eq!(*found, sum(terms), "{} {j} {k}", group.name);
+            }
+        }
+    }
+    // of another frame they are functions: e_1, x1 e_2 with [e_1, e_2] = e_2 on Aff(1)
+    let group = groups().find(|group| group.name == "aff(1)").unwrap();
+    let scaled = crate::tensor(2, [Up, Down], &[([1, 1], "1"), ([2, 2], "x1")]);
+    let change = affinor::BasisChange::new(scaled).unwrap();
+    let moved = group.frame().moved(crate::common::labels(2), &change).unwrap();
+    assert_eq!(moved.structure().get(&[1, 0, 1]), value("1 + 1/x1"));
+}
+
+#[test]
+fn eq_b6_invariant_fields_carry_themselves() {
+    for group in groups() {
+        let n: Vec<_> = (0..group.n()).map(|i| constant(2 * i as i64 - 1)).collect();
+        let through_identity = |side: Side| match side {
+            Side::Left => n.clone(),
+            Side::Right => {
+                let fields: Vec<_> = (0..group.n()).map(|m| group.right(m)).collect();
+                (0..group.n())
+                    .map(|i| sum(n.iter().zip(&fields).map(|(n, f)| n.clone() * &f[i])))
+                    .collect()
+            }
+        };
+        let zero = vec![constant(0); group.n()];
+        for side in [Side::Left, Side::Right] {
+            let x = through_identity(side);
+            for which in [Canonical::Plus, Canonical::Zero, Canonical::Minus] {
+                assert_eq!(group.nabla(which, &x, &x), zero, "{} {which:?}", group.name);
+            }
+        }
+        // a field without a pattern does not
+        assert_ne!(group.nabla(Canonical::Zero, &group.wild(), &group.wild()), zero);
+    }
+}
+
+/// A symmetric matrix of constants without a pattern.
+fn inertia(n: usize) -> Tensor<Symbolic> {
+    let entry = |i: usize, j: usize| if i == j { 3 + i as i64 } else { (i + j) as i64 % 2 };
+    Tensor::from_fn(n, [Down, Down], |[i, j]| constant(entry(i, j))).unwrap()
+}
+
+#[test]
+fn eq_101_the_metric_is_the_same_at_every_point() {
+    for group in groups() {
+        let j = inertia(group.n());
+        // left translations keep it: they are the flows of right-invariant fields
+        let along = |field: Vec<Symbolic>| {
+            group.frame().lie_derivative(&Tensor::vector(&field, Up), &j).unwrap()
+        };
+        assert!((0..group.n()).all(|k| along(group.right(k)).is_empty()), "{}", group.name);
+        // right translations do not keep it
+        assert!((0..group.n()).any(|k| !along(group.e(k)).is_empty()), "{}", group.name);
+        assert!(group.frame().derivative(&j).unwrap().is_empty());
+    }
+}
+
+#[test]
+fn eq_105_rate_of_a_covector() {
+    for group in groups() {
+        let (n, omega, h) = (group.n(), group.e(0), group.wild());
+        let gamma = Connection::canonical(&group.algebra, Canonical::Plus).gamma().clone();
+        let plus = Connection::new(group.frame().clone(), gamma).unwrap();
+        let of = |covector: &[Symbolic], i: usize| {
+            let nabla = plus.nabla(&Tensor::vector(covector, Down)).unwrap();
+            sum((0..n).map(|k| nabla.get(&[k, i]) * &omega[k]))
+        };
+        for i in 0..n {
+            // Hdot_i + H_j (nabla_k e^j)_i Omega^k
+            let rate = sum((0..n).map(|k| group.frame().derive(k, &h[i]) * &omega[k]));
+            let turned = sum((0..n).map(|j| h[j].clone() * &of(&group.e(j), i)));
+            assert_eq!(of(&h, i), rate + &turned, "{} {i}", group.name);
+        }
+    }
+}
