@@ -40,7 +40,7 @@ impl Jacobi {
         let mut jacobi = Jacobi { quarter, moduli: [(0.0, 1.0); LEVELS], levels: 0 };
         while k > CIRCULAR && jacobi.levels < LEVELS {
             (k, complement) = gauss(k, complement);
-            jacobi.moduli[jacobi.levels] = (k, complement * complement / (1.0 + k));
+            jacobi.moduli[jacobi.levels] = level(k, complement);
             jacobi.levels += 1;
         }
         jacobi.moduli[..jacobi.levels].reverse();
@@ -66,12 +66,20 @@ pub(super) fn gauss(modulus: f64, complement: f64) -> (f64, f64) {
     (below, 2.0 * complement.sqrt() / (1.0 + complement))
 }
 
+/// A modulus `k` and `1 - k`.
+pub(super) fn level(k: f64, complement: f64) -> (f64, f64) {
+    (k, complement * complement / (1.0 + k))
+}
+
 /// The functions at `(1 + k1) v` from those at `v` of a modulus `k1`, which comes with `1 - k1`.
 #[inline]
 pub(super) fn raise([s, c, d]: [f64; 3], (k, gap): (f64, f64)) -> [f64; 3] {
     let square = s * s;
-    let scale = 1.0 / (1.0 + k * square);
-    [(1.0 + k) * s * scale, c * d * scale, (c * c + gap * square) * scale]
+    let product = k * square;
+    let scale = 1.0 / (1.0 + product);
+    // from s alone where that loses nothing: errors of c and d would grow twofold a level
+    let rest = if product < 0.5 { 1.0 - product } else { c * c + gap * square };
+    [(1.0 + k) * s * scale, c * d * scale, rest * scale]
 }
 
 /// `u` from `sn u`, `cn u >= 0`, `dn u`: the integral of the first kind, `sn R_F(cn^2, dn^2, 1)`.

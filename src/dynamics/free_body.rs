@@ -19,7 +19,7 @@
 //! and its integral, one of the third kind, needs no arctangent beside it and loses no digits where moments are nearly
 //! equal or the momentum is near an axis.
 
-use super::elliptic::{Jacobi, first_kind, gauss, raise, third_kind};
+use super::elliptic::{Jacobi, first_kind, gauss, level, raise, third_kind};
 use super::{BodyState, Inertia};
 use crate::Error;
 use crate::group::{LieGroup, So3};
@@ -58,6 +58,7 @@ pub struct FreeBody {
 }
 
 #[derive(Clone, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "one a body, and no way to go for its data")]
 enum Motion {
     /// Momentum and velocity are parallel.
     Steady { velocity: Vector3<f64> },
@@ -82,6 +83,7 @@ struct Frame {
 }
 
 #[derive(Clone, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "one a body, and no way to go for its data")]
 enum Course {
     /// Circulation about the axis c.
     Periodic {
@@ -254,7 +256,7 @@ fn turning(inertia: &Inertia, unit: &Vector3<f64>, length: f64) -> Option<Motion
         let energy = m.x * m.x / moments[a] + m.y * m.y / moments[b] + m.z * m.z / moments[c];
         let dynamic = length * energy * period;
         let phase = Phase { period, total, dynamic, geometric: total - dynamic };
-        let modulus = (k, complement * complement / (1.0 + k));
+        let modulus = level(k, complement);
         Course::Periodic { jacobi, modulus, characteristic, quarter, v, phase }
     };
     frame.rest = course.at(0.0).1;
