@@ -202,6 +202,7 @@ laws! {
     su2: MatrixGroup::from_basis(&pauli()).unwrap();
     adjoint_so3: MatrixGroup::adjoint(&floats("so(3)")).unwrap();
     adjoint_sl2: MatrixGroup::adjoint(&floats("sl(2)")).unwrap();
+    with_centre: MatrixGroup::of_algebra(&floats("so(3)+R^2")).unwrap();
     adjoint_affine: MatrixGroup::adjoint(&floats("aff(1)+aff(1)")).unwrap();
 }
 

@@ -11,7 +11,7 @@ use nalgebra::DMatrix;
 
 impl Definition {
     /// A group with this algebra, in its basis: in closed form where there is one, of matrices where they are
-    /// given, simply connected where it is nilpotent, else of inner automorphisms.
+    /// given, simply connected where it is nilpotent, else by the adjoint representation.
     ///
     /// # Errors
     /// What the algebra refuses; an algebra with a centre of which only brackets are known.
@@ -40,10 +40,10 @@ impl Definition {
             Err(Error::NotNilpotent { .. }) => {}
             Err(error) => return Err(error.into()),
         }
-        let adjoint = MatrixGroup::adjoint(&algebra).map_err(|error| {
+        let group = MatrixGroup::of_algebra(&algebra).map_err(|error| {
             InputError::from(error).help("give the algebra by matrices: they name its group")
         })?;
-        Ok(Box::new(adjoint))
+        Ok(Box::new(group))
     }
 }
 

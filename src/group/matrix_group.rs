@@ -7,6 +7,7 @@ use crate::algebra::Complex;
 use crate::dense::to_dmatrix;
 use crate::{Bracket, Error, LieAlgebra, MatrixBasis};
 use affinor_tensors::Tolerance;
+use affinor_tensors::linear::Matrix;
 use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
 
@@ -53,9 +54,7 @@ impl MatrixGroup {
     /// [`Error::NotClosed`]; [`Error::Shape`] without a matrix.
     pub fn from_basis(basis: &MatrixBasis<f64>) -> Result<Self, Error> {
         let bracket = basis.bracket()?;
-        let dense = |m: &affinor_tensors::linear::Matrix<f64>| {
-            DMatrix::from_fn(m.rows(), m.columns(), |i, j| m.get(i, j))
-        };
+        let dense = |m: &Matrix<f64>| DMatrix::from_fn(m.rows(), m.columns(), |i, j| m.get(i, j));
         let basis: Vec<DMatrix<f64>> = basis.matrices().iter().map(dense).collect();
         if basis.is_empty() {
             let (expected, found) = ("at least one matrix".into(), "none".into());
@@ -74,11 +73,40 @@ impl MatrixGroup {
     /// # Errors
     /// [`Error::Centre`] with a central vector, which acts as 0.
     pub fn adjoint(algebra: &LieAlgebra<f64>) -> Result<Self, Error> {
+        Self::represented(algebra, &adjoint_matrices(algebra)?)
+    }
+
+    /// A group of any algebra whose centre meets `[g, g]` in 0, as of reductive ones: `exp(ad_x)`, and beside it,
+    /// as translations, the quotient `g/[g, g]` where the centre acts.
+    ///
+    /// # Errors
+    /// [`Error::Centre`] with a central vector of `[g, g]`.
+    pub fn of_algebra(algebra: &LieAlgebra<f64>) -> Result<Self, Error> {
+        let ad = adjoint_matrices(algebra)?;
+        match Self::represented(algebra, &ad) {
+            Err(Error::Centre { .. }) => {}
+            faithful => return faithful,
+        }
         let n = algebra.dimension();
-        let unit = |at: usize| (0..n).map(|i| f64::from(i == at)).collect::<Vec<f64>>();
-        let ad = |at: usize| to_dmatrix(&algebra.ad(&unit(at))?);
-        let matrices = (0..n).map(ad).collect::<Result<Vec<_>, Error>>()?;
-        match matrix_basis(algebra.labels().clone(), &matrices) {
+        let mut brackets = vec![Vec::new(); n * n];
+        for (at, value) in algebra.structure().components() {
+            brackets[at[1] * n + at[2]].push((at[0], *value));
+        }
+        // the forms that vanish on all brackets
+        let quotient = Matrix::from_rows(n, brackets)?.nullspace()?;
+        let size = n + quotient.rows() + 1;
+        let beside = |(x, ad): (usize, &DMatrix<f64>)| {
+            let mut m = DMatrix::zeros(size, size);
+            m.view_mut((0, 0), (n, n)).copy_from(ad);
+            (0..quotient.rows()).for_each(|row| m[(n + row, size - 1)] = quotient.get(row, x));
+            m
+        };
+        let matrices: Vec<_> = ad.iter().enumerate().map(beside).collect();
+        Self::represented(algebra, &matrices)
+    }
+
+    fn represented(algebra: &LieAlgebra<f64>, matrices: &[DMatrix<f64>]) -> Result<Self, Error> {
+        match matrix_basis(algebra.labels().clone(), matrices) {
             Err(Error::Dependent { relation }) => Err(Error::Centre { central: relation }),
             basis => Self::from_basis(&basis?),
         }
@@ -98,6 +126,10 @@ impl MatrixGroup {
     fn size(&self) -> usize {
         self.basis[0].nrows()
     }
+}
+
+fn adjoint_matrices(algebra: &LieAlgebra<f64>) -> Result<Vec<DMatrix<f64>>, Error> {
+    algebra.basis().map(|x| to_dmatrix(&algebra.ad(&x)?)).collect()
 }
 
 /// Checked for shape, finite entries and independence.
