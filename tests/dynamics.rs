@@ -135,7 +135,7 @@ fn spatial_momentum_is_exact() {
 /// `R H` does.
 #[test]
 fn zero_runs_at_half_speed() {
-    let period = 6.862_616_178_058_116_41;
+    let period = 6.862_616_178_058_116;
     let metric = rigid([0.6, 0.8, 1.0]);
     let momentum = Vector3::new(1.8, 0.4, -0.9);
     let velocity = Vector3::new(1.8 / 0.6, 0.4 / 0.8, -0.9);
@@ -173,13 +173,13 @@ fn heavy_top() {
     let expected = Vector3::new(-0.15041682274564, -0.72416559163690, -0.67302226956044);
     assert!((centre - expected).norm() < 1e-8, "{:e}", (centre - expected).norm());
     let spatial_velocity = end.element * body.velocity(&end);
-    assert!((spatial_velocity.y + 106.163_804_143_124_48).abs() < 1e-6, "{spatial_velocity}");
+    assert!((spatial_velocity.y + 106.163_804_143_124_5).abs() < 1e-6, "{spatial_velocity}");
     // the torque turns about the horizontal: the vertical momentum stays, and so does the energy
     assert!((end.spatial.z + 70.312_429_687_5).abs() < 1e-3, "{}", end.spatial.z);
     let energy =
         |state: &State<So3>| body.energy(state) + mass * gravity * (state.element * Vector3::y()).z;
     assert!((energy(&end) - energy(&start)).abs() < 1e-6);
-    assert!((energy(&start) - 5_435.696_790_865_546_9).abs() < 1e-3, "{}", energy(&start));
+    assert!((energy(&start) - 5_435.696_790_865_547).abs() < 1e-3, "{}", energy(&start));
 }
 
 /// Kirchhoff's body in a fluid, on SE(3): energy and the Casimirs `Pi . P`, `|P|^2`.
