@@ -61,8 +61,8 @@ pub struct MoserVeselov {
 type Coefficients = [f64; 5];
 
 /// Newton's method ends when its correction is smaller than this, so that the next one would be a rounding.
-const NEWTON: f64 = 1e-9;
-/// It needs three or four.
+const NEWTON: f64 = 1e-8;
+/// It needs two or three.
 const ITERATIONS: usize = 30;
 
 impl MoserVeselov {
@@ -164,9 +164,10 @@ impl Stage {
     #[inline]
     fn solve(&self, y: &Vector3<f64>) -> Option<Vector3<f64>> {
         let (half, f) = (0.5 * y.component_mul(&self.inverse), &self.ratios);
-        let mut c = half + self.products(&half, f);
+        let right = |c: &Vector3<f64>| half * (1.0 + c.norm_squared()) + self.products(c, f);
+        let mut c = right(&(half + self.products(&half, f)));
         for _ in 0..ITERATIONS {
-            let residual = half * (1.0 + c.norm_squared()) + self.products(&c, f) - c;
+            let residual = right(&c) - c;
             // the derivative of c - right side
             let (a, c2) = (half, c + c);
             let (d1, d2, d3) = (1.0 - a.x * c2.x, 1.0 - a.y * c2.y, 1.0 - a.z * c2.z);
