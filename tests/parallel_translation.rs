@@ -1,7 +1,7 @@
 //! Parallel translation and autoparallels on groups, against closed forms and conservation laws.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use affinor::group::{LieGroup, So3};
+use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So2, So3};
 use affinor::transport::{ParallelTranslation, TangentVector};
 use affinor::{Bracket, Canonical, Connection, Error, LieAlgebra, Metric};
 use affinor_tensors::{Down, Tensor};
@@ -29,6 +29,44 @@ fn vector() -> impl Strategy<Value = Vector3<f64>> {
     [-1.5..1.5, -1.5..1.5, -1.5..1.5f64].prop_map(Vector3::from)
 }
 
+/// A metric that is not diagonal.
+fn full<G: LieGroup + Clone>(group: &G) -> ParallelTranslation<G> {
+    let algebra = group.algebra().unwrap();
+    let entry = |[i, j]: [usize; 2]| if i == j { 2.0 + i as f64 } else { 0.3 / (i + j) as f64 };
+    let metric = Tensor::from_fn(group.dimension(), [Down, Down], entry).unwrap();
+    let metric = Metric::new(algebra.labels(), metric).unwrap();
+    let connection = Connection::levi_civita(algebra.left_frame(), &metric).unwrap();
+    ParallelTranslation::new(group.clone(), connection).unwrap()
+}
+
+/// Along `exp(s x)`, in left components: plus is right translation, zero `L_sqrt(p) R_sqrt(p)`, minus left
+/// translation; and for every connection, there and back is the identity.
+fn laws<G: LieGroup + Clone>(group: G, numbers: &[f64; 6]) {
+    let x = G::Vector::from_components(&numbers[..group.dimension()]);
+    let algebra = group.algebra().unwrap();
+    let on_group = |which| {
+        let connection = Connection::canonical(&algebra, which);
+        ParallelTranslation::new(group.clone(), connection).unwrap()
+    };
+    let back = |share: f64| {
+        let p = group.exp(&(x.clone() * -share));
+        group.operator(|u| group.adjoint(&p, u))
+    };
+    let scale = 1.0 + back(1.0).amax() + back(-1.0).amax();
+    let cases = [(Canonical::Plus, 1.0), (Canonical::Zero, 0.5), (Canonical::Minus, 0.0)];
+    for (which, share) in cases {
+        let off = on_group(which).along_subgroup(&x).unwrap() - back(share);
+        assert!(off.amax() < 1e-13 * scale, "{which:?}: {off}");
+    }
+    let loops = [on_group(Canonical::Plus), on_group(Canonical::Zero), full(&group)];
+    for on_group in loops {
+        let there = on_group.along_subgroup(&x).unwrap();
+        let both = on_group.along_subgroup(&-x.clone()).unwrap() * &there;
+        let off = (both - DMatrix::identity(there.nrows(), there.nrows())).amax();
+        assert!(off < 1e-12 * there.amax() * (1.0 + there.amax()), "{off}");
+    }
+}
+
 /// The rotation matrix as a dynamic matrix.
 fn rotation(g: &UnitQuaternion<f64>) -> DMatrix<f64> {
     So3.matrix(g)
@@ -51,6 +89,18 @@ fn velocity(t: f64) -> Vector3<f64> {
 }
 
 proptest! {
+    #[test]
+    fn translation_on_every_group(numbers in proptest::array::uniform6(-1.5..1.5f64)) {
+        let stretch = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 0.0]);
+        let shift = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 0.0, 0.0]);
+        laws(MatrixGroup::new(&[stretch, shift]).unwrap(), &numbers);
+        laws(So2, &numbers);
+        laws(Se2, &numbers);
+        laws(Se3, &numbers);
+        laws(Sl2, &numbers);
+        laws(Heisenberg::<5>, &numbers);
+    }
+
     /// Plus is right translation, minus left translation, zero `L_sqrt(p) R_sqrt(p)`: all in left
     /// components at `p = exp(x)`.
     #[test]
