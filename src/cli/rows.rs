@@ -1,6 +1,7 @@
 //! Rows of numbers: from arguments or, line by line, from standard input; to text, CSV or JSON lines.
 
 use super::failure::Failure;
+use super::note::note;
 use super::options::Output;
 use super::output::deliver;
 use affinor::definition::{InputError, Source, numbers};
@@ -68,7 +69,11 @@ pub fn map_rows(
         }
         lines(|number, line| {
             let is_head = number == 1 && numbers(&Source::new("", line)).is_err();
-            if is_head { Ok(()) } else { each(&format!("<standard input>, line {number}"), line) }
+            if is_head {
+                note("the first line is no row of numbers, and taken for the head of a table");
+                return Ok(());
+            }
+            each(&format!("<standard input>, line {number}"), line)
         })
     });
     // a failure of a row is told as such, not as one of writing
