@@ -84,11 +84,13 @@ fn groups_of_any_algebra() {
     if Path::new(file).exists() {
         assert_eq!(numbers(&["exp", file, "1,2,3"], "").len(), 3);
     }
-    // a centre beside the brackets does no harm, one among them does
+    // a centre beside the brackets, and one among them
     near(&numbers(&["compose", "so3+R^1", "0,0,1,2, 0,0,1,3"], ""), &[0.0, 0.0, 2.0, 5.0]);
-    let (code, message) = refusal(&["exp", "so3+heisenberg3", "1,2,3,4,5,6"], "");
+    let (code, message) = refusal(&["exp", "so8+R^1", "1,2,3"], "");
     assert_eq!(code, 1);
     assert!(message.contains("centre") && message.contains("by matrices"), "{message}");
+    let product = ["compose", "so3+heisenberg3", "0,0,1,1,0,0, 0,0,1,0,1,0"];
+    near(&numbers(&product, ""), &[0.0, 0.0, 2.0, 1.0, 1.0, 0.5]);
 }
 
 #[test]

@@ -203,6 +203,7 @@ laws! {
     adjoint_so3: MatrixGroup::adjoint(&floats("so(3)")).unwrap();
     adjoint_sl2: MatrixGroup::adjoint(&floats("sl(2)")).unwrap();
     with_centre: MatrixGroup::of_algebra(&floats("so(3)+R^2")).unwrap();
+    with_central_brackets: MatrixGroup::of_algebra(&floats("so(3)+heisenberg(3)")).unwrap();
     adjoint_affine: MatrixGroup::adjoint(&floats("aff(1)+aff(1)")).unwrap();
 }
 

@@ -76,32 +76,30 @@ impl MatrixGroup {
         Self::represented(algebra, &adjoint_matrices(algebra)?)
     }
 
-    /// A group of any algebra whose centre meets `[g, g]` in 0, as of reductive ones: `exp(ad_x)`, and beside it,
-    /// as translations, the quotient `g/[g, g]` where the centre acts.
+    /// A group of any algebra, near the identity: `exp(ad_x)`, on `g` alone or, where the centre acts as 0 there,
+    /// on the sum of `g` and its derivations `D`, with `[x, D] = -D x`.
     ///
     /// # Errors
-    /// [`Error::Centre`] with a central vector of `[g, g]`.
+    /// [`Error::Centre`] with a central vector that every derivation takes to 0, too;
+    /// [`Error::Size`] where the derivations of an algebra with a centre are too many to solve for.
     pub fn of_algebra(algebra: &LieAlgebra<f64>) -> Result<Self, Error> {
         let ad = adjoint_matrices(algebra)?;
         match Self::represented(algebra, &ad) {
             Err(Error::Centre { .. }) => {}
             faithful => return faithful,
         }
+        let derivations = derivations(algebra)?;
         let n = algebra.dimension();
-        let mut brackets = vec![Vec::new(); n * n];
-        for (at, value) in algebra.structure().components() {
-            brackets[at[1] * n + at[2]].push((at[0], *value));
-        }
-        // the forms that vanish on all brackets
-        let quotient = Matrix::from_rows(n, brackets)?.nullspace()?;
-        let size = n + quotient.rows() + 1;
-        let beside = |(x, ad): (usize, &DMatrix<f64>)| {
+        let size = n + derivations.len();
+        let extended = |(x, ad): (usize, &DMatrix<f64>)| {
             let mut m = DMatrix::zeros(size, size);
             m.view_mut((0, 0), (n, n)).copy_from(ad);
-            (0..quotient.rows()).for_each(|row| m[(n + row, size - 1)] = quotient.get(row, x));
+            for (at, derivation) in derivations.iter().enumerate() {
+                m.view_mut((0, n + at), (n, 1)).copy_from(&-derivation.column(x));
+            }
             m
         };
-        let matrices: Vec<_> = ad.iter().enumerate().map(beside).collect();
+        let matrices: Vec<_> = ad.iter().enumerate().map(extended).collect();
         Self::represented(algebra, &matrices)
     }
 
@@ -130,6 +128,33 @@ impl MatrixGroup {
 
 fn adjoint_matrices(algebra: &LieAlgebra<f64>) -> Result<Vec<DMatrix<f64>>, Error> {
     algebra.basis().map(|x| to_dmatrix(&algebra.ad(&x)?)).collect()
+}
+
+/// The largest dimension of an algebra whose derivations are solved for.
+const LARGEST: usize = 24;
+
+/// A basis of the derivations, `D [x, y] = [D x, y] + [x, D y]`.
+fn derivations(algebra: &LieAlgebra<f64>) -> Result<Vec<DMatrix<f64>>, Error> {
+    let n = algebra.dimension();
+    if n > LARGEST {
+        let what = "dimensions of an algebra with a centre";
+        return Err(Error::Size { what, size: n, limit: LARGEST });
+    }
+    // unknown D^i_m is number i n + m; an equation for each i and j < k
+    let equation = |i: usize, j: usize, k: usize| (i * n + j) * n + k;
+    let mut rows = vec![Vec::new(); n * n * n];
+    for (at, c) in algebra.structure().components() {
+        let [m, j, k] = [at[0], at[1], at[2]];
+        for i in 0..n {
+            // D^i_m c^m_jk, c^m_ik D^i_j and c^m_ji D^i_k with the letters of this component
+            rows[equation(i, j, k)].push((i * n + m, *c));
+            rows[equation(m, i, k)].push((j * n + i, -c));
+            rows[equation(m, j, i)].push((k * n + i, -c));
+        }
+    }
+    let solutions = Matrix::from_rows(n * n, rows)?.nullspace()?;
+    let matrix = |row: usize| DMatrix::from_fn(n, n, |i, m| solutions.get(row, i * n + m));
+    Ok((0..solutions.rows()).map(matrix).collect())
 }
 
 /// Checked for shape, finite entries and independence.
