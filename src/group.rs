@@ -12,6 +12,7 @@ pub mod coordinates;
 mod cubic;
 pub mod fields;
 pub mod heisenberg;
+mod left_frame;
 mod logarithm;
 pub mod matrix_group;
 pub mod nilpotent;
@@ -30,6 +31,7 @@ pub mod velocity;
 
 pub use coordinates::Coordinates;
 pub use heisenberg::Heisenberg;
+pub(crate) use left_frame::expect_left_frame;
 pub use matrix_group::MatrixGroup;
 pub use nilpotent::Nilpotent;
 pub use se2::Se2;

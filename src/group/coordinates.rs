@@ -14,24 +14,37 @@ pub trait Coordinates:
     + Neg<Output = Self>
     + Mul<f64, Output = Self>
 {
-    /// From the list of components.
-    ///
-    /// # Panics
-    /// If the size is fixed and the list is shorter.
-    fn from_components(components: &[f64]) -> Self;
-
     /// From a function of the index, for a dimension; a fixed size wins over it.
     fn from_fn(dimension: usize, component: impl FnMut(usize) -> f64) -> Self;
 
     /// The list of components.
     fn components(&self) -> &[f64];
+
+    /// From the list of components.
+    ///
+    /// # Panics
+    /// If the size is fixed and the list is shorter.
+    fn from_components(components: &[f64]) -> Self {
+        Self::from_fn(components.len(), |i| components[i])
+    }
+
+    /// The zero vector of a dimension.
+    fn zeros(dimension: usize) -> Self {
+        Self::from_fn(dimension, |_| 0.0)
+    }
+
+    /// The largest modulus of a component; NaN is not seen.
+    fn largest(&self) -> f64 {
+        self.components().iter().fold(0.0, |most, x| x.abs().max(most))
+    }
+
+    /// Whether no component is infinite or NaN.
+    fn is_finite(&self) -> bool {
+        self.components().iter().all(|x| x.is_finite())
+    }
 }
 
 impl<const N: usize> Coordinates for SVector<f64, N> {
-    fn from_components(components: &[f64]) -> Self {
-        Self::from_column_slice(&components[..N])
-    }
-
     fn from_fn(_: usize, mut component: impl FnMut(usize) -> f64) -> Self {
         SVector::from_fn(|i, _| component(i))
     }
@@ -42,10 +55,6 @@ impl<const N: usize> Coordinates for SVector<f64, N> {
 }
 
 impl Coordinates for DVector<f64> {
-    fn from_components(components: &[f64]) -> Self {
-        Self::from_column_slice(components)
-    }
-
     fn from_fn(dimension: usize, mut component: impl FnMut(usize) -> f64) -> Self {
         DVector::from_fn(dimension, |i, _| component(i))
     }

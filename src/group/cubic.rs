@@ -14,8 +14,7 @@ pub(super) fn tangent_left<G: LieGroup>(
     let at = z(x);
     if at > FAR {
         // the mean over a turn, which is the part that x leaves alone
-        let largest = x.components().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        let unit = x.clone() * largest.recip();
+        let unit = x.clone() * x.largest().recip();
         let twice = group.bracket(&unit, &group.bracket(&unit, v));
         return v.clone() + twice * z(&unit).recip();
     }

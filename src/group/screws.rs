@@ -4,7 +4,7 @@
 //! each operator of SO(3) acts on `w` and, by its derivative, on the `u_a`. V. Brodsky and M. Shoham, *Mechanism and Machine Theory* 34 (1999) 693-718.
 
 use super::stumpff::{FAR, Stumpff};
-use super::{LieGroup, So3};
+use super::{LieGroup, So3, rotation};
 use crate::Error;
 use nalgebra::{DMatrix, SVector, UnitQuaternion, Vector3};
 
@@ -77,7 +77,7 @@ pub(super) fn tangent_left_inverse<const K: usize>(
 /// `[[R, t_1 .. t_K], [0, 1]]`.
 pub(super) fn matrix<const K: usize>((r, t): Motion<K>) -> DMatrix<f64> {
     let mut matrix = DMatrix::identity(3 + K, 3 + K);
-    matrix.view_mut((0, 0), (3, 3)).copy_from(r.to_rotation_matrix().matrix());
+    matrix.view_mut((0, 0), (3, 3)).copy_from(&rotation::matrix(&r));
     for (a, t) in t.iter().enumerate() {
         matrix.view_mut((0, 3 + a), (3, 1)).copy_from(t);
     }

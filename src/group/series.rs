@@ -51,9 +51,7 @@ pub fn phi1(m: &DMatrix<f64>) -> DMatrix<f64> {
 
 /// The matrix of `T_left(x)`.
 fn operator<G: LieGroup + ?Sized>(group: &G, x: &G::Vector) -> DMatrix<f64> {
-    let columns: Vec<G::Vector> = group.basis().iter().map(|e| group.bracket(e, x)).collect();
-    let n = group.dimension();
-    phi1(&DMatrix::from_fn(n, n, |i, k| columns[k].components()[i]))
+    phi1(&group.operator(|v| group.bracket(v, x)))
 }
 
 pub(super) fn tangent_left<G: LieGroup + ?Sized>(

@@ -102,10 +102,10 @@ impl<V: Coordinates> Velocity<V> {
         let size = WINDOW.min(path.len());
         let at = |i: usize| {
             let first = i.saturating_sub(size / 2).min(path.len() - size);
-            let mut body = V::from_components(&vec![0.0; group.dimension()]);
+            let mut body = V::zeros(group.dimension());
             let back = group.inverse(&path[i]);
             for indices in [(i + 1..first + size).collect::<Vec<_>>(), (first..i).rev().collect()] {
-                let mut x = V::from_components(&vec![0.0; group.dimension()]);
+                let mut x = V::zeros(group.dimension());
                 for k in indices {
                     x = continued(group, &x, &group.compose(&back, &path[k]))?;
                     body = body
@@ -140,14 +140,13 @@ fn weight(times: &[f64], i: usize, k: usize) -> f64 {
 
 /// The logarithm of `g` that lies near `x`, by Newton's method from there; at 0 it is `log`.
 fn continued<G: LieGroup>(group: &G, x: &G::Vector, g: &G::Element) -> Result<G::Vector, Error> {
-    let size = |v: &G::Vector| v.components().iter().fold(0.0, |most: f64, c| most.max(c.abs()));
     let mut x = x.clone();
     for _ in 0..MAX_STEPS {
         let rest = group.log(&group.compose(&group.exp(&-x.clone()), g))?;
         let step = group.tangent_left_inverse(&x, &rest)?;
         x = x + step.clone();
         // the error that is left is the square of the step
-        if size(&step) <= 1e-12 * (1.0 + size(&x)) {
+        if step.largest() <= 1e-12 * (1.0 + x.largest()) {
             return Ok(x);
         }
     }

@@ -1,7 +1,7 @@
 //! Parallel translation along the curves of a group.
 
 use crate::dense::to_dmatrix;
-use crate::group::{Coordinates, LieGroup};
+use crate::group::{Coordinates, LieGroup, expect_left_frame, series};
 use crate::{Connection, Error, ode};
 use nalgebra::{DMatrix, DVector};
 
@@ -40,29 +40,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
     /// [`Error::Shape`] if the structure constants of the connection's frame are not those of the
     /// group, or the frame has derivations.
     pub fn new(group: G, connection: Connection<f64>) -> Result<Self, Error> {
-        let frame = connection.frame();
-        let differs = |found: String| Error::Shape {
-            what: "the connection",
-            expected: "the left-invariant frame of the group".into(),
-            found,
-        };
-        let n = group.dimension();
-        if frame.dimension() != n || !frame.is_invariant() {
-            return Err(differs(format!("a frame of {} fields", frame.dimension())));
-        }
-        let basis = group.basis();
-        for (j, x) in basis.iter().enumerate() {
-            for (k, y) in basis.iter().enumerate() {
-                let bracket = group.bracket(x, y);
-                for (i, of_group) in bracket.components().iter().enumerate() {
-                    let of_frame = frame.structure().get(&[i, j, k]);
-                    if (of_group - of_frame).abs() > 1e-12 * (1.0 + of_group.abs()) {
-                        let at = format!("c^{}_{},{}", i + 1, j + 1, k + 1);
-                        return Err(differs(format!("{at} = {of_frame} and not {of_group}")));
-                    }
-                }
-            }
-        }
+        expect_left_frame(&group, connection.frame())?;
         Ok(ParallelTranslation { group, connection })
     }
 
@@ -82,7 +60,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
     /// # Errors
     /// [`Error::Shape`].
     pub fn along_subgroup(&self, x: &G::Vector) -> Result<DMatrix<f64>, Error> {
-        Ok(self.generator(x)?.exp())
+        Ok(series::exp(&self.generator(x)?))
     }
 
     /// Along a sampled curve: the arcs `g_i exp(s x_i)` from one element to the next, with the

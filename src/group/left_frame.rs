@@ -1,0 +1,36 @@
+//! Whether a frame is that of the left-invariant fields of a group.
+
+use super::{Coordinates, LieGroup};
+use crate::{Error, Frame};
+
+/// Structure constants may differ from brackets by this, relatively.
+const ROUNDING: f64 = 1e-12;
+
+/// Checks that a frame has the structure constants of the group, in its basis, and no derivations.
+///
+/// # Errors
+/// [`Error::Shape`] with the first component that differs.
+pub(crate) fn expect_left_frame<G: LieGroup>(group: &G, frame: &Frame<f64>) -> Result<(), Error> {
+    let differs = |found: String| Error::Shape {
+        what: "the connection",
+        expected: "the left-invariant frame of the group".into(),
+        found,
+    };
+    if frame.dimension() != group.dimension() || !frame.is_invariant() {
+        return Err(differs(format!("a frame of {} fields", frame.dimension())));
+    }
+    let basis = group.basis();
+    for (j, x) in basis.iter().enumerate() {
+        for (k, y) in basis.iter().enumerate() {
+            let bracket = group.bracket(x, y);
+            for (i, of_group) in bracket.components().iter().enumerate() {
+                let of_frame = frame.structure().get(&[i, j, k]);
+                if (of_group - of_frame).abs() > ROUNDING * (1.0 + of_group.abs()) {
+                    let at = format!("c^{}_{},{}", i + 1, j + 1, k + 1);
+                    return Err(differs(format!("{at} = {of_frame} and not {of_group}")));
+                }
+            }
+        }
+    }
+    Ok(())
+}
