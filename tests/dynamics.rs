@@ -3,7 +3,8 @@
 
 use affinor::dynamics::euler_poincare::{Free, Torque};
 use affinor::dynamics::{Adaptive, CommutatorFree, EulerPoincare, Integrator, MuntheKaas, State};
-use affinor::group::{Coordinates, LieGroup, MatrixGroup, Se2, Se3, Sl2, So3};
+use affinor::equations::Equations;
+use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So3};
 use affinor::{Canonical, Connection, Error, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3, Vector6};
@@ -206,6 +207,44 @@ fn kirchhoff() {
     assert!((body.momentum(&end) - body.momentum(&start)).norm() > 0.1);
 }
 
+/// The velocity changes as [`Equations`] say, on a group where brackets and adjoint action are another piece of
+/// code, for both connections: this sees a wrong side or sign of `Ad*`, which energy and Casimirs do not.
+fn rates<G: LieGroup + Clone>(group: G, velocity: &G::Vector) {
+    let n = group.dimension();
+    let (algebra, metric) = (group.algebra().unwrap(), full(&group));
+    let force: Vec<f64> = (0..n).map(|i| 0.3 - 0.2 * i as f64).collect();
+    for which in [Canonical::Plus, Canonical::Zero] {
+        let moment = G::Vector::from_components(&force);
+        let body =
+            system(group.clone(), which, &metric, move |_: f64, _: &_, _: &_| moment.clone());
+        // not at the identity, where both sides are one
+        let start = body.state(0.0, group.exp(&(velocity.clone() * 0.7)), velocity);
+        let dt = 1e-4;
+        let after = |t: f64| {
+            let end = Adaptive::new(1e-14).states(&body, &start, &[t]).unwrap().remove(0);
+            body.velocity(&end)
+        };
+        let slope = (after(dt) - after(-dt)) * (0.5 / dt);
+        let connection = Connection::canonical(&algebra, which);
+        let equations = Equations::euler_poincare(&connection, &metric).unwrap();
+        let expected = equations.rate(velocity.components(), &force).unwrap();
+        let off = slope - G::Vector::from_components(&expected);
+        assert!(off.largest() < 1e-7, "{which:?}: {off:?}");
+    }
+}
+
+#[test]
+fn rates_are_those_of_the_equations() {
+    let stretch = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 0.0]);
+    let shift = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 0.0, 0.0]);
+    rates(MatrixGroup::new(&[stretch, shift]).unwrap(), &DVector::from_vec(vec![0.8, -0.6]));
+    rates(Se2, &Vector3::new(0.9, 0.5, -0.4));
+    rates(Se3, &Vector6::new(0.5, -0.3, 0.6, 0.4, 0.2, -0.5));
+    rates(Sl2, &Vector3::new(0.3, -0.5, 0.2));
+    rates(So3, &Vector3::new(0.9, -0.5, 1.1));
+    rates(Heisenberg::<3>, &Vector3::new(0.9, -0.5, 1.1));
+}
+
 /// The rates are Euler's equations for an inertia that is not diagonal.
 #[test]
 fn rates_are_eulers() {
@@ -223,6 +262,15 @@ fn rates_are_eulers() {
     let slope = (body.velocity(&states[0]) - body.velocity(&back[0])) / (2.0 * dt);
     let euler = inertia.try_inverse().unwrap() * (moment - omega.cross(&(inertia * omega)));
     assert!((slope - euler).norm() < 1e-8, "{slope} {euler}");
+}
+
+/// Structure constants of another basis, or of another algebra, are not taken for those of the group.
+#[test]
+fn a_connection_of_another_group_is_refused() {
+    let algebra = Se2.algebra().unwrap();
+    let connection = Connection::canonical(&algebra, Canonical::Plus);
+    let refused = EulerPoincare::free(So3, &connection, &rigid([1.0, 2.0, 3.0])).unwrap_err();
+    assert!(refused.to_string().contains("and not"), "{refused}");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The equations of motion that a connection and a metric make on a group.
 
 use crate::frame::formula;
-use crate::group::{Coordinates, LieGroup};
+use crate::group::{Coordinates, LieGroup, expect_left_frame};
 use crate::{Connection, Error, Metric};
 use affinor_tensors::Tensor;
 
@@ -58,18 +58,10 @@ pub struct Free;
 pub trait Torque<G: LieGroup> {
     /// `M_i`, which is added to `force`.
     fn add(&self, time: f64, element: &G::Element, velocity: &G::Vector, force: &mut G::Vector);
-    /// Whether there is none at all.
-    fn is_none(&self) -> bool {
-        false
-    }
 }
 
 impl<G: LieGroup> Torque<G> for Free {
     fn add(&self, _: f64, _: &G::Element, _: &G::Vector, _: &mut G::Vector) {}
-
-    fn is_none(&self) -> bool {
-        true
-    }
 }
 
 impl<G: LieGroup, F: Fn(f64, &G::Element, &G::Vector) -> G::Vector> Torque<G> for F {
@@ -102,8 +94,8 @@ impl<G: LieGroup> Clone for State<G> {
 pub struct Rates<V> {
     /// `Omega`.
     pub velocity: V,
-    /// `h'`; nothing where it is zero for all states.
-    pub spatial: Option<V>,
+    /// `h'`.
+    pub spatial: V,
 }
 
 impl<G: LieGroup> EulerPoincare<G, Free> {
@@ -124,19 +116,23 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
     /// The system of a connection and a metric on the algebra of the group, in its basis.
     ///
     /// # Errors
-    /// [`Error::Shape`] for another dimension, or a frame with derivations.
+    /// [`Error::Shape`] unless the connection is over the left-invariant frame of the group, and the metric of its
+    /// dimension.
     pub fn new(
         group: G,
         connection: &Connection<f64>,
         metric: &Metric<f64>,
         torque: M,
     ) -> Result<Self, Error> {
-        let frame = connection.frame();
-        let n = group.dimension();
-        if frame.dimension() != n || metric.components().dimension() != n || !frame.is_invariant() {
-            let expected = format!("the left-invariant frame of a group of dimension {n}");
-            let found = format!("a frame of {} fields", frame.dimension());
-            return Err(Error::Shape { what: "the connection", expected, found });
+        let (frame, n) = (connection.frame(), group.dimension());
+        expect_left_frame(&group, frame)?;
+        if metric.components().dimension() != n {
+            let found = format!("dimension {}", metric.components().dimension());
+            return Err(Error::Shape {
+                what: "the metric",
+                expected: format!("dimension {n}"),
+                found,
+            });
         }
         let operands = [("L", connection.gamma()), ("c", frame.structure())];
         let excess = formula("L^j_ki - c^j_ki -> ^j_ki", &operands);
@@ -184,9 +180,6 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
         let n = self.group.dimension();
         let momentum = self.momentum(state);
         let velocity = applied::<G>(&self.inverse, &momentum, n);
-        if self.excess.is_empty() && self.torque.is_none() {
-            return Rates { velocity, spatial: None };
-        }
         let (omega, h) = (velocity.components(), momentum.components());
         let term = |i: usize, (at, value): &([usize; 3], f64)| {
             if at[0] == i { value * omega[at[1]] * h[at[2]] } else { 0.0 }
@@ -195,7 +188,7 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
             G::Vector::from_fn(n, |i| self.excess.iter().map(|entry| term(i, entry)).sum());
         self.torque.add(state.time, &state.element, &velocity, &mut force);
         let back = self.group.inverse(&state.element);
-        Rates { velocity, spatial: Some(self.group.coadjoint(&back, &force)) }
+        Rates { spatial: self.group.coadjoint(&back, &force), velocity }
     }
 }
 

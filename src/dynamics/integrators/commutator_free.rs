@@ -25,10 +25,8 @@ impl Integrator for CommutatorFree {
     ) -> Result<(), Error> {
         let group = system.group();
         let moved = |g: &G::Element, x: G::Vector| group.compose(g, &group.exp(&(x * h)));
-        let drifted = |slope: &Option<G::Vector>, share: f64| match slope {
-            Some(slope) => state.spatial.clone() + slope.clone() * (share * h),
-            None => state.spatial.clone(),
-        };
+        let drifted =
+            |slope: &G::Vector, share: f64| state.spatial.clone() + slope.clone() * (share * h);
         let at = |share: f64, element: G::Element, spatial: G::Vector| State {
             time: state.time + share * h,
             element,
@@ -48,13 +46,10 @@ impl Integrator for CommutatorFree {
         let first = moved(&state.element, twelfth(&k1.velocity, &k4.velocity));
         let element = moved(&first, twelfth(&k4.velocity, &k1.velocity));
         let slopes = [(&k1, 1.0), (&k2, 2.0), (&k3, 2.0), (&k4, 1.0)];
-        let spatial =
-            slopes.iter().fold(state.spatial.clone(), |sum, (k, weight)| match &k.spatial {
-                Some(slope) => sum + slope.clone() * (weight * h / 6.0),
-                None => sum,
-            });
-        let values = k4.velocity.components().iter().chain(spatial.components());
-        if !values.into_iter().all(|value| value.is_finite()) {
+        let spatial = slopes.iter().fold(state.spatial.clone(), |sum, (k, weight)| {
+            sum + k.spatial.clone() * (weight * h / 6.0)
+        });
+        if !k4.velocity.is_finite() || !spatial.is_finite() {
             let reason = "a value is not finite".into();
             return Err(Error::Integration { t: state.time, reason });
         }

@@ -89,12 +89,11 @@ impl MuntheKaas {
         h: f64,
     ) -> Result<(State<G>, f64), Error> {
         let group = system.group();
-        let finite = |x: &G::Vector| x.components().iter().all(|x| x.is_finite());
         let stopped =
             || Error::Integration { t: state.time, reason: "a value is not finite".into() };
-        let zero = G::Vector::from_fn(group.dimension(), |_| 0.0);
-        let mut slopes: [(G::Vector, Option<G::Vector>); STAGES] =
-            std::array::from_fn(|_| (zero.clone(), None));
+        let zero = G::Vector::zeros(group.dimension());
+        let mut slopes: [(G::Vector, G::Vector); STAGES] =
+            std::array::from_fn(|_| (zero.clone(), zero.clone()));
         let at = |time: f64, u: &G::Vector, spatial: G::Vector| State {
             time,
             element: group.compose(&state.element, &group.exp(u)),
@@ -103,7 +102,7 @@ impl MuntheKaas {
         for stage in 0..self.stages {
             let (u, spatial) = self.moved(&slopes[..stage], &self.a[stage], h, state, &zero);
             let rates = system.rates(&at(state.time + self.c[stage] * h, &u, spatial));
-            if !finite(&rates.velocity) || rates.spatial.as_ref().is_some_and(|x| !finite(x)) {
+            if !rates.velocity.is_finite() || !rates.spatial.is_finite() {
                 return Err(stopped());
             }
             slopes[stage] = (group.tangent_left_inverse(&u, &rates.velocity)?, rates.spatial);
@@ -112,18 +111,17 @@ impl MuntheKaas {
         let next = at(state.time + h, &u, spatial);
         let origin = State { spatial: zero.clone(), ..state.clone() };
         let (off, off_spatial) = self.moved(&slopes, &self.error, h, &origin, &zero);
-        if !finite(&u) || !finite(&next.spatial) {
+        if !u.is_finite() || !next.spatial.is_finite() {
             return Err(stopped());
         }
-        let size = |x: &G::Vector| x.components().iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-        let scale = size(&state.spatial).max(f64::MIN_POSITIVE);
-        Ok((next, size(&off).max(size(&off_spatial) / scale)))
+        let scale = state.spatial.largest().max(f64::MIN_POSITIVE);
+        Ok((next, off.largest().max(off_spatial.largest() / scale)))
     }
 
     /// `h` times the weighted slopes: the coordinates, and the spatial momentum moved by its part.
     fn moved<G: LieGroup>(
         &self,
-        slopes: &[(G::Vector, Option<G::Vector>)],
+        slopes: &[(G::Vector, G::Vector)],
         weights: &[f64],
         h: f64,
         from: &State<G>,
@@ -132,11 +130,7 @@ impl MuntheKaas {
         let weighted = slopes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);
         let start = (zero.clone(), from.spatial.clone());
         weighted.fold(start, |(u, spatial), ((du, d_spatial), weight)| {
-            let spatial = match d_spatial {
-                Some(slope) => spatial + slope.clone() * (h * weight),
-                None => spatial,
-            };
-            (u + du.clone() * (h * weight), spatial)
+            (u + du.clone() * (h * weight), spatial + d_spatial.clone() * (h * weight))
         })
     }
 }
