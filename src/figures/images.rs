@@ -2,7 +2,7 @@
 
 use super::{Figure, Mark, Panel, Path, Role, ball};
 use crate::Error;
-use crate::group::{LieGroup, So3};
+use crate::group::{LieGroup, So3, Velocity};
 use nalgebra::Vector3;
 
 /// Points on the curve of a motion.
@@ -18,7 +18,7 @@ const LONGEST: f64 = 1.5;
 pub fn images(path: &Path, t: f64) -> Result<Figure, Error> {
     let mut panel = Panel::ball("");
     let p = with_motion(&mut panel, path, t)?;
-    let Moment { x, omega_body, omega_space, scale } = p;
+    let Moment { x, velocity, scale } = p;
     let identity = Vector3::zeros();
     if let Some(n) = x.try_normalize(0.0) {
         panel.arrow(
@@ -29,9 +29,9 @@ pub fn images(path: &Path, t: f64) -> Result<Figure, Error> {
         panel.arrow(Role::Direction, ["nₚ", "tangents of η at e and p"], ball::arrow(&x, &n, 0.8)?);
     }
     let left = ["Ω", "Ω: w = Lₚ∗ Ω, left translation"];
-    panel.arrow(Role::Left, left, ball::arrow(&identity, &omega_body, scale)?);
+    panel.arrow(Role::Left, left, ball::arrow(&identity, &velocity.body, scale)?);
     let right = ["ω", "ω: w = Rₚ∗ ω, right translation"];
-    panel.arrow(Role::Right, right, ball::arrow(&identity, &omega_space, scale)?);
+    panel.arrow(Role::Right, right, ball::arrow(&identity, &velocity.spatial, scale)?);
     Ok(Figure {
         title: "The angular velocity w and its images Ω and ω".into(),
         panels: vec![panel],
@@ -42,10 +42,8 @@ pub fn images(path: &Path, t: f64) -> Result<Figure, Error> {
 pub(super) struct Moment {
     /// Its rotation vector.
     pub x: Vector3<f64>,
-    /// `Omega`, the left components of `w`.
-    pub omega_body: Vector3<f64>,
-    /// `omega = Ad_p Omega`.
-    pub omega_space: Vector3<f64>,
+    /// The images `Omega` and `omega` of `w`.
+    pub velocity: Velocity<Vector3<f64>>,
     /// How long velocities are drawn.
     pub scale: f64,
 }
@@ -53,8 +51,7 @@ pub(super) struct Moment {
 /// Puts the motion, its point at `t`, the velocity there and the autoparallel to it into a panel.
 pub(super) fn with_motion(panel: &mut Panel, path: &Path, t: f64) -> Result<Moment, Error> {
     let p = path.element(t);
-    let (x, omega_body) = (So3.log(&p)?, path.velocity(t));
-    let omega_space = So3.adjoint(&p, &omega_body);
+    let (x, velocity) = (So3.log(&p)?, Velocity::from_body(&So3, &p, path.velocity(t)));
     let curve = ball::curve(&path.sampled(1.0, SAMPLES))?;
     let onto_plane = |x: &Vector3<f64>| Vector3::new(x.x, x.y, 0.0);
     let shadow = curve.iter().map(|piece| piece.iter().map(onto_plane).collect()).collect();
@@ -64,12 +61,12 @@ pub(super) fn with_motion(panel: &mut Panel, path: &Path, t: f64) -> Result<Mome
     panel.curve(Role::Autoparallel, ["η", "η, the autoparallel from e to p"], ray);
     panel.curve(Role::Guide, ["", ""], vec![vec![x, onto_plane(&x)]]);
     panel.marks.push(Mark::new("p", &format!("p = γ({t})"), x));
-    let drawn = So3.tangent_left_inverse(&x, &omega_body)?.norm();
+    let drawn = So3.tangent_left_inverse(&x, &velocity.body)?.norm();
     let scale = if drawn > 0.0 { LONGEST / drawn } else { 1.0 };
     panel.arrow(
         Role::Velocity,
         ["w", "w, tangent of γ at p"],
-        ball::arrow(&x, &omega_body, scale)?,
+        ball::arrow(&x, &velocity.body, scale)?,
     );
-    Ok(Moment { x, omega_body, omega_space, scale })
+    Ok(Moment { x, velocity, scale })
 }

@@ -21,11 +21,15 @@ pub fn transport(connections: &[Connected], path: &Path, t: f64) -> Result<Figur
 
 fn panel(connected: &Connected, path: &Path, t: f64) -> Result<Panel, Error> {
     let mut panel = Panel::ball(&connected.name);
-    let Moment { x, omega_body, omega_space, scale } = with_motion(&mut panel, path, t)?;
+    let Moment { x, velocity, scale } = with_motion(&mut panel, path, t)?;
     let identity = Vector3::zeros();
-    panel.arrow(Role::Left, ["Ω", "Ω, left image"], ball::arrow(&identity, &omega_body, scale)?);
-    panel.arrow(Role::Right, ["ω", "ω, right image"], ball::arrow(&identity, &omega_space, scale)?);
-    let u = DVector::from_column_slice(omega_body.as_slice());
+    panel.arrow(Role::Left, ["Ω", "Ω, left image"], ball::arrow(&identity, &velocity.body, scale)?);
+    panel.arrow(
+        Role::Right,
+        ["ω", "ω, right image"],
+        ball::arrow(&identity, &velocity.spatial, scale)?,
+    );
+    let u = DVector::from_column_slice(velocity.body.as_slice());
     for stop in 1..=STOPS {
         let s = f64::from(stop) / f64::from(STOPS);
         let carried = connected.translation.along_subgroup(&(x * -s))? * &u;
