@@ -7,10 +7,10 @@ mod completions;
 mod conventions;
 mod convert;
 mod equations;
-mod exp;
 mod failure;
 mod list;
 mod note;
+mod on_group;
 mod options;
 mod output;
 #[cfg(feature = "plot")]
@@ -22,7 +22,7 @@ mod transport;
 mod verify;
 
 use clap::{Parser, Subcommand};
-use exp::Operation;
+use on_group::Operation;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -54,13 +54,13 @@ enum Command {
     /// Equations of motion: Euler-Poincare, autoparallels, parallel transport
     Equations(equations::Arguments),
     /// The group element exp(x) of coordinates x
-    Exp(exp::Arguments),
+    Exp(on_group::Arguments),
     /// Coordinates of a group element, given as a matrix row by row
-    Log(exp::Arguments),
+    Log(on_group::Arguments),
     /// Coordinates of exp(x) exp(y): a row is x, then y
-    Compose(exp::Arguments),
+    Compose(on_group::Arguments),
     /// The matrix of Ad at exp(x)
-    Adjoint(exp::Arguments),
+    Adjoint(on_group::Arguments),
     /// Parallel translation along arcs of the group
     Transport(transport::Arguments),
     /// Rotation vectors, quaternions, matrices, Euler angles: one into another
@@ -86,10 +86,10 @@ pub fn main() -> ExitCode {
         Command::Check(arguments) => (arguments.run(), arguments.shared.output.color),
         Command::Verify(arguments) => (arguments.run(), arguments.shared.output.color),
         Command::Equations(arguments) => (arguments.run(), arguments.shared.output.color),
-        Command::Exp(arguments) => on_group(&arguments, Operation::Exp),
-        Command::Log(arguments) => on_group(&arguments, Operation::Log),
-        Command::Compose(arguments) => on_group(&arguments, Operation::Compose),
-        Command::Adjoint(arguments) => on_group(&arguments, Operation::Adjoint),
+        Command::Exp(arguments) => operate(&arguments, Operation::Exp),
+        Command::Log(arguments) => operate(&arguments, Operation::Log),
+        Command::Compose(arguments) => operate(&arguments, Operation::Compose),
+        Command::Adjoint(arguments) => operate(&arguments, Operation::Adjoint),
         Command::Transport(arguments) => (arguments.run(), arguments.shared.output.color),
         Command::Convert(arguments) => (arguments.run(), arguments.output.color),
         #[cfg(feature = "plot")]
@@ -106,8 +106,8 @@ pub fn main() -> ExitCode {
     }
 }
 
-fn on_group(
-    arguments: &exp::Arguments,
+fn operate(
+    arguments: &on_group::Arguments,
     operation: Operation,
 ) -> (Result<ExitCode, failure::Failure>, color::Color) {
     (arguments.run(operation), arguments.shared.output.color)

@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::note::note;
 use super::options::Output;
-use super::rows::{Expected, Row, map_rows};
+use super::rows::{self, Expected, map_rows};
 use affinor::Error;
 use affinor::group::rotation::{self, Lock, Sequence};
 use affinor::group::{LieGroup, So3};
@@ -70,14 +70,18 @@ impl Kind {
     }
 
     /// The coordinates, and what gimbal lock leaves open.
-    fn written(self, g: &UnitQuaternion<f64>, unit: f64) -> Result<(Row, Option<Lock>), Error> {
-        let vector = |x: Vector3<f64>| Row::vector(x.as_slice());
+    fn written(
+        self,
+        g: &UnitQuaternion<f64>,
+        unit: f64,
+    ) -> Result<(DMatrix<f64>, Option<Lock>), Error> {
+        let vector = |x: Vector3<f64>| rows::vector(x.as_slice());
         Ok(match self {
             Kind::Vector => (vector(So3.log(g)? / unit), None),
-            Kind::Quaternion => (Row::vector(&rotation::wxyz(g)), None),
+            Kind::Quaternion => (rows::vector(&rotation::wxyz(g)), None),
             Kind::Matrix => {
                 let matrix = rotation::matrix(g);
-                (Row::matrix(DMatrix::from_fn(3, 3, |i, j| matrix[(i, j)])), None)
+                (DMatrix::from_fn(3, 3, |i, j| matrix[(i, j)]), None)
             }
             Kind::Gibbs => (vector(rotation::gibbs(g)?), None),
             Kind::Modified => (vector(rotation::modified(g)), None),

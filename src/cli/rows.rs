@@ -7,25 +7,11 @@ use super::output::deliver;
 use affinor::definition::{InputError, Source, numbers};
 use affinor::report::Format;
 use nalgebra::DMatrix;
-use std::cell::Cell;
 use std::io::{self, BufRead, Write};
 
-/// What one row of input becomes.
-pub struct Row {
-    /// The numbers; a vector is one row.
-    pub values: DMatrix<f64>,
-}
-
-impl Row {
-    /// A vector.
-    pub fn vector(values: &[f64]) -> Self {
-        Row { values: DMatrix::from_row_slice(1, values.len(), values) }
-    }
-
-    /// A matrix.
-    pub fn matrix(values: DMatrix<f64>) -> Self {
-        Row { values }
-    }
+/// A vector, as the one row of a matrix.
+pub fn vector(values: &[f64]) -> DMatrix<f64> {
+    DMatrix::from_row_slice(1, values.len(), values)
 }
 
 /// How many numbers an input row has, and what they are.
@@ -36,14 +22,34 @@ pub struct Expected {
 
 /// Maps every row of the arguments, or of standard input where there are none.
 ///
-/// A first line that is no row of numbers is taken for the head of a table.
+/// A first line in which nothing is a number is taken for the head of a table.
 pub fn map_rows(
     arguments: &[String],
     expected: &Expected,
     output: &Output,
-    mut map: impl FnMut(&[f64]) -> Result<Row, Failure>,
+    mut map: impl FnMut(&[f64]) -> Result<DMatrix<f64>, Failure>,
 ) -> Result<(), Failure> {
-    let write: fn(&mut dyn Write, &Row) -> io::Result<()> = match output.format {
+    write_rows(output, |write| {
+        let mut each = |name: &str, row: &str| write(map(&read(name, row, expected)?)?);
+        if !arguments.is_empty() {
+            return arguments.iter().try_for_each(|row| each("VECTOR", row));
+        }
+        lines(|number, line| {
+            if number == 1 && is_head(line) {
+                note("the first line has no numbers, and is taken for the head of a table");
+                return Ok(());
+            }
+            each(&format!("<standard input>, line {number}"), line)
+        })
+    })
+}
+
+/// Writes the matrices that `rows` makes, each as soon as it is there.
+pub fn write_rows(
+    output: &Output,
+    rows: impl FnOnce(&mut dyn FnMut(DMatrix<f64>) -> Result<(), Failure>) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let write: fn(&mut dyn Write, &DMatrix<f64>) -> io::Result<()> = match output.format {
         Format::Text => text,
         Format::Csv => csv,
         Format::Json => json,
@@ -52,51 +58,55 @@ pub fn map_rows(
             return Err(InputError::usage(message).help("give --format one of these").into());
         }
     };
-    let failure = Cell::new(None);
+    let mut refused = None;
     let done = deliver(output.file.as_deref(), &[], |out| {
-        let mut each = |name: &str, line: &str| -> io::Result<()> {
-            let row = read(name, line, expected).and_then(|numbers| map(&numbers));
-            match row {
-                Ok(row) => write(out, &row),
-                Err(error) => {
-                    failure.set(Some(error));
-                    Err(io::ErrorKind::InvalidData.into())
-                }
-            }
+        let mut each = |values: DMatrix<f64>| {
+            finite(&values)?;
+            write(out, &values).map_err(|error| Failure::Output(error, String::new()))
         };
-        if !arguments.is_empty() {
-            return arguments.iter().try_for_each(|row| each("VECTOR", row));
-        }
-        lines(|number, line| {
-            let is_head = number == 1 && numbers(&Source::new("", line)).is_err();
-            if is_head {
-                note("the first line is no row of numbers, and taken for the head of a table");
-                return Ok(());
+        match rows(&mut each) {
+            Ok(()) => Ok(()),
+            Err(Failure::Output(error, _)) => Err(error),
+            Err(refusal) => {
+                refused = Some(refusal);
+                Err(io::ErrorKind::InvalidData.into())
             }
-            each(&format!("<standard input>, line {number}"), line)
-        })
+        }
     });
-    // a failure of a row is told as such, not as one of writing
-    match failure.take() {
-        Some(failure) => Err(failure),
-        None => done,
+    // a row that is refused is told as such, not as a failure of writing
+    refused.map_or(done, Err)
+}
+
+fn finite(values: &DMatrix<f64>) -> Result<(), Failure> {
+    match values.iter().position(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(at) => {
+            let (row, column) = (at % values.nrows() + 1, at / values.nrows() + 1);
+            let value = values[at];
+            let message = format!("row {row}, column {column} of the result is {value}");
+            Err(InputError::mathematics(message).help("the input is too large for floats").into())
+        }
     }
 }
 
+fn is_head(line: &str) -> bool {
+    let mut words = line.split([',', ';', ' ', '\t']);
+    numbers(&Source::new("", line)).is_err() && words.all(|word| word.parse::<f64>().is_err())
+}
+
 /// Calls `each` with the number and text of every line of standard input that is not empty.
-fn lines(mut each: impl FnMut(usize, &str) -> io::Result<()>) -> io::Result<()> {
-    let (mut input, mut line, mut number) = (io::stdin().lock(), String::new(), 0);
-    loop {
-        line.clear();
-        if input.read_line(&mut line)? == 0 {
-            return Ok(());
-        }
-        number += 1;
+fn lines(mut each: impl FnMut(usize, &str) -> Result<(), Failure>) -> Result<(), Failure> {
+    for (at, line) in io::stdin().lock().lines().enumerate() {
+        let line = line.map_err(|error| {
+            let message = format!("cannot read standard input, line {}: {error}", at + 1);
+            Failure::from(InputError::usage(message))
+        })?;
         let text = line.trim();
         if !text.is_empty() && !text.starts_with('#') {
-            each(number, text)?;
+            each(at + 1, text)?;
         }
     }
+    Ok(())
 }
 
 /// The numbers of one row.
@@ -112,32 +122,32 @@ pub fn read(name: &str, line: &str, expected: &Expected) -> Result<Vec<f64>, Fai
 }
 
 /// To twelve digits: a vector in one line, a matrix in aligned rows behind an empty line.
-fn text(out: &mut dyn Write, row: &Row) -> io::Result<()> {
-    let cells = cells(&row.values, briefly);
+fn text(out: &mut dyn Write, values: &DMatrix<f64>) -> io::Result<()> {
+    let cells = cells(values, briefly);
     let width = cells.iter().map(String::len).max().unwrap_or(0);
-    for line in cells.chunks(row.values.ncols().max(1)) {
-        if row.values.nrows() == 1 {
+    for line in cells.chunks(values.ncols().max(1)) {
+        if values.nrows() == 1 {
             writeln!(out, "{}", line.join(" "))?;
         } else {
             let line: Vec<String> = line.iter().map(|cell| format!("{cell:>width$}")).collect();
             writeln!(out, "{}", line.join("  "))?;
         }
     }
-    if row.values.nrows() > 1 { writeln!(out) } else { Ok(()) }
+    if values.nrows() > 1 { writeln!(out) } else { Ok(()) }
 }
 
 /// All numbers in one line, a matrix row by row.
-fn csv(out: &mut dyn Write, row: &Row) -> io::Result<()> {
-    writeln!(out, "{}", cells(&row.values, exactly).join(","))
+fn csv(out: &mut dyn Write, values: &DMatrix<f64>) -> io::Result<()> {
+    writeln!(out, "{}", cells(values, exactly).join(","))
 }
 
 /// An array in one line; a matrix as an array of its rows.
-fn json(out: &mut dyn Write, row: &Row) -> io::Result<()> {
-    let cells = cells(&row.values, exactly);
-    let lines = cells.chunks(row.values.ncols().max(1)).map(|line| format!("[{}]", line.join(",")));
+fn json(out: &mut dyn Write, values: &DMatrix<f64>) -> io::Result<()> {
+    let cells = cells(values, exactly);
+    let lines = cells.chunks(values.ncols().max(1)).map(|line| format!("[{}]", line.join(",")));
     let lines: Vec<String> = lines.collect();
     match lines.as_slice() {
-        [line] if row.values.nrows() == 1 => writeln!(out, "{line}"),
+        [line] if values.nrows() == 1 => writeln!(out, "{line}"),
         lines => writeln!(out, "[{}]", lines.join(",")),
     }
 }

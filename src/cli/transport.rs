@@ -1,10 +1,10 @@
 //! `affinor transport`: parallel translation along arcs of a group.
 
-use super::exp::Angles;
 use super::failure::Failure;
 use super::note::note_default_connection;
+use super::on_group::Angles;
 use super::options::{Shared, SpaceOptions};
-use super::rows::{Expected, Row, map_rows, read};
+use super::rows::{Expected, map_rows, read, vector, write_rows};
 use clap::Args;
 use nalgebra::DVector;
 use std::process::ExitCode;
@@ -48,13 +48,12 @@ impl Arguments {
         let carried = group.transport(&connection, &arcs)?;
         let output = &self.shared.output;
         if self.vectors.is_empty() {
-            let rows = Expected { numbers: 0, what: "nothing".into() };
-            map_rows(&[String::new()], &rows, output, |_| Ok(Row::matrix(carried.clone())))?;
+            write_rows(output, |write| write(carried))?;
             return Ok(ExitCode::SUCCESS);
         }
         let given: &[String] = if self.vectors == ["-"] { &[] } else { &self.vectors };
         map_rows(given, &expected, output, |u| {
-            Ok(Row::vector((&carried * DVector::from_column_slice(u)).as_slice()))
+            Ok(vector((&carried * DVector::from_column_slice(u)).as_slice()))
         })?;
         Ok(ExitCode::SUCCESS)
     }

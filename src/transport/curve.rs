@@ -5,6 +5,11 @@ use crate::group::{Coordinates, LieGroup, expect_left_frame, series};
 use crate::{Connection, Error, ode};
 use nalgebra::{DMatrix, DVector};
 
+/// Generators from here on are checked for what rounding leaves of their exponential, and this is too
+/// much.
+const LARGE: f64 = 1e8;
+const NOISE: f64 = 1e-3;
+
 /// A group with a left-invariant connection: what carries vectors along its curves, and the curves
 /// that carry their own tangent.
 ///
@@ -58,9 +63,20 @@ impl<G: LieGroup> ParallelTranslation<G> {
     /// that curve is autoparallel. (51) for `plus`, (71) for `zero`, the identity for `minus`.
     ///
     /// # Errors
-    /// [`Error::Shape`].
+    /// [`Error::Shape`]; [`Error::Integration`] for turns so many that rounding leaves nothing of the last.
     pub fn along_subgroup(&self, x: &G::Vector) -> Result<DMatrix<f64>, Error> {
-        Ok(series::exp(&self.generator(x)?))
+        let generator = self.generator(x)?;
+        let carried = series::exp(&generator);
+        if generator.amax() < LARGE {
+            return Ok(carried);
+        }
+        let n = generator.nrows();
+        let noise = (&carried * series::exp(&-generator) - DMatrix::identity(n, n)).amax();
+        if noise < NOISE {
+            return Ok(carried);
+        }
+        let reason = format!("it turns too often, there and back is off by {noise:e}");
+        Err(Error::Integration { t: 1.0, reason })
     }
 
     /// Along a sampled curve: the arcs `g_i exp(s x_i)` from one element to the next, with the

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::options::{Shared, SpaceOptions};
-use super::rows::{Expected, Row, map_rows};
+use super::rows::{Expected, map_rows, vector};
 use affinor::any_group::AnyGroup;
 use clap::Args;
 use nalgebra::DMatrix;
@@ -43,10 +43,10 @@ impl Arguments {
     pub fn run(&self, operation: Operation) -> Result<ExitCode, Failure> {
         let group = self.open()?;
         let n = group.dimension();
-        let vector = format!("a vector of this algebra of dimension {n}");
+        let a_vector = format!("a vector of this algebra of dimension {n}");
         let expected = match operation {
-            Operation::Exp | Operation::Adjoint => Expected { numbers: n, what: vector },
-            Operation::Compose => Expected { numbers: 2 * n, what: format!("twice {vector}") },
+            Operation::Exp | Operation::Adjoint => Expected { numbers: n, what: a_vector },
+            Operation::Compose => Expected { numbers: 2 * n, what: format!("twice {a_vector}") },
             Operation::Log => {
                 let (rows, columns) = group.shape();
                 let what = format!("an element of {rows} rows and {columns} columns");
@@ -56,17 +56,17 @@ impl Arguments {
         let angles = Angles::new(self.degrees, group.as_ref());
         map_rows(&self.rows, &expected, &self.shared.output, |row| {
             Ok(match operation {
-                Operation::Exp => Row::matrix(group.exp(&angles.read(row))),
-                Operation::Adjoint => Row::matrix(group.adjoint(&angles.read(row))),
+                Operation::Exp => group.exp(&angles.read(row)),
+                Operation::Adjoint => group.adjoint(&angles.read(row)),
                 Operation::Compose => {
                     let (x, y) = row.split_at(n);
                     let product = group.compose(&[angles.read(x), angles.read(y)])?;
-                    Row::vector(&angles.written(product))
+                    vector(&angles.written(product))
                 }
                 Operation::Log => {
                     let (rows, columns) = group.shape();
                     let x = group.log(&DMatrix::from_row_slice(rows, columns, row))?;
-                    Row::vector(&angles.written(x))
+                    vector(&angles.written(x))
                 }
             })
         })?;
