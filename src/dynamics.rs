@@ -18,5 +18,5 @@ pub mod moser_veselov;
 pub use euler_poincare::{EulerPoincare, State};
 pub use free_body::FreeBody;
 pub use inertia::{BodyState, Inertia};
-pub use integrators::{Adaptive, CommutatorFree, Integrator, MuntheKaas};
+pub use integrators::{Adaptive, CommutatorFree, Integrator, MuntheKaas, System};
 pub use moser_veselov::MoserVeselov;

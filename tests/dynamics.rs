@@ -39,8 +39,8 @@ fn rigid(moments: [f64; 3]) -> Metric<f64> {
     Metric::new(algebra.labels(), metric).unwrap()
 }
 
-fn run<G: LieGroup, M: Torque<G>, I: Integrator>(
-    method: &I,
+fn run<G: LieGroup, M: Torque<G>>(
+    method: &impl Integrator<EulerPoincare<G, M>>,
     body: &EulerPoincare<G, M>,
     start: &State<G>,
     time: f64,

@@ -1,5 +1,6 @@
 //! The equations of motion that a connection and a metric make on a group.
 
+use super::System;
 use crate::frame::formula;
 use crate::group::{Coordinates, LieGroup, expect_left_frame};
 use crate::{Connection, Error, Metric};
@@ -96,6 +97,14 @@ pub struct Rates<V> {
     pub velocity: V,
     /// `h'`.
     pub spatial: V,
+}
+
+impl<G: LieGroup, M: Torque<G>> System for EulerPoincare<G, M> {
+    type State = State<G>;
+
+    fn time(&self, state: &State<G>) -> f64 {
+        state.time
+    }
 }
 
 impl<G: LieGroup> EulerPoincare<G, Free> {

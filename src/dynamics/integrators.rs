@@ -8,23 +8,23 @@ pub use adaptive::Adaptive;
 pub use commutator_free::CommutatorFree;
 pub use munthe_kaas::MuntheKaas;
 
-use super::euler_poincare::{EulerPoincare, State, Torque};
 use crate::Error;
-use crate::group::LieGroup;
 
-/// A one-step method.
-pub trait Integrator {
-    /// The order of the error of a motion.
-    fn order(&self) -> u32;
+/// Equations of motion.
+pub trait System {
+    /// What they move.
+    type State: Clone;
 
+    /// The time of a state.
+    fn time(&self, state: &Self::State) -> f64;
+}
+
+/// A one-step method for the systems `S`.
+pub trait Integrator<S: System> {
     /// A step of length `h`, forwards or backwards.
     ///
     /// # Errors
-    /// [`Error::Integration`] where a value is not finite; the state is then as it was.
-    fn step<G: LieGroup, M: Torque<G>>(
-        &self,
-        system: &EulerPoincare<G, M>,
-        state: &mut State<G>,
-        h: f64,
-    ) -> Result<(), Error>;
+    /// [`Error::Integration`] where a value is not finite, or equations of the step have no solution; the state is then
+    /// as it was.
+    fn step(&self, system: &S, state: &mut S::State, h: f64) -> Result<(), Error>;
 }

@@ -12,12 +12,15 @@ use crate::group::{Coordinates, LieGroup};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct CommutatorFree;
 
-impl Integrator for CommutatorFree {
-    fn order(&self) -> u32 {
+impl CommutatorFree {
+    /// The order of the error of a motion.
+    pub fn order(&self) -> u32 {
         4
     }
+}
 
-    fn step<G: LieGroup, M: Torque<G>>(
+impl<G: LieGroup, M: Torque<G>> Integrator<EulerPoincare<G, M>> for CommutatorFree {
+    fn step(
         &self,
         system: &EulerPoincare<G, M>,
         state: &mut State<G>,

@@ -78,6 +78,11 @@ impl MuntheKaas {
         c: [0.0, 0.2, 0.3, 0.8, 8.0 / 9.0, 1.0, 1.0],
     };
 
+    /// The order of the error of a motion.
+    pub fn order(&self) -> u32 {
+        self.order
+    }
+
     /// The state after a step, and the size of its estimated error.
     ///
     /// # Errors
@@ -135,12 +140,8 @@ impl MuntheKaas {
     }
 }
 
-impl Integrator for MuntheKaas {
-    fn order(&self) -> u32 {
-        self.order
-    }
-
-    fn step<G: LieGroup, M: Torque<G>>(
+impl<G: LieGroup, M: Torque<G>> Integrator<EulerPoincare<G, M>> for MuntheKaas {
+    fn step(
         &self,
         system: &EulerPoincare<G, M>,
         state: &mut State<G>,
