@@ -13,12 +13,15 @@ mod group;
 mod input;
 mod notation;
 mod numbers;
+mod problem;
 mod setting;
 mod space;
 mod written;
 
+pub use group::GroupWork;
 pub use input::{InputError, Place, Refusal, Source};
 pub use numbers::numbers;
+pub use problem::{Column, Problem, Ready};
 pub use space::{Request, ScalarChoice, Space, Work};
 
 use crate::algebra::Complex;

@@ -280,6 +280,20 @@ pub enum Error {
         /// Why.
         reason: String,
     },
+    /// A method of integration that is not for a problem.
+    #[error("the method {method} does not serve here: {reason}")]
+    NoMethod {
+        /// Its name.
+        method: &'static str,
+        /// Why.
+        reason: String,
+    },
+    /// A saved state that cannot be written or read.
+    #[error("the saved state is of no use: {reason}")]
+    Snapshot {
+        /// Why.
+        reason: String,
+    },
     /// A float that left its range.
     #[error("{component} = {value}: the computation left the range of f64")]
     Overflow {

@@ -32,6 +32,7 @@ pub mod velocity;
 pub use coordinates::Coordinates;
 pub use heisenberg::Heisenberg;
 pub(crate) use left_frame::expect_left_frame;
+pub(crate) use logarithm::logarithm;
 pub use matrix_group::MatrixGroup;
 pub use nilpotent::Nilpotent;
 pub use se2::Se2;

@@ -15,7 +15,8 @@
 //! - [`chart`]: coordinates, and frames of functions over them;
 //! - [`group`]: group elements in floats: exp, log, translations, tangent operators;
 //!   [`transport`]: what connections carry along its curves; [`any_group`]: chosen at run time;
-//! - [`dynamics`]: motions of the free rigid body, exact and by steps;
+//! - [`dynamics`]: motions of the free rigid body, exact and by steps, and of Euler-Poincare systems;
+//!   [`simulation`]: chosen at run time, with forces by [`formula`];
 //! - [`Geometry`]: an algebra or a frame, a connection and a metric; [`paper`] has two of them;
 //! - [`catalogue`]: algebras by name; [`roots`]: root systems and Chevalley bases;
 //! - [`definition`]: what a person writes, on the command line or in a file;
@@ -53,6 +54,7 @@ pub mod equations;
 mod error;
 pub mod figures;
 pub mod forms;
+pub mod formula;
 pub mod frame;
 pub mod geometry;
 pub mod group;
@@ -69,6 +71,7 @@ pub mod properties;
 pub mod reductive;
 pub mod report;
 pub mod roots;
+pub mod simulation;
 pub mod transport;
 
 pub use algebra::{BasisChange, Bracket, LieAlgebra, MatrixBasis};

@@ -159,6 +159,11 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
         &self.group
     }
 
+    /// The torque.
+    pub fn torque(&self) -> &M {
+        &self.torque
+    }
+
     /// The state of an element with a velocity `Omega` in body components.
     pub fn state(&self, time: f64, element: G::Element, velocity: &G::Vector) -> State<G> {
         let momentum = applied::<G>(&self.metric, velocity, self.group.dimension());

@@ -1,0 +1,65 @@
+//! The methods by name, and which is taken where none is named.
+
+use crate::dynamics::moser_veselov::Order;
+use std::fmt;
+
+/// A method of integration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Elliptic functions, for the free rigid body.
+    Exact,
+    /// Dormand and Prince with step size control.
+    Adaptive,
+    /// Runge-Kutta-Munthe-Kaas of order 4.
+    MuntheKaas,
+    /// Commutator-free, of order 4.
+    CommutatorFree,
+    /// Discrete Moser-Veselov, for the free rigid body.
+    MoserVeselov(Order),
+}
+
+impl Method {
+    /// All of them.
+    pub const ALL: [Method; 9] = [
+        Method::Exact,
+        Method::Adaptive,
+        Method::MuntheKaas,
+        Method::CommutatorFree,
+        Method::MoserVeselov(Order::Two),
+        Method::MoserVeselov(Order::Four),
+        Method::MoserVeselov(Order::Six),
+        Method::MoserVeselov(Order::Eight),
+        Method::MoserVeselov(Order::Ten),
+    ];
+
+    /// The name in problems.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Exact => "exact",
+            Method::Adaptive => "rkmk54",
+            Method::MuntheKaas => "rkmk4",
+            Method::CommutatorFree => "cf4",
+            Method::MoserVeselov(Order::Two) => "dmv2",
+            Method::MoserVeselov(Order::Four) => "dmv4",
+            Method::MoserVeselov(Order::Six) => "dmv6",
+            Method::MoserVeselov(Order::Eight) => "dmv8",
+            Method::MoserVeselov(Order::Ten) => "dmv10",
+        }
+    }
+
+    /// The method of a name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|method| method.name() == name)
+    }
+
+    /// Whether it goes by steps of one length.
+    pub fn has_steps(self) -> bool {
+        !matches!(self, Method::Exact | Method::Adaptive)
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}

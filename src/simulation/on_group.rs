@@ -1,0 +1,158 @@
+//! Euler-Poincare systems with forces as motions.
+
+use super::drive::{Drive, Memory};
+use super::quantities::Scope;
+use super::{Forces, Method, Motion, Point, Simulated, Snapshot};
+use crate::dynamics::{Adaptive, CommutatorFree, EulerPoincare, MuntheKaas, State};
+use crate::formula::Formula;
+use crate::group::Coordinates;
+use crate::{Connection, Error, Metric};
+use serde::{Deserialize, Serialize};
+
+/// What a motion on a group needs.
+pub struct Setup<'s, G: Simulated> {
+    /// The connection `Lambda` of `DH/Dt = M`.
+    pub connection: &'s Connection<f64>,
+    /// The metric `J`.
+    pub metric: &'s Metric<f64>,
+    /// The forces.
+    pub forces: Forces<G>,
+    /// The time at the start.
+    pub time: f64,
+    /// The element at the start.
+    pub element: G::Element,
+    /// The velocity at the start, in the frame of the equations.
+    pub velocity: G::Vector,
+    /// The method; where none is named, that of the class of the problem.
+    pub method: Option<Method>,
+    /// The length of steps.
+    pub step: Option<f64>,
+    /// The tolerance of steps under control.
+    pub tolerance: f64,
+    /// Formulas to be computed along the way, over their scope.
+    pub columns: (Scope, Vec<Formula>),
+}
+
+/// The motion of a system on a group, and its method.
+///
+/// # Errors
+/// As [`EulerPoincare::new`]; [`Error::NoMethod`] for a method that is not for this problem, and the reason.
+pub fn on_group<G: Simulated>(
+    group: G,
+    setup: Setup<G>,
+) -> Result<(Box<dyn Motion>, Method), Error> {
+    let inertia = crate::dense::to_dmatrix(setup.metric.components())?;
+    let free_body = setup.forces.is_empty() && is_plus(setup.connection);
+    let body = group.body(&inertia).filter(|_| free_body);
+    let method = setup.method.unwrap_or(match (&body, setup.step) {
+        (Some(_), None) => Method::Exact,
+        (Some(_), Some(_)) => Method::MoserVeselov(crate::dynamics::moser_veselov::Order::Ten),
+        (None, None) => Method::Adaptive,
+        (None, Some(_)) => Method::MuntheKaas,
+    });
+    let refused = |reason: &str| Error::NoMethod { method: method.name(), reason: reason.into() };
+    let system = EulerPoincare::new(group.clone(), setup.connection, setup.metric, setup.forces)?;
+    let start = system.state(setup.time, setup.element, &setup.velocity);
+    let step = match setup.step {
+        Some(step) => step,
+        None if method.has_steps() => return Err(refused("it needs a step")),
+        None => 0.0,
+    };
+    let fixed = |integrator| Drive::Fixed { integrator, step, leg: None };
+    let drive = match method {
+        Method::MuntheKaas => fixed(Box::new(MuntheKaas::RK4)),
+        Method::CommutatorFree => fixed(Box::new(CommutatorFree)),
+        Method::Adaptive => {
+            let control = Adaptive::new(setup.tolerance);
+            Drive::Adaptive { control, next: control.first_step() }
+        }
+        Method::Exact | Method::MoserVeselov(_) => {
+            let inertia = body.ok_or_else(|| {
+                refused("it is for the free rigid body: so(3), connection plus, no forces")
+            })??;
+            let own = group.own_drive(method, &system, &inertia, &start, step);
+            own.ok_or_else(|| refused("it is not for this group"))??
+        }
+    };
+    let columns = setup.columns;
+    Ok((Box::new(OnGroup { system, state: start, drive, steps: 0, columns }), method))
+}
+
+/// Whether the connection is the one of Euler-Poincare.
+fn is_plus(connection: &Connection<f64>) -> bool {
+    connection.gamma() == connection.frame().structure()
+}
+
+struct OnGroup<G: Simulated> {
+    system: EulerPoincare<G, Forces<G>>,
+    state: State<G>,
+    drive: Drive<G>,
+    steps: u64,
+    columns: (Scope, Vec<Formula>),
+}
+
+/// The numbers of [`OnGroup`].
+#[derive(Serialize, Deserialize)]
+struct Saved<E> {
+    time: f64,
+    element: E,
+    spatial: Vec<f64>,
+    memory: Memory,
+    steps: u64,
+}
+
+impl<G: Simulated> Motion for OnGroup<G> {
+    fn time(&self) -> f64 {
+        self.state.time
+    }
+
+    fn step(&mut self, until: f64) -> Result<bool, Error> {
+        let done = self.drive.step(&self.system, &mut self.state, until);
+        self.steps += 1;
+        done.map_err(|error| match (error, self.system.torque().trouble()) {
+            (Error::Integration { t, .. }, Some(trouble)) => {
+                Error::Integration { t, reason: trouble }
+            }
+            (error, _) => error,
+        })
+    }
+
+    fn row(&self) -> Vec<f64> {
+        let velocity = self.system.velocity(&self.state);
+        let (scope, formulas) = &self.columns;
+        let point =
+            Point { time: self.state.time, element: &self.state.element, velocity: &velocity };
+        let values = scope.values(self.system.torque(), &point);
+        formulas.iter().map(|formula| formula.value(&values)).collect()
+    }
+
+    fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    fn save(&self) -> Result<Snapshot, Error> {
+        let saved = Saved {
+            time: self.state.time,
+            element: &self.state.element,
+            spatial: self.state.spatial.components().to_vec(),
+            memory: self.drive.memory(),
+            steps: self.steps,
+        };
+        let value = serde_json::to_value(&saved);
+        value.map(Snapshot).map_err(|error| Error::Snapshot { reason: error.to_string() })
+    }
+
+    fn restore(&mut self, snapshot: &Snapshot) -> Result<(), Error> {
+        let refused = |reason: String| Error::Snapshot { reason };
+        let saved: Saved<G::Element> =
+            Saved::deserialize(&snapshot.0).map_err(|error| refused(error.to_string()))?;
+        let n = self.system.group().dimension();
+        if saved.spatial.len() != n || !self.drive.remember(saved.memory) {
+            return Err(refused("it is of another motion".into()));
+        }
+        let spatial = G::Vector::from_components(&saved.spatial);
+        self.state = State { time: saved.time, element: saved.element, spatial };
+        self.steps = saved.steps;
+        Ok(())
+    }
+}
