@@ -71,6 +71,7 @@ pub mod properties;
 pub mod reductive;
 pub mod report;
 pub mod roots;
+pub mod run;
 pub mod simulation;
 pub mod transport;
 

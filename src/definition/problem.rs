@@ -8,7 +8,7 @@ mod keys;
 mod launch;
 
 use super::input::{InputError, Place, Source, shown};
-use super::{Space, file};
+use super::{Space, file, numbers};
 use crate::formula::Formula;
 use crate::simulation::{Method, Motion, Side, Table};
 use affinor_tensors::Tolerance;
@@ -144,6 +144,36 @@ impl Problem {
     /// As [`read`](Self::read).
     pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
         Self::understand(&Source::new(name.escape_debug().to_string(), text), Path::new(""))
+    }
+
+    /// Gives parameters other values, `name=value,...`.
+    ///
+    /// # Errors
+    /// A name that is no parameter; what is no number.
+    pub fn set(&mut self, text: &str) -> Result<(), InputError> {
+        let source = Source::new("--set", text);
+        for part in source.text.split(',').filter(|part| !part.trim().is_empty()) {
+            let Some((name, value)) = part.split_once('=') else {
+                let error = InputError::usage("a setting is name=value");
+                return Err(error.at(&source.whole(part)));
+            };
+            let known = self.parameters.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
+            let parameter = self.parameters.iter_mut().find(|(other, _)| *other == name.trim());
+            let Some((_, parameter)) = parameter else {
+                let message = format!("`{}` is no parameter here", shown(name.trim()));
+                let help = match known.as_slice() {
+                    [] => "there are none".into(),
+                    known => format!("the parameters are {}", known.join(", ")),
+                };
+                return Err(InputError::usage(message).at(&source.whole(name)).help(help));
+            };
+            let [value] = numbers(&Source::new("--set", value))?[..] else {
+                let error = InputError::usage("a parameter has one value");
+                return Err(error.at(&source.whole(part)));
+            };
+            *parameter = value;
+        }
+        Ok(())
     }
 
     /// The text of the file.

@@ -120,7 +120,7 @@ impl<G: Simulated> Forces<G> {
     }
 
     /// `J Omega`.
-    pub(super) fn momentum(&self, velocity: &G::Vector) -> G::Vector {
+    pub fn momentum(&self, velocity: &G::Vector) -> G::Vector {
         let omega = velocity.components();
         let row = |i: usize| (0..omega.len()).map(|j| self.inertia[(i, j)] * omega[j]).sum();
         G::Vector::from_fn(omega.len(), row)

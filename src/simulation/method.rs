@@ -52,6 +52,16 @@ impl Method {
         Self::ALL.into_iter().find(|method| method.name() == name)
     }
 
+    /// For which problems it is taken where none is named.
+    pub fn why(self) -> &'static str {
+        match self {
+            Method::Exact => "a free rigid body",
+            Method::MoserVeselov(_) => "a free rigid body, with a step",
+            Method::Adaptive => "any group and any forces, to a tolerance",
+            _ => "any group and any forces, with a step",
+        }
+    }
+
     /// Whether it goes by steps of one length.
     pub fn has_steps(self) -> bool {
         !matches!(self, Method::Exact | Method::Adaptive)

@@ -21,8 +21,8 @@ pub struct Setup<'s, G: Simulated> {
     pub time: f64,
     /// The element at the start.
     pub element: G::Element,
-    /// The velocity at the start, in the frame of the equations.
-    pub velocity: G::Vector,
+    /// The momentum at the start, in the frame of the equations.
+    pub momentum: G::Vector,
     /// The method; where none is named, that of the class of the problem.
     pub method: Option<Method>,
     /// The length of steps.
@@ -52,7 +52,7 @@ pub fn on_group<G: Simulated>(
     });
     let refused = |reason: &str| Error::NoMethod { method: method.name(), reason: reason.into() };
     let system = EulerPoincare::new(group.clone(), setup.connection, setup.metric, setup.forces)?;
-    let start = system.state(setup.time, setup.element, &setup.velocity);
+    let start = system.state_with_momentum(setup.time, setup.element, &setup.momentum);
     let step = match setup.step {
         Some(step) => step,
         None if method.has_steps() => return Err(refused("it needs a step")),
@@ -107,8 +107,8 @@ impl<G: Simulated> Motion for OnGroup<G> {
     }
 
     fn step(&mut self, until: f64) -> Result<bool, Error> {
+        self.steps += u64::from(self.state.time != until);
         let done = self.drive.step(&self.system, &mut self.state, until);
-        self.steps += 1;
         done.map_err(|error| match (error, self.system.torque().trouble()) {
             (Error::Integration { t, .. }, Some(trouble)) => {
                 Error::Integration { t, reason: trouble }

@@ -9,7 +9,7 @@ use crate::formula::Formula;
 use crate::group::{Coordinates, rotation};
 use crate::simulation::quantities::Scope;
 use crate::simulation::{Forces, Setup, Side, Simulated, on_group};
-use crate::{Canonical, Connection, Metric};
+use crate::{Canonical, Connection};
 use affinor_tensors::expression::ExpressionError;
 use nalgebra::DMatrix;
 
@@ -56,7 +56,7 @@ impl GroupWork for Launch<'_> {
         self.forces(&mut forces)?;
         let (columns, formulas) = self.columns(&forces)?;
         let element = self.element(&group, &values)?;
-        let velocity = self.velocity(&group, &element, &metric, &values)?;
+        let momentum = self.momentum(&group, &element, &forces, &values)?;
         let step = self.problem.step.as_ref().map(|step| step.positive(&values)).transpose()?;
         let setup = Setup {
             connection: &connection,
@@ -64,7 +64,7 @@ impl GroupWork for Launch<'_> {
             forces,
             time: self.problem.start.time,
             element,
-            velocity,
+            momentum,
             method: self.problem.method,
             step,
             tolerance: self.problem.tolerance.positive(&values)?,
@@ -175,12 +175,12 @@ impl Launch<'_> {
         group.read(&matrix).map_err(|error| InputError::from(error).at(place))
     }
 
-    /// The velocity in the frame of the equations.
-    fn velocity<G: Simulated>(
+    /// The momentum in the frame of the equations.
+    fn momentum<G: Simulated>(
         &self,
         group: &G,
         g: &G::Element,
-        metric: &Metric<f64>,
+        forces: &Forces<G>,
         values: &[f64],
     ) -> Result<G::Vector, InputError> {
         let n = group.dimension();
@@ -188,13 +188,12 @@ impl Launch<'_> {
         match &self.problem.start.velocity {
             StartVelocity::Velocity(side, list) => {
                 let v = G::Vector::from_components(&numbers("velocity", list, n, values)?);
-                Ok(if *side == own { v } else { group.adjoint(&group.inverse(g), &v) })
+                let v = if *side == own { v } else { group.adjoint(&group.inverse(g), &v) };
+                Ok(forces.momentum(&v))
             }
             StartVelocity::Momentum(side, list) => {
                 let h = G::Vector::from_components(&numbers("momentum", list, n, values)?);
-                let h = if *side == own { h } else { group.coadjoint(g, &h) };
-                let (inverse, h) = (to_dmatrix(metric.inverse())?, h.components());
-                Ok(G::Vector::from_fn(n, |i| (0..n).map(|j| inverse[(i, j)] * h[j]).sum()))
+                Ok(if *side == own { h } else { group.coadjoint(g, &h) })
             }
         }
     }
