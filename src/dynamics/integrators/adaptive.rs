@@ -23,6 +23,49 @@ impl Adaptive {
         Adaptive { tolerance, max_steps: 1_000_000 }
     }
 
+    /// A first guess of a step, which the control corrects at once.
+    pub fn first_step(&self) -> f64 {
+        self.tolerance.powf(0.2).min(0.1)
+    }
+
+    /// One step that is kept, from a state towards `end` and not beyond it. `next` is the length to try, and becomes
+    /// that of the step after it; it and the state are all that a step depends on.
+    ///
+    /// # Errors
+    /// [`Error::Integration`] where steps become too small: a pole, a value that is not finite, or a stiff problem.
+    pub fn step<G: LieGroup, M: Torque<G>>(
+        &self,
+        system: &EulerPoincare<G, M>,
+        state: &mut State<G>,
+        next: &mut f64,
+        end: f64,
+    ) -> Result<(), Error> {
+        loop {
+            let left = end - state.time;
+            let last = *next >= left.abs();
+            let h = if last { left } else { next.copysign(left) };
+            if !h.is_finite() || state.time + h == state.time {
+                let reason = "the steps become too small".into();
+                return Err(Error::Integration { t: state.time, reason });
+            }
+            let (reached, error) = match MuntheKaas::DORMAND_PRINCE.advanced(system, state, h) {
+                Ok((reached, error)) if error.is_finite() => (reached, error / self.tolerance),
+                // a shorter step may still be possible
+                _ => {
+                    *next = 0.2 * h.abs();
+                    continue;
+                }
+            };
+            if !last || error > 1.0 {
+                *next = h.abs() * (0.9 * error.powf(-0.2)).clamp(0.2, 5.0);
+            }
+            if error <= 1.0 {
+                *state = State { time: if last { end } else { reached.time }, ..reached };
+                return Ok(());
+            }
+        }
+    }
+
     /// The states at the given times, in their order; each ends a step.
     ///
     /// # Errors
@@ -34,39 +77,17 @@ impl Adaptive {
         times: &[f64],
     ) -> Result<Vec<State<G>>, Error> {
         let mut state = start.clone();
-        // a first guess that the control corrects at once
-        let mut step = self.tolerance.powf(0.2).min(0.1);
+        let mut next = self.first_step();
         let mut states = Vec::with_capacity(times.len());
         for &end in times {
             let mut steps = 0;
             while state.time != end {
-                let left = end - state.time;
-                let last = step >= left.abs();
-                let h = if last { left } else { step.copysign(left) };
-                let stopped =
-                    |reason: &str| Error::Integration { t: state.time, reason: reason.to_string() };
-                if !h.is_finite() || state.time + h == state.time {
-                    return Err(stopped("the steps become too small"));
-                }
                 if steps == self.max_steps {
-                    return Err(stopped("too many steps"));
+                    let reason = "too many steps".into();
+                    return Err(Error::Integration { t: state.time, reason });
                 }
                 steps += 1;
-                let (next, error) = match MuntheKaas::DORMAND_PRINCE.advanced(system, &state, h) {
-                    Ok((next, error)) if error.is_finite() => (next, error / self.tolerance),
-                    // a shorter step may still be possible
-                    _ => {
-                        step = 0.2 * h.abs();
-                        continue;
-                    }
-                };
-                let factor = (0.9 * error.powf(-0.2)).clamp(0.2, 5.0);
-                if error <= 1.0 {
-                    state = State { time: if last { end } else { next.time }, ..next };
-                }
-                if !last || error > 1.0 {
-                    step = h.abs() * factor;
-                }
+                self.step(system, &mut state, &mut next, end)?;
             }
             states.push(state.clone());
         }
