@@ -97,6 +97,12 @@ impl LieGroup for So3 {
         x.cross(y)
     }
 
+    #[inline]
+    fn restored(&self, g: Self::Element) -> Self::Element {
+        let q = g.into_inner();
+        UnitQuaternion::new_unchecked(q * (1.0 / q.norm_squared().sqrt()))
+    }
+
     /// The rotation matrix `R`.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
         DMatrix::from_column_slice(3, 3, rotation::matrix(g).as_slice())
