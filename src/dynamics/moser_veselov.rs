@@ -11,8 +11,10 @@
 //! `h^2` with coefficients from the invariants, it has any even order: E. Hairer and G. Vilmart, J. Phys. A 39 (2006)
 //! 13225-13235, after R. McLachlan and A. Zanna, Found. Comput. Math. 5 (2005) 87-123.
 
-use super::{BodyState, Inertia};
+use super::euler_poincare::{EulerPoincare, Free, State};
+use super::{BodyState, Inertia, Integrator};
 use crate::Error;
+use crate::group::So3;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// The order of a step.
@@ -130,6 +132,27 @@ impl MoserVeselov {
         let differences = Vector3::new(j2 - j3, j3 - j1, j1 - j2);
         let inverse = Vector3::from(inverse);
         Some(Stage { inverse, differences, ratios: differences.component_mul(&inverse) })
+    }
+}
+
+impl Integrator<EulerPoincare<So3, Free>> for MoserVeselov {
+    /// The spatial momentum is a part of the state, and stays what it is.
+    ///
+    /// # Errors
+    /// As [`steps`](Self::steps), and [`Error::NoInertia`] for a system of another body.
+    fn step(
+        &self,
+        system: &EulerPoincare<So3, Free>,
+        state: &mut State<So3>,
+        h: f64,
+    ) -> Result<(), Error> {
+        system.expect_body(&self.inertia)?;
+        let start = BodyState { attitude: state.element, momentum: system.momentum(state) };
+        let too_long =
+            |_| Error::Integration { t: state.time, reason: "the step is too long".into() };
+        state.element = MoserVeselov::step(self, &start, h).map_err(too_long)?.attitude;
+        state.time += h;
+        Ok(())
     }
 }
 
