@@ -14,6 +14,7 @@ pub mod free_body;
 pub mod inertia;
 pub mod integrators;
 pub mod moser_veselov;
+mod principal;
 
 pub use euler_poincare::{EulerPoincare, State};
 pub use free_body::FreeBody;

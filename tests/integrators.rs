@@ -303,12 +303,15 @@ fn orders_of_the_free_body() {
         (Order::Four, 4, 16, 4),
         (Order::Six, 6, 8, 2),
         (Order::Eight, 8, 6, 2),
-        (Order::Ten, 10, 5, 1),
     ];
     for (order, nominal, steps, halvings) in orders {
         let method = MoserVeselov::new(&inertia, order);
         expect_order(&format!("{order:?}"), nominal, steps, halvings, |n| free_error(&method, n));
     }
+    // the next power shows, and the next halving is rounding
+    let ten = |n: usize| free_error(&MoserVeselov::new(&inertia, Order::Ten), n);
+    let observed = (ten(6) / ten(12)).log2();
+    assert!((observed - 10.0).abs() < 0.2, "{observed}");
     for order in [KickOrder::Two, KickOrder::Six] {
         let exact = Kick::new(&inertia, order, FreeMotion::Exact);
         assert!(free_error(&exact, 3) < 1e-14, "{:e}", free_error(&exact, 3));

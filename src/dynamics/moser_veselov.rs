@@ -12,6 +12,7 @@
 //! 13225-13235, after R. McLachlan and A. Zanna, Found. Comput. Math. 5 (2005) 87-123.
 
 use super::euler_poincare::{EulerPoincare, Free, State};
+use super::principal::Principal;
 use super::{BodyState, Inertia, Integrator};
 use crate::Error;
 use crate::group::So3;
@@ -51,6 +52,7 @@ pub enum Order {
 #[derive(Clone, Debug, PartialEq)]
 pub struct MoserVeselov {
     inertia: Inertia,
+    body: Principal,
     /// The largest moment, and the others over it.
     unit: f64,
     moments: [f64; 3],
@@ -73,7 +75,8 @@ impl MoserVeselov {
         let unit = inertia.moments().max();
         let moments = (inertia.moments() / unit).into();
         let degrees = order as usize;
-        MoserVeselov { inertia: inertia.clone(), unit, moments, series: series(moments), degrees }
+        let (inertia, body) = (inertia.clone(), Principal::new(inertia));
+        MoserVeselov { inertia, body, unit, moments, series: series(moments), degrees }
     }
 
     /// The state after `count` steps of length `step`, which may be negative.
@@ -146,11 +149,13 @@ impl Integrator<EulerPoincare<So3, Free>> for MoserVeselov {
         state: &mut State<So3>,
         h: f64,
     ) -> Result<(), Error> {
-        system.expect_body(&self.inertia)?;
-        let start = BodyState { attitude: state.element, momentum: system.momentum(state) };
+        let start = self.body.state(system, state)?;
         let too_long =
-            |_| Error::Integration { t: state.time, reason: "the step is too long".into() };
-        state.element = MoserVeselov::step(self, &start, h).map_err(too_long)?.attitude;
+            || Error::Integration { t: state.time, reason: "the step is too long".into() };
+        let y = start.momentum * (h / self.unit);
+        let c = self.stage(&y).and_then(|stage| stage.solve(&y)).ok_or_else(too_long)?;
+        let turn = UnitQuaternion::new_unchecked(Quaternion::from_parts(1.0, c));
+        state.element = self.body.attitude(start.attitude * turn);
         state.time += h;
         Ok(())
     }

@@ -3,8 +3,9 @@
 use super::{Integrator, expect_finite};
 use crate::Error;
 use crate::dynamics::euler_poincare::{EulerPoincare, State, Torque};
+use crate::dynamics::principal::Principal;
 use crate::dynamics::{BodyState, FreeBody, Inertia, MoserVeselov, moser_veselov};
-use crate::group::{LieGroup, So3};
+use crate::group::So3;
 use nalgebra::{UnitQuaternion, Vector3};
 
 /// The order of a step.
@@ -87,8 +88,10 @@ impl Order {
 /// A kick knows no velocity: the torque is given one that is not a number, and refused if it makes use of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kick {
-    inertia: Inertia,
+    body: Principal,
     order: Order,
+    /// That of the principal axes.
+    inertia: Inertia,
     /// Steps of the free motion, unless it is exact.
     steps: Option<MoserVeselov>,
     shares: Vec<f64>,
@@ -97,11 +100,12 @@ pub struct Kick {
 impl Kick {
     /// Steps of a body.
     pub fn new(inertia: &Inertia, order: Order, motion: FreeMotion) -> Self {
+        let (body, inertia) = (Principal::new(inertia), inertia.in_principal_axes());
         let steps = match motion {
             FreeMotion::Exact => None,
-            FreeMotion::MoserVeselov(order) => Some(MoserVeselov::new(inertia, order)),
+            FreeMotion::MoserVeselov(order) => Some(MoserVeselov::new(&inertia, order)),
         };
-        Kick { inertia: inertia.clone(), order, steps, shares: order.shares() }
+        Kick { body, order, inertia, steps, shares: order.shares() }
     }
 
     /// The order of the error of a motion.
@@ -134,19 +138,19 @@ impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for Kick {
         state: &mut State<So3>,
         h: f64,
     ) -> Result<(), Error> {
-        system.expect_body(&self.inertia)?;
+        let mut axes = self.body.state(system, state)?.attitude;
+        let (mut time, mut spatial) = (state.time, state.spatial);
         let unknown = Vector3::repeat(f64::NAN);
-        let State { mut time, mut element, mut spatial } = *state;
         for (at, share) in self.shares.iter().enumerate() {
             if at % 2 == 0 {
-                spatial += element * (system.moment(time, &element, &unknown) * (share * h));
+                spatial += self.body.torque(system, time, axes, &unknown) * (share * h);
                 expect_finite(time, &[&spatial])?;
             } else {
-                element = self.moved(element, &spatial, share * h)?;
+                axes = self.moved(axes, &spatial, share * h)?;
                 time += share * h;
             }
         }
-        *state = State { time: state.time + h, element: So3.restored(element), spatial };
+        *state = State { time: state.time + h, element: self.body.attitude(axes), spatial };
         Ok(())
     }
 }

@@ -2,8 +2,9 @@
 
 use super::{Integrator, expect_finite};
 use crate::Error;
-use crate::dynamics::Inertia;
 use crate::dynamics::euler_poincare::{EulerPoincare, State, Torque};
+use crate::dynamics::principal::Principal;
+use crate::dynamics::{BodyState, Inertia};
 use crate::group::{LieGroup, So3};
 use nalgebra::{Matrix3, Vector3};
 
@@ -20,21 +21,19 @@ const ROUNDING: f64 = 1e-11;
 ///
 /// so that without a torque `u . J (Omega_1 - Omega_0) = 0`: energy and momentum in space are kept, the one to the
 /// rounding of the solution, the other to the last bit. Of order 2 and symmetric. A torque is taken in the middle;
-/// the momentum about the axis of a symmetric potential is then kept as well, the energy is not to rounding.
+/// the momentum about the axis of a symmetric potential is then kept as well; the energy is not, and as the step is not
+/// symplectic it wanders: [`Kick`](super::Kick) is better for a potential.
 ///
 /// J. C. Simo and K. K. Wong, *Int. J. Numer. Methods Eng.* 31 (1991) 19-52.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SimoWong {
-    inertia: Inertia,
-    matrix: Matrix3<f64>,
+    body: Principal,
 }
 
 impl SimoWong {
     /// Steps of a body.
     pub fn new(inertia: &Inertia) -> Self {
-        let axes = inertia.axes();
-        let matrix = axes * Matrix3::from_diagonal(inertia.moments()) * axes.transpose();
-        SimoWong { inertia: inertia.clone(), matrix }
+        SimoWong { body: Principal::new(inertia) }
     }
 
     /// The order of the error of a motion.
@@ -52,40 +51,39 @@ impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for SimoWong {
         state: &mut State<So3>,
         h: f64,
     ) -> Result<(), Error> {
-        system.expect_body(&self.inertia)?;
+        let BodyState { attitude, momentum } = self.body.state(system, state)?;
         if h == 0.0 {
             return Ok(());
         }
-        let momentum = system.momentum(state);
-        let velocity = self.inertia.velocity(&momentum);
-        let middle = |u: &Vector3<f64>| {
-            let element = state.element * So3.exp(&(u * 0.5));
-            let moment = system.moment(state.time + 0.5 * h, &element, &(u / h));
-            (element, moment)
+        let moments = self.body.moments();
+        // in space, over the step
+        let impulse = |u: &Vector3<f64>| {
+            let middle = attitude * So3.exp(&(u * 0.5));
+            self.body.torque(system, state.time + 0.5 * h, middle, &(u / h)) * h
         };
-        let mut u = velocity * h;
+        let start = momentum.component_div(moments) * h;
+        let mut u = start;
         let mut last = f64::INFINITY;
         for _ in 0..ITERATIONS {
-            let back = So3.exp(&u).inverse() * momentum;
-            let push = So3.exp(&(u * -0.5)) * middle(&u).1;
+            let end = attitude * So3.exp(&u);
+            let impulse = impulse(&u);
+            let pushed = end.inverse_transform_vector(&(state.spatial + impulse));
             // over h, as h J is what multiplies the unknown
-            let residual = self.matrix * (u * 2.0 - velocity * h) - (back + push * h) * h;
+            let residual = moments.component_mul(&(u * 2.0 - start)) - pushed * h;
             expect_finite(state.time, &[&residual])?;
-            let slope = |v: Vector3<f64>| back.cross(&So3.tangent_left(&u, &v));
+            let slope = |v: Vector3<f64>| pushed.cross(&So3.tangent_left(&u, &v));
             let columns = [Vector3::x(), Vector3::y(), Vector3::z()].map(slope);
-            let derivative = self.matrix * 2.0 - Matrix3::from_columns(&columns) * h;
+            let derivative =
+                Matrix3::from_diagonal(moments) * 2.0 - Matrix3::from_columns(&columns) * h;
             let Some(inverse) = derivative.try_inverse() else { break };
             let correction = inverse * residual;
-            u -= correction;
             let (size, length) = (correction.norm(), u.norm());
             if size <= f64::EPSILON * length || (size >= last && size <= ROUNDING * length) {
-                let (element, moment) = middle(&u);
-                let spatial = state.spatial + element * (moment * h);
-                expect_finite(state.time, &[&spatial])?;
-                let element = So3.restored(state.element * So3.exp(&u));
+                let (element, spatial) = (self.body.attitude(end), state.spatial + impulse);
                 *state = State { time: state.time + h, element, spatial };
                 return Ok(());
             }
+            u -= correction;
             last = size;
         }
         let reason = "the step is too long".into();

@@ -2,9 +2,10 @@
 
 use super::Integrator;
 use crate::Error;
-use crate::dynamics::Inertia;
 use crate::dynamics::euler_poincare::{EulerPoincare, Free, State};
-use crate::group::{LieGroup, So3};
+use crate::dynamics::principal::Principal;
+use crate::dynamics::{BodyState, Inertia};
+use crate::group::So3;
 use nalgebra::{Quaternion, UnitQuaternion};
 
 /// How turns are composed.
@@ -47,7 +48,7 @@ impl Composition {
 /// Phys.* 189 (2003) 527-538.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Splitting {
-    inertia: Inertia,
+    body: Principal,
     composition: Composition,
     /// An axis and a share of the step; neighbours about one axis are one turn.
     turns: Vec<(usize, f64)>,
@@ -65,7 +66,7 @@ impl Splitting {
                 }
             }
         }
-        Splitting { inertia: inertia.clone(), composition, turns }
+        Splitting { body: Principal::new(inertia), composition, turns }
     }
 
     /// The order of the error of a motion.
@@ -83,9 +84,8 @@ impl Integrator<EulerPoincare<So3, Free>> for Splitting {
         state: &mut State<So3>,
         h: f64,
     ) -> Result<(), Error> {
-        system.expect_body(&self.inertia)?;
-        let (axes, moments) = (self.inertia.axes(), self.inertia.moments());
-        let mut momentum = axes.tr_mul(&system.momentum(state));
+        let BodyState { attitude, mut momentum } = self.body.state(system, state)?;
+        let moments = self.body.moments();
         let mut turn = Quaternion::identity();
         for &(axis, share) in &self.turns {
             let half = 0.5 * share * h * momentum[axis] / moments[axis];
@@ -103,8 +103,7 @@ impl Integrator<EulerPoincare<So3, Free>> for Splitting {
             let reason = "a value is not finite".into();
             return Err(Error::Integration { t: state.time, reason });
         }
-        let turn = Quaternion::from_parts(turn.w, axes * turn.imag());
-        state.element = So3.restored(state.element * UnitQuaternion::new_unchecked(turn));
+        state.element = self.body.attitude(attitude * UnitQuaternion::new_unchecked(turn));
         state.time += h;
         Ok(())
     }
