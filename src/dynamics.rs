@@ -14,9 +14,11 @@ pub mod free_body;
 pub mod inertia;
 pub mod integrators;
 pub mod moser_veselov;
+mod principal;
 
 pub use euler_poincare::{EulerPoincare, State};
 pub use free_body::FreeBody;
 pub use inertia::{BodyState, Inertia};
 pub use integrators::{Adaptive, CommutatorFree, Integrator, MuntheKaas, System};
+pub use integrators::{CrouchGrossman, Kick, Linear, Magnus, Place, SimoWong, Splitting};
 pub use moser_veselov::MoserVeselov;

@@ -142,6 +142,12 @@ pub trait LieGroup {
         })
     }
 
+    /// The element that is meant by one which the roundings of many products took off the group, such as a
+    /// quaternion of length 1 again. Groups whose elements are free coordinates have nothing to do.
+    fn restored(&self, g: Self::Element) -> Self::Element {
+        g
+    }
+
     /// The basis vector of an index, from 0.
     fn unit(&self, at: usize) -> Self::Vector {
         Self::Vector::from_fn(self.dimension(), |i| f64::from(i == at))

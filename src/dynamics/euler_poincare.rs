@@ -1,10 +1,14 @@
 //! The equations of motion that a connection and a metric make on a group.
 
-use super::System;
+use super::{Inertia, System};
 use crate::frame::formula;
-use crate::group::{Coordinates, LieGroup, expect_left_frame};
+use crate::group::{Coordinates, LieGroup, So3, expect_left_frame};
 use crate::{Connection, Error, Metric};
 use affinor_tensors::Tensor;
+use nalgebra::Matrix3;
+
+/// How far two metrics that are meant to be one may differ, relative.
+const SAME: f64 = 1e-12;
 
 /// `DH/Dt = M` (104) on a group, for the covector `H = J Omega` (103) and `g' = g Omega`:
 /// `dH_i/dt = Lambda^j_ki Omega^k H_j + M_i`, which with `plus` is Euler-Poincare (106), (108).
@@ -38,17 +42,17 @@ use affinor_tensors::Tensor;
 /// # Ok::<(), affinor::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct EulerPoincare<G, M> {
+pub struct EulerPoincare<G: LieGroup, M> {
     group: G,
-    metric: Bilinear,
-    inverse: Bilinear,
-    /// `(i, k, j)` and the component `(Lambda - c)^j_ki`, where it is not zero.
-    excess: Vec<([usize; 3], f64)>,
+    metric: Rows<G>,
+    inverse: Rows<G>,
+    /// By `i`: `(k, j)` and the component `(Lambda - c)^j_ki`, where it is not zero. Empty with `plus`.
+    excess: Vec<Vec<([usize; 2], f64)>>,
     torque: M,
 }
 
-/// The nonzero components of a matrix.
-type Bilinear = Vec<([usize; 2], f64)>;
+/// The rows of a matrix.
+type Rows<G> = Vec<<G as LieGroup>::Vector>;
 
 /// No torque.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -145,12 +149,17 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
         }
         let operands = [("L", connection.gamma()), ("c", frame.structure())];
         let excess = formula("L^j_ki - c^j_ki -> ^j_ki", &operands);
-        let excess = excess.components();
-        let excess = excess.map(|(at, value)| ([at[2], at[1], at[0]], *value)).collect();
-        let bilinear = |tensor: &Tensor<f64>| -> Bilinear {
-            tensor.components().map(|(at, value)| ([at[0], at[1]], *value)).collect()
+        let mut rows = vec![vec![]; n];
+        for (at, value) in excess.components() {
+            rows[at[2]].push(([at[1], at[0]], *value));
+        }
+        let excess = if rows.iter().all(Vec::is_empty) { vec![] } else { rows };
+        let rows = |tensor: &Tensor<f64>| -> Rows<G> {
+            let mut rows = vec![vec![0.0; n]; n];
+            tensor.components().for_each(|(at, value)| rows[at[0]][at[1]] = *value);
+            rows.iter().map(|row| G::Vector::from_components(row)).collect()
         };
-        let (metric, inverse) = (bilinear(metric.components()), bilinear(metric.inverse()));
+        let (metric, inverse) = (rows(metric.components()), rows(metric.inverse()));
         Ok(EulerPoincare { group, metric, inverse, excess, torque })
     }
 
@@ -166,7 +175,7 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
 
     /// The state of an element with a velocity `Omega` in body components.
     pub fn state(&self, time: f64, element: G::Element, velocity: &G::Vector) -> State<G> {
-        let momentum = applied::<G>(&self.metric, velocity, self.group.dimension());
+        let momentum = applied::<G>(&self.metric, velocity);
         self.state_with_momentum(time, element, &momentum)
     }
 
@@ -188,37 +197,74 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
 
     /// `Omega = J^-1 H`, in body components.
     pub fn velocity(&self, state: &State<G>) -> G::Vector {
-        applied::<G>(&self.inverse, &self.momentum(state), self.group.dimension())
+        applied::<G>(&self.inverse, &self.momentum(state))
     }
 
     /// `T = H(Omega)/2` (98).
     pub fn energy(&self, state: &State<G>) -> f64 {
         let momentum = self.momentum(state);
-        let velocity = applied::<G>(&self.inverse, &momentum, self.group.dimension());
+        let velocity = applied::<G>(&self.inverse, &momentum);
         let products = momentum.components().iter().zip(velocity.components());
         0.5 * products.map(|(h, omega)| h * omega).sum::<f64>()
     }
 
     /// The rates of change of a state.
+    #[inline]
     pub fn rates(&self, state: &State<G>) -> Rates<G::Vector> {
-        let n = self.group.dimension();
         let momentum = self.momentum(state);
-        let velocity = applied::<G>(&self.inverse, &momentum, n);
-        let (omega, h) = (velocity.components(), momentum.components());
-        let term = |i: usize, (at, value): &([usize; 3], f64)| {
-            if at[0] == i { value * omega[at[1]] * h[at[2]] } else { 0.0 }
-        };
-        let mut force =
-            G::Vector::from_fn(n, |i| self.excess.iter().map(|entry| term(i, entry)).sum());
+        let velocity = applied::<G>(&self.inverse, &momentum);
+        let mut force = self.excess_force(&velocity, &momentum);
         self.torque.add(state.time, &state.element, &velocity, &mut force);
         let back = self.group.inverse(&state.element);
         Rates { spatial: self.group.coadjoint(&back, &force), velocity }
     }
+
+    /// `(Lambda - c)^j_ki Omega^k H_j`.
+    #[inline]
+    fn excess_force(&self, velocity: &G::Vector, momentum: &G::Vector) -> G::Vector {
+        let n = self.group.dimension();
+        if self.excess.is_empty() {
+            return G::Vector::zeros(n);
+        }
+        let (omega, h) = (velocity.components(), momentum.components());
+        let term = |([k, j], value): &([usize; 2], f64)| value * omega[*k] * h[*j];
+        G::Vector::from_fn(n, |i| self.excess[i].iter().map(term).sum())
+    }
+
+    /// The torque at a state, in body components.
+    pub(super) fn moment(
+        &self,
+        time: f64,
+        element: &G::Element,
+        velocity: &G::Vector,
+    ) -> G::Vector {
+        let mut moment = G::Vector::zeros(self.group.dimension());
+        self.torque.add(time, element, velocity, &mut moment);
+        moment
+    }
+}
+
+impl<M> EulerPoincare<So3, M> {
+    /// That these are Euler's equations of a body with that inertia.
+    ///
+    /// # Errors
+    /// [`Error::NoInertia`] for another metric, or a connection other than `plus`.
+    pub(super) fn expect_body(&self, inertia: &Inertia) -> Result<(), Error> {
+        let (axes, moments) = (inertia.axes(), inertia.moments());
+        let expected = axes * Matrix3::from_diagonal(moments) * axes.transpose();
+        let off = (0..3).map(|i| (self.metric[i] - expected.column(i)).amax()).fold(0.0, f64::max);
+        if off <= SAME * moments.amax() && self.excess.is_empty() {
+            return Ok(());
+        }
+        let reason = "the system has another one, or a connection other than plus".into();
+        Err(Error::NoInertia { reason })
+    }
 }
 
 /// `b_ij x^j`.
-fn applied<G: LieGroup>(b: &Bilinear, x: &G::Vector, n: usize) -> G::Vector {
+#[inline]
+fn applied<G: LieGroup>(b: &Rows<G>, x: &G::Vector) -> G::Vector {
     let x = x.components();
-    let row = |i: usize| b.iter().filter(move |(at, _)| at[0] == i);
-    G::Vector::from_fn(n, |i| row(i).map(|(at, value)| value * x[at[1]]).sum())
+    let product = |row: &G::Vector| row.components().iter().zip(x).map(|(b, x)| b * x).sum();
+    G::Vector::from_fn(b.len(), |i| product(&b[i]))
 }

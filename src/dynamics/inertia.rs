@@ -97,6 +97,12 @@ impl Inertia {
         &self.axes
     }
 
+    /// The inertia of the same body with its principal axes as those of the body.
+    #[must_use]
+    pub fn in_principal_axes(&self) -> Self {
+        Inertia { moments: self.moments, axes: Matrix3::identity() }
+    }
+
     /// Whether masses can have it: no moment is larger than the sum of the others. The motion does not ask for it.
     pub fn is_of_a_body(&self) -> bool {
         let largest = self.moments.max();

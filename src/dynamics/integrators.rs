@@ -2,13 +2,24 @@
 
 mod adaptive;
 mod commutator_free;
+mod crouch_grossman;
+pub mod kick;
+pub mod magnus;
 mod munthe_kaas;
+mod simo_wong;
+pub mod splitting;
 
 pub use adaptive::Adaptive;
 pub use commutator_free::CommutatorFree;
+pub use crouch_grossman::CrouchGrossman;
+pub use kick::Kick;
+pub use magnus::{Linear, Magnus, Place};
 pub use munthe_kaas::MuntheKaas;
+pub use simo_wong::SimoWong;
+pub use splitting::Splitting;
 
 use crate::Error;
+use crate::group::Coordinates;
 
 /// Equations of motion.
 pub trait System {
@@ -27,4 +38,12 @@ pub trait Integrator<S: System> {
     /// [`Error::Integration`] where a value is not finite, or equations of the step have no solution; the state is then
     /// as it was.
     fn step(&self, system: &S, state: &mut S::State, h: f64) -> Result<(), Error>;
+}
+
+/// That all components are finite.
+fn expect_finite<V: Coordinates>(t: f64, vectors: &[&V]) -> Result<(), Error> {
+    if vectors.iter().all(|vector| vector.is_finite()) {
+        return Ok(());
+    }
+    Err(Error::Integration { t, reason: "a value is not finite".into() })
 }

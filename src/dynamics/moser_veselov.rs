@@ -11,8 +11,11 @@
 //! `h^2` with coefficients from the invariants, it has any even order: E. Hairer and G. Vilmart, J. Phys. A 39 (2006)
 //! 13225-13235, after R. McLachlan and A. Zanna, Found. Comput. Math. 5 (2005) 87-123.
 
-use super::{BodyState, Inertia};
+use super::euler_poincare::{EulerPoincare, Free, State};
+use super::principal::Principal;
+use super::{BodyState, Inertia, Integrator};
 use crate::Error;
+use crate::group::So3;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// The order of a step.
@@ -49,6 +52,7 @@ pub enum Order {
 #[derive(Clone, Debug, PartialEq)]
 pub struct MoserVeselov {
     inertia: Inertia,
+    body: Principal,
     /// The largest moment, and the others over it.
     unit: f64,
     moments: [f64; 3],
@@ -71,7 +75,8 @@ impl MoserVeselov {
         let unit = inertia.moments().max();
         let moments = (inertia.moments() / unit).into();
         let degrees = order as usize;
-        MoserVeselov { inertia: inertia.clone(), unit, moments, series: series(moments), degrees }
+        let (inertia, body) = (inertia.clone(), Principal::new(inertia));
+        MoserVeselov { inertia, body, unit, moments, series: series(moments), degrees }
     }
 
     /// The state after `count` steps of length `step`, which may be negative.
@@ -130,6 +135,29 @@ impl MoserVeselov {
         let differences = Vector3::new(j2 - j3, j3 - j1, j1 - j2);
         let inverse = Vector3::from(inverse);
         Some(Stage { inverse, differences, ratios: differences.component_mul(&inverse) })
+    }
+}
+
+impl Integrator<EulerPoincare<So3, Free>> for MoserVeselov {
+    /// The spatial momentum is a part of the state, and stays what it is.
+    ///
+    /// # Errors
+    /// As [`steps`](Self::steps), and [`Error::NoInertia`] for a system of another body.
+    fn step(
+        &self,
+        system: &EulerPoincare<So3, Free>,
+        state: &mut State<So3>,
+        h: f64,
+    ) -> Result<(), Error> {
+        let start = self.body.state(system, state)?;
+        let too_long =
+            || Error::Integration { t: state.time, reason: "the step is too long".into() };
+        let y = start.momentum * (h / self.unit);
+        let c = self.stage(&y).and_then(|stage| stage.solve(&y)).ok_or_else(too_long)?;
+        let turn = UnitQuaternion::new_unchecked(Quaternion::from_parts(1.0, c));
+        state.element = self.body.attitude(start.attitude * turn);
+        state.time += h;
+        Ok(())
     }
 }
 

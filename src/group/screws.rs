@@ -52,6 +52,12 @@ pub(super) fn adjoint<const K: usize>((r, t): Motion<K>, (w, u): Screw<K>) -> Sc
     (w, std::array::from_fn(|a| r * u[a] + t[a].cross(&w)))
 }
 
+/// `Ad* (m; f_a) = (R^T (m + f_a cross t_a); R^T f_a)`.
+pub(super) fn coadjoint<const K: usize>((r, t): Motion<K>, (m, f): Screw<K>) -> Screw<K> {
+    let m = (0..K).fold(m, |m, a| m + f[a].cross(&t[a]));
+    (r.inverse_transform_vector(&m), f.map(|f| r.inverse_transform_vector(&f)))
+}
+
 /// `[(w; u_a), (w'; u'_a)] = (w cross w'; w cross u'_a + u_a cross w')`.
 pub(super) fn bracket<const K: usize>((w, u): Screw<K>, (v, s): Screw<K>) -> Screw<K> {
     (w.cross(&v), std::array::from_fn(|a| w.cross(&s[a]) + u[a].cross(&v)))

@@ -76,6 +76,11 @@ impl LieGroup for Se2 {
         join(x[0], g.rotation * translation(x) - turned(g.translation.vector) * x[0])
     }
 
+    fn restored(&self, g: Self::Element) -> Self::Element {
+        let rotation = UnitComplex::new_normalize(g.rotation.into_inner());
+        Isometry2::from_parts(g.translation, rotation)
+    }
+
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
         join(0.0, turned(translation(y)) * x[0] - turned(translation(x)) * y[0])
     }

@@ -1,7 +1,7 @@
 //! SE(3), the rigid motions of space.
 
-use super::LieGroup;
 use super::screws::{self, join, split};
+use super::{LieGroup, So3};
 use crate::Error;
 use nalgebra::{DMatrix, Isometry3, UnitQuaternion, Vector3, Vector6};
 
@@ -64,6 +64,16 @@ impl LieGroup for Se3 {
     /// `(R w, R u + t cross R w)`.
     fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
         join(screws::adjoint(parts(g), split(x)))
+    }
+
+    /// `(R^T (m + f cross t), R^T f)`.
+    fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
+        join(screws::coadjoint(parts(g), split(h)))
+    }
+
+    fn restored(&self, g: Self::Element) -> Self::Element {
+        let (rotation, vectors) = parts(&g);
+        whole((So3.restored(rotation), vectors))
     }
 
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {

@@ -113,6 +113,13 @@ impl LieGroup for Sl2 {
         components(&(g * traceless(x) * self.inverse(g)))
     }
 
+    fn restored(&self, g: Self::Element) -> Self::Element {
+        match g.determinant() {
+            square if square > 0.0 => g / square.sqrt(),
+            _ => g,
+        }
+    }
+
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
         Vector3::new(
             2.0 * (x[2] * y[0] - x[0] * y[2]),

@@ -50,6 +50,10 @@ impl LieGroup for So2 {
         *x
     }
 
+    fn restored(&self, g: Self::Element) -> Self::Element {
+        UnitComplex::new_normalize(g.into_inner())
+    }
+
     fn bracket(&self, _: &Self::Vector, _: &Self::Vector) -> Self::Vector {
         Vector1::zeros()
     }

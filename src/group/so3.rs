@@ -97,6 +97,18 @@ impl LieGroup for So3 {
         x.cross(y)
     }
 
+    /// At length 1, without a bias: the square of the length has finer roundings below 1 than above, which in a
+    /// million steps is seen.
+    #[inline]
+    fn restored(&self, g: Self::Element) -> Self::Element {
+        let q = g.into_inner();
+        let off = q.w * q.w - 1.0 + q.i * q.i + q.j * q.j + q.k * q.k;
+        if off.abs() < 1e-8 {
+            return UnitQuaternion::new_unchecked(q - q * (0.5 * off));
+        }
+        UnitQuaternion::new_unchecked(q * (1.0 / q.norm_squared().sqrt()))
+    }
+
     /// The rotation matrix `R`.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
         DMatrix::from_column_slice(3, 3, rotation::matrix(g).as_slice())

@@ -47,7 +47,7 @@ impl<G: LieGroup, M: Torque<G>> Integrator<EulerPoincare<G, M>> for CommutatorFr
             (first.clone() * 3.0 + both.clone() - last.clone()) * (1.0 / 12.0)
         };
         let first = moved(&state.element, twelfth(&k1.velocity, &k4.velocity));
-        let element = moved(&first, twelfth(&k4.velocity, &k1.velocity));
+        let element = group.restored(moved(&first, twelfth(&k4.velocity, &k1.velocity)));
         let slopes = [(&k1, 1.0), (&k2, 2.0), (&k3, 2.0), (&k4, 1.0)];
         let spatial = slopes.iter().fold(state.spatial.clone(), |sum, (k, weight)| {
             sum + k.spatial.clone() * (weight * h / 6.0)

@@ -113,7 +113,8 @@ impl MuntheKaas {
             slopes[stage] = (group.tangent_left_inverse(&u, &rates.velocity)?, rates.spatial);
         }
         let (u, spatial) = self.moved(&slopes, &self.b, h, state, &zero);
-        let next = at(state.time + h, &u, spatial);
+        let mut next = at(state.time + h, &u, spatial);
+        next.element = group.restored(next.element);
         let origin = State { spatial: zero.clone(), ..state.clone() };
         let (off, off_spatial) = self.moved(&slopes, &self.error, h, &origin, &zero);
         if !u.is_finite() || !next.spatial.is_finite() {

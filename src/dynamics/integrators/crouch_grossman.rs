@@ -1,0 +1,54 @@
+//! The method of Crouch and Grossman of order 3.
+
+use super::{Integrator, expect_finite};
+use crate::Error;
+use crate::dynamics::euler_poincare::{EulerPoincare, Rates, State, Torque};
+use crate::group::LieGroup;
+
+/// `c_i`, rows `a_ij` and `b_j`.
+const NODES: [f64; 3] = [0.0, 3.0 / 4.0, 17.0 / 24.0];
+const STAGES: [[f64; 2]; 3] = [[0.0, 0.0], [3.0 / 4.0, 0.0], [119.0 / 216.0, 17.0 / 108.0]];
+const WEIGHTS: [f64; 3] = [13.0 / 51.0, -2.0 / 3.0, 24.0 / 17.0];
+
+/// A Runge-Kutta method of order 3 with products of exponentials in the place of sums:
+/// `g_i = g exp(h a_i1 Omega_1) exp(h a_i2 Omega_2) ..`, and so the step with the weights `b`.
+///
+/// It needs neither brackets nor tangent operators, six exponentials a step, and is there for comparison:
+/// [`CommutatorFree`](super::CommutatorFree) has order 4 for five. P. E. Crouch and R. Grossman, *J. Nonlinear
+/// Sci.* 3 (1993) 1-33; B. Owren and A. Marthinsen, *BIT* 39 (1999) 116-142.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct CrouchGrossman;
+
+impl CrouchGrossman {
+    /// The order of the error of a motion.
+    pub fn order(&self) -> u32 {
+        3
+    }
+}
+
+impl<G: LieGroup, M: Torque<G>> Integrator<EulerPoincare<G, M>> for CrouchGrossman {
+    fn step(
+        &self,
+        system: &EulerPoincare<G, M>,
+        state: &mut State<G>,
+        h: f64,
+    ) -> Result<(), Error> {
+        let group = system.group();
+        let moved = |slopes: &[&Rates<G::Vector>], weights: &[f64], share: f64| {
+            let start = State { time: state.time + share * h, ..state.clone() };
+            slopes.iter().zip(weights).fold(start, |at, (k, weight)| State {
+                element: group
+                    .compose(&at.element, &group.exp(&(k.velocity.clone() * (weight * h)))),
+                spatial: at.spatial + k.spatial.clone() * (weight * h),
+                ..at
+            })
+        };
+        let k1 = system.rates(state);
+        let k2 = system.rates(&moved(&[&k1], &STAGES[1], NODES[1]));
+        let k3 = system.rates(&moved(&[&k1, &k2], &STAGES[2], NODES[2]));
+        let next = moved(&[&k1, &k2, &k3], &WEIGHTS, 1.0);
+        expect_finite(state.time, &[&k3.velocity, &next.spatial])?;
+        *state = State { element: group.restored(next.element), ..next };
+        Ok(())
+    }
+}

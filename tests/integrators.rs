@@ -1,0 +1,457 @@
+//! Orders of the integrators, on groups of several kinds, against solutions that share no code with them; and what
+//! they keep.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use affinor::dynamics::euler_poincare::{Free, Torque};
+use affinor::dynamics::integrators::kick::{FreeMotion, Order as KickOrder};
+use affinor::dynamics::integrators::splitting::Composition;
+use affinor::dynamics::moser_veselov::Order;
+use affinor::dynamics::{
+    BodyState, CommutatorFree, CrouchGrossman, EulerPoincare, FreeBody, Inertia, Integrator, Kick,
+    Linear, Magnus, MoserVeselov, MuntheKaas, Place, SimoWong, Splitting, State, System,
+};
+use affinor::equations::Equations;
+use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Se23, Sl2, So3};
+use affinor::{Canonical, Connection, Error, Metric, ode};
+use affinor_tensors::{Down, Tensor};
+use nalgebra::{
+    DMatrix, DVector, Matrix3, SVector, UnitQuaternion, Vector2, Vector3, Vector6, dmatrix,
+};
+
+/// Inner products of a basis that is neither orthogonal nor of length 1.
+fn full<G: LieGroup>(group: &G) -> Metric<f64> {
+    let entry = |[i, j]: [usize; 2]| match i.abs_diff(j) {
+        0 => 1.0 + 0.5 * i as f64,
+        1 => 0.2,
+        _ => 0.05,
+    };
+    let metric = Tensor::from_fn(group.dimension(), [Down, Down], entry).unwrap();
+    Metric::new(group.algebra().unwrap().labels(), metric).unwrap()
+}
+
+/// The basis of the algebra as matrices, which are of whole numbers here.
+fn generators<G: LieGroup>(group: &G) -> Vec<DMatrix<f64>> {
+    let step = 1e-5;
+    let slope = |x: &G::Vector| {
+        let at = |t: f64| group.matrix(&group.exp(&(x.clone() * t)));
+        (at(step) - at(-step)) / (2.0 * step)
+    };
+    let slopes = group.basis().iter().map(slope).collect::<Vec<_>>();
+    for slope in &slopes {
+        assert!((slope - slope.map(f64::round)).amax() < 1e-9);
+    }
+    slopes.iter().map(|slope| slope.map(f64::round)).collect()
+}
+
+/// `g' = g Omega` for the entries of a matrix, after other unknowns `x` with `x' = rates(t, g, x)`.
+fn entries<G: LieGroup>(
+    group: &G,
+    start: (f64, &G::Element, &[f64]),
+    end: f64,
+    omega: impl Fn(f64, &[f64]) -> Vec<f64>,
+    rates: impl Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64>,
+) -> (DMatrix<f64>, Vec<f64>) {
+    let (time, element, others) = start;
+    let (basis, matrix) = (generators(group), group.matrix(element));
+    let (size, n) = (matrix.nrows(), others.len());
+    let split = |y: &DVector<f64>| DMatrix::from_column_slice(size, size, &y.as_slice()[n..]);
+    let joined = |others: &[f64], matrix: &DMatrix<f64>| {
+        DVector::from_iterator(n + size * size, others.iter().chain(matrix.iter()).copied())
+    };
+    let f = |t: f64, y: &DVector<f64>| {
+        let (others, matrix) = (&y.as_slice()[..n], split(y));
+        let omega = omega(t, others);
+        let spin =
+            basis.iter().zip(&omega).fold(DMatrix::zeros(size, size), |s, (e, w)| s + e * *w);
+        joined(&rates(t, &matrix, others), &(matrix * spin))
+    };
+    let y = ode::solve(f, time, joined(others, &matrix), &[end], 1e-14).unwrap().remove(0);
+    (split(&y), y.as_slice()[..n].to_vec())
+}
+
+fn run<S: System>(
+    method: &impl Integrator<S>,
+    system: &S,
+    start: &S::State,
+    time: f64,
+    steps: usize,
+) -> S::State {
+    let mut state = start.clone();
+    for _ in 0..steps {
+        method.step(system, &mut state, time / steps as f64).unwrap();
+    }
+    state
+}
+
+/// The order observed over each of some halvings is the nominal one, within a tenth.
+fn expect_order(
+    name: &str,
+    order: u32,
+    steps: usize,
+    halvings: usize,
+    error: impl Fn(usize) -> f64,
+) {
+    let errors: Vec<f64> = (0..=halvings).map(|halving| error(steps << halving)).collect();
+    for pair in errors.windows(2) {
+        let observed = (pair[0] / pair[1]).log2();
+        assert!((observed - f64::from(order)).abs() < 0.1, "{name}: {observed}, errors {errors:?}");
+    }
+}
+
+/// A torque that depends on everything it may.
+fn moment(n: usize, time: f64, matrix: &DMatrix<f64>, omega: &[f64]) -> Vec<f64> {
+    let place = |i: usize| matrix[(0, 1)] * (1.0 + i as f64) - matrix[(0, matrix.ncols() - 1)];
+    (0..n).map(|i| 0.2 * (time + i as f64).sin() - 0.1 * omega[i] + 0.1 * place(i)).collect()
+}
+
+struct Case<G: LieGroup, M> {
+    system: EulerPoincare<G, M>,
+    start: State<G>,
+    span: f64,
+    end: (DMatrix<f64>, Vec<f64>),
+}
+
+impl<G: LieGroup, M: Torque<G>> Case<G, M> {
+    /// How far the end is from that of the oracle.
+    fn error(&self, method: &impl Integrator<EulerPoincare<G, M>>, steps: usize) -> f64 {
+        let end = run(method, &self.system, &self.start, self.span, steps);
+        let off = (self.system.group().matrix(&end.element) - &self.end.0).amax();
+        let velocity = self.system.velocity(&end) - G::Vector::from_components(&self.end.1);
+        off.max(velocity.largest())
+    }
+}
+
+/// A system and where the matrix entries and the velocity are after a time, by the equations (106).
+fn case<G: LieGroup + Clone>(
+    group: G,
+    which: Canonical,
+    metric: &Metric<f64>,
+    velocity: &G::Vector,
+    span: f64,
+    torque: impl Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64> + Clone,
+) -> Case<G, impl Torque<G>> {
+    let connection = Connection::canonical(&group.algebra().unwrap(), which);
+    let equations = Equations::euler_poincare(&connection, metric).unwrap();
+    let (of_group, of_matrix) = (group.clone(), torque.clone());
+    let torque = move |time: f64, g: &G::Element, omega: &G::Vector| {
+        G::Vector::from_components(&torque(time, &of_group.matrix(g), omega.components()))
+    };
+    let system = EulerPoincare::new(group.clone(), &connection, metric, torque).unwrap();
+    let start = system.state(0.3, group.exp(&(velocity.clone() * 0.2)), velocity);
+    let at = (0.3, &start.element, velocity.components());
+    let end = entries(
+        &group,
+        at,
+        0.3 + span,
+        |_, omega| omega.to_vec(),
+        |t, g, omega| equations.rate(omega, &of_matrix(t, g, omega)).unwrap(),
+    );
+    Case { system, start, span, end }
+}
+
+fn orders<G: LieGroup + Clone>(name: &str, group: G, velocity: &G::Vector, steps: usize) {
+    let n = group.dimension();
+    let metric = full(&group);
+    for which in [Canonical::Zero, Canonical::Plus] {
+        let torque =
+            move |time: f64, matrix: &DMatrix<f64>, omega: &[f64]| moment(n, time, matrix, omega);
+        let fast = move |time: f64, matrix: &DMatrix<f64>, omega: &[f64]| {
+            let moment = moment(n, 4.0 * time, matrix, omega);
+            moment.iter().map(|m| 4.0 * m).collect()
+        };
+        let short = case(group.clone(), which, &metric, velocity, 1.0, torque);
+        let long = case(group.clone(), which, &metric, velocity, 4.0, fast);
+        let check = |method: &str, order: u32, steps, halvings, error: &dyn Fn(usize) -> f64| {
+            expect_order(&format!("{method} on {name}"), order, steps, halvings, error);
+        };
+        check("CG3", CrouchGrossman.order(), 2 * steps, 4, &|n| short.error(&CrouchGrossman, n));
+        check("CF4", CommutatorFree.order(), steps, 4, &|n| short.error(&CommutatorFree, n));
+        check("RKMK4", 4, steps, 4, &|n| short.error(&MuntheKaas::RK4, n));
+        // its error constants are so small that the next powers show; they make it seem larger
+        let error = |n: usize| long.error(&MuntheKaas::DORMAND_PRINCE, n);
+        let observed = (error(128) / error(512)).log2() / 2.0;
+        assert!((4.8..5.7).contains(&observed), "DP5 on {name}: {observed}");
+    }
+}
+
+/// The group of `x -> a x + b`, which is not unimodular.
+fn affine_line() -> MatrixGroup {
+    MatrixGroup::new(&[dmatrix![1.0, 0.0; 0.0, 0.0], dmatrix![0.0, 1.0; 0.0, 0.0]]).unwrap()
+}
+
+#[test]
+fn orders_on_so3() {
+    orders("SO(3)", So3, &Vector3::new(0.9, -0.5, 1.1), 16);
+}
+
+#[test]
+fn orders_on_se3() {
+    orders("SE(3)", Se3, &Vector6::new(0.5, -0.3, 0.6, 0.4, 0.2, -0.5), 16);
+}
+
+#[test]
+fn orders_on_se2() {
+    orders("SE(2)", Se2, &Vector3::new(0.9, 0.5, -0.4), 16);
+}
+
+#[test]
+fn orders_on_sl2() {
+    orders("SL(2)", Sl2, &Vector3::new(0.3, -0.5, 0.2), 16);
+}
+
+#[test]
+fn orders_on_heisenberg() {
+    orders("Heisenberg", Heisenberg::<3>, &Vector3::new(0.9, -0.5, 1.1), 16);
+}
+
+#[test]
+fn orders_on_the_affine_line() {
+    orders("the affine line", affine_line(), &DVector::from_vec(vec![0.8, -0.6]), 16);
+}
+
+/// Magnus methods against the entries of the matrix.
+fn magnus<G: LieGroup + Clone>(name: &str, group: G, steps: usize) {
+    let n = group.dimension();
+    let velocity = move |t: f64| -> Vec<f64> {
+        (0..n).map(|i| ((1.0 + i as f64) * t + i as f64).sin() + 0.3 * t).collect()
+    };
+    let rate = |t: f64| G::Vector::from_components(&velocity(t));
+    let system = Linear { group: group.clone(), velocity: rate };
+    let element = group.exp(&(G::Vector::from_fn(n, |i| 0.3 - 0.1 * i as f64)));
+    let start = Place { time: 0.3, element };
+    let at = (0.3, &start.element, &[][..]);
+    let (end, _) = entries(&group, at, 1.3, |t, _| velocity(t), |_, _, _| vec![]);
+    let error = |method: Magnus, steps: usize| {
+        (group.matrix(&run(&method, &system, &start, 1.0, steps).element) - &end).amax()
+    };
+    expect_order(&format!("Magnus 4, {name}"), 4, steps, 4, |n| error(Magnus::Four, n));
+    expect_order(&format!("Magnus 6, {name}"), 6, steps, 2, |n| error(Magnus::Six, n));
+}
+
+#[test]
+fn orders_of_magnus() {
+    magnus("SO(3)", So3, 8);
+    magnus("SE(3)", Se3, 16);
+    magnus("SE(2)", Se2, 8);
+    magnus("SL(2)", Sl2, 16);
+    magnus("the affine line", affine_line(), 8);
+}
+
+/// `R = Rz(w t) Rx(b) Rz(-w t)`: the axis of the body moves on a cone.
+#[test]
+fn coning() {
+    let (rate, lean) = (1.3, 0.4_f64);
+    let about = |axis: Vector3<f64>, angle: f64| So3.exp(&(axis * angle));
+    let exact = |t: f64| {
+        about(Vector3::z(), rate * t) * about(Vector3::x(), lean) * about(Vector3::z(), -rate * t)
+    };
+    // R^-1 R' = w (Ad_{Rz Rx^-1 Rz^-1} z - z)
+    let velocity = move |t: f64| {
+        let lower = Vector3::new(-(rate * t).sin(), (rate * t).cos(), 0.0) * lean.sin();
+        (lower + Vector3::z() * (lean.cos() - 1.0)) * rate
+    };
+    let derivative = So3.log(&(exact(0.7).inverse() * exact(0.7 + 1e-6))).unwrap() * 1e6;
+    assert!((velocity(0.7) - derivative).norm() < 1e-5);
+    let system = Linear { group: So3, velocity };
+    let start = Place { time: 0.0, element: exact(0.0) };
+    let error = |method: Magnus, steps: usize| {
+        let end = run(&method, &system, &start, 20.0, steps).element;
+        So3.log(&(exact(20.0).inverse() * end)).unwrap().norm()
+    };
+    expect_order("Magnus 4, coning", 4, 100, 4, |n| error(Magnus::Four, n));
+    expect_order("Magnus 6, coning", 6, 50, 2, |n| error(Magnus::Six, n));
+    assert!(error(Magnus::Six, 2000) < 1e-12, "{:e}", error(Magnus::Six, 2000));
+}
+
+/// A body whose inertia is dense.
+fn inertia() -> (Inertia, Metric<f64>) {
+    let matrix = Matrix3::new(1.0, 0.1, -0.05, 0.1, 0.8, 0.1, -0.05, 0.1, 0.7);
+    let metric = Tensor::from_fn(3, [Down, Down], |[i, j]| matrix[(i, j)]).unwrap();
+    let metric = Metric::new(So3.algebra().unwrap().labels(), metric).unwrap();
+    (Inertia::new(&matrix).unwrap(), metric)
+}
+
+const VELOCITY: Vector3<f64> = Vector3::new(1.9, -0.7, 1.2);
+
+/// Of `R` and the velocity after one unit of time, against elliptic functions.
+fn free_error(method: &impl Integrator<EulerPoincare<So3, Free>>, steps: usize) -> f64 {
+    let (inertia, metric) = inertia();
+    let connection = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let system = EulerPoincare::free(So3, &connection, &metric).unwrap();
+    let start = system.state(0.0, So3.exp(&Vector3::new(0.3, 1.0, -0.4)), &VELOCITY);
+    let exact = BodyState { attitude: start.element, momentum: inertia.momentum(&VELOCITY) };
+    let exact = FreeBody::new(&inertia, &exact).unwrap().at(1.0);
+    let end = run(method, &system, &start, 1.0, steps);
+    assert_eq!(end.spatial, start.spatial);
+    assert!((end.time - 1.0).abs() < 1e-12);
+    let turn = (end.element.coords - exact.attitude.coords).norm();
+    turn.max((system.momentum(&end) - exact.momentum).norm())
+}
+
+#[test]
+fn orders_of_the_free_body() {
+    let (inertia, _) = inertia();
+    let wong = SimoWong::new(&inertia);
+    expect_order("Simo-Wong", wong.order(), 32, 4, |n| free_error(&wong, n));
+    for (composition, steps) in [(Composition::Strang, 32), (Composition::Suzuki, 16)] {
+        let splitting = Splitting::new(&inertia, composition);
+        let name = format!("{composition:?}");
+        expect_order(&name, splitting.order(), steps, 4, |n| free_error(&splitting, n));
+    }
+    let orders = [
+        (Order::Two, 2, 32, 4),
+        (Order::Four, 4, 16, 4),
+        (Order::Six, 6, 8, 2),
+        (Order::Eight, 8, 6, 2),
+    ];
+    for (order, nominal, steps, halvings) in orders {
+        let method = MoserVeselov::new(&inertia, order);
+        expect_order(&format!("{order:?}"), nominal, steps, halvings, |n| free_error(&method, n));
+    }
+    // the next power shows, and the next halving is rounding
+    let ten = |n: usize| free_error(&MoserVeselov::new(&inertia, Order::Ten), n);
+    let observed = (ten(6) / ten(12)).log2();
+    assert!((observed - 10.0).abs() < 0.2, "{observed}");
+    for order in [KickOrder::Two, KickOrder::Six] {
+        let exact = Kick::new(&inertia, order, FreeMotion::Exact);
+        assert!(free_error(&exact, 3) < 1e-14, "{:e}", free_error(&exact, 3));
+    }
+}
+
+/// In time, place and velocity.
+#[test]
+fn order_of_simo_wong_with_a_torque() {
+    let (inertia, metric) = inertia();
+    let torque = |time: f64, matrix: &DMatrix<f64>, omega: &[f64]| moment(3, time, matrix, omega);
+    let case = case(So3, Canonical::Plus, &metric, &VELOCITY, 1.0, torque);
+    expect_order("Simo-Wong", 2, 32, 4, |n| case.error(&SimoWong::new(&inertia), n));
+}
+
+/// In time and place.
+fn potential(time: f64, matrix: &DMatrix<f64>, _: &[f64]) -> Vec<f64> {
+    let down = Vector3::new(matrix[(2, 0)], matrix[(2, 1)], matrix[(2, 2)]);
+    let pull = Vector3::new(0.3, -0.2, 1.0).cross(&down) * (-2.0 + time.sin());
+    (pull + Vector3::new(0.0, matrix[(0, 0)], 0.0)).as_slice().to_vec()
+}
+
+#[test]
+fn orders_of_kicks() {
+    let (inertia, metric) = inertia();
+    let case = case(So3, Canonical::Plus, &metric, &VELOCITY, 1.0, potential);
+    for motion in [FreeMotion::Exact, FreeMotion::MoserVeselov(Order::Ten)] {
+        let of = |order| Kick::new(&inertia, order, motion);
+        let orders =
+            [(KickOrder::Two, 2, 16, 4), (KickOrder::Four, 4, 8, 4), (KickOrder::Six, 6, 4, 2)];
+        for (order, nominal, steps, halvings) in orders {
+            let method = of(order);
+            assert_eq!(method.order(), nominal);
+            let name = format!("{order:?} {motion:?}");
+            expect_order(&name, nominal, steps, halvings, |n| case.error(&method, n));
+        }
+        // against compositions of as many steps of order 2: the triple jump, and five of Suzuki
+        let composed = |shares: &[f64], steps: usize| {
+            let (mut state, two) = (case.start.clone(), of(KickOrder::Two));
+            for _ in 0..steps {
+                for share in shares {
+                    two.step(&case.system, &mut state, share / steps as f64).unwrap();
+                }
+            }
+            (So3.matrix(&state.element) - &case.end.0).amax()
+        };
+        let outer = 1.0 / (2.0 - 2.0_f64.cbrt());
+        let jump = composed(&[outer, 1.0 - 2.0 * outer, outer], 40);
+        let outer = 1.0 / (4.0 - 4.0_f64.cbrt());
+        let suzuki = composed(&[outer, outer, 1.0 - 4.0 * outer, outer, outer], 24);
+        let four = case.error(&of(KickOrder::Four), 20);
+        let six = case.error(&of(KickOrder::Six), 11);
+        let errors = [jump, suzuki, four, six];
+        assert!(four < 0.1 * suzuki && suzuki < jump && six < 0.1 * four, "{errors:?}");
+    }
+}
+
+/// Integrators of a body refuse what is not that body; kicks, a torque that asks for the velocity.
+#[test]
+fn what_is_not_meant_is_refused() {
+    let (inertia, metric) = inertia();
+    let other = Inertia::diagonal(&Vector3::new(1.0, 0.8, 0.7)).unwrap();
+    let algebra = So3.algebra().unwrap();
+    let of =
+        |which| EulerPoincare::free(So3, &Connection::canonical(&algebra, which), &metric).unwrap();
+    let (plus, zero) = (of(Canonical::Plus), of(Canonical::Zero));
+    for (system, inertia) in [(&plus, &other), (&zero, &inertia)] {
+        let mut state = system.state(0.0, So3.identity(), &VELOCITY);
+        let methods: [&dyn Integrator<EulerPoincare<So3, Free>>; 4] = [
+            &SimoWong::new(inertia),
+            &Splitting::new(inertia, Composition::Strang),
+            &MoserVeselov::new(inertia, Order::Six),
+            &Kick::new(inertia, KickOrder::Two, FreeMotion::Exact),
+        ];
+        for method in methods {
+            let refused = method.step(system, &mut state, 0.1);
+            assert!(matches!(refused, Err(Error::NoInertia { .. })), "{refused:?}");
+        }
+        assert_eq!(state.time, 0.0);
+    }
+    let connection = Connection::canonical(&algebra, Canonical::Plus);
+    let drag = |_: f64, _: &UnitQuaternion<f64>, omega: &Vector3<f64>| -omega;
+    let system = EulerPoincare::new(So3, &connection, &metric, drag).unwrap();
+    let mut state = system.state(0.0, So3.identity(), &VELOCITY);
+    let kick = Kick::new(&inertia, KickOrder::Two, FreeMotion::Exact);
+    assert!(matches!(kick.step(&system, &mut state, 0.1), Err(Error::Integration { .. })));
+    assert!(SimoWong::new(&inertia).step(&system, &mut state, 0.1).is_ok());
+}
+
+#[test]
+fn steps_without_a_solution_are_refused() {
+    let (inertia, metric) = inertia();
+    let connection = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let system = EulerPoincare::free(So3, &connection, &metric).unwrap();
+    let start = system.state(0.0, So3.identity(), &(VELOCITY * 1e3));
+    let methods: [&dyn Integrator<EulerPoincare<So3, Free>>; 3] = [
+        &SimoWong::new(&inertia),
+        &MoserVeselov::new(&inertia, Order::Two),
+        &Splitting::new(&inertia, Composition::Strang),
+    ];
+    for (method, h) in methods.iter().flat_map(|m| [1.0, f64::NAN, f64::INFINITY].map(|h| (m, h))) {
+        let mut state = start.clone();
+        match method.step(&system, &mut state, h) {
+            // a splitting has no equations
+            Ok(()) => assert!(state.element.norm().is_finite() && h == 1.0),
+            Err(error) => assert!(matches!(error, Error::Integration { t: 0.0, .. }), "{error}"),
+        }
+    }
+}
+
+/// The covector that a group's own `Ad*` gives is that of `Ad`; elements that are off the group come back.
+#[test]
+fn coadjoint_and_restored() {
+    fn check<G: LieGroup>(group: G, x: &G::Vector, grown: impl Fn(G::Element) -> G::Element) {
+        let g = group.exp(x);
+        for i in 0..group.dimension() {
+            let h = group.unit(i) * 2.0 + x.clone();
+            let h = group.coadjoint(&g, &h).components().to_vec();
+            let expected = group.operator(|v| group.adjoint(&g, v)).transpose()
+                * DVector::from_column_slice((group.unit(i) * 2.0 + x.clone()).components());
+            assert!((DVector::from_vec(h) - expected).amax() < 1e-14);
+        }
+        let restored = group.restored(grown(g.clone()));
+        assert!((group.matrix(&restored) - group.matrix(&g)).amax() < 1e-15);
+    }
+    let grown = |q: UnitQuaternion<f64>| UnitQuaternion::new_unchecked(q.into_inner() * 1.001);
+    check(So3, &Vector3::new(0.3, -1.0, 2.0), grown);
+    check(Se3, &Vector6::new(0.3, -1.0, 2.0, 0.5, 0.6, -0.7), |mut g| {
+        g.rotation = grown(g.rotation);
+        g
+    });
+    check(Se23, &SVector::from_fn(|i, _| 0.3 * i as f64 - 0.8), |mut g| {
+        g.attitude = grown(g.attitude);
+        g
+    });
+    check(Sl2, &Vector3::new(0.3, -0.5, 0.2), |g| g * 1.001);
+    check(Heisenberg::<3>, &Vector3::new(0.3, -0.5, 0.2), |g| g);
+    let x = Vector2::new(1.0, 2.0);
+    check(Se2, &Vector3::new(0.3, x.x, x.y), |mut g| {
+        g.rotation = nalgebra::UnitComplex::new_unchecked(g.rotation.into_inner() * 1.001);
+        g
+    });
+}

@@ -1,0 +1,162 @@
+//! What a million steps keep.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use affinor::dynamics::euler_poincare::{Free, Torque};
+use affinor::dynamics::integrators::kick::{FreeMotion, Order as KickOrder};
+use affinor::dynamics::integrators::splitting::Composition;
+use affinor::dynamics::moser_veselov::Order;
+use affinor::dynamics::{
+    CommutatorFree, CrouchGrossman, EulerPoincare, Inertia, Integrator, Kick, MoserVeselov,
+    MuntheKaas, SimoWong, Splitting, State,
+};
+use affinor::group::{LieGroup, Se3, Sl2, So3};
+use affinor::{Canonical, Connection, Metric};
+use affinor_tensors::{Down, Tensor};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3, Vector6};
+
+const MILLION: usize = 1_000_000;
+
+/// That of Hairer and Vilmart in axes that are not principal, and its metric.
+fn body() -> (Inertia, Metric<f64>) {
+    let axes = So3.exp(&Vector3::new(0.3, -0.8, 0.5)).to_rotation_matrix().into_inner();
+    let matrix = axes * Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0)) * axes.transpose();
+    let matrix = (matrix + matrix.transpose()) * 0.5;
+    let metric = Tensor::from_fn(3, [Down, Down], |[i, j]| matrix[(i, j)]).unwrap();
+    let metric = Metric::new(So3.algebra().unwrap().labels(), metric).unwrap();
+    (Inertia::new(&matrix).unwrap(), metric)
+}
+
+fn system<M: Torque<So3>>(metric: &Metric<f64>, torque: M) -> EulerPoincare<So3, M> {
+    let connection = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    EulerPoincare::new(So3, &connection, metric, torque).unwrap()
+}
+
+/// How far a run strays: the energy, relative, early (to step 20 000) and ever; the length of quaternions; the
+/// vertical part of the momentum in space, relative.
+#[derive(Debug)]
+struct Strayed {
+    early: f64,
+    most: f64,
+    length: f64,
+    vertical: f64,
+}
+
+fn run<M: Torque<So3>>(
+    method: &(impl Integrator<EulerPoincare<So3, M>> + ?Sized),
+    system: &EulerPoincare<So3, M>,
+    potential: impl Fn(&UnitQuaternion<f64>) -> f64,
+    steps: usize,
+) -> Strayed {
+    let start = So3.exp(&Vector3::new(0.5, 0.2, 0.1));
+    let start = system.state(0.0, start, &Vector3::new(3.0, 0.5, -0.9));
+    let energy = |state: &State<So3>| system.energy(state) + potential(&state.element);
+    let (first, mut state) = (energy(&start), start.clone());
+    let mut strayed = Strayed { early: 0.0, most: 0.0, length: 0.0, vertical: 0.0 };
+    for step in 0..steps {
+        method.step(system, &mut state, 0.05).unwrap();
+        strayed.length = strayed.length.max((state.element.norm() - 1.0).abs());
+        if step % 7 == 0 {
+            strayed.most = strayed.most.max((energy(&state) / first - 1.0).abs());
+        }
+        if step < 20_000 {
+            strayed.early = strayed.most;
+        }
+    }
+    strayed.vertical = (state.spatial.z / start.spatial.z - 1.0).abs();
+    if potential(&start.element) == 0.0 {
+        assert_eq!(state.spatial, start.spatial);
+    }
+    assert!(strayed.length < 2e-15, "{strayed:?}");
+    strayed
+}
+
+#[test]
+fn a_free_body_keeps_energy_and_momentum() {
+    let (inertia, metric) = body();
+    let system = system(&metric, Free);
+    let methods: [(&str, &dyn Integrator<EulerPoincare<So3, Free>>); 4] = [
+        ("DMV2", &MoserVeselov::new(&inertia, Order::Two)),
+        ("DMV6", &MoserVeselov::new(&inertia, Order::Six)),
+        ("DMV10", &MoserVeselov::new(&inertia, Order::Ten)),
+        ("Simo-Wong", &SimoWong::new(&inertia)),
+    ];
+    for (name, method) in methods {
+        let strayed = run(method, &system, |_| 0.0, MILLION);
+        assert!(strayed.most < 5e-13, "{name}: {strayed:?}");
+    }
+}
+
+#[test]
+fn the_energy_of_a_splitting_is_bounded() {
+    let (inertia, metric) = body();
+    let system = system(&metric, Free);
+    for (composition, bound) in [(Composition::Strang, 2e-3), (Composition::Suzuki, 3e-7)] {
+        let strayed = run(&Splitting::new(&inertia, composition), &system, |_| 0.0, MILLION);
+        let Strayed { early, most, .. } = strayed;
+        assert!(most < bound && most < 1.1 * early, "{composition:?}: {strayed:?}");
+    }
+}
+
+/// Methods for any group stay on it and keep the momentum; their energy drifts.
+#[test]
+fn methods_of_any_group_keep_the_momentum() {
+    let (_, metric) = body();
+    let system = system(&metric, Free);
+    let methods: [(&dyn Integrator<EulerPoincare<So3, Free>>, f64); 3] =
+        [(&MuntheKaas::RK4, 1e-3), (&CommutatorFree, 1e-3), (&CrouchGrossman, 0.1)];
+    for (method, bound) in methods {
+        let strayed = run(method, &system, |_| 0.0, MILLION / 5);
+        assert!(strayed.most < bound && strayed.most > 1.1 * strayed.early, "{strayed:?}");
+    }
+}
+
+#[test]
+fn a_body_in_a_potential() {
+    let (inertia, metric) = body();
+    let centre = Vector3::new(0.1, -0.2, 0.3);
+    let weight = move |_: f64, g: &UnitQuaternion<f64>, _: &Vector3<f64>| {
+        centre.cross(&g.inverse_transform_vector(&Vector3::new(0.0, 0.0, -2.0)))
+    };
+    let potential = |g: &UnitQuaternion<f64>| 2.0 * (g * centre).z;
+    let system = system(&metric, weight);
+    let kick = |order, motion| Kick::new(&inertia, order, motion);
+    let ten = FreeMotion::MoserVeselov(Order::Ten);
+    let methods: [(&str, &dyn Integrator<EulerPoincare<So3, _>>, usize, f64); 4] = [
+        ("kicks of order 2", &kick(KickOrder::Two, ten), MILLION, 5e-4),
+        ("kicks of order 2, exact", &kick(KickOrder::Two, FreeMotion::Exact), MILLION / 5, 5e-4),
+        ("kicks of order 4", &kick(KickOrder::Four, ten), MILLION / 5, 4e-10),
+        ("kicks of order 6", &kick(KickOrder::Six, ten), MILLION / 5, 5e-13),
+    ];
+    for (name, method, steps, bound) in methods {
+        let strayed = run(method, &system, potential, steps);
+        let Strayed { early, most, vertical, .. } = strayed;
+        assert!(most < bound && vertical < 1e-14, "{name}: {strayed:?}");
+        assert!(most < 1.1 * early + 5e-13, "{name}: {strayed:?}");
+    }
+    // symmetric and not symplectic: it wanders
+    let strayed = run(&SimoWong::new(&inertia), &system, potential, MILLION / 5);
+    assert!(strayed.most < 1e-3 && strayed.vertical < 1e-14, "{strayed:?}");
+}
+
+/// Elements of rigid motions and of SL(2) stay on their groups.
+#[test]
+fn elements_stay_on_the_group() {
+    fn end<G: LieGroup>(group: G, velocity: &G::Vector) -> G::Element {
+        let n = group.dimension();
+        let entry = |[i, j]: [usize; 2]| if i == j { 1.0 + 0.5 * i as f64 } else { 0.05 };
+        let algebra = group.algebra().unwrap();
+        let metric = Tensor::from_fn(n, [Down, Down], entry).unwrap();
+        let metric = Metric::new(algebra.labels(), metric).unwrap();
+        let connection = Connection::canonical(&algebra, Canonical::Plus);
+        let system = EulerPoincare::free(group, &connection, &metric).unwrap();
+        let mut state = system.state(0.0, system.group().identity(), velocity);
+        for _ in 0..MILLION / 10 {
+            CommutatorFree.step(&system, &mut state, 0.01).unwrap();
+        }
+        state.element
+    }
+    let pose = end(Se3, &Vector6::new(0.5, -0.3, 0.6, 0.4, 0.2, -0.5));
+    assert!((pose.rotation.norm() - 1.0).abs() < 2e-15);
+    let velocity = Vector3::new(0.2, -0.5, 0.1); // a turn and not a stretch
+    assert!((end(Sl2, &velocity).determinant() - 1.0).abs() < 1e-13);
+}
