@@ -13,10 +13,13 @@ pub mod euler_poincare;
 pub mod free_body;
 pub mod inertia;
 pub mod integrators;
+pub mod isospectral;
 pub mod moser_veselov;
 
 pub use euler_poincare::{EulerPoincare, State};
 pub use free_body::FreeBody;
 pub use inertia::{BodyState, Inertia};
 pub use integrators::{Adaptive, CommutatorFree, Integrator, MuntheKaas, System};
+pub use integrators::{Composed, IsospectralMidpoint};
+pub use isospectral::{Isospectral, Manakov, MatrixState, Toda, Zeitlin};
 pub use moser_veselov::MoserVeselov;

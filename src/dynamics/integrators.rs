@@ -2,10 +2,14 @@
 
 mod adaptive;
 mod commutator_free;
+mod composed;
+mod isospectral_midpoint;
 mod munthe_kaas;
 
 pub use adaptive::Adaptive;
 pub use commutator_free::CommutatorFree;
+pub use composed::Composed;
+pub use isospectral_midpoint::IsospectralMidpoint;
 pub use munthe_kaas::MuntheKaas;
 
 use crate::Error;
