@@ -34,6 +34,11 @@ pub trait Isospectral: System<State = MatrixState<Self::Entry>> {
 
     /// `B(L)`, of the shape of `L`.
     fn generator(&self, matrix: &DMatrix<Self::Entry>) -> DMatrix<Self::Entry>;
+
+    /// The sign of `L^* = L` or `L^* = -L`, if `B^* = -B` keeps one of them.
+    fn symmetry(&self) -> Option<f64> {
+        None
+    }
 }
 
 /// The flow of a function `B`.
@@ -157,6 +162,12 @@ fn checked<T: Entry>(
 /// How far from a symmetry a matrix may be by rounding, relatively.
 const ROUNDING: f64 = 1e-12;
 
+/// `(L + sign L^*)/2`.
+pub(super) fn symmetric_part<T: Entry>(matrix: &DMatrix<T>, sign: f64) -> DMatrix<T> {
+    let half = T::from_real(0.5);
+    matrix.zip_map(&matrix.adjoint(), |x, mirrored| (x + mirrored * T::from_real(sign)) * half)
+}
+
 /// The part of a matrix with `L = sign L^*`, if that is all of it.
 fn expect_symmetry<T: Entry>(
     law: &str,
@@ -169,7 +180,7 @@ fn expect_symmetry<T: Entry>(
         .max_by(|(_, x), (_, y)| x.modulus().total_cmp(&y.modulus()))
         .unwrap_or((0, &off[0]));
     if off[at].modulus() <= ROUNDING * largest(matrix) {
-        return Ok((matrix + mirrored) * T::from_real(0.5));
+        return Ok(symmetric_part(matrix, sign));
     }
     let (i, j) = (at % matrix.nrows(), at / matrix.nrows());
     let (one, other) = (matrix[(i, j)], matrix[(j, i)]);

@@ -2,7 +2,7 @@
 
 use super::Integrator;
 use crate::Error;
-use crate::dynamics::isospectral::{Entry, Isospectral, MatrixState, largest};
+use crate::dynamics::isospectral::{Entry, Isospectral, MatrixState, largest, symmetric_part};
 use nalgebra::ComplexField;
 
 /// The isospectral midpoint method: with `b = h B(X)/2`,
@@ -14,7 +14,8 @@ use nalgebra::ComplexField;
 /// Symmetric and of order 2. `L_(n+1)` is similar to `L_n` by Cayley's transform of `b`, so the spectrum stays, and
 /// with it every quadratic group that `B` is in: for `B` in so(n) or su(n) the flow stays symmetric, antisymmetric or
 /// antihermitian. For a Hamiltonian flow it is a Poisson map, and the energy is bounded. `X` comes by fixed-point
-/// iteration, a `B` and two products of matrices each, until it stands still: at most [`IsospectralMidpoint::ITERATIONS`].
+/// iteration, a `B` and two products of matrices each, until it stands still: at most [`IsospectralMidpoint::ITERATIONS`], which
+/// is for steps with `h` times the norm of `B` below about 1.
 ///
 /// K. Modin and M. Viviani, *Found. Comput. Math.* 20 (2020) 889-921 and *J. Fluid Mech.* 884 (2020) A22.
 ///
@@ -48,6 +49,11 @@ impl IsospectralMidpoint {
 impl<S: Isospectral> Integrator<S> for IsospectralMidpoint {
     fn step(&self, system: &S, state: &mut MatrixState<S::Entry>, h: f64) -> Result<(), Error> {
         let stopped = |reason: String| Err(Error::Integration { t: state.time, reason });
+        // rounding would leave the symmetry of L, and then grow
+        let kept = |matrix| match system.symmetry() {
+            Some(sign) => symmetric_part(&matrix, sign),
+            None => matrix,
+        };
         let start = &state.matrix;
         let size = largest(start);
         let mut middle = start.clone();
@@ -56,14 +62,14 @@ impl<S: Isospectral> Integrator<S> for IsospectralMidpoint {
             let b = system.generator(&middle) * S::Entry::from_real(0.5 * h);
             let product = S::Entry::product(&b, &middle);
             let left = &middle - &product;
-            let change = start - &left - S::Entry::product(&left, &b);
+            let change = kept(start - &left - S::Entry::product(&left, &b));
             let off = largest(&change);
             if !off.is_finite() {
                 return stopped("a value is not finite".into());
             }
-            // rounding is reached, or what is left no longer shrinks
-            if off <= f64::EPSILON * size || (off >= last && off <= NOISE * size) {
-                let bracket = &product - S::Entry::product(&middle, &b);
+            // what is left is rounding, and no longer shrinks
+            if off == 0.0 || (off >= last && off <= NOISE * size) {
+                let bracket = kept(product - S::Entry::product(&middle, &b));
                 state.matrix += bracket * S::Entry::from_real(2.0);
                 state.time += h;
                 return Ok(());

@@ -156,4 +156,8 @@ impl Isospectral for Manakov {
     fn generator(&self, momentum: &DMatrix<f64>) -> DMatrix<f64> {
         -self.velocity(momentum)
     }
+
+    fn symmetry(&self) -> Option<f64> {
+        Some(-1.0)
+    }
 }

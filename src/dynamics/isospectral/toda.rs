@@ -1,6 +1,8 @@
 //! The Toda lattice.
 
-use super::{Isospectral, MatrixState, checked, expect_square, expect_symmetry, spectrum};
+use super::{
+    Isospectral, MatrixState, checked, expect_square, expect_symmetry, spectrum, symmetric_part,
+};
 use crate::Error;
 use crate::dynamics::System;
 use crate::group::series::exp;
@@ -85,7 +87,7 @@ impl Toda {
             let signs = DMatrix::from_diagonal(&r.diagonal().map(f64::signum));
             let q = q * signs;
             matrix = q.tr_mul(&matrix) * q;
-            matrix = (&matrix + matrix.transpose()) * 0.5;
+            matrix = symmetric_part(&matrix, 1.0);
         }
         Ok(MatrixState { time, matrix })
     }
@@ -109,5 +111,9 @@ impl Isospectral for Toda {
             std::cmp::Ordering::Equal => 0.0,
             std::cmp::Ordering::Greater => -matrix[(j, i)],
         })
+    }
+
+    fn symmetry(&self) -> Option<f64> {
+        Some(1.0)
     }
 }

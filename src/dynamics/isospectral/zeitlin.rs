@@ -210,4 +210,8 @@ impl Isospectral for Zeitlin {
     fn generator(&self, vorticity: &Matrix) -> Matrix {
         self.stream(vorticity) / Complex::from(self.hbar)
     }
+
+    fn symmetry(&self) -> Option<f64> {
+        Some(-1.0)
+    }
 }
