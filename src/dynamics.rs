@@ -13,6 +13,7 @@ pub mod euler_poincare;
 pub mod free_body;
 pub mod inertia;
 pub mod integrators;
+pub mod isospectral;
 pub mod moser_veselov;
 mod principal;
 
@@ -21,4 +22,6 @@ pub use free_body::FreeBody;
 pub use inertia::{BodyState, Inertia};
 pub use integrators::{Adaptive, CommutatorFree, Integrator, MuntheKaas, System};
 pub use integrators::{CrouchGrossman, Kick, Linear, Magnus, Place, SimoWong, Splitting};
+pub use integrators::{Composed, IsospectralMidpoint};
+pub use isospectral::{Isospectral, Manakov, MatrixState, Toda, Zeitlin};
 pub use moser_veselov::MoserVeselov;

@@ -256,6 +256,12 @@ pub enum Error {
         /// What is wrong with it, with its witness.
         reason: String,
     },
+    /// Values that no state of a system has.
+    #[error("no state: {reason}")]
+    NoState {
+        /// What is wrong with them, with its witness.
+        reason: String,
+    },
     /// A point that coordinates do not reach.
     #[error("no {what}: {reason}")]
     NoCoordinates {
