@@ -11,6 +11,7 @@ mod escapes;
 mod file;
 mod group;
 mod input;
+mod mesh;
 mod notation;
 mod numbers;
 mod setting;
@@ -18,6 +19,7 @@ mod space;
 mod written;
 
 pub use input::{InputError, Place, Refusal, Source};
+pub use mesh::{mesh, read_mesh};
 pub use numbers::numbers;
 pub use space::{Request, ScalarChoice, Space, Work};
 

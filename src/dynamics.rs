@@ -3,7 +3,7 @@
 //! [`EulerPoincare`] is the system that a connection, a metric and a torque make on any group;
 //! [`integrators`] step it and stay on the group. [`FreeBody`] knows attitude and momentum of the free rigid
 //! body at any time, by elliptic functions and without steps; [`MoserVeselov`] makes steps of it that
-//! keep energy and momentum.
+//! keep energy and momentum. [`MassProperties`] are mass, centre and inertia of shapes, meshes and points.
 //!
 //! Attitudes map body to space components, `Rdot = R spin(Omega)`; momentum `H = J Omega` and velocity are in
 //! body components, `Hdot = H cross Omega` is (108) without torque, and `R H` is the momentum in space.
@@ -13,10 +13,12 @@ pub mod euler_poincare;
 pub mod free_body;
 pub mod inertia;
 pub mod integrators;
+pub mod mass;
 pub mod moser_veselov;
 
 pub use euler_poincare::{EulerPoincare, State};
 pub use free_body::FreeBody;
 pub use inertia::{BodyState, Inertia};
 pub use integrators::{Adaptive, CommutatorFree, Integrator, MuntheKaas, System};
+pub use mass::{MassProperties, Mesh};
 pub use moser_veselov::MoserVeselov;

@@ -256,6 +256,12 @@ pub enum Error {
         /// What is wrong with it, with its witness.
         reason: String,
     },
+    /// A surface that bounds no solid.
+    #[error("no solid: {reason}")]
+    NoSolid {
+        /// What is wrong with it, with its witness.
+        reason: String,
+    },
     /// A point that coordinates do not reach.
     #[error("no {what}: {reason}")]
     NoCoordinates {
