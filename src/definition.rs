@@ -11,6 +11,7 @@ mod escapes;
 mod file;
 mod group;
 mod input;
+mod mesh;
 mod notation;
 mod numbers;
 mod problem;
@@ -20,6 +21,7 @@ mod written;
 
 pub use group::GroupWork;
 pub use input::{InputError, Place, Refusal, Source};
+pub use mesh::{mesh, read_mesh};
 pub use numbers::numbers;
 pub use problem::{Column, Problem, Ready};
 pub use space::{Request, ScalarChoice, Space, Work};

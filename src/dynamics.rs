@@ -3,7 +3,7 @@
 //! [`EulerPoincare`] is the system that a connection, a metric and a torque make on any group;
 //! [`integrators`] step it and stay on the group. [`FreeBody`] knows attitude and momentum of the free rigid
 //! body at any time, by elliptic functions and without steps; [`MoserVeselov`] makes steps of it that
-//! keep energy and momentum.
+//! keep energy and momentum. [`MassProperties`] are mass, centre and inertia of shapes, meshes and points.
 //!
 //! Attitudes map body to space components, `Rdot = R spin(Omega)`; momentum `H = J Omega` and velocity are in
 //! body components, `Hdot = H cross Omega` is (108) without torque, and `R H` is the momentum in space.
@@ -14,6 +14,7 @@ pub mod free_body;
 pub mod inertia;
 pub mod integrators;
 pub mod isospectral;
+pub mod mass;
 pub mod moser_veselov;
 mod principal;
 
@@ -24,4 +25,5 @@ pub use integrators::{Adaptive, CommutatorFree, Integrator, MuntheKaas, System};
 pub use integrators::{CrouchGrossman, Kick, Linear, Magnus, Place, SimoWong, Splitting};
 pub use integrators::{Composed, IsospectralMidpoint};
 pub use isospectral::{Isospectral, Manakov, MatrixState, Toda, Zeitlin};
+pub use mass::{MassProperties, Mesh};
 pub use moser_veselov::MoserVeselov;

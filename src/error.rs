@@ -260,6 +260,10 @@ pub enum Error {
     #[error("no state: {reason}")]
     NoState {
         /// What is wrong with them, with its witness.
+    /// A surface that bounds no solid.
+    #[error("no solid: {reason}")]
+    NoSolid {
+        /// What is wrong with it, with its witness.
         reason: String,
     },
     /// A point that coordinates do not reach.

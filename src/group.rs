@@ -2,7 +2,7 @@
 //!
 //! A group implements [`LieGroup`]. In closed form there are [`So2`], [`So3`], [`Se2`], [`Se3`],
 //! [`Se23`], [`Sl2`] and [`Heisenberg`]; any nilpotent algebra has its [`Nilpotent`] group, any
-//! algebra of matrices its [`MatrixGroup`].
+//! algebra of matrices its [`MatrixGroup`]. [`Opposite`] makes right-invariant systems left-invariant ones.
 //!
 //! Vectors are components in the basis of the algebra, tangent vectors at `g` components in its
 //! left-invariant frame, so that `g x` for a matrix group is the left translate of `x`.
@@ -16,6 +16,7 @@ mod left_frame;
 mod logarithm;
 pub mod matrix_group;
 pub mod nilpotent;
+pub mod opposite;
 mod polynomial;
 pub mod rotation;
 mod screws;
@@ -35,6 +36,7 @@ pub(crate) use left_frame::expect_left_frame;
 pub(crate) use logarithm::logarithm;
 pub use matrix_group::MatrixGroup;
 pub use nilpotent::Nilpotent;
+pub use opposite::Opposite;
 pub use se2::Se2;
 pub use se3::Se3;
 pub use se23::{ExtendedPose, Se23};

@@ -8,8 +8,28 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::ops::Range;
 
-/// The most bytes a definition may have.
+/// The most bytes a file may have.
 const MAX_BYTES: u64 = 1 << 28;
+
+/// What a file holds, or standard input for `-`, with the name it goes by in messages.
+pub(super) fn bytes(path: &str) -> Result<(String, Vec<u8>), InputError> {
+    let name = match path {
+        "-" => "<standard input>".to_string(),
+        path => path.escape_debug().to_string(),
+    };
+    let mut bytes = Vec::new();
+    let length = match path {
+        "-" => io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes),
+        path => File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes)),
+    };
+    let length =
+        length.map_err(|error| InputError::usage(format!("cannot read {name}: {error}")))?;
+    if length as u64 > MAX_BYTES {
+        let message = format!("{name} has more than {MAX_BYTES} bytes");
+        return Err(InputError::usage(message));
+    }
+    Ok((name, bytes))
+}
 
 impl Definition {
     /// Reads a definition from a file, or from standard input for `-`.
@@ -48,21 +68,7 @@ impl Definition {
 /// # Errors
 /// What cannot be read, or is not UTF-8.
 pub(super) fn read(path: &str) -> Result<Source, InputError> {
-    let name = match path {
-        "-" => "<standard input>".to_string(),
-        path => path.escape_debug().to_string(),
-    };
-    let mut bytes = Vec::new();
-    let length = match path {
-        "-" => io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes),
-        path => File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes)),
-    };
-    let length =
-        length.map_err(|error| InputError::usage(format!("cannot read {name}: {error}")))?;
-    if length as u64 > MAX_BYTES {
-        let message = format!("{name} has more than {MAX_BYTES} bytes");
-        return Err(InputError::usage(message));
-    }
+    let (name, bytes) = bytes(path)?;
     decode(&name, &bytes)
 }
 
