@@ -260,6 +260,8 @@ pub enum Error {
     #[error("no state: {reason}")]
     NoState {
         /// What is wrong with them, with its witness.
+        reason: String,
+    },
     /// A surface that bounds no solid.
     #[error("no solid: {reason}")]
     NoSolid {

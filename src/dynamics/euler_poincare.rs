@@ -168,6 +168,20 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
         &self.group
     }
 
+    /// The same system with another torque.
+    pub fn clone_with<N: Torque<G>>(&self, torque: N) -> EulerPoincare<G, N>
+    where
+        G: Clone,
+    {
+        EulerPoincare {
+            group: self.group.clone(),
+            metric: self.metric.clone(),
+            inverse: self.inverse.clone(),
+            excess: self.excess.clone(),
+            torque,
+        }
+    }
+
     /// The torque.
     pub fn torque(&self) -> &M {
         &self.torque

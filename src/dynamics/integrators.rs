@@ -2,22 +2,22 @@
 
 mod adaptive;
 mod commutator_free;
+mod composed;
 mod crouch_grossman;
+mod isospectral_midpoint;
 pub mod kick;
 pub mod magnus;
-mod composed;
-mod isospectral_midpoint;
 mod munthe_kaas;
 mod simo_wong;
 pub mod splitting;
 
 pub use adaptive::Adaptive;
 pub use commutator_free::CommutatorFree;
+pub use composed::Composed;
 pub use crouch_grossman::CrouchGrossman;
+pub use isospectral_midpoint::IsospectralMidpoint;
 pub use kick::Kick;
 pub use magnus::{Linear, Magnus, Place};
-pub use composed::Composed;
-pub use isospectral_midpoint::IsospectralMidpoint;
 pub use munthe_kaas::MuntheKaas;
 pub use simo_wong::SimoWong;
 pub use splitting::Splitting;

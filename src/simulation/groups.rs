@@ -3,10 +3,15 @@
 use super::drive::Drive;
 use super::{Forces, Method, Simulated};
 use crate::Error;
+use crate::dynamics::euler_poincare::Free;
+use crate::dynamics::integrators::kick::FreeMotion;
 use crate::dynamics::{
-    BodyState, EulerPoincare, FreeBody, Inertia, Integrator, MoserVeselov, State,
+    BodyState, EulerPoincare, FreeBody, Inertia, Integrator, Kick, MoserVeselov, SimoWong,
+    Splitting, State,
 };
-use crate::group::{LieGroup, MatrixGroup, Nilpotent, Se2, Se3, Sl2, So2, So3};
+use crate::group::{
+    Coordinates, LieGroup, MatrixGroup, Nilpotent, Opposite, Se2, Se3, Sl2, So2, So3,
+};
 use nalgebra::{DMatrix, DVector};
 
 impl Simulated for So2 {
@@ -87,8 +92,16 @@ impl Simulated for So3 {
                     }))
                 }))
             }
-            Method::MoserVeselov(order) => {
-                let integrator = Box::new(Steps(MoserVeselov::new(inertia, order)));
+            Method::MoserVeselov(order) => free(MoserVeselov::new(inertia, order), system, step),
+            Method::Splitting(composition) => {
+                free(Splitting::new(inertia, composition), system, step)
+            }
+            Method::SimoWong => {
+                let integrator = Box::new(SimoWong::new(inertia));
+                Some(Ok(Drive::Fixed { integrator, step, leg: None }))
+            }
+            Method::Kick(order) => {
+                let integrator = Box::new(Kick::new(inertia, order, FreeMotion::Exact));
                 Some(Ok(Drive::Fixed { integrator, step, leg: None }))
             }
             _ => None,
@@ -96,19 +109,57 @@ impl Simulated for So3 {
     }
 }
 
-/// Steps of the free body.
-struct Steps(MoserVeselov);
+/// Steps of the body without its forces, of which there are none.
+fn free(
+    integrator: impl Integrator<EulerPoincare<So3, Free>> + Send + 'static,
+    system: &EulerPoincare<So3, Forces<So3>>,
+    step: f64,
+) -> Option<Result<Drive<So3>, Error>> {
+    let integrator = Box::new(Unforced { system: system.clone_with(Free), integrator });
+    Some(Ok(Drive::Fixed { integrator, step, leg: None }))
+}
 
-impl Integrator<EulerPoincare<So3, Forces<So3>>> for Steps {
+/// A method for the system without forces.
+struct Unforced<I> {
+    system: EulerPoincare<So3, Free>,
+    integrator: I,
+}
+
+impl<I> Integrator<EulerPoincare<So3, Forces<So3>>> for Unforced<I>
+where
+    I: Integrator<EulerPoincare<So3, Free>>,
+{
     fn step(
         &self,
-        system: &EulerPoincare<So3, Forces<So3>>,
+        _: &EulerPoincare<So3, Forces<So3>>,
         state: &mut State<So3>,
         h: f64,
     ) -> Result<(), Error> {
-        let body = BodyState { attitude: state.element, momentum: system.momentum(state) };
-        let next = self.0.step(&body, h)?;
-        *state = State { time: state.time + h, element: next.attitude, ..state.clone() };
-        Ok(())
+        self.integrator.step(&self.system, state, h)
+    }
+}
+
+/// What is said of an element stays; its derivatives along right-invariant fields are those of `exp(s e_i) g`.
+impl<G: Simulated> Simulated for Opposite<G> {
+    const RIGHT: bool = true;
+    const NAMED: &'static [&'static str] = G::NAMED;
+
+    fn named(&self, g: &Self::Element) -> Vec<f64> {
+        self.0.named(g)
+    }
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        self.0.generators()
+    }
+
+    fn slopes(&self, g: &Self::Element, generators: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
+        let slopes = self.0.slopes(g, generators);
+        // e_i in the left frame at g is Ad_g^-1 e_i
+        let column = |e: &Self::Vector| {
+            let turned = self.adjoint(g, e);
+            let terms = slopes.iter().zip(turned.components());
+            terms.fold(&slopes[0] * 0.0, |sum, (slope, share)| sum + slope * *share)
+        };
+        self.basis().iter().map(column).collect()
     }
 }

@@ -3,7 +3,9 @@
 use super::drive::{Drive, Memory};
 use super::quantities::Scope;
 use super::{Forces, Method, Motion, Point, Simulated, Snapshot};
-use crate::dynamics::{Adaptive, CommutatorFree, EulerPoincare, MuntheKaas, State};
+use crate::dynamics::integrators::kick;
+use crate::dynamics::moser_veselov::Order;
+use crate::dynamics::{Adaptive, CommutatorFree, CrouchGrossman, EulerPoincare, MuntheKaas, State};
 use crate::formula::Formula;
 use crate::group::Coordinates;
 use crate::{Connection, Error, Metric};
@@ -42,15 +44,22 @@ pub fn on_group<G: Simulated>(
     setup: Setup<G>,
 ) -> Result<(Box<dyn Motion>, Method), Error> {
     let inertia = crate::dense::to_dmatrix(setup.metric.components())?;
-    let free_body = setup.forces.is_empty() && is_plus(setup.connection);
-    let body = group.body(&inertia).filter(|_| free_body);
+    let body = group.body(&inertia).filter(|_| is_plus(setup.connection));
+    let free = setup.forces.is_empty();
     let method = setup.method.unwrap_or(match (&body, setup.step) {
-        (Some(_), None) => Method::Exact,
-        (Some(_), Some(_)) => Method::MoserVeselov(crate::dynamics::moser_veselov::Order::Ten),
-        (None, None) => Method::Adaptive,
-        (None, Some(_)) => Method::MuntheKaas,
+        (Some(_), None) if free => Method::Exact,
+        (_, None) => Method::Adaptive,
+        (Some(_), Some(_)) if free => Method::MoserVeselov(Order::Ten),
+        (Some(_), Some(_)) if setup.forces.are_conservative() => Method::Kick(kick::Order::Four),
+        (_, Some(_)) => Method::MuntheKaas,
     });
     let refused = |reason: &str| Error::NoMethod { method: method.name(), reason: reason.into() };
+    let needed = match method {
+        Method::Exact | Method::MoserVeselov(_) | Method::Splitting(_) => "no forces",
+        Method::Kick(_) => "forces that depend on no velocity",
+        _ => "",
+    };
+    let has = needed.is_empty() || free || (needed != "no forces" && setup.forces.are_positional());
     let system = EulerPoincare::new(group.clone(), setup.connection, setup.metric, setup.forces)?;
     let start = system.state_with_momentum(setup.time, setup.element, &setup.momentum);
     let step = match setup.step {
@@ -62,16 +71,19 @@ pub fn on_group<G: Simulated>(
     let drive = match method {
         Method::MuntheKaas => fixed(Box::new(MuntheKaas::RK4)),
         Method::CommutatorFree => fixed(Box::new(CommutatorFree)),
+        Method::CrouchGrossman => fixed(Box::new(CrouchGrossman)),
         Method::Adaptive => {
             let control = Adaptive::new(setup.tolerance);
             Drive::Adaptive { control, next: control.first_step() }
         }
-        Method::Exact | Method::MoserVeselov(_) => {
-            let inertia = body.ok_or_else(|| {
-                refused("it is for the free rigid body: so(3), connection plus, no forces")
-            })??;
-            let own = group.own_drive(method, &system, &inertia, &start, step);
-            own.ok_or_else(|| refused("it is not for this group"))??
+        _ => {
+            let inertia =
+                body.ok_or_else(|| refused("it is for a body: so(3), connection plus"))?;
+            if !has {
+                return Err(refused(&format!("it asks for {needed}")));
+            }
+            let own = group.own_drive(method, &system, &inertia?, &start, step);
+            own.ok_or_else(|| refused("it is not for equations of motion on a group"))??
         }
     };
     let columns = setup.columns;

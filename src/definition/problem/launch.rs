@@ -6,7 +6,7 @@ use crate::definition::input::shown;
 use crate::definition::{Definition, InputError, Reading};
 use crate::dense::to_dmatrix;
 use crate::formula::Formula;
-use crate::group::{Coordinates, rotation};
+use crate::group::{Coordinates, Opposite, rotation};
 use crate::simulation::quantities::Scope;
 use crate::simulation::{Forces, Setup, Side, Simulated, on_group};
 use crate::{Canonical, Connection};
@@ -38,6 +38,12 @@ impl GroupWork for Launch<'_> {
     type Output = Ready;
 
     fn run<G: Simulated>(self, group: G) -> Result<Ready, InputError> {
+        if self.problem.right { self.ready(Opposite(group)) } else { self.ready(group) }
+    }
+}
+
+impl Launch<'_> {
+    fn ready<G: Simulated>(&self, group: G) -> Result<Ready, InputError> {
         let ground = self.definition.ground(self.reading)?;
         let metric = self.definition.metric(&ground, self.reading)?;
         let metric = metric.ok_or_else(|| {
@@ -45,8 +51,10 @@ impl GroupWork for Launch<'_> {
             error.help("give metric = \"diag(..)\", or rows")
         })?;
         let connection = if self.definition.connection_is_default() {
-            let algebra = ground.algebra_for("an Euler-Poincare system")?;
-            Connection::canonical(algebra, Canonical::Plus)
+            Connection::canonical(&group.algebra()?, Canonical::Plus)
+        } else if G::RIGHT {
+            let message = "right-invariant equations have the connection plus of their own frame";
+            return Err(InputError::usage(message).help("name no connection"));
         } else {
             self.definition.geometry_over(ground, self.reading)?.connection().clone()
         };
@@ -73,9 +81,7 @@ impl GroupWork for Launch<'_> {
         let (motion, method) = on_group(group, setup)?;
         Ok(Ready { motion, method, columns })
     }
-}
 
-impl Launch<'_> {
     fn forces<G: Simulated>(&self, forces: &mut Forces<G>) -> Result<(), InputError> {
         for force in &self.problem.forces {
             let added = forces.add(force.side, force.index, &force.written.text);
