@@ -2,17 +2,22 @@
 //!
 //! A [`Motion`] is a system, a state and a way to go on; it is all that a program that writes rows,
 //! shows progress and can be interrupted has to know. [`on_group`] makes one of an Euler-Poincare system with
-//! [`Forces`].
+//! [`Forces`], [`on_given`] of a velocity over time, [`on_matrices`] of an isospectral flow.
 
 mod drive;
 pub mod forces;
+mod given;
 mod groups;
+mod matrices;
 pub mod method;
 mod on_group;
+mod pace;
 pub mod quantities;
 pub mod table;
 
 pub use forces::{Forces, Point, Side};
+pub use given::{GivenVelocity, on_given};
+pub use matrices::{MatrixFlow, on_matrices};
 pub use method::Method;
 pub use on_group::{Setup, on_group};
 pub use table::Table;
@@ -61,6 +66,17 @@ pub trait Motion: Send {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct Snapshot(serde_json::Value);
+
+impl Snapshot {
+    fn of(numbers: &impl Serialize) -> Result<Self, Error> {
+        let value = serde_json::to_value(numbers);
+        value.map(Snapshot).map_err(|error| Error::Snapshot { reason: error.to_string() })
+    }
+
+    fn read<T: DeserializeOwned>(&self) -> Result<T, Error> {
+        T::deserialize(&self.0).map_err(|error| Error::Snapshot { reason: error.to_string() })
+    }
+}
 
 /// A group on which motions are simulated.
 pub trait Simulated:

@@ -6,6 +6,7 @@
 mod ensemble;
 mod keys;
 mod launch;
+mod matrices;
 
 use super::input::{InputError, Place, Source, shown};
 use super::{Space, file, numbers};
@@ -14,6 +15,7 @@ use crate::simulation::{Method, Motion, Side, Table};
 use affinor_tensors::Tolerance;
 use ensemble::Ensemble;
 use launch::Launch;
+use matrices::Matrices;
 use std::path::Path;
 
 /// A problem of motion.
@@ -22,14 +24,8 @@ pub struct Problem {
     /// What it is called.
     pub name: String,
     source: Source,
-    space: Space,
-    /// Whether the metric is right-invariant.
-    right: bool,
     parameters: Vec<(String, f64)>,
-    start: Start,
-    forces: Vec<Force>,
-    potential: Option<Written>,
-    table: Option<(Side, Table)>,
+    kind: Kind,
     /// The method, unless that of the class of the problem is taken.
     pub method: Option<Method>,
     step: Option<Value>,
@@ -38,9 +34,28 @@ pub struct Problem {
     pub times: Vec<f64>,
     columns: Vec<Written>,
     quantities: Vec<(String, Written)>,
+    ensemble: Option<Ensemble>,
+}
+
+#[derive(Clone, Debug)]
+enum Kind {
+    Group(Box<OnGroup>),
+    Matrices(Matrices),
+}
+
+/// A system on a group.
+#[derive(Clone, Debug)]
+struct OnGroup {
+    space: Space,
+    /// Whether the metric is right-invariant.
+    right: bool,
+    element: StartElement,
+    course: Course,
+    forces: Vec<Force>,
+    potential: Option<Written>,
+    table: Option<(Side, Table)>,
     /// Polynomials in `mu1`, `mu2`, ...
     casimirs: Vec<String>,
-    ensemble: Option<Ensemble>,
 }
 
 /// A text with its place.
@@ -66,13 +81,6 @@ struct Force {
 }
 
 #[derive(Clone, Debug)]
-struct Start {
-    time: f64,
-    element: StartElement,
-    velocity: StartVelocity,
-}
-
-#[derive(Clone, Debug)]
 enum StartElement {
     Identity,
     /// Canonical coordinates `x` of `exp(x)`.
@@ -83,11 +91,15 @@ enum StartElement {
     Pose(Vec<Value>, Vec<Value>, Place),
 }
 
-/// In the frame of the equations, or in the other.
+/// What makes the element move.
 #[derive(Clone, Debug)]
-enum StartVelocity {
+enum Course {
+    /// Equations of motion, from this velocity,
     Velocity(Side, Vec<Value>),
+    /// or from this momentum.
     Momentum(Side, Vec<Value>),
+    /// A velocity over time.
+    Given(Side, Vec<Written>),
 }
 
 /// A motion, ready to go.
@@ -208,7 +220,14 @@ impl Problem {
                 None => parameters.push((name.into(), value)),
             }
         }
-        let mut space = self.space.clone();
+        let on_group = match &self.kind {
+            Kind::Matrices(matrices) => {
+                let values: Vec<f64> = parameters.iter().map(|(_, value)| *value).collect();
+                return matrices.motion(self, &values);
+            }
+            Kind::Group(on_group) => on_group,
+        };
+        let mut space = on_group.space.clone();
         let of_space = space.definition.parameters();
         let set = parameters.iter().filter(|(name, _)| of_space.contains(name));
         let set: Vec<String> = set.map(|(name, value)| format!("{name}={value:?}")).collect();
@@ -216,7 +235,7 @@ impl Problem {
             space.set(&set.join(","), &[])?;
         }
         space.in_floats(Tolerance::default(), |definition, reading| {
-            let launch = Launch { problem: self, parameters, definition, reading };
+            let launch = Launch { problem: self, on_group, parameters, definition, reading };
             definition.on_group(reading, launch)
         })
     }

@@ -8,7 +8,8 @@ pub(super) fn write(head: &Head, rows: &mut Rows, out: &mut dyn Write) -> io::Re
     for row in rows {
         for (at, value) in row?.iter().enumerate() {
             let before = if at == 0 { "" } else { "," };
-            write!(out, "{before}{value:?}")?;
+            let text = format!("{value:?}");
+            write!(out, "{before}{}", text.strip_suffix(".0").unwrap_or(&text))?;
         }
         writeln!(out)?;
     }

@@ -1,12 +1,10 @@
 //! Ways to go on: steps of one length, steps under control, or all at once.
 
+use super::pace::Pace;
 use super::{Forces, Simulated};
 use crate::Error;
 use crate::dynamics::{Adaptive, EulerPoincare, Integrator, State};
 use serde::{Deserialize, Serialize};
-
-/// The most steps on the way to one time.
-const MAX_STEPS: f64 = 1e12;
 
 /// How a motion goes on.
 pub enum Drive<G: Simulated> {
@@ -14,10 +12,8 @@ pub enum Drive<G: Simulated> {
     Fixed {
         /// The method.
         integrator: Box<dyn Integrator<EulerPoincare<G, Forces<G>>> + Send>,
-        /// The most that a step may be.
-        step: f64,
-        /// The way that was begun.
-        leg: Option<Leg>,
+        /// The lengths of steps.
+        pace: Pace,
     },
     /// Steps as long as a tolerance allows.
     Adaptive {
@@ -30,20 +26,11 @@ pub enum Drive<G: Simulated> {
     Exact(Box<dyn Fn(f64) -> State<G> + Send>),
 }
 
-/// Equal steps from one time to another.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Leg {
-    from: f64,
-    until: f64,
-    count: u64,
-    taken: u64,
-}
-
 /// What a drive remembers.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Memory {
     /// The way that was begun.
-    Leg(Option<Leg>),
+    Pace(Pace),
     /// The next step to try.
     Next(f64),
     /// Nothing.
@@ -64,16 +51,8 @@ impl<G: Simulated> Drive<G> {
         match self {
             Drive::Exact(at) => *state = at(until),
             Drive::Adaptive { control, next } => control.step(system, state, next, until)?,
-            Drive::Fixed { integrator, step, leg } => {
-                let way = match leg.filter(|leg| leg.until == until) {
-                    Some(leg) => leg,
-                    None => Leg::new(state.time, until, *step)?,
-                };
-                let h = (way.until - way.from) / way.count as f64;
-                integrator.step(system, state, h)?;
-                let taken = way.taken + 1;
-                state.time = if taken == way.count { until } else { way.from + h * taken as f64 };
-                *leg = (taken < way.count).then_some(Leg { taken, ..way });
+            Drive::Fixed { integrator, pace } => {
+                state.time = pace.step(state.time, until, |h| integrator.step(system, state, h))?;
             }
         }
         Ok(state.time == until)
@@ -82,7 +61,7 @@ impl<G: Simulated> Drive<G> {
     /// What it remembers.
     pub fn memory(&self) -> Memory {
         match self {
-            Drive::Fixed { leg, .. } => Memory::Leg(*leg),
+            Drive::Fixed { pace, .. } => Memory::Pace(*pace),
             Drive::Adaptive { next, .. } => Memory::Next(*next),
             Drive::Exact(_) => Memory::None,
         }
@@ -91,23 +70,11 @@ impl<G: Simulated> Drive<G> {
     /// Takes back what it remembered; whether that was of its kind.
     pub fn remember(&mut self, memory: Memory) -> bool {
         match (self, memory) {
-            (Drive::Fixed { leg, .. }, Memory::Leg(saved)) => *leg = saved,
+            (Drive::Fixed { pace, .. }, Memory::Pace(saved)) => *pace = saved,
             (Drive::Adaptive { next, .. }, Memory::Next(saved)) => *next = saved,
             (Drive::Exact(_), Memory::None) => {}
             _ => return false,
         }
         true
-    }
-}
-
-impl Leg {
-    fn new(from: f64, until: f64, step: f64) -> Result<Self, Error> {
-        // a whole number of steps is not spoilt by rounding
-        let count = ((until - from).abs() / step - 1e-9).ceil().max(1.0);
-        if !(count <= MAX_STEPS) {
-            let reason = format!("{count:e} steps are too many to t = {until}");
-            return Err(Error::Integration { t: from, reason });
-        }
-        Ok(Leg { from, until, count: count as u64, taken: 0 })
     }
 }

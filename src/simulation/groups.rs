@@ -1,6 +1,7 @@
 //! The groups on which motions are simulated.
 
 use super::drive::Drive;
+use super::pace::Pace;
 use super::{Forces, Method, Simulated};
 use crate::Error;
 use crate::dynamics::euler_poincare::Free;
@@ -98,11 +99,11 @@ impl Simulated for So3 {
             }
             Method::SimoWong => {
                 let integrator = Box::new(SimoWong::new(inertia));
-                Some(Ok(Drive::Fixed { integrator, step, leg: None }))
+                Some(Ok(Drive::Fixed { integrator, pace: Pace::new(step) }))
             }
             Method::Kick(order) => {
                 let integrator = Box::new(Kick::new(inertia, order, FreeMotion::Exact));
-                Some(Ok(Drive::Fixed { integrator, step, leg: None }))
+                Some(Ok(Drive::Fixed { integrator, pace: Pace::new(step) }))
             }
             _ => None,
         }
@@ -116,7 +117,7 @@ fn free(
     step: f64,
 ) -> Option<Result<Drive<So3>, Error>> {
     let integrator = Box::new(Unforced { system: system.clone_with(Free), integrator });
-    Some(Ok(Drive::Fixed { integrator, step, leg: None }))
+    Some(Ok(Drive::Fixed { integrator, pace: Pace::new(step) }))
 }
 
 /// A method for the system without forces.

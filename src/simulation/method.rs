@@ -28,13 +28,13 @@ pub enum Method {
     Kick(kick::Order),
     /// Magnus, for a given velocity.
     Magnus(u32),
-    /// The isospectral midpoint rule, for flows of matrices.
-    Isospectral,
+    /// The isospectral midpoint rule of order 2, or composed to order 4, for flows of matrices.
+    Isospectral(u32),
 }
 
 impl Method {
     /// All of them.
-    pub const ALL: [Method; 18] = [
+    pub const ALL: [Method; 20] = [
         Method::Exact,
         Method::Adaptive,
         Method::MuntheKaas,
@@ -53,6 +53,8 @@ impl Method {
         Method::Kick(kick::Order::Six),
         Method::Magnus(4),
         Method::Magnus(6),
+        Method::Isospectral(2),
+        Method::Isospectral(4),
     ];
 
     /// The name in problems.
@@ -76,7 +78,8 @@ impl Method {
             Method::Kick(kick::Order::Six) => "kick6",
             Method::Magnus(4) => "magnus4",
             Method::Magnus(_) => "magnus6",
-            Method::Isospectral => "isospectral-midpoint",
+            Method::Isospectral(2) => "isospectral2",
+            Method::Isospectral(_) => "isospectral4",
         }
     }
 
@@ -93,7 +96,7 @@ impl Method {
             Method::Kick(_) => "a body in a potential, with a step",
             Method::Adaptive => "any group and any forces, to a tolerance",
             Method::Magnus(_) => "a velocity given over time",
-            Method::Isospectral => "a flow of matrices that keeps their spectrum",
+            Method::Isospectral(_) => "a flow of matrices that keeps their spectrum",
             _ => "any group and any forces, with a step",
         }
     }

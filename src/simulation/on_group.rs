@@ -1,6 +1,7 @@
 //! Euler-Poincare systems with forces as motions.
 
 use super::drive::{Drive, Memory};
+use super::pace::Pace;
 use super::quantities::Scope;
 use super::{Forces, Method, Motion, Point, Simulated, Snapshot};
 use crate::dynamics::integrators::kick;
@@ -67,7 +68,7 @@ pub fn on_group<G: Simulated>(
         None if method.has_steps() => return Err(refused("it needs a step")),
         None => 0.0,
     };
-    let fixed = |integrator| Drive::Fixed { integrator, step, leg: None };
+    let fixed = |integrator| Drive::Fixed { integrator, pace: Pace::new(step) };
     let drive = match method {
         Method::MuntheKaas => fixed(Box::new(MuntheKaas::RK4)),
         Method::CommutatorFree => fixed(Box::new(CommutatorFree)),
@@ -143,24 +144,20 @@ impl<G: Simulated> Motion for OnGroup<G> {
     }
 
     fn save(&self) -> Result<Snapshot, Error> {
-        let saved = Saved {
+        Snapshot::of(&Saved {
             time: self.state.time,
             element: &self.state.element,
             spatial: self.state.spatial.components().to_vec(),
             memory: self.drive.memory(),
             steps: self.steps,
-        };
-        let value = serde_json::to_value(&saved);
-        value.map(Snapshot).map_err(|error| Error::Snapshot { reason: error.to_string() })
+        })
     }
 
     fn restore(&mut self, snapshot: &Snapshot) -> Result<(), Error> {
-        let refused = |reason: String| Error::Snapshot { reason };
-        let saved: Saved<G::Element> =
-            Saved::deserialize(&snapshot.0).map_err(|error| refused(error.to_string()))?;
+        let saved: Saved<G::Element> = snapshot.read()?;
         let n = self.system.group().dimension();
         if saved.spatial.len() != n || !self.drive.remember(saved.memory) {
-            return Err(refused("it is of another motion".into()));
+            return Err(Error::Snapshot { reason: "it is of another motion".into() });
         }
         let spatial = G::Vector::from_components(&saved.spatial);
         self.state = State { time: saved.time, element: saved.element, spatial };

@@ -1,7 +1,8 @@
 //! The keys of a problem, and what they say.
 
 use super::ensemble::{Distribution, Ensemble, MAX_MEMBERS};
-use super::{Force, Problem, Start, StartElement, StartVelocity, Value, Written};
+use super::matrices::{Flow, Matrices};
+use super::{Course, Force, Kind, OnGroup, Problem, StartElement, Value, Written};
 use crate::definition::document::Document;
 use crate::definition::input::{InputError, Place, Source, shown};
 use crate::definition::notation::check_name;
@@ -38,7 +39,11 @@ pub(super) struct Keys<'t> {
     #[serde(borrow)]
     parameters: Option<NumbersText<'t>>,
     #[serde(borrow)]
+    flow: Option<FlowKeys<'t>>,
+    #[serde(borrow, default)]
     initial: InitialKeys<'t>,
+    #[serde(borrow)]
+    given: Option<GivenKeys<'t>>,
     #[serde(borrow, default)]
     forces: ForceKeys<'t>,
     #[serde(borrow, default)]
@@ -52,6 +57,35 @@ pub(super) struct Keys<'t> {
 }
 
 #[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FlowKeys<'t> {
+    #[serde(borrow)]
+    kind: Text<'t>,
+    #[serde(borrow)]
+    positions: Option<Vec<Number<'t>>>,
+    #[serde(borrow)]
+    momenta: Option<Vec<Number<'t>>>,
+    #[serde(borrow)]
+    masses: Option<Vec<Number<'t>>>,
+    #[serde(borrow)]
+    momentum: Option<Vec<Vec<Number<'t>>>>,
+    size: Option<usize>,
+    #[serde(borrow)]
+    modes: Option<Vec<Vec<Number<'t>>>>,
+    seed: Option<u64>,
+    degree: Option<usize>,
+}
+
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct GivenKeys<'t> {
+    #[serde(borrow)]
+    velocity: Option<Vec<Number<'t>>>,
+    #[serde(borrow)]
+    space_velocity: Option<Vec<Number<'t>>>,
+}
+
+#[derive(serde::Deserialize, Default)]
 #[serde(deny_unknown_fields)]
 struct InitialKeys<'t> {
     #[serde(borrow)]
@@ -218,8 +252,8 @@ impl<'t> Keys<'t> {
         let default = Number(Text("1e-10".into()));
         let tolerance = reader.value(self.integrator.tolerance.as_ref().unwrap_or(&default))?;
         let step = self.integrator.step.as_ref().map(|step| reader.value(step)).transpose()?;
-        let start = self.initial.start(&reader)?;
-        let times = self.output.times(start.time, &reader)?;
+        let time = self.initial.time.as_ref().map_or(Ok(0.0), |time| reader.number(time))?;
+        let times = self.output.times(time, &reader)?;
         let columns = match &self.output.columns {
             Some(columns) => columns.iter().map(|column| reader.written(column)).collect(),
             None => COLUMNS.map(|name| reader.written(&Text(name.into()))).to_vec(),
@@ -230,31 +264,57 @@ impl<'t> Keys<'t> {
             Ok((name.0.to_string(), reader.written(text)))
         });
         let quantities = quantities.collect::<Result<_, InputError>>()?;
-        let forces = self.forces.forces(&reader);
-        let table = self.forces.table(source, folder)?;
-        let potential = self.forces.potential.as_ref().map(|text| reader.written(text));
         let name = self.name.clone().unwrap_or_else(|| stem(&source.name));
-        let space = self.space(source, folder)?;
-        let casimirs = casimirs(&space);
+        let kind = match &self.flow {
+            Some(flow) => {
+                Kind::Matrices(Matrices { flow: flow.flow(&reader)?, place: source.key("flow") })
+            }
+            None => {
+                let (forces, potential) = (self.forces.forces(&reader), &self.forces.potential);
+                let potential = potential.as_ref().map(|text| reader.written(text));
+                let table = self.forces.table(source, folder)?;
+                let element = self.initial.element(&reader)?;
+                let course = self.course(&reader)?;
+                let space = self.space(source, folder)?;
+                let casimirs = casimirs(&space);
+                Kind::Group(Box::new(OnGroup {
+                    space,
+                    right,
+                    element,
+                    course,
+                    forces,
+                    potential,
+                    table,
+                    casimirs,
+                }))
+            }
+        };
         Ok(Problem {
             name,
             source: source.clone(),
-            space,
-            right,
             parameters,
-            start,
-            forces,
-            potential,
-            table,
+            kind,
             method,
             step,
             tolerance,
             times,
             columns,
             quantities,
-            casimirs,
             ensemble,
         })
+    }
+
+    fn course(&self, reader: &Reader) -> Result<Course, InputError> {
+        let Some(given) = &self.given else { return self.initial.course(reader) };
+        let written = |list: &Vec<Number>| list.iter().map(|n| reader.written(&n.0)).collect();
+        match (&given.velocity, &given.space_velocity) {
+            (Some(list), None) => Ok(Course::Given(Side::Body, written(list))),
+            (None, Some(list)) => Ok(Course::Given(Side::Space, written(list))),
+            _ => {
+                let message = "give one of velocity, space_velocity";
+                Err(InputError::usage(message).at(&reader.source.key("given")))
+            }
+        }
     }
 
     fn space(self, source: &Source, folder: &Path) -> Result<Space, InputError> {
@@ -311,9 +371,8 @@ fn casimirs(space: &Space) -> Vec<String> {
 }
 
 impl InitialKeys<'_> {
-    fn start(&self, reader: &Reader) -> Result<Start, InputError> {
+    fn element(&self, reader: &Reader) -> Result<StartElement, InputError> {
         let source = reader.source;
-        let time = self.time.as_ref().map_or(Ok(0.0), |time| reader.number(time))?;
         let element = match (&self.element, &self.coordinates, &self.quaternion) {
             (None, None, None) => StartElement::Identity,
             (Some(rows), None, None) => {
@@ -336,6 +395,12 @@ impl InitialKeys<'_> {
             let message = "a position stands beside a quaternion";
             return Err(InputError::usage(message).at(&source.key("position")));
         }
+        Ok(element)
+    }
+
+    /// The velocity or the momentum.
+    fn course(&self, reader: &Reader) -> Result<Course, InputError> {
+        let source = reader.source;
         let given = [
             self.velocity.as_ref().map(|v| (true, Side::Body, v)),
             self.space_velocity.as_ref().map(|v| (true, Side::Space, v)),
@@ -343,21 +408,61 @@ impl InitialKeys<'_> {
             self.space_momentum.as_ref().map(|h| (false, Side::Space, h)),
         ];
         let mut given = given.into_iter().flatten();
-        let velocity = match (given.next(), given.next()) {
-            (Some((true, side, v)), None) => StartVelocity::Velocity(side, reader.values(v)?),
-            (Some((false, side, h)), None) => StartVelocity::Momentum(side, reader.values(h)?),
+        let help = "give one of velocity, momentum, space_velocity, space_momentum";
+        match (given.next(), given.next()) {
+            (Some((true, side, v)), None) => Ok(Course::Velocity(side, reader.values(v)?)),
+            (Some((false, side, h)), None) => Ok(Course::Momentum(side, reader.values(h)?)),
             (None, _) => {
                 let error = InputError::usage("there is no velocity at the start");
-                let help = "give one of velocity, momentum, space_velocity, space_momentum";
-                return Err(error.at(&source.key("initial")).help(help));
+                Err(error.at(&source.key("initial")).help(help))
             }
             (Some(_), Some(_)) => {
-                let message = "the velocity is given more than once";
-                let help = "give one of velocity, momentum, space_velocity, space_momentum";
-                return Err(InputError::usage(message).at(&source.key("initial")).help(help));
+                let error = InputError::usage("the velocity is given more than once");
+                Err(error.at(&source.key("initial")).help(help))
             }
+        }
+    }
+}
+
+impl FlowKeys<'_> {
+    fn flow(&self, reader: &Reader) -> Result<Flow, InputError> {
+        let source = reader.source;
+        let missing = |keys: &str| {
+            let message = format!("the flow {} needs {keys}", shown(&self.kind.0));
+            InputError::usage(message).at(&source.key("flow"))
         };
-        Ok(Start { time, element, velocity })
+        let rows = |rows: &Vec<Vec<Number>>| -> Result<Vec<Vec<Value>>, InputError> {
+            rows.iter().map(|row| reader.values(row)).collect()
+        };
+        match &*self.kind.0 {
+            "toda" => {
+                let both = self.positions.as_ref().zip(self.momenta.as_ref());
+                let (positions, momenta) = both.ok_or_else(|| missing("positions and momenta"))?;
+                let (positions, momenta) = (reader.values(positions)?, reader.values(momenta)?);
+                Ok(Flow::Toda { positions, momenta })
+            }
+            "manakov" => {
+                let both = self.masses.as_ref().zip(self.momentum.as_ref());
+                let (masses, momentum) = both.ok_or_else(|| missing("masses and momentum"))?;
+                Ok(Flow::Manakov { masses: reader.values(masses)?, momentum: rows(momentum)? })
+            }
+            "zeitlin" => {
+                let size = self.size.ok_or_else(|| missing("a size"))?;
+                match (&self.modes, self.seed) {
+                    (Some(modes), None) => Ok(Flow::Zeitlin { size, modes: rows(modes)? }),
+                    (None, Some(seed)) => {
+                        let degree = self.degree.ok_or_else(|| missing("a degree"))?;
+                        Ok(Flow::RandomZeitlin { size, seed, degree })
+                    }
+                    _ => Err(missing("modes, or else a seed and a degree")),
+                }
+            }
+            other => {
+                let message = format!("`{}` is no flow", shown(other));
+                let error = InputError::usage(message).at(&source.whole(&self.kind.0));
+                Err(error.help("the flows are toda, manakov, zeitlin"))
+            }
+        }
     }
 }
 

@@ -1,14 +1,17 @@
 //! A problem put on its group: from values of the parameters to a motion.
 
-use super::{Column, Problem, Ready, StartElement, StartVelocity, Value, Written};
+use super::{Column, Course, OnGroup, Problem, Ready, StartElement, Value, Written};
 use crate::definition::group::GroupWork;
 use crate::definition::input::shown;
 use crate::definition::{Definition, InputError, Reading};
 use crate::dense::to_dmatrix;
+use crate::dynamics::integrators::Magnus;
 use crate::formula::Formula;
 use crate::group::{Coordinates, Opposite, rotation};
 use crate::simulation::quantities::Scope;
-use crate::simulation::{Forces, Setup, Side, Simulated, on_group};
+use crate::simulation::{
+    Forces, GivenVelocity, Method, Setup, Side, Simulated, on_given, on_group,
+};
 use crate::{Canonical, Connection};
 use affinor_tensors::expression::ExpressionError;
 use nalgebra::DMatrix;
@@ -16,6 +19,7 @@ use nalgebra::DMatrix;
 /// What is needed beside the group.
 pub(super) struct Launch<'p> {
     pub problem: &'p Problem,
+    pub on_group: &'p OnGroup,
     pub parameters: Vec<(String, f64)>,
     pub definition: &'p Definition,
     pub reading: &'p Reading<'p, f64>,
@@ -38,12 +42,15 @@ impl GroupWork for Launch<'_> {
     type Output = Ready;
 
     fn run<G: Simulated>(self, group: G) -> Result<Ready, InputError> {
-        if self.problem.right { self.ready(Opposite(group)) } else { self.ready(group) }
+        if self.on_group.right { self.ready(Opposite(group)) } else { self.ready(group) }
     }
 }
 
 impl Launch<'_> {
     fn ready<G: Simulated>(&self, group: G) -> Result<Ready, InputError> {
+        if let Course::Given(side, formulas) = &self.on_group.course {
+            return self.given(group, *side, formulas);
+        }
         let ground = self.definition.ground(self.reading)?;
         let metric = self.definition.metric(&ground, self.reading)?;
         let metric = metric.ok_or_else(|| {
@@ -70,7 +77,7 @@ impl Launch<'_> {
             connection: &connection,
             metric: &metric,
             forces,
-            time: self.problem.start.time,
+            time: self.problem.times[0],
             element,
             momentum,
             method: self.problem.method,
@@ -82,18 +89,64 @@ impl Launch<'_> {
         Ok(Ready { motion, method, columns })
     }
 
+    /// A motion of a velocity over time.
+    fn given<G: Simulated>(
+        &self,
+        group: G,
+        side: Side,
+        written: &[Written],
+    ) -> Result<Ready, InputError> {
+        let n = group.dimension();
+        if (side == Side::Space) != G::RIGHT {
+            let message =
+                "a velocity over time is of the body, and in space with invariance = \"right\"";
+            return Err(InputError::usage(message).or_at_some(written.first().map(|w| &w.place)));
+        }
+        if written.len() != n {
+            let found = written.len();
+            let message = format!("the velocity has {found} components, the dimension is {n}");
+            return Err(InputError::usage(message).or_at_some(written.first().map(|w| &w.place)));
+        }
+        let method = self.problem.method.unwrap_or(Method::Magnus(6));
+        let magnus = match method {
+            Method::Magnus(4) => Magnus::Four,
+            Method::Magnus(_) => Magnus::Six,
+            _ => {
+                let message = format!("the method {method} is not for a velocity over time");
+                let error = InputError::mathematics(message);
+                return Err(error.help("that has magnus4 and magnus6"));
+            }
+        };
+        let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
+        let Some(step) = &self.problem.step else {
+            return Err(InputError::mathematics("a velocity over time needs a step"));
+        };
+        let step = step.positive(&values)?;
+        let names = Forces::none(group.clone(), DMatrix::identity(n, n), self.parameters.clone());
+        let mut velocity = GivenVelocity::new(values.clone());
+        for formula in written {
+            let added = velocity.add(&formula.text, names.names());
+            let help = "the velocity is a formula of t and the parameters";
+            added.map_err(|error| formula.refused(error, help.into()))?;
+        }
+        let (columns, formulas) = self.columns(&names)?;
+        let start = (self.problem.times[0], self.element(&group, &values)?);
+        let motion = on_given(group, velocity, start, (magnus, step), formulas, names);
+        Ok(Ready { motion, method, columns })
+    }
+
     fn forces<G: Simulated>(&self, forces: &mut Forces<G>) -> Result<(), InputError> {
-        for force in &self.problem.forces {
+        for force in &self.on_group.forces {
             let added = forces.add(force.side, force.index, &force.written.text);
             let help = |forces: &Forces<G>| format!("the names here are {}", forces.names().all());
             added.map_err(|error| force.written.refused(error, help(forces)))?;
         }
-        if let Some(potential) = &self.problem.potential {
+        if let Some(potential) = &self.on_group.potential {
             let set = forces.set_potential(&potential.text);
             let help = "a potential is a formula of t, the entries of the element and parameters";
             set.map_err(|error| potential.refused(error, help.into()))?;
         }
-        if let Some((side, table)) = &self.problem.table {
+        if let Some((side, table)) = &self.on_group.table {
             forces.set_table(*side, table.clone());
         }
         Ok(())
@@ -126,7 +179,7 @@ impl Launch<'_> {
             let formula = Some(written.text.clone());
             columns.push(Column { name: name.clone(), formula, watched: true });
         }
-        for (i, casimir) in self.problem.casimirs.iter().enumerate() {
+        for (i, casimir) in self.on_group.casimirs.iter().enumerate() {
             let text = casimir.replace("mu", names.momentum());
             if let Ok(formula) = scope.read(&text, names, &|_| true) {
                 formulas.push(formula);
@@ -139,7 +192,7 @@ impl Launch<'_> {
 
     fn element<G: Simulated>(&self, group: &G, values: &[f64]) -> Result<G::Element, InputError> {
         let identity = group.write(&group.identity());
-        let (matrix, place) = match &self.problem.start.element {
+        let (matrix, place) = match &self.on_group.element {
             StartElement::Identity => return Ok(group.identity()),
             StartElement::Coordinates(x) => {
                 let x = numbers("coordinates", x, group.dimension(), values)?;
@@ -191,16 +244,18 @@ impl Launch<'_> {
     ) -> Result<G::Vector, InputError> {
         let n = group.dimension();
         let own = if G::RIGHT { Side::Space } else { Side::Body };
-        match &self.problem.start.velocity {
-            StartVelocity::Velocity(side, list) => {
+        match &self.on_group.course {
+            Course::Velocity(side, list) => {
                 let v = G::Vector::from_components(&numbers("velocity", list, n, values)?);
                 let v = if *side == own { v } else { group.adjoint(&group.inverse(g), &v) };
                 Ok(forces.momentum(&v))
             }
-            StartVelocity::Momentum(side, list) => {
+            Course::Momentum(side, list) => {
                 let h = G::Vector::from_components(&numbers("momentum", list, n, values)?);
                 Ok(if *side == own { h } else { group.coadjoint(g, &h) })
             }
+            // it has no equations of motion
+            Course::Given(..) => Ok(G::Vector::zeros(n)),
         }
     }
 }
