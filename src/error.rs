@@ -292,6 +292,12 @@ pub enum Error {
         /// Why.
         reason: String,
     },
+    /// A column that a run does not have.
+    #[error("the run has no column {name}")]
+    NoColumn {
+        /// Its name.
+        name: String,
+    },
     /// A method of integration that is not for a problem.
     #[error("the method {method} does not serve here: {reason}")]
     NoMethod {

@@ -82,6 +82,11 @@ impl Formula {
         Ok(Formula { operations: reader.operations.into_inner(), last })
     }
 
+    /// A number.
+    pub fn number(number: f64) -> Self {
+        Formula { operations: vec![Operation::Number(number)], last: 0 }
+    }
+
     /// The value where the variables have these values.
     pub fn value(&self, variables: &[f64]) -> f64 {
         self.results(variables)[self.last]

@@ -46,6 +46,7 @@ pub mod chart;
 pub mod claims;
 pub mod connection;
 pub mod conventions;
+pub mod convergence;
 pub mod curvature;
 pub mod definition;
 pub mod dense;

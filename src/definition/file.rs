@@ -1,8 +1,8 @@
 //! Definition files: TOML, or JSON with the same keys.
 
-use super::Definition;
 use super::document::Document;
 use super::input::{InputError, Place, Source};
+use super::{Definition, numbers};
 use serde::Deserialize;
 use std::fs::File;
 use std::io::{self, Read};
@@ -90,6 +90,29 @@ fn decode(name: &str, bytes: &[u8]) -> Result<Source, InputError> {
             Err(InputError::usage(message).at(&Place { source, span }))
         }
     }
+}
+
+/// The names and the rows of a table in CSV.
+///
+/// # Errors
+/// What cannot be read, and what is no number, with its place.
+pub fn read_rows(path: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError> {
+    let file = read(path)?;
+    let mut lines = file.text.lines().enumerate();
+    let names = lines.next().map_or("", |(_, line)| line).split(',');
+    let names: Vec<String> = names.map(|name| name.trim().to_string()).collect();
+    let mut rows = Vec::new();
+    for (at, line) in lines.filter(|(_, line)| !line.trim().is_empty()) {
+        let source = Source::new(format!("{}, line {}", file.name, at + 1), line);
+        let row = numbers(&source)?;
+        if row.len() != names.len() {
+            let (found, expected) = (row.len(), names.len());
+            let message = format!("a row of {found} numbers stands below {expected} names");
+            return Err(InputError::usage(message).at(&source.whole(&source.text)));
+        }
+        rows.push(row);
+    }
+    Ok((names, rows))
 }
 
 /// The keys of a file: JSON if the text begins with `{`, else TOML.

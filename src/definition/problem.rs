@@ -16,6 +16,7 @@ use affinor_tensors::Tolerance;
 use ensemble::Ensemble;
 use launch::Launch;
 use matrices::Matrices;
+use nalgebra::DMatrix;
 use std::path::Path;
 
 /// A problem of motion.
@@ -110,6 +111,8 @@ pub struct Ready {
     pub method: Method,
     /// Names of the columns of its rows.
     pub columns: Vec<Column>,
+    /// The metric, of equations of motion on a group.
+    pub inertia: Option<DMatrix<f64>>,
 }
 
 /// A column of the rows of a motion.
@@ -186,6 +189,41 @@ impl Problem {
             *parameter = value;
         }
         Ok(())
+    }
+
+    /// The same problem with another method, with steps of this length, or to this tolerance.
+    #[must_use]
+    pub fn with_method(&self, method: Method, step: Option<f64>, tolerance: f64) -> Self {
+        let value = |number: f64| Value {
+            formula: Formula::number(number),
+            written: Written {
+                text: number.to_string(),
+                place: Place::within(self.source.clone()),
+            },
+        };
+        Problem {
+            method: Some(method),
+            step: step.map(value),
+            tolerance: value(tolerance),
+            ..self.clone()
+        }
+    }
+
+    /// The best method with steps, of problems that have no tolerance.
+    pub fn own_class(&self) -> Option<Method> {
+        match &self.kind {
+            Kind::Matrices(_) => Some(Method::Isospectral(4)),
+            Kind::Group(on_group) => {
+                matches!(on_group.course, Course::Given(..)).then_some(Method::Magnus(6))
+            }
+        }
+    }
+
+    /// The same problem with rows at the end only.
+    #[must_use]
+    pub fn to_the_end(&self) -> Self {
+        let times = [self.times[0], self.times[self.times.len() - 1]];
+        Problem { times: times.to_vec(), ..self.clone() }
     }
 
     /// The text of the file.

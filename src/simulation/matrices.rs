@@ -58,7 +58,8 @@ pub fn on_matrices(
             let state = body.state(time, momentum.clone())?;
             let row = |body: &Manakov, m: &DMatrix<f64>| {
                 let mut row = vec![body.energy(m), body.norm_squared(m), body.pfaffian(m)];
-                row.push(body.integral(m, 4, 2));
+                // tr M^2 A^4 + tr M A^2 M A^2/2
+                row.push(0.25 * body.integral(m, 4, 2));
                 row.extend(small(m));
                 row
             };

@@ -275,8 +275,9 @@ impl<'t> Keys<'t> {
                 let table = self.forces.table(source, folder)?;
                 let element = self.initial.element(&reader)?;
                 let course = self.course(&reader)?;
+                let is_given = matches!(course, Course::Given(..));
                 let space = self.space(source, folder)?;
-                let casimirs = casimirs(&space);
+                let casimirs = if is_given { vec![] } else { casimirs(&space) };
                 Kind::Group(Box::new(OnGroup {
                     space,
                     right,
@@ -492,14 +493,7 @@ impl ForceKeys<'_> {
             }
         };
         let Some(Text(name)) = &self.table else { return Ok(None) };
-        let file = file::read(&folder.join(&**name).to_string_lossy())?;
-        let mut rows = Vec::new();
-        for (at, line) in file.text.lines().enumerate() {
-            let head = at == 0 && line.starts_with(|c: char| c.is_ascii_alphabetic());
-            if !(head || line.trim().is_empty()) {
-                rows.push(numbers(&Source::new(format!("{}, line {}", file.name, at + 1), line))?);
-            }
-        }
+        let (_, rows) = file::read_rows(&folder.join(&**name).to_string_lossy())?;
         let table = Table::new(rows).map_err(|error| InputError::usage(error.to_string()))?;
         Ok(Some((side, table)))
     }

@@ -67,7 +67,7 @@ impl Launch<'_> {
         };
         let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
         let inertia = to_dmatrix(metric.components())?;
-        let mut forces = Forces::none(group.clone(), inertia, self.parameters.clone());
+        let mut forces = Forces::none(group.clone(), inertia.clone(), self.parameters.clone());
         self.forces(&mut forces)?;
         let (columns, formulas) = self.columns(&forces)?;
         let element = self.element(&group, &values)?;
@@ -86,7 +86,7 @@ impl Launch<'_> {
             columns: formulas,
         };
         let (motion, method) = on_group(group, setup)?;
-        Ok(Ready { motion, method, columns })
+        Ok(Ready { motion, method, columns, inertia: Some(inertia) })
     }
 
     /// A motion of a velocity over time.
@@ -132,7 +132,7 @@ impl Launch<'_> {
         let (columns, formulas) = self.columns(&names)?;
         let start = (self.problem.times[0], self.element(&group, &values)?);
         let motion = on_given(group, velocity, start, (magnus, step), formulas, names);
-        Ok(Ready { motion, method, columns })
+        Ok(Ready { motion, method, columns, inertia: None })
     }
 
     fn forces<G: Simulated>(&self, forces: &mut Forces<G>) -> Result<(), InputError> {

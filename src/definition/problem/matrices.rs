@@ -38,7 +38,12 @@ impl Matrices {
         let started = on_matrices(&self.flow(values)?, problem.times[0], step, order == 4);
         let (motion, names) = started.map_err(|error| InputError::from(error).at(&self.place))?;
         let column = |(name, watched)| Column { name, formula: None, watched };
-        Ok(Ready { motion, method, columns: names.into_iter().map(column).collect() })
+        Ok(Ready {
+            motion,
+            method,
+            columns: names.into_iter().map(column).collect(),
+            inertia: None,
+        })
     }
 
     fn flow(&self, values: &[f64]) -> Result<MatrixFlow, InputError> {
