@@ -117,6 +117,8 @@ fn impossible_inertias_are_refused_with_the_reason() {
     assert!(refused(-1.0, -1.0, -3.0).contains("no masses"));
     assert!(refused(0.0, 0.0, 1e-300).contains("no masses"));
     assert_eq!(refused(f64::NAN, 1.0, 1.0), "no inertia: the matrix is off symmetric by NaN");
+    assert!(Inertia::new(&diagonal(f64::NAN, 1.0, 1.0)).is_err());
+    assert!(Inertia::new(&diagonal(f64::INFINITY, 1.0, 1.0)).is_err());
     let inertia = Inertia::diagonal(&vector(1.0, 1.0, 3.0)).unwrap();
     assert_eq!(inertia.expect_masses().unwrap_err().to_string(), reason);
     // a plate and a point are bodies, and so is what rounding makes of a plate
@@ -153,6 +155,10 @@ fn a_shell_is_a_ball_without_a_ball() {
     let factor = (r.powi(5) - s.powi(5)) / (r.powi(3) - s.powi(3));
     near(&shell.inertia_matrix(), &(Matrix3::identity() * (0.4 * shell.mass() * factor)), 1e-14);
     same(&(shell + inner), &outer, 1e-14);
+    // what is left may be a point
+    let point = MassProperties::points(&[(1.0, vector(0.1, 0.2, 0.3))]).unwrap();
+    let left = (outer + point).without(&outer).unwrap();
+    assert!((left.mass() - 1.0).abs() < 1e-14 && left.inertia_matrix().norm() < 1e-13);
 }
 
 /// The octahedron, each triangle divided in four and its vertices put on the sphere.
@@ -239,9 +245,7 @@ fn cubature(corners: &[Vector3<f64>; 4]) -> Option<MassProperties> {
     let beta = (5.0 - 5.0_f64.sqrt()) / 20.0;
     let sum = a + b + c + d;
     let point = |x: &Vector3<f64>| (volume.abs() / 4.0, sum * beta + x * (1.0 - 4.0 * beta));
-    MassProperties::points(&corners.each_ref().map(|x| point(x)))
-        .ok()
-        .filter(|_| volume.abs() > 1e-3)
+    MassProperties::points(&corners.each_ref().map(point)).ok().filter(|_| volume.abs() > 1e-3)
 }
 
 /// Its faces, outwards.

@@ -59,10 +59,10 @@ impl MassProperties {
         }
         let inertia = (inertia + inertia.transpose()) * 0.5;
         let second = Matrix3::identity() * (0.5 * inertia.trace()) - inertia;
-        Self::of_moments(mass, centre, second)?.checked()
+        Self::of_moments(mass, centre, second)?.checked(inertia.norm())
     }
 
-    /// From second moments about the centre; `of_moments` are those of masses.
+    /// From second moments about the centre, of masses.
     fn of_moments(mass: f64, centre: Vector3<f64>, second: Matrix3<f64>) -> Result<Self, Error> {
         let numbers = [("the mass", mass), ("the centre", centre.sum()), ("S", second.sum())];
         match numbers.iter().find(|(_, value)| !value.is_finite()) {
@@ -73,9 +73,9 @@ impl MassProperties {
         }
     }
 
-    /// Whether masses can have the second moments.
-    fn checked(self) -> Result<Self, Error> {
-        expect_masses(&self.inertia_matrix().symmetric_eigenvalues())?;
+    /// Checks that masses can have the moments, which are known to roundings of a size.
+    fn checked(self, size: f64) -> Result<Self, Error> {
+        expect_masses(&self.inertia_matrix().symmetric_eigenvalues(), size)?;
         Ok(self)
     }
 
@@ -170,7 +170,9 @@ impl MassProperties {
     pub fn without(&self, part: &Self) -> Result<Self, Error> {
         let left = self.joined(part, -1.0);
         positive("the mass left", left.mass)?;
-        Self::of_moments(left.mass, left.centre, left.second)?.checked()
+        let about = part.inertia_matrix_about(&self.centre);
+        let size = self.inertia_matrix().norm() + about.norm();
+        Self::of_moments(left.mass, left.centre, left.second)?.checked(size)
     }
 
     /// Both, of which the other counts `sign` times.
