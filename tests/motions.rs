@@ -54,8 +54,9 @@ fn references() -> References {
     serde_json::from_str(include_str!("data/motions.json")).unwrap()
 }
 
-fn number(text: &String) -> f64 {
+fn number(text: impl AsRef<str>) -> f64 {
     let number = |text: &str| -> f64 { text.parse().unwrap() };
+    let text = text.as_ref();
     text.split_once('/').map_or_else(|| number(text), |(p, q)| number(p) / number(q))
 }
 
