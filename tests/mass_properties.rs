@@ -93,6 +93,12 @@ fn shapes_are_those_of_the_textbook() {
     // about its end it still turns about itself without inertia, beside it no more
     assert!(matches!(rod.inertia(), Err(Error::NoInertia { .. })));
     assert!(rod.inertia_about(&Vector3::x()).is_ok());
+    // so it is no rigid body: wherever it lies, turning about itself takes no energy
+    for turn in [Vector3::zeros(), vector(0.3, -0.5, 0.2), vector(1.0, 1.0, -2.0)] {
+        let beside = rod.moved(&Isometry3::new(vector(1.0, 2.0, 3.0), turn));
+        assert!(matches!(beside.inertia(), Err(Error::NoInertia { .. })), "{turn}");
+        assert!(matches!(beside.metric(), Err(Error::NoInertia { .. })), "{turn}");
+    }
 }
 
 /// The heavy top of Bruels, Cardona and Arnold: moments about the fixed point by Steiner.
@@ -117,6 +123,8 @@ fn impossible_inertias_are_refused_with_the_reason() {
     assert!(refused(-1.0, -1.0, -3.0).contains("no masses"));
     assert!(refused(0.0, 0.0, 1e-300).contains("no masses"));
     assert_eq!(refused(f64::NAN, 1.0, 1.0), "no inertia: the matrix is off symmetric by NaN");
+    assert!(Inertia::new(&diagonal(f64::NAN, 1.0, 1.0)).is_err());
+    assert!(Inertia::new(&diagonal(f64::INFINITY, 1.0, 1.0)).is_err());
     let inertia = Inertia::diagonal(&vector(1.0, 1.0, 3.0)).unwrap();
     assert_eq!(inertia.expect_masses().unwrap_err().to_string(), reason);
     // a plate and a point are bodies, and so is what rounding makes of a plate
@@ -153,6 +161,10 @@ fn a_shell_is_a_ball_without_a_ball() {
     let factor = (r.powi(5) - s.powi(5)) / (r.powi(3) - s.powi(3));
     near(&shell.inertia_matrix(), &(Matrix3::identity() * (0.4 * shell.mass() * factor)), 1e-14);
     same(&(shell + inner), &outer, 1e-14);
+    // what is left may be a point
+    let point = MassProperties::points(&[(1.0, vector(0.1, 0.2, 0.3))]).unwrap();
+    let left = (outer + point).without(&outer).unwrap();
+    assert!((left.mass() - 1.0).abs() < 1e-14 && left.inertia_matrix().norm() < 1e-13);
 }
 
 /// The octahedron, each triangle divided in four and its vertices put on the sphere.
@@ -239,9 +251,7 @@ fn cubature(corners: &[Vector3<f64>; 4]) -> Option<MassProperties> {
     let beta = (5.0 - 5.0_f64.sqrt()) / 20.0;
     let sum = a + b + c + d;
     let point = |x: &Vector3<f64>| (volume.abs() / 4.0, sum * beta + x * (1.0 - 4.0 * beta));
-    MassProperties::points(&corners.each_ref().map(|x| point(x)))
-        .ok()
-        .filter(|_| volume.abs() > 1e-3)
+    MassProperties::points(&corners.each_ref().map(point)).ok().filter(|_| volume.abs() > 1e-3)
 }
 
 /// Its faces, outwards.
@@ -346,6 +356,11 @@ fn what_bounds_no_solid_is_refused_with_an_edge() {
     assert!(refusal(vec![[a, b, c], [a, c, b]]).contains("encloses no volume"));
     assert!(refusal(vec![]).contains("encloses no volume"));
     assert!(refusal(vec![[a, a, b]]).contains("encloses no volume"));
+    // a negative zero is zero
+    let signed = |x: f64| if x == 0.0 { -0.0 } else { x };
+    let mut signed_zeros = whole.clone();
+    signed_zeros[0] = whole[0].map(|x| x.map(signed));
+    assert!((solid(signed_zeros).mass() - 6.0).abs() < 1e-14);
     // a collapsed triangle closes nothing and opens nothing
     let mut collapsed = whole.clone();
     collapsed.push([a, b, a]);
@@ -411,6 +426,9 @@ fn files_of_meshes_are_read() {
     ] {
         assert_eq!(read("part.stl", variant.as_bytes()), read("part.stl", &binary), "{variant}");
     }
+    // a name in another encoding
+    let latin = [&b"solid caf\xe9\n"[..], text.split_once('\n').unwrap().1.as_bytes()].concat();
+    assert_eq!(read("part.stl", &latin), read("part.stl", &binary));
     // a binary file whose head begins with the word, and one with more at its end
     let mut solid = binary.clone();
     solid[..11].copy_from_slice(b"solid part\n");
@@ -496,6 +514,9 @@ fn broken_files_say_where() {
     );
     assert_eq!(obj("f 1 2 6 5", "f 0 2 6 5").0, "no OBJ: the file has no vertex 0");
     assert_eq!(obj("f 1 2 6 5", "f -9 2 6 5").0, "no OBJ: the file has no vertex -9");
+    // backwards from where the face stands, though more vertices follow
+    let (message, at) = obj("vt 0 0", "f -4 -3 -2\nf -5 1 2");
+    assert_eq!((message.as_str(), at.as_str()), ("no OBJ: the file has no vertex -5", "f -5 1 2"));
     let least = format!("f {} 2 6 5", isize::MIN);
     assert!(obj("f 1 2 6 5", &least).0.contains("no vertex -9223372036854775808"));
     assert!(obj("f 1 2 6 5", "f").0.contains("no OBJ"));

@@ -58,17 +58,14 @@ pub fn mesh(name: &str, bytes: &[u8]) -> Result<Mesh, InputError> {
 }
 
 fn stl(name: &str, bytes: &[u8]) -> Result<Corners, InputError> {
+    // the head of a binary file may begin with the word, too, but its number of triangles has a zero
+    let begins = bytes.trim_ascii_start().get(..5);
+    if begins.is_some_and(|word| word.eq_ignore_ascii_case(b"solid")) && !bytes.contains(&0) {
+        return text_stl(&Source::new(name, &String::from_utf8_lossy(bytes)));
+    }
     let count = bytes.get(HEAD - 4..HEAD).and_then(|count| count.try_into().ok());
     let count = count.map(|count| u32::from_le_bytes(count) as usize);
     let size = count.map(|count| HEAD + TRIANGLE * count);
-    // the head of a binary file may begin with the word, too
-    let text = std::str::from_utf8(bytes).ok().filter(|text| {
-        let begins = text.trim_start().get(..5);
-        begins.is_some_and(|word| word.eq_ignore_ascii_case("solid")) && !text.contains('\0')
-    });
-    if let Some(text) = text.filter(|_| size != Some(bytes.len())) {
-        return text_stl(&Source::new(name, text));
-    }
     let refused =
         |message: String| Err(InputError::usage(message).at(&Place::within(Source::new(name, ""))));
     let (Some(count), Some(size)) = (count, size) else {

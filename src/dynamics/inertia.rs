@@ -114,7 +114,7 @@ impl Inertia {
     /// # Errors
     /// [`Error::NoInertia`] with the moments.
     pub fn expect_masses(&self) -> Result<(), Error> {
-        expect_masses(&self.moments)
+        expect_masses(&self.moments, self.moments.max())
     }
 
     /// `H = J Omega` (103).
@@ -142,17 +142,15 @@ pub(super) fn asymmetry(matrix: &Matrix3<f64>) -> Option<f64> {
     (off > SYMMETRIC * matrix.amax()).then_some(off)
 }
 
-/// Checks that masses can have the principal moments.
+/// Checks that masses can have the principal moments, which are known to roundings of a size.
 ///
 /// # Errors
 /// [`Error::NoInertia`].
-pub(super) fn expect_masses(moments: &Vector3<f64>) -> Result<(), Error> {
+pub(super) fn expect_masses(moments: &Vector3<f64>, size: f64) -> Result<(), Error> {
     let mut ordered: [f64; 3] = (*moments).into();
     ordered.sort_by(f64::total_cmp);
     let [a, b, c] = ordered;
-    // a point has none; quotients do not overflow
-    let possible = if c > 0.0 { (1.0 - b / c) - a / c <= FLAT } else { a >= 0.0 };
-    if possible {
+    if (c - b) - a <= FLAT * size {
         return Ok(());
     }
     let reason = format!("moments {a}, {b}, {c}: no masses have them, as {c} > {a} + {b}");

@@ -13,6 +13,9 @@ use nalgebra::{Isometry3, Matrix3, Matrix6, Vector3};
 use std::ops::Add;
 use std::sync::Arc;
 
+/// A principal moment below this share of the largest is rounding.
+const ROUNDING: f64 = 1e-14;
+
 /// What a body is to its motion: mass, centre of mass, and second moments about the centre.
 ///
 /// The inertia (12) is linear in the second moments `S = int X X^T dm`:
@@ -59,10 +62,10 @@ impl MassProperties {
         }
         let inertia = (inertia + inertia.transpose()) * 0.5;
         let second = Matrix3::identity() * (0.5 * inertia.trace()) - inertia;
-        Self::of_moments(mass, centre, second)?.checked()
+        Self::of_moments(mass, centre, second)?.checked(inertia.norm())
     }
 
-    /// From second moments about the centre; `of_moments` are those of masses.
+    /// From second moments about the centre, of masses.
     fn of_moments(mass: f64, centre: Vector3<f64>, second: Matrix3<f64>) -> Result<Self, Error> {
         let numbers = [("the mass", mass), ("the centre", centre.sum()), ("S", second.sum())];
         match numbers.iter().find(|(_, value)| !value.is_finite()) {
@@ -73,9 +76,9 @@ impl MassProperties {
         }
     }
 
-    /// Whether masses can have the second moments.
-    fn checked(self) -> Result<Self, Error> {
-        expect_masses(&self.inertia_matrix().symmetric_eigenvalues())?;
+    /// Checks that masses can have the moments, which are known to roundings of a size.
+    fn checked(self, size: f64) -> Result<Self, Error> {
+        expect_masses(&self.inertia_matrix().symmetric_eigenvalues(), size)?;
         Ok(self)
     }
 
@@ -106,7 +109,7 @@ impl MassProperties {
     /// # Errors
     /// [`Error::NoInertia`] for masses on a line.
     pub fn inertia(&self) -> Result<Inertia, Error> {
-        Inertia::new(&self.inertia_matrix())
+        rigid(&self.inertia_matrix())
     }
 
     /// The inertia about a point, such as that on which a top stands.
@@ -114,7 +117,7 @@ impl MassProperties {
     /// # Errors
     /// [`Error::NoInertia`] for masses on a line through the point.
     pub fn inertia_about(&self, point: &Vector3<f64>) -> Result<Inertia, Error> {
-        Inertia::new(&self.inertia_matrix_about(point))
+        rigid(&self.inertia_matrix_about(point))
     }
 
     /// The metric on se(3) of a body that moves freely, in the basis of [`Se3`](crate::group::Se3): twice the kinetic energy
@@ -170,7 +173,9 @@ impl MassProperties {
     pub fn without(&self, part: &Self) -> Result<Self, Error> {
         let left = self.joined(part, -1.0);
         positive("the mass left", left.mass)?;
-        Self::of_moments(left.mass, left.centre, left.second)?.checked()
+        let about = part.inertia_matrix_about(&self.centre);
+        let size = self.inertia_matrix().norm() + about.norm();
+        Self::of_moments(left.mass, left.centre, left.second)?.checked(size)
     }
 
     /// Both, of which the other counts `sign` times.
@@ -190,6 +195,17 @@ impl Add for MassProperties {
     fn add(self, other: Self) -> Self {
         self.joined(&other, 1.0)
     }
+}
+
+/// The inertia of a body that resists every turn.
+fn rigid(matrix: &Matrix3<f64>) -> Result<Inertia, Error> {
+    let inertia = Inertia::new(matrix)?;
+    let (least, largest) = (inertia.moments().min(), inertia.moments().max());
+    if least > ROUNDING * largest {
+        return Ok(inertia);
+    }
+    let reason = format!("the masses are on a line: a moment is {least} beside {largest}");
+    Err(Error::NoInertia { reason })
 }
 
 /// `tr(S) I - S`.

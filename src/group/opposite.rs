@@ -13,9 +13,9 @@ use nalgebra::DMatrix;
 /// ```
 ///
 /// while `exp`, `log` and the inverse are those of the group, and `g -> g^-1` is an isomorphism of both. So
-/// [`EulerPoincare`](crate::dynamics::EulerPoincare) on it has as its velocity the spatial one, `omega = g' g^-1`, and a metric
-/// on it is constant in space (as that of an ideal fluid, invariant under relabelling); with `plus` and without a torque it
-/// keeps the momentum in the body, which there is called `spatial`.
+/// [`EulerPoincare`](crate::dynamics::EulerPoincare) on it has as its velocity the spatial one, `omega = g' g^-1`, and its
+/// metric is right-invariant, as that of an ideal fluid is under relabelling; with `plus` and without a torque it keeps the
+/// momentum in the body, which there is called `spatial`.
 ///
 /// The matrix of an element stays that of the group, so it reverses products: `matrix(g * h) = matrix(h) matrix(g)`.
 ///

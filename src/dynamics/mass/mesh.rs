@@ -146,16 +146,19 @@ fn solid(vertices: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Result<MassProp
     // from the middle of the vertices, so that a mesh far out keeps its digits
     let count = vertices.len().max(1) as f64;
     let middle = vertices.iter().fold(Vector3::zeros(), |sum, v| sum + v / count);
-    let (mut volume, mut size, mut first) = (0.0, 0.0, Vector3::zeros());
-    let mut second = Matrix3::zeros();
+    let (mut volume, mut first, mut second) = (0.0, Vector3::zeros(), Matrix3::zeros());
+    // sums of moduli, for the roundings
+    let (mut size, mut size_of_second) = (0.0, 0.0);
     for triangle in triangles {
         let [a, b, c] = triangle.map(|at| vertices[at] - middle);
         let part = a.dot(&b.cross(&c)) / 6.0;
         let s = a + b + c;
         let products = [a, b, c, s].iter().fold(Matrix3::zeros(), |sum, x| sum + x * x.transpose());
-        (volume, size) = (volume + part, size + part.abs());
+        volume += part;
         first += s * (part / 4.0);
         second += products * (part / 20.0);
+        size += part.abs();
+        size_of_second += products.norm() * part.abs() / 20.0;
     }
     if size.is_finite() && volume <= FLAT * size {
         let flat = volume.abs() <= FLAT * size;
@@ -164,5 +167,5 @@ fn solid(vertices: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Result<MassProp
     }
     let offset = first / volume;
     second -= offset * offset.transpose() * volume;
-    MassProperties::of_moments(volume, middle + offset, second)?.checked()
+    MassProperties::of_moments(volume, middle + offset, second)?.checked(size_of_second)
 }
