@@ -8,6 +8,7 @@
 //! Attitudes map body to space components, `Rdot = R spin(Omega)`; momentum `H = J Omega` and velocity are in
 //! body components, `Hdot = H cross Omega` is (108) without torque, and `R H` is the momentum in space.
 
+pub mod constrained;
 pub mod elliptic;
 pub mod euler_poincare;
 pub mod free_body;
@@ -16,10 +17,11 @@ pub mod integrators;
 pub mod isospectral;
 pub mod moser_veselov;
 
+pub use constrained::{Constrained, ConstrainedState, Constraint};
 pub use euler_poincare::{EulerPoincare, State};
 pub use free_body::FreeBody;
 pub use inertia::{BodyState, Inertia};
 pub use integrators::{Adaptive, CommutatorFree, Integrator, MuntheKaas, System};
-pub use integrators::{Composed, IsospectralMidpoint};
+pub use integrators::{Composed, GeneralisedAlpha, IsospectralMidpoint};
 pub use isospectral::{Isospectral, Manakov, MatrixState, Toda, Zeitlin};
 pub use moser_veselov::MoserVeselov;

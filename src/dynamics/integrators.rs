@@ -3,12 +3,14 @@
 mod adaptive;
 mod commutator_free;
 mod composed;
+mod generalised_alpha;
 mod isospectral_midpoint;
 mod munthe_kaas;
 
 pub use adaptive::Adaptive;
 pub use commutator_free::CommutatorFree;
 pub use composed::Composed;
+pub use generalised_alpha::GeneralisedAlpha;
 pub use isospectral_midpoint::IsospectralMidpoint;
 pub use munthe_kaas::MuntheKaas;
 
