@@ -136,7 +136,7 @@ impl Laplacian {
                 v[..=a].iter_mut().for_each(|x| *x *= 1e-100);
             }
         }
-        let sign = if (l - d) % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if (l - d).is_multiple_of(2) { 1.0 } else { -1.0 };
         for a in 0..length / 2 {
             v[length - 1 - a] = sign * v[a];
         }
