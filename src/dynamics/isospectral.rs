@@ -47,9 +47,9 @@ pub trait Isospectral: System<State = MatrixState<Self::Entry>> {
 /// use affinor::dynamics::isospectral::Flow;
 /// use affinor::dynamics::{Integrator, IsospectralMidpoint};
 /// use nalgebra::DMatrix;
-/// // Brockett's double bracket: L' = [[L, D], L] sorts the spectrum along D
+/// // Brockett's double bracket L' = [L, [L, D]] sorts the spectrum as D is
 /// let d = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 2.0]);
-/// let flow = Flow::new(move |l: &DMatrix<f64>| l * &d - &d * l);
+/// let flow = Flow::new(move |l: &DMatrix<f64>| &d * l - l * &d);
 /// let mut state = flow.state(0.0, DMatrix::from_row_slice(2, 2, &[3.0, 1.0, 1.0, 0.0]))?;
 /// for _ in 0..200 {
 ///     IsospectralMidpoint.step(&flow, &mut state, 0.1)?;
