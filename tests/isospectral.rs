@@ -1,7 +1,7 @@
 //! Isospectral flows: states against references of 30 digits, orders, spectra that stay, other ways to the same motion.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use affinor::dynamics::isospectral::{Entry, Flow, spectrum};
+use affinor::dynamics::isospectral::{Entry, Flow, Symmetry, spectrum};
 use affinor::dynamics::{
     Adaptive, Composed, EulerPoincare, Integrator, Isospectral, IsospectralMidpoint, Manakov,
     MatrixState, System, Toda, Zeitlin,
@@ -400,6 +400,15 @@ fn any_matrix_flows() {
     orders(&flow, &start, &exact.matrix, 1.0, 8);
     let hermitian =
         DMatrix::from_fn(3, 3, |i, j| Complex::new((i + j) as f64, i as f64 - j as f64));
+    // Brockett's flow of complex matrices ends in the spectrum, sorted
+    let d = DMatrix::from_diagonal(&DVector::from_fn(3, |i, _| Complex::from(i as f64)));
+    let flow = Flow::new(move |l: &DMatrix<Complex<f64>>| &d * l - l * &d);
+    let flow = flow.on(Symmetry::Hermitian);
+    let start = flow.state(0.0, hermitian.clone()).unwrap();
+    let end = run(&MIDPOINT, &flow, &start, 60.0, 600).matrix;
+    assert_eq!(end, end.adjoint());
+    let diagonal: Vec<f64> = end.diagonal().iter().map(|z| z.re).collect();
+    assert!(drift(&spectrum(&hermitian), &diagonal) < 1e-12, "{end}");
     let roots = spectrum(&hermitian);
     assert!((roots.iter().sum::<f64>() - 6.0).abs() < 1e-13 && roots.is_sorted());
 }
@@ -430,7 +439,7 @@ fn what_is_no_state_is_refused() {
 
     let body = Manakov::new(&[1.0, 2.0]).unwrap();
     shape(body.state(0.0, DMatrix::zeros(3, 3)));
-    assert!(reason(body.state(0.0, crooked)).contains("antisymmetric"));
+    assert!(reason(body.state(0.0, crooked)).contains("antihermitian"));
     for masses in [&[1.0][..], &[1.0, -1.0], &[1.0, f64::NAN], &[f64::MAX, f64::MAX]] {
         assert!(matches!(Manakov::new(masses), Err(Error::NoInertia { .. })), "{masses:?}");
     }

@@ -2,7 +2,7 @@
 
 use super::Integrator;
 use crate::Error;
-use crate::dynamics::isospectral::{Entry, Isospectral, MatrixState, largest, symmetric_part};
+use crate::dynamics::isospectral::{Entry, Isospectral, MatrixState, largest};
 use nalgebra::ComplexField;
 
 /// The isospectral midpoint method: with `b = h B(X)/2`,
@@ -51,7 +51,7 @@ impl<S: Isospectral> Integrator<S> for IsospectralMidpoint {
         let stopped = |reason: String| Err(Error::Integration { t: state.time, reason });
         // rounding would leave the symmetry of L, and then grow
         let kept = |matrix| match system.symmetry() {
-            Some(sign) => symmetric_part(&matrix, sign),
+            Some(symmetry) => symmetry.part(&matrix),
             None => matrix,
         };
         let start = &state.matrix;

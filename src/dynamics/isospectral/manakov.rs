@@ -1,6 +1,6 @@
 //! The free rigid body in n dimensions.
 
-use super::{Isospectral, MatrixState, checked, expect_symmetry, spectrum};
+use super::{Isospectral, MatrixState, Symmetry, checked, spectrum};
 use crate::Error;
 use crate::dynamics::System;
 use nalgebra::{Complex, DMatrix};
@@ -58,8 +58,7 @@ impl Manakov {
     /// [`Error::Shape`] unless `M` has a row and a column for each mass; [`Error::NoState`] unless it is finite and
     /// antisymmetric.
     pub fn state(&self, time: f64, momentum: DMatrix<f64>) -> Result<MatrixState<f64>, Error> {
-        let state = checked(time, momentum, Some(self.masses.len()))?;
-        Ok(MatrixState { time, matrix: expect_symmetry("antisymmetric", -1.0, &state.matrix)? })
+        checked(time, momentum, Some(self.masses.len()), self.symmetry())
     }
 
     /// `Omega`, in body components.
@@ -157,7 +156,7 @@ impl Isospectral for Manakov {
         -self.velocity(momentum)
     }
 
-    fn symmetry(&self) -> Option<f64> {
-        Some(-1.0)
+    fn symmetry(&self) -> Option<Symmetry> {
+        Some(Symmetry::Antihermitian)
     }
 }

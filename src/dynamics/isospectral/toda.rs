@@ -1,8 +1,6 @@
 //! The Toda lattice.
 
-use super::{
-    Isospectral, MatrixState, checked, expect_square, expect_symmetry, spectrum, symmetric_part,
-};
+use super::{Isospectral, MatrixState, Symmetry, checked, expect_square, spectrum};
 use crate::Error;
 use crate::dynamics::System;
 use crate::group::series::exp;
@@ -52,8 +50,7 @@ impl Toda {
     /// # Errors
     /// [`Error::Shape`] unless `L` is square; [`Error::NoState`] unless it is finite and symmetric.
     pub fn state(&self, time: f64, matrix: DMatrix<f64>) -> Result<MatrixState<f64>, Error> {
-        let state = checked(time, matrix, None)?;
-        Ok(MatrixState { time, matrix: expect_symmetry("symmetric", 1.0, &state.matrix)? })
+        checked(time, matrix, None, self.symmetry())
     }
 
     /// `H = sum p_k^2/2 + sum exp(q_k - q_(k+1)) = 2 tr L^2`.
@@ -87,7 +84,7 @@ impl Toda {
             let signs = DMatrix::from_diagonal(&r.diagonal().map(f64::signum));
             let q = q * signs;
             matrix = q.tr_mul(&matrix) * q;
-            matrix = symmetric_part(&matrix, 1.0);
+            matrix = Symmetry::Hermitian.part(&matrix);
         }
         Ok(MatrixState { time, matrix })
     }
@@ -113,7 +110,7 @@ impl Isospectral for Toda {
         })
     }
 
-    fn symmetry(&self) -> Option<f64> {
-        Some(1.0)
+    fn symmetry(&self) -> Option<Symmetry> {
+        Some(Symmetry::Hermitian)
     }
 }

@@ -2,7 +2,7 @@
 
 mod laplacian;
 
-use super::{Isospectral, MatrixState, checked, expect_symmetry, spectrum};
+use super::{Isospectral, MatrixState, Symmetry, checked, spectrum};
 use crate::Error;
 use crate::dynamics::System;
 use laplacian::Laplacian;
@@ -78,13 +78,12 @@ impl Zeitlin {
     /// [`Error::Shape`] unless it has `N` rows and columns; [`Error::NoState`] unless it is finite, antihermitian and without a
     /// trace.
     pub fn state(&self, time: f64, vorticity: Matrix) -> Result<MatrixState<Complex<f64>>, Error> {
-        let state = checked(time, vorticity, Some(self.size()))?;
-        let matrix = expect_symmetry("antihermitian", -1.0, &state.matrix)?;
-        let trace = matrix.trace().im;
-        if trace.abs() > 1e-12 * matrix.norm() {
+        let state = checked(time, vorticity, Some(self.size()), self.symmetry())?;
+        let trace = state.matrix.trace().im;
+        if trace.abs() > 1e-12 * state.matrix.norm() {
             return Err(Error::NoState { reason: format!("the trace of W is {trace}i, not 0") });
         }
-        Ok(MatrixState { time, matrix })
+        Ok(state)
     }
 
     /// `P`, antihermitian and without a trace, with `Delta P = W`: only `W_ij` with `i <= j` is read, and its trace is left out.
@@ -211,7 +210,7 @@ impl Isospectral for Zeitlin {
         self.stream(vorticity) / Complex::from(self.hbar)
     }
 
-    fn symmetry(&self) -> Option<f64> {
-        Some(-1.0)
+    fn symmetry(&self) -> Option<Symmetry> {
+        Some(Symmetry::Antihermitian)
     }
 }
