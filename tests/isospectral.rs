@@ -405,7 +405,7 @@ fn any_matrix_flows() {
     let flow = Flow::new(move |l: &DMatrix<Complex<f64>>| &d * l - l * &d);
     let flow = flow.on(Symmetry::Hermitian);
     let start = flow.state(0.0, hermitian.clone()).unwrap();
-    let end = run(&MIDPOINT, &flow, &start, 60.0, 600).matrix;
+    let end = run(&MIDPOINT, &flow, &start, 60.0, 2400).matrix;
     assert_eq!(end, end.adjoint());
     let diagonal: Vec<f64> = end.diagonal().iter().map(|z| z.re).collect();
     assert!(drift(&spectrum(&hermitian), &diagonal) < 1e-12, "{end}");
