@@ -316,6 +316,7 @@ fn a_free_body_is_a_case() {
     let system = Constrained::new(So3, &metric(&So3, moments.as_slice()), Free, Nothing).unwrap();
     let velocity = momentum.component_div(&moments);
     let state = system.state(0.0, start.attitude, &velocity).unwrap();
+    assert_eq!((system.violation(&state), system.velocity_violation(&state)), (0.0, 0.0));
     for rho in [0.0, 0.5, 1.0] {
         let method = GeneralisedAlpha { spectral_radius: rho };
         let error = |steps: usize| {

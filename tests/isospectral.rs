@@ -65,7 +65,12 @@ fn orders<S: Isospectral>(
     }
     let error = |n| distance(&run(&MIDPOINT, system, start, time, n), exact);
     check("midpoint", f64::from(MIDPOINT.order()), error, 4 * steps);
-    check("composed", 4.0, |n| distance(&run(&FOURTH, system, start, time, n), exact), steps);
+    check(
+        "composed",
+        f64::from(FOURTH.order()),
+        |n| distance(&run(&FOURTH, system, start, time, n), exact),
+        steps,
+    );
 }
 
 fn drift(before: &[f64], after: &[f64]) -> f64 {
@@ -379,6 +384,15 @@ fn larger_fluids() {
         if steps <= 20 {
             assert!(distance(&state, &start.matrix) < 1e-12 * start.matrix.norm());
         }
+    }
+    // the first numbers of SplitMix64 from 1234567, as published with it
+    let fluid = Zeitlin::new(5).unwrap();
+    let random = fluid.random(1234567, 2).unwrap();
+    for (m, bits) in
+        [(-1, 6457827717110365317_u64), (0, 3203168211198807973), (1, 9817491932198370423)]
+    {
+        let expected = bits as f64 / 2.0_f64.powi(63) - 1.0;
+        assert!((fluid.coefficient(&random, 1, m).unwrap() - expected).abs() < 1e-14);
     }
     // a seed is the same field for all N
     let [small, large] = [9, 40].map(|n| Zeitlin::new(n).unwrap());

@@ -22,8 +22,8 @@ pub trait Constraint<G: LieGroup> {
 /// ```
 ///
 /// in left (body) components, with `(ad*_v h)_i = h_j [v, e_i]^j`: the motion of
-/// [`EulerPoincare`](super::EulerPoincare) with the connection `plus`, and the multipliers `lambda` that hold it. The constraints must be
-/// independent: the rows of `B` where `Phi = 0`.
+/// [`EulerPoincare`](super::EulerPoincare) with the connection `plus`, and the multipliers `lambda` that hold
+/// it. The constraints must be independent: the rows of `B` where `Phi = 0`.
 ///
 /// ```
 /// use affinor::dynamics::{Constrained, Constraint, GeneralisedAlpha, Integrator};
@@ -133,9 +133,9 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
     /// The state of an element and a velocity, with the acceleration and the multipliers that they imply.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless the gradient has a row for each constraint and a column for each component of a vector;
-    /// [`Error::NoState`] for a value that is not finite, an element or a velocity that violates a constraint, a gradient that is not
-    /// that of the constraints, and constraints that depend on each other.
+    /// [`Error::Shape`] unless the gradient has a row for each constraint and a column for each component of a
+    /// vector; [`Error::NoState`] for a value that is not finite, an element or a velocity that violates a
+    /// constraint, a gradient that is not that of the constraints, and constraints that depend on each other.
     pub fn state(
         &self,
         time: f64,
@@ -231,7 +231,8 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         column(&force)
     }
 
-    /// `v'` and `lambda`, from the second derivative of the constraints: `B v' + (B v)' = 0`. None if they are not unique or not finite.
+    /// `v'` and `lambda`, from the second derivative of the constraints: `B v' + (B v)' = 0`. None if they are
+    /// not unique or not finite.
     pub(super) fn accelerated(
         &self,
         time: f64,

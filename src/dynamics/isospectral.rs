@@ -130,8 +130,8 @@ impl<T: Entry, B: Fn(&DMatrix<T>) -> DMatrix<T>> Isospectral for Flow<T, B> {
     }
 }
 
-/// The eigenvalues of a matrix that is its own adjoint (only its lower triangle is read), in ascending order; NaN if they are
-/// not found.
+/// The eigenvalues of a matrix that is its own adjoint (only its lower triangle is read), in ascending order;
+/// NaN if they are not found.
 ///
 /// ```
 /// use affinor::dynamics::isospectral::spectrum;
@@ -152,11 +152,11 @@ pub fn spectrum<T: Entry>(matrix: &DMatrix<T>) -> Vec<f64> {
     values
 }
 
-/// The largest modulus of an entry; NaN if one is NaN.
+/// The largest entry, as the sum of the moduli of its two parts; NaN if one is NaN.
 pub(super) fn largest<T: Entry>(matrix: &DMatrix<T>) -> f64 {
     let most = |most: f64, entry: &T| {
-        let modulus = entry.modulus();
-        if modulus > most || modulus.is_nan() { modulus } else { most }
+        let size = entry.norm1();
+        if size > most || size.is_nan() { size } else { most }
     };
     matrix.iter().fold(0.0, most)
 }

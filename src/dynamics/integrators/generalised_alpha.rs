@@ -9,8 +9,8 @@ use crate::dynamics::euler_poincare::Torque;
 use crate::group::{Coordinates, LieGroup};
 use nalgebra::{DMatrix, DVector};
 
-/// The generalised-alpha method for constrained systems, in the form of index 3: the constraints hold in each step, their
-/// derivatives to the order of the method.
+/// The generalised-alpha method for constrained systems, in the form of index 3: the constraints hold in each
+/// step, their derivatives to the order of the method.
 ///
 /// ```text
 /// q_(n+1) = q_n exp(h x),   x = v_n + h (1/2 - beta) a_n + h beta a_(n+1)
@@ -18,18 +18,18 @@ use nalgebra::{DMatrix, DVector};
 /// (1 - alpha_m) a_(n+1) + alpha_m a_n = (1 - alpha_f) v'_(n+1) + alpha_f v'_n
 /// ```
 ///
-/// with the equations of motion and `Phi = 0` at `n + 1` for `v'_(n+1)` and `lambda_(n+1)`, solved by Newton's method. With the
-/// spectral radius `rho` of a step at infinite frequency, `alpha_m = (2 rho - 1)/(rho + 1)`,
-/// `alpha_f = rho/(rho + 1)`, `gamma = 1/2 + alpha_f - alpha_m`, `beta = (gamma + 1/2)^2/4`. Order 2 of `q`, `v` and
-/// `lambda`; fast oscillations are damped.
+/// with the equations of motion and `Phi = 0` at `n + 1` for `v'_(n+1)` and `lambda_(n+1)`, solved by Newton's
+/// method. With the spectral radius `rho` of a step at infinite frequency, `alpha_m = (2 rho - 1)/(rho + 1)`,
+/// `alpha_f = rho/(rho + 1)`, `gamma = 1/2 + alpha_f - alpha_m`, `beta = (gamma + 1/2)^2/4`. Order 2 of `q`,
+/// `v` and `lambda`; fast oscillations are damped.
 ///
-/// `a` is not `v'` but nearly `v'(t + D h)`, `D = alpha_m - alpha_f`. The first step starts from there, and from a velocity that is
-/// moved along `M^-1 B^T` by the part of `h^2 ((1/6 - D/2 - beta) v'' + [v, v']/12)` that the constraints do not let pass: so
-/// `lambda` is of order 2 from the first step on. All steps of a motion should be of one length; where it changes,
-/// `lambda` has an error of order 1 that is damped.
+/// `a` is not `v'` but nearly `v'(t + D h)`, `D = alpha_m - alpha_f`. The first step starts from there, and
+/// from a velocity that is moved along `M^-1 B^T` by the part of `h^2 ((1/6 - D/2 - beta) v'' + [v, v']/12)`
+/// that the constraints do not let pass: so `lambda` is of order 2 from the first step on. All steps of a
+/// motion should be of one length; where it changes, `lambda` has an error of order 1 that is damped.
 ///
-/// O. Bruels, A. Cardona and M. Arnold, *Mechanism and Machine Theory* 48 (2012) 121-137; on the start, M. Arnold, O. Bruels and
-/// A. Cardona, *Numer. Math.* 129 (2015) 149-179.
+/// O. Bruels, A. Cardona and M. Arnold, *Mechanism and Machine Theory* 48 (2012) 121-137; on the start, M.
+/// Arnold, O. Bruels and A. Cardona, *Numer. Math.* 129 (2015) 149-179.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeneralisedAlpha {
     /// `rho`, in `[0, 1]`.

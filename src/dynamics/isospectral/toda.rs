@@ -10,8 +10,8 @@ use nalgebra::DMatrix;
 /// matrix: `L' = [B(L), L]`, `B` the upper less the lower triangle of `L`.
 ///
 /// [`Toda::lattice`] is tridiagonal. Any symmetric `L` is let in (the full lattice), as steps leave the
-/// tridiagonal matrices by their error. H. Flaschka, *Phys. Rev. B* 9 (1974) 1924-1925; the solution by `QR` is that of
-/// W. W. Symes, *Physica D* 4 (1982) 275-280.
+/// tridiagonal matrices by their error. H. Flaschka, *Phys. Rev. B* 9 (1974) 1924-1925; the solution by `QR` is
+/// that of W. W. Symes, *Physica D* 4 (1982) 275-280.
 ///
 /// ```
 /// use affinor::dynamics::isospectral::Toda;
@@ -58,13 +58,14 @@ impl Toda {
         2.0 * matrix.dot(&matrix.transpose())
     }
 
-    /// The eigenvalues of `L` in ascending order: `-1/2` of the momenta of the particles when they have left each other.
+    /// The eigenvalues of `L` in ascending order: `-1/2` of the momenta of the particles when they have left
+    /// each other.
     pub fn spectrum(&self, matrix: &DMatrix<f64>) -> Vec<f64> {
         spectrum(matrix)
     }
 
-    /// The state at a time, without steps: `L(t) = Q^T L Q` with `exp((t - t_0) L) = Q R`, the diagonal of `R` positive.
-    /// Long times are cut into pieces, whose exponentials are of moderate size.
+    /// The state at a time, without steps: `L(t) = Q^T L Q` with `exp((t - t_0) L) = Q R`, the diagonal of `R`
+    /// positive. Long times are cut into pieces, whose exponentials are of moderate size.
     ///
     /// # Errors
     /// [`Error::Shape`] unless `L` is square. [`Error::Integration`] for a time that is not finite or more than
