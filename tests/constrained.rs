@@ -7,7 +7,7 @@ use affinor::dynamics::{
     Adaptive, BodyState, Constrained, ConstrainedState, Constraint, EulerPoincare, FreeBody,
     GeneralisedAlpha, Inertia, Integrator,
 };
-use affinor::group::{LieGroup, MatrixGroup, Product, Se3, So3, Translations};
+use affinor::group::{LieGroup, MatrixGroup, Product, Se2, Se3, So3, Translations};
 use affinor::{Canonical, Connection, Error, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{
@@ -28,6 +28,17 @@ fn metric<G: LieGroup>(group: &G, diagonal: &[f64]) -> Metric<f64> {
     let entries: Vec<_> = diagonal.iter().enumerate().map(|(i, x)| ([i, i], *x)).collect();
     let tensor = Tensor::from_components(diagonal.len(), &[Down, Down], entries).unwrap();
     Metric::new(group.algebra().unwrap().labels(), tensor).unwrap()
+}
+
+/// With the connection `plus`.
+fn constrained<G: LieGroup, C: Constraint<G>, M: Torque<G>>(
+    group: G,
+    metric: &Metric<f64>,
+    force: M,
+    constraint: C,
+) -> Result<Constrained<G, C, M>, Error> {
+    let plus = Connection::canonical(&group.algebra().unwrap(), Canonical::Plus);
+    Constrained::new(group, &plus, metric, force, constraint)
 }
 
 fn rotation(q: &UnitQuaternion<f64>) -> Matrix3<f64> {
@@ -166,7 +177,7 @@ where
     Support: Constraint<G>,
 {
     let metric = metric(&group, &G::masses());
-    let system = Constrained::new(group, &metric, G::forces(), Support).unwrap();
+    let system = constrained(group, &metric, G::forces(), Support).unwrap();
     let (element, velocity) = G::upright();
     let start = system.state(0.0, element, &velocity).unwrap();
     (system, start)
@@ -313,7 +324,7 @@ fn a_free_body_is_a_case() {
     let inertia = Inertia::diagonal(&moments).unwrap();
     let start = BodyState { attitude: UnitQuaternion::identity(), momentum };
     let exact = FreeBody::new(&inertia, &start).unwrap().at(2.0);
-    let system = Constrained::new(So3, &metric(&So3, moments.as_slice()), Free, Nothing).unwrap();
+    let system = constrained(So3, &metric(&So3, moments.as_slice()), Free, Nothing).unwrap();
     let velocity = momentum.component_div(&moments);
     let state = system.state(0.0, start.attitude, &velocity).unwrap();
     assert_eq!((system.violation(&state), system.velocity_violation(&state)), (0.0, 0.0));
@@ -326,6 +337,28 @@ fn a_free_body_is_a_case() {
         };
         order_two(error, 200);
     }
+}
+
+/// With other connections, too: the zero one against the system without constraints.
+#[test]
+fn a_connection_is_a_choice() {
+    let metric = metric(&So3, &[0.6, 0.8, 1.0]);
+    let zero = Connection::canonical(&So3.algebra().unwrap(), Canonical::Zero);
+    let moment = |t: f64, _: &UnitQuaternion<f64>, v: &Vector3<f64>| {
+        Vector3::new(t.cos(), 0.2, 0.0) - v * 0.1
+    };
+    let body = EulerPoincare::new(So3, &zero, &metric, moment).unwrap();
+    let velocity = Vector3::new(1.0, -0.5, 0.8);
+    let start = body.state(0.5, UnitQuaternion::identity(), &velocity);
+    let exact = Adaptive::new(1e-12).states(&body, &start, &[2.5]).unwrap().remove(0);
+    let system = Constrained::new(So3, &zero, &metric, moment, Nothing).unwrap();
+    let start = system.state(0.5, UnitQuaternion::identity(), &velocity).unwrap();
+    let error = |steps: usize| {
+        let end = run(&GeneralisedAlpha::default(), &system, &start, 2.0, steps);
+        let turn = (end.element.coords - exact.element.coords).norm();
+        [turn, (end.velocity - body.velocity(&exact)).norm()]
+    };
+    order_two(error, 100);
 }
 
 /// `(|x|^2 - 1)/2 = 0`.
@@ -344,7 +377,7 @@ impl Constraint<Translations<2>> for Rod {
 fn pendulum() -> Constrained<Translations<2>, Rod, impl Torque<Translations<2>>> {
     let plane = Translations::<2>;
     let gravity = |_: f64, _: &Vector2<f64>, _: &Vector2<f64>| Vector2::new(0.0, -1.0);
-    Constrained::new(plane, &metric(&plane, &[1.0, 1.0]), gravity, Rod).unwrap()
+    constrained(plane, &metric(&plane, &[1.0, 1.0]), gravity, Rod).unwrap()
 }
 
 /// From the horizontal the angle is that of `sin(angle/2) = k sn(K - t)`, `k^2 = 1/2`, and the rod carries `-3 y`.
@@ -400,7 +433,7 @@ fn energy_on_the_affine_group() {
     let mass = |[i, j]: [usize; 2]| f64::from(u8::from(i == j)) + 0.4 / (1.0 + (i + j) as f64);
     let mass = Tensor::from_fn(3, [Down, Down], mass).unwrap();
     let mass = Metric::new(group.algebra().unwrap().labels(), mass).unwrap();
-    let system = Constrained::new(group.clone(), &mass, Free, Curve).unwrap();
+    let system = constrained(group.clone(), &mass, Free, Curve).unwrap();
     let start = system.state(0.0, group.identity(), &dvector![0.8, 0.5, 0.5]).unwrap();
     let method = GeneralisedAlpha::default();
     let fine = run(&method, &system, &start, 2.0, 1600);
@@ -465,14 +498,17 @@ fn what_is_no_state_is_refused() {
     for (time, x, v) in [(f64::NAN, 1.0, 0.0), (0.0, f64::NAN, 0.0), (0.0, 1.0, f64::INFINITY)] {
         reason(system.state(time, Vector2::new(x, 0.0), &Vector2::new(0.0, v)));
     }
-    let twice = Constrained::new(plane, &unit, Free, Twice).unwrap();
+    let twice = constrained(plane, &unit, Free, Twice).unwrap();
     assert!(reason(twice.state(0.0, zero, &zero)).contains("depend on each other"));
     let wrong = Wrong(DMatrix::from_row_slice(1, 2, &[0.5, 0.0]));
-    let wrong = Constrained::new(plane, &unit, Free, wrong).unwrap();
+    let wrong = constrained(plane, &unit, Free, wrong).unwrap();
     assert!(reason(wrong.state(0.0, zero, &zero)).contains("B^1_1 is 0.5"));
-    let shape = Constrained::new(plane, &unit, Free, Wrong(DMatrix::zeros(2, 2))).unwrap();
+    let shape = constrained(plane, &unit, Free, Wrong(DMatrix::zeros(2, 2))).unwrap();
     assert!(matches!(shape.state(0.0, zero, &zero), Err(Error::Shape { .. })));
-    assert!(matches!(Constrained::new(So3, &unit, Free, Nothing), Err(Error::Shape { .. })));
+    assert!(matches!(constrained(So3, &unit, Free, Nothing), Err(Error::Shape { .. })));
+    let plus = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let other = Constrained::new(Se2, &plus, &metric(&Se2, &[1.0; 3]), Free, Nothing);
+    assert!(matches!(other, Err(Error::Shape { what: "the connection", .. })));
 }
 
 #[test]
@@ -494,7 +530,7 @@ fn steps_that_cannot_be_leave_the_state() {
     // a force that ends
     let plane = Translations::<2>;
     let gravity = |t: f64, _: &Vector2<f64>, _: &Vector2<f64>| Vector2::new(0.0, -(1.0 - t).sqrt());
-    let system = Constrained::new(plane, &metric(&plane, &[1.0, 1.0]), gravity, Rod).unwrap();
+    let system = constrained(plane, &metric(&plane, &[1.0, 1.0]), gravity, Rod).unwrap();
     let mut state = system.state(0.0, Vector2::new(1.0, 0.0), &Vector2::zeros()).unwrap();
     let steps = (0..20).map(|_| GeneralisedAlpha::default().step(&system, &mut state, 0.1));
     let stopped = steps.collect::<Result<Vec<_>, _>>();

@@ -2,8 +2,10 @@
 
 use super::System;
 use super::euler_poincare::{Free, Torque};
-use crate::group::{Coordinates, LieGroup};
-use crate::{Error, Metric};
+use crate::dense::to_dmatrix;
+use crate::frame::formula;
+use crate::group::{Coordinates, LieGroup, expect_left_frame};
+use crate::{Connection, Error, Metric};
 use nalgebra::{DMatrix, DVector};
 
 /// Equations `Phi(q) = 0` of elements.
@@ -15,20 +17,20 @@ pub trait Constraint<G: LieGroup> {
     fn gradient(&self, element: &G::Element) -> DMatrix<f64>;
 }
 
-/// A system on a group with a left-invariant metric `M`, external forces `F` and constraints:
+/// The system that a connection, a metric `J`, external forces `M` and constraints make on a group:
 ///
 /// ```text
-/// q' = q v,   M v' = ad*_v M v + F(t, q, v) - B(q)^T lambda,   Phi(q) = 0
+/// q' = q v,   J_ij v'^j = Lambda^j_ki v^k J_jl v^l + M_i(t, q, v) - B^a_i(q) lambda_a,   Phi^a(q) = 0
 /// ```
 ///
-/// in left (body) components, with `(ad*_v h)_i = h_j [v, e_i]^j`: the motion of
-/// [`EulerPoincare`](super::EulerPoincare) with the connection `plus`, and the multipliers `lambda` that hold
-/// it. The constraints must be independent: the rows of `B` where `Phi = 0`.
+/// in left (body) components: the motion (104) of [`EulerPoincare`](super::EulerPoincare), Newton's with the
+/// connection `plus`, and the multipliers `lambda` that hold it. The constraints must be independent: the rows of
+/// `B` where `Phi = 0`.
 ///
 /// ```
 /// use affinor::dynamics::{Constrained, Constraint, GeneralisedAlpha, Integrator};
 /// use affinor::group::{LieGroup, Translations};
-/// use affinor::Metric;
+/// use affinor::{Canonical, Connection, Metric};
 /// use affinor_tensors::{Down, Tensor};
 /// use nalgebra::{DMatrix, DVector, Vector2, dvector};
 /// // a pendulum of length 1 and mass 1 in the plane, gravity 1
@@ -44,8 +46,9 @@ pub trait Constraint<G: LieGroup> {
 /// let plane = Translations::<2>;
 /// let unit = Tensor::from_components(2, &[Down, Down], [([0, 0], 1.0), ([1, 1], 1.0)])?;
 /// let mass = Metric::new(plane.algebra()?.labels(), unit)?;
+/// let plus = Connection::canonical(&plane.algebra()?, Canonical::Plus);
 /// let gravity = |_: f64, _: &Vector2<f64>, _: &Vector2<f64>| Vector2::new(0.0, -1.0);
-/// let pendulum = Constrained::new(plane, &mass, gravity, Rod)?;
+/// let pendulum = Constrained::new(plane, &plus, &mass, gravity, Rod)?;
 /// let mut state = pendulum.state(0.0, Vector2::new(1.0, 0.0), &Vector2::zeros())?;
 /// for _ in 0..100 {
 ///     GeneralisedAlpha::default().step(&pendulum, &mut state, 0.01)?;
@@ -59,6 +62,8 @@ pub trait Constraint<G: LieGroup> {
 pub struct Constrained<G, C, M = Free> {
     group: G,
     mass: DMatrix<f64>,
+    /// `(i, k, l)` and the component `Lambda^j_ki J_jl`, where it is not zero.
+    inertia: Vec<([usize; 3], f64)>,
     force: M,
     constraint: C,
 }
@@ -100,12 +105,21 @@ const OFF: f64 = 1e-8;
 const ROUGH: f64 = 1e-4;
 
 impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
-    /// The system of a metric, forces and constraints.
+    /// The system of a connection and a metric on the algebra of the group, in its basis, with forces and
+    /// constraints.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless the metric has the dimension of the group.
-    pub fn new(group: G, metric: &Metric<f64>, force: M, constraint: C) -> Result<Self, Error> {
+    /// [`Error::Shape`] unless the connection is over the left-invariant frame of the group, and the metric of its
+    /// dimension.
+    pub fn new(
+        group: G,
+        connection: &Connection<f64>,
+        metric: &Metric<f64>,
+        force: M,
+        constraint: C,
+    ) -> Result<Self, Error> {
         let n = group.dimension();
+        expect_left_frame(&group, connection.frame())?;
         if metric.components().dimension() != n {
             return Err(Error::Shape {
                 what: "the metric",
@@ -113,11 +127,12 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
                 found: format!("dimension {}", metric.components().dimension()),
             });
         }
-        let mut mass = DMatrix::zeros(n, n);
-        for (at, value) in metric.components().components() {
-            mass[(at[0], at[1])] = *value;
-        }
-        Ok(Constrained { group, mass, force, constraint })
+        let operands = [("L", connection.gamma()), ("J", metric.components())];
+        let inertia = formula("L^j_ki J_jl -> _ikl", &operands);
+        let inertia = inertia.components();
+        let inertia = inertia.map(|(at, value)| ([at[0], at[1], at[2]], *value)).collect();
+        let mass = to_dmatrix(metric.components())?;
+        Ok(Constrained { group, mass, inertia, force, constraint })
     }
 
     /// The group.
@@ -191,7 +206,7 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         Ok(ConstrainedState { time, element, velocity, acceleration, multipliers, lead: None })
     }
 
-    /// `v M v/2`.
+    /// `J_ij v^i v^j/2` (98).
     pub fn kinetic_energy(&self, state: &ConstrainedState<G>) -> f64 {
         let velocity = column(&state.velocity);
         0.5 * velocity.dot(&(&self.mass * &velocity))
@@ -216,17 +231,18 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         self.group.compose(element, &self.group.exp(x))
     }
 
-    /// `ad*_v M v + F`.
+    /// `Lambda^j_ki v^k J_jl v^l + M_i`.
     pub(super) fn forces(
         &self,
         time: f64,
         element: &G::Element,
         velocity: &G::Vector,
     ) -> DVector<f64> {
-        let momentum = &self.mass * column(velocity);
-        let mut force = G::Vector::from_fn(self.group.dimension(), |i| {
-            column(&self.group.bracket(velocity, &self.group.unit(i))).dot(&momentum)
-        });
+        let (v, mut own) = (velocity.components(), vec![0.0; self.group.dimension()]);
+        for ([i, k, l], value) in &self.inertia {
+            own[*i] += value * v[*k] * v[*l];
+        }
+        let mut force = G::Vector::from_components(&own);
         self.force.add(time, element, velocity, &mut force);
         column(&force)
     }
@@ -254,7 +270,7 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
     }
 }
 
-/// `[[M, B^T], [C, 0]]`.
+/// `[[J, B^T], [C, 0]]`.
 pub(super) fn saddle(mass: &DMatrix<f64>, b: &DMatrix<f64>, c: &DMatrix<f64>) -> DMatrix<f64> {
     let (n, m) = (mass.nrows(), b.nrows());
     let mut matrix = DMatrix::zeros(n + m, n + m);

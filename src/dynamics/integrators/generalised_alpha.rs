@@ -24,7 +24,7 @@ use nalgebra::{DMatrix, DVector};
 /// `v` and `lambda`; fast oscillations are damped.
 ///
 /// `a` is not `v'` but nearly `v'(t + D h)`, `D = alpha_m - alpha_f`. The first step starts from there, and
-/// from a velocity that is moved along `M^-1 B^T` by the part of `h^2 ((1/6 - D/2 - beta) v'' + [v, v']/12)`
+/// from a velocity that is moved along `J^-1 B^T` by the part of `h^2 ((1/6 - D/2 - beta) v'' + [v, v']/12)`
 /// that the constraints do not let pass: so `lambda` is of order 2 from the first step on. All steps of a
 /// motion should be of one length; where it changes, `lambda` has an error of order 1 that is damped.
 ///
@@ -170,7 +170,7 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Integrator<Constrained<G, C, M
         for _ in 0..Self::ITERATIONS {
             let end = method.end(system, &start, &acceleration, h);
             let gradient = system.constraint().gradient(&end.element);
-            // -ad*_v M v - F + B^T lambda
+            // the multipliers' force less all others
             let pull = |end: &End<G>, gradient: &DMatrix<f64>| {
                 gradient.tr_mul(&multipliers) - system.forces(time, &end.element, &end.velocity)
             };
