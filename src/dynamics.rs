@@ -5,6 +5,9 @@
 //! body at any time, by elliptic functions and without steps; [`MoserVeselov`] makes steps of it that
 //! keep energy and momentum.
 //!
+//! [`isospectral`] has flows of matrices that keep their spectrum: the Toda lattice, the rigid body in n dimensions,
+//! the ideal fluid on the sphere. [`Constrained`] systems have holonomic constraints and their multipliers.
+//!
 //! Attitudes map body to space components, `Rdot = R spin(Omega)`; momentum `H = J Omega` and velocity are in
 //! body components, `Hdot = H cross Omega` is (108) without torque, and `R H` is the momentum in space.
 

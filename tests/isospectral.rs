@@ -488,6 +488,26 @@ fn what_is_no_state_is_refused() {
 }
 
 #[test]
+fn the_smallest_and_what_is_at_rest() {
+    let one = Toda.state(0.0, Toda::lattice(&[1.0], &[3.0]).unwrap()).unwrap();
+    assert_eq!(Toda.exact(&one, 5.0).unwrap().matrix, one.matrix);
+    assert_eq!(run(&FOURTH, &Toda, &one, 5.0, 3).matrix, one.matrix);
+    // su(2): a rotation of the sphere is at rest
+    let fluid = Zeitlin::new(2).unwrap();
+    let start = fluid.state(0.0, fluid.random(9, 1).unwrap()).unwrap();
+    let end = run(&MIDPOINT, &fluid, &start, 3.0, 5);
+    assert!(distance(&end, &start.matrix) < 1e-15);
+    assert!((fluid.energy(&start.matrix) / fluid.enstrophy(&start.matrix) - 0.25).abs() < 1e-15);
+    let still = fluid.state(0.0, fluid.vorticity(&[]).unwrap()).unwrap();
+    assert_eq!(run(&FOURTH, &fluid, &still, 1.0, 2).matrix, still.matrix);
+    // the plane body turns evenly
+    let body = Manakov::new(&[1.0, 2.0]).unwrap();
+    let start = body.state(0.0, antisymmetric(2, &[0.7])).unwrap();
+    assert_eq!(run(&MIDPOINT, &body, &start, 1.0, 2).matrix, start.matrix);
+    assert_eq!(body.pfaffian(&start.matrix), 0.7);
+}
+
+#[test]
 fn steps_that_are_too_long_leave_the_state() {
     let fluid = Zeitlin::new(9).unwrap();
     let start = fluid.state(0.5, fluid.random(1, 4).unwrap()).unwrap();

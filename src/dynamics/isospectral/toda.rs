@@ -25,7 +25,7 @@ use nalgebra::DMatrix;
 pub struct Toda;
 
 /// The most `QR` decompositions on the way to a time.
-const PIECES: f64 = 1e6;
+const PIECES: f64 = 1e5;
 
 impl Toda {
     /// Flaschka's matrix of positions `q` and momenta `p`: `L_kk = -p_k/2`, `L_(k,k+1) = exp((q_k - q_(k+1))/2)/2`.
@@ -69,7 +69,7 @@ impl Toda {
     ///
     /// # Errors
     /// [`Error::Shape`] unless `L` is square. [`Error::Integration`] for a time that is not finite or more than
-    /// a million pieces away, where `|t - t_0|` times the largest column sum of `L` is a million.
+    /// a hundred thousand pieces away, as many as `|t - t_0|` times the largest column sum of `|L|`.
     pub fn exact(&self, start: &MatrixState<f64>, time: f64) -> Result<MatrixState<f64>, Error> {
         expect_square("the matrix", &start.matrix, None)?;
         let length = time - start.time;
