@@ -8,7 +8,7 @@ use crate::group::{Coordinates, LieGroup, expect_left_frame};
 use crate::{Connection, Error, Metric};
 use nalgebra::{DMatrix, DVector};
 
-/// Equations `Phi(q) = 0` of elements.
+/// Equations `Phi(q) = 0` of elements, as many at each element: steps panic where their number changes.
 pub trait Constraint<G: LieGroup> {
     /// `Phi^a(q)`.
     fn value(&self, element: &G::Element) -> DVector<f64>;
