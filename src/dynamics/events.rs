@@ -196,7 +196,7 @@ fn change_of_sign(
     if behind == 0.0 {
         return Ok(end);
     }
-    // of half a resolution: the length of the bracket that bisection would have come to, one step late
+    // the bracket that bisection would have come to, one step late
     let mut allowed = resolution * 2.0 * (end.abs() / resolution).max(1.0).log2().ceil().exp2();
     while (b - a).abs() > resolution {
         let middle = a + 0.5 * (b - a);
