@@ -95,9 +95,9 @@ fn steps_of_a_body() {
 
     let method = MoserVeselov::new(&inertia, Order::Six);
     let at = BodyState { attitude: start.element, momentum: start.spatial };
-    assert_eq!(measure(|| drop(method.steps(&at, 0.01, 100).unwrap())).count_total, 0);
+    assert_eq!(measure(|| assert!(method.steps(&at, 0.01, 100).is_ok())).count_total, 0);
     let motion = FreeBody::new(&inertia, &at).unwrap();
-    assert_eq!(measure(|| drop(motion.at(10.0))).count_total, 0);
+    assert_eq!(measure(|| assert!(motion.at(10.0).momentum.norm() > 0.0)).count_total, 0);
 
     // events that do not happen: only the list of values
     let never = Event::new(|_: &State<So3>| 1.0, Direction::Both, Then::GoOn);
