@@ -306,6 +306,7 @@ fn orders_of_the_free_body() {
     ];
     for (order, nominal, steps, halvings) in orders {
         let method = MoserVeselov::new(&inertia, order);
+        assert_eq!(method.order(), nominal);
         expect_order(&format!("{order:?}"), nominal, steps, halvings, |n| free_error(&method, n));
     }
     // the next power shows, and the next halving is rounding

@@ -16,6 +16,7 @@ const STAGES: usize = 7;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MuntheKaas {
     order: u32,
+    /// That a step needs; its error has all.
     stages: usize,
     /// Rows of the tableau, below the diagonal.
     a: [[f64; STAGES - 1]; STAGES],
@@ -48,7 +49,7 @@ impl MuntheKaas {
     /// (1980) 19-26.
     pub const DORMAND_PRINCE: MuntheKaas = MuntheKaas {
         order: 5,
-        stages: 7,
+        stages: 6,
         a: [
             [0.0; 6],
             [1.0 / 5.0, 0.0, 0.0, 0.0, 0.0, 0.0],
@@ -93,7 +94,7 @@ impl MuntheKaas {
         state: &State<G>,
         h: f64,
     ) -> Result<(State<G>, f64), Error> {
-        let slopes = self.slopes(system, state, h, self.stages)?;
+        let slopes = self.slopes::<STAGES, _, _>(system, state, h)?;
         let next = self.end(system, state, h, &slopes)?;
         let zero = G::Vector::zeros(system.group().dimension());
         let off = moved::<G>(&slopes, &self.error, h, &zero);
@@ -101,31 +102,31 @@ impl MuntheKaas {
         Ok((next, off.velocity.largest().max(off.spatial.largest() / scale)))
     }
 
-    /// `u'` and `h'` at some stages.
+    /// `u'` and `h'` at the first `N` stages.
     #[inline]
-    fn slopes<G: LieGroup, M: Torque<G>>(
+    fn slopes<const N: usize, G: LieGroup, M: Torque<G>>(
         &self,
         system: &EulerPoincare<G, M>,
         state: &State<G>,
         h: f64,
-        stages: usize,
-    ) -> Result<[Rates<G::Vector>; STAGES], Error> {
+    ) -> Result<[Rates<G::Vector>; N], Error> {
         let group = system.group();
-        let zero = G::Vector::zeros(group.dimension());
-        let mut slopes: [Rates<G::Vector>; STAGES] =
-            std::array::from_fn(|_| Rates { velocity: zero.clone(), spatial: zero.clone() });
         // u = 0
-        slopes[0] = system.rates(state);
-        expect_finite(state.time, &[&slopes[0].velocity, &slopes[0].spatial])?;
-        for stage in 1..stages {
+        let first = system.rates(state);
+        let mut slopes: [Rates<G::Vector>; N] = std::array::from_fn(|_| first.clone());
+        for stage in 1..N {
             let at = moved::<G>(&slopes[..stage], &self.a[stage], h, &state.spatial);
             let rates = system.rates(&State {
                 time: state.time + self.c[stage] * h,
                 element: group.compose(&state.element, &group.exp(&at.velocity)),
                 spatial: at.spatial,
             });
-            expect_finite(state.time, &[&rates.velocity, &rates.spatial])?;
-            let velocity = group.tangent_left_inverse(&at.velocity, &rates.velocity)?;
+            let velocity = match group.tangent_left_inverse(&at.velocity, &rates.velocity) {
+                Ok(velocity) => velocity,
+                Err(error) => {
+                    return Err(expect_finite(state.time, &[&at.velocity]).err().unwrap_or(error));
+                }
+            };
             slopes[stage] = Rates { velocity, spatial: rates.spatial };
         }
         Ok(slopes)
@@ -173,10 +174,10 @@ impl<G: LieGroup, M: Torque<G>> Integrator<EulerPoincare<G, M>> for MuntheKaas {
         state: &mut State<G>,
         h: f64,
     ) -> Result<(), Error> {
-        // the last stage of a pair may serve its error only
-        let stages = self.stages - usize::from(self.b[self.stages - 1] == 0.0);
-        let slopes = self.slopes(system, state, h, stages)?;
-        *state = self.end(system, state, h, &slopes)?;
+        *state = match self.stages {
+            4 => self.end(system, state, h, &self.slopes::<4, _, _>(system, state, h)?)?,
+            _ => self.end(system, state, h, &self.slopes::<6, _, _>(system, state, h)?)?,
+        };
         Ok(())
     }
 }
