@@ -271,3 +271,34 @@ fn potentials_conserve_the_energy_on_every_group() {
         }
     }
 }
+
+/// Sections of a free body come once a period, known to 12 digits; the run ends at an event if so asked.
+#[test]
+fn events_are_located() {
+    const PERIOD: f64 = 6.862_616_178_058_116;
+    let body = "space = \"so3\"\nmetric = \"diag(0.6, 0.8, 1)\"\n\
+                initial.momentum = [1.8, 0.4, -0.9]\nevents = { section = \"H2\" }\n";
+    for integrator in
+        ["method = \"rkmk54\"\ntolerance = 1e-13", "step = 0.01", "method = \"exact\""]
+    {
+        let output = "[output]\nend = 30\nevery = 0.3\nsection = \"section\"\n";
+        let problem = format!("{body}{output}[integrator]\n{integrator}\n");
+        let found = done(&mut simulate(folder(&problem).path()));
+        let text = String::from_utf8(found.stdout).unwrap();
+        let times: Vec<f64> = text
+            .lines()
+            .skip(1)
+            .map(|line| line.split(',').next().unwrap().parse().unwrap())
+            .collect();
+        // two in each period
+        assert_eq!(times.len(), 9, "{integrator}: {times:?}");
+        for pair in times.windows(3) {
+            assert!((pair[2] - pair[0] - PERIOD).abs() < 2e-12, "{integrator}: {pair:?}");
+        }
+        let problem = problem.replace("section = \"section\"", "stop = \"section\"");
+        let found = done(&mut simulate(folder(&problem).path()));
+        let text = String::from_utf8(found.stdout).unwrap();
+        let last = text.lines().last().unwrap();
+        assert_eq!(last.split(',').next().unwrap().parse::<f64>().unwrap(), times[0]);
+    }
+}

@@ -55,6 +55,8 @@ pub(super) struct Keys<'t> {
     #[serde(borrow)]
     quantities: Option<TextsText<'t>>,
     #[serde(borrow)]
+    events: Option<TextsText<'t>>,
+    #[serde(borrow)]
     ensemble: Option<EnsembleKeys<'t>>,
 }
 
@@ -148,6 +150,10 @@ struct OutputKeys<'t> {
     times: Option<Vec<Number<'t>>>,
     #[serde(borrow)]
     columns: Option<Vec<Text<'t>>>,
+    #[serde(borrow)]
+    stop: Option<Text<'t>>,
+    #[serde(borrow)]
+    section: Option<Text<'t>>,
 }
 
 #[derive(serde::Deserialize)]
@@ -214,6 +220,15 @@ impl Reader<'_> {
         value.at(&self.values)
     }
 
+    /// Formulas by their names.
+    fn formulas(&self, table: &Option<TextsText>) -> Result<Vec<(String, Written)>, InputError> {
+        let named = table.iter().flat_map(|table| &table.0).map(|(name, text)| {
+            check_name(&name.0).map_err(|error| error.at(&self.source.whole(&name.0)))?;
+            Ok((name.0.to_string(), self.written(text)))
+        });
+        named.collect()
+    }
+
     fn declare(&mut self, Text(name): &Text) -> Result<(), InputError> {
         let place = self.source.whole(name);
         check_name(name).map_err(|error| error.at(&place))?;
@@ -262,12 +277,18 @@ impl<'t> Keys<'t> {
             Some(columns) => columns.iter().map(|column| reader.written(column)).collect(),
             None => COLUMNS.map(|name| reader.written(&Text(name.into()))).to_vec(),
         };
-        let quantities = self.quantities.iter().flat_map(|table| &table.0);
-        let quantities = quantities.map(|(name, text)| {
-            check_name(&name.0).map_err(|error| error.at(&source.whole(&name.0)))?;
-            Ok((name.0.to_string(), reader.written(text)))
-        });
-        let quantities = quantities.collect::<Result<_, InputError>>()?;
+        let quantities = reader.formulas(&self.quantities)?;
+        let events = reader.formulas(&self.events)?;
+        let event = |name: &Option<Text>| {
+            let Some(Text(name)) = name else { return Ok(None) };
+            if events.iter().any(|(event, _)| event == name) {
+                return Ok(Some(name.to_string()));
+            }
+            let error = InputError::usage(format!("`{}` is no event", shown(name)));
+            let help = "events are named in a table [events], by formulas that change their sign";
+            Err(error.at(&source.whole(name)).help(help))
+        };
+        let (stop, section) = (event(&self.output.stop)?, event(&self.output.section)?);
         let name = self.name.clone().unwrap_or_else(|| stem(&source.name));
         let kind = match &self.flow {
             Some(flow) => {
@@ -306,6 +327,9 @@ impl<'t> Keys<'t> {
             times,
             columns,
             quantities,
+            events,
+            stop,
+            section,
             ensemble,
         })
     }

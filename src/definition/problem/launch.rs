@@ -69,7 +69,8 @@ impl Launch<'_> {
         let inertia = to_dmatrix(metric.components())?;
         let mut forces = Forces::none(group.clone(), inertia.clone(), self.parameters.clone());
         self.forces(&mut forces)?;
-        let (columns, formulas) = self.columns(&forces)?;
+        let (columns, mut formulas) = self.columns(&forces)?;
+        let events = self.events(&forces, &mut formulas)?;
         let element = self.element(&group, &values)?;
         let momentum = self.momentum(&group, &element, &forces, &values)?;
         let step = self.problem.step.as_ref().map(|step| step.positive(&values)).transpose()?;
@@ -87,7 +88,7 @@ impl Launch<'_> {
             columns: formulas,
         };
         let (motion, method) = on_group(group, setup)?;
-        Ok(Ready { motion, method, columns, inertia: Some(inertia) })
+        Ok(Ready { motion, method, columns, events, inertia: Some(inertia) })
     }
 
     /// A motion of a velocity over time.
@@ -130,10 +131,11 @@ impl Launch<'_> {
             let help = "the velocity is a formula of t and the parameters";
             added.map_err(|error| formula.refused(error, help.into()))?;
         }
-        let (columns, formulas) = self.columns(&names)?;
+        let (columns, mut formulas) = self.columns(&names)?;
+        let events = self.events(&names, &mut formulas)?;
         let start = (self.problem.times[0], self.element(&group, &values)?);
         let motion = on_given(group, velocity, start, (magnus, step), formulas, names);
-        Ok(Ready { motion, method, columns, inertia: None })
+        Ok(Ready { motion, method, columns, events, inertia: None })
     }
 
     fn forces<G: Simulated>(&self, forces: &mut Forces<G>) -> Result<(), InputError> {
@@ -189,6 +191,23 @@ impl Launch<'_> {
             }
         }
         Ok((columns, (scope, formulas)))
+    }
+
+    /// The names of events; their formulas go behind the others.
+    fn events<G: Simulated>(
+        &self,
+        forces: &Forces<G>,
+        (scope, formulas): &mut (Scope, Vec<Formula>),
+    ) -> Result<Vec<String>, InputError> {
+        let names = forces.names();
+        let help = || format!("the names here are {}", names.all());
+        let mut events = Vec::new();
+        for (name, written) in &self.problem.events {
+            let formula = scope.read(&written.text, names, &|_| true);
+            formulas.push(formula.map_err(|error| written.refused(error, help()))?);
+            events.push(name.clone());
+        }
+        Ok(events)
     }
 
     fn element<G: Simulated>(&self, group: &G, values: &[f64]) -> Result<G::Element, InputError> {
