@@ -19,7 +19,7 @@ pub mod table;
 pub use crossings::{Crossing, Crossings};
 pub use forces::{Forces, Point, Side};
 pub use given::{GivenVelocity, on_given};
-pub use matrices::{MatrixFlow, on_matrices};
+pub use matrices::{MatrixFlow, Started, on_matrices};
 pub use method::Method;
 pub use on_group::{Setup, on_group};
 pub use table::Table;

@@ -16,6 +16,9 @@ use crate::{Canonical, Connection};
 use affinor_tensors::expression::ExpressionError;
 use nalgebra::DMatrix;
 
+/// Formulas over their scope.
+type Formulas = (Scope, Vec<Formula>);
+
 /// What is needed beside the group.
 pub(super) struct Launch<'p> {
     pub problem: &'p Problem,
@@ -159,7 +162,7 @@ impl Launch<'_> {
     fn columns<G: Simulated>(
         &self,
         forces: &Forces<G>,
-    ) -> Result<(Vec<Column>, (Scope, Vec<Formula>)), InputError> {
+    ) -> Result<(Vec<Column>, Formulas), InputError> {
         let names = forces.names();
         let help = || format!("the names here are {}", names.all());
         let (mut scope, mut columns, mut formulas) = (Scope::default(), vec![], vec![]);
@@ -197,7 +200,7 @@ impl Launch<'_> {
     fn events<G: Simulated>(
         &self,
         forces: &Forces<G>,
-        (scope, formulas): &mut (Scope, Vec<Formula>),
+        (scope, formulas): &mut Formulas,
     ) -> Result<Vec<String>, InputError> {
         let names = forces.names();
         let help = || format!("the names here are {}", names.all());
