@@ -1,7 +1,7 @@
 //! Groups that are chosen while the program runs: vectors as lists, elements as matrices.
 
 use crate::group::{
-    Coordinates, LieGroup, MatrixGroup, Nilpotent, Se2, Se3, Sl2, So2, So3, rotation,
+    Coordinates, LieGroup, MatrixGroup, Nilpotent, Opposite, Se2, Se3, Sl2, So2, So3, rotation,
 };
 use crate::transport::ParallelTranslation;
 use crate::{Connection, Error};
@@ -215,5 +215,18 @@ impl Written for Nilpotent<f64> {
 
     fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
         checked(self, matrix, |m| Ok(DVector::from_column_slice(m.as_slice())))
+    }
+}
+
+/// As elements of the group are.
+impl<G: Written> Written for Opposite<G> {
+    const ANGLES: usize = G::ANGLES;
+
+    fn write(&self, g: &Self::Element) -> DMatrix<f64> {
+        self.0.write(g)
+    }
+
+    fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
+        self.0.read(matrix)
     }
 }

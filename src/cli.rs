@@ -16,6 +16,7 @@ mod output;
 #[cfg(feature = "plot")]
 mod plot;
 mod rows;
+mod simulate;
 mod stages;
 mod table;
 mod transport;
@@ -65,6 +66,8 @@ enum Command {
     Transport(transport::Arguments),
     /// Rotation vectors, quaternions, matrices, Euler angles: one into another
     Convert(convert::Arguments),
+    /// The motion of a problem of mechanics, or of an ensemble of them
+    Simulate(simulate::Arguments),
     /// The figures of the paper, computed and drawn
     #[cfg(feature = "plot")]
     Plot(plot::Arguments),
@@ -92,6 +95,7 @@ pub fn main() -> ExitCode {
         Command::Adjoint(arguments) => operate(&arguments, Operation::Adjoint),
         Command::Transport(arguments) => (arguments.run(), arguments.shared.output.color),
         Command::Convert(arguments) => (arguments.run(), arguments.output.color),
+        Command::Simulate(arguments) => (arguments.run(), arguments.color),
         #[cfg(feature = "plot")]
         Command::Plot(arguments) => arguments.run(),
         Command::List(arguments) => (arguments.run(), arguments.output.color),

@@ -11,14 +11,20 @@ mod escapes;
 mod file;
 mod group;
 mod input;
+mod mesh;
 mod notation;
 mod numbers;
+mod problem;
 mod setting;
 mod space;
 mod written;
 
+pub use file::read_rows;
+pub use group::GroupWork;
 pub use input::{InputError, Place, Refusal, Source};
+pub use mesh::{mesh, read_mesh};
 pub use numbers::numbers;
+pub use problem::{Column, Problem, Ready};
 pub use space::{Request, ScalarChoice, Space, Work};
 
 use crate::algebra::Complex;

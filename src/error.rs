@@ -256,6 +256,18 @@ pub enum Error {
         /// What is wrong with it, with its witness.
         reason: String,
     },
+    /// Values that no state of a system has.
+    #[error("no state: {reason}")]
+    NoState {
+        /// What is wrong with them, with its witness.
+        reason: String,
+    },
+    /// A surface that bounds no solid.
+    #[error("no solid: {reason}")]
+    NoSolid {
+        /// What is wrong with it, with its witness.
+        reason: String,
+    },
     /// A point that coordinates do not reach.
     #[error("no {what}: {reason}")]
     NoCoordinates {
@@ -277,6 +289,26 @@ pub enum Error {
     Integration {
         /// The time that was reached.
         t: f64,
+        /// Why.
+        reason: String,
+    },
+    /// A column that a run does not have.
+    #[error("the run has no column {name}")]
+    NoColumn {
+        /// Its name.
+        name: String,
+    },
+    /// A method of integration that is not for a problem.
+    #[error("the method {method} does not serve here: {reason}")]
+    NoMethod {
+        /// Its name.
+        method: &'static str,
+        /// Why.
+        reason: String,
+    },
+    /// A saved state that cannot be written or read.
+    #[error("the saved state is of no use: {reason}")]
+    Snapshot {
         /// Why.
         reason: String,
     },

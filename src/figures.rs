@@ -6,10 +6,12 @@
 
 mod autoparallels;
 pub mod ball;
+pub mod diagram;
 mod frames;
 mod images;
 mod motion;
 mod path;
+pub mod run;
 mod transport;
 
 pub use autoparallels::autoparallels;

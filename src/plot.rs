@@ -3,6 +3,7 @@
 //! A [`Picture`] is a list of [`Shape`]s. [`draw`] makes one of a [`Figure`](crate::figures::Figure); a backend
 //! is a function of a picture, [`svg()`] and [`png()`] so far.
 
+mod diagram;
 mod draw;
 mod label;
 mod legend;
@@ -11,8 +12,9 @@ mod raster;
 mod vector;
 mod view;
 
+pub use diagram::diagram;
 pub use draw::draw;
-pub use raster::{MAX_WIDTH, PictureError, png};
+pub use raster::{MAX_WIDTH, PictureError, png, rendered};
 pub use vector::svg;
 pub use view::View;
 

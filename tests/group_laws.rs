@@ -6,7 +6,8 @@ mod common;
 use affinor::algebra::Complex;
 use affinor::group::fields::{InvariantField, Side, right_components, right_translate};
 use affinor::group::{
-    Coordinates, Heisenberg, LieGroup, MatrixGroup, Nilpotent, Se2, Se3, Se23, Sl2, So2, So3,
+    Coordinates, Heisenberg, LieGroup, MatrixGroup, Nilpotent, Opposite, Product, Se2, Se3, Se23,
+    Sl2, So2, So3, Translations,
 };
 use affinor::{Error, LieAlgebra, MatrixBasis};
 use affinor_tensors::Tolerance;
@@ -53,7 +54,6 @@ fn axioms<G: LieGroup>(group: &G, [x, y, z]: [&G::Vector; 3]) {
     let gh = group.compose(&g, &h);
     let hk = group.compose(&h, &k);
     same(group, &group.compose(&gh, &k), &group.compose(&g, &hk), 1e-11);
-    near(&group.matrix(&gh), &(group.matrix(&g) * group.matrix(&h)), 1e-12);
 }
 
 fn exponential<G: LieGroup>(group: &G, x: &G::Vector) {
@@ -170,7 +170,17 @@ fn laws<G: LieGroup>(group: &G, numbers: &[f64]) {
     fields(group, [&x, &y, &z]);
 }
 
-/// A test of all laws for each group.
+/// Matrices multiply as the elements do.
+fn represented<G: LieGroup>(group: &G, numbers: &[f64]) {
+    let n = group.dimension();
+    let vector = |at: usize| G::Vector::from_components(&numbers[at * n..(at + 1) * n]);
+    let (x, y) = (vector(0), vector(1));
+    let (g, h) = (group.exp(&x), group.exp(&y));
+    let product = group.matrix(&g) * group.matrix(&h);
+    near(&group.matrix(&group.compose(&g, &h)), &product, 1e-12);
+}
+
+/// A test of all laws for each group, and for its opposite.
 macro_rules! laws {
     ($($name:ident: $group:expr;)*) => {
         proptest! {
@@ -178,7 +188,13 @@ macro_rules! laws {
             $(
                 #[test]
                 fn $name(numbers in vec(-1.0..1.0f64, 30)) {
-                    laws(&$group, &numbers);
+                    let group = $group;
+                    laws(&group, &numbers);
+                    represented(&group, &numbers);
+                    // the opposite group, whose matrices reverse products, and its opposite
+                    let opposite = Opposite(group);
+                    laws(&opposite, &numbers);
+                    represented(&Opposite(opposite), &numbers);
                 }
             )*
         }
@@ -194,6 +210,9 @@ laws! {
     sl2: Sl2;
     heisenberg_3: Heisenberg::<3>;
     heisenberg_5: Heisenberg::<5>;
+    translations: Translations::<3>;
+    position_and_attitude: Product(Translations::<3>, So3);
+    product_of_products: Product(Product(Sl2, So2), Heisenberg::<3>);
     filiform: Nilpotent::new(floats("filiform")).unwrap();
     unitriangular: Nilpotent::new(floats("unitriangular")).unwrap();
     matrices_of_so3: matrices(&spins());
@@ -260,6 +279,8 @@ fn brackets_are_those_of_the_catalogue() {
     }
     agree(&So2, &floats("R^1"));
     agree(&So3, &floats("so(3)"));
+    agree(&Translations::<2>, &floats("R^2"));
+    agree(&Product(So3, Sl2), &floats("so(3)+sl(2)"));
     agree(&Se2, &floats("se(2)"));
     agree(&Se3, &floats("se(3)"));
     agree(&Sl2, &floats("sl(2)"));

@@ -2,12 +2,19 @@
 
 use super::color::Color;
 use super::failure::Failure;
+use super::note::line;
 use super::output::deliver;
 use super::rows::{Expected, read};
-use affinor::definition::{InputError, Request, Space};
+use super::stages::Stages;
+use affinor::convergence;
+use affinor::definition::{InputError, Problem, Ready, Request, Space, read_rows};
+use affinor::dynamics::Inertia;
+use affinor::figures::diagram::Diagram;
+use affinor::figures::run::RunRows;
 use affinor::figures::{self, Connected, Figure, Path};
 use affinor::group::So3;
 use affinor::plot::{self, MAX_WIDTH, View};
+use affinor::simulation::Method;
 use affinor::transport::ParallelTranslation;
 use affinor::{ConnectionKind, Error};
 use affinor_tensors::Tolerance;
@@ -62,6 +69,26 @@ enum Kind {
         #[command(flatten)]
         paper: Paper,
     },
+    /// A problem of motion: the axes of the body on the unit sphere in space
+    Attitude(Run),
+    /// A problem of motion: the momentum in the body, on its sphere and the ellipsoid of its energy
+    Momentum(Run),
+    /// A problem of motion: how far what it keeps goes from its start
+    Drift(Run),
+    /// A problem of motion: the error at the end over the step, and over the cost, of several methods
+    Convergence {
+        #[command(flatten)]
+        run: Run,
+        /// The methods, as in "rkmk4,cf4"
+        #[arg(long, value_name = "NAMES", default_value = "rkmk4,cf4,cg3")]
+        methods: String,
+        /// The longest step; otherwise a sixteenth of the whole time
+        #[arg(long, value_name = "H")]
+        step: Option<f64>,
+        /// How often it is halved
+        #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..=30))]
+        halvings: u32,
+    },
     /// The left-invariant frame along a motion; with connections, the frames that they carry
     #[command(visible_alias = "figure6")]
     Frames {
@@ -94,6 +121,19 @@ struct Connections {
     /// The metric of levi-civita: identity, "diag(1,2,3)", or rows "[[1,0,0],..]"
     #[arg(long, value_name = "METRIC", allow_hyphen_values = true)]
     metric: Option<String>,
+}
+
+/// A problem of motion, and perhaps its rows.
+#[derive(Args)]
+struct Run {
+    /// The problem: a TOML file
+    #[arg(value_name = "FILE")]
+    problem: String,
+    /// Rows of `affinor simulate` in CSV, in the place of a run
+    #[arg(long, value_name = "FILE")]
+    rows: Option<String>,
+    #[command(flatten)]
+    paper: Paper,
 }
 
 /// What it is drawn on.
@@ -129,6 +169,25 @@ impl Arguments {
             Kind::Frames { connections, motion, paper } => {
                 let all = connections.or(&[]);
                 (all.and_then(|all| motion.show(|path, t| figures::frames(&all, path, t))), paper)
+            }
+            Kind::Attitude(run) => {
+                let figure = run.rows().and_then(|(rows, _)| Ok(figures::run::attitude(&rows)?));
+                (figure, run.paper)
+            }
+            Kind::Momentum(run) => (run.momentum(), run.paper),
+            Kind::Drift(run) => {
+                let color = run.paper.color;
+                let diagram = run.rows().and_then(|(rows, ready)| {
+                    let watched = ready.columns.into_iter().filter(|column| column.watched);
+                    let watched: Vec<String> = watched.map(|column| column.name).collect();
+                    Ok(figures::run::drift(&rows, &watched)?)
+                });
+                return (diagram.and_then(|diagram| run.paper.print_diagram(&diagram)), color);
+            }
+            Kind::Convergence { run, methods, step, halvings } => {
+                let color = run.paper.color;
+                let diagram = run.convergence(&methods, step, halvings);
+                return (diagram.and_then(|diagram| run.paper.print_diagram(&diagram)), color);
             }
             Kind::Autoparallels { axis, connections, paper } => {
                 let figure = || {
@@ -196,6 +255,73 @@ impl Connections {
     }
 }
 
+impl Run {
+    /// The rows, and what is known of their motion.
+    fn rows(&self) -> Result<(RunRows, Ready), Failure> {
+        let problem = Problem::read(&self.problem)?;
+        let mut ready = problem.motion(0)?;
+        let name = problem.name.clone();
+        if let Some(file) = &self.rows {
+            let (columns, rows) = read_rows(file)?;
+            return Ok((RunRows { name, columns, rows }, ready));
+        }
+        let stages = Stages::new(false);
+        stages.begin("the motion");
+        let mut rows = Vec::new();
+        for &time in &problem.times {
+            while !ready.motion.step(time)? {}
+            rows.push(ready.motion.row());
+        }
+        let columns = ready.columns.iter().map(|column| column.name.clone()).collect();
+        Ok((RunRows { name, columns, rows }, ready))
+    }
+
+    fn momentum(&self) -> Result<Figure, Failure> {
+        let (rows, ready) = self.rows()?;
+        let inertia = ready.inertia.filter(|inertia| inertia.shape() == (3, 3));
+        let Some(inertia) = inertia else {
+            let message = "the ellipsoid of the energy is drawn of a body with an inertia";
+            return Err(InputError::mathematics(message).into());
+        };
+        let inertia = Inertia::new(&inertia.fixed_view::<3, 3>(0, 0).into_owned())?;
+        Ok(figures::run::momentum(&rows, &inertia)?)
+    }
+
+    fn convergence(
+        &self,
+        methods: &str,
+        step: Option<f64>,
+        halvings: u32,
+    ) -> Result<Diagram, Failure> {
+        let problem = Problem::read(&self.problem)?;
+        let method = |name: &str| {
+            Method::from_name(name.trim()).ok_or_else(|| {
+                let all = Method::ALL.map(Method::name).join(", ");
+                let message = format!("--methods: `{}` is no method", name.escape_debug());
+                Failure::from(InputError::usage(message).help(format!("the methods are {all}")))
+            })
+        };
+        let methods = methods.split(',').map(method).collect::<Result<Vec<_>, _>>()?;
+        let whole = problem.times[problem.times.len() - 1] - problem.times[0];
+        let step = step.unwrap_or(whole.abs() / 16.0);
+        if !(step > 0.0 && step.is_finite()) {
+            return Err(InputError::usage(format!("--step {step} is not above zero")).into());
+        }
+        let stages = Stages::new(false);
+        let mut count = 0;
+        let found = convergence::trials(&problem, &methods, step, halvings, || {
+            count += 1;
+            stages.begin(&format!("run {count}"));
+        })?;
+        for trials in &found {
+            let orders: Vec<String> =
+                trials.orders().iter().map(|order| format!("{order:.2}")).collect();
+            line(&format!("{}: observed orders {}", trials.method, orders.join(" ")));
+        }
+        Ok(convergence::diagram(&problem.name, &found))
+    }
+}
+
 /// How pictures are written.
 #[derive(Clone, Copy)]
 enum Ending {
@@ -205,19 +331,28 @@ enum Ending {
 
 impl Paper {
     fn print(&self, figure: &Figure) -> Result<ExitCode, Failure> {
-        let ending = self.ending()?;
-        if !(1..=MAX_WIDTH).contains(&self.width) {
-            let message = format!("--width {} is not between 1 and {MAX_WIDTH}", self.width);
-            return Err(InputError::usage(message).into());
-        }
         let expected = Expected { numbers: 2, what: "azimuth and elevation".into() };
         let [azimuth, elevation] = read("--view", &self.view, &expected)?[..] else {
             return Err(InputError::usage("--view: azimuth and elevation are two numbers").into());
         };
         let picture = plot::draw(figure, &View { azimuth, elevation });
+        self.deliver(|width| plot::svg(&picture, width))
+    }
+
+    fn print_diagram(&self, diagram: &Diagram) -> Result<ExitCode, Failure> {
+        self.deliver(|width| plot::diagram(diagram, width))
+    }
+
+    fn deliver(&self, svg: impl FnOnce(u32) -> String) -> Result<ExitCode, Failure> {
+        let ending = self.ending()?;
+        if !(1..=MAX_WIDTH).contains(&self.width) {
+            let message = format!("--width {} is not between 1 and {MAX_WIDTH}", self.width);
+            return Err(InputError::usage(message).into());
+        }
+        let text = svg(self.width);
         let bytes = match ending {
-            Ending::Svg => plot::svg(&picture, self.width).into_bytes(),
-            Ending::Png => plot::png(&picture, self.width)
+            Ending::Svg => text.into_bytes(),
+            Ending::Png => plot::rendered(&text, self.width)
                 .map_err(|error| InputError::usage(error.to_string()))?,
         };
         deliver(self.file.as_deref(), &[], |out| out.write_all(&bytes))?;

@@ -1,14 +1,35 @@
 //! Definition files: TOML, or JSON with the same keys.
 
-use super::Definition;
 use super::document::Document;
 use super::input::{InputError, Place, Source};
+use super::{Definition, numbers};
+use serde::Deserialize;
 use std::fs::File;
 use std::io::{self, Read};
 use std::ops::Range;
 
-/// The most bytes a definition may have.
+/// The most bytes a file may have.
 const MAX_BYTES: u64 = 1 << 28;
+
+/// What a file holds, or standard input for `-`, with the name it goes by in messages.
+pub(super) fn bytes(path: &str) -> Result<(String, Vec<u8>), InputError> {
+    let name = match path {
+        "-" => "<standard input>".to_string(),
+        path => path.escape_debug().to_string(),
+    };
+    let mut bytes = Vec::new();
+    let length = match path {
+        "-" => io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes),
+        path => File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes)),
+    };
+    let length =
+        length.map_err(|error| InputError::usage(format!("cannot read {name}: {error}")))?;
+    if length as u64 > MAX_BYTES {
+        let message = format!("{name} has more than {MAX_BYTES} bytes");
+        return Err(InputError::usage(message));
+    }
+    Ok((name, bytes))
+}
 
 impl Definition {
     /// Reads a definition from a file, or from standard input for `-`.
@@ -16,24 +37,7 @@ impl Definition {
     /// # Errors
     /// What cannot be read, parsed or understood, with its place.
     pub fn read(path: &str) -> Result<Self, InputError> {
-        let name = match path {
-            "-" => "<standard input>".to_string(),
-            path => path.escape_debug().to_string(),
-        };
-        let mut bytes = Vec::new();
-        let length = match path {
-            "-" => io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes),
-            path => {
-                File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes))
-            }
-        };
-        let length =
-            length.map_err(|error| InputError::usage(format!("cannot read {name}: {error}")))?;
-        if length as u64 > MAX_BYTES {
-            let message = format!("{name} has more than {MAX_BYTES} bytes");
-            return Err(InputError::usage(message));
-        }
-        Self::decode(&name, &bytes)
+        Self::of_source(&read(path)?)
     }
 
     /// Reads a definition from the text of a file; `name` is what messages call it.
@@ -54,51 +58,93 @@ impl Definition {
         Self::of_source(&Source::new(name.escape_debug().to_string(), text))
     }
 
-    fn decode(name: &str, bytes: &[u8]) -> Result<Self, InputError> {
-        if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-            let error = InputError::usage(format!("{name} is UTF-16"));
-            return Err(error.help("save it as UTF-8"));
-        }
-        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-        match std::str::from_utf8(bytes) {
-            Ok(text) => Self::of_source(&Source::new(name, text)),
-            Err(error) => {
-                let at = error.valid_up_to();
-                let (message, source) = (
-                    format!("{name} is not text: byte {} is not UTF-8", at + 1),
-                    Source::new(name, &String::from_utf8_lossy(bytes)),
-                );
-                let span = Some(at..at + char::REPLACEMENT_CHARACTER.len_utf8());
-                Err(InputError::usage(message).at(&Place { source, span }))
-            }
-        }
-    }
-
-    /// JSON if the text begins with `{`, else TOML.
     fn of_source(source: &Source) -> Result<Self, InputError> {
-        let text = &*source.text;
-        let start = text.trim_start();
-        if start.is_empty() {
-            let error = InputError::usage(format!("{} is empty", source.name));
-            return Err(error.help("a definition has a basis and brackets"));
-        }
-        let (message, span) = if start.starts_with('{') {
-            match serde_json::from_str::<Document>(text) {
-                Ok(document) => return document.define(source),
-                Err(error) => (error.to_string(), Some(position(&error, text))),
-            }
-        } else if source.name.ends_with(".json") {
-            let at = text.len() - start.len();
-            ("a JSON definition is an object of keys, {...}".into(), Some(at..at))
-        } else {
-            match toml::from_str::<Document>(text) {
-                Ok(document) => return document.define(source),
-                Err(error) => (error.message().into(), error.span()),
-            }
-        };
-        let source = source.clone();
-        Err(syntax(&message).at(&Place { source, span }))
+        keys::<Document>(source, "a definition has a basis and brackets")?.define(source)
     }
+}
+
+/// The text of a file, or of standard input for `-`.
+///
+/// # Errors
+/// What cannot be read, or is not UTF-8.
+pub(super) fn read(path: &str) -> Result<Source, InputError> {
+    let (name, bytes) = bytes(path)?;
+    decode(&name, &bytes)
+}
+
+fn decode(name: &str, bytes: &[u8]) -> Result<Source, InputError> {
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        let error = InputError::usage(format!("{name} is UTF-16"));
+        return Err(error.help("save it as UTF-8"));
+    }
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    match std::str::from_utf8(bytes) {
+        Ok(text) => Ok(Source::new(name, text)),
+        Err(error) => {
+            let at = error.valid_up_to();
+            let (message, source) = (
+                format!("{name} is not text: byte {} is not UTF-8", at + 1),
+                Source::new(name, &String::from_utf8_lossy(bytes)),
+            );
+            let span = Some(at..at + char::REPLACEMENT_CHARACTER.len_utf8());
+            Err(InputError::usage(message).at(&Place { source, span }))
+        }
+    }
+}
+
+/// The names and the rows of a table in CSV.
+///
+/// # Errors
+/// What cannot be read, and what is no number, with its place.
+pub fn read_rows(path: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError> {
+    let file = read(path)?;
+    let mut lines = file.text.lines().enumerate();
+    let names = lines.next().map_or("", |(_, line)| line).split(',');
+    let names: Vec<String> = names.map(|name| name.trim().to_string()).collect();
+    let mut rows = Vec::new();
+    for (at, line) in lines.filter(|(_, line)| !line.trim().is_empty()) {
+        let source = Source::new(format!("{}, line {}", file.name, at + 1), line);
+        let row = numbers(&source)?;
+        if row.len() != names.len() {
+            let (found, expected) = (row.len(), names.len());
+            let message = format!("a row of {found} numbers stands below {expected} names");
+            return Err(InputError::usage(message).at(&source.whole(&source.text)));
+        }
+        rows.push(row);
+    }
+    Ok((names, rows))
+}
+
+/// The keys of a file: JSON if the text begins with `{`, else TOML.
+///
+/// # Errors
+/// What cannot be parsed, with its place; an empty file, with what belongs there.
+pub(super) fn keys<'t, T: Deserialize<'t>>(
+    source: &'t Source,
+    content: &str,
+) -> Result<T, InputError> {
+    let text = &*source.text;
+    let start = text.trim_start();
+    if start.is_empty() {
+        let error = InputError::usage(format!("{} is empty", source.name));
+        return Err(error.help(content));
+    }
+    let (message, span) = if start.starts_with('{') {
+        match serde_json::from_str(text) {
+            Ok(keys) => return Ok(keys),
+            Err(error) => (error.to_string(), Some(position(&error, text))),
+        }
+    } else if source.name.ends_with(".json") {
+        let at = text.len() - start.len();
+        ("a JSON definition is an object of keys, {...}".into(), Some(at..at))
+    } else {
+        match toml::from_str(text) {
+            Ok(keys) => return Ok(keys),
+            Err(error) => (error.message().into(), error.span()),
+        }
+    };
+    let source = source.clone();
+    Err(syntax(&message).at(&Place { source, span }))
 }
 
 /// Where a JSON error stands: its columns count bytes.

@@ -74,7 +74,7 @@ impl Space {
             Some(space) => split_space(space)?,
             None => (None, Modifiers::default()),
         };
-        let mut definition = match (&name, &request.basis, request.brackets.is_empty()) {
+        let definition = match (&name, &request.basis, request.brackets.is_empty()) {
             (Some(name), None, true) => find(name)?,
             (None, Some(labels), _) => inline(labels, &request.brackets)?,
             (Some(_), _, _) => {
@@ -85,7 +85,31 @@ impl Space {
                     .help("name one (so3, E8, file.toml), or give --basis and --bracket"));
             }
         };
+        let file = name.as_ref().filter(|name| is_path(name)).map(|name| match name.as_str() {
+            // where that is a file, it has this name too
+            "-" => PathBuf::from("/dev/stdin"),
+            path => PathBuf::from(path),
+        });
         let declared = if name.is_some() { definition.parameters() } else { vec![] };
+        Self::completed(definition, &modifiers, request, &declared, file)
+    }
+
+    /// The space of a definition, with the metric and the connection of a request.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn of(definition: Definition, request: &Request) -> Result<Self, InputError> {
+        let declared = definition.parameters();
+        Self::completed(definition, &Modifiers::default(), request, &declared, None)
+    }
+
+    fn completed(
+        mut definition: Definition,
+        modifiers: &Modifiers,
+        request: &Request,
+        declared: &[String],
+        file: Option<PathBuf>,
+    ) -> Result<Self, InputError> {
         let (none, coordinates) = (BTreeMap::new(), definition.coordinates().to_vec());
         let open = Names { labels: &none, parameters: None, coordinates: &coordinates };
         let given = [(&modifiers.metric, "@metric"), (&request.metric, "--metric")];
@@ -102,13 +126,8 @@ impl Space {
                 definition.connection = Some(connection(&source.text, &open, &source)?);
             }
         }
-        let file = name.filter(|name| is_path(name)).map(|name| match name.as_str() {
-            // where that is a file, it has this name too
-            "-" => PathBuf::from("/dev/stdin"),
-            path => PathBuf::from(path),
-        });
         let mut space = Space { definition, introduced: vec![], file };
-        space.introduce(&declared);
+        space.introduce(declared);
         if let Some(text) = &request.set {
             space.set(text, &[])?;
         }

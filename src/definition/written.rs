@@ -6,6 +6,7 @@ use std::fmt;
 use std::marker::PhantomData;
 
 /// A string: a piece of the file, or a copy where it has escapes.
+#[derive(Clone)]
 pub(super) struct Text<'t>(pub Cow<'t, str>);
 
 /// A value: an expression in a string, or an integer.
@@ -40,6 +41,16 @@ pub(super) struct ChartText<'t> {
 /// Fields by their names, in order.
 pub(super) struct FieldsText<'t>(pub Vec<(Text<'t>, Text<'t>)>);
 
+/// A number: an expression in a string, an integer, or a decimal.
+#[derive(Clone)]
+pub(super) struct Number<'t>(pub Text<'t>);
+
+/// Numbers by their names, in order.
+pub(super) struct NumbersText<'t>(pub Vec<(Text<'t>, Number<'t>)>);
+
+/// Texts by their names, in order.
+pub(super) struct TextsText<'t>(pub Vec<(Text<'t>, Text<'t>)>);
+
 /// A matrix: `{name, rows}`, or its rows alone.
 pub(super) struct MatrixRows<'t> {
     pub name: Option<Text<'t>>,
@@ -56,6 +67,11 @@ trait Form<'t>: Sized {
     }
 
     fn integer(digits: String) -> Option<Self> {
+        let _ = digits;
+        None
+    }
+
+    fn decimal(digits: String) -> Option<Self> {
         let _ = digits;
         None
     }
@@ -103,6 +119,11 @@ impl<'t, F: Form<'t>> Visitor<'t> for Any<F> {
     fn visit_u64<E: de::Error>(self, number: u64) -> Result<F, E> {
         let form = F::integer(number.to_string());
         form.ok_or_else(|| E::invalid_type(de::Unexpected::Unsigned(number), &self))
+    }
+
+    fn visit_f64<E: de::Error>(self, number: f64) -> Result<F, E> {
+        let form = F::decimal(format!("{number:?}"));
+        form.ok_or_else(|| E::invalid_type(de::Unexpected::Float(number), &self))
     }
 
     fn visit_seq<A: SeqAccess<'t>>(self, items: A) -> Result<F, A::Error> {
@@ -214,18 +235,57 @@ impl<'t> Form<'t> for ConnectionText<'t> {
     }
 }
 
+/// Names and values in order.
+fn named<'t, T: Deserialize<'t>, A: MapAccess<'t>>(
+    mut items: A,
+) -> Result<Vec<(Text<'t>, T)>, A::Error> {
+    let mut all: Vec<(Text, T)> = Vec::new();
+    while let Some((name, value)) = items.next_entry::<Text, T>()? {
+        if all.iter().any(|(other, _)| other.0 == name.0) {
+            return Err(de::Error::custom(format_args!("duplicate key `{}`", name.0)));
+        }
+        all.push((name, value));
+    }
+    Ok(all)
+}
+
 impl<'t> Form<'t> for FieldsText<'t> {
     const EXPECTED: &'static str = "a table of fields, like e1 = \"d_x\"";
 
-    fn table<A: MapAccess<'t>>(mut items: A) -> Result<Self, A::Error> {
-        let mut fields: Vec<(Text, Text)> = Vec::new();
-        while let Some((name, field)) = items.next_entry::<Text, Text>()? {
-            if fields.iter().any(|(other, _)| other.0 == name.0) {
-                return Err(de::Error::custom(format_args!("duplicate key `{}`", name.0)));
-            }
-            fields.push((name, field));
-        }
-        Ok(FieldsText(fields))
+    fn table<A: MapAccess<'t>>(items: A) -> Result<Self, A::Error> {
+        named(items).map(FieldsText)
+    }
+}
+
+impl<'t> Form<'t> for TextsText<'t> {
+    const EXPECTED: &'static str = "a table of formulas, like k = \"H1^2\"";
+
+    fn table<A: MapAccess<'t>>(items: A) -> Result<Self, A::Error> {
+        named(items).map(TextsText)
+    }
+}
+
+impl<'t> Form<'t> for NumbersText<'t> {
+    const EXPECTED: &'static str = "a table of numbers, like m = 15";
+
+    fn table<A: MapAccess<'t>>(items: A) -> Result<Self, A::Error> {
+        named(items).map(NumbersText)
+    }
+}
+
+impl<'t> Form<'t> for Number<'t> {
+    const EXPECTED: &'static str = "a number, or an expression in quotes like \"pi/2\"";
+
+    fn text(text: Text<'t>) -> Option<Self> {
+        Some(Number(text))
+    }
+
+    fn integer(digits: String) -> Option<Self> {
+        Some(Number(Text(Cow::Owned(digits))))
+    }
+
+    fn decimal(digits: String) -> Option<Self> {
+        Some(Number(Text(Cow::Owned(digits))))
     }
 }
 
@@ -288,6 +348,24 @@ impl<'de: 't, 't> Deserialize<'de> for ConnectionText<'t> {
 }
 
 impl<'de: 't, 't> Deserialize<'de> for FieldsText<'t> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read(deserializer)
+    }
+}
+
+impl<'de: 't, 't> Deserialize<'de> for TextsText<'t> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read(deserializer)
+    }
+}
+
+impl<'de: 't, 't> Deserialize<'de> for NumbersText<'t> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read(deserializer)
+    }
+}
+
+impl<'de: 't, 't> Deserialize<'de> for Number<'t> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         read(deserializer)
     }

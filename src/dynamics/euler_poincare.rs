@@ -177,11 +177,40 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
         &self.group
     }
 
+    /// The same system with another torque.
+    pub fn clone_with<N: Torque<G>>(&self, torque: N) -> EulerPoincare<G, N>
+    where
+        G: Clone,
+    {
+        EulerPoincare {
+            group: self.group.clone(),
+            metric: self.metric.clone(),
+            inverse: self.inverse.clone(),
+            excess: self.excess.clone(),
+            torque,
+        }
+    }
+
+    /// The torque.
+    pub fn torque(&self) -> &M {
+        &self.torque
+    }
+
     /// The state of an element with a velocity `Omega` in body components.
     pub fn state(&self, time: f64, element: G::Element, velocity: &G::Vector) -> State<G> {
         let momentum = applied::<G>(&self.metric, velocity);
+        self.state_with_momentum(time, element, &momentum)
+    }
+
+    /// The state of an element with a momentum `H` in body components.
+    pub fn state_with_momentum(
+        &self,
+        time: f64,
+        element: G::Element,
+        momentum: &G::Vector,
+    ) -> State<G> {
         let back = self.group.inverse(&element);
-        State { time, spatial: self.group.coadjoint(&back, &momentum), element }
+        State { time, spatial: self.group.coadjoint(&back, momentum), element }
     }
 
     /// `H`, the momentum in body components (103).

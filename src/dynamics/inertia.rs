@@ -5,6 +5,8 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// How far a matrix may be from symmetric, relative to its largest entry.
 const SYMMETRIC: f64 = 1e-12;
+/// By how much a moment may exceed the sum of the others, relatively: flat bodies have equality.
+const FLAT: f64 = 1e-12;
 
 /// Attitude and momentum of a rigid body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,9 +59,8 @@ impl Inertia {
     /// [`Error::NoInertia`] for a matrix that is not symmetric, to 12 digits, or not positive definite.
     pub fn new(matrix: &Matrix3<f64>) -> Result<Self, Error> {
         let size = matrix.amax();
-        let skew = matrix - matrix.transpose();
-        if !size.is_finite() || skew.amax() > SYMMETRIC * size {
-            let reason = format!("the matrix is off symmetric by {}", skew.amax());
+        if let Some(off) = asymmetry(matrix) {
+            let reason = format!("the matrix is off symmetric by {off}");
             return Err(Error::NoInertia { reason });
         }
         let scaled = matrix / size;
@@ -105,8 +106,15 @@ impl Inertia {
 
     /// Whether masses can have it: no moment is larger than the sum of the others. The motion does not ask for it.
     pub fn is_of_a_body(&self) -> bool {
-        let largest = self.moments.max();
-        largest <= self.moments.sum() - largest
+        self.expect_masses().is_ok()
+    }
+
+    /// Checks that masses can have it, to 12 digits: `J_1 <= J_2 + J_3` and cyclic.
+    ///
+    /// # Errors
+    /// [`Error::NoInertia`] with the moments.
+    pub fn expect_masses(&self) -> Result<(), Error> {
+        expect_masses(&self.moments, self.moments.max())
     }
 
     /// `H = J Omega` (103).
@@ -123,4 +131,28 @@ impl Inertia {
     pub fn energy(&self, momentum: &Vector3<f64>) -> f64 {
         0.5 * momentum.dot(&self.velocity(momentum))
     }
+}
+
+/// By how much a matrix is off symmetric, if by more than roundings; NaN for one with an entry that is not finite.
+pub(super) fn asymmetry(matrix: &Matrix3<f64>) -> Option<f64> {
+    if !matrix.iter().all(|entry| entry.is_finite()) {
+        return Some(f64::NAN);
+    }
+    let off = (matrix - matrix.transpose()).amax();
+    (off > SYMMETRIC * matrix.amax()).then_some(off)
+}
+
+/// Checks that masses can have the principal moments, which are known to roundings of a size.
+///
+/// # Errors
+/// [`Error::NoInertia`].
+pub(super) fn expect_masses(moments: &Vector3<f64>, size: f64) -> Result<(), Error> {
+    let mut ordered: [f64; 3] = (*moments).into();
+    ordered.sort_by(f64::total_cmp);
+    let [a, b, c] = ordered;
+    if (c - b) - a <= FLAT * size {
+        return Ok(());
+    }
+    let reason = format!("moments {a}, {b}, {c}: no masses have them, as {c} > {a} + {b}");
+    Err(Error::NoInertia { reason })
 }

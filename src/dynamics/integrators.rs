@@ -16,7 +16,10 @@
 
 mod adaptive;
 mod commutator_free;
+mod composed;
 mod crouch_grossman;
+mod generalised_alpha;
+mod isospectral_midpoint;
 pub mod kick;
 pub mod magnus;
 mod munthe_kaas;
@@ -25,7 +28,10 @@ pub mod splitting;
 
 pub use adaptive::Adaptive;
 pub use commutator_free::CommutatorFree;
+pub use composed::Composed;
 pub use crouch_grossman::CrouchGrossman;
+pub use generalised_alpha::GeneralisedAlpha;
+pub use isospectral_midpoint::IsospectralMidpoint;
 pub use kick::Kick;
 pub use magnus::{Linear, Magnus, Place};
 pub use munthe_kaas::MuntheKaas;

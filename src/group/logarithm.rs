@@ -21,7 +21,7 @@ const OFF: f64 = 1e-9;
 ///
 /// # Errors
 /// [`Error::NoLogarithm`] for an eigenvalue on the closed negative axis, and when rounding wins.
-pub(super) fn logarithm(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
+pub(crate) fn logarithm(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     off_the_negative_axis(a)?;
     if let Some(log) = unipotent(a) {
         return Ok(log);

@@ -22,6 +22,14 @@ pub struct PictureError {
 /// # Errors
 /// A width of 0, or beyond [`MAX_WIDTH`].
 pub fn png(picture: &Picture, width: u32) -> Result<Vec<u8>, PictureError> {
+    rendered(&svg(picture, width), width)
+}
+
+/// The text of an SVG that is `width` pixels wide as a PNG.
+///
+/// # Errors
+/// As [`png`]; what is no SVG.
+pub fn rendered(text: &str, width: u32) -> Result<Vec<u8>, PictureError> {
     let error = |reason: String| PictureError { width, reason };
     if !(1..=MAX_WIDTH).contains(&width) {
         return Err(error(format!("a width is between 1 and {MAX_WIDTH}")));
@@ -30,7 +38,7 @@ pub fn png(picture: &Picture, width: u32) -> Result<Vec<u8>, PictureError> {
     let letters = options.fontdb_mut();
     letters.load_font_data(dejavu::sans::regular().to_vec());
     letters.load_font_data(dejavu::serif::italic().to_vec());
-    let tree = Tree::from_str(&svg(picture, width), &options).map_err(|e| error(e.to_string()))?;
+    let tree = Tree::from_str(text, &options).map_err(|e| error(e.to_string()))?;
     let size = tree.size().to_int_size();
     let pixels = Pixmap::new(size.width(), size.height());
     let mut pixels = pixels.ok_or_else(|| error("it does not fit into memory".into()))?;

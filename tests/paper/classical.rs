@@ -5,11 +5,12 @@
 
 use crate::common::labels;
 use crate::on_groups::{column, equal, path, rate, same};
+use affinor::dynamics::MassProperties;
 use affinor::equations::Equations;
 use affinor::group::{LieGroup, So3, Velocity};
 use affinor::{Canonical, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
-use nalgebra::{DMatrix, Matrix3, UnitQuaternion, Vector3};
+use nalgebra::{DMatrix, Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3};
 
 const T: f64 = 0.8;
 
@@ -129,6 +130,11 @@ fn eq_11_to_14_momenta_of_the_body_and_of_space() {
     same(&of_spin, &DMatrix::from_column_slice(3, 3, j.as_slice()), "(12)");
     let rotation_matrix = Matrix3::from_column_slice(So3.matrix(&r).as_slice());
     assert!((rotation_matrix * j * rotation_matrix.transpose() - turned).norm() < 1e-13);
+    let masses = MassProperties::points(&body()).unwrap();
+    let about_origin = |masses: MassProperties| masses.inertia_matrix_about(&Vector3::zeros());
+    assert!((about_origin(masses) - j).norm() < 1e-14);
+    let moved = masses.moved(&Isometry3::from_parts(Translation3::identity(), r));
+    assert!((about_origin(moved) - turned).norm() < 1e-13);
     // (11), (13), (14)
     assert!((turned * spatial - h).norm() < 1e-10, "h = I omega");
     assert!((r * momentum(&omega_body) - h).norm() < 1e-10, "h = R H");

@@ -24,6 +24,7 @@ mod matrices;
 mod metrics;
 mod motion;
 mod on_groups;
+mod power;
 mod rotations;
 mod translations;
 

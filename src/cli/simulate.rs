@@ -1,0 +1,238 @@
+//! `affinor simulate`: the motion of a problem, or of an ensemble of them.
+
+mod checkpoint;
+mod spool;
+mod summary;
+
+use super::color::Color;
+use super::failure::Failure;
+use super::note::{line, note};
+use super::output::deliver;
+use affinor::definition::{Column, InputError, Problem, Ready};
+use affinor::run::{Head, RunFormat};
+use checkpoint::{Checkpoint, Store};
+use clap::Args;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use rayon::prelude::*;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+/// Members of an ensemble that are computed before their rows are written.
+const CHUNK: u64 = 128;
+
+/// A problem of motion, and where its rows go.
+#[derive(Args)]
+pub struct Arguments {
+    /// The problem: a TOML file; - for standard input
+    #[arg(value_name = "FILE")]
+    pub problem: String,
+    /// Give parameters of the problem other values, as "m=15,g=9.81"
+    #[arg(long, value_name = "NAME=VALUE,..", allow_hyphen_values = true)]
+    pub set: Option<String>,
+    /// Every member of the problem's ensemble, on all cores
+    #[arg(long)]
+    pub ensemble: bool,
+    /// csv, json or parquet; otherwise by the ending of the output file, or csv
+    #[arg(long, value_name = "FORMAT", value_parser = format)]
+    pub format: Option<RunFormat>,
+    /// Write the rows to this file; without it, to standard output
+    #[arg(short = 'o', long = "output", value_name = "FILE")]
+    pub file: Option<PathBuf>,
+    /// Save what was reached to this file from time to time
+    #[arg(long, value_name = "FILE")]
+    pub checkpoint: Option<PathBuf>,
+    /// Go on from the checkpoint, if there is one
+    #[arg(long, requires = "checkpoint")]
+    pub resume: bool,
+    /// Seconds between checkpoints
+    #[arg(long, value_name = "SECONDS", default_value_t = 5.0)]
+    pub checkpoint_every: f64,
+    /// Threads of an ensemble; its results do not depend on them
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Colours in messages
+    #[arg(long, value_enum, default_value_t = Color::Auto)]
+    pub color: Color,
+}
+
+fn format(name: &str) -> Result<RunFormat, String> {
+    RunFormat::from_name(name).ok_or_else(|| {
+        let all: Vec<&str> = RunFormat::ALL.iter().map(|format| format.name()).collect();
+        format!("the formats are {}", all.join(", "))
+    })
+}
+
+impl Arguments {
+    pub fn run(&self) -> Result<ExitCode, Failure> {
+        let mut problem = Problem::read(&self.problem)?;
+        if let Some(set) = &self.set {
+            problem.set(set)?;
+        }
+        let format = self.format();
+        let begun = Instant::now();
+        let mut store = Store::open(self, &problem)?;
+        let bar =
+            bar(if self.ensemble { problem.members() } else { Some(problem.times.len() as u64) });
+        let (head, columns, stopped) = if self.ensemble {
+            self.members(&problem, &mut store, &bar)?
+        } else {
+            self.one(&problem, &mut store, &bar)?
+        };
+        bar.finish_and_clear();
+        let inputs = [Path::new(&self.problem)];
+        let mut target = self.file.clone();
+        if stopped.is_some()
+            && let Some(file) = &mut target
+        {
+            *file = partial(file);
+        }
+        let spool = &mut store.spool;
+        deliver(target.as_deref(), &inputs, |out| format.write(&head, &mut spool.rows()?, out))?;
+        if let Some(error) = stopped {
+            let rows = spool.count();
+            let kept = match &target {
+                Some(file) => format!("{rows} rows up to there are in {}", file.display()),
+                None => format!("{rows} rows up to there were written"),
+            };
+            return Err(match error.help {
+                Some(help) => InputError { help: Some(format!("{help}; {kept}")), ..error },
+                None => error.help(kept),
+            }
+            .into());
+        }
+        if !self.ensemble {
+            summary::show(&head, &columns, spool).map_err(spool::failed)?;
+        }
+        line(&format!("{} rows in {:.3} s", spool.count(), begun.elapsed().as_secs_f64()));
+        store.finished();
+        Ok(ExitCode::SUCCESS)
+    }
+
+    fn format(&self) -> RunFormat {
+        let ending = self.file.as_ref().and_then(|file| file.extension());
+        let ending = ending.map(|ending| ending.to_string_lossy().to_lowercase());
+        let by_ending = ending.and_then(|ending| RunFormat::from_name(&ending));
+        self.format.or(by_ending).unwrap_or(RunFormat::Csv)
+    }
+
+    /// One motion: rows at its times. What stopped it, if anything did.
+    fn one(&self, problem: &Problem, store: &mut Store, bar: &ProgressBar) -> Outcome {
+        let Ready { mut motion, method, columns, .. } = problem.motion(0)?;
+        if problem.method.is_none() {
+            note(&format!("method {method}: {}", method.why()));
+        }
+        let head = head(problem, method.name(), &[], &columns);
+        store.spool.set_width(head.columns.len()).map_err(spool::failed)?;
+        let mut at = 0;
+        if let Some(Checkpoint { done, snapshot: Some(snapshot), .. }) = store.resumed() {
+            motion.restore(snapshot)?;
+            at = *done as usize;
+        }
+        for (k, &time) in problem.times.iter().enumerate().skip(at) {
+            loop {
+                match motion.step(time) {
+                    Ok(true) => break,
+                    Ok(false) => {}
+                    Err(error) => return Ok((head, columns, Some(error.into()))),
+                }
+                if store.is_due() {
+                    store.save(k as u64, Some(motion.save()?))?;
+                }
+            }
+            store.spool.push(&motion.row()).map_err(spool::failed)?;
+            bar.set_position(k as u64 + 1);
+            if store.is_due() {
+                store.save(k as u64 + 1, Some(motion.save()?))?;
+            }
+        }
+        Ok((head, columns, None))
+    }
+
+    /// All members of an ensemble, in their order.
+    fn members(&self, problem: &Problem, store: &mut Store, bar: &ProgressBar) -> Outcome {
+        let Some(size) = problem.members() else {
+            let error = InputError::usage("the problem has no ensemble");
+            return Err(error.help("give it a table [ensemble] with grid or random").into());
+        };
+        let threads = self.threads.map_or(0, usize::from);
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool =
+            pool.map_err(|error| InputError::usage(format!("cannot start threads: {error}")))?;
+        let Ready { method, columns, .. } = problem.motion(0)?;
+        let head = head(problem, method.name(), &problem.varied(), &columns);
+        store.spool.set_width(head.columns.len()).map_err(spool::failed)?;
+        let mut done = store.resumed().map_or(0, |checkpoint| checkpoint.done);
+        let mut stopped = None;
+        while done < size {
+            let chunk: Vec<u64> = (done..size.min(done + CHUNK)).collect();
+            let rows: Vec<_> = pool
+                .install(|| chunk.par_iter().map(|member| all_rows(problem, *member)).collect());
+            for (member, (rows, error)) in chunk.iter().zip(rows) {
+                for row in rows {
+                    store.spool.push(&row).map_err(spool::failed)?;
+                }
+                if let (Some(error), None) = (error, &stopped) {
+                    let message = format!("member {}: {}", member + 1, error.message);
+                    stopped = Some(InputError { message, ..error });
+                }
+            }
+            done += chunk.len() as u64;
+            bar.set_position(done);
+            if store.is_due() {
+                store.save(done, None)?;
+            }
+        }
+        Ok((head, columns, stopped))
+    }
+}
+
+/// The head, the columns, and what stopped the motion before its end.
+type Outcome = Result<(Head, Vec<Column>, Option<InputError>), Failure>;
+
+/// The rows of a member, and what stopped it.
+fn all_rows(problem: &Problem, member: u64) -> (Vec<Vec<f64>>, Option<InputError>) {
+    let mut motion = match problem.motion(member) {
+        Ok(ready) => ready.motion,
+        Err(error) => return (vec![], Some(error)),
+    };
+    let mut front = vec![(member + 1) as f64];
+    front.extend(problem.variation(member));
+    let mut rows = Vec::with_capacity(problem.times.len());
+    for &time in &problem.times {
+        loop {
+            match motion.step(time) {
+                Ok(true) => break,
+                Ok(false) => {}
+                Err(error) => return (rows, Some(error.into())),
+            }
+        }
+        rows.push([front.as_slice(), &motion.row()].concat());
+    }
+    (rows, None)
+}
+
+fn head(problem: &Problem, method: &str, varied: &[&str], columns: &[Column]) -> Head {
+    let members = problem.members().filter(|_| !varied.is_empty()).map(|_| "member");
+    let front = members.into_iter().chain(varied.iter().copied());
+    let names = front.chain(columns.iter().map(|column| column.name.as_str()));
+    let columns = names.map(String::from).collect();
+    Head { name: problem.name.clone(), method: method.into(), columns }
+}
+
+/// `run.csv` becomes `run.partial.csv`.
+fn partial(file: &Path) -> PathBuf {
+    let ending = file.extension().map(|ending| ending.to_string_lossy().into_owned());
+    file.with_extension(ending.map_or("partial".into(), |ending| format!("partial.{ending}")))
+}
+
+/// A bar on a terminal, once it takes a while.
+fn bar(length: Option<u64>) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(length, ProgressDrawTarget::stderr_with_hz(8));
+    let template = "{bar:40} {pos}/{len} {elapsed} (about {eta} left)";
+    if let Ok(style) = ProgressStyle::with_template(template) {
+        bar.set_style(style);
+    }
+    bar.enable_steady_tick(Duration::from_millis(250));
+    bar
+}

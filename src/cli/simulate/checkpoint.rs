@@ -1,0 +1,145 @@
+//! Checkpoints: what was reached, so that a run that was killed goes on to the same results.
+//!
+//! The rows lie beside the checkpoint, in `FILE.rows`. They are on the disk before the checkpoint that
+//! counts them takes the place of the one before, by a rename: whenever the program dies, one of both is whole.
+
+use super::super::failure::Failure;
+use super::super::note::note;
+use super::super::output::deliver;
+use super::spool::{Spool, failed};
+use affinor::definition::{InputError, Problem};
+use affinor::simulation::Snapshot;
+use serde::{Deserialize, Serialize};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+const SCHEMA: &str = "affinor.checkpoint/1";
+
+/// What was reached.
+#[derive(Serialize, Deserialize)]
+pub struct Checkpoint {
+    schema: String,
+    /// The version of the program, as another one may round in another way.
+    version: String,
+    /// The problem, to be sure that it is the same.
+    problem: String,
+    settings: Option<String>,
+    ensemble: bool,
+    rows: u64,
+    /// Rows, or members of an ensemble, that are done.
+    pub done: u64,
+    pub snapshot: Option<Snapshot>,
+}
+
+/// Where rows and checkpoints are kept.
+pub struct Store {
+    pub spool: Spool,
+    path: Option<PathBuf>,
+    every: Duration,
+    last: Instant,
+    checkpoint: Checkpoint,
+    resumed: bool,
+}
+
+impl Store {
+    pub fn open(arguments: &super::Arguments, problem: &Problem) -> Result<Self, Failure> {
+        let every = Duration::try_from_secs_f64(arguments.checkpoint_every);
+        let every = every.map_err(|_| {
+            let seconds = arguments.checkpoint_every;
+            InputError::usage(format!("--checkpoint-every {seconds} is no time in seconds"))
+        })?;
+        let fresh = Checkpoint {
+            schema: SCHEMA.into(),
+            version: env!("CARGO_PKG_VERSION").into(),
+            problem: problem.text().into(),
+            settings: arguments.set.clone(),
+            ensemble: arguments.ensemble,
+            rows: 0,
+            done: 0,
+            snapshot: None,
+        };
+        let path = arguments.checkpoint.clone();
+        let found = match &path {
+            Some(path) if arguments.resume => read(path, &fresh)?,
+            _ => None,
+        };
+        let resumed = found.is_some();
+        let checkpoint = found.unwrap_or(fresh);
+        let spool = match &path {
+            Some(path) => Spool::named(&rows_of(path), checkpoint.rows),
+            None => Spool::temporary(),
+        };
+        let spool = spool.map_err(failed)?;
+        if arguments.resume && !resumed {
+            note("there is no checkpoint yet: the run starts from the beginning");
+        }
+        Ok(Store { spool, path, every, last: Instant::now(), checkpoint, resumed })
+    }
+
+    /// The checkpoint to go on from.
+    pub fn resumed(&self) -> Option<&Checkpoint> {
+        self.resumed.then_some(&self.checkpoint)
+    }
+
+    /// Whether it is time for the next checkpoint.
+    pub fn is_due(&self) -> bool {
+        self.path.is_some() && self.last.elapsed() >= self.every
+    }
+
+    pub fn save(&mut self, done: u64, snapshot: Option<Snapshot>) -> Result<(), Failure> {
+        let Some(path) = &self.path else { return Ok(()) };
+        self.spool.sync().map_err(failed)?;
+        self.checkpoint.rows = self.spool.count();
+        self.checkpoint.done = done;
+        self.checkpoint.snapshot = snapshot;
+        let checkpoint = &self.checkpoint;
+        deliver(Some(path), &[], |out| {
+            serde_json::to_writer(&mut *out, checkpoint).map_err(io::Error::from)
+        })?;
+        self.last = Instant::now();
+        Ok(())
+    }
+
+    /// Takes away what is needed no longer.
+    pub fn finished(&self) {
+        if let Some(path) = &self.path {
+            for file in [path.clone(), rows_of(path)] {
+                // one that is left does no harm
+                let _ = fs::remove_file(file);
+            }
+        }
+    }
+}
+
+fn rows_of(path: &Path) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(".rows");
+    name.into()
+}
+
+/// The checkpoint in a file, if there is one, and it is of the same run.
+fn read(path: &Path, fresh: &Checkpoint) -> Result<Option<Checkpoint>, Failure> {
+    let shown = path.display().to_string().escape_debug().to_string();
+    let text = match fs::read_to_string(path) {
+        Ok(text) => text,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(InputError::usage(format!("cannot read {shown}: {error}")).into()),
+    };
+    let found: Checkpoint = serde_json::from_str(&text)
+        .map_err(|error| InputError::usage(format!("{shown} is no checkpoint: {error}")))?;
+    let same = [
+        ("schema", found.schema == fresh.schema),
+        ("version of affinor", found.version == fresh.version),
+        ("problem", found.problem == fresh.problem),
+        ("--set", found.settings == fresh.settings),
+        ("--ensemble", found.ensemble == fresh.ensemble),
+    ];
+    if let Some((what, _)) = same.iter().find(|(_, same)| !same) {
+        let message = format!("{shown} was saved with another {what}");
+        let help = "run without --resume, or with what it was begun with";
+        return Err(InputError::usage(message).help(help).into());
+    }
+    Ok(Some(found))
+}

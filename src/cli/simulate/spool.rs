@@ -1,0 +1,83 @@
+//! Rows on their way: numbers in a file, until they are written in a format.
+
+use super::super::failure::Failure;
+use std::fs::{File, OpenOptions};
+use std::io::{self, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
+use std::path::Path;
+
+/// Rows of one width, as doubles one after the other.
+pub struct Spool {
+    file: BufWriter<File>,
+    width: usize,
+    count: u64,
+}
+
+const BYTES: usize = size_of::<f64>();
+
+impl Spool {
+    /// In a file without a name, which is gone when the program is.
+    pub fn temporary() -> io::Result<Self> {
+        Ok(Self::over(tempfile::tempfile()?, 0))
+    }
+
+    /// In a named file, of which the first rows are kept.
+    pub fn named(path: &Path, kept: u64) -> io::Result<Self> {
+        let mut options = OpenOptions::new();
+        let file = options.read(true).write(true).create(true).truncate(false).open(path)?;
+        Ok(Self::over(file, kept))
+    }
+
+    fn over(file: File, count: u64) -> Self {
+        Spool { file: BufWriter::with_capacity(1 << 16, file), width: 1, count }
+    }
+
+    /// Says how wide rows are, and forgets what is behind the rows that are kept.
+    pub fn set_width(&mut self, width: usize) -> io::Result<()> {
+        self.width = width;
+        let end = self.count * (width * BYTES) as u64;
+        let file = self.file.get_mut();
+        if file.metadata()?.len() < end {
+            return Err(io::ErrorKind::UnexpectedEof.into());
+        }
+        file.set_len(end)?;
+        file.seek(SeekFrom::Start(end))?;
+        Ok(())
+    }
+
+    pub fn push(&mut self, row: &[f64]) -> io::Result<()> {
+        for value in row {
+            self.file.write_all(&value.to_le_bytes())?;
+        }
+        self.count += 1;
+        Ok(())
+    }
+
+    /// Makes sure that all rows are on the disk.
+    pub fn sync(&mut self) -> io::Result<()> {
+        self.file.flush()?;
+        self.file.get_ref().sync_data()
+    }
+
+    pub fn count(&self) -> u64 {
+        self.count
+    }
+
+    /// The rows from the first on.
+    pub fn rows(&mut self) -> io::Result<impl Iterator<Item = io::Result<Vec<f64>>>> {
+        self.file.flush()?;
+        let mut file = self.file.get_ref().try_clone()?;
+        file.seek(SeekFrom::Start(0))?;
+        let mut reader = BufReader::with_capacity(1 << 16, file);
+        let mut bytes = vec![0; self.width * BYTES];
+        Ok((0..self.count).map(move |_| {
+            reader.read_exact(&mut bytes)?;
+            let numbers = bytes.as_chunks::<BYTES>().0;
+            Ok(numbers.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect())
+        }))
+    }
+}
+
+/// A failure to keep rows.
+pub fn failed(error: io::Error) -> Failure {
+    Failure::Output(error, "the rows of the run".into())
+}

@@ -1,0 +1,278 @@
+//! A problem put on its group: from values of the parameters to a motion.
+
+use super::{Column, Course, OnGroup, Problem, Ready, StartElement, Value, Written};
+use crate::definition::group::GroupWork;
+use crate::definition::input::shown;
+use crate::definition::{Definition, InputError, Reading};
+use crate::dense::to_dmatrix;
+use crate::dynamics::integrators::Magnus;
+use crate::formula::Formula;
+use crate::group::{Coordinates, Opposite, rotation};
+use crate::simulation::quantities::Scope;
+use crate::simulation::{
+    Forces, GivenVelocity, Method, Setup, Side, Simulated, on_given, on_group,
+};
+use crate::{Canonical, Connection};
+use affinor_tensors::expression::ExpressionError;
+use nalgebra::DMatrix;
+
+/// What is needed beside the group.
+pub(super) struct Launch<'p> {
+    pub problem: &'p Problem,
+    pub on_group: &'p OnGroup,
+    pub parameters: Vec<(String, f64)>,
+    pub definition: &'p Definition,
+    pub reading: &'p Reading<'p, f64>,
+}
+
+impl Written {
+    /// An error of the expression at its place.
+    pub(super) fn refused(&self, error: ExpressionError, help: String) -> InputError {
+        let mut place = self.place.clone();
+        if place.text() == Some(&self.text)
+            && let Some(span) = &mut place.span
+        {
+            *span = span.start + error.span.start..span.start + error.span.end;
+        }
+        InputError::usage(error.reason).at(&place).help(help)
+    }
+}
+
+impl GroupWork for Launch<'_> {
+    type Output = Ready;
+
+    fn run<G: Simulated>(self, group: G) -> Result<Ready, InputError> {
+        if self.on_group.right { self.ready(Opposite(group)) } else { self.ready(group) }
+    }
+}
+
+impl Launch<'_> {
+    fn ready<G: Simulated>(&self, group: G) -> Result<Ready, InputError> {
+        if let Course::Given(side, formulas) = &self.on_group.course {
+            return self.given(group, *side, formulas);
+        }
+        let ground = self.definition.ground(self.reading)?;
+        let metric = self.definition.metric(&ground, self.reading)?;
+        let metric = metric.ok_or_else(|| {
+            let error = InputError::mathematics("a motion needs the metric of its kinetic energy");
+            error.help("give metric = \"diag(..)\", or rows")
+        })?;
+        let connection = if self.definition.connection_is_default() {
+            Connection::canonical(&group.algebra()?, Canonical::Plus)
+        } else if G::RIGHT {
+            let message = "right-invariant equations have the connection plus of their own frame";
+            return Err(InputError::usage(message).help("name no connection"));
+        } else {
+            self.definition.geometry_over(ground, self.reading)?.connection().clone()
+        };
+        let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
+        let inertia = to_dmatrix(metric.components())?;
+        let mut forces = Forces::none(group.clone(), inertia.clone(), self.parameters.clone());
+        self.forces(&mut forces)?;
+        let (columns, formulas) = self.columns(&forces)?;
+        let element = self.element(&group, &values)?;
+        let momentum = self.momentum(&group, &element, &forces, &values)?;
+        let step = self.problem.step.as_ref().map(|step| step.positive(&values)).transpose()?;
+        let setup = Setup {
+            connection: &connection,
+            metric: &metric,
+            forces,
+            time: self.problem.times[0],
+            element,
+            momentum,
+            method: self.problem.method,
+            step,
+            tolerance: self.problem.tolerance.positive(&values)?,
+            max_steps: self.problem.max_steps,
+            columns: formulas,
+        };
+        let (motion, method) = on_group(group, setup)?;
+        Ok(Ready { motion, method, columns, inertia: Some(inertia) })
+    }
+
+    /// A motion of a velocity over time.
+    fn given<G: Simulated>(
+        &self,
+        group: G,
+        side: Side,
+        written: &[Written],
+    ) -> Result<Ready, InputError> {
+        let n = group.dimension();
+        if (side == Side::Space) != G::RIGHT {
+            let message =
+                "a velocity over time is of the body, and in space with invariance = \"right\"";
+            return Err(InputError::usage(message).or_at_some(written.first().map(|w| &w.place)));
+        }
+        if written.len() != n {
+            let found = written.len();
+            let message = format!("the velocity has {found} components, the dimension is {n}");
+            return Err(InputError::usage(message).or_at_some(written.first().map(|w| &w.place)));
+        }
+        let method = self.problem.method.unwrap_or(Method::Magnus(6));
+        let magnus = match method {
+            Method::Magnus(4) => Magnus::Four,
+            Method::Magnus(_) => Magnus::Six,
+            _ => {
+                let message = format!("the method {method} is not for a velocity over time");
+                let error = InputError::mathematics(message);
+                return Err(error.help("that has magnus4 and magnus6"));
+            }
+        };
+        let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
+        let Some(step) = &self.problem.step else {
+            return Err(InputError::mathematics("a velocity over time needs a step"));
+        };
+        let step = step.positive(&values)?;
+        let names = Forces::none(group.clone(), DMatrix::identity(n, n), self.parameters.clone());
+        let mut velocity = GivenVelocity::new(values.clone());
+        for formula in written {
+            let added = velocity.add(&formula.text, names.names());
+            let help = "the velocity is a formula of t and the parameters";
+            added.map_err(|error| formula.refused(error, help.into()))?;
+        }
+        let (columns, formulas) = self.columns(&names)?;
+        let start = (self.problem.times[0], self.element(&group, &values)?);
+        let motion = on_given(group, velocity, start, (magnus, step), formulas, names);
+        Ok(Ready { motion, method, columns, inertia: None })
+    }
+
+    fn forces<G: Simulated>(&self, forces: &mut Forces<G>) -> Result<(), InputError> {
+        for force in &self.on_group.forces {
+            let added = forces.add(force.side, force.index, &force.written.text);
+            let help = |forces: &Forces<G>| format!("the names here are {}", forces.names().all());
+            added.map_err(|error| force.written.refused(error, help(forces)))?;
+        }
+        if let Some(potential) = &self.on_group.potential {
+            let set = forces.set_potential(&potential.text);
+            let help = "a potential is a formula of t, the entries of the element and parameters";
+            set.map_err(|error| potential.refused(error, help.into()))?;
+        }
+        if let Some((side, table)) = &self.on_group.table {
+            forces.set_table(*side, table.clone());
+        }
+        Ok(())
+    }
+
+    /// The columns of the rows, and their formulas.
+    fn columns<G: Simulated>(
+        &self,
+        forces: &Forces<G>,
+    ) -> Result<(Vec<Column>, (Scope, Vec<Formula>)), InputError> {
+        let names = forces.names();
+        let help = || format!("the names here are {}", names.all());
+        let (mut scope, mut columns, mut formulas) = (Scope::default(), vec![], vec![]);
+        for stem in &self.problem.columns {
+            let expanded = names.expand(&stem.text);
+            if expanded.is_empty() {
+                let message = format!("`{}` is no quantity of this motion", shown(&stem.text));
+                return Err(InputError::usage(message).at(&stem.place).help(help()));
+            }
+            let watched = ["h", "energy"].contains(&&*stem.text);
+            for name in expanded {
+                let formula = scope.read(&name, names, &|_| true);
+                formulas.push(formula.map_err(|error| stem.refused(error, help()))?);
+                columns.push(Column { name, formula: None, watched });
+            }
+        }
+        for (name, written) in &self.problem.quantities {
+            let formula = scope.read(&written.text, names, &|_| true);
+            formulas.push(formula.map_err(|error| written.refused(error, help()))?);
+            let formula = Some(written.text.clone());
+            columns.push(Column { name: name.clone(), formula, watched: true });
+        }
+        for (i, casimir) in self.on_group.casimirs.iter().enumerate() {
+            let text = casimir.replace("mu", names.momentum());
+            if let Ok(formula) = scope.read(&text, names, &|_| true) {
+                formulas.push(formula);
+                let name = format!("casimir{}", i + 1);
+                columns.push(Column { name, formula: Some(text), watched: true });
+            }
+        }
+        Ok((columns, (scope, formulas)))
+    }
+
+    fn element<G: Simulated>(&self, group: &G, values: &[f64]) -> Result<G::Element, InputError> {
+        let identity = group.write(&group.identity());
+        let (matrix, place) = match &self.on_group.element {
+            StartElement::Identity => return Ok(group.identity()),
+            StartElement::Coordinates(x) => {
+                let x = numbers("coordinates", x, group.dimension(), values)?;
+                return Ok(group.exp(&G::Vector::from_components(&x)));
+            }
+            StartElement::Rows(rows, place) => {
+                let width = rows.first().map_or(0, Vec::len);
+                if rows.iter().any(|row| row.len() != width) {
+                    let error = InputError::usage("the rows of the element have different lengths");
+                    return Err(error.at(place));
+                }
+                let mut entries = Vec::new();
+                for row in rows {
+                    entries.extend(Value::all(row, values)?);
+                }
+                (DMatrix::from_row_slice(rows.len(), width, &entries), place)
+            }
+            StartElement::Pose(quaternion, position, place) => {
+                let (size, along) = (identity.shape(), position.len());
+                if !matches!((size, along), ((3, 3), 0) | ((4, 4), 0 | 3)) {
+                    let message = "a quaternion is for so(3), and with a position for se(3)";
+                    return Err(InputError::usage(message).at(place));
+                }
+                let q = Value::all(quaternion, values)?;
+                let Ok(q) = <[f64; 4]>::try_from(q) else {
+                    let message = "a quaternion is four numbers w, x, y, z";
+                    return Err(InputError::usage(message).at(place));
+                };
+                let turn = rotation::from_wxyz(q);
+                let turn = turn.map_err(|error| InputError::from(error).at(place))?;
+                let mut matrix = identity;
+                matrix.view_mut((0, 0), (3, 3)).copy_from(&rotation::matrix(&turn));
+                for (i, value) in Value::all(position, values)?.into_iter().enumerate() {
+                    matrix[(i, 3)] = value;
+                }
+                (matrix, place)
+            }
+        };
+        group.read(&matrix).map_err(|error| InputError::from(error).at(place))
+    }
+
+    /// The momentum in the frame of the equations.
+    fn momentum<G: Simulated>(
+        &self,
+        group: &G,
+        g: &G::Element,
+        forces: &Forces<G>,
+        values: &[f64],
+    ) -> Result<G::Vector, InputError> {
+        let n = group.dimension();
+        let own = if G::RIGHT { Side::Space } else { Side::Body };
+        match &self.on_group.course {
+            Course::Velocity(side, list) => {
+                let v = G::Vector::from_components(&numbers("velocity", list, n, values)?);
+                let v = if *side == own { v } else { group.adjoint(&group.inverse(g), &v) };
+                Ok(forces.momentum(&v))
+            }
+            Course::Momentum(side, list) => {
+                let h = G::Vector::from_components(&numbers("momentum", list, n, values)?);
+                Ok(if *side == own { h } else { group.coadjoint(g, &h) })
+            }
+            // it has no equations of motion
+            Course::Given(..) => Ok(G::Vector::zeros(n)),
+        }
+    }
+}
+
+/// A list of as many numbers as the algebra has dimensions.
+fn numbers(
+    what: &str,
+    list: &[Value],
+    dimension: usize,
+    values: &[f64],
+) -> Result<Vec<f64>, InputError> {
+    if list.len() != dimension {
+        let found = list.len();
+        let message = format!("{what} has {found} components, the dimension is {dimension}");
+        let place = list.first().map(|first| &first.written.place);
+        return Err(InputError::usage(message).or_at_some(place));
+    }
+    Value::all(list, values)
+}

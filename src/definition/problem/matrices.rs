@@ -1,0 +1,89 @@
+//! Problems of matrices that move by similarity.
+
+use super::{Column, Problem, Ready, Value};
+use crate::definition::InputError;
+use crate::definition::input::Place;
+use crate::simulation::{MatrixFlow, Method, on_matrices};
+use nalgebra::DMatrix;
+
+/// A flow, its numbers as formulas.
+#[derive(Clone, Debug)]
+pub(super) struct Matrices {
+    pub flow: Flow,
+    pub place: Place,
+}
+
+/// Which flow it is.
+#[derive(Clone, Debug)]
+pub(super) enum Flow {
+    Toda { positions: Vec<Value>, momenta: Vec<Value> },
+    Manakov { masses: Vec<Value>, momentum: Vec<Vec<Value>> },
+    Zeitlin { size: usize, modes: Vec<Vec<Value>> },
+    RandomZeitlin { size: usize, seed: u64, degree: usize },
+}
+
+impl Matrices {
+    pub fn motion(&self, problem: &Problem, values: &[f64]) -> Result<Ready, InputError> {
+        let method = problem.method.unwrap_or(Method::Isospectral(2));
+        let Method::Isospectral(order) = method else {
+            let message = format!("the method {method} is not for flows of matrices");
+            let help = "they have isospectral2 and isospectral4";
+            return Err(InputError::mathematics(message).at(&self.place).help(help));
+        };
+        let Some(step) = &problem.step else {
+            let error = InputError::mathematics("a flow of matrices needs a step");
+            return Err(error.at(&self.place));
+        };
+        let step = step.positive(values)?;
+        let started = on_matrices(&self.flow(values)?, problem.times[0], step, order == 4);
+        let (motion, names) = started.map_err(|error| InputError::from(error).at(&self.place))?;
+        let column = |(name, watched)| Column { name, formula: None, watched };
+        Ok(Ready {
+            motion,
+            method,
+            columns: names.into_iter().map(column).collect(),
+            inertia: None,
+        })
+    }
+
+    fn flow(&self, values: &[f64]) -> Result<MatrixFlow, InputError> {
+        Ok(match &self.flow {
+            Flow::Toda { positions, momenta } => {
+                MatrixFlow::Toda(Value::all(positions, values)?, Value::all(momenta, values)?)
+            }
+            Flow::Manakov { masses, momentum } => {
+                let rows: Result<Vec<Vec<f64>>, _> =
+                    momentum.iter().map(|row| Value::all(row, values)).collect();
+                let rows = rows?;
+                let width = rows.first().map_or(0, Vec::len);
+                if rows.iter().any(|row| row.len() != width) {
+                    let error =
+                        InputError::usage("the rows of the momentum have different lengths");
+                    return Err(error.at(&self.place));
+                }
+                let matrix = DMatrix::from_row_slice(rows.len(), width, &rows.concat());
+                MatrixFlow::Manakov(Value::all(masses, values)?, matrix)
+            }
+            Flow::Zeitlin { size, modes } => {
+                let mut found = Vec::new();
+                for mode in modes {
+                    let numbers = Value::all(mode, values)?;
+                    let whole = |x: f64| x.fract() == 0.0 && x.abs() < 1e6;
+                    let &[l, m, w] = numbers.as_slice() else {
+                        let error = InputError::usage("a mode is [l, m, coefficient]");
+                        return Err(error.at(&self.place));
+                    };
+                    if !(whole(l) && whole(m) && l >= 0.0) {
+                        let message = format!("there is no spherical harmonic ({l}, {m})");
+                        return Err(InputError::usage(message).at(&self.place));
+                    }
+                    found.push((l as usize, m as i64, w));
+                }
+                MatrixFlow::Zeitlin(*size, found)
+            }
+            Flow::RandomZeitlin { size, seed, degree } => {
+                MatrixFlow::RandomZeitlin(*size, *seed, *degree)
+            }
+        })
+    }
+}

@@ -1,0 +1,101 @@
+//! The opposite of a group: the same elements, multiplied in the other order.
+
+use super::LieGroup;
+use crate::Error;
+use nalgebra::DMatrix;
+
+/// The group with the product `g * h = h g`.
+///
+/// What is left-invariant on it is right-invariant on the group: its left translations are the right ones,
+///
+/// ```text
+/// [x, y]_opp = -[x, y]   Ad_opp(g) = Ad_(g^-1)   T_left_opp = T_right   g' = g * omega = omega g
+/// ```
+///
+/// while `exp`, `log` and the inverse are those of the group, and `g -> g^-1` is an isomorphism of both. So
+/// [`EulerPoincare`](crate::dynamics::EulerPoincare) on it has as its velocity the spatial one, `omega = g' g^-1`, and its
+/// metric is right-invariant, as that of an ideal fluid is under relabelling; with `plus` and without a torque it keeps the
+/// momentum in the body, which there is called `spatial`.
+///
+/// The matrix of an element stays that of the group, so it reverses products: `matrix(g * h) = matrix(h) matrix(g)`.
+///
+/// ```
+/// use affinor::group::{LieGroup, Opposite, So3};
+/// use nalgebra::Vector3;
+/// let (x, y) = (Vector3::x(), Vector3::y());
+/// assert_eq!(Opposite(So3).bracket(&x, &y), -Vector3::z());
+/// let (g, h) = (So3.exp(&x), So3.exp(&y));
+/// assert_eq!(Opposite(So3).compose(&g, &h), So3.compose(&h, &g));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Opposite<G>(pub G);
+
+impl<G: LieGroup> LieGroup for Opposite<G> {
+    type Element = G::Element;
+    type Vector = G::Vector;
+
+    fn dimension(&self) -> usize {
+        self.0.dimension()
+    }
+
+    fn identity(&self) -> Self::Element {
+        self.0.identity()
+    }
+
+    fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
+        self.0.compose(h, g)
+    }
+
+    fn inverse(&self, g: &Self::Element) -> Self::Element {
+        self.0.inverse(g)
+    }
+
+    fn exp(&self, x: &Self::Vector) -> Self::Element {
+        self.0.exp(x)
+    }
+
+    fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
+        self.0.log(g)
+    }
+
+    fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
+        self.0.adjoint(&self.0.inverse(g), x)
+    }
+
+    fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
+        self.0.bracket(y, x)
+    }
+
+    /// That of the group: it reverses products.
+    fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
+        self.0.matrix(g)
+    }
+
+    fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
+        self.0.tangent_right(x, v)
+    }
+
+    fn tangent_left_inverse(
+        &self,
+        x: &Self::Vector,
+        v: &Self::Vector,
+    ) -> Result<Self::Vector, Error> {
+        self.0.tangent_right_inverse(x, v)
+    }
+
+    fn tangent_right(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
+        self.0.tangent_left(x, v)
+    }
+
+    fn tangent_right_inverse(
+        &self,
+        x: &Self::Vector,
+        v: &Self::Vector,
+    ) -> Result<Self::Vector, Error> {
+        self.0.tangent_left_inverse(x, v)
+    }
+
+    fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
+        self.0.coadjoint(&self.0.inverse(g), h)
+    }
+}

@@ -1,0 +1,166 @@
+//! The groups on which motions are simulated.
+
+use super::drive::Drive;
+use super::pace::Pace;
+use super::{Forces, Method, Simulated};
+use crate::Error;
+use crate::dynamics::euler_poincare::Free;
+use crate::dynamics::integrators::kick::FreeMotion;
+use crate::dynamics::{
+    BodyState, EulerPoincare, FreeBody, Inertia, Integrator, Kick, MoserVeselov, SimoWong,
+    Splitting, State,
+};
+use crate::group::{
+    Coordinates, LieGroup, MatrixGroup, Nilpotent, Opposite, Se2, Se3, Sl2, So2, So3,
+};
+use nalgebra::{DMatrix, DVector};
+
+impl Simulated for So2 {
+    const NAMED: &'static [&'static str] = &["angle"];
+
+    fn named(&self, g: &Self::Element) -> Vec<f64> {
+        vec![g.angle()]
+    }
+}
+
+impl Simulated for Se2 {
+    const NAMED: &'static [&'static str] = &["angle", "x", "y"];
+
+    fn named(&self, g: &Self::Element) -> Vec<f64> {
+        vec![g.rotation.angle(), g.translation.x, g.translation.y]
+    }
+}
+
+impl Simulated for Se3 {
+    const NAMED: &'static [&'static str] = &["qw", "qx", "qy", "qz", "x", "y", "z"];
+
+    fn named(&self, g: &Self::Element) -> Vec<f64> {
+        let (q, x) = (g.rotation, g.translation);
+        vec![q.w, q.i, q.j, q.k, x.x, x.y, x.z]
+    }
+}
+
+impl Simulated for Sl2 {}
+
+impl Simulated for MatrixGroup {}
+
+/// Elements are written as their canonical coordinates `x`, and `log(g exp(s e_i))` has the derivative
+/// `T_left(x)^-1 e_i`.
+impl Simulated for Nilpotent<f64> {
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        vec![]
+    }
+
+    fn slopes(&self, g: &Self::Element, _: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
+        let slope = |e: &DVector<f64>| {
+            // the series of a nilpotent algebra ends, and is never singular
+            let slope = self.tangent_left_inverse(g, e).unwrap_or_else(|_| e * f64::NAN);
+            DMatrix::from_column_slice(slope.len(), 1, slope.as_slice())
+        };
+        self.basis().iter().map(slope).collect()
+    }
+}
+
+impl Simulated for So3 {
+    const NAMED: &'static [&'static str] = &["qw", "qx", "qy", "qz"];
+
+    fn named(&self, q: &Self::Element) -> Vec<f64> {
+        vec![q.w, q.i, q.j, q.k]
+    }
+
+    fn body(&self, inertia: &DMatrix<f64>) -> Option<Result<Inertia, Error>> {
+        Some(Inertia::new(&inertia.fixed_view::<3, 3>(0, 0).into_owned()))
+    }
+
+    fn own_drive(
+        &self,
+        method: Method,
+        system: &EulerPoincare<Self, Forces<Self>>,
+        inertia: &Inertia,
+        start: &State<Self>,
+        step: f64,
+    ) -> Option<Result<Drive<Self>, Error>> {
+        let State { time, element: attitude, spatial } = *start;
+        let momentum = system.momentum(start);
+        match method {
+            Method::Exact => {
+                let body = FreeBody::new(inertia, &BodyState { attitude, momentum });
+                Some(body.map(|body| {
+                    Drive::Exact(Box::new(move |t: f64| State {
+                        time: t,
+                        element: body.at(t - time).attitude,
+                        spatial,
+                    }))
+                }))
+            }
+            Method::MoserVeselov(order) => free(MoserVeselov::new(inertia, order), system, step),
+            Method::Splitting(composition) => {
+                free(Splitting::new(inertia, composition), system, step)
+            }
+            Method::SimoWong => {
+                let integrator = Box::new(SimoWong::new(inertia));
+                Some(Ok(Drive::Fixed { integrator, pace: Pace::new(step) }))
+            }
+            Method::Kick(order) => {
+                let integrator = Box::new(Kick::new(inertia, order, FreeMotion::Exact));
+                Some(Ok(Drive::Fixed { integrator, pace: Pace::new(step) }))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Steps of the body without its forces, of which there are none.
+fn free(
+    integrator: impl Integrator<EulerPoincare<So3, Free>> + Send + 'static,
+    system: &EulerPoincare<So3, Forces<So3>>,
+    step: f64,
+) -> Option<Result<Drive<So3>, Error>> {
+    let integrator = Box::new(Unforced { system: system.clone_with(Free), integrator });
+    Some(Ok(Drive::Fixed { integrator, pace: Pace::new(step) }))
+}
+
+/// A method for the system without forces.
+struct Unforced<I> {
+    system: EulerPoincare<So3, Free>,
+    integrator: I,
+}
+
+impl<I> Integrator<EulerPoincare<So3, Forces<So3>>> for Unforced<I>
+where
+    I: Integrator<EulerPoincare<So3, Free>>,
+{
+    fn step(
+        &self,
+        _: &EulerPoincare<So3, Forces<So3>>,
+        state: &mut State<So3>,
+        h: f64,
+    ) -> Result<(), Error> {
+        self.integrator.step(&self.system, state, h)
+    }
+}
+
+/// What is said of an element stays; its derivatives along right-invariant fields are those of `exp(s e_i) g`.
+impl<G: Simulated> Simulated for Opposite<G> {
+    const RIGHT: bool = true;
+    const NAMED: &'static [&'static str] = G::NAMED;
+
+    fn named(&self, g: &Self::Element) -> Vec<f64> {
+        self.0.named(g)
+    }
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        self.0.generators()
+    }
+
+    fn slopes(&self, g: &Self::Element, generators: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
+        let slopes = self.0.slopes(g, generators);
+        // e_i in the left frame at g is Ad_g^-1 e_i
+        let column = |e: &Self::Vector| {
+            let turned = self.adjoint(g, e);
+            let terms = slopes.iter().zip(turned.components());
+            terms.fold(&slopes[0] * 0.0, |sum, (slope, share)| sum + slope * *share)
+        };
+        self.basis().iter().map(column).collect()
+    }
+}

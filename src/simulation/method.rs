@@ -1,0 +1,114 @@
+//! The methods by name, and which is taken where none is named.
+
+use crate::dynamics::integrators::kick;
+use crate::dynamics::integrators::splitting::Composition;
+use crate::dynamics::moser_veselov::Order;
+use std::fmt;
+
+/// A method of integration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Elliptic functions, for the free rigid body.
+    Exact,
+    /// Dormand and Prince with step size control.
+    Adaptive,
+    /// Runge-Kutta-Munthe-Kaas of order 4.
+    MuntheKaas,
+    /// Commutator-free, of order 4.
+    CommutatorFree,
+    /// Crouch and Grossman, of order 3.
+    CrouchGrossman,
+    /// Discrete Moser-Veselov, for the free rigid body.
+    MoserVeselov(Order),
+    /// Turns about the principal axes, for the free rigid body.
+    Splitting(Composition),
+    /// Simo and Wong, for bodies.
+    SimoWong,
+    /// Free motion and kicks, for bodies with forces that know no velocity.
+    Kick(kick::Order),
+    /// Magnus, for a given velocity.
+    Magnus(u32),
+    /// The isospectral midpoint rule of order 2, or composed to order 4, for flows of matrices.
+    Isospectral(u32),
+}
+
+impl Method {
+    /// All of them.
+    pub const ALL: [Method; 20] = [
+        Method::Exact,
+        Method::Adaptive,
+        Method::MuntheKaas,
+        Method::CommutatorFree,
+        Method::CrouchGrossman,
+        Method::MoserVeselov(Order::Two),
+        Method::MoserVeselov(Order::Four),
+        Method::MoserVeselov(Order::Six),
+        Method::MoserVeselov(Order::Eight),
+        Method::MoserVeselov(Order::Ten),
+        Method::Splitting(Composition::Strang),
+        Method::Splitting(Composition::Suzuki),
+        Method::SimoWong,
+        Method::Kick(kick::Order::Two),
+        Method::Kick(kick::Order::Four),
+        Method::Kick(kick::Order::Six),
+        Method::Magnus(4),
+        Method::Magnus(6),
+        Method::Isospectral(2),
+        Method::Isospectral(4),
+    ];
+
+    /// The name in problems.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Exact => "exact",
+            Method::Adaptive => "rkmk54",
+            Method::MuntheKaas => "rkmk4",
+            Method::CommutatorFree => "cf4",
+            Method::CrouchGrossman => "cg3",
+            Method::MoserVeselov(Order::Two) => "dmv2",
+            Method::MoserVeselov(Order::Four) => "dmv4",
+            Method::MoserVeselov(Order::Six) => "dmv6",
+            Method::MoserVeselov(Order::Eight) => "dmv8",
+            Method::MoserVeselov(Order::Ten) => "dmv10",
+            Method::Splitting(Composition::Strang) => "strang",
+            Method::Splitting(Composition::Suzuki) => "suzuki4",
+            Method::SimoWong => "simo-wong",
+            Method::Kick(kick::Order::Two) => "kick2",
+            Method::Kick(kick::Order::Four) => "kick4",
+            Method::Kick(kick::Order::Six) => "kick6",
+            Method::Magnus(4) => "magnus4",
+            Method::Magnus(_) => "magnus6",
+            Method::Isospectral(2) => "isospectral2",
+            Method::Isospectral(_) => "isospectral4",
+        }
+    }
+
+    /// The method of a name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|method| method.name() == name)
+    }
+
+    /// For which problems it is taken where none is named.
+    pub fn why(self) -> &'static str {
+        match self {
+            Method::Exact => "a free rigid body",
+            Method::MoserVeselov(_) => "a free rigid body, with a step",
+            Method::Kick(_) => "a body in a potential, with a step",
+            Method::Adaptive => "any group and any forces, to a tolerance",
+            Method::Magnus(_) => "a velocity given over time",
+            Method::Isospectral(_) => "a flow of matrices that keeps their spectrum",
+            _ => "any group and any forces, with a step",
+        }
+    }
+
+    /// Whether it goes by steps of one length.
+    pub fn has_steps(self) -> bool {
+        !matches!(self, Method::Exact | Method::Adaptive)
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}

@@ -1,0 +1,171 @@
+//! Euler-Poincare systems with forces as motions.
+
+use super::drive::{Drive, Memory};
+use super::pace::Pace;
+use super::quantities::Scope;
+use super::{Forces, Method, Motion, Point, Simulated, Snapshot};
+use crate::dynamics::integrators::kick;
+use crate::dynamics::moser_veselov::Order;
+use crate::dynamics::{Adaptive, CommutatorFree, CrouchGrossman, EulerPoincare, MuntheKaas, State};
+use crate::formula::Formula;
+use crate::group::Coordinates;
+use crate::{Connection, Error, Metric};
+use serde::{Deserialize, Serialize};
+
+/// What a motion on a group needs.
+pub struct Setup<'s, G: Simulated> {
+    /// The connection `Lambda` of `DH/Dt = M`.
+    pub connection: &'s Connection<f64>,
+    /// The metric `J`.
+    pub metric: &'s Metric<f64>,
+    /// The forces.
+    pub forces: Forces<G>,
+    /// The time at the start.
+    pub time: f64,
+    /// The element at the start.
+    pub element: G::Element,
+    /// The momentum at the start, in the frame of the equations.
+    pub momentum: G::Vector,
+    /// The method; where none is named, that of the class of the problem.
+    pub method: Option<Method>,
+    /// The length of steps.
+    pub step: Option<f64>,
+    /// The tolerance of steps under control.
+    pub tolerance: f64,
+    /// The most steps under control from one wanted time to the next.
+    pub max_steps: usize,
+    /// Formulas to be computed along the way, over their scope.
+    pub columns: (Scope, Vec<Formula>),
+}
+
+/// The motion of a system on a group, and its method.
+///
+/// # Errors
+/// As [`EulerPoincare::new`]; [`Error::NoMethod`] for a method that is not for this problem, and the reason.
+pub fn on_group<G: Simulated>(
+    group: G,
+    setup: Setup<G>,
+) -> Result<(Box<dyn Motion>, Method), Error> {
+    let inertia = crate::dense::to_dmatrix(setup.metric.components())?;
+    let body = group.body(&inertia).filter(|_| is_plus(setup.connection));
+    let free = setup.forces.is_empty();
+    let method = setup.method.unwrap_or(match (&body, setup.step) {
+        (Some(_), None) if free => Method::Exact,
+        (_, None) => Method::Adaptive,
+        (Some(_), Some(_)) if free => Method::MoserVeselov(Order::Ten),
+        (Some(_), Some(_)) if setup.forces.are_conservative() => Method::Kick(kick::Order::Four),
+        (_, Some(_)) => Method::MuntheKaas,
+    });
+    let refused = |reason: &str| Error::NoMethod { method: method.name(), reason: reason.into() };
+    let needed = match method {
+        Method::Exact | Method::MoserVeselov(_) | Method::Splitting(_) => "no forces",
+        Method::Kick(_) => "forces that depend on no velocity",
+        _ => "",
+    };
+    let has = needed.is_empty() || free || (needed != "no forces" && setup.forces.are_positional());
+    let system = EulerPoincare::new(group.clone(), setup.connection, setup.metric, setup.forces)?;
+    let start = system.state_with_momentum(setup.time, setup.element, &setup.momentum);
+    let step = match setup.step {
+        Some(step) => step,
+        None if method.has_steps() => return Err(refused("it needs a step")),
+        None => 0.0,
+    };
+    let fixed = |integrator| Drive::Fixed { integrator, pace: Pace::new(step) };
+    let drive = match method {
+        Method::MuntheKaas => fixed(Box::new(MuntheKaas::RK4)),
+        Method::CommutatorFree => fixed(Box::new(CommutatorFree)),
+        Method::CrouchGrossman => fixed(Box::new(CrouchGrossman)),
+        Method::Adaptive => {
+            let control = Adaptive { max_steps: setup.max_steps, ..Adaptive::new(setup.tolerance) };
+            Drive::Adaptive { control, next: control.first_step(), taken: 0 }
+        }
+        _ => {
+            let inertia =
+                body.ok_or_else(|| refused("it is for a body: so(3), connection plus"))?;
+            if !has {
+                return Err(refused(&format!("it asks for {needed}")));
+            }
+            let own = group.own_drive(method, &system, &inertia?, &start, step);
+            own.ok_or_else(|| refused("it is not for equations of motion on a group"))??
+        }
+    };
+    let columns = setup.columns;
+    Ok((Box::new(OnGroup { system, state: start, drive, steps: 0, columns }), method))
+}
+
+/// Whether the connection is the one of Euler-Poincare.
+fn is_plus(connection: &Connection<f64>) -> bool {
+    connection.gamma() == connection.frame().structure()
+}
+
+struct OnGroup<G: Simulated> {
+    system: EulerPoincare<G, Forces<G>>,
+    state: State<G>,
+    drive: Drive<G>,
+    steps: u64,
+    columns: (Scope, Vec<Formula>),
+}
+
+/// The numbers of [`OnGroup`].
+#[derive(Serialize, Deserialize)]
+struct Saved<E> {
+    time: f64,
+    element: E,
+    spatial: Vec<f64>,
+    memory: Memory,
+    steps: u64,
+}
+
+impl<G: Simulated> Motion for OnGroup<G> {
+    fn time(&self) -> f64 {
+        self.state.time
+    }
+
+    fn step(&mut self, until: f64) -> Result<bool, Error> {
+        self.steps += u64::from(self.state.time != until);
+        let done = self.drive.step(&self.system, &mut self.state, until);
+        done.map_err(|error| match (error, self.system.torque().trouble()) {
+            (_, Some(trouble)) => Error::Integration { t: self.state.time, reason: trouble },
+            (Error::Integration { t, reason }, None) => Error::Integration { t, reason },
+            (error, None) => Error::Integration {
+                t: self.state.time,
+                reason: format!("the step is too long: {error}"),
+            },
+        })
+    }
+
+    fn row(&self) -> Vec<f64> {
+        let velocity = self.system.velocity(&self.state);
+        let (scope, formulas) = &self.columns;
+        let point =
+            Point { time: self.state.time, element: &self.state.element, velocity: &velocity };
+        let values = scope.values(self.system.torque(), &point);
+        formulas.iter().map(|formula| formula.value(&values)).collect()
+    }
+
+    fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    fn save(&self) -> Result<Snapshot, Error> {
+        Snapshot::of(&Saved {
+            time: self.state.time,
+            element: &self.state.element,
+            spatial: self.state.spatial.components().to_vec(),
+            memory: self.drive.memory(),
+            steps: self.steps,
+        })
+    }
+
+    fn restore(&mut self, snapshot: &Snapshot) -> Result<(), Error> {
+        let saved: Saved<G::Element> = snapshot.read()?;
+        let n = self.system.group().dimension();
+        if saved.spatial.len() != n || !self.drive.remember(saved.memory) {
+            return Err(Error::Snapshot { reason: "it is of another motion".into() });
+        }
+        let spatial = G::Vector::from_components(&saved.spatial);
+        self.state = State { time: saved.time, element: saved.element, spatial };
+        self.steps = saved.steps;
+        Ok(())
+    }
+}

@@ -1,0 +1,60 @@
+//! A vector given at times, linear between them.
+
+use crate::Error;
+
+/// Values over time, in between by linear interpolation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    times: Vec<f64>,
+    values: Vec<Vec<f64>>,
+}
+
+impl Table {
+    /// Of rows of a time and values.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] without rows, or for rows of other lengths than the first, or times that do not increase.
+    pub fn new(rows: Vec<Vec<f64>>) -> Result<Self, Error> {
+        let shape =
+            |expected: String, found: String| Error::Shape { what: "the table", expected, found };
+        let Some(width) = rows.first().map(Vec::len) else {
+            return Err(shape("rows".into(), "none".into()));
+        };
+        for (at, row) in rows.iter().enumerate() {
+            if row.len() != width || width < 2 {
+                let expected = format!("rows of a time and {} values", width.max(2) - 1);
+                return Err(shape(expected, format!("row {} of {} numbers", at + 1, row.len())));
+            }
+            let ordered = row[0].is_finite() && (at == 0 || rows[at - 1][0] < row[0]);
+            if !ordered {
+                let found = format!("{} in row {}", row[0], at + 1);
+                return Err(shape("increasing times".into(), found));
+            }
+        }
+        let times = rows.iter().map(|row| row[0]).collect();
+        Ok(Table { times, values: rows.into_iter().map(|row| row[1..].to_vec()).collect() })
+    }
+
+    /// How many values there are at a time.
+    pub fn width(&self) -> usize {
+        self.values[0].len()
+    }
+
+    /// The first and the last time.
+    pub fn span(&self) -> [f64; 2] {
+        [self.times[0], self.times[self.times.len() - 1]]
+    }
+
+    /// Adds the values at a time; before the first and behind the last row they stay what they are there.
+    pub fn add(&self, time: f64, sum: &mut [f64]) {
+        let behind = self.times.partition_point(|t| *t <= time);
+        let (a, b) = (behind.saturating_sub(1), behind.min(self.times.len() - 1));
+        let share = match self.times[b] - self.times[a] {
+            0.0 => 0.0,
+            length => ((time - self.times[a]) / length).clamp(0.0, 1.0),
+        };
+        for ((sum, a), b) in sum.iter_mut().zip(&self.values[a]).zip(&self.values[b]) {
+            *sum += a + share * (b - a);
+        }
+    }
+}
