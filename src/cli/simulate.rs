@@ -118,7 +118,8 @@ impl Arguments {
 
     /// One motion: rows at its times. What stopped it, if anything did.
     fn one(&self, problem: &Problem, store: &mut Store, bar: &ProgressBar) -> Outcome {
-        let Ready { mut motion, method, columns, .. } = problem.motion(0)?;
+        let Ready { mut motion, method, columns, notes, .. } = problem.motion(0)?;
+        notes.iter().for_each(|text| note(text));
         if problem.method.is_none() {
             note(&format!("method {method}: {}", method.why()));
         }

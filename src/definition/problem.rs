@@ -4,6 +4,7 @@
 //! what is written down. Its numbers may be formulas in its parameters; an ensemble varies these.
 
 mod ensemble;
+mod inertia;
 mod keys;
 mod launch;
 mod matrices;
@@ -14,6 +15,7 @@ use crate::formula::Formula;
 use crate::simulation::{Method, Motion, Side, Table};
 use affinor_tensors::Tolerance;
 use ensemble::Ensemble;
+use inertia::Body;
 use launch::Launch;
 use matrices::Matrices;
 use nalgebra::DMatrix;
@@ -48,6 +50,8 @@ enum Kind {
 #[derive(Clone, Debug)]
 struct OnGroup {
     space: Space,
+    /// The body that moves, in the place of a metric.
+    inertia: Option<Body>,
     /// Whether the metric is right-invariant.
     right: bool,
     element: StartElement,
@@ -113,6 +117,8 @@ pub struct Ready {
     pub columns: Vec<Column>,
     /// The metric, of equations of motion on a group.
     pub inertia: Option<DMatrix<f64>>,
+    /// What is allowed, but worth a word.
+    pub notes: Vec<String>,
 }
 
 /// A column of the rows of a motion.

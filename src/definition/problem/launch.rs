@@ -2,17 +2,17 @@
 
 use super::{Column, Course, OnGroup, Problem, Ready, StartElement, Value, Written};
 use crate::definition::group::GroupWork;
-use crate::definition::input::shown;
+use crate::definition::input::{Place, shown};
 use crate::definition::{Definition, InputError, Reading};
 use crate::dense::to_dmatrix;
 use crate::dynamics::integrators::Magnus;
 use crate::formula::Formula;
 use crate::group::{Coordinates, Opposite, rotation};
-use crate::simulation::quantities::Scope;
+use crate::simulation::quantities::{Names, Scope};
 use crate::simulation::{
     Forces, GivenVelocity, Method, Setup, Side, Simulated, on_given, on_group,
 };
-use crate::{Canonical, Connection};
+use crate::{Canonical, Connection, Error};
 use affinor_tensors::expression::ExpressionError;
 use nalgebra::DMatrix;
 
@@ -52,10 +52,18 @@ impl Launch<'_> {
             return self.given(group, *side, formulas);
         }
         let ground = self.definition.ground(self.reading)?;
-        let metric = self.definition.metric(&ground, self.reading)?;
+        let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
+        let (metric, of_body) = match &self.on_group.inertia {
+            Some(body) => {
+                let labels = group.algebra()?.labels().clone();
+                let (metric, names) = body.metric::<G>(&labels, &values)?;
+                (Some(metric), names)
+            }
+            None => (self.definition.metric(&ground, self.reading)?, vec![]),
+        };
         let metric = metric.ok_or_else(|| {
             let error = InputError::mathematics("a motion needs the metric of its kinetic energy");
-            error.help("give metric = \"diag(..)\", or rows")
+            error.help("give metric = \"diag(..)\", or rows; on so(3) and se(3) also [inertia]")
         })?;
         let connection = if self.definition.connection_is_default() {
             Connection::canonical(&group.algebra()?, Canonical::Plus)
@@ -65,9 +73,11 @@ impl Launch<'_> {
         } else {
             self.definition.geometry_over(ground, self.reading)?.connection().clone()
         };
-        let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
         let inertia = to_dmatrix(metric.components())?;
-        let mut forces = Forces::none(group.clone(), inertia.clone(), self.parameters.clone());
+        let notes = notes(&group, &inertia);
+        let parameters = [self.parameters.clone(), of_body].concat();
+        let mut forces = Forces::none(group.clone(), inertia.clone(), parameters);
+        self.expect_new_names(&group)?;
         self.forces(&mut forces)?;
         let (columns, formulas) = self.columns(&forces)?;
         let element = self.element(&group, &values)?;
@@ -86,7 +96,7 @@ impl Launch<'_> {
             columns: formulas,
         };
         let (motion, method) = on_group(group, setup)?;
-        Ok(Ready { motion, method, columns, inertia: Some(inertia) })
+        Ok(Ready { motion, method, columns, inertia: Some(inertia), notes })
     }
 
     /// A motion of a velocity over time.
@@ -122,6 +132,7 @@ impl Launch<'_> {
             return Err(InputError::mathematics("a velocity over time needs a step"));
         };
         let step = step.positive(&values)?;
+        self.expect_new_names(&group)?;
         let names = Forces::none(group.clone(), DMatrix::identity(n, n), self.parameters.clone());
         let mut velocity = GivenVelocity::new(values.clone());
         for formula in written {
@@ -132,10 +143,42 @@ impl Launch<'_> {
         let (columns, formulas) = self.columns(&names)?;
         let start = (self.problem.times[0], self.element(&group, &values)?);
         let motion = on_given(group, velocity, start, (magnus, step), formulas, names);
-        Ok(Ready { motion, method, columns, inertia: None })
+        Ok(Ready { motion, method, columns, inertia: None, notes: vec![] })
+    }
+
+    /// Checks that parameters hide nothing that formulas speak of.
+    fn expect_new_names<G: Simulated>(&self, group: &G) -> Result<(), InputError> {
+        let names = Names::new(group, vec![]);
+        match self.parameters.iter().find(|(name, _)| names.find(name).is_some()) {
+            None => Ok(()),
+            Some((name, _)) => {
+                let message = format!("`{name}` has a meaning already");
+                let help = format!("take another name than {}", names.all());
+                Err(InputError::usage(message).at(&self.problem.source.key(name)).help(help))
+            }
+        }
     }
 
     fn forces<G: Simulated>(&self, forces: &mut Forces<G>) -> Result<(), InputError> {
+        let expected = self.definition.dimension();
+        let refused = |what: &str, found: usize, place: &Place| {
+            let message = format!("{what} has {found} components, the dimension is {expected}");
+            Err(InputError::usage(message).at(place))
+        };
+        for side in [Side::Body, Side::Space] {
+            let mut components = self.on_group.forces.iter().filter(|force| force.side == side);
+            if let Some(first) = components.next()
+                && components.clone().count() + 1 != expected
+            {
+                let found = components.count() + 1;
+                return refused("the force", found, &first.written.place);
+            }
+        }
+        if let Some((_, table)) = &self.on_group.table
+            && table.width() != expected
+        {
+            return refused("the table", table.width(), &self.problem.source.key("table"));
+        }
         for force in &self.on_group.forces {
             let added = forces.add(force.side, force.index, &force.written.text);
             let help = |forces: &Forces<G>| format!("the names here are {}", forces.names().all());
@@ -168,12 +211,14 @@ impl Launch<'_> {
             }
             let watched = ["h", "energy"].contains(&&*stem.text);
             for name in expanded {
+                expect_one(&columns, &name, &stem.place)?;
                 let formula = scope.read(&name, names, &|_| true);
                 formulas.push(formula.map_err(|error| stem.refused(error, help()))?);
                 columns.push(Column { name, formula: None, watched });
             }
         }
         for (name, written) in &self.problem.quantities {
+            expect_one(&columns, name, &self.problem.source.key(name))?;
             let formula = scope.read(&written.text, names, &|_| true);
             formulas.push(formula.map_err(|error| written.refused(error, help()))?);
             let formula = Some(written.text.clone());
@@ -258,6 +303,23 @@ impl Launch<'_> {
             Course::Given(..) => Ok(G::Vector::zeros(n)),
         }
     }
+}
+
+/// Checks that no column has the name yet.
+fn expect_one(columns: &[Column], name: &str, place: &Place) -> Result<(), InputError> {
+    if columns.iter().all(|column| column.name != name) {
+        return Ok(());
+    }
+    Err(InputError::usage(format!("there are two columns `{}`", shown(name))).at(place))
+}
+
+/// What is said of a metric that no body has.
+fn notes<G: Simulated>(group: &G, inertia: &DMatrix<f64>) -> Vec<String> {
+    if inertia.symmetric_eigenvalues().iter().any(|value| *value <= 0.0) {
+        return vec!["the metric is indefinite: no energy bounds the velocity".into()];
+    }
+    let Some(Ok(body)) = group.body(inertia) else { return vec![] };
+    body.expect_masses().err().iter().map(Error::to_string).collect()
 }
 
 /// A list of as many numbers as the algebra has dimensions.

@@ -43,6 +43,7 @@ impl Matrices {
             method,
             columns: names.into_iter().map(column).collect(),
             inertia: None,
+            notes: vec![],
         })
     }
 
