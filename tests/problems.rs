@@ -239,7 +239,9 @@ const CHECKS: &[Check] = &[
         let expected = [-0.15041682274564, -0.72416559163690, -0.67302226956044];
         assert!(off(&centre, &expected) < 1e-8, "{centre:?}");
         assert!(off(&run.values(4, &["omega2"]), &[-106.1638041431244797]) < 1e-8);
-        assert!(off(&run.values(0, &["energy", "h3"]), &[5435.696790865546875, -70.3124296875]) < 1e-14);
+        assert!(
+            off(&run.values(0, &["energy", "h3"]), &[5435.696790865546875, -70.3124296875]) < 1e-14
+        );
     }),
     ("fast_top", |name| {
         let mut problem = open(name);
@@ -422,7 +424,7 @@ const CHECKS: &[Check] = &[
         assert!(all.iter().all(|values| values[1].abs() <= 0.1 && values[2].abs() <= 0.1));
         for member in [0, 41, 99] {
             let run = Run::new(&problem, member);
-            assert_eq!(run.values(0, &["H1"]), [all[member as usize][0]]);
+            assert!(off(&run.values(0, &["H1"]), &[all[member as usize][0]]) < 1e-15);
             run.keeps(&["energy", "casimir1"], 1e-12);
             assert_eq!(Run::new(&problem, member).rows, run.rows);
         }
@@ -453,7 +455,7 @@ const CHECKS: &[Check] = &[
         let metric = body.metric().unwrap();
         for i in 0..6 {
             for j in 0..6 {
-                let expected = *metric.components().get([i, j]);
+                let expected = metric.components().get(&[i, j]);
                 assert!((inertia[(i, j)] - expected).abs() < 1e-13, "{inertia}");
             }
         }

@@ -2,7 +2,7 @@
 
 use super::ensemble::EnsembleKeys;
 use super::inertia::InertiaKeys;
-use super::matrices::{Flow, Matrices};
+use super::matrices::{FlowKeys, Matrices};
 use super::{Course, Force, Kind, OnGroup, Problem, StartElement, Value, Written};
 use crate::definition::document::Document;
 use crate::definition::input::{InputError, Source, shown};
@@ -59,26 +59,6 @@ pub(super) struct Keys<'t> {
     quantities: Option<TextsText<'t>>,
     #[serde(borrow)]
     ensemble: Option<EnsembleKeys<'t>>,
-}
-
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct FlowKeys<'t> {
-    #[serde(borrow)]
-    kind: Text<'t>,
-    #[serde(borrow)]
-    positions: Option<Vec<Number<'t>>>,
-    #[serde(borrow)]
-    momenta: Option<Vec<Number<'t>>>,
-    #[serde(borrow)]
-    masses: Option<Vec<Number<'t>>>,
-    #[serde(borrow)]
-    momentum: Option<Vec<Vec<Number<'t>>>>,
-    size: Option<usize>,
-    #[serde(borrow)]
-    modes: Option<Vec<Vec<Number<'t>>>>,
-    seed: Option<u64>,
-    degree: Option<usize>,
 }
 
 #[derive(serde::Deserialize)]
@@ -471,48 +451,6 @@ impl InitialKeys<'_> {
             (Some(_), Some(_)) => {
                 let error = InputError::usage("the velocity is given more than once");
                 Err(error.at(&source.key("initial")).help(help))
-            }
-        }
-    }
-}
-
-impl FlowKeys<'_> {
-    fn flow(&self, reader: &Reader) -> Result<Flow, InputError> {
-        let source = reader.source;
-        let missing = |keys: &str| {
-            let message = format!("the flow {} needs {keys}", shown(&self.kind.0));
-            InputError::usage(message).at(&source.key("flow"))
-        };
-        let rows = |rows: &Vec<Vec<Number>>| -> Result<Vec<Vec<Value>>, InputError> {
-            rows.iter().map(|row| reader.values(row)).collect()
-        };
-        match &*self.kind.0 {
-            "toda" => {
-                let both = self.positions.as_ref().zip(self.momenta.as_ref());
-                let (positions, momenta) = both.ok_or_else(|| missing("positions and momenta"))?;
-                let (positions, momenta) = (reader.values(positions)?, reader.values(momenta)?);
-                Ok(Flow::Toda { positions, momenta })
-            }
-            "manakov" => {
-                let both = self.masses.as_ref().zip(self.momentum.as_ref());
-                let (masses, momentum) = both.ok_or_else(|| missing("masses and momentum"))?;
-                Ok(Flow::Manakov { masses: reader.values(masses)?, momentum: rows(momentum)? })
-            }
-            "zeitlin" => {
-                let size = self.size.ok_or_else(|| missing("a size"))?;
-                match (&self.modes, self.seed) {
-                    (Some(modes), None) => Ok(Flow::Zeitlin { size, modes: rows(modes)? }),
-                    (None, Some(seed)) => {
-                        let degree = self.degree.ok_or_else(|| missing("a degree"))?;
-                        Ok(Flow::RandomZeitlin { size, seed, degree })
-                    }
-                    _ => Err(missing("modes, or else a seed and a degree")),
-                }
-            }
-            other => {
-                let message = format!("`{}` is no flow", shown(other));
-                let error = InputError::usage(message).at(&source.whole(&self.kind.0));
-                Err(error.help("the flows are toda, manakov, zeitlin"))
             }
         }
     }
