@@ -252,6 +252,17 @@ impl Problem {
         self.ensemble.as_ref().map_or(vec![], |ensemble| ensemble.values(member))
     }
 
+    /// The length of steps, where there is one.
+    fn step_at(&self, parameters: &[f64]) -> Result<Option<f64>, InputError> {
+        let step = self.step.as_ref().map(|step| step.positive(parameters)).transpose();
+        step.map_err(|error| error.or_near(&self.source.key("step")))
+    }
+
+    fn tolerance_at(&self, parameters: &[f64]) -> Result<f64, InputError> {
+        let tolerance = self.tolerance.positive(parameters);
+        tolerance.map_err(|error| error.or_near(&self.source.key("tolerance")))
+    }
+
     /// The motion; of an ensemble that of a member, from 0.
     ///
     /// # Errors

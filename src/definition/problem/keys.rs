@@ -186,7 +186,10 @@ impl Reader<'_> {
     }
 
     pub fn declare(&mut self, Text(name): &Text) -> Result<(), InputError> {
-        let place = self.source.whole(name);
+        let mut place = self.source.whole(name);
+        if place.span.is_none() {
+            place = self.source.key(name);
+        }
         check_name(name).map_err(|error| error.at(&place))?;
         if NUMBERS.contains(&&**name) || self.names.iter().any(|own| own == name) {
             let message = format!("`{name}` has a meaning already");
@@ -202,7 +205,8 @@ impl<'t> Keys<'t> {
         let source = reader.source;
         self.expect_no_idle_keys(source)?;
         for (name, number) in self.parameters.iter().flat_map(|table| &table.0) {
-            let value = reader.number(number)?;
+            let value = reader.number(number);
+            let value = value.map_err(|error| error.or_near(&source.key(&name.0)))?;
             reader.declare(name)?;
             reader.values.push(value);
         }
@@ -231,7 +235,8 @@ impl<'t> Keys<'t> {
         let default = Number(Text("1e-10".into()));
         let tolerance = reader.value(self.integrator.tolerance.as_ref().unwrap_or(&default))?;
         let step = self.integrator.step.as_ref().map(|step| reader.value(step)).transpose()?;
-        let time = self.initial.time.as_ref().map_or(Ok(0.0), |time| reader.number(time))?;
+        let time = self.initial.time.as_ref().map_or(Ok(0.0), |time| reader.number(time));
+        let time = time.map_err(|error| error.or_near(&source.key("time")))?;
         let times = self.output.times(time, &reader)?;
         let columns = match &self.output.columns {
             Some(columns) => columns.iter().map(|column| reader.written(column)).collect(),
@@ -350,6 +355,10 @@ impl<'t> Keys<'t> {
     }
 
     fn space(self, source: &Source, folder: &Path) -> Result<Space, InputError> {
+        let metric_place = match &self.metric {
+            Some(MetricText::Word(text)) => source.whole(&text.0),
+            _ => source.key("metric"),
+        };
         let metric = self.metric.map(|metric| match metric {
             MetricText::Word(Text(text)) => text.into_owned(),
             MetricText::Rows(rows) => {
@@ -362,15 +371,17 @@ impl<'t> Keys<'t> {
         });
         let connection = self.connection.map(|Text(text)| text.into_owned());
         let request = Request { metric, connection, ..Request::default() };
+        let placed = |error: InputError| error.moved("--metric", &metric_place);
         match (self.space, self.definition) {
             (Some(Text(name)), None) => {
                 let is_file = name.ends_with(".toml") || name.ends_with(".json");
                 let path = || folder.join(&*name).to_string_lossy().into_owned();
                 let space = if is_file { path() } else { name.to_string() };
                 let space = Space::open(&Request { space: Some(space), ..request });
-                space.map_err(|error| error.or_at(&source.whole(&name)))
+                let place = source.whole(&name);
+                space.map_err(|error| placed(error).moved("SPACE", &place).or_at(&place))
             }
-            (None, Some(keys)) => Space::of(keys.define(source)?, &request),
+            (None, Some(keys)) => Space::of(keys.define(source)?, &request).map_err(placed),
             (None, None) => {
                 let error = InputError::usage("the problem names no space");
                 Err(error.help("give space = \"so3\", a file, or a table [definition]"))
@@ -442,8 +453,14 @@ impl InitialKeys<'_> {
         let mut given = given.into_iter().flatten();
         let help = "give one of velocity, momentum, space_velocity, space_momentum";
         match (given.next(), given.next()) {
-            (Some((true, side, v)), None) => Ok(Course::Velocity(side, reader.values(v)?)),
-            (Some((false, side, h)), None) => Ok(Course::Momentum(side, reader.values(h)?)),
+            (Some((true, side, v)), None) => {
+                let v = reader.values(v).map_err(|error| error.or_near(&source.key("velocity")))?;
+                Ok(Course::Velocity(side, v))
+            }
+            (Some((false, side, h)), None) => {
+                let h = reader.values(h).map_err(|error| error.or_near(&source.key("momentum")))?;
+                Ok(Course::Momentum(side, h))
+            }
             (None, _) => {
                 let error = InputError::usage("there is no velocity at the start");
                 Err(error.at(&source.key("initial")).help(help))
@@ -507,7 +524,8 @@ impl OutputKeys<'_> {
             (Some(times), None, None) => {
                 let mut all = vec![start];
                 for time in times {
-                    let time = reader.number(time)?;
+                    let time = reader.number(time);
+                    let time = time.map_err(|error| error.or_near(&source.key("times")))?;
                     if time != all[all.len() - 1] {
                         all.push(time);
                     }
@@ -520,9 +538,12 @@ impl OutputKeys<'_> {
                 Err(InputError::usage(message).at(&source.key("times")))
             }
             (None, Some(end), every) => {
-                let end = reader.number(end)?;
+                let end = reader.number(end).map_err(|error| error.or_near(&source.key("end")))?;
                 let every = match every {
-                    Some(every) => reader.number(every)?,
+                    Some(every) => {
+                        let every = reader.number(every);
+                        every.map_err(|error| error.or_near(&source.key("every")))?
+                    }
                     None => (end - start).abs(),
                 };
                 if every.is_nan() || every <= 0.0 && end != start {

@@ -82,7 +82,7 @@ impl Launch<'_> {
         let (columns, formulas) = self.columns(&forces)?;
         let element = self.element(&group, &values)?;
         let momentum = self.momentum(&group, &element, &forces, &values)?;
-        let step = self.problem.step.as_ref().map(|step| step.positive(&values)).transpose()?;
+        let step = self.problem.step_at(&values)?;
         let setup = Setup {
             connection: &connection,
             metric: &metric,
@@ -92,7 +92,7 @@ impl Launch<'_> {
             momentum,
             method: self.problem.method,
             step,
-            tolerance: self.problem.tolerance.positive(&values)?,
+            tolerance: self.problem.tolerance_at(&values)?,
             columns: formulas,
         };
         let (motion, method) = on_group(group, setup)?;
@@ -115,7 +115,7 @@ impl Launch<'_> {
         if written.len() != n {
             let found = written.len();
             let message = format!("the velocity has {found} components, the dimension is {n}");
-            return Err(InputError::usage(message).or_at_some(written.first().map(|w| &w.place)));
+            return Err(InputError::usage(message).at(&self.problem.source.key("given")));
         }
         let method = self.problem.method.unwrap_or(Method::Magnus(6));
         let magnus = match method {
@@ -128,10 +128,9 @@ impl Launch<'_> {
             }
         };
         let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
-        let Some(step) = &self.problem.step else {
+        let Some(step) = self.problem.step_at(&values)? else {
             return Err(InputError::mathematics("a velocity over time needs a step"));
         };
-        let step = step.positive(&values)?;
         self.expect_new_names(&group)?;
         let names = Forces::none(group.clone(), DMatrix::identity(n, n), self.parameters.clone());
         let mut velocity = GivenVelocity::new(values.clone());
@@ -163,7 +162,8 @@ impl Launch<'_> {
         let expected = self.definition.dimension();
         let refused = |what: &str, found: usize, place: &Place| {
             let message = format!("{what} has {found} components, the dimension is {expected}");
-            Err(InputError::usage(message).at(place))
+            let error = InputError::usage(message).at(place);
+            Err(error.or_near(&self.problem.source.key("forces")))
         };
         for side in [Side::Body, Side::Space] {
             let mut components = self.on_group.forces.iter().filter(|force| force.side == side);
@@ -240,7 +240,7 @@ impl Launch<'_> {
         let (matrix, place) = match &self.on_group.element {
             StartElement::Identity => return Ok(group.identity()),
             StartElement::Coordinates(x) => {
-                let x = numbers("coordinates", x, group.dimension(), values)?;
+                let x = self.numbers("coordinates", x, group.dimension(), values)?;
                 return Ok(group.exp(&G::Vector::from_components(&x)));
             }
             StartElement::Rows(rows, place) => {
@@ -257,7 +257,8 @@ impl Launch<'_> {
             }
             StartElement::Pose(quaternion, position, place) => {
                 let (size, along) = (identity.shape(), position.len());
-                if !matches!((size, along), ((3, 3), 0) | ((4, 4), 0 | 3)) {
+                let of_turns = G::NAMED.first() == Some(&"qw");
+                if !(of_turns && matches!((size, along), ((3, 3), 0) | ((4, 4), 0 | 3))) {
                     let message = "a quaternion is for so(3), and with a position for se(3)";
                     return Err(InputError::usage(message).at(place));
                 }
@@ -279,6 +280,22 @@ impl Launch<'_> {
         group.read(&matrix).map_err(|error| InputError::from(error).at(place))
     }
 
+    /// A list of as many numbers as the algebra has dimensions.
+    fn numbers(
+        &self,
+        what: &str,
+        list: &[Value],
+        dimension: usize,
+        values: &[f64],
+    ) -> Result<Vec<f64>, InputError> {
+        if list.len() != dimension {
+            let found = list.len();
+            let message = format!("{what} has {found} components, the dimension is {dimension}");
+            return Err(InputError::usage(message).at(&self.problem.source.key(what)));
+        }
+        Value::all(list, values).map_err(|error| error.or_near(&self.problem.source.key(what)))
+    }
+
     /// The momentum in the frame of the equations.
     fn momentum<G: Simulated>(
         &self,
@@ -291,12 +308,12 @@ impl Launch<'_> {
         let own = if G::RIGHT { Side::Space } else { Side::Body };
         match &self.on_group.course {
             Course::Velocity(side, list) => {
-                let v = G::Vector::from_components(&numbers("velocity", list, n, values)?);
+                let v = G::Vector::from_components(&self.numbers("velocity", list, n, values)?);
                 let v = if *side == own { v } else { group.adjoint(&group.inverse(g), &v) };
                 Ok(forces.momentum(&v))
             }
             Course::Momentum(side, list) => {
-                let h = G::Vector::from_components(&numbers("momentum", list, n, values)?);
+                let h = G::Vector::from_components(&self.numbers("momentum", list, n, values)?);
                 Ok(if *side == own { h } else { group.coadjoint(g, &h) })
             }
             // it has no equations of motion
@@ -320,20 +337,4 @@ fn notes<G: Simulated>(group: &G, inertia: &DMatrix<f64>) -> Vec<String> {
     }
     let Some(Ok(body)) = group.body(inertia) else { return vec![] };
     body.expect_masses().err().iter().map(Error::to_string).collect()
-}
-
-/// A list of as many numbers as the algebra has dimensions.
-fn numbers(
-    what: &str,
-    list: &[Value],
-    dimension: usize,
-    values: &[f64],
-) -> Result<Vec<f64>, InputError> {
-    if list.len() != dimension {
-        let found = list.len();
-        let message = format!("{what} has {found} components, the dimension is {dimension}");
-        let place = list.first().map(|first| &first.written.place);
-        return Err(InputError::usage(message).or_at_some(place));
-    }
-    Value::all(list, values)
 }

@@ -53,11 +53,10 @@ impl Matrices {
             let help = "they have isospectral2 and isospectral4";
             return Err(InputError::mathematics(message).at(&self.place).help(help));
         };
-        let Some(step) = &problem.step else {
+        let Some(step) = problem.step_at(values)? else {
             let error = InputError::mathematics("a flow of matrices needs a step");
             return Err(error.at(&self.place));
         };
-        let step = step.positive(values)?;
         let started = on_matrices(&self.flow(values)?, problem.times[0], step, order == 4);
         let (motion, names) = started.map_err(|error| InputError::from(error).at(&self.place))?;
         let column = |(name, watched)| Column { name, formula: None, watched };
