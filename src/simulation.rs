@@ -4,6 +4,7 @@
 //! shows progress and can be interrupted has to know. [`on_group`] makes one of an Euler-Poincare system with
 //! [`Forces`], [`on_given`] of a velocity over time, [`on_matrices`] of an isospectral flow.
 
+mod crossings;
 mod drive;
 pub mod forces;
 mod given;
@@ -15,9 +16,10 @@ mod pace;
 pub mod quantities;
 pub mod table;
 
+pub use crossings::{Crossing, Crossings};
 pub use forces::{Forces, Point, Side};
 pub use given::{GivenVelocity, on_given};
-pub use matrices::{MatrixFlow, on_matrices};
+pub use matrices::{MatrixFlow, Started, on_matrices};
 pub use method::Method;
 pub use on_group::{Setup, on_group};
 pub use table::Table;

@@ -8,6 +8,9 @@ mod inertia;
 mod keys;
 mod launch;
 mod matrices;
+mod walk;
+
+pub use walk::{Left, Walk};
 
 use super::input::{InputError, Place, Source, shown};
 use super::{Space, file, numbers};
@@ -33,10 +36,16 @@ pub struct Problem {
     pub method: Option<Method>,
     step: Option<Value>,
     tolerance: Value,
+    max_steps: usize,
     /// The times of the rows; the first is that of the start.
     pub times: Vec<f64>,
     columns: Vec<Written>,
     quantities: Vec<(String, Written)>,
+    events: Vec<(String, Written)>,
+    /// The event at which a motion ends.
+    pub stop: Option<String>,
+    /// The event that rows are taken at, in the place of times.
+    pub section: Option<String>,
     ensemble: Option<Ensemble>,
 }
 
@@ -115,6 +124,8 @@ pub struct Ready {
     pub method: Method,
     /// Names of the columns of its rows.
     pub columns: Vec<Column>,
+    /// Events: their values stand behind those of the columns in a row.
+    pub events: Vec<String>,
     /// The metric, of equations of motion on a group.
     pub inertia: Option<DMatrix<f64>>,
     /// What is allowed, but worth a word.

@@ -27,6 +27,9 @@ pub enum MatrixFlow {
     RandomZeitlin(usize, u64, usize),
 }
 
+/// A motion, the names of its columns, and whether the change of a column is of interest.
+pub type Started = (Box<dyn Motion>, Vec<(String, bool)>);
+
 /// The motion of a flow by the isospectral midpoint rule, of order 4 if so asked, else 2; the names of its columns, and
 /// whether the change of a column is of interest.
 ///
@@ -37,7 +40,7 @@ pub fn on_matrices(
     time: f64,
     step: f64,
     fourth: bool,
-) -> Result<(Box<dyn Motion>, Vec<(String, bool)>), Error> {
+) -> Result<Started, Error> {
     match flow {
         MatrixFlow::Toda(positions, momenta) => {
             let state = Toda.state(time, Toda::lattice(positions, momenta)?)?;
@@ -79,8 +82,6 @@ pub fn on_matrices(
         }
     }
 }
-
-type Started = (Box<dyn Motion>, Vec<(String, bool)>);
 
 fn on_sphere(
     fluid: Zeitlin,

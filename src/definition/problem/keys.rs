@@ -2,23 +2,22 @@
 
 use super::ensemble::EnsembleKeys;
 use super::inertia::InertiaKeys;
+use super::launch::casimirs;
 use super::matrices::{FlowKeys, Matrices};
 use super::{Course, Force, Kind, OnGroup, Problem, StartElement, Value, Written};
 use crate::definition::document::Document;
 use crate::definition::input::{InputError, Source, shown};
 use crate::definition::notation::check_name;
 use crate::definition::written::{Cell, MetricText, Number, NumbersText, Text, TextsText};
-use crate::definition::{Reading, Request, Space, file};
+use crate::definition::{Request, Space, file};
 use crate::formula::Formula;
 use crate::simulation::{Method, Side, Table};
-use crate::{LieAlgebra, LiePoisson};
-use affinor_tensors::{Symbolic, Tolerance};
 use std::path::Path;
 
 /// The most rows of one motion.
 const MAX_ROWS: f64 = 1e7;
-/// Algebras up to this dimension have their Casimirs computed, up to the second degree.
-const CASIMIRS: usize = 6;
+/// The most steps under control between two rows, unless another limit is given.
+const MAX_STEPS: usize = 10_000_000;
 /// What is written down where nothing is said.
 const COLUMNS: [&str; 6] = ["t", "element", "Omega", "H", "h", "energy"];
 /// Names of numbers, which no parameter takes.
@@ -57,6 +56,8 @@ pub(super) struct Keys<'t> {
     output: OutputKeys<'t>,
     #[serde(borrow)]
     quantities: Option<TextsText<'t>>,
+    #[serde(borrow)]
+    events: Option<TextsText<'t>>,
     #[serde(borrow)]
     ensemble: Option<EnsembleKeys<'t>>,
 }
@@ -117,6 +118,7 @@ struct IntegratorKeys<'t> {
     step: Option<Number<'t>>,
     #[serde(borrow)]
     tolerance: Option<Number<'t>>,
+    max_steps: Option<usize>,
 }
 
 #[derive(serde::Deserialize)]
@@ -130,6 +132,10 @@ struct OutputKeys<'t> {
     times: Option<Vec<Number<'t>>>,
     #[serde(borrow)]
     columns: Option<Vec<Text<'t>>>,
+    #[serde(borrow)]
+    stop: Option<Text<'t>>,
+    #[serde(borrow)]
+    section: Option<Text<'t>>,
 }
 
 impl Problem {
@@ -185,6 +191,15 @@ impl Reader<'_> {
         value.at(&self.values)
     }
 
+    /// Formulas by their names.
+    fn formulas(&self, table: &Option<TextsText>) -> Result<Vec<(String, Written)>, InputError> {
+        let named = table.iter().flat_map(|table| &table.0).map(|(name, text)| {
+            check_name(&name.0).map_err(|error| error.at(&self.source.key(&name.0)))?;
+            Ok((name.0.to_string(), self.written(text)))
+        });
+        named.collect()
+    }
+
     pub fn declare(&mut self, Text(name): &Text) -> Result<(), InputError> {
         let mut place = self.source.whole(name);
         if place.span.is_none() {
@@ -234,6 +249,7 @@ impl<'t> Keys<'t> {
         };
         let default = Number(Text("1e-10".into()));
         let tolerance = reader.value(self.integrator.tolerance.as_ref().unwrap_or(&default))?;
+        let max_steps = self.integrator.max_steps.unwrap_or(MAX_STEPS);
         let step = self.integrator.step.as_ref().map(|step| reader.value(step)).transpose()?;
         let time = self.initial.time.as_ref().map_or(Ok(0.0), |time| reader.number(time));
         let time = time.map_err(|error| error.or_near(&source.key("time")))?;
@@ -246,12 +262,18 @@ impl<'t> Keys<'t> {
             }
             None => COLUMNS.map(|name| reader.written(&Text(name.into()))).to_vec(),
         };
-        let quantities = self.quantities.iter().flat_map(|table| &table.0);
-        let quantities = quantities.map(|(name, text)| {
-            check_name(&name.0).map_err(|error| error.at(&source.whole(&name.0)))?;
-            Ok((name.0.to_string(), reader.written(text)))
-        });
-        let quantities = quantities.collect::<Result<_, InputError>>()?;
+        let quantities = reader.formulas(&self.quantities)?;
+        let events = reader.formulas(&self.events)?;
+        let event = |name: &Option<Text>| {
+            let Some(Text(name)) = name else { return Ok(None) };
+            if events.iter().any(|(event, _)| event == name) {
+                return Ok(Some(name.to_string()));
+            }
+            let error = InputError::usage(format!("`{}` is no event", shown(name)));
+            let help = "events are named in a table [events], by formulas that change their sign";
+            Err(error.at(&source.whole(name)).help(help))
+        };
+        let (stop, section) = (event(&self.output.stop)?, event(&self.output.section)?);
         let name = self.name.clone().unwrap_or_else(|| stem(&source.name));
         let kind = match &self.flow {
             Some(flow) => {
@@ -291,9 +313,13 @@ impl<'t> Keys<'t> {
             method,
             step,
             tolerance,
+            max_steps,
             times,
             columns,
             quantities,
+            events,
+            stop,
+            section,
             ensemble,
         })
     }
@@ -322,6 +348,7 @@ impl<'t> Keys<'t> {
             ("quaternion", initial.quaternion.is_some()),
             ("columns", self.output.columns.is_some()),
             ("quantities", self.quantities.is_some()),
+            ("events", self.events.is_some()),
         ];
         let idle = |keys: &[(&'static str, bool)], what: &str| {
             let Some((key, _)) = keys.iter().find(|(_, given)| *given) else { return Ok(()) };
@@ -398,19 +425,6 @@ impl<'t> Keys<'t> {
 fn stem(name: &str) -> String {
     let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
     stem.unwrap_or_else(|| name.into())
-}
-
-/// Casimirs of the algebra up to the second degree, where it is small and without parameters.
-fn casimirs(space: &Space) -> Vec<String> {
-    if space.definition.dimension() > CASIMIRS || space.definition.is_on_chart() {
-        return vec![];
-    }
-    let convert = |value: &Symbolic| Some(value.clone());
-    let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
-    let algebra: Result<LieAlgebra<Symbolic>, _> = space.definition.algebra(&reading);
-    let dual = algebra.ok().and_then(|algebra| LiePoisson::left(&algebra).ok());
-    let found = dual.and_then(|dual| dual.casimir_generators(2).ok());
-    found.unwrap_or_default().iter().map(Symbolic::to_string).collect()
 }
 
 impl InitialKeys<'_> {

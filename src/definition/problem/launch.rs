@@ -3,7 +3,7 @@
 use super::{Column, Course, OnGroup, Problem, Ready, StartElement, Value, Written};
 use crate::definition::group::GroupWork;
 use crate::definition::input::{Place, shown};
-use crate::definition::{Definition, InputError, Reading};
+use crate::definition::{Definition, InputError, Reading, Space};
 use crate::dense::to_dmatrix;
 use crate::dynamics::integrators::Magnus;
 use crate::formula::Formula;
@@ -12,9 +12,16 @@ use crate::simulation::quantities::{Names, Scope};
 use crate::simulation::{
     Forces, GivenVelocity, Method, Setup, Side, Simulated, on_given, on_group,
 };
-use crate::{Canonical, Connection, Error};
+use crate::{Canonical, Connection, Error, LieAlgebra, LiePoisson};
 use affinor_tensors::expression::ExpressionError;
+use affinor_tensors::{Symbolic, Tolerance};
 use nalgebra::DMatrix;
+
+/// Formulas over their scope.
+type Formulas = (Scope, Vec<Formula>);
+
+/// Algebras up to this dimension have their Casimirs computed, up to the second degree.
+const CASIMIRS: usize = 6;
 
 /// What is needed beside the group.
 pub(super) struct Launch<'p> {
@@ -79,7 +86,8 @@ impl Launch<'_> {
         let mut forces = Forces::none(group.clone(), inertia.clone(), parameters);
         self.expect_new_names(&group)?;
         self.forces(&mut forces)?;
-        let (columns, formulas) = self.columns(&forces)?;
+        let (columns, mut formulas) = self.columns(&forces)?;
+        let events = self.events(&forces, &mut formulas)?;
         let element = self.element(&group, &values)?;
         let momentum = self.momentum(&group, &element, &forces, &values)?;
         let step = self.problem.step_at(&values)?;
@@ -93,10 +101,11 @@ impl Launch<'_> {
             method: self.problem.method,
             step,
             tolerance: self.problem.tolerance_at(&values)?,
+            max_steps: self.problem.max_steps,
             columns: formulas,
         };
         let (motion, method) = on_group(group, setup)?;
-        Ok(Ready { motion, method, columns, inertia: Some(inertia), notes })
+        Ok(Ready { motion, method, columns, events, inertia: Some(inertia), notes })
     }
 
     /// A motion of a velocity over time.
@@ -139,10 +148,11 @@ impl Launch<'_> {
             let help = "the velocity is a formula of t and the parameters";
             added.map_err(|error| formula.refused(error, help.into()))?;
         }
-        let (columns, formulas) = self.columns(&names)?;
+        let (columns, mut formulas) = self.columns(&names)?;
+        let events = self.events(&names, &mut formulas)?;
         let start = (self.problem.times[0], self.element(&group, &values)?);
         let motion = on_given(group, velocity, start, (magnus, step), formulas, names);
-        Ok(Ready { motion, method, columns, inertia: None, notes: vec![] })
+        Ok(Ready { motion, method, columns, events, inertia: None, notes: vec![] })
     }
 
     /// Checks that parameters hide nothing that formulas speak of.
@@ -199,7 +209,7 @@ impl Launch<'_> {
     fn columns<G: Simulated>(
         &self,
         forces: &Forces<G>,
-    ) -> Result<(Vec<Column>, (Scope, Vec<Formula>)), InputError> {
+    ) -> Result<(Vec<Column>, Formulas), InputError> {
         let names = forces.names();
         let help = || format!("the names here are {}", names.all());
         let (mut scope, mut columns, mut formulas) = (Scope::default(), vec![], vec![]);
@@ -233,6 +243,23 @@ impl Launch<'_> {
             }
         }
         Ok((columns, (scope, formulas)))
+    }
+
+    /// The names of events; their formulas go behind the others.
+    fn events<G: Simulated>(
+        &self,
+        forces: &Forces<G>,
+        (scope, formulas): &mut Formulas,
+    ) -> Result<Vec<String>, InputError> {
+        let names = forces.names();
+        let help = || format!("the names here are {}", names.all());
+        let mut events = Vec::new();
+        for (name, written) in &self.problem.events {
+            let formula = scope.read(&written.text, names, &|_| true);
+            formulas.push(formula.map_err(|error| written.refused(error, help()))?);
+            events.push(name.clone());
+        }
+        Ok(events)
     }
 
     fn element<G: Simulated>(&self, group: &G, values: &[f64]) -> Result<G::Element, InputError> {
@@ -337,4 +364,17 @@ fn notes<G: Simulated>(group: &G, inertia: &DMatrix<f64>) -> Vec<String> {
     }
     let Some(Ok(body)) = group.body(inertia) else { return vec![] };
     body.expect_masses().err().iter().map(Error::to_string).collect()
+}
+
+/// Casimirs of the algebra up to the second degree, where it is small and without parameters.
+pub(super) fn casimirs(space: &Space) -> Vec<String> {
+    if space.definition.dimension() > CASIMIRS || space.definition.is_on_chart() {
+        return vec![];
+    }
+    let convert = |value: &Symbolic| Some(value.clone());
+    let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
+    let algebra: Result<LieAlgebra<Symbolic>, _> = space.definition.algebra(&reading);
+    let dual = algebra.ok().and_then(|algebra| LiePoisson::left(&algebra).ok());
+    let found = dual.and_then(|dual| dual.casimir_generators(2).ok());
+    found.unwrap_or_default().iter().map(Symbolic::to_string).collect()
 }

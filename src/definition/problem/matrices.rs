@@ -64,6 +64,7 @@ impl Matrices {
             motion,
             method,
             columns: names.into_iter().map(column).collect(),
+            events: vec![],
             inertia: None,
             notes: vec![],
         })
