@@ -120,6 +120,7 @@ impl Arguments {
     fn one(&self, problem: &Problem, store: &mut Store, bar: &ProgressBar) -> Outcome {
         let ready = problem.motion(0)?;
         let (method, columns) = (ready.method, ready.columns.clone());
+        ready.notes.iter().for_each(|text| note(text));
         if problem.method.is_none() {
             note(&format!("method {method}: {}", method.why()));
         }

@@ -4,6 +4,7 @@
 //! what is written down. Its numbers may be formulas in its parameters; an ensemble varies these.
 
 mod ensemble;
+mod inertia;
 mod keys;
 mod launch;
 mod matrices;
@@ -17,6 +18,7 @@ use crate::formula::Formula;
 use crate::simulation::{Method, Motion, Side, Table};
 use affinor_tensors::Tolerance;
 use ensemble::Ensemble;
+use inertia::Body;
 use launch::Launch;
 use matrices::Matrices;
 use nalgebra::DMatrix;
@@ -57,6 +59,8 @@ enum Kind {
 #[derive(Clone, Debug)]
 struct OnGroup {
     space: Space,
+    /// The body that moves, in the place of a metric.
+    inertia: Option<Body>,
     /// Whether the metric is right-invariant.
     right: bool,
     element: StartElement,
@@ -124,6 +128,8 @@ pub struct Ready {
     pub events: Vec<String>,
     /// The metric, of equations of motion on a group.
     pub inertia: Option<DMatrix<f64>>,
+    /// What is allowed, but worth a word.
+    pub notes: Vec<String>,
 }
 
 /// A column of the rows of a motion.
@@ -255,6 +261,17 @@ impl Problem {
     /// The values of the parameters that the ensemble varies, for a member from 0.
     pub fn variation(&self, member: u64) -> Vec<f64> {
         self.ensemble.as_ref().map_or(vec![], |ensemble| ensemble.values(member))
+    }
+
+    /// The length of steps, where there is one.
+    fn step_at(&self, parameters: &[f64]) -> Result<Option<f64>, InputError> {
+        let step = self.step.as_ref().map(|step| step.positive(parameters)).transpose();
+        step.map_err(|error| error.or_near(&self.source.key("step")))
+    }
+
+    fn tolerance_at(&self, parameters: &[f64]) -> Result<f64, InputError> {
+        let tolerance = self.tolerance.positive(parameters);
+        tolerance.map_err(|error| error.or_near(&self.source.key("tolerance")))
     }
 
     /// The motion; of an ensemble that of a member, from 0.

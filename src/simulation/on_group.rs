@@ -49,11 +49,13 @@ pub fn on_group<G: Simulated>(
     let inertia = crate::dense::to_dmatrix(setup.metric.components())?;
     let body = group.body(&inertia).filter(|_| is_plus(setup.connection));
     let free = setup.forces.is_empty();
-    let method = setup.method.unwrap_or(match (&body, setup.step) {
-        (Some(_), None) if free => Method::Exact,
+    // an indefinite metric is no inertia, and has the methods of all groups
+    let is_body = matches!(body, Some(Ok(_)));
+    let method = setup.method.unwrap_or(match (is_body, setup.step) {
+        (true, None) if free => Method::Exact,
         (_, None) => Method::Adaptive,
-        (Some(_), Some(_)) if free => Method::MoserVeselov(Order::Ten),
-        (Some(_), Some(_)) if setup.forces.are_conservative() => Method::Kick(kick::Order::Four),
+        (true, Some(_)) if free => Method::MoserVeselov(Order::Ten),
+        (true, Some(_)) if setup.forces.are_conservative() => Method::Kick(kick::Order::Four),
         (_, Some(_)) => Method::MuntheKaas,
     });
     let refused = |reason: &str| Error::NoMethod { method: method.name(), reason: reason.into() };
