@@ -118,16 +118,15 @@ impl MuntheKaas {
         // u = 0
         Rates { velocity: slopes[0], spatial: of_spatial[0] } = system.rates(state);
         for stage in 1..N {
+            // or the next stage asks for a torque at no place
+            expect_finite(state.time, &[&slopes[stage - 1], &of_spatial[stage - 1]])?;
             let u = moved(&zero, &slopes[..stage], &self.a[stage], h);
             let rates = system.rates(&State {
                 time: state.time + self.c[stage] * h,
                 element: group.compose(&state.element, &group.exp(&u)),
                 spatial: moved(&state.spatial, &of_spatial[..stage], &self.a[stage], h),
             });
-            slopes[stage] = match group.tangent_left_inverse(&u, &rates.velocity) {
-                Ok(slope) => slope,
-                Err(error) => return Err(expect_finite(state.time, &[&u]).err().unwrap_or(error)),
-            };
+            slopes[stage] = group.tangent_left_inverse(&u, &rates.velocity)?;
             of_spatial[stage] = rates.spatial;
         }
         Ok([slopes, of_spatial])
