@@ -1,10 +1,20 @@
-//! The free rigid body: a step, and an exact state.
+//! Steps of rigid bodies and on groups, and exact states.
 //!
-//! `cargo bench --bench motion`: nanoseconds per 1000 steps of the discrete Moser-Veselov algorithm and per 1000 exact states.
+//! `cargo bench --bench motion`: nanoseconds per 1000 steps, or exact states.
 
+use affinor::dynamics::euler_poincare::{Free, Torque};
+use affinor::dynamics::integrators::kick::{FreeMotion, Order as KickOrder};
+use affinor::dynamics::integrators::splitting::Composition;
 use affinor::dynamics::moser_veselov::Order;
-use affinor::dynamics::{BodyState, FreeBody, Inertia, MoserVeselov};
-use criterion::{Criterion, criterion_group, criterion_main};
+use affinor::dynamics::{
+    BodyState, CommutatorFree, CrouchGrossman, EulerPoincare, FreeBody, Inertia, Integrator, Kick,
+    MoserVeselov, MuntheKaas, SimoWong, Splitting,
+};
+use affinor::group::{Coordinates, LieGroup, Se3, So3};
+use affinor::{Canonical, Connection, Metric};
+use affinor_tensors::{Down, Tensor};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::hint::black_box;
 
@@ -41,5 +51,63 @@ fn free_body(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, free_body);
+/// With moments 0.6, 0.8, ...
+fn system<G: LieGroup, M: Torque<G>>(group: G, torque: M) -> EulerPoincare<G, M> {
+    let algebra = group.algebra().expect("an algebra");
+    let moments = (0..group.dimension()).map(|i| ([i, i], 0.6 + 0.2 * i as f64));
+    let metric = Tensor::from_components(group.dimension(), &[Down, Down], moments);
+    let metric = Metric::new(algebra.labels(), metric.expect("a matrix")).expect("a metric");
+    let plus = Connection::canonical(&algebra, Canonical::Plus);
+    EulerPoincare::new(group, &plus, &metric, torque).expect("a system")
+}
+
+fn steps<G: LieGroup, M: Torque<G>>(
+    benches: &mut BenchmarkGroup<WallTime>,
+    name: &str,
+    system: &EulerPoincare<G, M>,
+    method: &impl Integrator<EulerPoincare<G, M>>,
+) {
+    let n = system.group().dimension();
+    let velocity = G::Vector::from_fn(n, |i| [1.8, 0.4, -0.9][i % 3]);
+    let start = system.state(0.0, system.group().identity(), &velocity);
+    benches.bench_function(name, |b| {
+        b.iter(|| {
+            let mut state = black_box(start.clone());
+            (0..COUNT).try_for_each(|_| method.step(system, &mut state, 0.05)).map(|()| state)
+        });
+    });
+}
+
+fn integrators(criterion: &mut Criterion) {
+    let inertia = Inertia::diagonal(&Vector3::new(0.6, 0.8, 1.0)).expect("an inertia");
+    let (free, rigid) = (system(So3, Free), system(Se3, Free));
+    let mut group = criterion.benchmark_group("SO(3)");
+    steps(&mut group, "RKMK4", &free, &MuntheKaas::RK4);
+    steps(&mut group, "DP5", &free, &MuntheKaas::DORMAND_PRINCE);
+    steps(&mut group, "CF4", &free, &CommutatorFree);
+    steps(&mut group, "CG3", &free, &CrouchGrossman);
+    steps(&mut group, "Simo-Wong", &free, &SimoWong::new(&inertia));
+    steps(&mut group, "DMV6", &free, &MoserVeselov::new(&inertia, Order::Six));
+    steps(&mut group, "Strang", &free, &Splitting::new(&inertia, Composition::Strang));
+    steps(&mut group, "Suzuki", &free, &Splitting::new(&inertia, Composition::Suzuki));
+    let heavy = system(So3, |_: f64, g: &UnitQuaternion<f64>, _: &Vector3<f64>| {
+        Vector3::z().cross(&g.inverse_transform_vector(&Vector3::new(0.0, 0.0, -1.0)))
+    });
+    for (name, motion) in [
+        ("exact", FreeMotion::Exact),
+        ("DMV6", FreeMotion::MoserVeselov(Order::Six)),
+        ("DMV10", FreeMotion::MoserVeselov(Order::Ten)),
+    ] {
+        let kick = Kick::new(&inertia, KickOrder::Two, motion);
+        steps(&mut group, &format!("kicks, {name}"), &heavy, &kick);
+    }
+    steps(&mut group, "RKMK4, with a torque", &heavy, &MuntheKaas::RK4);
+    group.finish();
+    let mut group = criterion.benchmark_group("SE(3)");
+    steps(&mut group, "RKMK4", &rigid, &MuntheKaas::RK4);
+    steps(&mut group, "CF4", &rigid, &CommutatorFree);
+    group.finish();
+}
+
+criterion_group!(benches, free_body, integrators);
 criterion_main!(benches);

@@ -8,8 +8,11 @@
 //! Attitudes map body to space components, `Rdot = R spin(Omega)`; momentum `H = J Omega` and velocity are in
 //! body components, `Hdot = H cross Omega` is (108) without torque, and `R H` is the momentum in space.
 
+mod compensated;
+pub mod dense;
 pub mod elliptic;
 pub mod euler_poincare;
+pub mod events;
 pub mod free_body;
 pub mod inertia;
 pub mod integrators;

@@ -63,10 +63,19 @@ pub struct Free;
 pub trait Torque<G: LieGroup> {
     /// `M_i`, which is added to `force`.
     fn add(&self, time: f64, element: &G::Element, velocity: &G::Vector, force: &mut G::Vector);
+
+    /// Whether there is none at any time.
+    fn is_absent(&self) -> bool {
+        false
+    }
 }
 
 impl<G: LieGroup> Torque<G> for Free {
     fn add(&self, _: f64, _: &G::Element, _: &G::Vector, _: &mut G::Vector) {}
+
+    fn is_absent(&self) -> bool {
+        true
+    }
 }
 
 impl<G: LieGroup, F: Fn(f64, &G::Element, &G::Vector) -> G::Vector> Torque<G> for F {
@@ -227,6 +236,9 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
     pub fn rates(&self, state: &State<G>) -> Rates<G::Vector> {
         let momentum = self.momentum(state);
         let velocity = applied::<G>(&self.inverse, &momentum);
+        if self.excess.is_empty() && self.torque.is_absent() {
+            return Rates { spatial: G::Vector::zeros(self.group.dimension()), velocity };
+        }
         let mut force = self.excess_force(&velocity, &momentum);
         self.torque.add(state.time, &state.element, &velocity, &mut force);
         let back = self.group.inverse(&state.element);

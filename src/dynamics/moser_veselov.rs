@@ -11,11 +11,12 @@
 //! `h^2` with coefficients from the invariants, it has any even order: E. Hairer and G. Vilmart, J. Phys. A 39 (2006)
 //! 13225-13235, after R. McLachlan and A. Zanna, Found. Comput. Math. 5 (2005) 87-123.
 
+use super::compensated::Sum;
 use super::euler_poincare::{EulerPoincare, Free, State};
 use super::principal::Principal;
 use super::{BodyState, Inertia, Integrator};
 use crate::Error;
-use crate::group::So3;
+use crate::group::{LieGroup, So3};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// The order of a step.
@@ -79,7 +80,8 @@ impl MoserVeselov {
         MoserVeselov { inertia, body, unit, moments, series: series(moments), degrees }
     }
 
-    /// The state after `count` steps of length `step`, which may be negative.
+    /// The state after `count` steps of length `step`, which may be negative. The sums of momentum and attitude are
+    /// compensated, so that roundings add up to that of the terms only.
     ///
     /// # Errors
     /// [`Error::Integration`] when a step is too long: its equations have no solution near the start.
@@ -87,25 +89,31 @@ impl MoserVeselov {
         let axes = self.inertia.axes();
         // h H in units of the largest moment has no dimension
         let scale = step / self.unit;
-        let mut y = axes.tr_mul(&start.momentum) * scale;
-        let mut turn = Quaternion::identity();
+        let mut y = Sum::new(axes.tr_mul(&start.momentum) * scale);
+        let mut turn = Sum::new(Quaternion::identity().coords);
         let stop = |taken: usize, reason: &str| Error::Integration {
             t: step * taken as f64,
             reason: reason.into(),
         };
-        let stage = self.stage(&y).ok_or_else(|| stop(0, "the step is too long"))?;
+        let stage = self.stage(&y.value).ok_or_else(|| stop(0, "the step is too long"))?;
         for taken in 0..count {
-            let c = stage.solve(&y).ok_or_else(|| stop(taken, "the step is too long"))?;
-            turn = unit(turn * Quaternion::from_parts(1.0, c));
-            y += stage.products(&c, &stage.differences) * (4.0 / (1.0 + c.norm_squared()));
+            let c = stage.solve(&y.value).ok_or_else(|| stop(taken, "the step is too long"))?;
+            let square = 1.0 + c.norm_squared();
+            let length = square.sqrt();
+            // (1, c)/length - 1
+            let less = Quaternion::from_parts(-c.norm_squared() / (1.0 + length), c);
+            let product = Quaternion::from(turn.value) * less;
+            turn.add(&(product.coords / length));
+            y.add(&(stage.products(&c, &stage.differences) * (4.0 / square)));
         }
         if count == 0 || scale == 0.0 {
             return Ok(*start);
         }
+        let turn = Quaternion::from(turn.value);
         let turn = Quaternion::from_parts(turn.w, axes * turn.imag());
         Ok(BodyState {
-            attitude: UnitQuaternion::new_unchecked(unit(start.attitude.into_inner() * turn)),
-            momentum: axes * y / scale,
+            attitude: So3.restored(start.attitude * UnitQuaternion::new_unchecked(turn)),
+            momentum: axes * y.value / scale,
         })
     }
 
@@ -215,12 +223,6 @@ impl Stage {
         }
         None
     }
-}
-
-/// The quaternion at length 1.
-#[inline]
-fn unit(q: Quaternion<f64>) -> Quaternion<f64> {
-    q * (1.0 / q.norm_squared().sqrt())
 }
 
 /// The coefficients of Hairer and Vilmart for moments `J`: of `C^(n - j) E^j` in `s` and in `d`, where `C = |H|^2/2`

@@ -35,6 +35,7 @@ impl LieGroup for Se3 {
     type Element = Isometry3<f64>;
     type Vector = Vector6<f64>;
 
+    #[inline]
     fn dimension(&self) -> usize {
         6
     }
@@ -43,15 +44,18 @@ impl LieGroup for Se3 {
         Isometry3::identity()
     }
 
+    #[inline]
     fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
         whole(screws::compose(parts(g), parts(h)))
     }
 
+    #[inline]
     fn inverse(&self, g: &Self::Element) -> Self::Element {
         whole(screws::inverse(parts(g)))
     }
 
     /// `R = exp(w)`, `t = T_right(w) u`.
+    #[inline]
     fn exp(&self, x: &Self::Vector) -> Self::Element {
         whole(screws::exp(split(x)))
     }
@@ -62,20 +66,24 @@ impl LieGroup for Se3 {
     }
 
     /// `(R w, R u + t cross R w)`.
+    #[inline]
     fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
         join(screws::adjoint(parts(g), split(x)))
     }
 
     /// `(R^T (m + f cross t), R^T f)`.
+    #[inline]
     fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
         join(screws::coadjoint(parts(g), split(h)))
     }
 
+    #[inline]
     fn restored(&self, g: Self::Element) -> Self::Element {
         let (rotation, vectors) = parts(&g);
         whole((So3.restored(rotation), vectors))
     }
 
+    #[inline]
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
         join(screws::bracket::<1>(split(x), split(y)))
     }
@@ -86,11 +94,13 @@ impl LieGroup for Se3 {
     }
 
     /// `[[T, 0], [Q, T]]`, where `T` is that of SO(3) at `w` and `Q` its derivative along `u`.
+    #[inline]
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         join(screws::tangent_left::<1>(split(x), split(v)))
     }
 
     /// Singular where that of [`So3`](super::So3) is.
+    #[inline]
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,

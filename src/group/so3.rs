@@ -29,6 +29,7 @@ impl LieGroup for So3 {
     type Element = UnitQuaternion<f64>;
     type Vector = Vector3<f64>;
 
+    #[inline]
     fn dimension(&self) -> usize {
         3
     }
@@ -43,6 +44,7 @@ impl LieGroup for So3 {
         g * h
     }
 
+    #[inline]
     fn inverse(&self, g: &Self::Element) -> Self::Element {
         g.inverse()
     }
@@ -84,15 +86,18 @@ impl LieGroup for So3 {
         Ok(unit.imag() * logarithm(unit.coords.into(), square, 1.0))
     }
 
+    #[inline]
     fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
         g * x
     }
 
     /// `R^T h`.
+    #[inline]
     fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
         g.inverse_transform_vector(h)
     }
 
+    #[inline]
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
         x.cross(y)
     }

@@ -1,8 +1,8 @@
 //! Runge-Kutta methods in canonical coordinates around the present element.
 
-use super::Integrator;
+use super::{Integrator, expect_finite};
 use crate::Error;
-use crate::dynamics::euler_poincare::{EulerPoincare, State, Torque};
+use crate::dynamics::euler_poincare::{EulerPoincare, Rates, State, Torque};
 use crate::group::{Coordinates, LieGroup};
 
 /// The most stages of a method here.
@@ -93,52 +93,77 @@ impl MuntheKaas {
         state: &State<G>,
         h: f64,
     ) -> Result<(State<G>, f64), Error> {
-        let group = system.group();
-        let stopped =
-            || Error::Integration { t: state.time, reason: "a value is not finite".into() };
-        let zero = G::Vector::zeros(group.dimension());
-        let mut slopes: [(G::Vector, G::Vector); STAGES] =
-            std::array::from_fn(|_| (zero.clone(), zero.clone()));
-        let at = |time: f64, u: &G::Vector, spatial: G::Vector| State {
-            time,
-            element: group.compose(&state.element, &group.exp(u)),
-            spatial,
-        };
-        for stage in 0..self.stages {
-            let (u, spatial) = self.moved(&slopes[..stage], &self.a[stage], h, state, &zero);
-            let rates = system.rates(&at(state.time + self.c[stage] * h, &u, spatial));
-            if !rates.velocity.is_finite() || !rates.spatial.is_finite() {
-                return Err(stopped());
-            }
-            slopes[stage] = (group.tangent_left_inverse(&u, &rates.velocity)?, rates.spatial);
-        }
-        let (u, spatial) = self.moved(&slopes, &self.b, h, state, &zero);
-        let mut next = at(state.time + h, &u, spatial);
-        next.element = group.restored(next.element);
-        let origin = State { spatial: zero.clone(), ..state.clone() };
-        let (off, off_spatial) = self.moved(&slopes, &self.error, h, &origin, &zero);
-        if !u.is_finite() || !next.spatial.is_finite() {
-            return Err(stopped());
-        }
+        let slopes = self.slopes(system, state, h, self.stages)?;
+        let next = self.end(system, state, h, &slopes)?;
+        let zero = G::Vector::zeros(system.group().dimension());
+        let off = moved::<G>(&slopes, &self.error, h, &zero);
         let scale = state.spatial.largest().max(f64::MIN_POSITIVE);
-        Ok((next, off.largest().max(off_spatial.largest() / scale)))
+        Ok((next, off.velocity.largest().max(off.spatial.largest() / scale)))
     }
 
-    /// `h` times the weighted slopes: the coordinates, and the spatial momentum moved by its part.
-    fn moved<G: LieGroup>(
+    /// `u'` and `h'` at some stages.
+    #[inline]
+    fn slopes<G: LieGroup, M: Torque<G>>(
         &self,
-        slopes: &[(G::Vector, G::Vector)],
-        weights: &[f64],
+        system: &EulerPoincare<G, M>,
+        state: &State<G>,
         h: f64,
-        from: &State<G>,
-        zero: &G::Vector,
-    ) -> (G::Vector, G::Vector) {
-        let weighted = slopes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);
-        let start = (zero.clone(), from.spatial.clone());
-        weighted.fold(start, |(u, spatial), ((du, d_spatial), weight)| {
-            (u + du.clone() * (h * weight), spatial + d_spatial.clone() * (h * weight))
-        })
+        stages: usize,
+    ) -> Result<[Rates<G::Vector>; STAGES], Error> {
+        let group = system.group();
+        let zero = G::Vector::zeros(group.dimension());
+        let mut slopes: [Rates<G::Vector>; STAGES] =
+            std::array::from_fn(|_| Rates { velocity: zero.clone(), spatial: zero.clone() });
+        // u = 0
+        slopes[0] = system.rates(state);
+        expect_finite(state.time, &[&slopes[0].velocity, &slopes[0].spatial])?;
+        for stage in 1..stages {
+            let at = moved::<G>(&slopes[..stage], &self.a[stage], h, &state.spatial);
+            let rates = system.rates(&State {
+                time: state.time + self.c[stage] * h,
+                element: group.compose(&state.element, &group.exp(&at.velocity)),
+                spatial: at.spatial,
+            });
+            expect_finite(state.time, &[&rates.velocity, &rates.spatial])?;
+            let velocity = group.tangent_left_inverse(&at.velocity, &rates.velocity)?;
+            slopes[stage] = Rates { velocity, spatial: rates.spatial };
+        }
+        Ok(slopes)
     }
+
+    /// The state after a step, from its slopes.
+    #[inline]
+    fn end<G: LieGroup, M: Torque<G>>(
+        &self,
+        system: &EulerPoincare<G, M>,
+        state: &State<G>,
+        h: f64,
+        slopes: &[Rates<G::Vector>],
+    ) -> Result<State<G>, Error> {
+        let group = system.group();
+        let at = moved::<G>(slopes, &self.b, h, &state.spatial);
+        expect_finite(state.time, &[&at.velocity, &at.spatial])?;
+        let element = group.compose(&state.element, &group.exp(&at.velocity));
+        let (time, spatial) = (state.time + h, at.spatial);
+        Ok(State { time, element: group.restored(element), spatial })
+    }
+}
+
+/// `h` times the weighted slopes: the coordinates, and a spatial momentum moved by its part.
+#[inline]
+fn moved<G: LieGroup>(
+    slopes: &[Rates<G::Vector>],
+    weights: &[f64],
+    h: f64,
+    spatial: &G::Vector,
+) -> Rates<G::Vector> {
+    let start =
+        Rates { velocity: G::Vector::zeros(spatial.components().len()), spatial: spatial.clone() };
+    let weighted = slopes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);
+    weighted.fold(start, |sum, (slope, weight)| Rates {
+        velocity: sum.velocity + slope.velocity.clone() * (h * weight),
+        spatial: sum.spatial + slope.spatial.clone() * (h * weight),
+    })
 }
 
 impl<G: LieGroup, M: Torque<G>> Integrator<EulerPoincare<G, M>> for MuntheKaas {
@@ -148,7 +173,10 @@ impl<G: LieGroup, M: Torque<G>> Integrator<EulerPoincare<G, M>> for MuntheKaas {
         state: &mut State<G>,
         h: f64,
     ) -> Result<(), Error> {
-        *state = self.advanced(system, state, h)?.0;
+        // the last stage of a pair may serve its error only
+        let stages = self.stages - usize::from(self.b[self.stages - 1] == 0.0);
+        let slopes = self.slopes(system, state, h, stages)?;
+        *state = self.end(system, state, h, &slopes)?;
         Ok(())
     }
 }

@@ -1,0 +1,28 @@
+//! Sums of many small terms.
+
+use nalgebra::SVector;
+
+/// A sum with what its roundings left out, which goes into the next term: W. Kahan, *Commun. ACM* 8 (1965) 40. The error
+/// is that of the terms, and not one of the sum a term.
+///
+/// For integrators, E. Hairer, R. I. McLachlan and A. Razakarivony, *BIT* 48 (2008) 231-243; for rigid bodies, G. Vilmart,
+/// *J. Comput. Phys.* 227 (2008) 7083-7088.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Sum<const N: usize> {
+    pub(super) value: SVector<f64, N>,
+    rest: SVector<f64, N>,
+}
+
+impl<const N: usize> Sum<N> {
+    pub(super) fn new(value: SVector<f64, N>) -> Self {
+        Sum { value, rest: SVector::zeros() }
+    }
+
+    #[inline]
+    pub(super) fn add(&mut self, term: &SVector<f64, N>) {
+        let term = term + self.rest;
+        let next = self.value + term;
+        self.rest = (self.value - next) + term;
+        self.value = next;
+    }
+}

@@ -1,0 +1,231 @@
+//! Events: each is found once, at its time, and the state within a step is as good as at its end.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use affinor::dynamics::dense::Step;
+use affinor::dynamics::euler_poincare::Free;
+use affinor::dynamics::events::{Direction, Event, Then, Watch};
+use affinor::dynamics::moser_veselov::Order;
+use affinor::dynamics::{
+    Adaptive, BodyState, EulerPoincare, FreeBody, Inertia, Integrator, MoserVeselov, MuntheKaas,
+    SimoWong, State, System,
+};
+use affinor::group::{LieGroup, So3};
+use affinor::{Canonical, Connection, Error, Metric};
+use affinor_tensors::{Down, Tensor};
+use nalgebra::Vector3;
+use proptest::prelude::*;
+
+/// Nothing moves but time.
+struct Clock;
+
+impl System for Clock {
+    type State = f64;
+
+    fn time(&self, state: &f64) -> f64 {
+        *state
+    }
+}
+
+/// Time in units of a power of 2.
+struct Tick;
+
+impl Integrator<Clock> for Tick {
+    fn step(&self, _: &Clock, state: &mut f64, h: f64) -> Result<(), Error> {
+        *state += h;
+        Ok(())
+    }
+}
+
+/// The events of a clock: their number and time.
+fn events(
+    watched: Vec<Event<f64>>,
+    start: f64,
+    length: f64,
+    count: usize,
+) -> (Vec<(usize, f64)>, f64) {
+    let mut state = start;
+    let mut watch = Watch::new(watched, &Clock, &state).unwrap();
+    let mut found = vec![];
+    for _ in 0..count {
+        let step = Step { system: &Clock, method: &Tick, start: state, length };
+        let crossings = watch.advance(&step, &mut state).unwrap();
+        found.extend(crossings.iter().map(|crossing| (crossing.event, crossing.state)));
+        if crossings.iter().any(|crossing| crossing.then == Then::Stop) {
+            break;
+        }
+    }
+    (found, state)
+}
+
+fn at<'a>(f: impl Fn(f64) -> f64 + 'a, direction: Direction, then: Then) -> Event<'a, f64> {
+    Event::new(move |t: &f64| f(*t), direction, then)
+}
+
+#[test]
+fn a_zero_at_the_end_of_a_step_counts_once() {
+    let zero = |direction| vec![at(|t| t - 1.0, direction, Then::GoOn)];
+    assert_eq!(events(zero(Direction::Both), 0.0, 0.25, 20).0, [(0, 1.0)]);
+    assert_eq!(events(zero(Direction::Rising), 0.0, 0.25, 20).0, [(0, 1.0)]);
+    assert_eq!(events(zero(Direction::Falling), 0.0, 0.25, 20).0, []);
+    // backwards it still rises with time
+    assert_eq!(events(zero(Direction::Rising), 3.0, -0.25, 20).0, [(0, 1.0)]);
+    // a run from there, forwards or backwards, has not crossed it
+    assert_eq!(events(zero(Direction::Both), 1.0, 0.25, 20).0, []);
+    assert_eq!(events(zero(Direction::Both), 1.0, -0.25, 20).0, []);
+    // also at the last step
+    assert_eq!(events(zero(Direction::Both), 0.0, 0.25, 4).0, [(0, 1.0)]);
+}
+
+#[test]
+fn directions_and_ends() {
+    use std::f64::consts::PI;
+    let sine = |direction, then| at(|t: f64| t.sin(), direction, then);
+    let (found, _) = events(vec![sine(Direction::Both, Then::GoOn)], 0.5, 0.1, 200);
+    let times: Vec<f64> = (1..=6).map(|k| f64::from(k) * PI).collect();
+    assert_eq!(found.len(), times.len());
+    for ((_, found), time) in found.iter().zip(&times) {
+        assert!((found - time).abs() <= 4e-16 * time, "{found} {time}");
+    }
+    let (rising, _) = events(vec![sine(Direction::Rising, Then::GoOn)], 0.5, 0.1, 200);
+    assert_eq!(rising.len(), 3);
+    // the first that stops ends the run; what comes later in the step is left for a run that goes on
+    let watched = || {
+        vec![
+            at(|t: f64| t - 1.03, Direction::Both, Then::GoOn),
+            at(|t: f64| t - 1.02, Direction::Both, Then::Stop),
+            at(|t: f64| 1.01 - t, Direction::Both, Then::GoOn),
+            at(|t: f64| t - 1.02, Direction::Both, Then::GoOn),
+        ]
+    };
+    let (found, end) = events(watched(), 0.0, 0.25, 20);
+    let numbers: Vec<usize> = found.iter().map(|(number, _)| *number).collect();
+    assert_eq!((numbers, end), (vec![2, 1], 1.02));
+    let mut state = 0.75;
+    let mut watch = Watch::new(watched(), &Clock, &state).unwrap();
+    let mut numbers = vec![];
+    for _ in 0..2 {
+        let step = Step { system: &Clock, method: &Tick, start: state, length: 0.25 };
+        watch.advance(&step, &mut state).unwrap();
+    }
+    assert_eq!(state, 1.02);
+    for _ in 0..2 {
+        let step = Step { system: &Clock, method: &Tick, start: state, length: 0.25 };
+        numbers.extend(watch.advance(&step, &mut state).unwrap().iter().map(|c| c.event));
+    }
+    // a zero where the run stopped is behind it
+    assert_eq!(numbers, [0]);
+}
+
+#[test]
+fn what_is_no_number_is_refused() {
+    let event = || vec![at(|t: f64| (1.0 - t).sqrt(), Direction::Both, Then::GoOn)];
+    assert!(matches!(Watch::new(event(), &Clock, &2.0), Err(Error::Integration { t: 2.0, .. })));
+    let mut state = 0.9;
+    let mut watch = Watch::new(event(), &Clock, &state).unwrap();
+    let step = Step { system: &Clock, method: &Tick, start: state, length: 0.25 };
+    assert!(matches!(watch.advance(&step, &mut state), Err(Error::Integration { .. })));
+    assert_eq!(state, 0.9);
+}
+
+proptest! {
+    /// Steep, flat and one-sided functions: each change of sign once, to the rounding of time.
+    #[test]
+    fn times_are_exact(place in 0.01..9.99_f64, power in 0_i32..4, scale in -12..12_i32, lean in -3.0..3.0_f64) {
+        let function = |t: f64| {
+            let x = t - place;
+            x.powi(2 * power + 1) * 10.0_f64.powi(scale) * (lean * x).exp()
+        };
+        for length in [0.1, 0.37, 10.0] {
+            let watched = vec![at(function, Direction::Rising, Then::GoOn)];
+            let (found, _) = events(watched, 0.0, length, (10.0 / length).ceil() as usize);
+            prop_assert_eq!(found.len(), 1);
+            prop_assert!((found[0].1 - place).abs() < 4e-15, "{} {}", found[0].1, place);
+        }
+    }
+}
+
+fn body() -> (Inertia, EulerPoincare<So3, Free>, State<So3>) {
+    let moments = Vector3::new(0.6, 0.8, 1.0);
+    let metric = Tensor::from_components(3, &[Down, Down], (0..3).map(|i| ([i, i], moments[i])));
+    let metric = Metric::new(So3.algebra().unwrap().labels(), metric.unwrap()).unwrap();
+    let plus = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let system = EulerPoincare::free(So3, &plus, &metric).unwrap();
+    let velocity = Vector3::new(1.8, 0.4, -0.9).component_div(&moments);
+    let start = system.state(0.0, So3.identity(), &velocity);
+    (Inertia::diagonal(&moments).unwrap(), system, start)
+}
+
+/// The momentum passes a plane once a period, that of the elliptic functions.
+#[test]
+fn a_section_is_crossed_once_a_period() {
+    let (inertia, system, start) = body();
+    let exact = BodyState { attitude: start.element, momentum: start.spatial };
+    let exact = FreeBody::new(&inertia, &exact).unwrap();
+    let period = exact.period().unwrap();
+    let section =
+        || Event::new(|s: &State<So3>| system.momentum(s).y, Direction::Rising, Then::GoOn);
+    let check = |states: &[State<So3>], tolerance: f64| {
+        assert_eq!(states.len(), 10);
+        for (k, state) in states.iter().enumerate() {
+            let time = states[0].time + k as f64 * period;
+            assert!((state.time / time - 1.0).abs() < tolerance, "{k}: {} {time}", state.time);
+            assert!(exact.at(state.time).momentum.y.abs() < 10.0 * tolerance);
+        }
+    };
+    let method = MoserVeselov::new(&inertia, Order::Ten);
+    let (mut state, mut found) = (start.clone(), vec![]);
+    let mut watch = Watch::new(vec![section()], &system, &state).unwrap();
+    while state.time < 10.0 * period {
+        let step = Step { system: &system, method: &method, start: state.clone(), length: 0.05 };
+        found.extend(watch.advance(&step, &mut state).unwrap().into_iter().map(|c| c.state));
+    }
+    check(&found, 1e-12);
+    // steps of any length
+    let (adaptive, mut next) = (Adaptive::new(1e-13), 0.01);
+    let (mut state, mut found) = (start, vec![]);
+    let mut watch = Watch::new(vec![section()], &system, &state).unwrap();
+    while state.time < 10.0 * period {
+        let (before, mut end) = (state.clone(), state.clone());
+        adaptive.step(&system, &mut end, &mut next, 10.0 * period).unwrap();
+        let length = end.time - before.time;
+        let method = &MuntheKaas::DORMAND_PRINCE;
+        let step = Step { system: &system, method, start: before, length };
+        found.extend(watch.pass(&step, end, &mut state).unwrap().into_iter().map(|c| c.state));
+    }
+    check(&found, 1e-11);
+}
+
+/// States within steps have the order of the method.
+#[test]
+fn states_within_a_step_have_its_order() {
+    let (inertia, system, start) = body();
+    let exact = BodyState { attitude: start.element, momentum: start.spatial };
+    let exact = FreeBody::new(&inertia, &exact).unwrap();
+    fn error<I: Integrator<EulerPoincare<So3, Free>>>(
+        (method, steps): (&I, usize),
+        (system, start): (&EulerPoincare<So3, Free>, &State<So3>),
+        exact: &FreeBody,
+    ) -> f64 {
+        let length = 1.0 / steps as f64;
+        let (mut state, mut largest) = (start.clone(), 0.0_f64);
+        for _ in 0..steps {
+            let step = Step { system, method, start: state.clone(), length };
+            let within = step.at(state.time + 0.37 * length).unwrap();
+            let off = system.momentum(&within) - exact.at(within.time).momentum;
+            largest = largest.max(off.norm());
+            state = step.after(length).unwrap();
+        }
+        largest
+    }
+    let wong = SimoWong::new(&inertia);
+    let ratio = |n| {
+        let of = (&system, &start);
+        error((&wong, n), of, &exact) / error((&wong, 2 * n), of, &exact)
+    };
+    assert!((ratio(64).log2() - 2.0).abs() < 0.1);
+    let ratio = |n| {
+        let (of, method) = ((&system, &start), &MuntheKaas::RK4);
+        error((method, n), of, &exact) / error((method, 2 * n), of, &exact)
+    };
+    assert!((ratio(64).log2() - 4.0).abs() < 0.1);
+}
