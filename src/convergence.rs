@@ -1,6 +1,6 @@
 //! How the error of a method falls with its steps, and what that costs.
 
-use crate::definition::{InputError, Problem};
+use crate::definition::{InputError, Problem, Ready};
 use crate::figures::diagram::{Diagram, Graph, Line, Scale};
 use crate::simulation::Method;
 use std::time::Instant;
@@ -11,11 +11,11 @@ const USEFUL: f64 = 1.0;
 /// One run of a method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trial {
-    /// The length of a step; of a controlled method the tolerance.
+    /// The length of a step, of a controlled method the mean.
     pub step: f64,
     /// The largest difference of a column at the end from the reference.
     pub error: f64,
-    /// How long it took, in seconds.
+    /// How long it took, in seconds: the shortest of three runs.
     pub seconds: f64,
 }
 
@@ -52,7 +52,7 @@ pub fn trials(
 ) -> Result<Vec<Trials>, InputError> {
     let problem = problem.to_the_end();
     let exact = end(&problem.with_method(Method::Exact, None, 1e-13));
-    let (reference, _) = match exact {
+    let (reference, ..) = match exact {
         Ok(found) => found,
         Err(_) => end(&reference(&problem, step, halvings))?,
     };
@@ -60,16 +60,15 @@ pub fn trials(
     for &method in methods {
         let mut trials = Vec::new();
         for halving in 0..=halvings {
-            let mut step = step * 0.5_f64.powi(halving as i32);
+            let step = step * 0.5_f64.powi(halving as i32);
             let run = if method.has_steps() {
                 problem.with_method(method, Some(step), 1e-13)
             } else {
-                step =
-                    1e-2 * 10.0_f64.powf(-10.0 * f64::from(halving) / f64::from(halvings.max(1)));
-                problem.with_method(method, None, step)
+                let digits = 2.0 + 10.0 * f64::from(halving) / f64::from(halvings.max(1));
+                problem.with_method(method, None, 10.0_f64.powf(-digits))
             };
             each();
-            let (found, seconds) = match end(&run) {
+            let (found, step, seconds) = match end(&run) {
                 Ok(found) => found,
                 // a step may be too long
                 Err(_) if halving < halvings => continue,
@@ -95,16 +94,22 @@ fn reference(problem: &Problem, step: f64, halvings: u32) -> Problem {
     }
 }
 
-/// The last row without the time, and how long it took.
-fn end(problem: &Problem) -> Result<(Vec<f64>, f64), InputError> {
-    let ready = problem.motion(0)?;
-    let (mut motion, last) = (ready.motion, problem.times[problem.times.len() - 1]);
-    let begun = Instant::now();
-    while !motion.step(last)? {}
-    let seconds = begun.elapsed().as_secs_f64();
-    let row = motion.row().into_iter().zip(&ready.columns);
+/// The last row without the time, the mean length of a step, and how long it took.
+fn end(problem: &Problem) -> Result<(Vec<f64>, f64, f64), InputError> {
+    let last = problem.times[problem.times.len() - 1];
+    let mut seconds = f64::INFINITY;
+    let mut ready = problem.motion(0)?;
+    for _ in 0..3 {
+        ready = problem.motion(0)?;
+        let begun = Instant::now();
+        while !ready.motion.step(last)? {}
+        seconds = seconds.min(begun.elapsed().as_secs_f64());
+    }
+    let Ready { motion, columns, .. } = ready;
+    let row = motion.row().into_iter().zip(&columns);
     let row = row.filter(|(_, column)| column.name != "t").map(|(value, _)| value);
-    Ok((row.collect(), seconds))
+    let whole = (last - problem.times[0]).abs();
+    Ok((row.collect(), whole / motion.steps().max(1) as f64, seconds))
 }
 
 /// The trials as a diagram: the error over the step, and over the cost.

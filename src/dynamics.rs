@@ -5,10 +5,14 @@
 //! body at any time, by elliptic functions and without steps; [`MoserVeselov`] makes steps of it that
 //! keep energy and momentum. [`MassProperties`] are mass, centre and inertia of shapes, meshes and points.
 //!
+//! [`isospectral`] has flows of matrices that keep their spectrum: the Toda lattice, the rigid body in n dimensions,
+//! the ideal fluid on the sphere. [`Constrained`] systems have holonomic constraints and their multipliers.
+//!
 //! Attitudes map body to space components, `Rdot = R spin(Omega)`; momentum `H = J Omega` and velocity are in
 //! body components, `Hdot = H cross Omega` is (108) without torque, and `R H` is the momentum in space.
 
 mod compensated;
+pub mod constrained;
 pub mod dense;
 pub mod elliptic;
 pub mod euler_poincare;
@@ -21,11 +25,12 @@ pub mod mass;
 pub mod moser_veselov;
 mod principal;
 
+pub use constrained::{Constrained, ConstrainedState, Constraint};
 pub use euler_poincare::{EulerPoincare, State};
 pub use free_body::FreeBody;
 pub use inertia::{BodyState, Inertia};
 pub use integrators::{Adaptive, CommutatorFree, Integrator, MuntheKaas, System};
-pub use integrators::{Composed, IsospectralMidpoint};
+pub use integrators::{Composed, GeneralisedAlpha, IsospectralMidpoint};
 pub use integrators::{CrouchGrossman, Kick, Linear, Magnus, Place, SimoWong, Splitting};
 pub use isospectral::{Isospectral, Manakov, MatrixState, Toda, Zeitlin};
 pub use mass::{MassProperties, Mesh};

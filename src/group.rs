@@ -2,7 +2,8 @@
 //!
 //! A group implements [`LieGroup`]. In closed form there are [`So2`], [`So3`], [`Se2`], [`Se3`],
 //! [`Se23`], [`Sl2`] and [`Heisenberg`]; any nilpotent algebra has its [`Nilpotent`] group, any
-//! algebra of matrices its [`MatrixGroup`]. [`Opposite`] makes right-invariant systems left-invariant ones.
+//! algebra of matrices its [`MatrixGroup`]; [`Product`] makes one of two, as of [`So3`] and [`Translations`].
+//! [`Opposite`] makes right-invariant systems left-invariant ones.
 //!
 //! Vectors are components in the basis of the algebra, tangent vectors at `g` components in its
 //! left-invariant frame, so that `g x` for a matrix group is the left translate of `x`.
@@ -18,6 +19,7 @@ pub mod matrix_group;
 pub mod nilpotent;
 pub mod opposite;
 mod polynomial;
+pub mod product;
 pub mod rotation;
 mod screws;
 pub mod se2;
@@ -28,6 +30,7 @@ pub mod sl2;
 pub mod so2;
 pub mod so3;
 pub mod stumpff;
+pub mod translations;
 pub mod velocity;
 
 pub use coordinates::Coordinates;
@@ -37,12 +40,14 @@ pub(crate) use logarithm::logarithm;
 pub use matrix_group::MatrixGroup;
 pub use nilpotent::Nilpotent;
 pub use opposite::Opposite;
+pub use product::Product;
 pub use se2::Se2;
 pub use se3::Se3;
 pub use se23::{ExtendedPose, Se23};
 pub use sl2::Sl2;
 pub use so2::So2;
 pub use so3::So3;
+pub use translations::Translations;
 pub use velocity::Velocity;
 
 use crate::{Bracket, Error, LieAlgebra};

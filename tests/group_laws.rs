@@ -6,8 +6,8 @@ mod common;
 use affinor::algebra::Complex;
 use affinor::group::fields::{InvariantField, Side, right_components, right_translate};
 use affinor::group::{
-    Coordinates, Heisenberg, LieGroup, MatrixGroup, Nilpotent, Opposite, Se2, Se3, Se23, Sl2, So2,
-    So3,
+    Coordinates, Heisenberg, LieGroup, MatrixGroup, Nilpotent, Opposite, Product, Se2, Se3, Se23,
+    Sl2, So2, So3, Translations,
 };
 use affinor::{Error, LieAlgebra, MatrixBasis};
 use affinor_tensors::Tolerance;
@@ -210,6 +210,9 @@ laws! {
     sl2: Sl2;
     heisenberg_3: Heisenberg::<3>;
     heisenberg_5: Heisenberg::<5>;
+    translations: Translations::<3>;
+    position_and_attitude: Product(Translations::<3>, So3);
+    product_of_products: Product(Product(Sl2, So2), Heisenberg::<3>);
     filiform: Nilpotent::new(floats("filiform")).unwrap();
     unitriangular: Nilpotent::new(floats("unitriangular")).unwrap();
     matrices_of_so3: matrices(&spins());
@@ -276,6 +279,8 @@ fn brackets_are_those_of_the_catalogue() {
     }
     agree(&So2, &floats("R^1"));
     agree(&So3, &floats("so(3)"));
+    agree(&Translations::<2>, &floats("R^2"));
+    agree(&Product(So3, Sl2), &floats("so(3)+sl(2)"));
     agree(&Se2, &floats("se(2)"));
     agree(&Se3, &floats("se(3)"));
     agree(&Sl2, &floats("sl(2)"));

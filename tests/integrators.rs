@@ -7,8 +7,9 @@ use affinor::dynamics::integrators::kick::{FreeMotion, Order as KickOrder};
 use affinor::dynamics::integrators::splitting::Composition;
 use affinor::dynamics::moser_veselov::Order;
 use affinor::dynamics::{
-    BodyState, CommutatorFree, CrouchGrossman, EulerPoincare, FreeBody, Inertia, Integrator, Kick,
-    Linear, Magnus, MoserVeselov, MuntheKaas, Place, SimoWong, Splitting, State, System,
+    Adaptive, BodyState, CommutatorFree, CrouchGrossman, EulerPoincare, FreeBody, Inertia,
+    Integrator, Kick, Linear, Magnus, MoserVeselov, MuntheKaas, Place, SimoWong, Splitting, State,
+    System,
 };
 use affinor::equations::Equations;
 use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Se23, Sl2, So3};
@@ -306,6 +307,7 @@ fn orders_of_the_free_body() {
     ];
     for (order, nominal, steps, halvings) in orders {
         let method = MoserVeselov::new(&inertia, order);
+        assert_eq!(method.order(), nominal);
         expect_order(&format!("{order:?}"), nominal, steps, halvings, |n| free_error(&method, n));
     }
     // the next power shows, and the next halving is rounding
@@ -367,6 +369,49 @@ fn orders_of_kicks() {
         let errors = [jump, suzuki, four, six];
         assert!(four < 0.1 * suzuki && suzuki < jump && six < 0.1 * four, "{errors:?}");
     }
+}
+
+/// The state and the next length are all that an adaptive run depends on: it goes on from there to the last bit.
+#[test]
+fn an_adaptive_run_goes_on() {
+    let (_, metric) = inertia();
+    let connection = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let torque = |time: f64, _: &UnitQuaternion<f64>, _: &Vector3<f64>| Vector3::x() * time.sin();
+    let system = EulerPoincare::new(So3, &connection, &metric, torque).unwrap();
+    let start = system.state(0.0, So3.identity(), &VELOCITY);
+    let method = Adaptive::new(1e-10);
+    let whole = method.states(&system, &start, &[5.0]).unwrap().remove(0);
+    let (mut state, mut next, mut steps) = (start, method.first_step(), 0);
+    while state.time != 5.0 {
+        // as if read from a file
+        (state, next) = (state.clone(), f64::from_bits(next.to_bits()));
+        method.step(&system, &mut state, &mut next, 5.0).unwrap();
+        steps += 1;
+    }
+    assert!(steps > 20);
+    assert_eq!(
+        (state.time, state.element, state.spatial),
+        (whole.time, whole.element, whole.spatial)
+    );
+    let end = ode_end(&system, &metric, torque);
+    assert!((system.velocity(&state) - end).norm() < 1e-8);
+}
+
+/// The velocity at the time 5, by Euler's equations.
+fn ode_end<M: Torque<So3>>(
+    system: &EulerPoincare<So3, M>,
+    metric: &Metric<f64>,
+    torque: impl Fn(f64, &UnitQuaternion<f64>, &Vector3<f64>) -> Vector3<f64>,
+) -> Vector3<f64> {
+    let connection = Connection::canonical(&system.group().algebra().unwrap(), Canonical::Plus);
+    let equations = Equations::euler_poincare(&connection, metric).unwrap();
+    let rates = |t: f64, omega: &DVector<f64>| {
+        let moment = torque(t, &So3.identity(), &Vector3::zeros());
+        DVector::from_vec(equations.rate(omega.as_slice(), moment.as_slice()).unwrap())
+    };
+    let start = DVector::from_column_slice(VELOCITY.as_slice());
+    let end = ode::solve(rates, 0.0, start, &[5.0], 1e-13).unwrap().remove(0);
+    Vector3::from_column_slice(end.as_slice())
 }
 
 /// Integrators of a body refuse what is not that body; kicks, a torque that asks for the velocity.

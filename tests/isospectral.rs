@@ -1,14 +1,17 @@
 //! Isospectral flows: states against references of 30 digits, orders, spectra that stay, other ways to the same motion.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use affinor::dynamics::isospectral::{Entry, Flow, spectrum};
+mod common;
+
+use affinor::dynamics::isospectral::{Entry, Flow, Symmetry, spectrum};
 use affinor::dynamics::{
     Adaptive, Composed, EulerPoincare, Integrator, Isospectral, IsospectralMidpoint, Manakov,
     MatrixState, System, Toda, Zeitlin,
 };
 use affinor::group::{LieGroup, MatrixGroup};
-use affinor::{Canonical, Connection, Error, Metric};
+use affinor::{Canonical, Connection, Error, LieAlgebra, Metric};
 use affinor_tensors::{Down, Tensor};
+use common::algebras::catalogued;
 use nalgebra::{Complex, ComplexField, DMatrix, DVector};
 
 const MIDPOINT: IsospectralMidpoint = IsospectralMidpoint;
@@ -65,7 +68,12 @@ fn orders<S: Isospectral>(
     }
     let error = |n| distance(&run(&MIDPOINT, system, start, time, n), exact);
     check("midpoint", f64::from(MIDPOINT.order()), error, 4 * steps);
-    check("composed", 4.0, |n| distance(&run(&FOURTH, system, start, time, n), exact), steps);
+    check(
+        "composed",
+        f64::from(FOURTH.order()),
+        |n| distance(&run(&FOURTH, system, start, time, n), exact),
+        steps,
+    );
 }
 
 fn drift(before: &[f64], after: &[f64]) -> f64 {
@@ -206,14 +214,19 @@ fn manakov_is_euler_poincare() {
     for (n, time, numbers) in references("manakov").into_iter().filter(|(_, t, _)| *t <= 5.0) {
         let (masses, numbers) = numbers.split_at(n);
         let (start, end) = numbers.split_at(n * (n - 1) / 2);
-        let pairs: Vec<_> = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))).collect();
-        let unit = |at: usize| {
-            let one: Vec<f64> = (0..pairs.len()).map(|k| f64::from(u8::from(k == at))).collect();
-            antisymmetric(n, &one)
+        // the basis of the catalogue: (-1)^(i+j) (E_ij - E_ji), the last pair first
+        let pairs: Vec<_> = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))).rev().collect();
+        let unit = |&(i, j): &(usize, usize)| {
+            let mut unit = DMatrix::zeros(n, n);
+            unit[(i, j)] = if (i + j) % 2 == 0 { 1.0 } else { -1.0 };
+            unit[(j, i)] = -unit[(i, j)];
+            unit
         };
-        let basis: Vec<_> = (0..pairs.len()).map(unit).collect();
+        let basis: Vec<_> = pairs.iter().map(unit).collect();
         let group = MatrixGroup::new(&basis).unwrap();
         let algebra = group.algebra().unwrap();
+        let named: LieAlgebra<f64> = catalogued(&format!("so({n})")).map(|v| v.to_f64()).unwrap();
+        assert_eq!(algebra.structure(), named.structure());
         let moments = pairs.iter().map(|&(i, j)| masses[i] + masses[j]).enumerate();
         let moments: Vec<_> = moments.map(|(k, sum)| ([k, k], sum)).collect();
         let metric = Tensor::from_components(pairs.len(), &[Down, Down], moments).unwrap();
@@ -225,7 +238,7 @@ fn manakov_is_euler_poincare() {
         let velocity = group.coordinates(&body.velocity(&momentum));
         let state = motion.state(0.0, group.identity(), &velocity);
         let end_state = Adaptive::new(1e-11).states(&motion, &state, &[time]).unwrap().remove(0);
-        let found = antisymmetric(n, motion.momentum(&end_state).as_slice());
+        let found = group.generator(&motion.momentum(&end_state));
         let off = (&found - antisymmetric(n, end)).norm();
         assert!(off < 1e-8, "{n} {time}: {off:e}");
         assert!((motion.energy(&end_state) - body.energy(&momentum)).abs() < 1e-8);
@@ -380,6 +393,15 @@ fn larger_fluids() {
             assert!(distance(&state, &start.matrix) < 1e-12 * start.matrix.norm());
         }
     }
+    // the first numbers of SplitMix64 from 1234567, as published with it
+    let fluid = Zeitlin::new(5).unwrap();
+    let random = fluid.random(1234567, 2).unwrap();
+    for (m, bits) in
+        [(-1, 6457827717110365317_u64), (0, 3203168211198807973), (1, 9817491932198370423)]
+    {
+        let expected = bits as f64 / 2.0_f64.powi(63) - 1.0;
+        assert!((fluid.coefficient(&random, 1, m).unwrap() - expected).abs() < 1e-14);
+    }
     // a seed is the same field for all N
     let [small, large] = [9, 40].map(|n| Zeitlin::new(n).unwrap());
     let [a, b] = [&small, &large].map(|fluid| fluid.enstrophy(&fluid.random(3, 8).unwrap()));
@@ -400,6 +422,15 @@ fn any_matrix_flows() {
     orders(&flow, &start, &exact.matrix, 1.0, 8);
     let hermitian =
         DMatrix::from_fn(3, 3, |i, j| Complex::new((i + j) as f64, i as f64 - j as f64));
+    // Brockett's flow of complex matrices ends in the spectrum, sorted
+    let d = DMatrix::from_diagonal(&DVector::from_fn(3, |i, _| Complex::from(i as f64)));
+    let flow = Flow::new(move |l: &DMatrix<Complex<f64>>| &d * l - l * &d);
+    let flow = flow.on(Symmetry::Hermitian);
+    let start = flow.state(0.0, hermitian.clone()).unwrap();
+    let end = run(&MIDPOINT, &flow, &start, 60.0, 2400).matrix;
+    assert_eq!(end, end.adjoint());
+    let diagonal: Vec<f64> = end.diagonal().iter().map(|z| z.re).collect();
+    assert!(drift(&spectrum(&hermitian), &diagonal) < 1e-12, "{end}");
     let roots = spectrum(&hermitian);
     assert!((roots.iter().sum::<f64>() - 6.0).abs() < 1e-13 && roots.is_sorted());
 }
@@ -430,7 +461,7 @@ fn what_is_no_state_is_refused() {
 
     let body = Manakov::new(&[1.0, 2.0]).unwrap();
     shape(body.state(0.0, DMatrix::zeros(3, 3)));
-    assert!(reason(body.state(0.0, crooked)).contains("antisymmetric"));
+    assert!(reason(body.state(0.0, crooked)).contains("antihermitian"));
     for masses in [&[1.0][..], &[1.0, -1.0], &[1.0, f64::NAN], &[f64::MAX, f64::MAX]] {
         assert!(matches!(Manakov::new(masses), Err(Error::NoInertia { .. })), "{masses:?}");
     }
@@ -454,6 +485,26 @@ fn what_is_no_state_is_refused() {
     let flow = Flow::new(|l: &DMatrix<f64>| l.columns(0, 1).into_owned());
     shape(flow.state(0.0, DMatrix::identity(2, 2)));
     assert!(spectrum(&nan).iter().all(|x| x.is_nan()));
+}
+
+#[test]
+fn the_smallest_and_what_is_at_rest() {
+    let one = Toda.state(0.0, Toda::lattice(&[1.0], &[3.0]).unwrap()).unwrap();
+    assert_eq!(Toda.exact(&one, 5.0).unwrap().matrix, one.matrix);
+    assert_eq!(run(&FOURTH, &Toda, &one, 5.0, 3).matrix, one.matrix);
+    // su(2): a rotation of the sphere is at rest
+    let fluid = Zeitlin::new(2).unwrap();
+    let start = fluid.state(0.0, fluid.random(9, 1).unwrap()).unwrap();
+    let end = run(&MIDPOINT, &fluid, &start, 3.0, 5);
+    assert!(distance(&end, &start.matrix) < 1e-15);
+    assert!((fluid.energy(&start.matrix) / fluid.enstrophy(&start.matrix) - 0.25).abs() < 1e-15);
+    let still = fluid.state(0.0, fluid.vorticity(&[]).unwrap()).unwrap();
+    assert_eq!(run(&FOURTH, &fluid, &still, 1.0, 2).matrix, still.matrix);
+    // the plane body turns evenly
+    let body = Manakov::new(&[1.0, 2.0]).unwrap();
+    let start = body.state(0.0, antisymmetric(2, &[0.7])).unwrap();
+    assert_eq!(run(&MIDPOINT, &body, &start, 1.0, 2).matrix, start.matrix);
+    assert_eq!(body.pfaffian(&start.matrix), 0.7);
 }
 
 #[test]

@@ -19,7 +19,7 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 /// Members of an ensemble that are computed before their rows are written.
-const CHUNK: u64 = 1024;
+const CHUNK: u64 = 128;
 
 /// A problem of motion, and where its rows go.
 #[derive(Args)]

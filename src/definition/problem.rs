@@ -31,6 +31,7 @@ pub struct Problem {
     pub method: Option<Method>,
     step: Option<Value>,
     tolerance: Value,
+    max_steps: usize,
     /// The times of the rows; the first is that of the start.
     pub times: Vec<f64>,
     columns: Vec<Written>,

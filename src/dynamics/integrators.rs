@@ -1,9 +1,24 @@
 //! Integrators that stay on the group: steps are exponentials.
+//!
+//! | method | order | for | keeps |
+//! |---|---|---|---|
+//! | [`MuntheKaas`] | 4, 5 | any system | momentum |
+//! | [`Adaptive`] | 5(4) | any system, to a tolerance | momentum |
+//! | [`CommutatorFree`] | 4 | any system | momentum |
+//! | [`CrouchGrossman`] | 3 | any system | momentum |
+//! | [`Magnus`] | 4, 6 | `g' = g A(t)` | |
+//! | [`SimoWong`] | 2 | a rigid body, with any torque | momentum; energy if free |
+//! | [`Splitting`] | 2, 4 | a free body | momentum, symplectic form |
+//! | [`Kick`] | 2, 4, 6 | a body, torques of time and attitude | momentum as the potential allows, symplectic form |
+//! | [`MoserVeselov`](super::MoserVeselov) | 2 to 10 | a free body | momentum, energy, symplectic form |
+//!
+//! Momentum is that in space, which is a part of the state: to the last bit where nothing acts on it.
 
 mod adaptive;
 mod commutator_free;
 mod composed;
 mod crouch_grossman;
+mod generalised_alpha;
 mod isospectral_midpoint;
 pub mod kick;
 pub mod magnus;
@@ -16,6 +31,7 @@ pub use adaptive::{Adaptive, Pair};
 pub use commutator_free::CommutatorFree;
 pub use composed::Composed;
 pub use crouch_grossman::CrouchGrossman;
+pub use generalised_alpha::GeneralisedAlpha;
 pub use isospectral_midpoint::IsospectralMidpoint;
 pub use kick::Kick;
 pub use magnus::{Linear, Magnus, Place};

@@ -35,9 +35,29 @@ pub trait Isospectral: System<State = MatrixState<Self::Entry>> {
     /// `B(L)`, of the shape of `L`.
     fn generator(&self, matrix: &DMatrix<Self::Entry>) -> DMatrix<Self::Entry>;
 
-    /// The sign of `L^* = L` or `L^* = -L`, if `B^* = -B` keeps one of them.
-    fn symmetry(&self) -> Option<f64> {
+    /// What all `L` of the flow are, if `B^* = -B` keeps it: steps then do so to the last bit.
+    fn symmetry(&self) -> Option<Symmetry> {
         None
+    }
+}
+
+/// A symmetry of matrices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Symmetry {
+    /// `L^* = L`, for real matrices symmetric.
+    Hermitian,
+    /// `L^* = -L`, for real matrices antisymmetric.
+    Antihermitian,
+}
+
+impl Symmetry {
+    /// `(L + L^*)/2` or `(L - L^*)/2`.
+    pub fn part<T: Entry>(self, matrix: &DMatrix<T>) -> DMatrix<T> {
+        let half = T::from_real(0.5);
+        matrix.zip_map(&matrix.adjoint(), |x, mirrored| match self {
+            Symmetry::Hermitian => (x + mirrored) * half,
+            Symmetry::Antihermitian => (x - mirrored) * half,
+        })
     }
 }
 
@@ -47,9 +67,9 @@ pub trait Isospectral: System<State = MatrixState<Self::Entry>> {
 /// use affinor::dynamics::isospectral::Flow;
 /// use affinor::dynamics::{Integrator, IsospectralMidpoint};
 /// use nalgebra::DMatrix;
-/// // Brockett's double bracket: L' = [[L, D], L] sorts the spectrum along D
+/// // Brockett's double bracket L' = [L, [L, D]] sorts the spectrum as D is
 /// let d = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 2.0]);
-/// let flow = Flow::new(move |l: &DMatrix<f64>| l * &d - &d * l);
+/// let flow = Flow::new(move |l: &DMatrix<f64>| &d * l - l * &d);
 /// let mut state = flow.state(0.0, DMatrix::from_row_slice(2, 2, &[3.0, 1.0, 1.0, 0.0]))?;
 /// for _ in 0..200 {
 ///     IsospectralMidpoint.step(&flow, &mut state, 0.1)?;
@@ -62,22 +82,29 @@ pub trait Isospectral: System<State = MatrixState<Self::Entry>> {
 #[derive(Clone, Debug)]
 pub struct Flow<T, B> {
     generator: B,
+    symmetry: Option<Symmetry>,
     entry: PhantomData<T>,
 }
 
 impl<T: Entry, B: Fn(&DMatrix<T>) -> DMatrix<T>> Flow<T, B> {
     /// The flow of a function that takes square matrices to matrices of their shape.
     pub fn new(generator: B) -> Self {
-        Flow { generator, entry: PhantomData }
+        Flow { generator, symmetry: None, entry: PhantomData }
+    }
+
+    /// The same flow, on matrices with a symmetry that it keeps.
+    #[must_use]
+    pub fn on(self, symmetry: Symmetry) -> Self {
+        Flow { symmetry: Some(symmetry), ..self }
     }
 
     /// A state of it.
     ///
     /// # Errors
     /// [`Error::Shape`] unless `L` and `B(L)` are square of one size; [`Error::NoState`] for an entry that is not
-    /// finite.
+    /// finite, and for a matrix without the symmetry.
     pub fn state(&self, time: f64, matrix: DMatrix<T>) -> Result<MatrixState<T>, Error> {
-        let state = checked(time, matrix, None)?;
+        let state = checked(time, matrix, None, self.symmetry)?;
         expect_square("B(L)", &(self.generator)(&state.matrix), Some(state.matrix.nrows()))?;
         Ok(state)
     }
@@ -97,10 +124,14 @@ impl<T: Entry, B: Fn(&DMatrix<T>) -> DMatrix<T>> Isospectral for Flow<T, B> {
     fn generator(&self, matrix: &DMatrix<T>) -> DMatrix<T> {
         (self.generator)(matrix)
     }
+
+    fn symmetry(&self) -> Option<Symmetry> {
+        self.symmetry
+    }
 }
 
-/// The eigenvalues of a matrix that is its own adjoint (only its lower triangle is read), in ascending order; NaN if they are
-/// not found.
+/// The eigenvalues of a matrix that is its own adjoint (only its lower triangle is read), in ascending order;
+/// NaN if they are not found.
 ///
 /// ```
 /// use affinor::dynamics::isospectral::spectrum;
@@ -121,11 +152,11 @@ pub fn spectrum<T: Entry>(matrix: &DMatrix<T>) -> Vec<f64> {
     values
 }
 
-/// The largest modulus of an entry; NaN if one is NaN.
+/// The largest entry, as the sum of the moduli of its two parts; NaN if one is NaN.
 pub(super) fn largest<T: Entry>(matrix: &DMatrix<T>) -> f64 {
     let most = |most: f64, entry: &T| {
-        let modulus = entry.modulus();
-        if modulus > most || modulus.is_nan() { modulus } else { most }
+        let size = entry.norm1();
+        if size > most || size.is_nan() { size } else { most }
     };
     matrix.iter().fold(0.0, most)
 }
@@ -144,46 +175,31 @@ fn expect_square<T: Entry>(
     Err(Error::Shape { what, expected, found })
 }
 
-/// A state of a square matrix with finite entries.
+/// How far from a symmetry a matrix may be by rounding, relatively.
+const ROUNDING: f64 = 1e-12;
+
+/// A state of a square matrix with finite entries and a symmetry.
 fn checked<T: Entry>(
     time: f64,
     matrix: DMatrix<T>,
     size: Option<usize>,
+    symmetry: Option<Symmetry>,
 ) -> Result<MatrixState<T>, Error> {
     expect_square("the matrix", &matrix, size)?;
-    let infinite = |(_, entry): &(usize, &T)| !entry.is_finite();
-    if let Some((at, entry)) = matrix.iter().enumerate().find(infinite) {
+    let infinite = |entry: &T| !entry.is_finite();
+    if let Some(at) = matrix.iter().position(infinite) {
         let (i, j) = (at % matrix.nrows() + 1, at / matrix.nrows() + 1);
-        return Err(Error::NoState { reason: format!("L_{i}{j} = {entry}") });
+        return Err(Error::NoState { reason: format!("L_{i}{j} = {}", matrix[at]) });
     }
-    Ok(MatrixState { time, matrix })
-}
-
-/// How far from a symmetry a matrix may be by rounding, relatively.
-const ROUNDING: f64 = 1e-12;
-
-/// `(L + sign L^*)/2`.
-pub(super) fn symmetric_part<T: Entry>(matrix: &DMatrix<T>, sign: f64) -> DMatrix<T> {
-    let half = T::from_real(0.5);
-    matrix.zip_map(&matrix.adjoint(), |x, mirrored| (x + mirrored * T::from_real(sign)) * half)
-}
-
-/// The part of a matrix with `L = sign L^*`, if that is all of it.
-fn expect_symmetry<T: Entry>(
-    law: &str,
-    sign: f64,
-    matrix: &DMatrix<T>,
-) -> Result<DMatrix<T>, Error> {
-    let mirrored = matrix.adjoint() * T::from_real(sign);
-    let off = matrix - &mirrored;
-    let (at, _) = (off.iter().enumerate())
-        .max_by(|(_, x), (_, y)| x.modulus().total_cmp(&y.modulus()))
-        .unwrap_or((0, &off[0]));
-    if off[at].modulus() <= ROUNDING * largest(matrix) {
-        return Ok(symmetric_part(matrix, sign));
+    let Some(symmetry) = symmetry else { return Ok(MatrixState { time, matrix }) };
+    let part = symmetry.part(&matrix);
+    let off = (&matrix - &part).map(|entry| entry.modulus());
+    if off.max() <= ROUNDING * largest(&matrix) {
+        return Ok(MatrixState { time, matrix: part });
     }
-    let (i, j) = (at % matrix.nrows(), at / matrix.nrows());
+    let (i, j) = off.iamax_full();
     let (one, other) = (matrix[(i, j)], matrix[(j, i)]);
     let (i, j) = (i + 1, j + 1);
+    let law = format!("{symmetry:?}").to_lowercase();
     Err(Error::NoState { reason: format!("L is not {law}: L_{i}{j} = {one}, L_{j}{i} = {other}") })
 }

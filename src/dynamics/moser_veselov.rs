@@ -80,6 +80,11 @@ impl MoserVeselov {
         MoserVeselov { inertia, body, unit, moments, series: series(moments), degrees }
     }
 
+    /// The order of the error of a motion.
+    pub fn order(&self) -> u32 {
+        2 * (1 + self.degrees as u32)
+    }
+
     /// The state after `count` steps of length `step`, which may be negative. The sums of momentum and attitude are
     /// compensated, so that roundings add up to that of the terms only.
     ///

@@ -116,7 +116,7 @@ pub fn momentum(run: &RunRows, inertia: &Inertia) -> Result<Figure, Error> {
     Ok(Figure { title: format!("{}: the momentum in the body", run.name), panels: vec![panel] })
 }
 
-/// How far quantities went from their start, over time.
+/// How far quantities went from their start up to a time, over time.
 ///
 /// # Errors
 /// [`Error::NoColumn`].
@@ -126,11 +126,15 @@ pub fn drift(run: &RunRows, watched: &[String]) -> Result<Diagram, Error> {
     for name in watched {
         let values = run.column(name)?;
         let first = values.first().copied().unwrap_or_default();
-        let change = values.iter().map(|value| (value - first).abs().max(ROUNDING));
+        let farther = |most: &mut f64, value: &f64| {
+            *most = (value - first).abs().max(*most);
+            Some(*most)
+        };
+        let change = values.iter().scan(ROUNDING, farther);
         let points = times.iter().copied().zip(change).map(|(t, change)| [t, change]);
         lines.push(Line { caption: name.clone(), points: points.skip(1).collect(), marked: false });
     }
-    let (x, y) = (Scale::linear("t"), Scale::logarithmic("change since the start"));
+    let (x, y) = (Scale::linear("t"), Scale::logarithmic("largest change so far"));
     let title = format!("{}: what is kept", run.name);
     Ok(Diagram { title, graphs: vec![Graph { x, y, lines }] })
 }

@@ -60,7 +60,7 @@ impl LieGroup for Se3 {
         whole(screws::exp(split(x)))
     }
 
-    /// With a rotation vector of length at most `pi`, as that of [`So3`](super::So3).
+    /// With a rotation vector of length at most `pi`, as that of [`So3`].
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         screws::log(parts(g)).map(join)
     }
@@ -99,7 +99,7 @@ impl LieGroup for Se3 {
         join(screws::tangent_left::<1>(split(x), split(v)))
     }
 
-    /// Singular where that of [`So3`](super::So3) is.
+    /// Singular where that of [`So3`] is.
     #[inline]
     fn tangent_left_inverse(
         &self,

@@ -11,13 +11,17 @@ const PANEL: [u32; 2] = [560, 420];
 const TITLE: u32 = 40;
 const FONT: &str = "DejaVu Sans";
 /// Colours that differ in grey too.
-const INKS: [RGBColor; 6] = [
+const INKS: [RGBColor; 10] = [
     RGBColor(17, 17, 17),
     RGBColor(10, 95, 168),
     RGBColor(208, 90, 0),
     RGBColor(26, 166, 122),
     RGBColor(163, 23, 63),
     RGBColor(150, 110, 200),
+    RGBColor(120, 120, 120),
+    RGBColor(200, 160, 0),
+    RGBColor(86, 180, 233),
+    RGBColor(100, 60, 20),
 ];
 
 /// The diagram as SVG, `width` pixels wide.
@@ -55,8 +59,8 @@ fn draw<'a>(area: &Area<'a>, graph: &Graph) -> Drawn<'a> {
         .x_label_area_size(44)
         .y_label_area_size(64)
         .build_cartesian_2d(
-        Axis(x.into(), graph.x.logarithmic),
-        Axis(y.into(), graph.y.logarithmic),
+        Axis(x.clone().into(), graph.x.logarithmic),
+        Axis(y.clone().into(), graph.y.logarithmic),
     )?;
     let labels = (FONT, 13);
     chart
@@ -83,6 +87,7 @@ fn draw<'a>(area: &Area<'a>, graph: &Graph) -> Drawn<'a> {
     }
     chart
         .configure_series_labels()
+        .position(emptiest(points(), &x, &y))
         .background_style(WHITE.mix(0.8))
         .border_style(RGBColor(180, 180, 180))
         .label_font(labels)
@@ -91,6 +96,31 @@ fn draw<'a>(area: &Area<'a>, graph: &Graph) -> Drawn<'a> {
 
 fn exponent(scale: &Scale, value: f64) -> f64 {
     if scale.logarithmic { value.log10() } else { value }
+}
+
+/// The corner that the fewest points come near to.
+fn emptiest(
+    points: impl Iterator<Item = (f64, f64)>,
+    x: &Range<f64>,
+    y: &Range<f64>,
+) -> SeriesLabelPosition {
+    use SeriesLabelPosition::{LowerLeft, LowerRight, UpperLeft, UpperRight};
+    let share = |value: f64, range: &Range<f64>| (value - range.start) / (range.end - range.start);
+    let mut counts = [0; 4];
+    for (at_x, at_y) in points {
+        let (right, up) = (share(at_x, x), share(at_y, y));
+        let near = |share: f64, high: bool| if high { share > 0.6 } else { share < 0.4 };
+        for (k, count) in counts.iter_mut().enumerate() {
+            *count += usize::from(near(right, k < 2) && near(up, k % 2 == 0));
+        }
+    }
+    let fewest = (0..4).min_by_key(|k| counts[*k]);
+    match fewest {
+        Some(1) => LowerRight,
+        Some(2) => UpperLeft,
+        Some(3) => LowerLeft,
+        _ => UpperRight,
+    }
 }
 
 /// The range of finite values, with an edge.

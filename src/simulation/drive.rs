@@ -21,6 +21,8 @@ pub enum Drive<G: Simulated> {
         control: Adaptive,
         /// The next step to try.
         next: f64,
+        /// Steps since a wanted time was reached.
+        taken: usize,
     },
     /// The state at any time.
     Exact(Box<dyn Fn(f64) -> State<G> + Send>),
@@ -31,8 +33,8 @@ pub enum Drive<G: Simulated> {
 pub enum Memory {
     /// The way that was begun.
     Pace(Pace),
-    /// The next step to try.
-    Next(f64),
+    /// The next step to try, and how many there were.
+    Next(f64, usize),
     /// Nothing.
     None,
 }
@@ -50,7 +52,16 @@ impl<G: Simulated> Drive<G> {
         }
         match self {
             Drive::Exact(at) => *state = at(until),
-            Drive::Adaptive { control, next } => control.step(system, state, next, until)?,
+            Drive::Adaptive { control, next, taken } => {
+                if *taken == control.max_steps {
+                    let reason = format!(
+                        "{taken} steps did not reach t = {until}: the problem is stiff, or times of output far apart"
+                    );
+                    return Err(Error::Integration { t: state.time, reason });
+                }
+                control.step(system, state, next, until)?;
+                *taken = if state.time == until { 0 } else { *taken + 1 };
+            }
             Drive::Fixed { integrator, pace } => {
                 state.time = pace.step(state.time, until, |h| integrator.step(system, state, h))?;
             }
@@ -62,7 +73,7 @@ impl<G: Simulated> Drive<G> {
     pub fn memory(&self) -> Memory {
         match self {
             Drive::Fixed { pace, .. } => Memory::Pace(*pace),
-            Drive::Adaptive { next, .. } => Memory::Next(*next),
+            Drive::Adaptive { next, taken, .. } => Memory::Next(*next, *taken),
             Drive::Exact(_) => Memory::None,
         }
     }
@@ -71,7 +82,9 @@ impl<G: Simulated> Drive<G> {
     pub fn remember(&mut self, memory: Memory) -> bool {
         match (self, memory) {
             (Drive::Fixed { pace, .. }, Memory::Pace(saved)) => *pace = saved,
-            (Drive::Adaptive { next, .. }, Memory::Next(saved)) => *next = saved,
+            (Drive::Adaptive { next, taken, .. }, Memory::Next(saved, count)) => {
+                (*next, *taken) = (saved, count);
+            }
             (Drive::Exact(_), Memory::None) => {}
             _ => return false,
         }

@@ -157,6 +157,7 @@ impl<G: Simulated> Forces<G> {
             table.add(at.time, &mut sums[usize::from(*side != own)]);
         }
         if let Some((formula, text)) = &self.potential {
+            let mut pull = vec![0.0; n];
             let mut slopes = vec![0.0; values.len()];
             formula.gradient(&values, &mut slopes);
             for (i, moved) in self.group.slopes(at.element, &self.generators).iter().enumerate() {
@@ -164,11 +165,14 @@ impl<G: Simulated> Forces<G> {
                     if let Quantity::Entry(row, column) = quantity
                         && *slope != 0.0
                     {
-                        sums[0][i] -= slope * moved[(*row, *column)];
+                        pull[i] -= slope * moved[(*row, *column)];
                     }
                 }
             }
-            if let Some(value) = sums[0].iter().find(|value| !value.is_finite()) {
+            for (sum, pull) in sums[0].iter_mut().zip(&pull) {
+                *sum += pull;
+            }
+            if let Some(value) = pull.iter().find(|value| !value.is_finite()) {
                 self.note(&format!("the derivative of the potential {text}"), *value, at);
             }
         }

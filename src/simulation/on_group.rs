@@ -32,6 +32,8 @@ pub struct Setup<'s, G: Simulated> {
     pub step: Option<f64>,
     /// The tolerance of steps under control.
     pub tolerance: f64,
+    /// The most steps under control from one wanted time to the next.
+    pub max_steps: usize,
     /// Formulas to be computed along the way, over their scope.
     pub columns: (Scope, Vec<Formula>),
 }
@@ -74,8 +76,8 @@ pub fn on_group<G: Simulated>(
         Method::CommutatorFree => fixed(Box::new(CommutatorFree)),
         Method::CrouchGrossman => fixed(Box::new(CrouchGrossman)),
         Method::Adaptive => {
-            let control = Adaptive::new(setup.tolerance);
-            Drive::Adaptive { control, next: control.first_step() }
+            let control = Adaptive { max_steps: setup.max_steps, ..Adaptive::new(setup.tolerance) };
+            Drive::Adaptive { control, next: control.first_step(), taken: 0 }
         }
         _ => {
             let inertia =
@@ -123,10 +125,12 @@ impl<G: Simulated> Motion for OnGroup<G> {
         self.steps += u64::from(self.state.time != until);
         let done = self.drive.step(&self.system, &mut self.state, until);
         done.map_err(|error| match (error, self.system.torque().trouble()) {
-            (Error::Integration { t, .. }, Some(trouble)) => {
-                Error::Integration { t, reason: trouble }
-            }
-            (error, _) => error,
+            (_, Some(trouble)) => Error::Integration { t: self.state.time, reason: trouble },
+            (Error::Integration { t, reason }, None) => Error::Integration { t, reason },
+            (error, None) => Error::Integration {
+                t: self.state.time,
+                reason: format!("the step is too long: {error}"),
+            },
         })
     }
 

@@ -16,6 +16,8 @@ use std::path::Path;
 
 /// The most rows of one motion.
 const MAX_ROWS: f64 = 1e8;
+/// The most steps under control between two rows, unless another limit is given.
+const MAX_STEPS: usize = 10_000_000;
 /// Algebras up to this dimension have their Casimirs computed, up to the second degree.
 const CASIMIRS: usize = 6;
 /// What is written down where nothing is said.
@@ -132,6 +134,7 @@ struct IntegratorKeys<'t> {
     step: Option<Number<'t>>,
     #[serde(borrow)]
     tolerance: Option<Number<'t>>,
+    max_steps: Option<usize>,
 }
 
 #[derive(serde::Deserialize)]
@@ -251,6 +254,7 @@ impl<'t> Keys<'t> {
         };
         let default = Number(Text("1e-10".into()));
         let tolerance = reader.value(self.integrator.tolerance.as_ref().unwrap_or(&default))?;
+        let max_steps = self.integrator.max_steps.unwrap_or(MAX_STEPS);
         let step = self.integrator.step.as_ref().map(|step| reader.value(step)).transpose()?;
         let time = self.initial.time.as_ref().map_or(Ok(0.0), |time| reader.number(time))?;
         let times = self.output.times(time, &reader)?;
@@ -298,6 +302,7 @@ impl<'t> Keys<'t> {
             method,
             step,
             tolerance,
+            max_steps,
             times,
             columns,
             quantities,

@@ -83,6 +83,7 @@ impl Launch<'_> {
             method: self.problem.method,
             step,
             tolerance: self.problem.tolerance.positive(&values)?,
+            max_steps: self.problem.max_steps,
             columns: formulas,
         };
         let (motion, method) = on_group(group, setup)?;

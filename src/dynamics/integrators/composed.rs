@@ -13,6 +13,13 @@ pub struct Composed<I>(
     pub I,
 );
 
+impl<I> Composed<I> {
+    /// The order of the error of a motion.
+    pub fn order(&self) -> u32 {
+        4
+    }
+}
+
 impl<S: System, I: Integrator<S>> Integrator<S> for Composed<I> {
     fn step(&self, system: &S, state: &mut S::State, h: f64) -> Result<(), Error> {
         let outer = 1.0 / (4.0 - 4.0_f64.cbrt());

@@ -2,7 +2,7 @@
 
 use super::Integrator;
 use crate::Error;
-use crate::dynamics::isospectral::{Entry, Isospectral, MatrixState, largest, symmetric_part};
+use crate::dynamics::isospectral::{Entry, Isospectral, MatrixState, largest};
 use nalgebra::ComplexField;
 
 /// The isospectral midpoint method: with `b = h B(X)/2`,
@@ -11,11 +11,11 @@ use nalgebra::ComplexField;
 /// L_n = (1 - b) X (1 + b),   L_(n+1) = (1 + b) X (1 - b) = L_n + h [B(X), X]
 /// ```
 ///
-/// Symmetric and of order 2. `L_(n+1)` is similar to `L_n` by Cayley's transform of `b`, so the spectrum stays, and
-/// with it every quadratic group that `B` is in: for `B` in so(n) or su(n) the flow stays symmetric, antisymmetric or
-/// antihermitian. For a Hamiltonian flow it is a Poisson map, and the energy is bounded. `X` comes by fixed-point
-/// iteration, a `B` and two products of matrices each, until it stands still: at most [`IsospectralMidpoint::ITERATIONS`], which
-/// is for steps with `h` times the norm of `B` below about 1.
+/// Symmetric and of order 2. `L_(n+1)` is similar to `L_n` by Cayley's transform of `b`, so the spectrum stays,
+/// and with it every quadratic group that `B` is in: for `B` in so(n) or su(n) the flow stays symmetric,
+/// antisymmetric or antihermitian. For a Hamiltonian flow it is a Poisson map, and the energy is bounded. `X`
+/// comes by fixed-point iteration, a `B` and two products of matrices each, until it stands still: at most
+/// [`IsospectralMidpoint::ITERATIONS`], which is for steps with `h` times the norm of `B` below about 1.
 ///
 /// K. Modin and M. Viviani, *Found. Comput. Math.* 20 (2020) 889-921 and *J. Fluid Mech.* 884 (2020) A22.
 ///
@@ -51,7 +51,7 @@ impl<S: Isospectral> Integrator<S> for IsospectralMidpoint {
         let stopped = |reason: String| Err(Error::Integration { t: state.time, reason });
         // rounding would leave the symmetry of L, and then grow
         let kept = |matrix| match system.symmetry() {
-            Some(sign) => symmetric_part(&matrix, sign),
+            Some(symmetry) => symmetry.part(&matrix),
             None => matrix,
         };
         let start = &state.matrix;

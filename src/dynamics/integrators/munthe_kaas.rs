@@ -62,18 +62,18 @@ impl<const STAGES: usize> MuntheKaas<STAGES> {
         state: &State<G>,
         h: f64,
     ) -> Result<(State<G>, f64), Error> {
-        let slopes = self.slopes(system, state, h, STAGES)?;
-        let next = self.end(system, state, h, &slopes)?;
+        let [slopes, of_spatial] = self.slopes(system, state, h, STAGES)?;
+        let next = self.end(system, state, h, &slopes, &of_spatial)?;
         let zero = G::Vector::zeros(system.group().dimension());
         let scale = state.spatial.largest().max(f64::MIN_POSITIVE);
         let [a, b] = [0, 1].map(|which| {
-            let off = moved::<G>(&slopes, &self.errors[which], h, &zero);
-            off.velocity.largest().max(off.spatial.largest() / scale)
+            let off = |slopes| moved(&zero, slopes, &self.errors[which], h).largest();
+            off(&slopes).max(off(&of_spatial) / scale)
         });
         Ok((next, if a > 0.0 { a * (a / a.hypot(0.1 * b)) } else { a }))
     }
 
-    /// `u'` and `h'` at some stages.
+    /// `u'` at the first stages, and `h'`.
     #[inline]
     fn slopes<G: LieGroup, M: Torque<G>>(
         &self,
@@ -81,27 +81,26 @@ impl<const STAGES: usize> MuntheKaas<STAGES> {
         state: &State<G>,
         h: f64,
         stages: usize,
-    ) -> Result<[Rates<G::Vector>; STAGES], Error> {
+    ) -> Result<[[G::Vector; STAGES]; 2], Error> {
         let group = system.group();
+        let zero = G::Vector::zeros(group.dimension());
+        let mut slopes: [G::Vector; STAGES] = std::array::from_fn(|_| zero.clone());
+        let mut of_spatial: [G::Vector; STAGES] = std::array::from_fn(|_| zero.clone());
         // u = 0
-        let first = system.rates(state);
-        let mut slopes: [Rates<G::Vector>; STAGES] = std::array::from_fn(|_| first.clone());
+        Rates { velocity: slopes[0], spatial: of_spatial[0] } = system.rates(state);
         for stage in 1..stages {
-            let at = moved::<G>(&slopes[..stage], &self.a[stage], h, &state.spatial);
+            // or the next stage asks for a torque at no place
+            expect_finite(state.time, &[&slopes[stage - 1], &of_spatial[stage - 1]])?;
+            let u = moved(&zero, &slopes[..stage], &self.a[stage], h);
             let rates = system.rates(&State {
                 time: state.time + self.c[stage] * h,
-                element: group.compose(&state.element, &group.exp(&at.velocity)),
-                spatial: at.spatial,
+                element: group.compose(&state.element, &group.exp(&u)),
+                spatial: moved(&state.spatial, &of_spatial[..stage], &self.a[stage], h),
             });
-            let velocity = match group.tangent_left_inverse(&at.velocity, &rates.velocity) {
-                Ok(velocity) => velocity,
-                Err(error) => {
-                    return Err(expect_finite(state.time, &[&at.velocity]).err().unwrap_or(error));
-                }
-            };
-            slopes[stage] = Rates { velocity, spatial: rates.spatial };
+            slopes[stage] = group.tangent_left_inverse(&u, &rates.velocity)?;
+            of_spatial[stage] = rates.spatial;
         }
-        Ok(slopes)
+        Ok([slopes, of_spatial])
     }
 
     /// The state after a step, from its slopes.
@@ -111,45 +110,37 @@ impl<const STAGES: usize> MuntheKaas<STAGES> {
         system: &EulerPoincare<G, M>,
         state: &State<G>,
         h: f64,
-        slopes: &[Rates<G::Vector>],
+        slopes: &[G::Vector; STAGES],
+        of_spatial: &[G::Vector; STAGES],
     ) -> Result<State<G>, Error> {
         let group = system.group();
-        let at = moved::<G>(slopes, &self.b, h, &state.spatial);
-        expect_finite(state.time, &[&at.velocity, &at.spatial])?;
-        let element = group.compose(&state.element, &group.exp(&at.velocity));
-        let (time, spatial) = (state.time + h, at.spatial);
-        Ok(State { time, element: group.restored(element), spatial })
+        let u = moved(&G::Vector::zeros(group.dimension()), slopes, &self.b, h);
+        let spatial = moved(&state.spatial, of_spatial, &self.b, h);
+        expect_finite(state.time, &[&u, &spatial])?;
+        let element = group.restored(group.compose(&state.element, &group.exp(&u)));
+        Ok(State { time: state.time + h, element, spatial })
     }
 }
 
-/// `h` times the weighted slopes: the coordinates, and a spatial momentum moved by its part.
+/// `h` times the weighted slopes, from a start.
 #[inline]
-fn moved<G: LieGroup>(
-    slopes: &[Rates<G::Vector>],
-    weights: &[f64],
-    h: f64,
-    spatial: &G::Vector,
-) -> Rates<G::Vector> {
-    let start =
-        Rates { velocity: G::Vector::zeros(spatial.components().len()), spatial: spatial.clone() };
+fn moved<V: Coordinates>(start: &V, slopes: &[V], weights: &[f64], h: f64) -> V {
     let weighted = slopes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);
-    weighted.fold(start, |sum, (slope, weight)| Rates {
-        velocity: sum.velocity + slope.velocity.clone() * (h * weight),
-        spatial: sum.spatial + slope.spatial.clone() * (h * weight),
-    })
+    weighted.fold(start.clone(), |sum, (slope, weight)| sum + slope.clone() * (h * weight))
 }
 
 impl<const STAGES: usize, G: LieGroup, M: Torque<G>> Integrator<EulerPoincare<G, M>>
     for MuntheKaas<STAGES>
 {
+    #[inline]
     fn step(
         &self,
         system: &EulerPoincare<G, M>,
         state: &mut State<G>,
         h: f64,
     ) -> Result<(), Error> {
-        let slopes = self.slopes(system, state, h, self.needed)?;
-        *state = self.end(system, state, h, &slopes)?;
+        let [slopes, of_spatial] = self.slopes(system, state, h, self.needed)?;
+        *state = self.end(system, state, h, &slopes, &of_spatial)?;
         Ok(())
     }
 }

@@ -1,6 +1,6 @@
 //! The free rigid body in n dimensions.
 
-use super::{Isospectral, MatrixState, checked, expect_symmetry, spectrum};
+use super::{Isospectral, MatrixState, Symmetry, checked, spectrum};
 use crate::Error;
 use crate::dynamics::System;
 use nalgebra::{Complex, DMatrix};
@@ -8,9 +8,10 @@ use nalgebra::{Complex, DMatrix};
 /// The free rigid body in n dimensions, on so(n): `M' = [M, Omega]`, `M = A Omega + Omega A`, with the mass tensor
 /// `A = diag(a_1, .., a_n)`, so that `Omega_ij = M_ij/(a_i + a_j)`.
 ///
-/// `M` is the momentum in body components; with `B = -Omega` the flow is isospectral. As `[M, A] = [Omega, A^2]`
-/// it is that of `M + z A^2` for any number `z`, whose powers give all [`Manakov::integral`]s. S. V. Manakov, *Funct. Anal. Appl.*
-/// 10 (1976) 328-329. Matrices of another size than `A` panic, as they do in nalgebra.
+/// `M` is the momentum in body components; with `B = -Omega` the flow is isospectral. As `[M, A] = [Omega,
+/// A^2]` it is that of `M + z A^2` for any number `z`, whose powers give all [`Manakov::integral`]s. S. V.
+/// Manakov, *Funct. Anal. Appl.* 10 (1976) 328-329. Matrices of another size than `A` panic, as they do in
+/// nalgebra.
 ///
 /// ```
 /// use affinor::dynamics::isospectral::Manakov;
@@ -30,8 +31,8 @@ impl Manakov {
     /// The body of a mass tensor in its principal axes.
     ///
     /// # Errors
-    /// [`Error::NoInertia`] unless the sums `a_i + a_j` of different axes are positive and finite, and there are two axes at
-    /// least.
+    /// [`Error::NoInertia`] unless the sums `a_i + a_j` of different axes are positive and finite, and there
+    /// are two axes at least.
     pub fn new(masses: &[f64]) -> Result<Self, Error> {
         if masses.len() < 2 {
             let reason = format!("{} axes have no rotation", masses.len());
@@ -58,8 +59,7 @@ impl Manakov {
     /// [`Error::Shape`] unless `M` has a row and a column for each mass; [`Error::NoState`] unless it is finite and
     /// antisymmetric.
     pub fn state(&self, time: f64, momentum: DMatrix<f64>) -> Result<MatrixState<f64>, Error> {
-        let state = checked(time, momentum, Some(self.masses.len()))?;
-        Ok(MatrixState { time, matrix: expect_symmetry("antisymmetric", -1.0, &state.matrix)? })
+        checked(time, momentum, Some(self.masses.len()), self.symmetry())
     }
 
     /// `Omega`, in body components.
@@ -108,8 +108,9 @@ impl Manakov {
         product
     }
 
-    /// The coefficient of `z^degree` in `tr (M + z A^2)^power`: an integral. `(2, 0)` is `-2` times the squared norm, `(3, 1)` is
-    /// `3 tr M^2 A^2`, and `(4, 2)` is `4 tr M^2 A^4 + 2 tr M A^2 M A^2`; 0 where the rest of the degree is odd.
+    /// The coefficient of `z^degree` in `tr (M + z A^2)^power`: an integral. `(2, 0)` is `-2` times the squared
+    /// norm, `(3, 1)` is `3 tr M^2 A^2`, and `(4, 2)` is `4 tr M^2 A^4 + 2 tr M A^2 M A^2`; 0 where the rest of
+    /// the degree is odd.
     pub fn integral(&self, momentum: &DMatrix<f64>, power: usize, degree: usize) -> f64 {
         let n = self.masses.len();
         if degree > power {
@@ -157,7 +158,7 @@ impl Isospectral for Manakov {
         -self.velocity(momentum)
     }
 
-    fn symmetry(&self) -> Option<f64> {
-        Some(-1.0)
+    fn symmetry(&self) -> Option<Symmetry> {
+        Some(Symmetry::Antihermitian)
     }
 }

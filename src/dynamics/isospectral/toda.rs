@@ -1,8 +1,6 @@
 //! The Toda lattice.
 
-use super::{
-    Isospectral, MatrixState, checked, expect_square, expect_symmetry, spectrum, symmetric_part,
-};
+use super::{Isospectral, MatrixState, Symmetry, checked, expect_square, spectrum};
 use crate::Error;
 use crate::dynamics::System;
 use crate::group::series::exp;
@@ -12,8 +10,8 @@ use nalgebra::DMatrix;
 /// matrix: `L' = [B(L), L]`, `B` the upper less the lower triangle of `L`.
 ///
 /// [`Toda::lattice`] is tridiagonal. Any symmetric `L` is let in (the full lattice), as steps leave the
-/// tridiagonal matrices by their error. H. Flaschka, *Phys. Rev. B* 9 (1974) 1924-1925; the solution by `QR` is that of
-/// W. W. Symes, *Physica D* 4 (1982) 275-280.
+/// tridiagonal matrices by their error. H. Flaschka, *Phys. Rev. B* 9 (1974) 1924-1925; the solution by `QR` is
+/// that of W. W. Symes, *Physica D* 4 (1982) 275-280.
 ///
 /// ```
 /// use affinor::dynamics::isospectral::Toda;
@@ -27,7 +25,7 @@ use nalgebra::DMatrix;
 pub struct Toda;
 
 /// The most `QR` decompositions on the way to a time.
-const PIECES: f64 = 1e6;
+const PIECES: f64 = 1e5;
 
 impl Toda {
     /// Flaschka's matrix of positions `q` and momenta `p`: `L_kk = -p_k/2`, `L_(k,k+1) = exp((q_k - q_(k+1))/2)/2`.
@@ -52,8 +50,7 @@ impl Toda {
     /// # Errors
     /// [`Error::Shape`] unless `L` is square; [`Error::NoState`] unless it is finite and symmetric.
     pub fn state(&self, time: f64, matrix: DMatrix<f64>) -> Result<MatrixState<f64>, Error> {
-        let state = checked(time, matrix, None)?;
-        Ok(MatrixState { time, matrix: expect_symmetry("symmetric", 1.0, &state.matrix)? })
+        checked(time, matrix, None, self.symmetry())
     }
 
     /// `H = sum p_k^2/2 + sum exp(q_k - q_(k+1)) = 2 tr L^2`.
@@ -61,17 +58,18 @@ impl Toda {
         2.0 * matrix.dot(&matrix.transpose())
     }
 
-    /// The eigenvalues of `L` in ascending order: `-1/2` of the momenta of the particles when they have left each other.
+    /// The eigenvalues of `L` in ascending order: `-1/2` of the momenta of the particles when they have left
+    /// each other.
     pub fn spectrum(&self, matrix: &DMatrix<f64>) -> Vec<f64> {
         spectrum(matrix)
     }
 
-    /// The state at a time, without steps: `L(t) = Q^T L Q` with `exp((t - t_0) L) = Q R`, the diagonal of `R` positive.
-    /// Long times are cut into pieces, whose exponentials are of moderate size.
+    /// The state at a time, without steps: `L(t) = Q^T L Q` with `exp((t - t_0) L) = Q R`, the diagonal of `R`
+    /// positive. Long times are cut into pieces, whose exponentials are of moderate size.
     ///
     /// # Errors
     /// [`Error::Shape`] unless `L` is square. [`Error::Integration`] for a time that is not finite or more than
-    /// a million pieces away, where `|t - t_0|` times the largest column sum of `L` is a million.
+    /// a hundred thousand pieces away, as many as `|t - t_0|` times the largest column sum of `|L|`.
     pub fn exact(&self, start: &MatrixState<f64>, time: f64) -> Result<MatrixState<f64>, Error> {
         expect_square("the matrix", &start.matrix, None)?;
         let length = time - start.time;
@@ -87,7 +85,7 @@ impl Toda {
             let signs = DMatrix::from_diagonal(&r.diagonal().map(f64::signum));
             let q = q * signs;
             matrix = q.tr_mul(&matrix) * q;
-            matrix = symmetric_part(&matrix, 1.0);
+            matrix = Symmetry::Hermitian.part(&matrix);
         }
         Ok(MatrixState { time, matrix })
     }
@@ -113,7 +111,7 @@ impl Isospectral for Toda {
         })
     }
 
-    fn symmetry(&self) -> Option<f64> {
-        Some(1.0)
+    fn symmetry(&self) -> Option<Symmetry> {
+        Some(Symmetry::Hermitian)
     }
 }

@@ -2,7 +2,7 @@
 
 mod laplacian;
 
-use super::{Isospectral, MatrixState, checked, expect_symmetry, spectrum};
+use super::{Isospectral, MatrixState, Symmetry, checked, spectrum};
 use crate::Error;
 use crate::dynamics::System;
 use laplacian::Laplacian;
@@ -14,14 +14,14 @@ type Matrix = DMatrix<Complex<f64>>;
 /// Zeitlin's model on su(N) of Euler's equations on the unit sphere: `W' = [P, W]/hbar`, `Delta P = W`, with
 /// `hbar = 2/sqrt(N^2 - 1)` and the Laplacian of Hoppe and Yau, `Delta = -sum_a ad(S_a)^2`.
 ///
-/// The vorticity `w` stands as the antihermitian `W = i sqrt(N/4pi) sum w_lm Y_lm`, where `Y_lm`, `l < N`, is the
-/// matrix of the real spherical harmonic ([`Zeitlin::harmonic`]). So `{f, g}` becomes `[F, G]/(i hbar)` and the
-/// fluid moves by `u = x cross grad psi`, `Delta psi = w`; quantities are those of the field with these coefficients, integrals over
-/// the sphere. All of `tr W^k` stay, besides energy and angular momentum.
+/// The vorticity `w` stands as the antihermitian `W = i sqrt(N/4pi) sum w_lm Y_lm`, where `Y_lm`, `l < N`, is
+/// the matrix of the real spherical harmonic ([`Zeitlin::harmonic`]). So `{f, g}` becomes `[F, G]/(i hbar)` and
+/// the fluid moves by `u = x cross grad psi`, `Delta psi = w`; quantities are those of the field with these
+/// coefficients, integrals over the sphere. All of `tr W^k` stay, besides energy and angular momentum.
 ///
-/// `Delta` is a tridiagonal matrix on each diagonal of `P`: it is solved in `O(N^2)`, and a rate of change takes two products
-/// of matrices. V. Zeitlin, *Phys. Rev. Lett.* 93 (2004) 264501; J. Hoppe and S.-T. Yau, *Commun. Math. Phys.* 195 (1998)
-/// 67-77; K. Modin and M. Viviani, *J. Fluid Mech.* 884 (2020) A22.
+/// `Delta` is a tridiagonal matrix on each diagonal of `P`: it is solved in `O(N^2)`, and a rate of change
+/// takes two products of matrices. V. Zeitlin, *Phys. Rev. Lett.* 93 (2004) 264501; J. Hoppe and S.-T. Yau,
+/// *Commun. Math. Phys.* 195 (1998) 67-77; K. Modin and M. Viviani, *J. Fluid Mech.* 884 (2020) A22.
 ///
 /// ```
 /// use affinor::dynamics::{Integrator, IsospectralMidpoint, Zeitlin};
@@ -75,19 +75,19 @@ impl Zeitlin {
     /// A state of a vorticity matrix, in su(N).
     ///
     /// # Errors
-    /// [`Error::Shape`] unless it has `N` rows and columns; [`Error::NoState`] unless it is finite, antihermitian and without a
-    /// trace.
+    /// [`Error::Shape`] unless it has `N` rows and columns; [`Error::NoState`] unless it is finite,
+    /// antihermitian and without a trace.
     pub fn state(&self, time: f64, vorticity: Matrix) -> Result<MatrixState<Complex<f64>>, Error> {
-        let state = checked(time, vorticity, Some(self.size()))?;
-        let matrix = expect_symmetry("antihermitian", -1.0, &state.matrix)?;
-        let trace = matrix.trace().im;
-        if trace.abs() > 1e-12 * matrix.norm() {
+        let state = checked(time, vorticity, Some(self.size()), self.symmetry())?;
+        let trace = state.matrix.trace().im;
+        if trace.abs() > 1e-12 * state.matrix.norm() {
             return Err(Error::NoState { reason: format!("the trace of W is {trace}i, not 0") });
         }
-        Ok(MatrixState { time, matrix })
+        Ok(state)
     }
 
-    /// `P`, antihermitian and without a trace, with `Delta P = W`: only `W_ij` with `i <= j` is read, and its trace is left out.
+    /// `P`, antihermitian and without a trace, with `Delta P = W`: only `W_ij` with `i <= j` is read, and its
+    /// trace is left out.
     pub fn stream(&self, vorticity: &Matrix) -> Matrix {
         self.laplacian.solve(vorticity)
     }
@@ -97,9 +97,9 @@ impl Zeitlin {
         self.laplacian.apply(stream)
     }
 
-    /// The matrix of the real spherical harmonic `Y_lm`, `|m| <= l < N`: Hermitian, of Frobenius norm 1. Those of
-    /// degree 1 are along `y`, `z`, `x` for `m = -1, 0, 1`; in all, without the sign of Condon and Shortley, `cos(m phi)` or, for
-    /// `m < 0`, `sin(|m| phi)` has a positive factor near the north pole.
+    /// The matrix of the real spherical harmonic `Y_lm`, `|m| <= l < N`: Hermitian, of Frobenius norm 1. Those
+    /// of degree 1 are along `y`, `z`, `x` for `m = -1, 0, 1`; in all, without the sign of Condon and Shortley,
+    /// `cos(m phi)` or, for `m < 0`, `sin(|m| phi)` has a positive factor near the north pole.
     ///
     /// # Errors
     /// [`Error::Shape`] for `l` or `m` out of range.
@@ -136,8 +136,9 @@ impl Zeitlin {
         Ok(self.harmonic(l, m)?.dotc(vorticity).im / self.scale())
     }
 
-    /// A vorticity that a seed makes: every `w_lm` with `1 <= l <= degree` is `1/l` times a number of `[-1, 1)`, from the generator SplitMix64
-    /// (its upper 53 bits), in ascending order of `l`, then `m`. The same field for every `N`.
+    /// A vorticity that a seed makes: every `w_lm` with `1 <= l <= degree` is `1/l` times a number of `[-1,
+    /// 1)`, from the generator SplitMix64 (its upper 53 bits), in ascending order of `l`, then `m`. The same
+    /// field for every `N`.
     ///
     /// # Errors
     /// [`Error::Shape`] unless `degree < N`.
@@ -211,7 +212,7 @@ impl Isospectral for Zeitlin {
         self.stream(vorticity) / Complex::from(self.hbar)
     }
 
-    fn symmetry(&self) -> Option<f64> {
-        Some(-1.0)
+    fn symmetry(&self) -> Option<Symmetry> {
+        Some(Symmetry::Antihermitian)
     }
 }

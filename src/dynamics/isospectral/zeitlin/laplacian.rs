@@ -3,8 +3,8 @@
 use nalgebra::{Complex, DMatrix};
 use std::f64::consts::FRAC_1_SQRT_2;
 
-/// `Delta P = -sum_a [S_a, [S_a, P]]` with the spin matrices `S_a` of size `N`. On the entries `(a, a + d)` of `P` it is the
-/// symmetric tridiagonal matrix
+/// `Delta P = -sum_a [S_a, [S_a, P]]` with the spin matrices `S_a` of size `N`. On the entries `(a, a + d)` of
+/// `P` it is the symmetric tridiagonal matrix
 ///
 /// ```text
 /// 2 m_a m_(a+d) - (N^2 - 1)/2 on the diagonal, c_a c_(a+d) beside it,   m_a = (N - 1)/2 - a,   c_a^2 = (a + 1)(N - 1 - a)
@@ -121,8 +121,8 @@ impl Laplacian {
         harmonic
     }
 
-    /// Of the eigenvalue `-l(l+1)` on the diagonal `d`, its first entry positive: by recurrence from the end, where it grows, to the
-    /// middle; the rest by its parity.
+    /// Of the eigenvalue `-l(l+1)` on the diagonal `d`, its first entry positive: by recurrence from the end,
+    /// where it grows, to the middle; the rest by its parity.
     fn eigenvector(&self, d: usize, l: usize) -> Vec<f64> {
         let length = self.size - d;
         let eigenvalue = -((l * (l + 1)) as f64);
@@ -136,7 +136,7 @@ impl Laplacian {
                 v[..=a].iter_mut().for_each(|x| *x *= 1e-100);
             }
         }
-        let sign = if (l - d) % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if (l - d).is_multiple_of(2) { 1.0 } else { -1.0 };
         for a in 0..length / 2 {
             v[length - 1 - a] = sign * v[a];
         }

@@ -1,0 +1,124 @@
+//! Direct products of two groups.
+
+use super::{Coordinates, LieGroup};
+use crate::Error;
+use nalgebra::{DMatrix, DVector};
+
+/// The direct product of two groups: pairs of elements, vectors of the first and then the second.
+///
+/// ```
+/// use affinor::group::{LieGroup, Product, So3, Translations};
+/// use nalgebra::dvector;
+/// // a body whose position and attitude do not mix, other than in SE(3)
+/// let bodies = Product(Translations::<3>, So3);
+/// let (position, attitude) = bodies.exp(&dvector![1.0, 2.0, 3.0, 0.0, 0.0, 0.5]);
+/// assert_eq!(position.z, 3.0);
+/// assert!((attitude.angle() - 0.5).abs() < 1e-15);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Product<G, H>(
+    /// The first group.
+    pub G,
+    /// The second group.
+    pub H,
+);
+
+impl<G: LieGroup, H: LieGroup> Product<G, H> {
+    /// The two parts of a vector.
+    ///
+    /// # Panics
+    /// If it is shorter than the dimension of the first group.
+    pub fn split(&self, x: &DVector<f64>) -> (G::Vector, H::Vector) {
+        let (first, second) = x.as_slice().split_at(self.0.dimension());
+        (G::Vector::from_components(first), H::Vector::from_components(second))
+    }
+
+    /// The vector of two parts.
+    pub fn join(&self, first: &G::Vector, second: &H::Vector) -> DVector<f64> {
+        let parts = [first.components(), second.components()];
+        DVector::from_vec(parts.concat())
+    }
+
+    /// A map on each part.
+    fn map(
+        &self,
+        v: &DVector<f64>,
+        first: impl FnOnce(&G::Vector) -> G::Vector,
+        second: impl FnOnce(&H::Vector) -> H::Vector,
+    ) -> DVector<f64> {
+        let (v, w) = self.split(v);
+        self.join(&first(&v), &second(&w))
+    }
+}
+
+/// Vectors of another size than the dimension panic, as they do in nalgebra.
+impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
+    type Element = (G::Element, H::Element);
+    type Vector = DVector<f64>;
+
+    fn dimension(&self) -> usize {
+        self.0.dimension() + self.1.dimension()
+    }
+
+    fn identity(&self) -> Self::Element {
+        (self.0.identity(), self.1.identity())
+    }
+
+    fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
+        (self.0.compose(&g.0, &h.0), self.1.compose(&g.1, &h.1))
+    }
+
+    fn inverse(&self, g: &Self::Element) -> Self::Element {
+        (self.0.inverse(&g.0), self.1.inverse(&g.1))
+    }
+
+    fn exp(&self, x: &Self::Vector) -> Self::Element {
+        let (x, y) = self.split(x);
+        (self.0.exp(&x), self.1.exp(&y))
+    }
+
+    fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
+        Ok(self.join(&self.0.log(&g.0)?, &self.1.log(&g.1)?))
+    }
+
+    fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
+        self.map(x, |x| self.0.adjoint(&g.0, x), |x| self.1.adjoint(&g.1, x))
+    }
+
+    fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
+        self.map(h, |h| self.0.coadjoint(&g.0, h), |h| self.1.coadjoint(&g.1, h))
+    }
+
+    fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
+        let (x, x_second) = self.split(x);
+        self.map(y, |y| self.0.bracket(&x, y), |y| self.1.bracket(&x_second, y))
+    }
+
+    /// With a block for each.
+    fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
+        let blocks = [self.0.matrix(&g.0), self.1.matrix(&g.1)];
+        let first = blocks[0].nrows();
+        let size = first + blocks[1].nrows();
+        let mut matrix = DMatrix::zeros(size, size);
+        for (block, at) in blocks.iter().zip([0, first]) {
+            matrix.view_mut((at, at), block.shape()).copy_from(block);
+        }
+        matrix
+    }
+
+    fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
+        let (x, x_second) = self.split(x);
+        self.map(v, |v| self.0.tangent_left(&x, v), |v| self.1.tangent_left(&x_second, v))
+    }
+
+    /// Singular where that of a part is.
+    fn tangent_left_inverse(
+        &self,
+        x: &Self::Vector,
+        v: &Self::Vector,
+    ) -> Result<Self::Vector, Error> {
+        let ((x, x_second), (v, v_second)) = (self.split(x), self.split(v));
+        let first = self.0.tangent_left_inverse(&x, &v)?;
+        Ok(self.join(&first, &self.1.tangent_left_inverse(&x_second, &v_second)?))
+    }
+}

@@ -1,0 +1,273 @@
+//! `affinor simulate`: what is written, and what happens when something goes wrong.
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+use tempfile::{TempDir, tempdir};
+
+/// A spinning top that takes a while.
+const TOP: &str = r#"
+space = "so3"
+metric = "diag(1, 2, 3)"
+[initial]
+velocity = [1, "w", 0.2]
+[parameters]
+w = 0.1
+[forces]
+potential = "g33 + g12*g23"
+body = ["-0.001*Omega1", "0.01*sin(t)", 0]
+[integrator]
+tolerance = 1e-12
+[output]
+end = 400
+every = 0.25
+[ensemble]
+samples = 40
+seed = 5
+random = { w = "normal(0, 0.1)" }
+"#;
+
+fn folder(problem: &str) -> TempDir {
+    let folder = tempdir().unwrap();
+    fs::write(folder.path().join("top.toml"), problem).unwrap();
+    folder
+}
+
+fn simulate(folder: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_affinor"));
+    command.current_dir(folder).args(["simulate", "top.toml"]);
+    command
+}
+
+fn done(command: &mut Command) -> Output {
+    let output = command.output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    output
+}
+
+fn refused(command: &mut Command, status: i32) -> String {
+    let output = command.output().unwrap();
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(status), "{message}");
+    message
+}
+
+/// Kills the run again and again, a little later each time, until it is done.
+fn killed_and_resumed(folder: &Path, options: &[&str]) -> u32 {
+    for kills in 0..200 {
+        let mut command = simulate(folder);
+        command.args(options).args(["--checkpoint", "c", "--checkpoint-every", "0.01"]);
+        command.args(["--resume", "-o", "killed.csv"]).stderr(Stdio::null());
+        let mut child = command.spawn().unwrap();
+        let begun = Instant::now();
+        while begun.elapsed() < Duration::from_millis(60 + 7 * u64::from(kills)) {
+            if let Some(status) = child.try_wait().unwrap() {
+                assert!(status.success());
+                return kills;
+            }
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        child.kill().unwrap();
+        child.wait().unwrap();
+        assert!(!folder.join("killed.csv").exists());
+    }
+    panic!("it never came to its end");
+}
+
+#[test]
+fn a_killed_run_goes_on_to_the_same_rows() {
+    let folder = folder(TOP);
+    let folder = folder.path();
+    done(simulate(folder).args(["-o", "whole.csv"]));
+    assert!(killed_and_resumed(folder, &[]) > 1);
+    assert_eq!(
+        fs::read(folder.join("whole.csv")).unwrap(),
+        fs::read(folder.join("killed.csv")).unwrap()
+    );
+    // nothing is left behind
+    assert!(!folder.join("c").exists() && !folder.join("c.rows").exists());
+}
+
+#[test]
+fn an_ensemble_depends_on_no_threads_and_no_kills() {
+    let problem = TOP.replace("end = 400", "end = 6").replace("samples = 40", "samples = 600");
+    let folder = folder(&problem.replace("every = 0.25", "every = 3"));
+    let folder = folder.path();
+    for threads in ["1", "2", "3"] {
+        let file = format!("{threads}.csv");
+        done(simulate(folder).args(["--ensemble", "--threads", threads, "-o", &file]));
+    }
+    killed_and_resumed(folder, &["--ensemble"]);
+    let rows = fs::read_to_string(folder.join("1.csv")).unwrap();
+    assert_eq!(rows.lines().count(), 1 + 3 * 600);
+    for other in ["2.csv", "3.csv", "killed.csv"] {
+        assert!(rows == fs::read_to_string(folder.join(other)).unwrap(), "{other}");
+    }
+}
+
+#[test]
+fn a_checkpoint_is_of_one_problem() {
+    let folder = folder(TOP);
+    let folder = folder.path();
+    let mut child = simulate(folder)
+        .args(["--checkpoint", "c", "--checkpoint-every", "0", "-o", "rows.csv"])
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    while !folder.join("c").exists() {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let resume = ["--checkpoint", "c", "--resume"];
+    let message = refused(simulate(folder).args(resume).args(["--set", "w=0.2"]), 2);
+    assert!(message.contains("another --set"), "{message}");
+    fs::write(folder.join("top.toml"), TOP.replace("0.25", "0.5")).unwrap();
+    let message = refused(simulate(folder).args(resume), 2);
+    assert!(message.contains("another problem"), "{message}");
+    fs::write(folder.join("c"), "{").unwrap();
+    let message = refused(simulate(folder).args(resume), 2);
+    assert!(message.contains("c is no checkpoint"), "{message}");
+}
+
+/// Results up to what went wrong are kept, and the old file stays.
+#[test]
+fn what_is_no_number_is_told_with_time_and_state() {
+    let problem = TOP.replace("-0.001*Omega1", "sqrt(3 - t)");
+    let folder = folder(&problem);
+    let folder = folder.path();
+    fs::write(folder.join("rows.csv"), "old").unwrap();
+    let message = refused(simulate(folder).args(["-o", "rows.csv"]), 1);
+    for part in ["sqrt(3 - t) is NaN at t = 3", "Omega = [", "g = [", "13 rows", "partial.csv"] {
+        assert!(message.contains(part), "{part}: {message}");
+    }
+    assert_eq!(fs::read_to_string(folder.join("rows.csv")).unwrap(), "old");
+    let rows = fs::read_to_string(folder.join("rows.partial.csv")).unwrap();
+    assert_eq!(rows.lines().count(), 14);
+    assert!(rows.lines().last().unwrap().starts_with("3,"));
+}
+
+#[test]
+fn what_blows_up_or_is_stiff_ends_with_a_word() {
+    let explodes = TOP.replace("-0.001*Omega1", "Omega1^2");
+    let message = refused(&mut simulate(folder(&explodes).path()), 1);
+    assert!(message.contains("the steps become too small"), "{message}");
+    let stiff = TOP.replace("0.001*Omega1", "1e9*Omega1");
+    let stiff = stiff.replace("tolerance = 1e-12", "tolerance = 1e-6\nmax_steps = 10000");
+    let message = refused(&mut simulate(folder(&stiff).path()), 1);
+    assert!(message.contains("the problem is stiff"), "{message}");
+    let fixed = TOP.replace("-0.001*Omega1", "Omega1^2");
+    let fixed = fixed.replace("tolerance = 1e-12", "method = \"rkmk4\"\nstep = 0.05");
+    let message = refused(&mut simulate(folder(&fixed).path()), 1);
+    assert!(message.contains("t = "), "{message}");
+}
+
+#[test]
+fn a_full_disk_is_told() {
+    if !Path::new("/dev/full").exists() {
+        return;
+    }
+    let folder = folder(&TOP.replace("end = 400", "end = 1"));
+    let message = refused(simulate(folder.path()).args(["-o", "/dev/full"]), 2);
+    assert!(message.contains("cannot write /dev/full"), "{message}");
+}
+
+/// All formats hold the same numbers.
+#[test]
+fn formats_agree() {
+    let folder = folder(&TOP.replace("end = 400", "end = 20"));
+    let folder = folder.path();
+    done(simulate(folder).args(["-o", "rows.csv"]));
+    done(simulate(folder).args(["-o", "rows.json"]));
+    let text = fs::read_to_string(folder.join("rows.csv")).unwrap();
+    let mut lines = text.lines();
+    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let rows: Vec<Vec<f64>> =
+        lines.map(|line| line.split(',').map(|value| value.parse().unwrap()).collect()).collect();
+    assert_eq!(rows.len(), 81);
+    let json: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(folder.join("rows.json")).unwrap()).unwrap();
+    assert_eq!(json["schema"], "affinor.run/1");
+    assert_eq!(serde_json::from_value::<Vec<String>>(json["columns"].clone()).unwrap(), names);
+    assert_eq!(serde_json::from_value::<Vec<Vec<f64>>>(json["rows"].clone()).unwrap(), rows);
+    #[cfg(feature = "parquet")]
+    {
+        use parquet::file::reader::{FileReader, SerializedFileReader};
+        done(simulate(folder).args(["-o", "rows.parquet"]));
+        let file = fs::File::open(folder.join("rows.parquet")).unwrap();
+        let reader = SerializedFileReader::new(file).unwrap();
+        let mut count = 0;
+        for (row, expected) in reader.get_row_iter(None).unwrap().zip(&rows) {
+            let row = row.unwrap();
+            for (k, (name, field)) in row.get_column_iter().enumerate() {
+                assert_eq!(name, names[k]);
+                assert_eq!(*field, parquet::record::Field::Double(expected[k]));
+            }
+            count += 1;
+        }
+        assert_eq!(count, rows.len());
+    }
+}
+
+/// A potential conserves the energy on every group, in both invariances, and without it the power is the rate of the
+/// energy (109).
+#[test]
+fn potentials_conserve_the_energy_on_every_group() {
+    let cases = [
+        ("space = \"so2\"", 1, "g11^2 + g21"),
+        ("space = \"so3\"", 3, "g33 + g12*g23"),
+        ("space = \"se2\"", 3, "g13^2 + g23*g11"),
+        ("space = \"se3\"", 6, "g14^2 + g24*g31 + sin(g34)"),
+        ("space = \"sl2\"", 3, "g11^2 + g21^2 + g12^2 + g22^2"),
+        ("space = \"heisenberg3\"", 3, "g12^2 + g13^2*g23"),
+        (
+            "definition.basis = [\"x\", \"y\", \"z\"]\ndefinition.brackets = \"[x, y] = z\"",
+            3,
+            "x1^2 + x2^4 + x3^2*x1",
+        ),
+        ("space = \"aff1\"", 2, "1/g11 + g12^2 + g11"),
+        ("space = \"su2\"", 3, "g11 + g12^2"),
+    ];
+    for (space, n, potential) in cases {
+        for invariance in ["left", "right"] {
+            let metric: Vec<String> = (0..n)
+                .map(|i: i32| {
+                    let entry = |j: i32| match (i - j).abs() {
+                        0 => format!("\"{}/2\"", 2 + i),
+                        1 => "\"1/5\"".into(),
+                        _ => "\"1/20\"".into(),
+                    };
+                    format!("[{}]", (0..n).map(entry).collect::<Vec<_>>().join(","))
+                })
+                .collect();
+            let velocity: Vec<String> =
+                (0..n).map(|i| format!("{}", 0.3 - 0.2 * f64::from(i))).collect();
+            let problem = format!(
+                "{space}\nmetric = [{}]\ninvariance = \"{invariance}\"\n\
+                 [initial]\nvelocity = [{}]\ncoordinates = [{}]\n\
+                 [forces]\npotential = \"{potential}\"\n\
+                 [integrator]\ntolerance = 1e-12\n\
+                 [output]\nend = 2\nevery = 0.5\ncolumns = [\"t\", \"kinetic\", \"energy\"]\n",
+                metric.join(","),
+                velocity.join(","),
+                velocity.join(","),
+            );
+            let output = done(&mut simulate(folder(&problem).path()));
+            let text = String::from_utf8(output.stdout).unwrap();
+            let column = |k: usize| -> Vec<f64> {
+                text.lines()
+                    .skip(1)
+                    .map(|line| line.split(',').nth(k).unwrap().parse().unwrap())
+                    .collect()
+            };
+            let (kinetic, energy) = (column(1), column(2));
+            let off = energy.iter().map(|e| (e - energy[0]).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-10, "{space}, {invariance}: {off}");
+            let moved = kinetic.iter().map(|t| (t - kinetic[0]).abs()).fold(0.0, f64::max);
+            assert!(moved > 1e-3, "{space}, {invariance}: the potential does no work");
+        }
+    }
+}
