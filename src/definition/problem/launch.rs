@@ -234,7 +234,9 @@ impl Launch<'_> {
             let formula = Some(written.text.clone());
             columns.push(Column { name: name.clone(), formula, watched: true });
         }
-        for (i, casimir) in self.on_group.casimirs.iter().enumerate() {
+        // forces lead off the coadjoint orbits
+        let casimirs = self.on_group.casimirs.iter().filter(|_| forces.is_empty());
+        for (i, casimir) in casimirs.enumerate() {
             let text = casimir.replace("mu", names.momentum());
             if let Ok(formula) = scope.read(&text, names, &|_| true) {
                 formulas.push(formula);
