@@ -2,8 +2,10 @@
 //!
 //! A [`Motion`] is a system, a state and a way to go on; it is all that a program that writes rows,
 //! shows progress and can be interrupted has to know. [`on_group`] makes one of an Euler-Poincare system with
-//! [`Forces`], [`on_given`] of a velocity over time, [`on_matrices`] of an isospectral flow.
+//! [`Forces`], [`on_constraints`] of one that is held by constraints,
+//! [`on_given`] of a velocity over time, [`on_matrices`] of an isospectral flow.
 
+mod constrained;
 mod crossings;
 mod drive;
 pub mod forces;
@@ -16,6 +18,7 @@ mod pace;
 pub mod quantities;
 pub mod table;
 
+pub use constrained::{ConstrainedSystem, Equations, on_constraints};
 pub use crossings::{Crossing, Crossings};
 pub use forces::{Forces, Point, Side};
 pub use given::{GivenVelocity, on_given};

@@ -4,6 +4,7 @@
 //! what is written down. Its numbers may be formulas in its parameters; an ensemble varies these.
 
 mod ensemble;
+mod held;
 mod inertia;
 mod keys;
 mod launch;
@@ -68,6 +69,8 @@ struct OnGroup {
     forces: Vec<Force>,
     potential: Option<Written>,
     table: Option<(Side, Table)>,
+    /// What is zero.
+    constraints: Vec<Written>,
     /// Polynomials in `mu1`, `mu2`, ...
     casimirs: Vec<String>,
 }

@@ -25,8 +25,9 @@ pub mod magnus;
 mod munthe_kaas;
 mod simo_wong;
 pub mod splitting;
+mod tableaux;
 
-pub use adaptive::Adaptive;
+pub use adaptive::{Adaptive, Pair};
 pub use commutator_free::CommutatorFree;
 pub use composed::Composed;
 pub use crouch_grossman::CrouchGrossman;

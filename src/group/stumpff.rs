@@ -43,7 +43,11 @@ impl Stumpff {
     #[inline]
     pub fn at(z: f64) -> Self {
         if z.abs() < SERIES {
-            let (c4, c5) = (polynomial(&FOURTH, z), polynomial(&FIFTH, z));
+            let (c4, c5) = if z.abs() < SMALL {
+                (polynomial(&first(&FOURTH), z), polynomial(&first(&FIFTH), z))
+            } else {
+                (polynomial(&FOURTH, z), polynomial(&FIFTH, z))
+            };
             let (c2, c3) = (0.5 - z * c4, 1.0 / 6.0 - z * c5);
             return Stumpff { z, c0: 1.0 - z * c2, c1: 1.0 - z * c3, c2, c3, c4, c5 };
         }
@@ -77,7 +81,29 @@ impl Stumpff {
 /// `(c_0(z), c_1(z))` alone, to a rounding or two.
 #[inline]
 pub fn first_two(z: f64) -> (f64, f64) {
-    if z.abs() < NEAR { near(z) } else { far(z) }
+    if z.abs() < SMALL {
+        (polynomial(&first(&ZEROTH), z), polynomial(&first(&FIRST), z))
+    } else if z.abs() < NEAR {
+        near(z)
+    } else {
+        far(z)
+    }
+}
+
+/// Below this modulus of `z`, such as half the angle that a body turns in a step, [`TERMS`] of a series are enough:
+/// the next one is below 1e-17.
+const SMALL: f64 = 0.4;
+const TERMS: usize = 8;
+
+/// The first terms of a series.
+const fn first<const N: usize>(series: &[f64; N]) -> [f64; TERMS] {
+    let mut terms = [0.0; TERMS];
+    let mut i = 0;
+    while i < TERMS {
+        terms[i] = series[i];
+        i += 1;
+    }
+    terms
 }
 
 /// Where [`near`] is taken: up to 1.5 for `x`. At a right angle `z` no longer tells on which side of it
@@ -123,6 +149,18 @@ const FIRST: [f64; 12] = coefficients(1);
 const FOURTH: [f64; 15] = coefficients(4);
 const FIFTH: [f64; 15] = coefficients(5);
 
+/// `|B_2k|/(2k)!` for `k = 1..=8`, Bernoulli's numbers: the first terms of [`inverse_tangent`].
+const INVERSE: [f64; 8] = [
+    1.0 / 12.0,
+    1.0 / 720.0,
+    1.0 / 30240.0,
+    1.0 / 1209600.0,
+    1.0 / 47900160.0,
+    691.0 / 1307674368000.0,
+    1.0 / 74724249600.0,
+    3617.0 / 10670622842880000.0,
+];
+
 /// `(1 - (x/2) cot(x/2))/x^2` at `z = x^2`: `(sum A^k/(k+1)!)^-1 = 1 - A/2 + d A^2` where
 /// `A^3 = -z A`.
 ///
@@ -130,6 +168,9 @@ const FIFTH: [f64; 15] = coefficients(5);
 /// `x = 2 pi`.
 #[inline]
 pub fn inverse_tangent(z: f64) -> f64 {
+    if z.abs() < SMALL {
+        return polynomial(&INVERSE, z);
+    }
     let c = Stumpff::at(0.25 * z);
     (c.c2 - c.c3) / (4.0 * c.c1)
 }

@@ -209,6 +209,10 @@ impl<G: Simulated> Forces<G> {
 }
 
 impl<G: Simulated> Torque<G> for Forces<G> {
+    fn is_absent(&self) -> bool {
+        self.is_empty()
+    }
+
     fn add(&self, time: f64, element: &G::Element, velocity: &G::Vector, force: &mut G::Vector) {
         if !self.is_empty() {
             *force = force.clone() + self.total(&Point { time, element, velocity });

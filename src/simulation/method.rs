@@ -26,6 +26,8 @@ pub enum Method {
     SimoWong,
     /// Free motion and kicks, for bodies with forces that know no velocity.
     Kick(kick::Order),
+    /// Generalised alpha, for systems with constraints.
+    GeneralisedAlpha,
     /// Magnus, for a given velocity.
     Magnus(u32),
     /// The isospectral midpoint rule of order 2, or composed to order 4, for flows of matrices.
@@ -34,7 +36,7 @@ pub enum Method {
 
 impl Method {
     /// All of them.
-    pub const ALL: [Method; 20] = [
+    pub const ALL: [Method; 21] = [
         Method::Exact,
         Method::Adaptive,
         Method::MuntheKaas,
@@ -51,6 +53,7 @@ impl Method {
         Method::Kick(kick::Order::Two),
         Method::Kick(kick::Order::Four),
         Method::Kick(kick::Order::Six),
+        Method::GeneralisedAlpha,
         Method::Magnus(4),
         Method::Magnus(6),
         Method::Isospectral(2),
@@ -76,6 +79,7 @@ impl Method {
             Method::Kick(kick::Order::Two) => "kick2",
             Method::Kick(kick::Order::Four) => "kick4",
             Method::Kick(kick::Order::Six) => "kick6",
+            Method::GeneralisedAlpha => "generalised-alpha",
             Method::Magnus(4) => "magnus4",
             Method::Magnus(_) => "magnus6",
             Method::Isospectral(2) => "isospectral2",
@@ -95,6 +99,7 @@ impl Method {
             Method::MoserVeselov(_) => "a free rigid body, with a step",
             Method::Kick(_) => "a body in a potential, with a step",
             Method::Adaptive => "any group and any forces, to a tolerance",
+            Method::GeneralisedAlpha => "a system with constraints",
             Method::Magnus(_) => "a velocity given over time",
             Method::Isospectral(_) => "a flow of matrices that keeps their spectrum",
             _ => "any group and any forces, with a step",

@@ -49,6 +49,8 @@ pub(super) struct Keys<'t> {
     #[serde(borrow)]
     given: Option<GivenKeys<'t>>,
     #[serde(borrow)]
+    constraints: Option<Vec<Text<'t>>>,
+    #[serde(borrow)]
     forces: Option<ForceKeys<'t>>,
     #[serde(borrow, default)]
     integrator: IntegratorKeys<'t>,
@@ -287,6 +289,8 @@ impl<'t> Keys<'t> {
                 let table = keys.table(source, folder)?;
                 let inertia = self.inertia.as_ref();
                 let inertia = inertia.map(|keys| keys.read(&reader, folder)).transpose()?;
+                let constraints = self.constraints.iter().flatten();
+                let constraints = constraints.map(|text| reader.written(text)).collect();
                 let element = self.initial.element(&reader)?;
                 let course = self.course(&reader)?;
                 let is_given = matches!(course, Course::Given(..));
@@ -301,6 +305,7 @@ impl<'t> Keys<'t> {
                     forces,
                     potential,
                     table,
+                    constraints,
                     casimirs,
                 }))
             }

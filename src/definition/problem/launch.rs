@@ -1,5 +1,6 @@
 //! A problem put on its group: from values of the parameters to a motion.
 
+use super::held::{Held, velocity_of};
 use super::{Column, Course, OnGroup, Problem, Ready, StartElement, Value, Written};
 use crate::definition::group::GroupWork;
 use crate::definition::input::{Place, shown};
@@ -18,7 +19,7 @@ use affinor_tensors::{Symbolic, Tolerance};
 use nalgebra::DMatrix;
 
 /// Formulas over their scope.
-type Formulas = (Scope, Vec<Formula>);
+pub(super) type Formulas = (Scope, Vec<Formula>);
 
 /// Algebras up to this dimension have their Casimirs computed, up to the second degree.
 const CASIMIRS: usize = 6;
@@ -91,6 +92,14 @@ impl Launch<'_> {
         let element = self.element(&group, &values)?;
         let momentum = self.momentum(&group, &element, &forces, &values)?;
         let step = self.problem.step_at(&values)?;
+        if !self.on_group.constraints.is_empty() {
+            let velocity = velocity_of(&metric, &momentum)?;
+            let start = (self.problem.times[0], element, velocity);
+            let held = Held { metric: &metric, connection: &connection, forces, step };
+            let (motion, columns) = self.constrained(group, held, start, columns, formulas)?;
+            let (method, inertia) = (Method::GeneralisedAlpha, Some(inertia));
+            return Ok(Ready { motion, method, columns, events, inertia, notes });
+        }
         let setup = Setup {
             connection: &connection,
             metric: &metric,

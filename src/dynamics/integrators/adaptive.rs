@@ -2,15 +2,36 @@
 
 use super::MuntheKaas;
 use crate::Error;
-use crate::dynamics::euler_poincare::{EulerPoincare, State, Torque};
-use crate::group::LieGroup;
+use crate::dynamics::cotangent::{CotangentSystem, State};
 
-/// The pair of Dormand and Prince with its step size under control.
+/// Which pair of Dormand and Prince.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Pair {
+    /// [`MuntheKaas::DORMAND_PRINCE`], of order 5.
+    #[default]
+    Five,
+    /// [`MuntheKaas::DORMAND_PRINCE_8`], of order 8: the cheaper one for small tolerances.
+    Eight,
+}
+
+impl Pair {
+    /// The order of the error of a motion.
+    pub fn order(self) -> u32 {
+        match self {
+            Pair::Five => MuntheKaas::DORMAND_PRINCE.order(),
+            Pair::Eight => MuntheKaas::DORMAND_PRINCE_8.order(),
+        }
+    }
+}
+
+/// A pair of Dormand and Prince with its step size under control.
 ///
 /// A step is kept if its estimated error, of the coordinates of the group and relative of the momentum, is below
 /// the tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adaptive {
+    /// The pair.
+    pub pair: Pair,
     /// What the error of a step may be.
     pub tolerance: f64,
     /// The most steps between two times.
@@ -18,14 +39,24 @@ pub struct Adaptive {
 }
 
 impl Adaptive {
-    /// With a tolerance, and at most a million steps.
+    /// The pair of order 5 with a tolerance, and at most a million steps.
     pub fn new(tolerance: f64) -> Self {
-        Adaptive { tolerance, max_steps: 1_000_000 }
+        Adaptive { pair: Pair::Five, tolerance, max_steps: 1_000_000 }
+    }
+
+    /// The same with the pair of order 8.
+    pub fn of_order_8(tolerance: f64) -> Self {
+        Adaptive { pair: Pair::Eight, ..Self::new(tolerance) }
     }
 
     /// A first guess of a step, which the control corrects at once.
     pub fn first_step(&self) -> f64 {
-        self.tolerance.powf(0.2).min(0.1)
+        self.tolerance.powf(self.exponent()).min(0.1)
+    }
+
+    /// That of a step, as the error is of the power `order` of it.
+    fn exponent(&self) -> f64 {
+        1.0 / f64::from(self.pair.order())
     }
 
     /// One step that is kept, from a state towards `end` and not beyond it. `next` is the length to try, and becomes
@@ -33,10 +64,10 @@ impl Adaptive {
     ///
     /// # Errors
     /// [`Error::Integration`] where steps become too small: a pole, a value that is not finite, or a stiff problem.
-    pub fn step<G: LieGroup, M: Torque<G>>(
+    pub fn step<S: CotangentSystem>(
         &self,
-        system: &EulerPoincare<G, M>,
-        state: &mut State<G>,
+        system: &S,
+        state: &mut State<S::Group>,
         next: &mut f64,
         end: f64,
     ) -> Result<(), Error> {
@@ -48,7 +79,11 @@ impl Adaptive {
                 let reason = "the steps become too small".into();
                 return Err(Error::Integration { t: state.time, reason });
             }
-            let (reached, error) = match MuntheKaas::DORMAND_PRINCE.advanced(system, state, h) {
+            let advanced = match self.pair {
+                Pair::Five => MuntheKaas::DORMAND_PRINCE.advanced(system, state, h),
+                Pair::Eight => MuntheKaas::DORMAND_PRINCE_8.advanced(system, state, h),
+            };
+            let (reached, error) = match advanced {
                 Ok((reached, error)) if error.is_finite() => (reached, error / self.tolerance),
                 // a shorter step may still be possible
                 _ => {
@@ -57,7 +92,7 @@ impl Adaptive {
                 }
             };
             if !last || error > 1.0 {
-                *next = h.abs() * (0.9 * error.powf(-0.2)).clamp(0.2, 5.0);
+                *next = h.abs() * (0.9 * error.powf(-self.exponent())).clamp(0.2, 5.0);
             }
             if error <= 1.0 {
                 *state = State { time: if last { end } else { reached.time }, ..reached };
@@ -70,12 +105,12 @@ impl Adaptive {
     ///
     /// # Errors
     /// [`Error::Integration`] with the time that was reached.
-    pub fn states<G: LieGroup, M: Torque<G>>(
+    pub fn states<S: CotangentSystem>(
         &self,
-        system: &EulerPoincare<G, M>,
-        start: &State<G>,
+        system: &S,
+        start: &State<S::Group>,
         times: &[f64],
-    ) -> Result<Vec<State<G>>, Error> {
+    ) -> Result<Vec<State<S::Group>>, Error> {
         let mut state = start.clone();
         let mut next = self.first_step();
         let mut states = Vec::with_capacity(times.len());
