@@ -243,6 +243,15 @@ const CHECKS: &[Check] = &[
             off(&run.values(0, &["energy", "h3"]), &[5435.696790865546875, -70.3124296875]) < 1e-14
         );
     }),
+    // the same top by its constraints, of order 2
+    ("heavy_top_held", |name| {
+        let run = Run::new(&open(name), 0);
+        let place = run.values(run.rows.len() - 1, &["x", "y", "z"]);
+        let expected = [-0.15041682274564, -0.72416559163690, -0.67302226956044];
+        println!("{name}: {:.1e}", off(&place, &expected));
+        assert!(off(&place, &expected) < 1e-4, "{place:?}");
+        assert!(run.column("violation").iter().all(|off| off.abs() < 1e-10));
+    }),
     ("fast_top", |name| {
         let mut problem = open(name);
         for (tilt, reference, energy) in [

@@ -281,6 +281,12 @@ fn flows() {
             &["a.toml:1"],
         ),
         (
+            "constraints",
+            "constraints = ['g11']\nflow = { kind = 'zeitlin', size = 5, seed = 1, degree = 2 }",
+            USAGE,
+            &["has no `constraints`"],
+        ),
+        (
             "harmonic",
             "flow = { kind = 'zeitlin', size = 5, modes = [[1, 2, 1]] }",
             MATHEMATICS,
@@ -411,6 +417,12 @@ fn bodies() {
             "metric = 'identity'\ninertia.moments = [1, 2, 2]\n",
             USAGE,
             &["a.toml:3:1", "the metric is given twice"],
+        ),
+        (
+            "a parameter mass",
+            "parameters = { mass = 1 }\ninertia.parts = [{ shape = 'ball', radius = 1, mass = 2 }]\n",
+            USAGE,
+            &["a.toml:2:", "`mass` has a meaning already"],
         ),
         ("no parts", "inertia.parts = []\n", USAGE, &["the body has no part but holes"]),
         (
