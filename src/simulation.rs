@@ -3,6 +3,7 @@
 //! A [`Motion`] is a system, a state and a way to go on; it is all that a program that writes rows,
 //! shows progress and can be interrupted has to know. [`on_group`] makes one of an Euler-Poincare system with
 //! [`Forces`], [`on_constraints`] of one that is held by constraints,
+//! [`on_hamiltonian`] of a Lie-Poisson system,
 //! [`on_given`] of a velocity over time, [`on_matrices`] of an isospectral flow.
 
 mod constrained;
@@ -11,8 +12,10 @@ mod drive;
 pub mod forces;
 mod given;
 mod groups;
+mod hamiltonian;
 mod matrices;
 pub mod method;
+mod on_cotangent;
 mod on_group;
 mod pace;
 pub mod quantities;
@@ -22,6 +25,7 @@ pub use constrained::{ConstrainedSystem, Equations, on_constraints};
 pub use crossings::{Crossing, Crossings};
 pub use forces::{Forces, Point, Side};
 pub use given::{GivenVelocity, on_given};
+pub use hamiltonian::{Hamiltonian, on_hamiltonian};
 pub use matrices::{MatrixFlow, Started, on_matrices};
 pub use method::Method;
 pub use on_group::{Setup, on_group};
@@ -83,6 +87,9 @@ impl Snapshot {
     }
 }
 
+/// An Euler-Poincare system with forces as formulas.
+pub type Body<G> = EulerPoincare<G, Forces<G>>;
+
 /// A group on which motions are simulated.
 pub trait Simulated:
     Written<Element: Serialize + DeserializeOwned + Send + Sync, Vector: Send + Sync>
@@ -131,11 +138,11 @@ pub trait Simulated:
     fn own_drive(
         &self,
         method: Method,
-        system: &EulerPoincare<Self, Forces<Self>>,
+        system: &Body<Self>,
         inertia: &Inertia,
         start: &State<Self>,
         step: f64,
-    ) -> Option<Result<Drive<Self>, Error>> {
+    ) -> Option<Result<Drive<Body<Self>>, Error>> {
         let _ = (method, system, inertia, start, step);
         None
     }

@@ -4,6 +4,7 @@
 //! what is written down. Its numbers may be formulas in its parameters; an ensemble varies these.
 
 mod ensemble;
+mod hamiltonian;
 mod held;
 mod inertia;
 mod keys;
@@ -69,6 +70,8 @@ struct OnGroup {
     forces: Vec<Force>,
     potential: Option<Written>,
     table: Option<(Side, Table)>,
+    /// A function of the momentum, in the place of a metric.
+    hamiltonian: Option<Written>,
     /// What is zero.
     constraints: Vec<Written>,
     /// Polynomials in `mu1`, `mu2`, ...

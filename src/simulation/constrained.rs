@@ -139,7 +139,7 @@ impl<G: Simulated> Motion for OnConstraints<G> {
     fn row(&self) -> Vec<f64> {
         let ConstrainedState { time, element, velocity, multipliers, .. } = &self.state;
         let (scope, formulas) = &self.columns;
-        let values = scope.values(self.system.force(), &Point { time: *time, element, velocity });
+        let values = scope.values(self.system.force(), &Point::new(*time, element, velocity));
         let mut row: Vec<f64> = formulas.iter().map(|formula| formula.value(&values)).collect();
         let held = multipliers.iter().copied().chain([self.system.violation(&self.state)]);
         row.splice(self.visible..self.visible, held);

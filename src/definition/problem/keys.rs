@@ -49,6 +49,8 @@ pub(super) struct Keys<'t> {
     #[serde(borrow)]
     given: Option<GivenKeys<'t>>,
     #[serde(borrow)]
+    hamiltonian: Option<Text<'t>>,
+    #[serde(borrow)]
     constraints: Option<Vec<Text<'t>>>,
     #[serde(borrow)]
     forces: Option<ForceKeys<'t>>,
@@ -289,6 +291,7 @@ impl<'t> Keys<'t> {
                 let table = keys.table(source, folder)?;
                 let inertia = self.inertia.as_ref();
                 let inertia = inertia.map(|keys| keys.read(&reader, folder)).transpose()?;
+                let hamiltonian = self.hamiltonian.as_ref().map(|text| reader.written(text));
                 let constraints = self.constraints.iter().flatten();
                 let constraints = constraints.map(|text| reader.written(text)).collect();
                 let element = self.initial.element(&reader)?;
@@ -305,6 +308,7 @@ impl<'t> Keys<'t> {
                     forces,
                     potential,
                     table,
+                    hamiltonian,
                     constraints,
                     casimirs,
                 }))
@@ -338,6 +342,7 @@ impl<'t> Keys<'t> {
             ("connection", self.connection.is_some()),
             ("forces", self.forces.is_some()),
             ("constraints", self.constraints.is_some()),
+            ("hamiltonian", self.hamiltonian.is_some()),
             ("velocity", initial.velocity.is_some() && self.given.is_none()),
             ("space_velocity", initial.space_velocity.is_some() && self.given.is_none()),
             ("initial", initial.velocity.is_some() || initial.space_velocity.is_some()),

@@ -59,6 +59,9 @@ impl Launch<'_> {
         if let Course::Given(side, formulas) = &self.on_group.course {
             return self.given(group, *side, formulas);
         }
+        if let Some(hamiltonian) = &self.on_group.hamiltonian {
+            return self.hamiltonian(group, hamiltonian);
+        }
         let ground = self.definition.ground(self.reading)?;
         let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
         let (metric, of_body) = match &self.on_group.inertia {
@@ -166,7 +169,7 @@ impl Launch<'_> {
     }
 
     /// Checks that parameters hide nothing that formulas speak of.
-    fn expect_new_names<G: Simulated>(
+    pub(super) fn expect_new_names<G: Simulated>(
         &self,
         group: &G,
         of_body: &[(String, f64)],
@@ -220,7 +223,7 @@ impl Launch<'_> {
     }
 
     /// The columns of the rows, and their formulas.
-    fn columns<G: Simulated>(
+    pub(super) fn columns<G: Simulated>(
         &self,
         forces: &Forces<G>,
     ) -> Result<(Vec<Column>, Formulas), InputError> {
@@ -262,7 +265,7 @@ impl Launch<'_> {
     }
 
     /// The names of events; their formulas go behind the others.
-    fn events<G: Simulated>(
+    pub(super) fn events<G: Simulated>(
         &self,
         forces: &Forces<G>,
         (scope, formulas): &mut Formulas,
@@ -278,7 +281,11 @@ impl Launch<'_> {
         Ok(events)
     }
 
-    fn element<G: Simulated>(&self, group: &G, values: &[f64]) -> Result<G::Element, InputError> {
+    pub(super) fn element<G: Simulated>(
+        &self,
+        group: &G,
+        values: &[f64],
+    ) -> Result<G::Element, InputError> {
         let identity = group.write(&group.identity());
         let (matrix, place) = match &self.on_group.element {
             StartElement::Identity => return Ok(group.identity()),
@@ -340,7 +347,7 @@ impl Launch<'_> {
     }
 
     /// The momentum in the frame of the equations.
-    fn momentum<G: Simulated>(
+    pub(super) fn momentum<G: Simulated>(
         &self,
         group: &G,
         g: &G::Element,
