@@ -86,6 +86,17 @@ fn a_pole() {
     assert!(outcome.out.lines().count() == 3 && !outcome.out.contains("inf"), "{}", outcome.out);
 }
 
+/// A step that no one can wait for ends at once.
+#[test]
+fn a_tiny_step() {
+    let folder = TempDir::new().unwrap();
+    let problem = format!("{GOOD}integrator = {{ method = 'rkmk4', step = 1e-300 }}\n");
+    std::fs::write(folder.path().join("a.toml"), problem).unwrap();
+    let outcome = run(folder.path(), &["simulate", "a.toml"], b"");
+    assert_eq!(outcome.status, MATHEMATICS, "{}", outcome.err);
+    assert!(outcome.err.contains("steps are too many"), "{}", outcome.err);
+}
+
 #[test]
 fn tables() {
     let folder = TempDir::new().unwrap();
@@ -270,6 +281,12 @@ fn flows() {
             &["a.toml:1"],
         ),
         (
+            "constraints",
+            "constraints = ['g11']\nflow = { kind = 'zeitlin', size = 5, seed = 1, degree = 2 }",
+            USAGE,
+            &["has no `constraints`"],
+        ),
+        (
             "harmonic",
             "flow = { kind = 'zeitlin', size = 5, modes = [[1, 2, 1]] }",
             MATHEMATICS,
@@ -401,6 +418,12 @@ fn bodies() {
             USAGE,
             &["a.toml:3:1", "the metric is given twice"],
         ),
+        (
+            "a parameter mass",
+            "parameters = { mass = 1 }\ninertia.parts = [{ shape = 'ball', radius = 1, mass = 2 }]\n",
+            USAGE,
+            &["a.toml:2:", "`mass` has a meaning already"],
+        ),
         ("no parts", "inertia.parts = []\n", USAGE, &["the body has no part but holes"]),
         (
             "about",
@@ -467,7 +490,7 @@ fn bodies() {
             "a line",
             "{ shape = 'rod', length = 1, mass = 1 }",
             MATHEMATICS,
-            &["the masses are on a line"],
+            &["a.toml:2:1", "0 is a principal moment"],
         ),
         (
             "a point",

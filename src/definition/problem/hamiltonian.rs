@@ -34,7 +34,7 @@ impl Launch<'_> {
         let n = group.dimension();
         let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
         let names = Forces::none(group.clone(), DMatrix::identity(n, n), self.parameters.clone());
-        self.expect_new_names(&group)?;
+        self.expect_new_names(&group, &[])?;
         let hamiltonian = Hamiltonian::read(&written.text, &names).map_err(|error| {
             let momentum = names.names().momentum();
             let help = format!("it is a formula of {momentum}1..{momentum}{n} and the parameters");

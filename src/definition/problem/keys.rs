@@ -341,6 +341,8 @@ impl<'t> Keys<'t> {
             ("inertia", self.inertia.is_some()),
             ("connection", self.connection.is_some()),
             ("forces", self.forces.is_some()),
+            ("constraints", self.constraints.is_some()),
+            ("hamiltonian", self.hamiltonian.is_some()),
             ("velocity", initial.velocity.is_some() && self.given.is_none()),
             ("space_velocity", initial.space_velocity.is_some() && self.given.is_none()),
             ("initial", initial.velocity.is_some() || initial.space_velocity.is_some()),

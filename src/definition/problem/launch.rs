@@ -86,9 +86,10 @@ impl Launch<'_> {
         };
         let inertia = to_dmatrix(metric.components())?;
         let notes = notes(&group, &inertia);
+        self.expect_new_names(&group, &of_body)?;
         let parameters = [self.parameters.clone(), of_body].concat();
+        let whole = Launch { parameters: parameters.clone(), ..*self };
         let mut forces = Forces::none(group.clone(), inertia.clone(), parameters);
-        self.expect_new_names(&group)?;
         self.forces(&mut forces)?;
         let (columns, mut formulas) = self.columns(&forces)?;
         let events = self.events(&forces, &mut formulas)?;
@@ -99,7 +100,7 @@ impl Launch<'_> {
             let velocity = velocity_of(&metric, &momentum)?;
             let start = (self.problem.times[0], element, velocity);
             let held = Held { metric: &metric, connection: &connection, forces, step };
-            let (motion, columns) = self.constrained(group, held, start, columns, formulas)?;
+            let (motion, columns) = whole.constrained(group, held, start, columns, formulas)?;
             let (method, inertia) = (Method::GeneralisedAlpha, Some(inertia));
             return Ok(Ready { motion, method, columns, events, inertia, notes });
         }
@@ -152,7 +153,7 @@ impl Launch<'_> {
         let Some(step) = self.problem.step_at(&values)? else {
             return Err(InputError::mathematics("a velocity over time needs a step"));
         };
-        self.expect_new_names(&group)?;
+        self.expect_new_names(&group, &[])?;
         let names = Forces::none(group.clone(), DMatrix::identity(n, n), self.parameters.clone());
         let mut velocity = GivenVelocity::new(values.clone());
         for formula in written {
@@ -168,8 +169,12 @@ impl Launch<'_> {
     }
 
     /// Checks that parameters hide nothing that formulas speak of.
-    pub(super) fn expect_new_names<G: Simulated>(&self, group: &G) -> Result<(), InputError> {
-        let names = Names::new(group, vec![]);
+    pub(super) fn expect_new_names<G: Simulated>(
+        &self,
+        group: &G,
+        of_body: &[(String, f64)],
+    ) -> Result<(), InputError> {
+        let names = Names::new(group, of_body.iter().map(|(name, _)| name.clone()).collect());
         match self.parameters.iter().find(|(name, _)| names.find(name).is_some()) {
             None => Ok(()),
             Some((name, _)) => {
@@ -246,7 +251,9 @@ impl Launch<'_> {
             let formula = Some(written.text.clone());
             columns.push(Column { name: name.clone(), formula, watched: true });
         }
-        for (i, casimir) in self.on_group.casimirs.iter().enumerate() {
+        // forces lead off the coadjoint orbits
+        let casimirs = self.on_group.casimirs.iter().filter(|_| forces.is_empty());
+        for (i, casimir) in casimirs.enumerate() {
             let text = casimir.replace("mu", names.momentum());
             if let Ok(formula) = scope.read(&text, names, &|_| true) {
                 formulas.push(formula);
