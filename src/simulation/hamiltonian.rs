@@ -74,7 +74,7 @@ pub fn on_hamiltonian<G: Simulated>(
     (method, step, control): (Option<Method>, Option<f64>, Adaptive),
     columns: (Scope, Vec<Formula>),
 ) -> Result<(Box<dyn Motion>, Method), Error> {
-    let default = if step.is_some() { Method::MuntheKaas } else { Method::Adaptive };
+    let default = if step.is_some() { Method::MuntheKaas } else { Method::to(control.tolerance) };
     let method = method.unwrap_or(default);
     let refused = |reason: &str| Error::NoMethod { method: method.name(), reason: reason.into() };
     let needed = || step.map(Pace::new).ok_or_else(|| refused("it needs a step"));
@@ -88,8 +88,11 @@ pub fn on_hamiltonian<G: Simulated>(
         Method::CrouchGrossman => {
             Drive::Fixed { integrator: Box::new(CrouchGrossman), pace: needed()? }
         }
-        Method::Adaptive => Drive::Adaptive { control, next: control.first_step(), taken: 0 },
-        _ => return Err(refused("a Hamiltonian has rkmk54, rkmk4, cf4, cg3")),
+        Method::Adaptive(pair) => {
+            let control = Adaptive { pair, ..control };
+            Drive::Adaptive { control, next: control.first_step(), taken: 0 }
+        }
+        _ => return Err(refused("a Hamiltonian has rkmk54, rkmk853, rkmk4, cf4, cg3")),
     };
     let of = hamiltonian.clone();
     let gradient: Gradient<G> = Box::new(move |momentum| of.gradient(momentum));

@@ -1,17 +1,20 @@
 //! The methods by name, and which is taken where none is named.
 
-use crate::dynamics::integrators::kick;
 use crate::dynamics::integrators::splitting::Composition;
+use crate::dynamics::integrators::{Pair, kick};
 use crate::dynamics::moser_veselov::Order;
 use std::fmt;
+
+/// From this tolerance on order 8 takes less work than order 5.
+const EIGHT: f64 = 1e-8;
 
 /// A method of integration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// Elliptic functions, for the free rigid body.
     Exact,
-    /// Dormand and Prince with step size control.
-    Adaptive,
+    /// A pair of Dormand and Prince with step size control.
+    Adaptive(Pair),
     /// Runge-Kutta-Munthe-Kaas of order 4.
     MuntheKaas,
     /// Commutator-free, of order 4.
@@ -36,9 +39,10 @@ pub enum Method {
 
 impl Method {
     /// All of them.
-    pub const ALL: [Method; 21] = [
+    pub const ALL: [Method; 22] = [
         Method::Exact,
-        Method::Adaptive,
+        Method::Adaptive(Pair::Five),
+        Method::Adaptive(Pair::Eight),
         Method::MuntheKaas,
         Method::CommutatorFree,
         Method::CrouchGrossman,
@@ -64,7 +68,8 @@ impl Method {
     pub fn name(self) -> &'static str {
         match self {
             Method::Exact => "exact",
-            Method::Adaptive => "rkmk54",
+            Method::Adaptive(Pair::Five) => "rkmk54",
+            Method::Adaptive(Pair::Eight) => "rkmk853",
             Method::MuntheKaas => "rkmk4",
             Method::CommutatorFree => "cf4",
             Method::CrouchGrossman => "cg3",
@@ -87,6 +92,11 @@ impl Method {
         }
     }
 
+    /// Steps under control: of order 8 for tolerances that it meets with less work.
+    pub fn to(tolerance: f64) -> Self {
+        Method::Adaptive(if tolerance <= EIGHT { Pair::Eight } else { Pair::Five })
+    }
+
     /// The method of a name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|method| method.name() == name)
@@ -98,7 +108,7 @@ impl Method {
             Method::Exact => "a free rigid body",
             Method::MoserVeselov(_) => "a free rigid body, with a step",
             Method::Kick(_) => "a body in a potential, with a step",
-            Method::Adaptive => "any group and any forces, to a tolerance",
+            Method::Adaptive(_) => "any group and any forces, to a tolerance",
             Method::GeneralisedAlpha => "a system with constraints",
             Method::Magnus(_) => "a velocity given over time",
             Method::Isospectral(_) => "a flow of matrices that keeps their spectrum",
@@ -108,7 +118,7 @@ impl Method {
 
     /// Whether it goes by steps of one length.
     pub fn has_steps(self) -> bool {
-        !matches!(self, Method::Exact | Method::Adaptive)
+        !matches!(self, Method::Exact | Method::Adaptive(_))
     }
 }
 

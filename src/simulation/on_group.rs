@@ -52,7 +52,7 @@ pub fn on_group<G: Simulated>(
     let is_body = matches!(body, Some(Ok(_)));
     let method = setup.method.unwrap_or(match (is_body, setup.step) {
         (true, None) if free => Method::Exact,
-        (_, None) => Method::Adaptive,
+        (_, None) => Method::to(setup.tolerance),
         (true, Some(_)) if free => Method::MoserVeselov(Order::Ten),
         (true, Some(_)) if setup.forces.are_conservative() => Method::Kick(kick::Order::Four),
         (_, Some(_)) => Method::MuntheKaas,
@@ -76,8 +76,9 @@ pub fn on_group<G: Simulated>(
         Method::MuntheKaas => fixed(Box::new(MuntheKaas::RK4)),
         Method::CommutatorFree => fixed(Box::new(CommutatorFree)),
         Method::CrouchGrossman => fixed(Box::new(CrouchGrossman)),
-        Method::Adaptive => {
-            let control = Adaptive { max_steps: setup.max_steps, ..Adaptive::new(setup.tolerance) };
+        Method::Adaptive(pair) => {
+            let (tolerance, max_steps) = (setup.tolerance, setup.max_steps);
+            let control = Adaptive { pair, tolerance, max_steps };
             Drive::Adaptive { control, next: control.first_step(), taken: 0 }
         }
         _ => {
