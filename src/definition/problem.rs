@@ -339,3 +339,9 @@ impl Value {
         list.iter().map(|value| value.at(parameters)).collect()
     }
 }
+
+/// The name of a file without its folder and ending.
+fn stem(name: &str) -> String {
+    let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    stem.unwrap_or_else(|| name.into())
+}

@@ -4,7 +4,7 @@ use super::ensemble::EnsembleKeys;
 use super::inertia::InertiaKeys;
 use super::launch::casimirs;
 use super::matrices::{FlowKeys, Matrices};
-use super::{Course, Force, Kind, OnGroup, Problem, StartElement, Value, Written};
+use super::{Course, Force, Kind, OnGroup, Problem, StartElement, Value, Written, stem};
 use crate::definition::document::Document;
 use crate::definition::input::{InputError, Source, shown};
 use crate::definition::notation::check_name;
@@ -430,12 +430,6 @@ impl<'t> Keys<'t> {
             }
         }
     }
-}
-
-/// The name of a file without its folder and ending.
-fn stem(name: &str) -> String {
-    let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    stem.unwrap_or_else(|| name.into())
 }
 
 impl InitialKeys<'_> {
