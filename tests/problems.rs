@@ -602,6 +602,6 @@ fn an_indefinite_metric_is_allowed_and_named() {
     let problem = Problem::parse("lorentz.toml", text).unwrap();
     let ready = problem.motion(0).unwrap();
     assert_eq!(ready.notes, ["the metric is indefinite: no energy bounds the velocity"]);
-    assert_eq!(ready.method.name(), "rkmk54");
+    assert_eq!(ready.method.name(), "rkmk853");
     Run::new(&problem, 0).keeps(&["energy", "h1", "h2", "h3", "casimir1"], 1e-10);
 }
