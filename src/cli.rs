@@ -68,7 +68,7 @@ enum Command {
     Convert(convert::Arguments),
     /// The motion of a problem of mechanics, or of an ensemble of them
     Simulate(simulate::Arguments),
-    /// The figures of the paper, computed and drawn
+    /// The figures of the paper, and motions, computed and drawn
     #[cfg(feature = "plot")]
     Plot(plot::Arguments),
     /// The catalogue

@@ -127,6 +127,11 @@ fn a_checkpoint_is_of_one_problem() {
     fs::write(folder.join("top.toml"), TOP.replace("0.25", "0.5")).unwrap();
     let message = refused(simulate(folder).args(resume), 2);
     assert!(message.contains("another problem"), "{message}");
+    // nothing is written over, neither a checkpoint nor the problem
+    for file in ["c", "top.toml"] {
+        let message = refused(simulate(folder).args(["--checkpoint", file]), 2);
+        assert!(message.contains("exists already"), "{message}");
+    }
     fs::write(folder.join("c"), "{").unwrap();
     let message = refused(simulate(folder).args(resume), 2);
     assert!(message.contains("c is no checkpoint"), "{message}");

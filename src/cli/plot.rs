@@ -1,29 +1,26 @@
-//! `affinor plot`: figures as SVG or PNG.
+//! `affinor plot`: figures of the paper and of motions as SVG or PNG.
+
+mod run;
 
 use super::color::Color;
 use super::failure::Failure;
-use super::note::line;
 use super::output::deliver;
 use super::rows::{Expected, read};
-use super::stages::Stages;
-use affinor::convergence;
-use affinor::definition::{InputError, Problem, Ready, Request, Space, read_rows};
-use affinor::dynamics::Inertia;
+use affinor::definition::{InputError, Request, Space};
 use affinor::figures::diagram::Diagram;
-use affinor::figures::run::RunRows;
 use affinor::figures::{self, Connected, Figure, Path};
 use affinor::group::So3;
 use affinor::plot::{self, MAX_WIDTH, View};
-use affinor::simulation::Method;
 use affinor::transport::ParallelTranslation;
 use affinor::{ConnectionKind, Error};
 use affinor_tensors::Tolerance;
 use clap::{Args, Subcommand};
 use nalgebra::Vector3;
+use run::Run;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// A figure of the rotation group, drawn in the ball of rotation vectors.
+/// A figure of the rotation group, drawn in the ball of rotation vectors, or of a motion.
 #[derive(Args)]
 pub struct Arguments {
     #[command(subcommand)]
@@ -69,6 +66,16 @@ enum Kind {
         #[command(flatten)]
         paper: Paper,
     },
+    /// The left-invariant frame along a motion; with connections, the frames that they carry
+    #[command(visible_alias = "figure6")]
+    Frames {
+        #[command(flatten)]
+        connections: Connections,
+        #[command(flatten)]
+        motion: Moving,
+        #[command(flatten)]
+        paper: Paper,
+    },
     /// A problem of motion: the axes of the body on the unit sphere in space
     Attitude(Run),
     /// A problem of motion: the momentum in the body, on its sphere and the ellipsoid of its energy
@@ -88,16 +95,6 @@ enum Kind {
         /// How often it is halved
         #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..=30))]
         halvings: u32,
-    },
-    /// The left-invariant frame along a motion; with connections, the frames that they carry
-    #[command(visible_alias = "figure6")]
-    Frames {
-        #[command(flatten)]
-        connections: Connections,
-        #[command(flatten)]
-        motion: Moving,
-        #[command(flatten)]
-        paper: Paper,
     },
 }
 
@@ -121,19 +118,6 @@ struct Connections {
     /// The metric of levi-civita: identity, "diag(1,2,3)", or rows "[[1,0,0],..]"
     #[arg(long, value_name = "METRIC", allow_hyphen_values = true)]
     metric: Option<String>,
-}
-
-/// A problem of motion, and perhaps its rows.
-#[derive(Args)]
-struct Run {
-    /// The problem: a TOML file
-    #[arg(value_name = "FILE")]
-    problem: String,
-    /// Rows of `affinor simulate` in CSV, in the place of a run
-    #[arg(long, value_name = "FILE")]
-    rows: Option<String>,
-    #[command(flatten)]
-    paper: Paper,
 }
 
 /// What it is drawn on.
@@ -252,73 +236,6 @@ impl Connections {
         let name = format!("{of_paper}connection {kind}");
         let translation = ParallelTranslation::new(So3, geometry.connection().clone())?;
         Ok(Connected { name, translation })
-    }
-}
-
-impl Run {
-    /// The rows, and what is known of their motion.
-    fn rows(&self) -> Result<(RunRows, Ready), Failure> {
-        let problem = Problem::read(&self.problem)?;
-        let mut ready = problem.motion(0)?;
-        let name = problem.name.clone();
-        if let Some(file) = &self.rows {
-            let (columns, rows) = read_rows(file)?;
-            return Ok((RunRows { name, columns, rows }, ready));
-        }
-        let stages = Stages::new(false);
-        stages.begin("the motion");
-        let mut rows = Vec::new();
-        for &time in &problem.times {
-            while !ready.motion.step(time)? {}
-            rows.push(ready.motion.row());
-        }
-        let columns = ready.columns.iter().map(|column| column.name.clone()).collect();
-        Ok((RunRows { name, columns, rows }, ready))
-    }
-
-    fn momentum(&self) -> Result<Figure, Failure> {
-        let (rows, ready) = self.rows()?;
-        let inertia = ready.inertia.filter(|inertia| inertia.shape() == (3, 3));
-        let Some(inertia) = inertia else {
-            let message = "the ellipsoid of the energy is drawn of a body with an inertia";
-            return Err(InputError::mathematics(message).into());
-        };
-        let inertia = Inertia::new(&inertia.fixed_view::<3, 3>(0, 0).into_owned())?;
-        Ok(figures::run::momentum(&rows, &inertia)?)
-    }
-
-    fn convergence(
-        &self,
-        methods: &str,
-        step: Option<f64>,
-        halvings: u32,
-    ) -> Result<Diagram, Failure> {
-        let problem = Problem::read(&self.problem)?;
-        let method = |name: &str| {
-            Method::from_name(name.trim()).ok_or_else(|| {
-                let all = Method::ALL.map(Method::name).join(", ");
-                let message = format!("--methods: `{}` is no method", name.escape_debug());
-                Failure::from(InputError::usage(message).help(format!("the methods are {all}")))
-            })
-        };
-        let methods = methods.split(',').map(method).collect::<Result<Vec<_>, _>>()?;
-        let whole = problem.times[problem.times.len() - 1] - problem.times[0];
-        let step = step.unwrap_or(whole.abs() / 16.0);
-        if !(step > 0.0 && step.is_finite()) {
-            return Err(InputError::usage(format!("--step {step} is not above zero")).into());
-        }
-        let stages = Stages::new(false);
-        let mut count = 0;
-        let found = convergence::trials(&problem, &methods, step, halvings, || {
-            count += 1;
-            stages.begin(&format!("run {count}"));
-        })?;
-        for trials in &found {
-            let orders: Vec<String> =
-                trials.orders().iter().map(|order| format!("{order:.2}")).collect();
-            line(&format!("{}: observed orders {}", trials.method, orders.join(" ")));
-        }
-        Ok(convergence::diagram(&problem.name, &found))
     }
 }
 

@@ -6,6 +6,7 @@ use super::{Body, Method, Simulated};
 use crate::Error;
 use crate::dynamics::euler_poincare::Free;
 use crate::dynamics::integrators::kick::FreeMotion;
+use crate::dynamics::moser_veselov::Order;
 use crate::dynamics::{
     BodyState, EulerPoincare, FreeBody, Inertia, Integrator, Kick, MoserVeselov, SimoWong,
     Splitting, State,
@@ -102,7 +103,8 @@ impl Simulated for So3 {
                 Some(Ok(Drive::Fixed { integrator, pace: Pace::new(step) }))
             }
             Method::Kick(order) => {
-                let integrator = Box::new(Kick::new(inertia, order, FreeMotion::Exact));
+                let integrator =
+                    Box::new(Kick::new(inertia, order, FreeMotion::MoserVeselov(Order::Ten)));
                 Some(Ok(Drive::Fixed { integrator, pace: Pace::new(step) }))
             }
             _ => None,

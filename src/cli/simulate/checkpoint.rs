@@ -63,6 +63,11 @@ impl Store {
         let path = arguments.checkpoint.clone();
         let found = match &path {
             Some(path) if arguments.resume => read(path, &fresh)?,
+            Some(path) if path.exists() => {
+                let shown = path.display().to_string().escape_debug().to_string();
+                let error = InputError::usage(format!("{shown} exists already"));
+                return Err(error.help("go on from it with --resume, or take it away").into());
+            }
             _ => None,
         };
         let resumed = found.is_some();
