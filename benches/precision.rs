@@ -22,6 +22,7 @@ mod problem;
 mod sweep;
 
 use affinor::dynamics::euler_poincare::{Free, Torque};
+use affinor::dynamics::integrators::Pair;
 use affinor::dynamics::integrators::kick::{FreeMotion, Order as KickOrder};
 use affinor::dynamics::integrators::splitting::Composition;
 use affinor::dynamics::moser_veselov::Order;
@@ -119,11 +120,9 @@ fn any_group<G: LieGroup, M: Torque<G>>(sweep: &Sweep, system: &EulerPoincare<G,
     group_steps(sweep, "CF4", system, few, || CommutatorFree);
     group_steps(sweep, "CG3", system, few, || CrouchGrossman);
     let seen = |(state, _): &(State<G>, u64)| body_momentum(system, state);
-    let pairs: [(&str, fn(f64) -> Adaptive); 2] =
-        [("RKMK54", Adaptive::new), ("RKMK853", Adaptive::of_order_8)];
-    for (name, pair) in pairs {
+    for (name, pair) in [("RKMK54", Pair::Five), ("RKMK853", Pair::Eight)] {
         let run = |tolerance: f64| {
-            let control = pair(tolerance);
+            let control = Adaptive { pair, ..Adaptive::new(tolerance) };
             let mut state = sweep.reference.start(system);
             let (mut next, mut count) = (control.first_step(), 0);
             while state.time != sweep.reference.time {

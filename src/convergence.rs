@@ -90,7 +90,7 @@ fn reference(problem: &Problem, step: f64, halvings: u32) -> Problem {
     let fine = step * 0.5_f64.powi(halvings as i32 + 2);
     match problem.own_class() {
         Some(method) => problem.with_method(method, Some(fine), 1e-13),
-        None => problem.with_method(Method::Adaptive, None, 1e-13),
+        None => problem.with_method(Method::to(1e-13), None, 1e-13),
     }
 }
 

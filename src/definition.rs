@@ -24,7 +24,7 @@ pub use group::GroupWork;
 pub use input::{InputError, Place, Refusal, Source};
 pub use mesh::{mesh, read_mesh};
 pub use numbers::numbers;
-pub use problem::{Column, Problem, Ready};
+pub use problem::{Column, Left, Problem, Ready, Walk};
 pub use space::{Request, ScalarChoice, Space, Work};
 
 use crate::algebra::Complex;

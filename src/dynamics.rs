@@ -13,6 +13,7 @@
 
 mod compensated;
 pub mod constrained;
+pub mod cotangent;
 pub mod dense;
 pub mod elliptic;
 pub mod euler_poincare;
@@ -21,17 +22,20 @@ pub mod free_body;
 pub mod inertia;
 pub mod integrators;
 pub mod isospectral;
+pub mod lie_poisson;
 pub mod mass;
 pub mod moser_veselov;
 mod principal;
 
 pub use constrained::{Constrained, ConstrainedState, Constraint};
-pub use euler_poincare::{EulerPoincare, State};
+pub use cotangent::{CotangentSystem, State};
+pub use euler_poincare::EulerPoincare;
 pub use free_body::FreeBody;
 pub use inertia::{BodyState, Inertia};
 pub use integrators::{Adaptive, CommutatorFree, Integrator, MuntheKaas, System};
 pub use integrators::{Composed, GeneralisedAlpha, IsospectralMidpoint};
 pub use integrators::{CrouchGrossman, Kick, Linear, Magnus, Place, SimoWong, Splitting};
 pub use isospectral::{Isospectral, Manakov, MatrixState, Toda, Zeitlin};
+pub use lie_poisson::LiePoissonSystem;
 pub use mass::{MassProperties, Mesh};
 pub use moser_veselov::MoserVeselov;

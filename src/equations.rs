@@ -136,7 +136,8 @@ impl<S: Field> Equations<S> {
     /// The same equations solved for the rates, `dx^i/dt = h^il (q_ljk y^j x^k + M_l)`.
     #[must_use]
     pub fn solved(&self) -> Self {
-        if self.force.is_none() {
+        // what is solved already has an upper index
+        if self.force.is_none() || self.quadratic.slots()[0] == Up {
             return self.clone();
         }
         let operands = [("h", &self.inverse), ("q", &self.quadratic)];

@@ -145,10 +145,13 @@ impl Formula {
     }
 }
 
+/// The number of a name.
+type Variables<'v> = dyn FnMut(&str) -> Option<usize> + 'v;
+
 /// Takes down operations instead of computing; a value is the number of its operation.
 struct Reader<'v> {
     operations: RefCell<Vec<Operation>>,
-    variable: RefCell<&'v mut dyn FnMut(&str) -> Option<usize>>,
+    variable: RefCell<&'v mut Variables<'v>>,
 }
 
 impl Reader<'_> {

@@ -2,22 +2,31 @@
 //!
 //! A [`Motion`] is a system, a state and a way to go on; it is all that a program that writes rows,
 //! shows progress and can be interrupted has to know. [`on_group`] makes one of an Euler-Poincare system with
-//! [`Forces`], [`on_given`] of a velocity over time, [`on_matrices`] of an isospectral flow.
+//! [`Forces`], [`on_constraints`] of one that is held by constraints,
+//! [`on_hamiltonian`] of a Lie-Poisson system,
+//! [`on_given`] of a velocity over time, [`on_matrices`] of an isospectral flow.
 
+mod constrained;
+mod crossings;
 mod drive;
 pub mod forces;
 mod given;
 mod groups;
+mod hamiltonian;
 mod matrices;
 pub mod method;
+mod on_cotangent;
 mod on_group;
 mod pace;
 pub mod quantities;
 pub mod table;
 
+pub use constrained::{ConstrainedSystem, Equations, on_constraints};
+pub use crossings::{Crossing, Crossings};
 pub use forces::{Forces, Point, Side};
 pub use given::{GivenVelocity, on_given};
-pub use matrices::{MatrixFlow, on_matrices};
+pub use hamiltonian::{Hamiltonian, on_hamiltonian};
+pub use matrices::{MatrixFlow, Started, on_matrices};
 pub use method::Method;
 pub use on_group::{Setup, on_group};
 pub use table::Table;
@@ -78,6 +87,9 @@ impl Snapshot {
     }
 }
 
+/// An Euler-Poincare system with forces as formulas.
+pub type Body<G> = EulerPoincare<G, Forces<G>>;
+
 /// A group on which motions are simulated.
 pub trait Simulated:
     Written<Element: Serialize + DeserializeOwned + Send + Sync, Vector: Send + Sync>
@@ -126,11 +138,11 @@ pub trait Simulated:
     fn own_drive(
         &self,
         method: Method,
-        system: &EulerPoincare<Self, Forces<Self>>,
+        system: &Body<Self>,
         inertia: &Inertia,
         start: &State<Self>,
         step: f64,
-    ) -> Option<Result<Drive<Self>, Error>> {
+    ) -> Option<Result<Drive<Body<Self>>, Error>> {
         let _ = (method, system, inertia, start, step);
         None
     }

@@ -11,8 +11,8 @@ use std::process::Command;
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
-const DOCUMENTS: [&str; 4] =
-    ["README.md", "docs/formats.md", "docs/translation.md", "docs/paper.md"];
+const DOCUMENTS: [&str; 5] =
+    ["README.md", "docs/formats.md", "docs/motion.md", "docs/translation.md", "docs/paper.md"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

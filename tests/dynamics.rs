@@ -288,9 +288,17 @@ fn what_cannot_go_on_says_so() {
         |_: f64, _: &UnitQuaternion<f64>, _: &Vector3<f64>| Vector3::repeat(f64::NAN);
     let body = system(So3, Canonical::Plus, &metric, not_a_number);
     let mut state = body.state(0.0, So3.identity(), &Vector3::y());
-    for method in [MuntheKaas::RK4, MuntheKaas::DORMAND_PRINCE] {
-        assert!(matches!(method.step(&body, &mut state, 0.1), Err(Error::Integration { .. })));
+    type Body<M> = EulerPoincare<So3, M>;
+    fn refused<M: Torque<So3>>(
+        method: &dyn Integrator<Body<M>>,
+        body: &Body<M>,
+        state: &mut State<So3>,
+    ) {
+        assert!(matches!(method.step(body, state, 0.1), Err(Error::Integration { .. })));
     }
-    assert!(matches!(CommutatorFree.step(&body, &mut state, 0.1), Err(Error::Integration { .. })));
+    refused(&MuntheKaas::RK4, &body, &mut state);
+    refused(&MuntheKaas::DORMAND_PRINCE, &body, &mut state);
+    refused(&MuntheKaas::DORMAND_PRINCE_8, &body, &mut state);
+    refused(&CommutatorFree, &body, &mut state);
     assert_eq!(state.time, 0.0);
 }

@@ -8,7 +8,7 @@ use super::color::Color;
 use super::failure::Failure;
 use super::note::{line, note};
 use super::output::deliver;
-use affinor::definition::{Column, InputError, Problem, Ready};
+use affinor::definition::{Column, InputError, Problem, Ready, Walk};
 use affinor::run::{Head, RunFormat};
 use checkpoint::{Checkpoint, Store};
 use clap::Args;
@@ -118,35 +118,37 @@ impl Arguments {
 
     /// One motion: rows at its times. What stopped it, if anything did.
     fn one(&self, problem: &Problem, store: &mut Store, bar: &ProgressBar) -> Outcome {
-        let Ready { mut motion, method, columns, .. } = problem.motion(0)?;
+        let ready = problem.motion(0)?;
+        let (method, columns) = (ready.method, ready.columns.clone());
+        ready.notes.iter().for_each(|text| note(text));
         if problem.method.is_none() {
             note(&format!("method {method}: {}", method.why()));
         }
         let head = head(problem, method.name(), &[], &columns);
         store.spool.set_width(head.columns.len()).map_err(spool::failed)?;
-        let mut at = 0;
+        let mut walk = Walk::new(problem, ready);
         if let Some(Checkpoint { done, snapshot: Some(snapshot), .. }) = store.resumed() {
-            motion.restore(snapshot)?;
-            at = *done as usize;
+            walk.restore(*done as usize, snapshot)?;
         }
-        for (k, &time) in problem.times.iter().enumerate().skip(at) {
-            loop {
-                match motion.step(time) {
-                    Ok(true) => break,
-                    Ok(false) => {}
-                    Err(error) => return Ok((head, columns, Some(error.into()))),
-                }
-                if store.is_due() {
-                    store.save(k as u64, Some(motion.save()?))?;
-                }
+        loop {
+            let left = match walk.step() {
+                Ok(left) => left,
+                Err(error) => return Ok((head, columns, Some(error.into()))),
+            };
+            for row in &left.rows {
+                store.spool.push(row).map_err(spool::failed)?;
             }
-            store.spool.push(&motion.row()).map_err(spool::failed)?;
-            bar.set_position(k as u64 + 1);
+            for (event, time) in &left.events {
+                bar.suspend(|| line(&format!("{event} at t = {time}")));
+            }
+            bar.set_position(walk.position() as u64);
+            if left.done {
+                return Ok((head, columns, None));
+            }
             if store.is_due() {
-                store.save(k as u64 + 1, Some(motion.save()?))?;
+                store.save(walk.position() as u64, Some(walk.save()?))?;
             }
         }
-        Ok((head, columns, None))
     }
 
     /// All members of an ensemble, in their order.
@@ -160,7 +162,8 @@ impl Arguments {
         let pool =
             pool.map_err(|error| InputError::usage(format!("cannot start threads: {error}")))?;
         let Ready { method, columns, .. } = problem.motion(0)?;
-        let head = head(problem, method.name(), &problem.varied(), &columns);
+        let front = [vec!["member"], problem.varied()].concat();
+        let head = head(problem, method.name(), &front, &columns);
         store.spool.set_width(head.columns.len()).map_err(spool::failed)?;
         let mut done = store.resumed().map_or(0, |checkpoint| checkpoint.done);
         let mut stopped = None;
@@ -192,29 +195,28 @@ type Outcome = Result<(Head, Vec<Column>, Option<InputError>), Failure>;
 
 /// The rows of a member, and what stopped it.
 fn all_rows(problem: &Problem, member: u64) -> (Vec<Vec<f64>>, Option<InputError>) {
-    let mut motion = match problem.motion(member) {
-        Ok(ready) => ready.motion,
+    let mut walk = match problem.motion(member) {
+        Ok(ready) => Walk::new(problem, ready),
         Err(error) => return (vec![], Some(error)),
     };
     let mut front = vec![(member + 1) as f64];
     front.extend(problem.variation(member));
-    let mut rows = Vec::with_capacity(problem.times.len());
-    for &time in &problem.times {
-        loop {
-            match motion.step(time) {
-                Ok(true) => break,
-                Ok(false) => {}
-                Err(error) => return (rows, Some(error.into())),
+    let mut rows = Vec::new();
+    loop {
+        match walk.step() {
+            Ok(left) => {
+                rows.extend(left.rows.iter().map(|row| [&front[..], row].concat()));
+                if left.done {
+                    return (rows, None);
+                }
             }
+            Err(error) => return (rows, Some(error.into())),
         }
-        rows.push([front.as_slice(), &motion.row()].concat());
     }
-    (rows, None)
 }
 
-fn head(problem: &Problem, method: &str, varied: &[&str], columns: &[Column]) -> Head {
-    let members = problem.members().filter(|_| !varied.is_empty()).map(|_| "member");
-    let front = members.into_iter().chain(varied.iter().copied());
+fn head(problem: &Problem, method: &str, front: &[&str], columns: &[Column]) -> Head {
+    let front = front.iter().copied();
     let names = front.chain(columns.iter().map(|column| column.name.as_str()));
     let columns = names.map(String::from).collect();
     Head { name: problem.name.clone(), method: method.into(), columns }

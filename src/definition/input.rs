@@ -70,14 +70,14 @@ impl Source {
         self.find(part, 0..part.len())
     }
 
-    /// The place of a key at the top of a definition.
+    /// The place of a key of a definition, by itself or dotted.
     pub(super) fn key(&self, key: &str) -> Place {
         let at = self.text.match_indices(key).find_map(|(at, _)| {
             let before = self.text[..at].trim_end_matches(['"', '\'', '[', ' ', '\t']);
             let behind = &self.text[at + key.len()..];
             let behind = behind.trim_start_matches(['"', '\'', ']', ' ', '\t']);
-            let begins = before.is_empty() || before.ends_with(['\n', '{', ',']);
-            (begins && behind.starts_with(['=', ':', '\n', '\r'])).then_some(at)
+            let begins = before.is_empty() || before.ends_with(['\n', '{', ',', '.']);
+            (begins && behind.starts_with(['=', ':', '\n', '\r', '.'])).then_some(at)
         });
         self.place(at.map(|at| at..at + key.len()))
     }
@@ -166,6 +166,26 @@ impl InputError {
     #[must_use]
     pub(super) fn or_at(self, place: &Place) -> Self {
         if self.at.is_some() { self } else { self.at(place) }
+    }
+
+    /// With the place of what stands around it, unless its own is known.
+    #[must_use]
+    pub(super) fn or_near(self, place: &Place) -> Self {
+        let known = self.at.as_ref().is_some_and(|at| at.span.is_some());
+        if known { self } else { self.at(place) }
+    }
+
+    /// With the place of a part of a file, if it stands in a copy of this part.
+    #[must_use]
+    pub(super) fn moved(mut self, copy: &str, part: &Place) -> Self {
+        if let (Some(at), Some(whole)) = (&mut self.at, &part.span)
+            && at.source.name == copy
+        {
+            let inside = at.span.clone().filter(|_| part.text() == Some(&*at.source.text));
+            let span = inside.map(|span| whole.start + span.start..whole.start + span.end);
+            **at = Place { span: span.or(Some(whole.clone())), ..part.clone() };
+        }
+        self
     }
 
     /// With a place that may be unknown, unless it has one.

@@ -4,9 +4,15 @@
 //! what is written down. Its numbers may be formulas in its parameters; an ensemble varies these.
 
 mod ensemble;
+mod hamiltonian;
+mod held;
+mod inertia;
 mod keys;
 mod launch;
 mod matrices;
+mod walk;
+
+pub use walk::{Left, Walk};
 
 use super::input::{InputError, Place, Source, shown};
 use super::{Space, file, numbers};
@@ -14,6 +20,7 @@ use crate::formula::Formula;
 use crate::simulation::{Method, Motion, Side, Table};
 use affinor_tensors::Tolerance;
 use ensemble::Ensemble;
+use inertia::Body;
 use launch::Launch;
 use matrices::Matrices;
 use nalgebra::DMatrix;
@@ -36,6 +43,11 @@ pub struct Problem {
     pub times: Vec<f64>,
     columns: Vec<Written>,
     quantities: Vec<(String, Written)>,
+    events: Vec<(String, Written)>,
+    /// The event at which a motion ends.
+    pub stop: Option<String>,
+    /// The event that rows are taken at, in the place of times.
+    pub section: Option<String>,
     ensemble: Option<Ensemble>,
 }
 
@@ -49,6 +61,8 @@ enum Kind {
 #[derive(Clone, Debug)]
 struct OnGroup {
     space: Space,
+    /// The body that moves, in the place of a metric.
+    inertia: Option<Body>,
     /// Whether the metric is right-invariant.
     right: bool,
     element: StartElement,
@@ -56,6 +70,10 @@ struct OnGroup {
     forces: Vec<Force>,
     potential: Option<Written>,
     table: Option<(Side, Table)>,
+    /// A function of the momentum, in the place of a metric.
+    hamiltonian: Option<Written>,
+    /// What is zero.
+    constraints: Vec<Written>,
     /// Polynomials in `mu1`, `mu2`, ...
     casimirs: Vec<String>,
 }
@@ -112,8 +130,12 @@ pub struct Ready {
     pub method: Method,
     /// Names of the columns of its rows.
     pub columns: Vec<Column>,
+    /// Events: their values stand behind those of the columns in a row.
+    pub events: Vec<String>,
     /// The metric, of equations of motion on a group.
     pub inertia: Option<DMatrix<f64>>,
+    /// What is allowed, but worth a word.
+    pub notes: Vec<String>,
 }
 
 /// A column of the rows of a motion.
@@ -247,6 +269,17 @@ impl Problem {
         self.ensemble.as_ref().map_or(vec![], |ensemble| ensemble.values(member))
     }
 
+    /// The length of steps, where there is one.
+    fn step_at(&self, parameters: &[f64]) -> Result<Option<f64>, InputError> {
+        let step = self.step.as_ref().map(|step| step.positive(parameters)).transpose();
+        step.map_err(|error| error.or_near(&self.source.key("step")))
+    }
+
+    fn tolerance_at(&self, parameters: &[f64]) -> Result<f64, InputError> {
+        let tolerance = self.tolerance.positive(parameters);
+        tolerance.map_err(|error| error.or_near(&self.source.key("tolerance")))
+    }
+
     /// The motion; of an ensemble that of a member, from 0.
     ///
     /// # Errors
@@ -305,4 +338,10 @@ impl Value {
     fn all(list: &[Value], parameters: &[f64]) -> Result<Vec<f64>, InputError> {
         list.iter().map(|value| value.at(parameters)).collect()
     }
+}
+
+/// The name of a file without its folder and ending.
+fn stem(name: &str) -> String {
+    let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    stem.unwrap_or_else(|| name.into())
 }

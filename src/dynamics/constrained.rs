@@ -82,7 +82,7 @@ pub struct ConstrainedState<G: LieGroup> {
     /// `lambda`.
     pub multipliers: DVector<f64>,
     /// What a method of several steps carries on: the rate by which its acceleration leads `v'`, in a unit step.
-    pub(super) lead: Option<G::Vector>,
+    pub(crate) lead: Option<G::Vector>,
 }
 
 // derived, it would ask the group to be `Clone` as well
@@ -138,6 +138,11 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
     /// The group.
     pub fn group(&self) -> &G {
         &self.group
+    }
+
+    /// The forces.
+    pub fn force(&self) -> &M {
+        &self.force
     }
 
     /// The constraints.

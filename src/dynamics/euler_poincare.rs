@@ -1,5 +1,6 @@
 //! The equations of motion that a connection and a metric make on a group.
 
+use super::cotangent::{CotangentSystem, Rates, State};
 use super::{Inertia, System};
 use crate::frame::formula;
 use crate::group::{Coordinates, LieGroup, So3, expect_left_frame};
@@ -84,39 +85,24 @@ impl<G: LieGroup, F: Fn(f64, &G::Element, &G::Vector) -> G::Vector> Torque<G> fo
     }
 }
 
-/// A state of a motion.
-#[derive(Debug)]
-pub struct State<G: LieGroup> {
-    /// The time.
-    pub time: f64,
-    /// The element: of a body the attitude, or the pose.
-    pub element: G::Element,
-    /// The spatial momentum `h`, a covector.
-    pub spatial: G::Vector,
-}
-
-// derived, it would ask the group to be `Clone` as well
-impl<G: LieGroup> Clone for State<G> {
-    fn clone(&self) -> Self {
-        let (element, spatial) = (self.element.clone(), self.spatial.clone());
-        State { time: self.time, element, spatial }
-    }
-}
-
-/// The rates of change of a state: `Omega` in body components, and `h'`.
-#[derive(Clone, Debug)]
-pub struct Rates<V> {
-    /// `Omega`.
-    pub velocity: V,
-    /// `h'`.
-    pub spatial: V,
-}
-
 impl<G: LieGroup, M: Torque<G>> System for EulerPoincare<G, M> {
     type State = State<G>;
 
     fn time(&self, state: &State<G>) -> f64 {
         state.time
+    }
+}
+
+impl<G: LieGroup, M: Torque<G>> CotangentSystem for EulerPoincare<G, M> {
+    type Group = G;
+
+    fn group(&self) -> &G {
+        &self.group
+    }
+
+    #[inline]
+    fn rates(&self, state: &State<G>) -> Rates<G::Vector> {
+        EulerPoincare::rates(self, state)
     }
 }
 

@@ -11,8 +11,9 @@
 //! `h^2` with coefficients from the invariants, it has any even order: E. Hairer and G. Vilmart, J. Phys. A 39 (2006)
 //! 13225-13235, after R. McLachlan and A. Zanna, Found. Comput. Math. 5 (2005) 87-123.
 
+use super::State;
 use super::compensated::Sum;
-use super::euler_poincare::{EulerPoincare, Free, State};
+use super::euler_poincare::{EulerPoincare, Free};
 use super::principal::Principal;
 use super::{BodyState, Inertia, Integrator};
 use crate::Error;

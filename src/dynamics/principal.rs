@@ -1,6 +1,7 @@
 //! A body's motion seen in its principal axes.
 
-use super::euler_poincare::{EulerPoincare, State, Torque};
+use super::State;
+use super::euler_poincare::{EulerPoincare, Torque};
 use super::{BodyState, Inertia};
 use crate::Error;
 use crate::group::{LieGroup, So3};

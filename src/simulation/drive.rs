@@ -1,17 +1,16 @@
 //! Ways to go on: steps of one length, steps under control, or all at once.
 
 use super::pace::Pace;
-use super::{Forces, Simulated};
 use crate::Error;
-use crate::dynamics::{Adaptive, EulerPoincare, Integrator, State};
+use crate::dynamics::{Adaptive, CotangentSystem, Integrator, State};
 use serde::{Deserialize, Serialize};
 
 /// How a motion goes on.
-pub enum Drive<G: Simulated> {
+pub enum Drive<S: CotangentSystem> {
     /// Steps of one length, as many as make it at most this.
     Fixed {
         /// The method.
-        integrator: Box<dyn Integrator<EulerPoincare<G, Forces<G>>> + Send>,
+        integrator: Box<dyn Integrator<S> + Send>,
         /// The lengths of steps.
         pace: Pace,
     },
@@ -25,7 +24,7 @@ pub enum Drive<G: Simulated> {
         taken: usize,
     },
     /// The state at any time.
-    Exact(Box<dyn Fn(f64) -> State<G> + Send>),
+    Exact(Box<dyn Fn(f64) -> State<S::Group> + Send>),
 }
 
 /// What a drive remembers.
@@ -39,12 +38,12 @@ pub enum Memory {
     None,
 }
 
-impl<G: Simulated> Drive<G> {
+impl<S: CotangentSystem> Drive<S> {
     /// One step towards a time, and whether it is reached.
     pub fn step(
         &mut self,
-        system: &EulerPoincare<G, Forces<G>>,
-        state: &mut State<G>,
+        system: &S,
+        state: &mut State<S::Group>,
         until: f64,
     ) -> Result<bool, Error> {
         if state.time == until {

@@ -18,6 +18,17 @@ pub struct Point<'p, G: Simulated> {
     pub element: &'p G::Element,
     /// The velocity.
     pub velocity: &'p G::Vector,
+    /// The momentum in the frame of the equations, where it is not `J Omega`.
+    pub momentum: Option<&'p G::Vector>,
+    /// The energy, where it is not that of a metric and a potential.
+    pub energy: Option<f64>,
+}
+
+impl<'p, G: Simulated> Point<'p, G> {
+    /// Of a system with an inertia.
+    pub fn new(time: f64, element: &'p G::Element, velocity: &'p G::Vector) -> Self {
+        Point { time, element, velocity, momentum: None, energy: None }
+    }
 }
 
 /// One of the two invariant frames.
@@ -209,9 +220,13 @@ impl<G: Simulated> Forces<G> {
 }
 
 impl<G: Simulated> Torque<G> for Forces<G> {
+    fn is_absent(&self) -> bool {
+        self.is_empty()
+    }
+
     fn add(&self, time: f64, element: &G::Element, velocity: &G::Vector, force: &mut G::Vector) {
         if !self.is_empty() {
-            *force = force.clone() + self.total(&Point { time, element, velocity });
+            *force = force.clone() + self.total(&Point::new(time, element, velocity));
         }
     }
 }

@@ -109,7 +109,7 @@ impl<G: Simulated> Motion for OnGiven<G> {
         let velocity: G::Vector = self.velocity.at(self.place.time);
         let (time, element) = (self.place.time, &self.place.element);
         let (scope, formulas) = &self.columns;
-        let values = scope.values(&self.names, &Point { time, element, velocity: &velocity });
+        let values = scope.values(&self.names, &Point::new(time, element, &velocity));
         formulas.iter().map(|formula| formula.value(&values)).collect()
     }
 

@@ -2,7 +2,7 @@
 
 use super::drive::Drive;
 use super::pace::Pace;
-use super::{Forces, Method, Simulated};
+use super::{Body, Method, Simulated};
 use crate::Error;
 use crate::dynamics::euler_poincare::Free;
 use crate::dynamics::integrators::kick::FreeMotion;
@@ -75,11 +75,11 @@ impl Simulated for So3 {
     fn own_drive(
         &self,
         method: Method,
-        system: &EulerPoincare<Self, Forces<Self>>,
+        system: &Body<Self>,
         inertia: &Inertia,
         start: &State<Self>,
         step: f64,
-    ) -> Option<Result<Drive<Self>, Error>> {
+    ) -> Option<Result<Drive<Body<Self>>, Error>> {
         let State { time, element: attitude, spatial } = *start;
         let momentum = system.momentum(start);
         match method {
@@ -113,9 +113,9 @@ impl Simulated for So3 {
 /// Steps of the body without its forces, of which there are none.
 fn free(
     integrator: impl Integrator<EulerPoincare<So3, Free>> + Send + 'static,
-    system: &EulerPoincare<So3, Forces<So3>>,
+    system: &Body<So3>,
     step: f64,
-) -> Option<Result<Drive<So3>, Error>> {
+) -> Option<Result<Drive<Body<So3>>, Error>> {
     let integrator = Box::new(Unforced { system: system.clone_with(Free), integrator });
     Some(Ok(Drive::Fixed { integrator, pace: Pace::new(step) }))
 }
@@ -126,16 +126,11 @@ struct Unforced<I> {
     integrator: I,
 }
 
-impl<I> Integrator<EulerPoincare<So3, Forces<So3>>> for Unforced<I>
+impl<I> Integrator<Body<So3>> for Unforced<I>
 where
     I: Integrator<EulerPoincare<So3, Free>>,
 {
-    fn step(
-        &self,
-        _: &EulerPoincare<So3, Forces<So3>>,
-        state: &mut State<So3>,
-        h: f64,
-    ) -> Result<(), Error> {
+    fn step(&self, _: &Body<So3>, state: &mut State<So3>, h: f64) -> Result<(), Error> {
         self.integrator.step(&self.system, state, h)
     }
 }

@@ -27,6 +27,9 @@ pub enum MatrixFlow {
     RandomZeitlin(usize, u64, usize),
 }
 
+/// A motion, the names of its columns, and whether the change of a column is of interest.
+pub type Started = (Box<dyn Motion>, Vec<(String, bool)>);
+
 /// The motion of a flow by the isospectral midpoint rule, of order 4 if so asked, else 2; the names of its columns, and
 /// whether the change of a column is of interest.
 ///
@@ -37,7 +40,7 @@ pub fn on_matrices(
     time: f64,
     step: f64,
     fourth: bool,
-) -> Result<(Box<dyn Motion>, Vec<(String, bool)>), Error> {
+) -> Result<Started, Error> {
     match flow {
         MatrixFlow::Toda(positions, momenta) => {
             let state = Toda.state(time, Toda::lattice(positions, momenta)?)?;
@@ -80,8 +83,6 @@ pub fn on_matrices(
     }
 }
 
-type Started = (Box<dyn Motion>, Vec<(String, bool)>);
-
 fn on_sphere(
     fluid: Zeitlin,
     vorticity: DMatrix<nalgebra::Complex<f64>>,
@@ -94,13 +95,23 @@ fn on_sphere(
     let values = numbered("lambda", fluid.size());
     let last = values.len() - 1;
     names.extend(values.into_iter().enumerate().map(|(k, name)| (name, k == 0 || k == last)));
+    names.extend(modes(fluid.size()).map(|(l, m)| (format!("w{l}_{m}"), false)));
     let row = |fluid: &Zeitlin, w: &DMatrix<nalgebra::Complex<f64>>| {
         let mut row = vec![fluid.energy(w), fluid.enstrophy(w)];
         row.extend(fluid.angular_momentum(w));
         row.extend(fluid.spectrum(w));
+        row.extend(
+            modes(fluid.size()).map(|(l, m)| fluid.coefficient(w, l, m).unwrap_or(f64::NAN)),
+        );
         row
     };
     Ok(start(fluid, state, step, fourth, row, names))
+}
+
+/// The harmonics `(l, m)` of a small fluid.
+fn modes(size: usize) -> impl Iterator<Item = (usize, i64)> {
+    let degrees = if size > SMALL { 0..0 } else { 1..size };
+    degrees.flat_map(|l| (-(l as i64)..=l as i64).map(move |m| (l, m)))
 }
 
 fn watched<T: AsRef<str>>(names: &[T]) -> Vec<(String, bool)> {

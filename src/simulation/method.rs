@@ -1,17 +1,20 @@
 //! The methods by name, and which is taken where none is named.
 
-use crate::dynamics::integrators::kick;
 use crate::dynamics::integrators::splitting::Composition;
+use crate::dynamics::integrators::{Pair, kick};
 use crate::dynamics::moser_veselov::Order;
 use std::fmt;
+
+/// From this tolerance on order 8 takes less work than order 5.
+const EIGHT: f64 = 1e-8;
 
 /// A method of integration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// Elliptic functions, for the free rigid body.
     Exact,
-    /// Dormand and Prince with step size control.
-    Adaptive,
+    /// A pair of Dormand and Prince with step size control.
+    Adaptive(Pair),
     /// Runge-Kutta-Munthe-Kaas of order 4.
     MuntheKaas,
     /// Commutator-free, of order 4.
@@ -26,6 +29,8 @@ pub enum Method {
     SimoWong,
     /// Free motion and kicks, for bodies with forces that know no velocity.
     Kick(kick::Order),
+    /// Generalised alpha, for systems with constraints.
+    GeneralisedAlpha,
     /// Magnus, for a given velocity.
     Magnus(u32),
     /// The isospectral midpoint rule of order 2, or composed to order 4, for flows of matrices.
@@ -34,9 +39,10 @@ pub enum Method {
 
 impl Method {
     /// All of them.
-    pub const ALL: [Method; 20] = [
+    pub const ALL: [Method; 22] = [
         Method::Exact,
-        Method::Adaptive,
+        Method::Adaptive(Pair::Five),
+        Method::Adaptive(Pair::Eight),
         Method::MuntheKaas,
         Method::CommutatorFree,
         Method::CrouchGrossman,
@@ -51,6 +57,7 @@ impl Method {
         Method::Kick(kick::Order::Two),
         Method::Kick(kick::Order::Four),
         Method::Kick(kick::Order::Six),
+        Method::GeneralisedAlpha,
         Method::Magnus(4),
         Method::Magnus(6),
         Method::Isospectral(2),
@@ -61,7 +68,8 @@ impl Method {
     pub fn name(self) -> &'static str {
         match self {
             Method::Exact => "exact",
-            Method::Adaptive => "rkmk54",
+            Method::Adaptive(Pair::Five) => "rkmk54",
+            Method::Adaptive(Pair::Eight) => "rkmk853",
             Method::MuntheKaas => "rkmk4",
             Method::CommutatorFree => "cf4",
             Method::CrouchGrossman => "cg3",
@@ -76,11 +84,17 @@ impl Method {
             Method::Kick(kick::Order::Two) => "kick2",
             Method::Kick(kick::Order::Four) => "kick4",
             Method::Kick(kick::Order::Six) => "kick6",
+            Method::GeneralisedAlpha => "generalised-alpha",
             Method::Magnus(4) => "magnus4",
             Method::Magnus(_) => "magnus6",
             Method::Isospectral(2) => "isospectral2",
             Method::Isospectral(_) => "isospectral4",
         }
+    }
+
+    /// Steps under control: of order 8 for tolerances that it meets with less work.
+    pub fn to(tolerance: f64) -> Self {
+        Method::Adaptive(if tolerance <= EIGHT { Pair::Eight } else { Pair::Five })
     }
 
     /// The method of a name.
@@ -94,7 +108,8 @@ impl Method {
             Method::Exact => "a free rigid body",
             Method::MoserVeselov(_) => "a free rigid body, with a step",
             Method::Kick(_) => "a body in a potential, with a step",
-            Method::Adaptive => "any group and any forces, to a tolerance",
+            Method::Adaptive(_) => "any group and any forces, to a tolerance",
+            Method::GeneralisedAlpha => "a system with constraints",
             Method::Magnus(_) => "a velocity given over time",
             Method::Isospectral(_) => "a flow of matrices that keeps their spectrum",
             _ => "any group and any forces, with a step",
@@ -103,7 +118,7 @@ impl Method {
 
     /// Whether it goes by steps of one length.
     pub fn has_steps(self) -> bool {
-        !matches!(self, Method::Exact | Method::Adaptive)
+        !matches!(self, Method::Exact | Method::Adaptive(_))
     }
 }
 

@@ -1,16 +1,15 @@
 //! Euler-Poincare systems with forces as motions.
 
-use super::drive::{Drive, Memory};
+use super::drive::Drive;
+use super::on_cotangent::{OnCotangent, Seen};
 use super::pace::Pace;
 use super::quantities::Scope;
-use super::{Forces, Method, Motion, Point, Simulated, Snapshot};
+use super::{Body, Forces, Method, Motion, Point, Simulated};
 use crate::dynamics::integrators::kick;
 use crate::dynamics::moser_veselov::Order;
 use crate::dynamics::{Adaptive, CommutatorFree, CrouchGrossman, EulerPoincare, MuntheKaas, State};
 use crate::formula::Formula;
-use crate::group::Coordinates;
 use crate::{Connection, Error, Metric};
-use serde::{Deserialize, Serialize};
 
 /// What a motion on a group needs.
 pub struct Setup<'s, G: Simulated> {
@@ -49,11 +48,13 @@ pub fn on_group<G: Simulated>(
     let inertia = crate::dense::to_dmatrix(setup.metric.components())?;
     let body = group.body(&inertia).filter(|_| is_plus(setup.connection));
     let free = setup.forces.is_empty();
-    let method = setup.method.unwrap_or(match (&body, setup.step) {
-        (Some(_), None) if free => Method::Exact,
-        (_, None) => Method::Adaptive,
-        (Some(_), Some(_)) if free => Method::MoserVeselov(Order::Ten),
-        (Some(_), Some(_)) if setup.forces.are_conservative() => Method::Kick(kick::Order::Four),
+    // an indefinite metric is no inertia, and has the methods of all groups
+    let is_body = matches!(body, Some(Ok(_)));
+    let method = setup.method.unwrap_or(match (is_body, setup.step) {
+        (true, None) if free => Method::Exact,
+        (_, None) => Method::to(setup.tolerance),
+        (true, Some(_)) if free => Method::MoserVeselov(Order::Ten),
+        (true, Some(_)) if setup.forces.are_conservative() => Method::Kick(kick::Order::Four),
         (_, Some(_)) => Method::MuntheKaas,
     });
     let refused = |reason: &str| Error::NoMethod { method: method.name(), reason: reason.into() };
@@ -75,8 +76,9 @@ pub fn on_group<G: Simulated>(
         Method::MuntheKaas => fixed(Box::new(MuntheKaas::RK4)),
         Method::CommutatorFree => fixed(Box::new(CommutatorFree)),
         Method::CrouchGrossman => fixed(Box::new(CrouchGrossman)),
-        Method::Adaptive => {
-            let control = Adaptive { max_steps: setup.max_steps, ..Adaptive::new(setup.tolerance) };
+        Method::Adaptive(pair) => {
+            let (tolerance, max_steps) = (setup.tolerance, setup.max_steps);
+            let control = Adaptive { pair, tolerance, max_steps };
             Drive::Adaptive { control, next: control.first_step(), taken: 0 }
         }
         _ => {
@@ -90,7 +92,7 @@ pub fn on_group<G: Simulated>(
         }
     };
     let columns = setup.columns;
-    Ok((Box::new(OnGroup { system, state: start, drive, steps: 0, columns }), method))
+    Ok((Box::new(OnCotangent { system, state: start, drive, steps: 0, columns }), method))
 }
 
 /// Whether the connection is the one of Euler-Poincare.
@@ -98,74 +100,13 @@ fn is_plus(connection: &Connection<f64>) -> bool {
     connection.gamma() == connection.frame().structure()
 }
 
-struct OnGroup<G: Simulated> {
-    system: EulerPoincare<G, Forces<G>>,
-    state: State<G>,
-    drive: Drive<G>,
-    steps: u64,
-    columns: (Scope, Vec<Formula>),
-}
-
-/// The numbers of [`OnGroup`].
-#[derive(Serialize, Deserialize)]
-struct Saved<E> {
-    time: f64,
-    element: E,
-    spatial: Vec<f64>,
-    memory: Memory,
-    steps: u64,
-}
-
-impl<G: Simulated> Motion for OnGroup<G> {
-    fn time(&self) -> f64 {
-        self.state.time
+impl<G: Simulated> Seen for Body<G> {
+    fn forces(&self) -> &Forces<G> {
+        self.torque()
     }
 
-    fn step(&mut self, until: f64) -> Result<bool, Error> {
-        self.steps += u64::from(self.state.time != until);
-        let done = self.drive.step(&self.system, &mut self.state, until);
-        done.map_err(|error| match (error, self.system.torque().trouble()) {
-            (_, Some(trouble)) => Error::Integration { t: self.state.time, reason: trouble },
-            (Error::Integration { t, reason }, None) => Error::Integration { t, reason },
-            (error, None) => Error::Integration {
-                t: self.state.time,
-                reason: format!("the step is too long: {error}"),
-            },
-        })
-    }
-
-    fn row(&self) -> Vec<f64> {
-        let velocity = self.system.velocity(&self.state);
-        let (scope, formulas) = &self.columns;
-        let point =
-            Point { time: self.state.time, element: &self.state.element, velocity: &velocity };
-        let values = scope.values(self.system.torque(), &point);
-        formulas.iter().map(|formula| formula.value(&values)).collect()
-    }
-
-    fn steps(&self) -> u64 {
-        self.steps
-    }
-
-    fn save(&self) -> Result<Snapshot, Error> {
-        Snapshot::of(&Saved {
-            time: self.state.time,
-            element: &self.state.element,
-            spatial: self.state.spatial.components().to_vec(),
-            memory: self.drive.memory(),
-            steps: self.steps,
-        })
-    }
-
-    fn restore(&mut self, snapshot: &Snapshot) -> Result<(), Error> {
-        let saved: Saved<G::Element> = snapshot.read()?;
-        let n = self.system.group().dimension();
-        if saved.spatial.len() != n || !self.drive.remember(saved.memory) {
-            return Err(Error::Snapshot { reason: "it is of another motion".into() });
-        }
-        let spatial = G::Vector::from_components(&saved.spatial);
-        self.state = State { time: saved.time, element: saved.element, spatial };
-        self.steps = saved.steps;
-        Ok(())
+    fn seen<R>(&self, state: &State<G>, look: impl FnOnce(&Point<G>) -> R) -> R {
+        let velocity = self.velocity(state);
+        look(&Point::new(state.time, &state.element, &velocity))
     }
 }

@@ -208,7 +208,8 @@ impl Scope {
         use Quantity::*;
         let group = &forces.group;
         let own = |q| matches!(q, Momentum(_) | OtherMomentum(_) | Kinetic | Energy);
-        let momentum = self.any(own).then(|| forces.momentum(at.velocity));
+        let computed = || at.momentum.cloned().unwrap_or_else(|| forces.momentum(at.velocity));
+        let momentum = self.any(own).then(computed);
         let other_momentum =
             momentum.as_ref().filter(|_| self.any(|q| matches!(q, OtherMomentum(_))));
         let other_momentum = other_momentum.map(|h| group.coadjoint(&group.inverse(at.element), h));
@@ -233,9 +234,9 @@ impl Scope {
             Momentum(i) => component(&momentum, i),
             OtherVelocity(i) => component(&other_velocity, i),
             OtherMomentum(i) => component(&other_momentum, i),
-            Kinetic => kinetic(),
+            Kinetic => at.energy.unwrap_or_else(kinetic),
             Potential => forces.potential(at),
-            Energy => kinetic() + forces.potential(at),
+            Energy => at.energy.unwrap_or_else(|| kinetic() + forces.potential(at)),
             Power => forces.power(at),
         };
         self.quantities.iter().map(value).collect()

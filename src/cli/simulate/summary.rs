@@ -17,9 +17,8 @@ pub fn show(head: &Head, columns: &[Column], spool: &mut Spool) -> io::Result<()
             Some(seen) => {
                 for ([first, last, most], value) in seen.iter_mut().zip(row) {
                     *last = value;
-                    // NaN stays
                     let change = (value - *first).abs();
-                    if !(change <= *most) {
+                    if change > *most || change.is_nan() {
                         *most = change;
                     }
                 }

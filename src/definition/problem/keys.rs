@@ -1,27 +1,27 @@
 //! The keys of a problem, and what they say.
 
-use super::ensemble::{Distribution, Ensemble, MAX_MEMBERS};
-use super::matrices::{Flow, Matrices};
-use super::{Course, Force, Kind, OnGroup, Problem, StartElement, Value, Written};
+use super::ensemble::EnsembleKeys;
+use super::inertia::InertiaKeys;
+use super::launch::casimirs;
+use super::matrices::{FlowKeys, Matrices};
+use super::{Course, Force, Kind, OnGroup, Problem, StartElement, Value, Written, stem};
 use crate::definition::document::Document;
-use crate::definition::input::{InputError, Place, Source, shown};
+use crate::definition::input::{InputError, Source, shown};
 use crate::definition::notation::check_name;
 use crate::definition::written::{Cell, MetricText, Number, NumbersText, Text, TextsText};
-use crate::definition::{Reading, Request, Space, file, numbers};
+use crate::definition::{Request, Space, file};
 use crate::formula::Formula;
 use crate::simulation::{Method, Side, Table};
-use crate::{LieAlgebra, LiePoisson};
-use affinor_tensors::{Symbolic, Tolerance};
 use std::path::Path;
 
 /// The most rows of one motion.
-const MAX_ROWS: f64 = 1e8;
+const MAX_ROWS: f64 = 1e7;
 /// The most steps under control between two rows, unless another limit is given.
 const MAX_STEPS: usize = 10_000_000;
-/// Algebras up to this dimension have their Casimirs computed, up to the second degree.
-const CASIMIRS: usize = 6;
 /// What is written down where nothing is said.
 const COLUMNS: [&str; 6] = ["t", "element", "Omega", "H", "h", "energy"];
+/// Names of numbers, which no parameter takes.
+const NUMBERS: [&str; 2] = ["pi", "tau"];
 
 /// The keys of a file.
 #[derive(serde::Deserialize)]
@@ -35,6 +35,8 @@ pub(super) struct Keys<'t> {
     #[serde(borrow)]
     metric: Option<MetricText<'t>>,
     #[serde(borrow)]
+    inertia: Option<InertiaKeys<'t>>,
+    #[serde(borrow)]
     connection: Option<Text<'t>>,
     #[serde(borrow)]
     invariance: Option<Text<'t>>,
@@ -46,8 +48,12 @@ pub(super) struct Keys<'t> {
     initial: InitialKeys<'t>,
     #[serde(borrow)]
     given: Option<GivenKeys<'t>>,
-    #[serde(borrow, default)]
-    forces: ForceKeys<'t>,
+    #[serde(borrow)]
+    hamiltonian: Option<Text<'t>>,
+    #[serde(borrow)]
+    constraints: Option<Vec<Text<'t>>>,
+    #[serde(borrow)]
+    forces: Option<ForceKeys<'t>>,
     #[serde(borrow, default)]
     integrator: IntegratorKeys<'t>,
     #[serde(borrow)]
@@ -55,27 +61,9 @@ pub(super) struct Keys<'t> {
     #[serde(borrow)]
     quantities: Option<TextsText<'t>>,
     #[serde(borrow)]
+    events: Option<TextsText<'t>>,
+    #[serde(borrow)]
     ensemble: Option<EnsembleKeys<'t>>,
-}
-
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct FlowKeys<'t> {
-    #[serde(borrow)]
-    kind: Text<'t>,
-    #[serde(borrow)]
-    positions: Option<Vec<Number<'t>>>,
-    #[serde(borrow)]
-    momenta: Option<Vec<Number<'t>>>,
-    #[serde(borrow)]
-    masses: Option<Vec<Number<'t>>>,
-    #[serde(borrow)]
-    momentum: Option<Vec<Vec<Number<'t>>>>,
-    size: Option<usize>,
-    #[serde(borrow)]
-    modes: Option<Vec<Vec<Number<'t>>>>,
-    seed: Option<u64>,
-    degree: Option<usize>,
 }
 
 #[derive(serde::Deserialize)]
@@ -148,17 +136,10 @@ struct OutputKeys<'t> {
     times: Option<Vec<Number<'t>>>,
     #[serde(borrow)]
     columns: Option<Vec<Text<'t>>>,
-}
-
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct EnsembleKeys<'t> {
     #[serde(borrow)]
-    grid: Option<TextsText<'t>>,
+    stop: Option<Text<'t>>,
     #[serde(borrow)]
-    random: Option<TextsText<'t>>,
-    samples: Option<u64>,
-    seed: Option<u64>,
+    section: Option<Text<'t>>,
 }
 
 impl Problem {
@@ -171,21 +152,21 @@ impl Problem {
 }
 
 /// Reads numbers, which are formulas in the parameters that are known so far.
-struct Reader<'s> {
-    source: &'s Source,
-    names: Vec<String>,
+pub(super) struct Reader<'s> {
+    pub source: &'s Source,
+    pub names: Vec<String>,
     /// Of those that are no ensemble's own.
     values: Vec<f64>,
 }
 
 impl Reader<'_> {
-    fn written(&self, Text(text): &Text) -> Written {
+    pub fn written(&self, Text(text): &Text) -> Written {
         let source = self.source.holding(text);
         let own = source.own(text);
         Written { text: own.to_string(), place: source.whole(own) }
     }
 
-    fn value(&self, Number(text): &Number) -> Result<Value, InputError> {
+    pub fn value(&self, Number(text): &Number) -> Result<Value, InputError> {
         let written = self.written(text);
         let names = &self.names;
         let formula =
@@ -198,7 +179,7 @@ impl Reader<'_> {
         Ok(Value { formula, written })
     }
 
-    fn values(&self, list: &[Number]) -> Result<Vec<Value>, InputError> {
+    pub fn values(&self, list: &[Number]) -> Result<Vec<Value>, InputError> {
         list.iter().map(|number| self.value(number)).collect()
     }
 
@@ -214,9 +195,25 @@ impl Reader<'_> {
         value.at(&self.values)
     }
 
-    fn declare(&mut self, Text(name): &Text) -> Result<(), InputError> {
-        let place = self.source.whole(name);
+    /// Formulas by their names.
+    fn formulas(&self, table: &Option<TextsText>) -> Result<Vec<(String, Written)>, InputError> {
+        let named = table.iter().flat_map(|table| &table.0).map(|(name, text)| {
+            check_name(&name.0).map_err(|error| error.at(&self.source.key(&name.0)))?;
+            Ok((name.0.to_string(), self.written(text)))
+        });
+        named.collect()
+    }
+
+    pub fn declare(&mut self, Text(name): &Text) -> Result<(), InputError> {
+        let mut place = self.source.whole(name);
+        if place.span.is_none() {
+            place = self.source.key(name);
+        }
         check_name(name).map_err(|error| error.at(&place))?;
+        if NUMBERS.contains(&&**name) || self.names.iter().any(|own| own == name) {
+            let message = format!("`{name}` has a meaning already");
+            return Err(InputError::usage(message).at(&place).help("take another name"));
+        }
         self.names.push(name.to_string());
         Ok(())
     }
@@ -225,8 +222,10 @@ impl Reader<'_> {
 impl<'t> Keys<'t> {
     fn problem(self, mut reader: Reader, folder: &Path) -> Result<Problem, InputError> {
         let source = reader.source;
+        self.expect_no_idle_keys(source)?;
         for (name, number) in self.parameters.iter().flat_map(|table| &table.0) {
-            let value = reader.number(number)?;
+            let value = reader.number(number);
+            let value = value.map_err(|error| error.or_near(&source.key(&name.0)))?;
             reader.declare(name)?;
             reader.values.push(value);
         }
@@ -256,27 +255,45 @@ impl<'t> Keys<'t> {
         let tolerance = reader.value(self.integrator.tolerance.as_ref().unwrap_or(&default))?;
         let max_steps = self.integrator.max_steps.unwrap_or(MAX_STEPS);
         let step = self.integrator.step.as_ref().map(|step| reader.value(step)).transpose()?;
-        let time = self.initial.time.as_ref().map_or(Ok(0.0), |time| reader.number(time))?;
+        let time = self.initial.time.as_ref().map_or(Ok(0.0), |time| reader.number(time));
+        let time = time.map_err(|error| error.or_near(&source.key("time")))?;
         let times = self.output.times(time, &reader)?;
         let columns = match &self.output.columns {
             Some(columns) => columns.iter().map(|column| reader.written(column)).collect(),
+            // a velocity that is given has no inertia
+            None if self.given.is_some() => {
+                COLUMNS[..3].iter().map(|name| reader.written(&Text((*name).into()))).collect()
+            }
             None => COLUMNS.map(|name| reader.written(&Text(name.into()))).to_vec(),
         };
-        let quantities = self.quantities.iter().flat_map(|table| &table.0);
-        let quantities = quantities.map(|(name, text)| {
-            check_name(&name.0).map_err(|error| error.at(&source.whole(&name.0)))?;
-            Ok((name.0.to_string(), reader.written(text)))
-        });
-        let quantities = quantities.collect::<Result<_, InputError>>()?;
+        let quantities = reader.formulas(&self.quantities)?;
+        let events = reader.formulas(&self.events)?;
+        let event = |name: &Option<Text>| {
+            let Some(Text(name)) = name else { return Ok(None) };
+            if events.iter().any(|(event, _)| event == name) {
+                return Ok(Some(name.to_string()));
+            }
+            let error = InputError::usage(format!("`{}` is no event", shown(name)));
+            let help = "events are named in a table [events], by formulas that change their sign";
+            Err(error.at(&source.whole(name)).help(help))
+        };
+        let (stop, section) = (event(&self.output.stop)?, event(&self.output.section)?);
         let name = self.name.clone().unwrap_or_else(|| stem(&source.name));
         let kind = match &self.flow {
             Some(flow) => {
                 Kind::Matrices(Matrices { flow: flow.flow(&reader)?, place: source.key("flow") })
             }
             None => {
-                let (forces, potential) = (self.forces.forces(&reader), &self.forces.potential);
-                let potential = potential.as_ref().map(|text| reader.written(text));
-                let table = self.forces.table(source, folder)?;
+                let none = ForceKeys::default();
+                let keys = self.forces.as_ref().unwrap_or(&none);
+                let forces = keys.forces(&reader);
+                let potential = keys.potential.as_ref().map(|text| reader.written(text));
+                let table = keys.table(source, folder)?;
+                let inertia = self.inertia.as_ref();
+                let inertia = inertia.map(|keys| keys.read(&reader, folder)).transpose()?;
+                let hamiltonian = self.hamiltonian.as_ref().map(|text| reader.written(text));
+                let constraints = self.constraints.iter().flatten();
+                let constraints = constraints.map(|text| reader.written(text)).collect();
                 let element = self.initial.element(&reader)?;
                 let course = self.course(&reader)?;
                 let is_given = matches!(course, Course::Given(..));
@@ -284,12 +301,15 @@ impl<'t> Keys<'t> {
                 let casimirs = if is_given { vec![] } else { casimirs(&space) };
                 Kind::Group(Box::new(OnGroup {
                     space,
+                    inertia,
                     right,
                     element,
                     course,
                     forces,
                     potential,
                     table,
+                    hamiltonian,
+                    constraints,
                     casimirs,
                 }))
             }
@@ -306,8 +326,57 @@ impl<'t> Keys<'t> {
             times,
             columns,
             quantities,
+            events,
+            stop,
+            section,
             ensemble,
         })
+    }
+
+    /// Checks that every key has something to say here.
+    fn expect_no_idle_keys(&self, source: &Source) -> Result<(), InputError> {
+        let initial = &self.initial;
+        let of_equations = [
+            ("metric", self.metric.is_some()),
+            ("inertia", self.inertia.is_some()),
+            ("connection", self.connection.is_some()),
+            ("forces", self.forces.is_some()),
+            ("constraints", self.constraints.is_some()),
+            ("hamiltonian", self.hamiltonian.is_some()),
+            ("velocity", initial.velocity.is_some() && self.given.is_none()),
+            ("space_velocity", initial.space_velocity.is_some() && self.given.is_none()),
+            ("initial", initial.velocity.is_some() || initial.space_velocity.is_some()),
+            ("momentum", initial.momentum.is_some()),
+            ("space_momentum", initial.space_momentum.is_some()),
+        ];
+        let of_groups = [
+            ("space", self.space.is_some()),
+            ("definition", self.definition.is_some()),
+            ("invariance", self.invariance.is_some()),
+            ("given", self.given.is_some()),
+            ("element", initial.element.is_some()),
+            ("coordinates", initial.coordinates.is_some()),
+            ("quaternion", initial.quaternion.is_some()),
+            ("columns", self.output.columns.is_some()),
+            ("quantities", self.quantities.is_some()),
+            ("events", self.events.is_some()),
+        ];
+        let idle = |keys: &[(&'static str, bool)], what: &str| {
+            let Some((key, _)) = keys.iter().find(|(_, given)| *given) else { return Ok(()) };
+            let message = format!("{what} has no `{key}`");
+            Err(InputError::usage(message).at(&source.key(key)).help("leave the key out"))
+        };
+        if self.flow.is_some() {
+            return idle(&[&of_groups[..], &of_equations].concat(), "a flow of matrices");
+        }
+        if self.given.is_some() {
+            return idle(&of_equations, "a velocity given over time");
+        }
+        if self.metric.is_some() && self.inertia.is_some() {
+            let error = InputError::usage("the metric is given twice");
+            return Err(error.at(&source.key("inertia")).help("give one of metric, inertia"));
+        }
+        Ok(())
     }
 
     fn course(&self, reader: &Reader) -> Result<Course, InputError> {
@@ -324,6 +393,10 @@ impl<'t> Keys<'t> {
     }
 
     fn space(self, source: &Source, folder: &Path) -> Result<Space, InputError> {
+        let metric_place = match &self.metric {
+            Some(MetricText::Word(text)) => source.whole(&text.0),
+            _ => source.key("metric"),
+        };
         let metric = self.metric.map(|metric| match metric {
             MetricText::Word(Text(text)) => text.into_owned(),
             MetricText::Rows(rows) => {
@@ -336,15 +409,17 @@ impl<'t> Keys<'t> {
         });
         let connection = self.connection.map(|Text(text)| text.into_owned());
         let request = Request { metric, connection, ..Request::default() };
+        let placed = |error: InputError| error.moved("--metric", &metric_place);
         match (self.space, self.definition) {
             (Some(Text(name)), None) => {
                 let is_file = name.ends_with(".toml") || name.ends_with(".json");
                 let path = || folder.join(&*name).to_string_lossy().into_owned();
                 let space = if is_file { path() } else { name.to_string() };
                 let space = Space::open(&Request { space: Some(space), ..request });
-                space.map_err(|error| error.or_at(&source.whole(&name)))
+                let place = source.whole(&name);
+                space.map_err(|error| placed(error).moved("SPACE", &place).or_at(&place))
             }
-            (None, Some(keys)) => Space::of(keys.define(source)?, &request),
+            (None, Some(keys)) => Space::of(keys.define(source)?, &request).map_err(placed),
             (None, None) => {
                 let error = InputError::usage("the problem names no space");
                 Err(error.help("give space = \"so3\", a file, or a table [definition]"))
@@ -355,25 +430,6 @@ impl<'t> Keys<'t> {
             }
         }
     }
-}
-
-/// The name of a file without its folder and ending.
-fn stem(name: &str) -> String {
-    let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    stem.unwrap_or_else(|| name.into())
-}
-
-/// Casimirs of the algebra up to the second degree, where it is small and without parameters.
-fn casimirs(space: &Space) -> Vec<String> {
-    if space.definition.dimension() > CASIMIRS || space.definition.is_on_chart() {
-        return vec![];
-    }
-    let convert = |value: &Symbolic| Some(value.clone());
-    let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
-    let algebra: Result<LieAlgebra<Symbolic>, _> = space.definition.algebra(&reading);
-    let dual = algebra.ok().and_then(|algebra| LiePoisson::left(&algebra).ok());
-    let found = dual.and_then(|dual| dual.casimir_generators(2).ok());
-    found.unwrap_or_default().iter().map(Symbolic::to_string).collect()
 }
 
 impl InitialKeys<'_> {
@@ -416,8 +472,14 @@ impl InitialKeys<'_> {
         let mut given = given.into_iter().flatten();
         let help = "give one of velocity, momentum, space_velocity, space_momentum";
         match (given.next(), given.next()) {
-            (Some((true, side, v)), None) => Ok(Course::Velocity(side, reader.values(v)?)),
-            (Some((false, side, h)), None) => Ok(Course::Momentum(side, reader.values(h)?)),
+            (Some((true, side, v)), None) => {
+                let v = reader.values(v).map_err(|error| error.or_near(&source.key("velocity")))?;
+                Ok(Course::Velocity(side, v))
+            }
+            (Some((false, side, h)), None) => {
+                let h = reader.values(h).map_err(|error| error.or_near(&source.key("momentum")))?;
+                Ok(Course::Momentum(side, h))
+            }
             (None, _) => {
                 let error = InputError::usage("there is no velocity at the start");
                 Err(error.at(&source.key("initial")).help(help))
@@ -425,48 +487,6 @@ impl InitialKeys<'_> {
             (Some(_), Some(_)) => {
                 let error = InputError::usage("the velocity is given more than once");
                 Err(error.at(&source.key("initial")).help(help))
-            }
-        }
-    }
-}
-
-impl FlowKeys<'_> {
-    fn flow(&self, reader: &Reader) -> Result<Flow, InputError> {
-        let source = reader.source;
-        let missing = |keys: &str| {
-            let message = format!("the flow {} needs {keys}", shown(&self.kind.0));
-            InputError::usage(message).at(&source.key("flow"))
-        };
-        let rows = |rows: &Vec<Vec<Number>>| -> Result<Vec<Vec<Value>>, InputError> {
-            rows.iter().map(|row| reader.values(row)).collect()
-        };
-        match &*self.kind.0 {
-            "toda" => {
-                let both = self.positions.as_ref().zip(self.momenta.as_ref());
-                let (positions, momenta) = both.ok_or_else(|| missing("positions and momenta"))?;
-                let (positions, momenta) = (reader.values(positions)?, reader.values(momenta)?);
-                Ok(Flow::Toda { positions, momenta })
-            }
-            "manakov" => {
-                let both = self.masses.as_ref().zip(self.momentum.as_ref());
-                let (masses, momentum) = both.ok_or_else(|| missing("masses and momentum"))?;
-                Ok(Flow::Manakov { masses: reader.values(masses)?, momentum: rows(momentum)? })
-            }
-            "zeitlin" => {
-                let size = self.size.ok_or_else(|| missing("a size"))?;
-                match (&self.modes, self.seed) {
-                    (Some(modes), None) => Ok(Flow::Zeitlin { size, modes: rows(modes)? }),
-                    (None, Some(seed)) => {
-                        let degree = self.degree.ok_or_else(|| missing("a degree"))?;
-                        Ok(Flow::RandomZeitlin { size, seed, degree })
-                    }
-                    _ => Err(missing("modes, or else a seed and a degree")),
-                }
-            }
-            other => {
-                let message = format!("`{}` is no flow", shown(other));
-                let error = InputError::usage(message).at(&source.whole(&self.kind.0));
-                Err(error.help("the flows are toda, manakov, zeitlin"))
             }
         }
     }
@@ -497,9 +517,20 @@ impl ForceKeys<'_> {
                 return Err(InputError::usage(message).at(&source.key("table_in")));
             }
         };
-        let Some(Text(name)) = &self.table else { return Ok(None) };
-        let (_, rows) = file::read_rows(&folder.join(&**name).to_string_lossy())?;
-        let table = Table::new(rows).map_err(|error| InputError::usage(error.to_string()))?;
+        let Some(Text(name)) = &self.table else {
+            return match self.table_in {
+                Some(_) => {
+                    let error = InputError::usage("there is no table");
+                    Err(error.at(&source.key("table_in")).help("give table = \"FILE.csv\""))
+                }
+                None => Ok(None),
+            };
+        };
+        let place = source.whole(name);
+        let rows = file::read_rows(&folder.join(&**name).to_string_lossy());
+        let (_, rows) = rows.map_err(|error| error.or_at(&place))?;
+        let table = Table::new(rows);
+        let table = table.map_err(|error| InputError::usage(error.to_string()).at(&place))?;
         Ok(Some((side, table)))
     }
 }
@@ -512,7 +543,8 @@ impl OutputKeys<'_> {
             (Some(times), None, None) => {
                 let mut all = vec![start];
                 for time in times {
-                    let time = reader.number(time)?;
+                    let time = reader.number(time);
+                    let time = time.map_err(|error| error.or_near(&source.key("times")))?;
                     if time != all[all.len() - 1] {
                         all.push(time);
                     }
@@ -525,9 +557,12 @@ impl OutputKeys<'_> {
                 Err(InputError::usage(message).at(&source.key("times")))
             }
             (None, Some(end), every) => {
-                let end = reader.number(end)?;
+                let end = reader.number(end).map_err(|error| error.or_near(&source.key("end")))?;
                 let every = match every {
-                    Some(every) => reader.number(every)?,
+                    Some(every) => {
+                        let every = reader.number(every);
+                        every.map_err(|error| error.or_near(&source.key("every")))?
+                    }
                     None => (end - start).abs(),
                 };
                 if every.is_nan() || every <= 0.0 && end != start {
@@ -558,92 +593,4 @@ impl OutputKeys<'_> {
             }
         }
     }
-}
-
-impl EnsembleKeys<'_> {
-    fn ensemble(&self, reader: &mut Reader) -> Result<Ensemble, InputError> {
-        let source = reader.source;
-        let (mut grid, mut random) = (vec![], vec![]);
-        for (name, text) in self.grid.iter().flat_map(|table| &table.0) {
-            grid.push((name.0.to_string(), points(text, reader)?));
-        }
-        for (name, text) in self.random.iter().flat_map(|table| &table.0) {
-            random.push((name.0.to_string(), distribution(text, reader)?));
-        }
-        let all = self.grid.iter().chain(&self.random).flat_map(|table| &table.0);
-        let mut seen: Vec<&str> = vec![];
-        for (name, _) in all {
-            if seen.contains(&&*name.0) {
-                let message = format!("`{}` is varied twice", shown(&name.0));
-                return Err(InputError::usage(message).at(&source.whole(&name.0)));
-            }
-            seen.push(&name.0);
-            if !reader.names.contains(&name.0.to_string()) {
-                reader.declare(name)?;
-            }
-        }
-        let (samples, seed) = (self.samples.unwrap_or(1), self.seed.unwrap_or(0));
-        let ensemble = Ensemble { grid, random, samples, seed };
-        if ensemble.checked_size().is_none() {
-            let message = format!("an ensemble has between 1 and {MAX_MEMBERS} members");
-            return Err(InputError::usage(message).at(&source.key("ensemble")));
-        }
-        Ok(ensemble)
-    }
-}
-
-/// `from .. to in n`, or a list of values.
-fn points(text: &Text, reader: &Reader) -> Result<Vec<f64>, InputError> {
-    let written = reader.written(text);
-    let range = written.text.split_once("..").and_then(|(from, rest)| {
-        let (to, count) = rest.split_once(" in ")?;
-        Some((from.trim(), to.trim(), count.trim().parse::<u32>().ok()?))
-    });
-    let number = |text: &str| numbers_of(text, 1, &written.place).map(|found| found[0]);
-    match range {
-        Some((from, to, count)) if count > 0 => {
-            let (from, to) = (number(from)?, number(to)?);
-            let last = f64::from(count.max(2) - 1);
-            Ok((0..count).map(|k| from + (to - from) * (f64::from(k) / last)).collect())
-        }
-        Some(_) => Err(InputError::usage("a grid has at least one point").at(&written.place)),
-        None => {
-            let all = numbers(&Source::new("a grid", &written.text));
-            let all = all.map_err(|error| InputError::usage(error.message).at(&written.place))?;
-            if all.is_empty() {
-                let error = InputError::usage("a grid is \"0 .. 1 in 11\", or a list of numbers");
-                return Err(error.at(&written.place));
-            }
-            Ok(all)
-        }
-    }
-}
-
-/// `normal(mean, deviation)` or `uniform(from, to)`.
-fn distribution(text: &Text, reader: &Reader) -> Result<Distribution, InputError> {
-    let written = reader.written(text);
-    let inside = |name: &str| {
-        let rest = written.text.trim().strip_prefix(name)?.trim().strip_prefix('(')?;
-        rest.strip_suffix(')')
-    };
-    if let Some(inside) = inside("normal") {
-        let found = numbers_of(inside, 2, &written.place)?;
-        return Ok(Distribution::Normal(found[0], found[1]));
-    }
-    if let Some(inside) = inside("uniform") {
-        let found = numbers_of(inside, 2, &written.place)?;
-        return Ok(Distribution::Uniform(found[0], found[1]));
-    }
-    let message = "this is neither normal(mean, deviation) nor uniform(from, to)";
-    Err(InputError::usage(message).at(&written.place))
-}
-
-fn numbers_of(text: &str, count: usize, place: &Place) -> Result<Vec<f64>, InputError> {
-    let found = numbers(&Source::new("a value", text));
-    let found = found.map_err(|error| InputError::usage(error.message).at(place))?;
-    if found.len() == count {
-        return Ok(found);
-    }
-    let message = format!("{} numbers stand here instead of {count}", found.len());
-    Err(InputError::usage(message).at(place))
 }

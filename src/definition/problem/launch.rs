@@ -1,20 +1,28 @@
 //! A problem put on its group: from values of the parameters to a motion.
 
+use super::held::{Held, velocity_of};
 use super::{Column, Course, OnGroup, Problem, Ready, StartElement, Value, Written};
 use crate::definition::group::GroupWork;
-use crate::definition::input::shown;
-use crate::definition::{Definition, InputError, Reading};
+use crate::definition::input::{Place, shown};
+use crate::definition::{Definition, InputError, Reading, Space};
 use crate::dense::to_dmatrix;
 use crate::dynamics::integrators::Magnus;
 use crate::formula::Formula;
 use crate::group::{Coordinates, Opposite, rotation};
-use crate::simulation::quantities::Scope;
+use crate::simulation::quantities::{Names, Scope};
 use crate::simulation::{
     Forces, GivenVelocity, Method, Setup, Side, Simulated, on_given, on_group,
 };
-use crate::{Canonical, Connection};
+use crate::{Canonical, Connection, Error, LieAlgebra, LiePoisson};
 use affinor_tensors::expression::ExpressionError;
+use affinor_tensors::{Symbolic, Tolerance};
 use nalgebra::DMatrix;
+
+/// Formulas over their scope.
+pub(super) type Formulas = (Scope, Vec<Formula>);
+
+/// Algebras up to this dimension have their Casimirs computed, up to the second degree.
+const CASIMIRS: usize = 6;
 
 /// What is needed beside the group.
 pub(super) struct Launch<'p> {
@@ -51,11 +59,22 @@ impl Launch<'_> {
         if let Course::Given(side, formulas) = &self.on_group.course {
             return self.given(group, *side, formulas);
         }
+        if let Some(hamiltonian) = &self.on_group.hamiltonian {
+            return self.hamiltonian(group, hamiltonian);
+        }
         let ground = self.definition.ground(self.reading)?;
-        let metric = self.definition.metric(&ground, self.reading)?;
+        let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
+        let (metric, of_body) = match &self.on_group.inertia {
+            Some(body) => {
+                let labels = group.algebra()?.labels().clone();
+                let (metric, names) = body.metric::<G>(&labels, &values)?;
+                (Some(metric), names)
+            }
+            None => (self.definition.metric(&ground, self.reading)?, vec![]),
+        };
         let metric = metric.ok_or_else(|| {
             let error = InputError::mathematics("a motion needs the metric of its kinetic energy");
-            error.help("give metric = \"diag(..)\", or rows")
+            error.help("give metric = \"diag(..)\", or rows; on so(3) and se(3) also [inertia]")
         })?;
         let connection = if self.definition.connection_is_default() {
             Connection::canonical(&group.algebra()?, Canonical::Plus)
@@ -65,14 +84,26 @@ impl Launch<'_> {
         } else {
             self.definition.geometry_over(ground, self.reading)?.connection().clone()
         };
-        let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
         let inertia = to_dmatrix(metric.components())?;
-        let mut forces = Forces::none(group.clone(), inertia.clone(), self.parameters.clone());
+        let notes = notes(&group, &inertia);
+        self.expect_new_names(&group, &of_body)?;
+        let parameters = [self.parameters.clone(), of_body].concat();
+        let whole = Launch { parameters: parameters.clone(), ..*self };
+        let mut forces = Forces::none(group.clone(), inertia.clone(), parameters);
         self.forces(&mut forces)?;
-        let (columns, formulas) = self.columns(&forces)?;
+        let (columns, mut formulas) = self.columns(&forces)?;
+        let events = self.events(&forces, &mut formulas)?;
         let element = self.element(&group, &values)?;
         let momentum = self.momentum(&group, &element, &forces, &values)?;
-        let step = self.problem.step.as_ref().map(|step| step.positive(&values)).transpose()?;
+        let step = self.problem.step_at(&values)?;
+        if !self.on_group.constraints.is_empty() {
+            let velocity = velocity_of(&metric, &momentum)?;
+            let start = (self.problem.times[0], element, velocity);
+            let held = Held { metric: &metric, connection: &connection, forces, step };
+            let (motion, columns) = whole.constrained(group, held, start, columns, formulas)?;
+            let (method, inertia) = (Method::GeneralisedAlpha, Some(inertia));
+            return Ok(Ready { motion, method, columns, events, inertia, notes });
+        }
         let setup = Setup {
             connection: &connection,
             metric: &metric,
@@ -82,12 +113,12 @@ impl Launch<'_> {
             momentum,
             method: self.problem.method,
             step,
-            tolerance: self.problem.tolerance.positive(&values)?,
+            tolerance: self.problem.tolerance_at(&values)?,
             max_steps: self.problem.max_steps,
             columns: formulas,
         };
         let (motion, method) = on_group(group, setup)?;
-        Ok(Ready { motion, method, columns, inertia: Some(inertia) })
+        Ok(Ready { motion, method, columns, events, inertia: Some(inertia), notes })
     }
 
     /// A motion of a velocity over time.
@@ -106,7 +137,7 @@ impl Launch<'_> {
         if written.len() != n {
             let found = written.len();
             let message = format!("the velocity has {found} components, the dimension is {n}");
-            return Err(InputError::usage(message).or_at_some(written.first().map(|w| &w.place)));
+            return Err(InputError::usage(message).at(&self.problem.source.key("given")));
         }
         let method = self.problem.method.unwrap_or(Method::Magnus(6));
         let magnus = match method {
@@ -119,10 +150,10 @@ impl Launch<'_> {
             }
         };
         let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
-        let Some(step) = &self.problem.step else {
+        let Some(step) = self.problem.step_at(&values)? else {
             return Err(InputError::mathematics("a velocity over time needs a step"));
         };
-        let step = step.positive(&values)?;
+        self.expect_new_names(&group, &[])?;
         let names = Forces::none(group.clone(), DMatrix::identity(n, n), self.parameters.clone());
         let mut velocity = GivenVelocity::new(values.clone());
         for formula in written {
@@ -130,13 +161,51 @@ impl Launch<'_> {
             let help = "the velocity is a formula of t and the parameters";
             added.map_err(|error| formula.refused(error, help.into()))?;
         }
-        let (columns, formulas) = self.columns(&names)?;
+        let (columns, mut formulas) = self.columns(&names)?;
+        let events = self.events(&names, &mut formulas)?;
         let start = (self.problem.times[0], self.element(&group, &values)?);
         let motion = on_given(group, velocity, start, (magnus, step), formulas, names);
-        Ok(Ready { motion, method, columns, inertia: None })
+        Ok(Ready { motion, method, columns, events, inertia: None, notes: vec![] })
+    }
+
+    /// Checks that parameters hide nothing that formulas speak of.
+    pub(super) fn expect_new_names<G: Simulated>(
+        &self,
+        group: &G,
+        of_body: &[(String, f64)],
+    ) -> Result<(), InputError> {
+        let names = Names::new(group, of_body.iter().map(|(name, _)| name.clone()).collect());
+        match self.parameters.iter().find(|(name, _)| names.find(name).is_some()) {
+            None => Ok(()),
+            Some((name, _)) => {
+                let message = format!("`{name}` has a meaning already");
+                let help = format!("take another name than {}", names.all());
+                Err(InputError::usage(message).at(&self.problem.source.key(name)).help(help))
+            }
+        }
     }
 
     fn forces<G: Simulated>(&self, forces: &mut Forces<G>) -> Result<(), InputError> {
+        let expected = self.definition.dimension();
+        let refused = |what: &str, found: usize, place: &Place| {
+            let message = format!("{what} has {found} components, the dimension is {expected}");
+            let error = InputError::usage(message).at(place);
+            Err(error.or_near(&self.problem.source.key("forces")))
+        };
+        for side in [Side::Body, Side::Space] {
+            let mut components = self.on_group.forces.iter().filter(|force| force.side == side);
+            if let Some(first) = components.next()
+                && components.clone().count() + 1 != expected
+            {
+                let found = components.count() + 1;
+                return refused("the force", found, &first.written.place);
+            }
+        }
+        if let Some((_, table)) = &self.on_group.table
+            && table.width() != expected
+        {
+            return refused("the table", table.width(), &self.problem.source.key("table"));
+        }
         for force in &self.on_group.forces {
             let added = forces.add(force.side, force.index, &force.written.text);
             let help = |forces: &Forces<G>| format!("the names here are {}", forces.names().all());
@@ -154,10 +223,10 @@ impl Launch<'_> {
     }
 
     /// The columns of the rows, and their formulas.
-    fn columns<G: Simulated>(
+    pub(super) fn columns<G: Simulated>(
         &self,
         forces: &Forces<G>,
-    ) -> Result<(Vec<Column>, (Scope, Vec<Formula>)), InputError> {
+    ) -> Result<(Vec<Column>, Formulas), InputError> {
         let names = forces.names();
         let help = || format!("the names here are {}", names.all());
         let (mut scope, mut columns, mut formulas) = (Scope::default(), vec![], vec![]);
@@ -169,18 +238,22 @@ impl Launch<'_> {
             }
             let watched = ["h", "energy"].contains(&&*stem.text);
             for name in expanded {
+                expect_one(&columns, &name, &stem.place)?;
                 let formula = scope.read(&name, names, &|_| true);
                 formulas.push(formula.map_err(|error| stem.refused(error, help()))?);
                 columns.push(Column { name, formula: None, watched });
             }
         }
         for (name, written) in &self.problem.quantities {
+            expect_one(&columns, name, &self.problem.source.key(name))?;
             let formula = scope.read(&written.text, names, &|_| true);
             formulas.push(formula.map_err(|error| written.refused(error, help()))?);
             let formula = Some(written.text.clone());
             columns.push(Column { name: name.clone(), formula, watched: true });
         }
-        for (i, casimir) in self.on_group.casimirs.iter().enumerate() {
+        // forces lead off the coadjoint orbits
+        let casimirs = self.on_group.casimirs.iter().filter(|_| forces.is_empty());
+        for (i, casimir) in casimirs.enumerate() {
             let text = casimir.replace("mu", names.momentum());
             if let Ok(formula) = scope.read(&text, names, &|_| true) {
                 formulas.push(formula);
@@ -191,12 +264,33 @@ impl Launch<'_> {
         Ok((columns, (scope, formulas)))
     }
 
-    fn element<G: Simulated>(&self, group: &G, values: &[f64]) -> Result<G::Element, InputError> {
+    /// The names of events; their formulas go behind the others.
+    pub(super) fn events<G: Simulated>(
+        &self,
+        forces: &Forces<G>,
+        (scope, formulas): &mut Formulas,
+    ) -> Result<Vec<String>, InputError> {
+        let names = forces.names();
+        let help = || format!("the names here are {}", names.all());
+        let mut events = Vec::new();
+        for (name, written) in &self.problem.events {
+            let formula = scope.read(&written.text, names, &|_| true);
+            formulas.push(formula.map_err(|error| written.refused(error, help()))?);
+            events.push(name.clone());
+        }
+        Ok(events)
+    }
+
+    pub(super) fn element<G: Simulated>(
+        &self,
+        group: &G,
+        values: &[f64],
+    ) -> Result<G::Element, InputError> {
         let identity = group.write(&group.identity());
         let (matrix, place) = match &self.on_group.element {
             StartElement::Identity => return Ok(group.identity()),
             StartElement::Coordinates(x) => {
-                let x = numbers("coordinates", x, group.dimension(), values)?;
+                let x = self.numbers("coordinates", x, group.dimension(), values)?;
                 return Ok(group.exp(&G::Vector::from_components(&x)));
             }
             StartElement::Rows(rows, place) => {
@@ -213,7 +307,8 @@ impl Launch<'_> {
             }
             StartElement::Pose(quaternion, position, place) => {
                 let (size, along) = (identity.shape(), position.len());
-                if !matches!((size, along), ((3, 3), 0) | ((4, 4), 0 | 3)) {
+                let of_turns = G::NAMED.first() == Some(&"qw");
+                if !(of_turns && matches!((size, along), ((3, 3), 0) | ((4, 4), 0 | 3))) {
                     let message = "a quaternion is for so(3), and with a position for se(3)";
                     return Err(InputError::usage(message).at(place));
                 }
@@ -235,8 +330,24 @@ impl Launch<'_> {
         group.read(&matrix).map_err(|error| InputError::from(error).at(place))
     }
 
+    /// A list of as many numbers as the algebra has dimensions.
+    fn numbers(
+        &self,
+        what: &str,
+        list: &[Value],
+        dimension: usize,
+        values: &[f64],
+    ) -> Result<Vec<f64>, InputError> {
+        if list.len() != dimension {
+            let found = list.len();
+            let message = format!("{what} has {found} components, the dimension is {dimension}");
+            return Err(InputError::usage(message).at(&self.problem.source.key(what)));
+        }
+        Value::all(list, values).map_err(|error| error.or_near(&self.problem.source.key(what)))
+    }
+
     /// The momentum in the frame of the equations.
-    fn momentum<G: Simulated>(
+    pub(super) fn momentum<G: Simulated>(
         &self,
         group: &G,
         g: &G::Element,
@@ -247,12 +358,12 @@ impl Launch<'_> {
         let own = if G::RIGHT { Side::Space } else { Side::Body };
         match &self.on_group.course {
             Course::Velocity(side, list) => {
-                let v = G::Vector::from_components(&numbers("velocity", list, n, values)?);
+                let v = G::Vector::from_components(&self.numbers("velocity", list, n, values)?);
                 let v = if *side == own { v } else { group.adjoint(&group.inverse(g), &v) };
                 Ok(forces.momentum(&v))
             }
             Course::Momentum(side, list) => {
-                let h = G::Vector::from_components(&numbers("momentum", list, n, values)?);
+                let h = G::Vector::from_components(&self.numbers("momentum", list, n, values)?);
                 Ok(if *side == own { h } else { group.coadjoint(g, &h) })
             }
             // it has no equations of motion
@@ -261,18 +372,32 @@ impl Launch<'_> {
     }
 }
 
-/// A list of as many numbers as the algebra has dimensions.
-fn numbers(
-    what: &str,
-    list: &[Value],
-    dimension: usize,
-    values: &[f64],
-) -> Result<Vec<f64>, InputError> {
-    if list.len() != dimension {
-        let found = list.len();
-        let message = format!("{what} has {found} components, the dimension is {dimension}");
-        let place = list.first().map(|first| &first.written.place);
-        return Err(InputError::usage(message).or_at_some(place));
+/// Checks that no column has the name yet.
+fn expect_one(columns: &[Column], name: &str, place: &Place) -> Result<(), InputError> {
+    if columns.iter().all(|column| column.name != name) {
+        return Ok(());
     }
-    Value::all(list, values)
+    Err(InputError::usage(format!("there are two columns `{}`", shown(name))).at(place))
+}
+
+/// What is said of a metric that no body has.
+fn notes<G: Simulated>(group: &G, inertia: &DMatrix<f64>) -> Vec<String> {
+    if inertia.symmetric_eigenvalues().iter().any(|value| *value <= 0.0) {
+        return vec!["the metric is indefinite: no energy bounds the velocity".into()];
+    }
+    let Some(Ok(body)) = group.body(inertia) else { return vec![] };
+    body.expect_masses().err().iter().map(Error::to_string).collect()
+}
+
+/// Casimirs of the algebra up to the second degree, where it is small and without parameters.
+pub(super) fn casimirs(space: &Space) -> Vec<String> {
+    if space.definition.dimension() > CASIMIRS || space.definition.is_on_chart() {
+        return vec![];
+    }
+    let convert = |value: &Symbolic| Some(value.clone());
+    let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
+    let algebra: Result<LieAlgebra<Symbolic>, _> = space.definition.algebra(&reading);
+    let dual = algebra.ok().and_then(|algebra| LiePoisson::left(&algebra).ok());
+    let found = dual.and_then(|dual| dual.casimir_generators(2).ok());
+    found.unwrap_or_default().iter().map(Symbolic::to_string).collect()
 }

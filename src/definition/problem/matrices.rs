@@ -1,10 +1,33 @@
 //! Problems of matrices that move by similarity.
 
+use super::keys::Reader;
 use super::{Column, Problem, Ready, Value};
 use crate::definition::InputError;
-use crate::definition::input::Place;
+use crate::definition::input::{Place, shown};
+use crate::definition::written::{Number, Text};
 use crate::simulation::{MatrixFlow, Method, on_matrices};
 use nalgebra::DMatrix;
+
+/// The keys of a flow.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct FlowKeys<'t> {
+    #[serde(borrow)]
+    kind: Text<'t>,
+    #[serde(borrow)]
+    positions: Option<Vec<Number<'t>>>,
+    #[serde(borrow)]
+    momenta: Option<Vec<Number<'t>>>,
+    #[serde(borrow)]
+    masses: Option<Vec<Number<'t>>>,
+    #[serde(borrow)]
+    momentum: Option<Vec<Vec<Number<'t>>>>,
+    size: Option<usize>,
+    #[serde(borrow)]
+    modes: Option<Vec<Vec<Number<'t>>>>,
+    seed: Option<u64>,
+    degree: Option<usize>,
+}
 
 /// A flow, its numbers as formulas.
 #[derive(Clone, Debug)]
@@ -30,11 +53,10 @@ impl Matrices {
             let help = "they have isospectral2 and isospectral4";
             return Err(InputError::mathematics(message).at(&self.place).help(help));
         };
-        let Some(step) = &problem.step else {
+        let Some(step) = problem.step_at(values)? else {
             let error = InputError::mathematics("a flow of matrices needs a step");
             return Err(error.at(&self.place));
         };
-        let step = step.positive(values)?;
         let started = on_matrices(&self.flow(values)?, problem.times[0], step, order == 4);
         let (motion, names) = started.map_err(|error| InputError::from(error).at(&self.place))?;
         let column = |(name, watched)| Column { name, formula: None, watched };
@@ -42,7 +64,9 @@ impl Matrices {
             motion,
             method,
             columns: names.into_iter().map(column).collect(),
+            events: vec![],
             inertia: None,
+            notes: vec![],
         })
     }
 
@@ -85,5 +109,47 @@ impl Matrices {
                 MatrixFlow::RandomZeitlin(*size, *seed, *degree)
             }
         })
+    }
+}
+
+impl FlowKeys<'_> {
+    pub fn flow(&self, reader: &Reader) -> Result<Flow, InputError> {
+        let source = reader.source;
+        let missing = |keys: &str| {
+            let message = format!("the flow {} needs {keys}", shown(&self.kind.0));
+            InputError::usage(message).at(&source.key("flow"))
+        };
+        let rows = |rows: &Vec<Vec<Number>>| -> Result<Vec<Vec<Value>>, InputError> {
+            rows.iter().map(|row| reader.values(row)).collect()
+        };
+        match &*self.kind.0 {
+            "toda" => {
+                let both = self.positions.as_ref().zip(self.momenta.as_ref());
+                let (positions, momenta) = both.ok_or_else(|| missing("positions and momenta"))?;
+                let (positions, momenta) = (reader.values(positions)?, reader.values(momenta)?);
+                Ok(Flow::Toda { positions, momenta })
+            }
+            "manakov" => {
+                let both = self.masses.as_ref().zip(self.momentum.as_ref());
+                let (masses, momentum) = both.ok_or_else(|| missing("masses and momentum"))?;
+                Ok(Flow::Manakov { masses: reader.values(masses)?, momentum: rows(momentum)? })
+            }
+            "zeitlin" => {
+                let size = self.size.ok_or_else(|| missing("a size"))?;
+                match (&self.modes, self.seed) {
+                    (Some(modes), None) => Ok(Flow::Zeitlin { size, modes: rows(modes)? }),
+                    (None, Some(seed)) => {
+                        let degree = self.degree.ok_or_else(|| missing("a degree"))?;
+                        Ok(Flow::RandomZeitlin { size, seed, degree })
+                    }
+                    _ => Err(missing("modes, or else a seed and a degree")),
+                }
+            }
+            other => {
+                let message = format!("`{}` is no flow", shown(other));
+                let error = InputError::usage(message).at(&source.whole(&self.kind.0));
+                Err(error.help("the flows are toda, manakov, zeitlin"))
+            }
+        }
     }
 }

@@ -2,8 +2,7 @@
 
 use super::MuntheKaas;
 use crate::Error;
-use crate::dynamics::euler_poincare::{EulerPoincare, State, Torque};
-use crate::group::LieGroup;
+use crate::dynamics::cotangent::{CotangentSystem, State};
 
 /// Which pair of Dormand and Prince.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -65,10 +64,10 @@ impl Adaptive {
     ///
     /// # Errors
     /// [`Error::Integration`] where steps become too small: a pole, a value that is not finite, or a stiff problem.
-    pub fn step<G: LieGroup, M: Torque<G>>(
+    pub fn step<S: CotangentSystem>(
         &self,
-        system: &EulerPoincare<G, M>,
-        state: &mut State<G>,
+        system: &S,
+        state: &mut State<S::Group>,
         next: &mut f64,
         end: f64,
     ) -> Result<(), Error> {
@@ -106,12 +105,12 @@ impl Adaptive {
     ///
     /// # Errors
     /// [`Error::Integration`] with the time that was reached.
-    pub fn states<G: LieGroup, M: Torque<G>>(
+    pub fn states<S: CotangentSystem>(
         &self,
-        system: &EulerPoincare<G, M>,
-        start: &State<G>,
+        system: &S,
+        start: &State<S::Group>,
         times: &[f64],
-    ) -> Result<Vec<State<G>>, Error> {
+    ) -> Result<Vec<State<S::Group>>, Error> {
         let mut state = start.clone();
         let mut next = self.first_step();
         let mut states = Vec::with_capacity(times.len());

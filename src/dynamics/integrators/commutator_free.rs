@@ -2,7 +2,7 @@
 
 use super::Integrator;
 use crate::Error;
-use crate::dynamics::euler_poincare::{EulerPoincare, State, Torque};
+use crate::dynamics::cotangent::{CotangentSystem, Element, State, Vector};
 use crate::group::{Coordinates, LieGroup};
 
 /// The classical Runge-Kutta method with exponentials in the place of sums, of which the fourth
@@ -19,18 +19,13 @@ impl CommutatorFree {
     }
 }
 
-impl<G: LieGroup, M: Torque<G>> Integrator<EulerPoincare<G, M>> for CommutatorFree {
-    fn step(
-        &self,
-        system: &EulerPoincare<G, M>,
-        state: &mut State<G>,
-        h: f64,
-    ) -> Result<(), Error> {
+impl<S: CotangentSystem> Integrator<S> for CommutatorFree {
+    fn step(&self, system: &S, state: &mut State<S::Group>, h: f64) -> Result<(), Error> {
         let group = system.group();
-        let moved = |g: &G::Element, x: G::Vector| group.compose(g, &group.exp(&(x * h)));
+        let moved = |g: &Element<S>, x: Vector<S>| group.compose(g, &group.exp(&(x * h)));
         let drifted =
-            |slope: &G::Vector, share: f64| state.spatial.clone() + slope.clone() * (share * h);
-        let at = |share: f64, element: G::Element, spatial: G::Vector| State {
+            |slope: &Vector<S>, share: f64| state.spatial.clone() + slope.clone() * (share * h);
+        let at = |share: f64, element: Element<S>, spatial: Vector<S>| State {
             time: state.time + share * h,
             element,
             spatial,
@@ -43,7 +38,7 @@ impl<G: LieGroup, M: Torque<G>> Integrator<EulerPoincare<G, M>> for CommutatorFr
         let end = moved(&half, k3.velocity.clone() - k1.velocity.clone() * 0.5);
         let k4 = system.rates(&at(1.0, end, drifted(&k3.spatial, 1.0)));
         let both = (k2.velocity.clone() + k3.velocity.clone()) * 2.0;
-        let twelfth = |first: &G::Vector, last: &G::Vector| {
+        let twelfth = |first: &Vector<S>, last: &Vector<S>| {
             (first.clone() * 3.0 + both.clone() - last.clone()) * (1.0 / 12.0)
         };
         let first = moved(&state.element, twelfth(&k1.velocity, &k4.velocity));

@@ -2,7 +2,7 @@
 
 use super::{Integrator, expect_finite};
 use crate::Error;
-use crate::dynamics::euler_poincare::{EulerPoincare, Rates, State, Torque};
+use crate::dynamics::cotangent::{CotangentSystem, Rates, State, Vector};
 use crate::group::LieGroup;
 
 /// `c_i`, rows `a_ij` and `b_j`.
@@ -26,15 +26,10 @@ impl CrouchGrossman {
     }
 }
 
-impl<G: LieGroup, M: Torque<G>> Integrator<EulerPoincare<G, M>> for CrouchGrossman {
-    fn step(
-        &self,
-        system: &EulerPoincare<G, M>,
-        state: &mut State<G>,
-        h: f64,
-    ) -> Result<(), Error> {
+impl<S: CotangentSystem> Integrator<S> for CrouchGrossman {
+    fn step(&self, system: &S, state: &mut State<S::Group>, h: f64) -> Result<(), Error> {
         let group = system.group();
-        let moved = |slopes: &[&Rates<G::Vector>], weights: &[f64], share: f64| {
+        let moved = |slopes: &[&Rates<Vector<S>>], weights: &[f64], share: f64| {
             let start = State { time: state.time + share * h, ..state.clone() };
             slopes.iter().zip(weights).fold(start, |at, (k, weight)| State {
                 element: group

@@ -2,7 +2,8 @@
 
 use super::{Integrator, expect_finite};
 use crate::Error;
-use crate::dynamics::euler_poincare::{EulerPoincare, State, Torque};
+use crate::dynamics::State;
+use crate::dynamics::euler_poincare::{EulerPoincare, Torque};
 use crate::dynamics::principal::Principal;
 use crate::dynamics::{BodyState, FreeBody, Inertia, MoserVeselov, moser_veselov};
 use crate::group::So3;

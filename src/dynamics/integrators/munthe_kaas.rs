@@ -2,7 +2,7 @@
 
 use super::{Integrator, expect_finite};
 use crate::Error;
-use crate::dynamics::euler_poincare::{EulerPoincare, Rates, State, Torque};
+use crate::dynamics::cotangent::{CotangentSystem, Rates, State, Vector};
 use crate::group::{Coordinates, LieGroup};
 
 /// Runge-Kutta-Munthe-Kaas: with `g = g_0 exp(u)`, the method solves `u' = T_left(u)^-1 Omega` and
@@ -56,15 +56,15 @@ impl<const STAGES: usize> MuntheKaas<STAGES> {
     ///
     /// # Errors
     /// [`Error::Integration`], [`Error::SingularTangent`].
-    pub(super) fn advanced<G: LieGroup, M: Torque<G>>(
+    pub(super) fn advanced<S: CotangentSystem>(
         &self,
-        system: &EulerPoincare<G, M>,
-        state: &State<G>,
+        system: &S,
+        state: &State<S::Group>,
         h: f64,
-    ) -> Result<(State<G>, f64), Error> {
+    ) -> Result<(State<S::Group>, f64), Error> {
         let [slopes, of_spatial] = self.slopes(system, state, h, STAGES)?;
         let next = self.end(system, state, h, &slopes, &of_spatial)?;
-        let zero = G::Vector::zeros(system.group().dimension());
+        let zero = Vector::<S>::zeros(system.group().dimension());
         let scale = state.spatial.largest().max(f64::MIN_POSITIVE);
         let [a, b] = [0, 1].map(|which| {
             let off = |slopes| moved(&zero, slopes, &self.errors[which], h).largest();
@@ -75,17 +75,17 @@ impl<const STAGES: usize> MuntheKaas<STAGES> {
 
     /// `u'` at the first stages, and `h'`.
     #[inline]
-    fn slopes<G: LieGroup, M: Torque<G>>(
+    fn slopes<S: CotangentSystem>(
         &self,
-        system: &EulerPoincare<G, M>,
-        state: &State<G>,
+        system: &S,
+        state: &State<S::Group>,
         h: f64,
         stages: usize,
-    ) -> Result<[[G::Vector; STAGES]; 2], Error> {
+    ) -> Result<[[Vector<S>; STAGES]; 2], Error> {
         let group = system.group();
-        let zero = G::Vector::zeros(group.dimension());
-        let mut slopes: [G::Vector; STAGES] = std::array::from_fn(|_| zero.clone());
-        let mut of_spatial: [G::Vector; STAGES] = std::array::from_fn(|_| zero.clone());
+        let zero = Vector::<S>::zeros(group.dimension());
+        let mut slopes: [Vector<S>; STAGES] = std::array::from_fn(|_| zero.clone());
+        let mut of_spatial: [Vector<S>; STAGES] = std::array::from_fn(|_| zero.clone());
         // u = 0
         Rates { velocity: slopes[0], spatial: of_spatial[0] } = system.rates(state);
         for stage in 1..stages {
@@ -105,16 +105,16 @@ impl<const STAGES: usize> MuntheKaas<STAGES> {
 
     /// The state after a step, from its slopes.
     #[inline]
-    fn end<G: LieGroup, M: Torque<G>>(
+    fn end<S: CotangentSystem>(
         &self,
-        system: &EulerPoincare<G, M>,
-        state: &State<G>,
+        system: &S,
+        state: &State<S::Group>,
         h: f64,
-        slopes: &[G::Vector; STAGES],
-        of_spatial: &[G::Vector; STAGES],
-    ) -> Result<State<G>, Error> {
+        slopes: &[Vector<S>; STAGES],
+        of_spatial: &[Vector<S>; STAGES],
+    ) -> Result<State<S::Group>, Error> {
         let group = system.group();
-        let u = moved(&G::Vector::zeros(group.dimension()), slopes, &self.b, h);
+        let u = moved(&Vector::<S>::zeros(group.dimension()), slopes, &self.b, h);
         let spatial = moved(&state.spatial, of_spatial, &self.b, h);
         expect_finite(state.time, &[&u, &spatial])?;
         let element = group.restored(group.compose(&state.element, &group.exp(&u)));
@@ -129,16 +129,9 @@ fn moved<V: Coordinates>(start: &V, slopes: &[V], weights: &[f64], h: f64) -> V 
     weighted.fold(start.clone(), |sum, (slope, weight)| sum + slope.clone() * (h * weight))
 }
 
-impl<const STAGES: usize, G: LieGroup, M: Torque<G>> Integrator<EulerPoincare<G, M>>
-    for MuntheKaas<STAGES>
-{
+impl<const STAGES: usize, S: CotangentSystem> Integrator<S> for MuntheKaas<STAGES> {
     #[inline]
-    fn step(
-        &self,
-        system: &EulerPoincare<G, M>,
-        state: &mut State<G>,
-        h: f64,
-    ) -> Result<(), Error> {
+    fn step(&self, system: &S, state: &mut State<S::Group>, h: f64) -> Result<(), Error> {
         let [slopes, of_spatial] = self.slopes(system, state, h, self.needed)?;
         *state = self.end(system, state, h, &slopes, &of_spatial)?;
         Ok(())

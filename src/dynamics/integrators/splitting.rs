@@ -2,7 +2,8 @@
 
 use super::Integrator;
 use crate::Error;
-use crate::dynamics::euler_poincare::{EulerPoincare, Free, State};
+use crate::dynamics::State;
+use crate::dynamics::euler_poincare::{EulerPoincare, Free};
 use crate::dynamics::principal::Principal;
 use crate::dynamics::{BodyState, Inertia};
 use crate::group::So3;

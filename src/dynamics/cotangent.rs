@@ -1,0 +1,50 @@
+//! Systems of an element and its momentum: motions on the cotangent bundle of a group.
+
+use super::System;
+use crate::group::LieGroup;
+
+/// A state of a motion.
+#[derive(Debug)]
+pub struct State<G: LieGroup> {
+    /// The time.
+    pub time: f64,
+    /// The element: of a body the attitude, or the pose.
+    pub element: G::Element,
+    /// The spatial momentum `h`, a covector.
+    pub spatial: G::Vector,
+}
+
+// derived, it would ask the group to be `Clone` as well
+impl<G: LieGroup> Clone for State<G> {
+    fn clone(&self) -> Self {
+        let (element, spatial) = (self.element.clone(), self.spatial.clone());
+        State { time: self.time, element, spatial }
+    }
+}
+
+/// The rates of change of a state: `Omega` in body components, and `h'`.
+#[derive(Clone, Debug)]
+pub struct Rates<V> {
+    /// `Omega`.
+    pub velocity: V,
+    /// `h'`.
+    pub spatial: V,
+}
+
+/// Equations `g' = g Omega`, `h' = ..` of an element and its spatial momentum.
+pub trait CotangentSystem: System<State = State<Self::Group>> {
+    /// The group.
+    type Group: LieGroup;
+
+    /// The group.
+    fn group(&self) -> &Self::Group;
+
+    /// The rates of change of a state.
+    fn rates(&self, state: &State<Self::Group>) -> Rates<Vector<Self>>;
+}
+
+/// Components in the basis of the algebra.
+pub type Vector<S> = <<S as CotangentSystem>::Group as LieGroup>::Vector;
+
+/// An element.
+pub type Element<S> = <<S as CotangentSystem>::Group as LieGroup>::Element;

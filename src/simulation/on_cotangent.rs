@@ -1,0 +1,91 @@
+//! Systems of an element and a momentum as motions.
+
+use super::drive::{Drive, Memory};
+use super::quantities::Scope;
+use super::{Forces, Motion, Point, Simulated, Snapshot};
+use crate::Error;
+use crate::dynamics::cotangent::{CotangentSystem, Element, State, Vector};
+use crate::formula::Formula;
+use crate::group::{Coordinates, LieGroup as _};
+use serde::{Deserialize, Serialize};
+
+/// A system with names for what it has.
+pub trait Seen: CotangentSystem<Group: Simulated> {
+    /// The forces, which know the names.
+    fn forces(&self) -> &Forces<Self::Group>;
+
+    /// Looks at a state.
+    fn seen<R>(&self, state: &State<Self::Group>, look: impl FnOnce(&Point<Self::Group>) -> R)
+    -> R;
+}
+
+/// A system with its state, its way to go on, and the formulas of its columns.
+pub struct OnCotangent<S: CotangentSystem> {
+    pub system: S,
+    pub state: State<S::Group>,
+    pub drive: Drive<S>,
+    pub steps: u64,
+    pub columns: (Scope, Vec<Formula>),
+}
+
+/// The numbers of [`OnCotangent`].
+#[derive(Serialize, Deserialize)]
+struct Saved<E> {
+    time: f64,
+    element: E,
+    spatial: Vec<f64>,
+    memory: Memory,
+    steps: u64,
+}
+
+impl<S: Seen + Send> Motion for OnCotangent<S> {
+    fn time(&self) -> f64 {
+        self.state.time
+    }
+
+    fn step(&mut self, until: f64) -> Result<bool, Error> {
+        self.steps += u64::from(self.state.time != until);
+        let done = self.drive.step(&self.system, &mut self.state, until);
+        done.map_err(|error| match (error, self.system.forces().trouble()) {
+            (_, Some(trouble)) => Error::Integration { t: self.state.time, reason: trouble },
+            (Error::Integration { t, reason }, None) => Error::Integration { t, reason },
+            (error, None) => Error::Integration {
+                t: self.state.time,
+                reason: format!("the step is too long: {error}"),
+            },
+        })
+    }
+
+    fn row(&self) -> Vec<f64> {
+        let (scope, formulas) = &self.columns;
+        let forces = self.system.forces();
+        let values = self.system.seen(&self.state, |point| scope.values(forces, point));
+        formulas.iter().map(|formula| formula.value(&values)).collect()
+    }
+
+    fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    fn save(&self) -> Result<Snapshot, Error> {
+        Snapshot::of(&Saved {
+            time: self.state.time,
+            element: &self.state.element,
+            spatial: self.state.spatial.components().to_vec(),
+            memory: self.drive.memory(),
+            steps: self.steps,
+        })
+    }
+
+    fn restore(&mut self, snapshot: &Snapshot) -> Result<(), Error> {
+        let saved: Saved<Element<S>> = snapshot.read()?;
+        let n = self.system.group().dimension();
+        if saved.spatial.len() != n || !self.drive.remember(saved.memory) {
+            return Err(Error::Snapshot { reason: "it is of another motion".into() });
+        }
+        let spatial = Vector::<S>::from_components(&saved.spatial);
+        self.state = State { time: saved.time, element: saved.element, spatial };
+        self.steps = saved.steps;
+        Ok(())
+    }
+}
