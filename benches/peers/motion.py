@@ -24,6 +24,7 @@ import math
 import os
 import subprocess
 import sys
+import tempfile
 import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -32,6 +33,8 @@ LONG = 0.3  # seconds: what takes longer is the last of its method
 BATCH = 0.02
 LEVELS = [10.0**-k for k in range(4, 13)]
 TOLERANCES = [10.0 ** (-k / 2) for k in range(4, 29)]
+# lines of the diagram
+SHOWN = ["exact", "DMV10", "RKMK853", "kick4, DMV10", "Rust: DOP853", "SciPy: DOP853", "MuJoCo: RK4"]
 PROBLEMS = {
     "free body, t = 10": ("hairer-vilmart", "10.0", 20),
     "free body, t = 100": ("hairer-vilmart", "100.0", 200),
@@ -436,14 +439,14 @@ def measure(options):
     load = " ".join(f"{x:.1f}" for x in os.getloadavg())
     versions = {peer: version(options.python, peer) for peer in PEERS}
     missing = [peer for peer in PEERS if not versions[peer]]
-    found = {}
+    found, folder = {}, tempfile.mkdtemp(prefix="peers")  # some leave files where they run
     commands = [("affinor", [*options.precision, "measure"])]
-    commands += [(p, [options.python, __file__, "--peer", p]) for p in PEERS if versions[p]]
+    commands += [(p, [options.python, os.path.abspath(__file__), "--peer", p]) for p in PEERS if versions[p]]
     for number in range(options.rounds):
         for name, command in commands:
             print(f"round {number + 1}: {name}", file=sys.stderr)
             environment = os.environ | {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
-            done = subprocess.run(command, stdout=subprocess.PIPE, text=True, env=environment, cwd=ROOT)
+            done = subprocess.run(command, stdout=subprocess.PIPE, text=True, env=environment, cwd=folder)
             if done.returncode:
                 print(f"{name} ended with {done.returncode}", file=sys.stderr)
             for row in csv.reader(io.StringIO(done.stdout)):
@@ -456,7 +459,7 @@ def measure(options):
     writer = csv.writer(text)
     writer.writerow(["problem", "method", "parameter", "error", "seconds", "steps"])
     for key, value in found.items():
-        if key[0] != "step":
+        if key[1] in SHOWN:
             writer.writerow([*key, *value])
     picture = subprocess.run([*options.precision, "draw"], input=text.getvalue(), stdout=subprocess.PIPE, text=True, check=True)
     with open(os.path.join(ROOT, "docs/motion_speed.svg"), "w") as file:
@@ -476,7 +479,7 @@ def measure(options):
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("--python", default=sys.executable, help="Python with the peers")
+    arguments.add_argument("--python", default=sys.executable, type=os.path.abspath, help="Python with the peers")
     arguments.add_argument("--precision", help="the compiled benches/precision.rs [built by cargo]")
     arguments.add_argument("--rounds", type=int, default=3, help="[3]")
     arguments.add_argument("--ensemble", metavar="PROGRAM", help="only time an ensemble of 10^5 free bodies with this affinor")
@@ -489,8 +492,9 @@ def main():
         for name, what in PROBLEMS.items():
             globals()[options.peer](Problem(name, *what))
     else:
-        cargo = ["cargo", "bench", "-q", "--bench", "precision", "--"]
-        options.precision = [options.precision] if options.precision else cargo
+        manifest = os.path.join(ROOT, "Cargo.toml")
+        cargo = ["cargo", "bench", "-q", "--manifest-path", manifest, "--bench", "precision", "--"]
+        options.precision = [os.path.abspath(options.precision)] if options.precision else cargo
         measure(options)
 
 
