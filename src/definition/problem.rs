@@ -24,7 +24,9 @@ use inertia::Body;
 use launch::Launch;
 use matrices::Matrices;
 use nalgebra::DMatrix;
+use std::borrow::Cow;
 use std::path::Path;
+use std::sync::OnceLock;
 
 /// A problem of motion.
 #[derive(Clone, Debug)]
@@ -76,6 +78,8 @@ struct OnGroup {
     constraints: Vec<Written>,
     /// Polynomials in `mu1`, `mu2`, ...
     casimirs: Vec<String>,
+    /// What all members of an ensemble share, where no parameter is in it.
+    shared: OnceLock<launch::Ground>,
 }
 
 /// A text with its place.
@@ -299,12 +303,12 @@ impl Problem {
             }
             Kind::Group(on_group) => on_group,
         };
-        let mut space = on_group.space.clone();
-        let of_space = space.definition.parameters();
+        let of_space = on_group.space.definition.parameters();
         let set = parameters.iter().filter(|(name, _)| of_space.contains(name));
         let set: Vec<String> = set.map(|(name, value)| format!("{name}={value:?}")).collect();
+        let mut space = Cow::Borrowed(&on_group.space);
         if !set.is_empty() {
-            space.set(&set.join(","), &[])?;
+            space.to_mut().set(&set.join(","), &[])?;
         }
         space.in_floats(Tolerance::default(), |definition, reading| {
             let launch = Launch { problem: self, on_group, parameters, definition, reading };

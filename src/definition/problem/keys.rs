@@ -13,6 +13,7 @@ use crate::definition::{Request, Space, file};
 use crate::formula::Formula;
 use crate::simulation::{Method, Side, Table};
 use std::path::Path;
+use std::sync::OnceLock;
 
 /// The most rows of one motion.
 const MAX_ROWS: f64 = 1e7;
@@ -311,6 +312,7 @@ impl<'t> Keys<'t> {
                     hamiltonian,
                     constraints,
                     casimirs,
+                    shared: OnceLock::new(),
                 }))
             }
         };

@@ -13,10 +13,11 @@ use crate::simulation::quantities::{Names, Scope};
 use crate::simulation::{
     Forces, GivenVelocity, Method, Setup, Side, Simulated, on_given, on_group,
 };
-use crate::{Canonical, Connection, Error, LieAlgebra, LiePoisson};
+use crate::{Canonical, Connection, Error, LieAlgebra, LiePoisson, Metric};
 use affinor_tensors::expression::ExpressionError;
 use affinor_tensors::{Symbolic, Tolerance};
 use nalgebra::DMatrix;
+use std::borrow::Cow;
 
 /// Formulas over their scope.
 pub(super) type Formulas = (Scope, Vec<Formula>);
@@ -54,20 +55,22 @@ impl GroupWork for Launch<'_> {
     }
 }
 
+/// The metric and the connection of equations of motion.
+#[derive(Clone, Debug)]
+pub(super) struct Ground {
+    metric: Metric<f64>,
+    connection: Connection<f64>,
+    /// Names that a body by parts gives, with their values.
+    of_body: Vec<(String, f64)>,
+}
+
 impl Launch<'_> {
-    fn ready<G: Simulated>(&self, group: G) -> Result<Ready, InputError> {
-        if let Course::Given(side, formulas) = &self.on_group.course {
-            return self.given(group, *side, formulas);
-        }
-        if let Some(hamiltonian) = &self.on_group.hamiltonian {
-            return self.hamiltonian(group, hamiltonian);
-        }
+    fn ground<G: Simulated>(&self, group: &G, values: &[f64]) -> Result<Ground, InputError> {
         let ground = self.definition.ground(self.reading)?;
-        let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
         let (metric, of_body) = match &self.on_group.inertia {
             Some(body) => {
                 let labels = group.algebra()?.labels().clone();
-                let (metric, names) = body.metric::<G>(&labels, &values)?;
+                let (metric, names) = body.metric::<G>(&labels, values)?;
                 (Some(metric), names)
             }
             None => (self.definition.metric(&ground, self.reading)?, vec![]),
@@ -84,10 +87,32 @@ impl Launch<'_> {
         } else {
             self.definition.geometry_over(ground, self.reading)?.connection().clone()
         };
+        Ok(Ground { metric, connection, of_body })
+    }
+
+    fn ready<G: Simulated>(&self, group: G) -> Result<Ready, InputError> {
+        if let Course::Given(side, formulas) = &self.on_group.course {
+            return self.given(group, *side, formulas);
+        }
+        if let Some(hamiltonian) = &self.on_group.hamiltonian {
+            return self.hamiltonian(group, hamiltonian);
+        }
+        let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
+        let shared = &self.on_group.shared;
+        let ground = match shared.get() {
+            Some(ground) => Cow::Borrowed(ground),
+            None => Cow::Owned(self.ground(&group, &values)?),
+        };
+        let is_fixed = self.on_group.space.definition.parameters().is_empty();
+        if is_fixed && self.on_group.inertia.is_none() && shared.get().is_none() {
+            // another thread may have been first, with the same
+            let _ = shared.set(ground.clone().into_owned());
+        }
+        let Ground { metric, connection, of_body } = &*ground;
         let inertia = to_dmatrix(metric.components())?;
         let notes = notes(&group, &inertia);
-        self.expect_new_names(&group, &of_body)?;
-        let parameters = [self.parameters.clone(), of_body].concat();
+        self.expect_new_names(&group, of_body)?;
+        let parameters = [&self.parameters[..], of_body].concat();
         let whole = Launch { parameters: parameters.clone(), ..*self };
         let mut forces = Forces::none(group.clone(), inertia.clone(), parameters);
         self.forces(&mut forces)?;
@@ -97,16 +122,16 @@ impl Launch<'_> {
         let momentum = self.momentum(&group, &element, &forces, &values)?;
         let step = self.problem.step_at(&values)?;
         if !self.on_group.constraints.is_empty() {
-            let velocity = velocity_of(&metric, &momentum)?;
+            let velocity = velocity_of(metric, &momentum)?;
             let start = (self.problem.times[0], element, velocity);
-            let held = Held { metric: &metric, connection: &connection, forces, step };
+            let held = Held { metric, connection, forces, step };
             let (motion, columns) = whole.constrained(group, held, start, columns, formulas)?;
             let (method, inertia) = (Method::GeneralisedAlpha, Some(inertia));
             return Ok(Ready { motion, method, columns, events, inertia, notes });
         }
         let setup = Setup {
-            connection: &connection,
-            metric: &metric,
+            connection,
+            metric,
             forces,
             time: self.problem.times[0],
             element,
