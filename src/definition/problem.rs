@@ -10,6 +10,8 @@ mod inertia;
 mod keys;
 mod launch;
 mod matrices;
+mod output;
+mod reader;
 mod walk;
 
 pub use walk::{Left, Walk};

@@ -1,6 +1,6 @@
 //! Ensembles: parameters over a grid and at random.
 
-use super::keys::Reader;
+use super::reader::Reader;
 use crate::definition::input::{InputError, Place, Source, shown};
 use crate::definition::numbers;
 use crate::definition::written::{Text, TextsText};

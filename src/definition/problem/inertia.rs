@@ -1,6 +1,6 @@
 //! Bodies by their parts: simple shapes, meshes, masses at points, holes.
 
-use super::keys::Reader;
+use super::reader::Reader;
 use super::{Value, Written};
 use crate::Metric;
 use crate::definition::input::{InputError, Place, shown};

@@ -4,25 +4,21 @@ use super::ensemble::EnsembleKeys;
 use super::inertia::InertiaKeys;
 use super::launch::casimirs;
 use super::matrices::{FlowKeys, Matrices};
-use super::{Course, Force, Kind, OnGroup, Problem, StartElement, Value, Written, stem};
+use super::output::OutputKeys;
+use super::reader::Reader;
+use super::{Course, Force, Kind, OnGroup, Problem, StartElement, stem};
 use crate::definition::document::Document;
 use crate::definition::input::{InputError, Source, shown};
-use crate::definition::notation::check_name;
 use crate::definition::written::{Cell, MetricText, Number, NumbersText, Text, TextsText};
 use crate::definition::{Request, Space, file};
-use crate::formula::Formula;
 use crate::simulation::{Method, Side, Table};
 use std::path::Path;
 use std::sync::OnceLock;
 
-/// The most rows of one motion.
-const MAX_ROWS: f64 = 1e7;
 /// The most steps under control between two rows, unless another limit is given.
 const MAX_STEPS: usize = 10_000_000;
 /// What is written down where nothing is said.
 const COLUMNS: [&str; 6] = ["t", "element", "Omega", "H", "h", "energy"];
-/// Names of numbers, which no parameter takes.
-const NUMBERS: [&str; 2] = ["pi", "tau"];
 
 /// The keys of a file.
 #[derive(serde::Deserialize)]
@@ -126,97 +122,12 @@ struct IntegratorKeys<'t> {
     max_steps: Option<usize>,
 }
 
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct OutputKeys<'t> {
-    #[serde(borrow)]
-    end: Option<Number<'t>>,
-    #[serde(borrow)]
-    every: Option<Number<'t>>,
-    #[serde(borrow)]
-    times: Option<Vec<Number<'t>>>,
-    #[serde(borrow)]
-    columns: Option<Vec<Text<'t>>>,
-    #[serde(borrow)]
-    stop: Option<Text<'t>>,
-    #[serde(borrow)]
-    section: Option<Text<'t>>,
-}
-
 impl Problem {
     pub(super) fn understand(source: &Source, folder: &Path) -> Result<Self, InputError> {
         let content = "a problem has a space, its metric, initial values and an output";
         let keys: Keys = file::keys(source, content)?;
         let reader = Reader { source, names: Vec::new(), values: Vec::new() };
         keys.problem(reader, folder)
-    }
-}
-
-/// Reads numbers, which are formulas in the parameters that are known so far.
-pub(super) struct Reader<'s> {
-    pub source: &'s Source,
-    pub names: Vec<String>,
-    /// Of those that are no ensemble's own.
-    values: Vec<f64>,
-}
-
-impl Reader<'_> {
-    pub fn written(&self, Text(text): &Text) -> Written {
-        let source = self.source.holding(text);
-        let own = source.own(text);
-        Written { text: own.to_string(), place: source.whole(own) }
-    }
-
-    pub fn value(&self, Number(text): &Number) -> Result<Value, InputError> {
-        let written = self.written(text);
-        let names = &self.names;
-        let formula =
-            Formula::parse(&written.text, &mut |name| names.iter().position(|own| own == name));
-        let help = || match names.as_slice() {
-            [] => "there are no parameters, only pi and tau".to_string(),
-            names => format!("the parameters are {}", names.join(", ")),
-        };
-        let formula = formula.map_err(|error| written.refused(error, help()))?;
-        Ok(Value { formula, written })
-    }
-
-    pub fn values(&self, list: &[Number]) -> Result<Vec<Value>, InputError> {
-        list.iter().map(|number| self.value(number)).collect()
-    }
-
-    /// A number that no ensemble varies.
-    fn number(&self, number: &Number) -> Result<f64, InputError> {
-        let value = self.value(number)?;
-        if self.names.len() > self.values.len() {
-            // the ensemble's own parameters have no value of their own
-            let mut values = self.values.clone();
-            values.resize(self.names.len(), f64::NAN);
-            return value.at(&values);
-        }
-        value.at(&self.values)
-    }
-
-    /// Formulas by their names.
-    fn formulas(&self, table: &Option<TextsText>) -> Result<Vec<(String, Written)>, InputError> {
-        let named = table.iter().flat_map(|table| &table.0).map(|(name, text)| {
-            check_name(&name.0).map_err(|error| error.at(&self.source.key(&name.0)))?;
-            Ok((name.0.to_string(), self.written(text)))
-        });
-        named.collect()
-    }
-
-    pub fn declare(&mut self, Text(name): &Text) -> Result<(), InputError> {
-        let mut place = self.source.whole(name);
-        if place.span.is_none() {
-            place = self.source.key(name);
-        }
-        check_name(name).map_err(|error| error.at(&place))?;
-        if NUMBERS.contains(&&**name) || self.names.iter().any(|own| own == name) {
-            let message = format!("`{name}` has a meaning already");
-            return Err(InputError::usage(message).at(&place).help("take another name"));
-        }
-        self.names.push(name.to_string());
-        Ok(())
     }
 }
 
@@ -534,65 +445,5 @@ impl ForceKeys<'_> {
         let table = Table::new(rows);
         let table = table.map_err(|error| InputError::usage(error.to_string()).at(&place))?;
         Ok(Some((side, table)))
-    }
-}
-
-impl OutputKeys<'_> {
-    /// The times of the rows.
-    fn times(&self, start: f64, reader: &Reader) -> Result<Vec<f64>, InputError> {
-        let source = reader.source;
-        match (&self.times, &self.end, &self.every) {
-            (Some(times), None, None) => {
-                let mut all = vec![start];
-                for time in times {
-                    let time = reader.number(time);
-                    let time = time.map_err(|error| error.or_near(&source.key("times")))?;
-                    if time != all[all.len() - 1] {
-                        all.push(time);
-                    }
-                }
-                let forwards = all.windows(2).all(|pair| pair[0] < pair[1]);
-                if forwards || all.windows(2).all(|pair| pair[0] > pair[1]) {
-                    return Ok(all);
-                }
-                let message = "the times neither increase nor decrease from the start";
-                Err(InputError::usage(message).at(&source.key("times")))
-            }
-            (None, Some(end), every) => {
-                let end = reader.number(end).map_err(|error| error.or_near(&source.key("end")))?;
-                let every = match every {
-                    Some(every) => {
-                        let every = reader.number(every);
-                        every.map_err(|error| error.or_near(&source.key("every")))?
-                    }
-                    None => (end - start).abs(),
-                };
-                if every.is_nan() || every <= 0.0 && end != start {
-                    let message = format!("rows every {every} never come to the end");
-                    return Err(InputError::usage(message).at(&source.key("every")));
-                }
-                if end == start {
-                    return Ok(vec![start]);
-                }
-                let count = (end - start).abs() / every;
-                if count > MAX_ROWS {
-                    let message = format!("{count:.0} rows are too many, the limit is {MAX_ROWS}");
-                    return Err(InputError::usage(message).at(&source.key("every")));
-                }
-                // a whole number of rows is not spoilt by rounding
-                let whole = (count + 1e-9).floor() as u64;
-                let every = every.copysign(end - start);
-                let mut times: Vec<f64> = (0..=whole).map(|k| start + every * k as f64).collect();
-                if (count - whole as f64).abs() < 1e-9 {
-                    times.pop();
-                }
-                times.push(end);
-                Ok(times)
-            }
-            _ => {
-                let message = "the output has an end, perhaps with every, or else times";
-                Err(InputError::usage(message).at(&source.key("output")))
-            }
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! Problems of matrices that move by similarity.
 
-use super::keys::Reader;
+use super::reader::Reader;
 use super::{Column, Problem, Ready, Value};
 use crate::definition::InputError;
 use crate::definition::input::{Place, shown};
