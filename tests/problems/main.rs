@@ -1,0 +1,129 @@
+//! Every problem of `examples/motions`, run by the library, against references of 25 and more digits, closed forms and what a
+//! motion keeps.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod checks;
+mod references;
+mod run;
+
+use affinor::definition::{Problem, mesh};
+use affinor::dynamics::{MassProperties, Mesh};
+use checks::CHECKS;
+use nalgebra::{Isometry3, Vector3};
+use references::off;
+use run::{Run, folder, open};
+
+#[test]
+fn every_problem_moves_as_it_should() {
+    let mut failed = vec![];
+    for (name, check) in CHECKS {
+        if std::panic::catch_unwind(|| check(name)).is_err() {
+            failed.push(*name);
+        }
+    }
+    assert!(failed.is_empty(), "{failed:?}");
+}
+
+/// What a motion saves in the middle of a step, as text, is all that its way depends on: to the last bit, of every kind.
+#[test]
+fn every_problem_goes_on_from_where_it_was() {
+    for (name, _) in CHECKS {
+        let problem = open(name);
+        let (mut whole, mut parts) = (problem.motion(0).unwrap(), problem.motion(0).unwrap());
+        for time in &problem.times[..problem.times.len().min(4)] {
+            while !whole.motion.step(*time).unwrap() {}
+            loop {
+                let saved = serde_json::to_string(&parts.motion.save().unwrap()).unwrap();
+                let saved = serde_json::from_str(&saved).unwrap();
+                parts = problem.motion(0).unwrap();
+                parts.motion.restore(&saved).unwrap();
+                // some steps between, or the longest take too long
+                if (0..50).any(|_| parts.motion.step(*time).unwrap()) {
+                    break;
+                }
+            }
+            let bits = |row: Vec<f64>| row.into_iter().map(f64::to_bits).collect::<Vec<_>>();
+            assert_eq!(bits(parts.motion.row()), bits(whole.motion.row()), "{name} at {time}");
+            assert_eq!(parts.motion.steps(), whole.motion.steps(), "{name} at {time}");
+        }
+    }
+}
+
+#[test]
+fn no_problem_is_without_a_check() {
+    let entries = std::fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().path());
+    let problems = entries.filter(|path| path.extension().is_some_and(|ending| ending == "toml"));
+    let mut names: Vec<String> =
+        problems.map(|path| path.file_stem().unwrap().to_str().unwrap().to_string()).collect();
+    names.sort();
+    let mut checked: Vec<&str> = CHECKS.iter().map(|(name, _)| *name).collect();
+    checked.sort_unstable();
+    assert_eq!(names, checked);
+}
+
+/// The body of every key of `[inertia]`, against what the library makes of the same parts.
+#[test]
+fn a_body_is_the_sum_of_its_parts() {
+    let text = r#"
+space = "so3"
+initial.velocity = [0, 0, 1]
+output.end = 1
+[parameters]
+r = 0.5
+[inertia]
+about = [0.1, "r", 0]
+parts = [
+    { shape = "box", edges = [1, 2, 3], mass = 2, at = [0, 0, 1], turn = [0, 0, "pi/4"] },
+    { shape = "cylinder", radius = "r", height = 2, density = 3 },
+    { shape = "ball", radius = "r/2", density = 3, at = [0, 0, 0.5], hole = true },
+    { shape = "ellipsoid", half_axes = [1, 2, 3], mass = "2*r", turn = [0.1, 0.2, 0.3] },
+    { shape = "rod", length = 4, density = 0.5, at = [1, 0, 0] },
+    { shape = "points", points = [[1, 0, 0, 1], ["r", 1, 0, 0]] },
+]
+"#;
+    let problem = Problem::parse("body.toml", text).unwrap();
+    let turn = |x: f64, y: f64, z: f64| Isometry3::rotation(Vector3::new(x, y, z));
+    let block = MassProperties::cuboid(&Vector3::new(1.0, 2.0, 3.0)).unwrap();
+    let block = block.of_mass(2.0).unwrap();
+    let block = block.moved(&turn(0.0, 0.0, std::f64::consts::FRAC_PI_4));
+    let cylinder = MassProperties::cylinder(0.5, 2.0).unwrap().of_density(3.0).unwrap();
+    let ball = MassProperties::ball(0.25).unwrap().of_density(3.0).unwrap();
+    let ellipsoid = MassProperties::ellipsoid(&Vector3::new(1.0, 2.0, 3.0)).unwrap();
+    let rod = MassProperties::rod(4.0).unwrap().of_density(0.5).unwrap();
+    let points = [(1.0, Vector3::z()), (0.5, Vector3::x())];
+    let body = block.moved(&Isometry3::translation(0.0, 0.0, 1.0))
+        + cylinder
+        + ellipsoid.of_mass(1.0).unwrap().moved(&turn(0.1, 0.2, 0.3))
+        + rod.moved(&Isometry3::translation(1.0, 0.0, 0.0))
+        + MassProperties::points(&points).unwrap();
+    let body = body.without(&ball.moved(&Isometry3::translation(0.0, 0.0, 0.5))).unwrap();
+    let expected = body.inertia_matrix_about(&Vector3::new(0.1, 0.5, 0.0));
+    let found = problem.motion(0).unwrap().inertia.unwrap();
+    assert!(off(found.as_slice(), expected.as_slice()) < 1e-15, "{found} {expected}");
+    // about the centre there is no weight
+    let text = text.replace("about = [0.1, \"r\", 0]", "about = \"centre\"");
+    let text = text + "[quantities]\nm = \"mass\"\nc = \"centre1^2 + centre2^2 + centre3^2\"\n";
+    let run = Run::new(&Problem::parse("body.toml", &text).unwrap(), 0);
+    assert!(off(&run.values(0, &["m", "c"]), &[body.mass(), 0.0]) < 1e-15);
+}
+
+/// The mesh of the examples is that box.
+#[test]
+fn the_mesh_of_the_examples_is_a_box() {
+    let bytes = std::fs::read(folder().join("block.stl")).unwrap();
+    let block: Mesh = mesh("block.stl", &bytes).unwrap();
+    let expected = MassProperties::cuboid(&Vector3::new(1.0, 2.0, 3.0)).unwrap();
+    let found = block.mass_properties().inertia_matrix();
+    assert!((found - expected.inertia_matrix()).amax() < 1e-13);
+}
+
+#[test]
+fn an_indefinite_metric_is_allowed_and_named() {
+    let text = "space = 'so3'\nmetric = 'diag(1, 2, -3)'\ninitial.momentum = [1, 2, 3]\n\
+                integrator.tolerance = 1e-12\noutput = { end = 0.5, every = 0.1 }";
+    let problem = Problem::parse("lorentz.toml", text).unwrap();
+    let ready = problem.motion(0).unwrap();
+    assert_eq!(ready.notes, ["the metric is indefinite: no energy bounds the velocity"]);
+    assert_eq!(ready.method.name(), "rkmk853");
+    Run::new(&problem, 0).keeps(&["energy", "h1", "h2", "h3", "casimir1"], 1e-10);
+}
