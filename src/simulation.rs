@@ -111,6 +111,11 @@ pub trait Simulated:
         vec![]
     }
 
+    /// Whether something read is of the size of an element.
+    fn has_shape(&self, g: &Self::Element) -> bool {
+        self.write(g).shape() == self.write(&self.identity()).shape()
+    }
+
     /// The derivatives at 0 of `exp(s e_i)` as written: the matrices of the basis.
     fn generators(&self) -> Vec<DMatrix<f64>> {
         let half = |x: &Self::Vector| self.write(&self.exp(&(x.clone() * 0.5)));

@@ -1,6 +1,9 @@
 //! Constrained systems: the heavy top on R^3 x SO(3) and on SE(3) against 30 digits, and simpler ones against closed forms.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "common/steps.rs"]
+mod steps;
+
 use affinor::dynamics::elliptic::Jacobi;
 use affinor::dynamics::euler_poincare::{Free, Torque};
 use affinor::dynamics::{
@@ -13,6 +16,7 @@ use affinor_tensors::{Down, Tensor};
 use nalgebra::{
     DMatrix, DVector, Isometry3, Matrix3, UnitQuaternion, Vector2, Vector3, Vector6, dvector,
 };
+use steps::run;
 
 const MASS: f64 = 15.0;
 const GRAVITY: f64 = 9.81;
@@ -181,20 +185,6 @@ where
     let (element, velocity) = G::upright();
     let start = system.state(0.0, element, &velocity).unwrap();
     (system, start)
-}
-
-fn run<G: LieGroup, C: Constraint<G>, M: Torque<G>>(
-    method: &GeneralisedAlpha,
-    system: &Constrained<G, C, M>,
-    start: &ConstrainedState<G>,
-    time: f64,
-    steps: usize,
-) -> ConstrainedState<G> {
-    let mut state = start.clone();
-    for _ in 0..steps {
-        method.step(system, &mut state, time / steps as f64).unwrap();
-    }
-    state
 }
 
 /// Of several errors, over four halvings.

@@ -1,6 +1,9 @@
 //! Euler-Poincare systems on groups: orders of the integrators, what is conserved, published states.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "common/steps.rs"]
+mod steps;
+
 use affinor::dynamics::euler_poincare::{Free, Torque};
 use affinor::dynamics::{Adaptive, CommutatorFree, EulerPoincare, Integrator, MuntheKaas, State};
 use affinor::equations::Equations;
@@ -8,6 +11,7 @@ use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, S
 use affinor::{Canonical, Connection, Error, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3, Vector6};
+use steps::run;
 
 /// A positive definite metric that is not diagonal.
 fn full<G: LieGroup>(group: &G) -> Metric<f64> {
@@ -37,20 +41,6 @@ fn rigid(moments: [f64; 3]) -> Metric<f64> {
     let moments = (0..3).map(|i| ([i, i], moments[i]));
     let metric = Tensor::from_components(3, &[Down, Down], moments).unwrap();
     Metric::new(algebra.labels(), metric).unwrap()
-}
-
-fn run<G: LieGroup, M: Torque<G>>(
-    method: &impl Integrator<EulerPoincare<G, M>>,
-    body: &EulerPoincare<G, M>,
-    start: &State<G>,
-    time: f64,
-    steps: usize,
-) -> State<G> {
-    let mut state = start.clone();
-    for _ in 0..steps {
-        method.step(body, &mut state, time / steps as f64).unwrap();
-    }
-    state
 }
 
 /// How far two elements are from each other.

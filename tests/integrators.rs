@@ -2,6 +2,9 @@
 //! they keep.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "common/steps.rs"]
+mod steps;
+
 use affinor::dynamics::euler_poincare::{Free, Torque};
 use affinor::dynamics::integrators::kick::{FreeMotion, Order as KickOrder};
 use affinor::dynamics::integrators::splitting::Composition;
@@ -9,7 +12,6 @@ use affinor::dynamics::moser_veselov::Order;
 use affinor::dynamics::{
     Adaptive, BodyState, CommutatorFree, CrouchGrossman, EulerPoincare, FreeBody, Inertia,
     Integrator, Kick, Linear, Magnus, MoserVeselov, MuntheKaas, Place, SimoWong, Splitting, State,
-    System,
 };
 use affinor::equations::Equations;
 use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Se23, Sl2, So3};
@@ -18,6 +20,7 @@ use affinor_tensors::{Down, Tensor};
 use nalgebra::{
     DMatrix, DVector, Matrix3, SVector, UnitQuaternion, Vector2, Vector3, Vector6, dmatrix,
 };
+use steps::{expect_order, run};
 
 /// Inner products of a basis that is neither orthogonal nor of length 1.
 fn full<G: LieGroup>(group: &G) -> Metric<f64> {
@@ -68,35 +71,6 @@ fn entries<G: LieGroup>(
     };
     let y = ode::solve(f, time, joined(others, &matrix), &[end], 1e-14).unwrap().remove(0);
     (split(&y), y.as_slice()[..n].to_vec())
-}
-
-fn run<S: System>(
-    method: &impl Integrator<S>,
-    system: &S,
-    start: &S::State,
-    time: f64,
-    steps: usize,
-) -> S::State {
-    let mut state = start.clone();
-    for _ in 0..steps {
-        method.step(system, &mut state, time / steps as f64).unwrap();
-    }
-    state
-}
-
-/// The order observed over each of some halvings is the nominal one, within a tenth.
-fn expect_order(
-    name: &str,
-    order: u32,
-    steps: usize,
-    halvings: usize,
-    error: impl Fn(usize) -> f64,
-) {
-    let errors: Vec<f64> = (0..=halvings).map(|halving| error(steps << halving)).collect();
-    for pair in errors.windows(2) {
-        let observed = (pair[0] / pair[1]).log2();
-        assert!((observed - f64::from(order)).abs() < 0.1, "{name}: {observed}, errors {errors:?}");
-    }
 }
 
 /// A torque that depends on everything it may.

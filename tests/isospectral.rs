@@ -2,17 +2,20 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod common;
+#[path = "common/steps.rs"]
+mod steps;
 
 use affinor::dynamics::isospectral::{Entry, Flow, Symmetry, spectrum};
 use affinor::dynamics::{
     Adaptive, Composed, EulerPoincare, Integrator, Isospectral, IsospectralMidpoint, Manakov,
-    MatrixState, System, Toda, Zeitlin,
+    MatrixState, Toda, Zeitlin,
 };
 use affinor::group::{LieGroup, MatrixGroup};
 use affinor::{Canonical, Connection, Error, LieAlgebra, Metric};
 use affinor_tensors::{Down, Tensor};
 use common::algebras::catalogued;
 use nalgebra::{Complex, ComplexField, DMatrix, DVector};
+use steps::{expect_order, run};
 
 const MIDPOINT: IsospectralMidpoint = IsospectralMidpoint;
 const FOURTH: Composed<IsospectralMidpoint> = Composed(IsospectralMidpoint);
@@ -33,20 +36,6 @@ fn references(name: &str) -> Vec<(usize, f64, Vec<f64>)> {
     found
 }
 
-fn run<S: System, I: Integrator<S>>(
-    method: &I,
-    system: &S,
-    start: &S::State,
-    time: f64,
-    steps: usize,
-) -> S::State {
-    let mut state = start.clone();
-    for _ in 0..steps {
-        method.step(system, &mut state, time / steps as f64).unwrap();
-    }
-    state
-}
-
 fn distance<T: Entry>(x: &MatrixState<T>, y: &DMatrix<T>) -> f64 {
     (&x.matrix - y).norm()
 }
@@ -59,21 +48,10 @@ fn orders<S: Isospectral>(
     time: f64,
     steps: usize,
 ) {
-    fn check(name: &str, order: f64, error: impl Fn(usize) -> f64, steps: usize) {
-        for halving in 0..4 {
-            let n = steps << halving;
-            let observed = (error(n) / error(2 * n)).log2();
-            assert!((observed - order).abs() < 0.1, "{name}: {observed} at {n}");
-        }
-    }
-    let error = |n| distance(&run(&MIDPOINT, system, start, time, n), exact);
-    check("midpoint", f64::from(MIDPOINT.order()), error, 4 * steps);
-    check(
-        "composed",
-        f64::from(FOURTH.order()),
-        |n| distance(&run(&FOURTH, system, start, time, n), exact),
-        steps,
-    );
+    let midpoint = |n| distance(&run(&MIDPOINT, system, start, time, n), exact);
+    expect_order("midpoint", MIDPOINT.order(), 4 * steps, 4, midpoint);
+    let composed = |n| distance(&run(&FOURTH, system, start, time, n), exact);
+    expect_order("composed", FOURTH.order(), steps, 4, composed);
 }
 
 fn drift(before: &[f64], after: &[f64]) -> f64 {

@@ -2,6 +2,9 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "common/program.rs"]
+mod program;
+
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
@@ -159,6 +162,15 @@ fn what_is_no_number_is_told_with_time_and_state() {
 }
 
 #[test]
+fn an_event_is_a_number() {
+    let problem = TOP.replace("every = 0.25", "every = 0.25\nstop = \"k\"");
+    let folder = folder(&format!("{problem}[events]\nk = \"sqrt(2.9 - t)\"\n"));
+    let message = refused(&mut simulate(folder.path()), 1);
+    assert!(message.contains("the function of an event is not a number"), "{message}");
+    assert!(message.contains("12 rows"), "{message}");
+}
+
+#[test]
 fn what_blows_up_or_is_stiff_ends_with_a_word() {
     let explodes = TOP.replace("-0.001*Omega1", "Omega1^2");
     let message = refused(&mut simulate(folder(&explodes).path()), 1);
@@ -220,7 +232,7 @@ fn formats_agree() {
     }
 }
 
-/// A potential conserves the energy on every group, in both invariances, and without it the power is the rate of the
+/// A potential conserves the energy on every group, in both invariances, and its power is the rate of the kinetic
 /// energy (109).
 #[test]
 fn potentials_conserve_the_energy_on_every_group() {
@@ -258,7 +270,7 @@ fn potentials_conserve_the_energy_on_every_group() {
                  [initial]\nvelocity = [{}]\ncoordinates = [{}]\n\
                  [forces]\npotential = \"{potential}\"\n\
                  [integrator]\ntolerance = 1e-12\n\
-                 [output]\nend = 2\nevery = 0.5\ncolumns = [\"t\", \"kinetic\", \"energy\"]\n",
+                 [output]\nend = 2\nevery = 0.01\ncolumns = [\"t\", \"kinetic\", \"energy\", \"power\"]\n",
                 metric.join(","),
                 velocity.join(","),
                 velocity.join(","),
@@ -271,11 +283,16 @@ fn potentials_conserve_the_energy_on_every_group() {
                     .map(|line| line.split(',').nth(k).unwrap().parse().unwrap())
                     .collect()
             };
-            let (kinetic, energy) = (column(1), column(2));
+            let (kinetic, energy, power) = (column(1), column(2), column(3));
             let off = energy.iter().map(|e| (e - energy[0]).abs()).fold(0.0, f64::max);
             assert!(off < 1e-10, "{space}, {invariance}: {off}");
             let moved = kinetic.iter().map(|t| (t - kinetic[0]).abs()).fold(0.0, f64::max);
             assert!(moved > 1e-3, "{space}, {invariance}: the potential does no work");
+            // Simpson's rule
+            let weighted = power.windows(3).step_by(2).map(|p| p[0] + 4.0 * p[1] + p[2]);
+            let work = weighted.sum::<f64>() * 0.01 / 3.0;
+            let off = (work - (kinetic[200] - kinetic[0])).abs();
+            assert!(off < 1e-5 * (1.0 + moved), "{space}, {invariance}: power off by {off}");
         }
     }
 }
@@ -315,5 +332,106 @@ tolerance = 1e-13",
         let text = String::from_utf8(found.stdout).unwrap();
         let last = text.lines().last().unwrap();
         assert_eq!(last.split(',').next().unwrap().parse::<f64>().unwrap(), times[0]);
+    }
+}
+
+/// A member that was stopped is told though the run was killed behind it.
+#[test]
+fn a_stopped_member_is_not_forgotten() {
+    let problem = TOP.replace("-0.001*Omega1", "sqrt(0.2 - w)").replace("end = 400", "end = 3");
+    let folder = folder(&problem.replace("samples = 40", "samples = 600"));
+    let folder = folder.path();
+    let whole = refused(simulate(folder).args(["--ensemble", "-o", "whole.csv"]), 1);
+    let resume = ["--checkpoint", "c", "--checkpoint-every", "0", "--resume", "-o", "rows.csv"];
+    let mut child =
+        simulate(folder).arg("--ensemble").args(resume).stderr(Stdio::null()).spawn().unwrap();
+    while !folder.join("c").exists() && child.try_wait().unwrap().is_none() {}
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let message = refused(simulate(folder).arg("--ensemble").args(resume), 1);
+    let first = |text: &str| text.lines().find(|line| line.contains("member")).map(String::from);
+    assert_eq!(first(&message), first(&whole), "{message}");
+    assert!(first(&message).unwrap().contains("sqrt(0.2 - w) is NaN"), "{message}");
+    assert_eq!(
+        fs::read(folder.join("whole.partial.csv")).unwrap(),
+        fs::read(folder.join("rows.partial.csv")).unwrap()
+    );
+}
+
+/// Where rows cannot go is told before the work, which would be lost.
+#[test]
+fn places_are_looked_at_first() {
+    let folder = folder(&TOP.replace("end = 400", "end = 1e6"));
+    let folder = folder.path();
+    let cases = [
+        (&["-o", "top.toml"][..], "top.toml is the input"),
+        (&["-o", "none/rows.csv"], "cannot write none/rows.csv"),
+        (&["-o", "."], "cannot write ."),
+        (&["-o", "rows.csv", "--checkpoint", "./rows.csv"], "one file"),
+        (&["-o", "c.rows", "--checkpoint", "c"], "one file"),
+    ];
+    for (options, expected) in cases {
+        let message = refused(simulate(folder).args(options), 2);
+        assert!(message.contains(expected), "{message}");
+        let left: Vec<_> = fs::read_dir(folder).unwrap().collect();
+        assert_eq!(left.len(), 1, "{options:?}: {left:?}");
+    }
+}
+
+/// No checkpoint makes the program panic or hang: each number of one is replaced by others.
+#[test]
+fn checkpoints_that_were_changed_do_no_harm() {
+    let fixed = TOP.replace("tolerance = 1e-12", "method = \"rkmk4\"\nstep = 0.01");
+    let bounded = TOP.replace("tolerance = 1e-12", "tolerance = 1e-12\nmax_steps = 10000");
+    for problem in [bounded, fixed] {
+        let problem = problem.replace("end = 400", "end = 20").replace("0.25", "5");
+        let folder = folder(&problem);
+        let folder = folder.path();
+        let mut child = simulate(folder)
+            .args(["--checkpoint", "c", "--checkpoint-every", "0"])
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        while !folder.join("c").exists() && child.try_wait().unwrap().is_none() {}
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let saved = fs::read_to_string(folder.join("c")).unwrap();
+        let saved: serde_json::Value = serde_json::from_str(&saved).unwrap();
+        let rows = fs::read(folder.join("c.rows")).unwrap();
+        let mut places = vec![];
+        numbers(&saved, String::new(), &mut places);
+        assert!(places.len() > 10, "{places:?}");
+        for place in places {
+            for value in ["-1", "0", "1e300", "18446744073709551615", "null", "[]"] {
+                let mut changed = saved.clone();
+                *changed.pointer_mut(&place).unwrap() = serde_json::from_str(value).unwrap();
+                println!("{place} = {value}");
+                fs::write(folder.join("c"), changed.to_string()).unwrap();
+                fs::write(folder.join("c.rows"), &rows).unwrap();
+                let mut command = simulate(folder);
+                command.args(["--checkpoint", "c", "--resume"]).stdout(Stdio::null());
+                let mut child = command.stderr(Stdio::piped()).spawn().unwrap();
+                let status = program::wait(&mut child);
+                assert!((0..=2).contains(&status), "{place} = {value}: {status}");
+            }
+        }
+    }
+}
+
+/// Pointers to all numbers.
+fn numbers(value: &serde_json::Value, at: String, found: &mut Vec<String>) {
+    match value {
+        serde_json::Value::Number(_) => found.push(at),
+        serde_json::Value::Array(items) => {
+            items
+                .iter()
+                .enumerate()
+                .for_each(|(k, item)| numbers(item, format!("{at}/{k}"), found));
+        }
+        serde_json::Value::Object(items) => {
+            items.iter().for_each(|(key, item)| numbers(item, format!("{at}/{key}"), found));
+        }
+        _ => {}
     }
 }

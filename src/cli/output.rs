@@ -4,7 +4,8 @@ use super::failure::Failure;
 use affinor::definition::InputError;
 use std::fs;
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
 
 /// Runs `write` on standard output or into `file`.
 ///
@@ -20,13 +21,7 @@ pub fn deliver(
         let done = write(&mut out).and_then(|()| out.flush());
         return done.map_err(|error| Failure::Output(error, "standard output".into()));
     };
-    let shown = path.display().to_string().escape_debug().to_string();
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-    let same = |input: &&Path| fs::canonicalize(input).is_ok_and(|input| input == target);
-    if inputs.iter().any(same) {
-        let message = format!("{shown} is the input; writing there would lose it");
-        return Err(InputError::usage(message).help("give -o another name").into());
-    }
+    let (shown, target) = expect_other(path, inputs)?;
     let special = fs::metadata(&target).is_ok_and(|meta| !meta.is_file() && !meta.is_dir());
     let done = if special {
         fs::File::create(&target).and_then(|file| {
@@ -39,7 +34,48 @@ pub fn deliver(
     done.map_err(|error| Failure::Output(error, shown))
 }
 
+/// Refuses a file that cannot be written, before work is done for it: one of `inputs`, a folder, or one in a folder that
+/// takes no file.
+pub fn expect_place(path: &Path, inputs: &[&Path]) -> Result<(), Failure> {
+    let (shown, target) = expect_other(path, inputs)?;
+    if fs::metadata(&target).is_ok_and(|meta| !meta.is_file() && !meta.is_dir()) {
+        return Ok(());
+    }
+    // gone at once
+    temporary(&target).map(drop).map_err(|error| Failure::Output(error, shown))
+}
+
+/// A path as shown, and where it leads, which has to be none of `inputs`.
+fn expect_other(path: &Path, inputs: &[&Path]) -> Result<(String, PathBuf), Failure> {
+    let shown = path.display().to_string().escape_debug().to_string();
+    if inputs.iter().any(|input| is_same(input, path)) {
+        let message = format!("{shown} is the input; writing there would lose it");
+        return Err(InputError::usage(message).help("give -o another name").into());
+    }
+    Ok((shown, resolved(path)))
+}
+
+/// Whether two paths lead to one file.
+pub fn is_same(a: &Path, b: &Path) -> bool {
+    resolved(a) == resolved(b)
+}
+
+/// Where a path leads.
+fn resolved(path: &Path) -> PathBuf {
+    let target = fs::canonicalize(path).or_else(|_| std::path::absolute(path));
+    target.unwrap_or_else(|_| path.to_path_buf())
+}
+
 fn replace(target: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let mut out = BufWriter::with_capacity(1 << 16, temporary(target)?);
+    write(&mut out)?;
+    let temporary = out.into_inner().map_err(|error| error.into_error())?;
+    temporary.persist(target).map_err(|error| error.error)?;
+    Ok(())
+}
+
+/// A file beside the target, to take its place.
+fn temporary(target: &Path) -> io::Result<NamedTempFile> {
     let folder = match target.parent() {
         Some(parent) if parent != Path::new("") => parent,
         _ => Path::new("."),
@@ -60,10 +96,5 @@ fn replace(target: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) 
     if !fs::metadata(folder)?.is_dir() {
         return Err(io::ErrorKind::NotADirectory.into());
     }
-    let temporary = builder.tempfile_in(folder)?;
-    let mut out = BufWriter::with_capacity(1 << 16, temporary);
-    write(&mut out)?;
-    let temporary = out.into_inner().map_err(|error| error.into_error())?;
-    temporary.persist(target).map_err(|error| error.error)?;
-    Ok(())
+    builder.tempfile_in(folder)
 }

@@ -7,7 +7,7 @@ mod summary;
 use super::color::Color;
 use super::failure::Failure;
 use super::note::{line, note};
-use super::output::deliver;
+use super::output::{deliver, expect_place};
 use affinor::definition::{Column, InputError, Problem, Ready, Walk};
 use affinor::run::{Head, RunFormat};
 use checkpoint::{Checkpoint, Store};
@@ -71,6 +71,10 @@ impl Arguments {
         }
         let format = self.format();
         let begun = Instant::now();
+        let inputs = [Path::new(&self.problem)];
+        if let Some(file) = &self.file {
+            expect_place(file, &inputs)?;
+        }
         let mut store = Store::open(self, &problem)?;
         let bar =
             bar(if self.ensemble { problem.members() } else { Some(problem.times.len() as u64) });
@@ -80,7 +84,6 @@ impl Arguments {
             self.one(&problem, &mut store, &bar)?
         };
         bar.finish_and_clear();
-        let inputs = [Path::new(&self.problem)];
         let mut target = self.file.clone();
         if stopped.is_some()
             && let Some(file) = &mut target
@@ -166,7 +169,6 @@ impl Arguments {
         let head = head(problem, method.name(), &front, &columns);
         store.spool.set_width(head.columns.len()).map_err(spool::failed)?;
         let mut done = store.resumed().map_or(0, |checkpoint| checkpoint.done);
-        let mut stopped = None;
         while done < size {
             let chunk: Vec<u64> = (done..size.min(done + CHUNK)).collect();
             let rows: Vec<_> = pool
@@ -175,9 +177,8 @@ impl Arguments {
                 for row in rows {
                     store.spool.push(&row).map_err(spool::failed)?;
                 }
-                if let (Some(error), None) = (error, &stopped) {
-                    let message = format!("member {}: {}", member + 1, error.message);
-                    stopped = Some(InputError { message, ..error });
+                if let Some(error) = error {
+                    store.stop(format!("member {}: {}", member + 1, error.message));
                 }
             }
             done += chunk.len() as u64;
@@ -186,7 +187,7 @@ impl Arguments {
                 store.save(done, None)?;
             }
         }
-        Ok((head, columns, stopped))
+        Ok((head, columns, store.stopped().map(InputError::mathematics)))
     }
 }
 

@@ -18,6 +18,7 @@ pub use walk::{Left, Walk};
 
 use super::input::{InputError, Place, Source, shown};
 use super::{Space, file, numbers};
+use crate::dynamics::Magnus;
 use crate::formula::Formula;
 use crate::simulation::{Method, Motion, Side, Table};
 use affinor_tensors::Tolerance;
@@ -241,9 +242,9 @@ impl Problem {
     /// The best method with steps, of problems that have no tolerance.
     pub fn own_class(&self) -> Option<Method> {
         match &self.kind {
-            Kind::Matrices(_) => Some(Method::Isospectral(4)),
+            Kind::Matrices(_) => Some(Method::ComposedIsospectral),
             Kind::Group(on_group) => {
-                matches!(on_group.course, Course::Given(..)).then_some(Method::Magnus(6))
+                matches!(on_group.course, Course::Given(..)).then_some(Method::Magnus(Magnus::Six))
             }
         }
     }

@@ -22,6 +22,20 @@ impl<G: LieGroup> Clone for State<G> {
     }
 }
 
+impl<G: LieGroup> State<G> {
+    /// With the momentum `H` in body components: `h = Ad*_(g^-1) H`.
+    pub fn with_momentum(group: &G, time: f64, element: G::Element, momentum: &G::Vector) -> Self {
+        let spatial = group.coadjoint(&group.inverse(&element), momentum);
+        State { time, element, spatial }
+    }
+
+    /// `H = Ad*_g h`, the momentum in body components (103).
+    #[inline]
+    pub fn momentum(&self, group: &G) -> G::Vector {
+        group.coadjoint(&self.element, &self.spatial)
+    }
+}
+
 /// The rates of change of a state: `Omega` in body components, and `h'`.
 #[derive(Clone, Debug)]
 pub struct Rates<V> {

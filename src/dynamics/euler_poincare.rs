@@ -195,13 +195,12 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
         element: G::Element,
         momentum: &G::Vector,
     ) -> State<G> {
-        let back = self.group.inverse(&element);
-        State { time, spatial: self.group.coadjoint(&back, momentum), element }
+        State::with_momentum(&self.group, time, element, momentum)
     }
 
     /// `H`, the momentum in body components (103).
     pub fn momentum(&self, state: &State<G>) -> G::Vector {
-        self.group.coadjoint(&state.element, &state.spatial)
+        state.momentum(&self.group)
     }
 
     /// `Omega = J^-1 H`, in body components.

@@ -132,9 +132,8 @@ impl<'a, T: Clone> Watch<'a, T> {
         let values = self.values_at(step.system, &end)?;
         let mut found = vec![];
         for (at, (before, behind)) in self.values.iter().zip(&values).enumerate() {
-            let changes = *behind == 0.0 || (*before < 0.0) != (*behind < 0.0);
             let rising = (*before < 0.0) == (step.length > 0.0);
-            if *before != 0.0 && changes && self.events[at].is_meant(rising) {
+            if is_crossed(*before, *behind) && self.events[at].is_meant(rising) {
                 found.push((self.located(at, step, [*before, *behind])?, at));
             }
         }
@@ -160,12 +159,7 @@ impl<'a, T: Clone> Watch<'a, T> {
     }
 
     fn value<S: System<State = T>>(&self, event: usize, system: &S, at: &T) -> Result<f64, Error> {
-        let value = (self.events[event].function)(at);
-        if value.is_nan() {
-            let reason = "the function of an event is not a number".into();
-            return Err(Error::Integration { t: system.time(at), reason });
-        }
-        Ok(value)
+        expect_number(system.time(at), (self.events[event].function)(at))
     }
 
     /// The time from the start of a step, with values at its ends, to the far side of a change of sign within it.
@@ -177,21 +171,39 @@ impl<'a, T: Clone> Watch<'a, T> {
     ) -> Result<f64, Error> {
         let value = |elapsed: f64| self.value(event, step.system, &step.after(elapsed)?);
         let start = step.system.time(&step.start);
-        let largest = start.abs().max((start + step.length).abs());
-        change_of_sign(value, step.length, values, f64::EPSILON * largest)
+        change_of_sign(value, start, step.length, values)
     }
 }
 
-/// Where a function of given values at 0 and `end` changes its sign between them, within a resolution: the point beyond.
+/// Whether zero lies between two values, or at the second: one that starts at zero has not crossed it.
+pub(crate) fn is_crossed(before: f64, behind: f64) -> bool {
+    before != 0.0 && (behind == 0.0 || (before < 0.0) != (behind < 0.0))
+}
+
+/// The value of the function of an event.
+///
+/// # Errors
+/// [`Error::Integration`] where it is not a number.
+pub(crate) fn expect_number(time: f64, value: f64) -> Result<f64, Error> {
+    if value.is_nan() {
+        let reason = "the function of an event is not a number".into();
+        return Err(Error::Integration { t: time, reason });
+    }
+    Ok(value)
+}
+
+/// Where a function of given values at 0 and `end` changes its sign between them, to the rounding of times after `start`: the
+/// point beyond.
 ///
 /// The ITP method of I. F. D. Oliveira and R. H. C. Takahashi, *ACM Trans. Math. Softw.* 47 (2021) 5: as fast as secants
 /// where these serve, and never more than one evaluation behind bisection.
-fn change_of_sign(
-    value: impl Fn(f64) -> Result<f64, Error>,
+pub(crate) fn change_of_sign(
+    mut value: impl FnMut(f64) -> Result<f64, Error>,
+    start: f64,
     end: f64,
     [mut before, mut behind]: [f64; 2],
-    resolution: f64,
 ) -> Result<f64, Error> {
+    let resolution = f64::EPSILON * start.abs().max((start + end).abs());
     let (mut a, mut b) = (0.0, end);
     if behind == 0.0 {
         return Ok(end);

@@ -40,13 +40,12 @@ pub struct LiePoissonSystem<G, F> {
 impl<G: LieGroup, F: Fn(&G::Vector) -> G::Vector> LiePoissonSystem<G, F> {
     /// The state of an element with a momentum `H` in body components.
     pub fn state(&self, time: f64, element: G::Element, momentum: &G::Vector) -> State<G> {
-        let back = self.group.inverse(&element);
-        State { time, spatial: self.group.coadjoint(&back, momentum), element }
+        State::with_momentum(&self.group, time, element, momentum)
     }
 
     /// `H`, in body components.
     pub fn momentum(&self, state: &State<G>) -> G::Vector {
-        self.group.coadjoint(&state.element, &state.spatial)
+        state.momentum(&self.group)
     }
 
     /// `Omega = dE/dH`, in body components.

@@ -57,20 +57,10 @@ impl<G: Simulated> Constraint<G> for Equations<G> {
 
     fn gradient(&self, element: &G::Element) -> DMatrix<f64> {
         let values = self.values(&self.group.write(element));
-        let moved = self.group.slopes(element, &self.generators);
-        let mut slopes = vec![0.0; values.len()];
-        let mut gradient = DMatrix::zeros(self.formulas.len(), moved.len());
-        for (a, formula) in self.formulas.iter().enumerate() {
-            formula.gradient(&values, &mut slopes);
-            for (quantity, slope) in self.scope.quantities().iter().zip(&slopes) {
-                if let Quantity::Entry(row, column) = quantity {
-                    for (i, moved) in moved.iter().enumerate() {
-                        gradient[(a, i)] += slope * moved[(*row, *column)];
-                    }
-                }
-            }
-        }
-        gradient
+        let fields = self.group.slopes(element, &self.generators);
+        let rows = self.formulas.iter().map(|f| self.scope.along_fields(f, &values, &fields));
+        let entries: Vec<f64> = rows.flatten().collect();
+        DMatrix::from_row_slice(self.formulas.len(), fields.len(), &entries)
     }
 }
 
@@ -126,12 +116,14 @@ impl<G: Simulated> Motion for OnConstraints<G> {
             let OnConstraints { system, state, pace, .. } = self;
             let method = GeneralisedAlpha::default();
             let time = state.time;
+            // that of an earlier step is none now
+            let _ = system.force().trouble();
             let reached = pace.step(time, until, |h| method.step(system, state, h));
             state.time = reached.map_err(|error| match system.force().trouble() {
                 Some(reason) => Error::Integration { t: time, reason },
                 None => error,
             })?;
-            self.steps += 1;
+            self.steps = self.steps.saturating_add(1);
         }
         Ok(self.state.time == until)
     }
@@ -169,7 +161,9 @@ impl<G: Simulated> Motion for OnConstraints<G> {
         let saved: Saved<G::Element> = snapshot.read()?;
         let n = self.system.group().dimension();
         let lengths = [Some(&saved.velocity), Some(&saved.acceleration), saved.lead.as_ref()];
-        let fits = lengths.into_iter().flatten().all(|list| list.len() == n);
+        let fits = lengths.into_iter().flatten().all(|list| list.len() == n)
+            && self.system.group().has_shape(&saved.element)
+            && self.pace.fits(&saved.pace);
         if !fits || saved.multipliers.len() != self.state.multipliers.len() {
             return Err(Error::Snapshot { reason: "it is of another motion".into() });
         }

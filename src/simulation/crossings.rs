@@ -2,6 +2,7 @@
 
 use super::Motion;
 use crate::Error;
+use crate::dynamics::events::{change_of_sign, expect_number, is_crossed};
 
 /// Columns whose changes of sign are looked for.
 #[derive(Clone, Debug)]
@@ -35,7 +36,7 @@ impl Crossings {
     /// seen.
     ///
     /// # Errors
-    /// As [`Motion::step`].
+    /// As [`Motion::step`]; [`Error::Integration`] where a column is not a number.
     pub fn step(
         &mut self,
         motion: &mut dyn Motion,
@@ -46,28 +47,30 @@ impl Crossings {
         }
         let (before, from) = (motion.save()?, motion.time());
         let reached = motion.step(until)?;
+        let end = motion.time();
         let now = motion.row()[self.columns.clone()].to_vec();
-        let crossed = |(old, new): (&f64, &f64)| *old != 0.0 && (*new == 0.0 || old * new < 0.0);
-        let found: Vec<usize> =
-            (0..now.len()).filter(|k| crossed((&self.last[*k], &now[*k]))).collect();
+        now.iter().try_for_each(|value| expect_number(end, *value).map(drop))?;
+        let found = (0..now.len()).filter(|k| is_crossed(self.last[*k], now[*k]));
+        let found: Vec<usize> = found.collect();
         let mut crossings = Vec::new();
         if !found.is_empty() {
-            let (after, end) = (motion.save()?, motion.time());
+            let after = motion.save()?;
             for event in found {
-                let (column, old) = (self.columns.start + event, self.last[event]);
-                let (mut low, mut high) = (from, end);
-                loop {
-                    let middle = low + 0.5 * (high - low);
-                    if middle == low || middle == high {
-                        break;
-                    }
+                let mut row_at = |elapsed: f64| {
+                    let time = if elapsed == end - from { end } else { from + elapsed };
                     motion.restore(&before)?;
-                    while !motion.step(middle)? {}
-                    if motion.row()[column] * old > 0.0 { low = middle } else { high = middle }
-                }
-                motion.restore(&before)?;
-                while !motion.step(high)? {}
-                crossings.push(Crossing { event, row: motion.row(), time: high });
+                    while !motion.step(time)? {}
+                    Ok::<_, Error>((time, motion.row()))
+                };
+                let column = self.columns.start + event;
+                let value = |elapsed: f64| {
+                    let (time, row) = row_at(elapsed)?;
+                    expect_number(time, row[column])
+                };
+                let values = [self.last[event], now[event]];
+                let elapsed = change_of_sign(value, from, end - from, values)?;
+                let (time, row) = row_at(elapsed)?;
+                crossings.push(Crossing { event, row, time });
             }
             motion.restore(&after)?;
             crossings.sort_by(|a, b| (a.time - from).abs().total_cmp(&(b.time - from).abs()));

@@ -80,8 +80,10 @@ impl<S: CotangentSystem> Drive<S> {
     /// Takes back what it remembered; whether that was of its kind.
     pub fn remember(&mut self, memory: Memory) -> bool {
         match (self, memory) {
-            (Drive::Fixed { pace, .. }, Memory::Pace(saved)) => *pace = saved,
-            (Drive::Adaptive { next, taken, .. }, Memory::Next(saved, count)) => {
+            (Drive::Fixed { pace, .. }, Memory::Pace(saved)) if pace.fits(&saved) => *pace = saved,
+            (Drive::Adaptive { control, next, taken }, Memory::Next(saved, count))
+                if count <= control.max_steps =>
+            {
                 (*next, *taken) = (saved, count);
             }
             (Drive::Exact(_), Memory::None) => {}

@@ -168,23 +168,13 @@ impl<G: Simulated> Forces<G> {
             table.add(at.time, &mut sums[usize::from(*side != own)]);
         }
         if let Some((formula, text)) = &self.potential {
-            let mut pull = vec![0.0; n];
-            let mut slopes = vec![0.0; values.len()];
-            formula.gradient(&values, &mut slopes);
-            for (i, moved) in self.group.slopes(at.element, &self.generators).iter().enumerate() {
-                for (quantity, slope) in self.scope.quantities().iter().zip(&slopes) {
-                    if let Quantity::Entry(row, column) = quantity
-                        && *slope != 0.0
-                    {
-                        pull[i] -= slope * moved[(*row, *column)];
-                    }
-                }
-            }
-            for (sum, pull) in sums[0].iter_mut().zip(&pull) {
-                *sum += pull;
-            }
-            if let Some(value) = pull.iter().find(|value| !value.is_finite()) {
+            let fields = self.group.slopes(at.element, &self.generators);
+            let slopes = self.scope.along_fields(formula, &values, &fields);
+            if let Some(value) = slopes.iter().find(|value| !value.is_finite()) {
                 self.note(&format!("the derivative of the potential {text}"), *value, at);
+            }
+            for (sum, slope) in sums[0].iter_mut().zip(&slopes) {
+                *sum -= slope;
             }
         }
         let [mine, other] = sums.map(|sum| G::Vector::from_components(&sum));
@@ -213,9 +203,9 @@ impl<G: Simulated> Forces<G> {
         }
     }
 
-    /// What went wrong last in a force.
+    /// What went wrong last in a force, which is then forgotten.
     pub fn trouble(&self) -> Option<String> {
-        self.trouble.lock().ok()?.clone()
+        self.trouble.lock().ok()?.take()
     }
 }
 

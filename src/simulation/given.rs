@@ -100,7 +100,7 @@ impl<G: Simulated> Motion for OnGiven<G> {
             let OnGiven { system, place, method, pace, .. } = self;
             let time = place.time;
             place.time = pace.step(time, until, |h| method.step(system, place, h))?;
-            self.steps += 1;
+            self.steps = self.steps.saturating_add(1);
         }
         Ok(self.place.time == until)
     }
@@ -124,6 +124,9 @@ impl<G: Simulated> Motion for OnGiven<G> {
 
     fn restore(&mut self, snapshot: &Snapshot) -> Result<(), Error> {
         let saved: Saved<G::Element> = snapshot.read()?;
+        if !(self.system.group.has_shape(&saved.element) && self.pace.fits(&saved.pace)) {
+            return Err(Error::Snapshot { reason: "it is of another motion".into() });
+        }
         self.place = Place { time: saved.time, element: saved.element };
         (self.pace, self.steps) = (saved.pace, saved.steps);
         Ok(())

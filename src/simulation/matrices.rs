@@ -188,7 +188,7 @@ where
             let OnMatrices { flow, state, integrator, pace, .. } = self;
             let time = state.time;
             state.time = pace.step(time, until, |h| integrator.step(flow, state, h))?;
-            self.steps += 1;
+            self.steps = self.steps.saturating_add(1);
         }
         Ok(self.state.time == until)
     }
@@ -210,7 +210,8 @@ where
 
     fn restore(&mut self, snapshot: &Snapshot) -> Result<(), Error> {
         let saved: Saved<DMatrix<F::Entry>> = snapshot.read()?;
-        if saved.matrix.shape() != self.state.matrix.shape() {
+        let fits = saved.matrix.shape() == self.state.matrix.shape();
+        if !(fits && self.pace.fits(&saved.pace)) {
             return Err(Error::Snapshot { reason: "it is of another motion".into() });
         }
         self.state = MatrixState { time: saved.time, matrix: saved.matrix };

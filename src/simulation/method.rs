@@ -1,5 +1,6 @@
 //! The methods by name, and which is taken where none is named.
 
+use crate::dynamics::Magnus;
 use crate::dynamics::integrators::splitting::Composition;
 use crate::dynamics::integrators::{Pair, kick};
 use crate::dynamics::moser_veselov::Order;
@@ -32,9 +33,11 @@ pub enum Method {
     /// Generalised alpha, for systems with constraints.
     GeneralisedAlpha,
     /// Magnus, for a given velocity.
-    Magnus(u32),
-    /// The isospectral midpoint rule of order 2, or composed to order 4, for flows of matrices.
-    Isospectral(u32),
+    Magnus(Magnus),
+    /// The isospectral midpoint rule, for flows of matrices.
+    Isospectral,
+    /// The same composed to order 4.
+    ComposedIsospectral,
 }
 
 impl Method {
@@ -58,10 +61,10 @@ impl Method {
         Method::Kick(kick::Order::Four),
         Method::Kick(kick::Order::Six),
         Method::GeneralisedAlpha,
-        Method::Magnus(4),
-        Method::Magnus(6),
-        Method::Isospectral(2),
-        Method::Isospectral(4),
+        Method::Magnus(Magnus::Four),
+        Method::Magnus(Magnus::Six),
+        Method::Isospectral,
+        Method::ComposedIsospectral,
     ];
 
     /// The name in problems.
@@ -85,10 +88,10 @@ impl Method {
             Method::Kick(kick::Order::Four) => "kick4",
             Method::Kick(kick::Order::Six) => "kick6",
             Method::GeneralisedAlpha => "generalised-alpha",
-            Method::Magnus(4) => "magnus4",
-            Method::Magnus(_) => "magnus6",
-            Method::Isospectral(2) => "isospectral2",
-            Method::Isospectral(_) => "isospectral4",
+            Method::Magnus(Magnus::Four) => "magnus4",
+            Method::Magnus(Magnus::Six) => "magnus6",
+            Method::Isospectral => "isospectral2",
+            Method::ComposedIsospectral => "isospectral4",
         }
     }
 
@@ -111,7 +114,9 @@ impl Method {
             Method::Adaptive(_) => "any group and any forces, to a tolerance",
             Method::GeneralisedAlpha => "a system with constraints",
             Method::Magnus(_) => "a velocity given over time",
-            Method::Isospectral(_) => "a flow of matrices that keeps their spectrum",
+            Method::Isospectral | Method::ComposedIsospectral => {
+                "a flow of matrices that keeps their spectrum"
+            }
             _ => "any group and any forces, with a step",
         }
     }

@@ -44,7 +44,9 @@ impl<S: Seen + Send> Motion for OnCotangent<S> {
     }
 
     fn step(&mut self, until: f64) -> Result<bool, Error> {
-        self.steps += u64::from(self.state.time != until);
+        self.steps = self.steps.saturating_add(u64::from(self.state.time != until));
+        // that of an earlier step is none now
+        let _ = self.system.forces().trouble();
         let done = self.drive.step(&self.system, &mut self.state, until);
         done.map_err(|error| match (error, self.system.forces().trouble()) {
             (_, Some(trouble)) => Error::Integration { t: self.state.time, reason: trouble },
@@ -80,7 +82,8 @@ impl<S: Seen + Send> Motion for OnCotangent<S> {
     fn restore(&mut self, snapshot: &Snapshot) -> Result<(), Error> {
         let saved: Saved<Element<S>> = snapshot.read()?;
         let n = self.system.group().dimension();
-        if saved.spatial.len() != n || !self.drive.remember(saved.memory) {
+        let fits = saved.spatial.len() == n && self.system.group().has_shape(&saved.element);
+        if !fits || !self.drive.remember(saved.memory) {
             return Err(Error::Snapshot { reason: "it is of another motion".into() });
         }
         let spatial = Vector::<S>::from_components(&saved.spatial);

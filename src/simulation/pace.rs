@@ -28,6 +28,15 @@ impl Pace {
         Pace { step, leg: None }
     }
 
+    /// Whether another could have come from this one.
+    pub fn fits(&self, other: &Pace) -> bool {
+        let begun = other.leg.is_none_or(|leg| {
+            let whole = Leg::new(leg.from, leg.until, self.step);
+            leg.taken < leg.count && whole.is_ok_and(|whole| whole.count == leg.count)
+        });
+        begun && self.step == other.step
+    }
+
     /// Makes one step by `advance`, which is given its length, and returns the time behind it.
     ///
     /// # Errors

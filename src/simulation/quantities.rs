@@ -5,6 +5,7 @@ use super::forces::{Forces, Point};
 use crate::formula::Formula;
 use crate::group::Coordinates;
 use affinor_tensors::expression::ExpressionError;
+use nalgebra::DMatrix;
 
 /// A number that a motion has at a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -197,6 +198,27 @@ impl Scope {
     /// The quantities, in the order of their values.
     pub fn quantities(&self) -> &[Quantity] {
         &self.quantities
+    }
+
+    /// The derivatives of a formula along invariant fields, by those of the element as written: through its entries alone.
+    pub fn along_fields(
+        &self,
+        formula: &Formula,
+        values: &[f64],
+        fields: &[DMatrix<f64>],
+    ) -> Vec<f64> {
+        let mut slopes = vec![0.0; values.len()];
+        formula.gradient(values, &mut slopes);
+        let along = |field: &DMatrix<f64>| {
+            let terms = self.quantities.iter().zip(&slopes);
+            let term = |(quantity, slope): (&Quantity, &f64)| match *quantity {
+                // 0 times an infinite derivative is none
+                Quantity::Entry(row, column) if *slope != 0.0 => slope * field[(row, column)],
+                _ => 0.0,
+            };
+            terms.map(term).sum()
+        };
+        fields.iter().map(along).collect()
     }
 
     fn any(&self, wanted: impl Fn(Quantity) -> bool) -> bool {

@@ -556,3 +556,23 @@ fn files() {
     let says = &["a.json:1:", "duplicate key `a`"];
     refuse([Case { name: "twice", arguments, file, input: b"", status: USAGE, says }]);
 }
+
+/// A velocity over time has no inertia.
+#[test]
+fn velocities_over_time_have_no_energy() {
+    let given = "space = 'so3'\nintegrator.step = 0.1\ngiven.velocity = [1, 't', 0]\n";
+    let cases = [
+        ("columns", "output = { end = 1, columns = ['t', 'H'] }"),
+        ("quantities", "output = { end = 1 }\nquantities = { k = 'kinetic' }"),
+        ("events", "output = { end = 1 }\nevents = { k = 'energy - 1' }"),
+    ];
+    let texts = cases.map(|(name, output)| (name, format!("{given}{output}")));
+    refuse(texts.iter().map(|(name, text)| Case {
+        name,
+        arguments: &["simulate", "a.toml"],
+        file: Some(("a.toml", text.as_bytes())),
+        input: b"",
+        status: USAGE,
+        says: &["is no name here"],
+    }));
+}

@@ -5,7 +5,7 @@
 
 use super::super::failure::Failure;
 use super::super::note::note;
-use super::super::output::deliver;
+use super::super::output::{deliver, is_same};
 use super::spool::{Spool, failed};
 use affinor::definition::{InputError, Problem};
 use affinor::simulation::Snapshot;
@@ -31,6 +31,8 @@ pub struct Checkpoint {
     /// Rows, or members of an ensemble, that are done.
     pub done: u64,
     pub snapshot: Option<Snapshot>,
+    /// What stopped a member of an ensemble.
+    pub stopped: Option<String>,
 }
 
 /// Where rows and checkpoints are kept.
@@ -59,8 +61,15 @@ impl Store {
             rows: 0,
             done: 0,
             snapshot: None,
+            stopped: None,
         };
         let path = arguments.checkpoint.clone();
+        if let (Some(path), Some(file)) = (&path, &arguments.file)
+            && (is_same(path, file) || is_same(&rows_of(path), file))
+        {
+            let message = "the rows and the checkpoint are one file";
+            return Err(InputError::usage(message).help("give one of them another name").into());
+        }
         let found = match &path {
             Some(path) if arguments.resume => read(path, &fresh)?,
             Some(path) if path.exists() => {
@@ -91,6 +100,16 @@ impl Store {
     /// Whether it is time for the next checkpoint.
     pub fn is_due(&self) -> bool {
         self.path.is_some() && self.last.elapsed() >= self.every
+    }
+
+    /// Notes what stopped a member of an ensemble.
+    pub fn stop(&mut self, reason: String) {
+        self.checkpoint.stopped.get_or_insert(reason);
+    }
+
+    /// What stopped the first member that was stopped.
+    pub fn stopped(&self) -> Option<&str> {
+        self.checkpoint.stopped.as_deref()
     }
 
     pub fn save(&mut self, done: u64, snapshot: Option<Snapshot>) -> Result<(), Failure> {

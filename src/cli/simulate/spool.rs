@@ -34,11 +34,10 @@ impl Spool {
     /// Says how wide rows are, and forgets what is behind the rows that are kept.
     pub fn set_width(&mut self, width: usize) -> io::Result<()> {
         self.width = width;
-        let end = self.count * (width * BYTES) as u64;
+        let end = self.count.checked_mul((width * BYTES) as u64);
         let file = self.file.get_mut();
-        if file.metadata()?.len() < end {
-            return Err(io::ErrorKind::UnexpectedEof.into());
-        }
+        let length = file.metadata()?.len();
+        let end = end.filter(|end| *end <= length).ok_or(io::ErrorKind::UnexpectedEof)?;
         file.set_len(end)?;
         file.seek(SeekFrom::Start(end))?;
         Ok(())

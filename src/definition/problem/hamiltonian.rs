@@ -40,8 +40,8 @@ impl Launch<'_> {
             let help = format!("it is a formula of {momentum}1..{momentum}{n} and the parameters");
             written.refused(error, help)
         })?;
-        let (columns, mut formulas) = self.columns(&names)?;
-        let events = self.events(&names, &mut formulas)?;
+        let (columns, mut formulas) = self.columns(&names, &|_| true)?;
+        let events = self.events(&names, &|_| true, &mut formulas)?;
         let element = self.element(&group, &values)?;
         let momentum = self.momentum(&group, &element, &names, &values)?;
         let problem = self.problem;

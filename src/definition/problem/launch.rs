@@ -9,7 +9,7 @@ use crate::dense::to_dmatrix;
 use crate::dynamics::integrators::Magnus;
 use crate::formula::Formula;
 use crate::group::{Coordinates, Opposite, rotation};
-use crate::simulation::quantities::{Names, Scope};
+use crate::simulation::quantities::{Names, Quantity, Scope};
 use crate::simulation::{
     Forces, GivenVelocity, Method, Setup, Side, Simulated, on_given, on_group,
 };
@@ -116,8 +116,8 @@ impl Launch<'_> {
         let whole = Launch { parameters: parameters.clone(), ..*self };
         let mut forces = Forces::none(group.clone(), inertia.clone(), parameters);
         self.forces(&mut forces)?;
-        let (columns, mut formulas) = self.columns(&forces)?;
-        let events = self.events(&forces, &mut formulas)?;
+        let (columns, mut formulas) = self.columns(&forces, &|_| true)?;
+        let events = self.events(&forces, &|_| true, &mut formulas)?;
         let element = self.element(&group, &values)?;
         let momentum = self.momentum(&group, &element, &forces, &values)?;
         let step = self.problem.step_at(&values)?;
@@ -164,15 +164,10 @@ impl Launch<'_> {
             let message = format!("the velocity has {found} components, the dimension is {n}");
             return Err(InputError::usage(message).at(&self.problem.source.key("given")));
         }
-        let method = self.problem.method.unwrap_or(Method::Magnus(6));
-        let magnus = match method {
-            Method::Magnus(4) => Magnus::Four,
-            Method::Magnus(_) => Magnus::Six,
-            _ => {
-                let message = format!("the method {method} is not for a velocity over time");
-                let error = InputError::mathematics(message);
-                return Err(error.help("that has magnus4 and magnus6"));
-            }
+        let method = self.problem.method.unwrap_or(Method::Magnus(Magnus::Six));
+        let Method::Magnus(magnus) = method else {
+            let message = format!("the method {method} is not for a velocity over time");
+            return Err(InputError::mathematics(message).help("that has magnus4 and magnus6"));
         };
         let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
         let Some(step) = self.problem.step_at(&values)? else {
@@ -186,8 +181,16 @@ impl Launch<'_> {
             let help = "the velocity is a formula of t and the parameters";
             added.map_err(|error| formula.refused(error, help.into()))?;
         }
-        let (columns, mut formulas) = self.columns(&names)?;
-        let events = self.events(&names, &mut formulas)?;
+        // there is no inertia
+        let kinematic = |quantity: Quantity| {
+            use Quantity::{Energy, Kinetic, Momentum, OtherMomentum, Potential, Power};
+            !matches!(
+                quantity,
+                Momentum(_) | OtherMomentum(_) | Kinetic | Potential | Energy | Power
+            )
+        };
+        let (columns, mut formulas) = self.columns(&names, &kinematic)?;
+        let events = self.events(&names, &kinematic, &mut formulas)?;
         let start = (self.problem.times[0], self.element(&group, &values)?);
         let motion = on_given(group, velocity, start, (magnus, step), formulas, names);
         Ok(Ready { motion, method, columns, events, inertia: None, notes: vec![] })
@@ -247,10 +250,11 @@ impl Launch<'_> {
         Ok(())
     }
 
-    /// The columns of the rows, and their formulas.
+    /// The columns of the rows, of quantities that are `allowed`, and their formulas.
     pub(super) fn columns<G: Simulated>(
         &self,
         forces: &Forces<G>,
+        allowed: &dyn Fn(Quantity) -> bool,
     ) -> Result<(Vec<Column>, Formulas), InputError> {
         let names = forces.names();
         let help = || format!("the names here are {}", names.all());
@@ -264,14 +268,14 @@ impl Launch<'_> {
             let watched = ["h", "energy"].contains(&&*stem.text);
             for name in expanded {
                 expect_one(&columns, &name, &stem.place)?;
-                let formula = scope.read(&name, names, &|_| true);
+                let formula = scope.read(&name, names, allowed);
                 formulas.push(formula.map_err(|error| stem.refused(error, help()))?);
                 columns.push(Column { name, formula: None, watched });
             }
         }
         for (name, written) in &self.problem.quantities {
             expect_one(&columns, name, &self.problem.source.key(name))?;
-            let formula = scope.read(&written.text, names, &|_| true);
+            let formula = scope.read(&written.text, names, allowed);
             formulas.push(formula.map_err(|error| written.refused(error, help()))?);
             let formula = Some(written.text.clone());
             columns.push(Column { name: name.clone(), formula, watched: true });
@@ -280,7 +284,7 @@ impl Launch<'_> {
         let casimirs = self.on_group.casimirs.iter().filter(|_| forces.is_empty());
         for (i, casimir) in casimirs.enumerate() {
             let text = casimir.replace("mu", names.momentum());
-            if let Ok(formula) = scope.read(&text, names, &|_| true) {
+            if let Ok(formula) = scope.read(&text, names, allowed) {
                 formulas.push(formula);
                 let name = format!("casimir{}", i + 1);
                 columns.push(Column { name, formula: Some(text), watched: true });
@@ -289,17 +293,18 @@ impl Launch<'_> {
         Ok((columns, (scope, formulas)))
     }
 
-    /// The names of events; their formulas go behind the others.
+    /// The names of events, of quantities that are `allowed`; their formulas go behind the others.
     pub(super) fn events<G: Simulated>(
         &self,
         forces: &Forces<G>,
+        allowed: &dyn Fn(Quantity) -> bool,
         (scope, formulas): &mut Formulas,
     ) -> Result<Vec<String>, InputError> {
         let names = forces.names();
         let help = || format!("the names here are {}", names.all());
         let mut events = Vec::new();
         for (name, written) in &self.problem.events {
-            let formula = scope.read(&written.text, names, &|_| true);
+            let formula = scope.read(&written.text, names, allowed);
             formulas.push(formula.map_err(|error| written.refused(error, help()))?);
             events.push(name.clone());
         }

@@ -47,17 +47,18 @@ pub(super) enum Flow {
 
 impl Matrices {
     pub fn motion(&self, problem: &Problem, values: &[f64]) -> Result<Ready, InputError> {
-        let method = problem.method.unwrap_or(Method::Isospectral(2));
-        let Method::Isospectral(order) = method else {
+        let method = problem.method.unwrap_or(Method::Isospectral);
+        if !matches!(method, Method::Isospectral | Method::ComposedIsospectral) {
             let message = format!("the method {method} is not for flows of matrices");
             let help = "they have isospectral2 and isospectral4";
             return Err(InputError::mathematics(message).at(&self.place).help(help));
-        };
+        }
         let Some(step) = problem.step_at(values)? else {
             let error = InputError::mathematics("a flow of matrices needs a step");
             return Err(error.at(&self.place));
         };
-        let started = on_matrices(&self.flow(values)?, problem.times[0], step, order == 4);
+        let fourth = method == Method::ComposedIsospectral;
+        let started = on_matrices(&self.flow(values)?, problem.times[0], step, fourth);
         let (motion, names) = started.map_err(|error| InputError::from(error).at(&self.place))?;
         let column = |(name, watched)| Column { name, formula: None, watched };
         Ok(Ready {
