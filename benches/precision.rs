@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! cargo bench --bench precision -- measure > motion.csv
+//! cargo bench --bench precision -- steps
 //! cargo bench --bench precision -- draw < motion.csv > motion.svg
 //! ```
 //!
@@ -23,14 +24,15 @@ mod sweep;
 
 use affinor::dynamics::euler_poincare::{Free, Torque};
 use affinor::dynamics::integrators::Pair;
+use affinor::dynamics::integrators::runge_kutta::LocalCoordinates;
 use affinor::dynamics::integrators::kick::{FreeMotion, Order as KickOrder};
 use affinor::dynamics::integrators::splitting::Composition;
 use affinor::dynamics::moser_veselov::Order;
 use affinor::dynamics::{
     Adaptive, BodyState, CommutatorFree, CrouchGrossman, EulerPoincare, FreeBody, Integrator, Kick,
-    MoserVeselov, MuntheKaas, SimoWong, Splitting, State,
+    MoserVeselov, MuntheKaas, Projected, SimoWong, Splitting, State,
 };
-use affinor::group::{Coordinates, LieGroup, Se3, So3};
+use affinor::group::{Coordinates, LieGroup, Se3, So3, Stored};
 use nalgebra::{UnitQuaternion, Vector3};
 use problem::Problem;
 use std::hint::black_box;
@@ -58,6 +60,9 @@ fn main() {
         free_body("free body, t = 100", "hairer-vilmart", "100.0", 200);
         heavy_top(&Problem::read("bruels-cardona-arnold", "2.0"), 300);
         kirchhoff(&Problem::read("kirchhoff", "20.0"), 20);
+        steps();
+    } else if arguments.iter().any(|argument| argument == "steps") {
+        println!("problem,method,parameter,error,seconds,steps");
         steps();
     }
 }
@@ -115,24 +120,38 @@ fn kirchhoff(problem: &Problem, few: u64) {
 }
 
 /// The methods for all groups.
-fn any_group<G: LieGroup, M: Torque<G>>(sweep: &Sweep, system: &EulerPoincare<G, M>, few: u64) {
+fn any_group<G: Stored, M: Torque<G>>(sweep: &Sweep, system: &EulerPoincare<G, M>, few: u64) {
     group_steps(sweep, "RKMK4", system, few, || MuntheKaas::RK4);
+    group_steps(sweep, "projected RK4", system, few, || Projected::RK4);
     group_steps(sweep, "CF4", system, few, || CommutatorFree);
     group_steps(sweep, "CG3", system, few, || CrouchGrossman);
-    let seen = |(state, _): &(State<G>, u64)| body_momentum(system, state);
-    for (name, pair) in [("RKMK54", Pair::Five), ("RKMK853", Pair::Eight)] {
-        let run = |tolerance: f64| {
-            let control = Adaptive { pair, ..Adaptive::new(tolerance) };
-            let mut state = sweep.reference.start(system);
-            let (mut next, mut count) = (control.first_step(), 0);
-            while state.time != sweep.reference.time {
-                control.step(system, &mut state, &mut next, sweep.reference.time).ok()?;
-                count += 1;
-            }
-            Some((state, count))
-        };
-        sweep.tolerances(name, run, seen, |(_, count)| *count);
+    for (name, projected, pair) in
+        [("RKMK54", "projected DP54", Pair::Five), ("RKMK853", "projected DP853", Pair::Eight)]
+    {
+        let control = move |tolerance: f64| Adaptive { pair, ..Adaptive::new(tolerance) };
+        controlled(sweep, name, system, control);
+        controlled(sweep, projected, system, move |tolerance| control(tolerance).projected());
     }
+}
+
+fn controlled<G: Stored, M: Torque<G>, C: LocalCoordinates<G> + Copy>(
+    sweep: &Sweep,
+    name: &str,
+    system: &EulerPoincare<G, M>,
+    control: impl Fn(f64) -> Adaptive<C>,
+) {
+    let run = |tolerance: f64| {
+        let control = control(tolerance);
+        let mut state = sweep.reference.start(system);
+        let (mut next, mut count) = (control.first_step(), 0);
+        while state.time != sweep.reference.time {
+            control.step(system, &mut state, &mut next, sweep.reference.time).ok()?;
+            count += 1;
+        }
+        Some((state, count))
+    };
+    let seen = |(state, _): &(State<G>, u64)| body_momentum(system, state);
+    sweep.tolerances(name, run, seen, |(_, count)| *count);
 }
 
 fn group_steps<G: LieGroup, M: Torque<G>, I: Integrator<EulerPoincare<G, M>>>(
@@ -193,10 +212,13 @@ fn steps() {
     runge_kutta("SE(3)", &rigid.system(Se3, Free));
 }
 
-fn runge_kutta<G: LieGroup, M: Torque<G>>(place: &str, system: &EulerPoincare<G, M>) {
+fn runge_kutta<G: Stored, M: Torque<G>>(place: &str, system: &EulerPoincare<G, M>) {
     one_by_one("RKMK4", place, system, &MuntheKaas::RK4);
     one_by_one("RKMK5 of RKMK54", place, system, &MuntheKaas::DORMAND_PRINCE);
     one_by_one("RKMK8 of RKMK853", place, system, &MuntheKaas::DORMAND_PRINCE_8);
+    one_by_one("projected RK4", place, system, &Projected::RK4);
+    one_by_one("projected DP5", place, system, &Projected::DORMAND_PRINCE);
+    one_by_one("projected DP8", place, system, &Projected::DORMAND_PRINCE_8);
     one_by_one("CF4", place, system, &CommutatorFree);
     one_by_one("CG3", place, system, &CrouchGrossman);
 }

@@ -24,6 +24,7 @@ pub mod integrators;
 pub mod isospectral;
 pub mod lie_poisson;
 pub mod mass;
+mod matrix;
 pub mod moser_veselov;
 mod principal;
 
@@ -32,7 +33,7 @@ pub use cotangent::{CotangentSystem, State};
 pub use euler_poincare::EulerPoincare;
 pub use free_body::FreeBody;
 pub use inertia::{BodyState, Inertia};
-pub use integrators::{Adaptive, CommutatorFree, Integrator, MuntheKaas, System};
+pub use integrators::{Adaptive, CommutatorFree, Integrator, MuntheKaas, Projected, System};
 pub use integrators::{Composed, GeneralisedAlpha, IsospectralMidpoint};
 pub use integrators::{CrouchGrossman, Kick, Linear, Magnus, Place, SimoWong, Splitting};
 pub use isospectral::{Isospectral, Manakov, MatrixState, Toda, Zeitlin};

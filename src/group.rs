@@ -29,6 +29,7 @@ pub mod series;
 pub mod sl2;
 pub mod so2;
 pub mod so3;
+mod stored;
 pub mod stumpff;
 pub mod translations;
 pub mod velocity;
@@ -47,6 +48,7 @@ pub use se23::{ExtendedPose, Se23};
 pub use sl2::Sl2;
 pub use so2::So2;
 pub use so3::So3;
+pub use stored::Stored;
 pub use translations::Translations;
 pub use velocity::Velocity;
 
@@ -147,6 +149,11 @@ pub trait LieGroup {
             let image = self.adjoint(g, &self.unit(i));
             h.components().iter().zip(image.components()).map(|(h, x)| h * x).sum()
         })
+    }
+
+    /// `Ad*_exp(x) h`, for which some groups need no element.
+    fn coadjoint_exp(&self, x: &Self::Vector, h: &Self::Vector) -> Self::Vector {
+        self.coadjoint(&self.exp(x), h)
     }
 
     /// The element that is meant by one which the roundings of many products took off the group, such as a

@@ -1,7 +1,7 @@
 //! Systems of an element and its momentum: motions on the cotangent bundle of a group.
 
 use super::System;
-use crate::group::LieGroup;
+use crate::group::{Coordinates, LieGroup};
 
 /// A state of a motion.
 #[derive(Debug)]
@@ -45,7 +45,8 @@ pub struct Rates<V> {
     pub spatial: V,
 }
 
-/// Equations `g' = g Omega`, `h' = ..` of an element and its spatial momentum.
+/// Equations `g' = g Omega`, `h' = Ad*_{g^-1} F` of an element and its spatial momentum, where `Omega` is a function of
+/// the momentum `H = Ad*_g h` in body components.
 pub trait CotangentSystem: System<State = State<Self::Group>> {
     /// The group.
     type Group: LieGroup;
@@ -53,8 +54,38 @@ pub trait CotangentSystem: System<State = State<Self::Group>> {
     /// The group.
     fn group(&self) -> &Self::Group;
 
+    /// `Omega` of a momentum `H`, in body components.
+    fn velocity_of(&self, momentum: &Vector<Self>) -> Vector<Self>;
+
+    /// Whether `F` is zero everywhere, so that `h` stays what it is.
+    fn is_free(&self) -> bool {
+        true
+    }
+
+    /// `F`, in body components.
+    fn force(
+        &self,
+        time: f64,
+        element: &Element<Self>,
+        velocity: &Vector<Self>,
+        momentum: &Vector<Self>,
+    ) -> Vector<Self> {
+        let _ = (time, element, velocity, momentum);
+        Vector::<Self>::zeros(self.group().dimension())
+    }
+
     /// The rates of change of a state.
-    fn rates(&self, state: &State<Self::Group>) -> Rates<Vector<Self>>;
+    #[inline]
+    fn rates(&self, state: &State<Self::Group>) -> Rates<Vector<Self>> {
+        let group = self.group();
+        let momentum = state.momentum(group);
+        let velocity = self.velocity_of(&momentum);
+        if self.is_free() {
+            return Rates { spatial: Vector::<Self>::zeros(group.dimension()), velocity };
+        }
+        let force = self.force(state.time, &state.element, &velocity, &momentum);
+        Rates { spatial: group.coadjoint(&group.inverse(&state.element), &force), velocity }
+    }
 }
 
 /// Components in the basis of the algebra.

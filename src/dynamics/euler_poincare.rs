@@ -1,11 +1,11 @@
 //! The equations of motion that a connection and a metric make on a group.
 
-use super::cotangent::{CotangentSystem, Rates, State};
+use super::cotangent::{CotangentSystem, State};
+use super::matrix::Matrix;
 use super::{Inertia, System};
 use crate::frame::formula;
 use crate::group::{Coordinates, LieGroup, So3, expect_left_frame};
 use crate::{Connection, Error, Metric};
-use affinor_tensors::Tensor;
 use nalgebra::Matrix3;
 
 /// How far two metrics that are meant to be one may differ, relative.
@@ -45,15 +45,12 @@ const SAME: f64 = 1e-12;
 #[derive(Clone, Debug)]
 pub struct EulerPoincare<G: LieGroup, M> {
     group: G,
-    metric: Rows<G>,
-    inverse: Rows<G>,
+    metric: Matrix<G::Vector>,
+    inverse: Matrix<G::Vector>,
     /// By `i`: `(k, j)` and the component `(Lambda - c)^j_ki`, where it is not zero. Empty with `plus`.
     excess: Vec<Vec<([usize; 2], f64)>>,
     torque: M,
 }
-
-/// The rows of a matrix.
-type Rows<G> = Vec<<G as LieGroup>::Vector>;
 
 /// No torque.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -101,8 +98,26 @@ impl<G: LieGroup, M: Torque<G>> CotangentSystem for EulerPoincare<G, M> {
     }
 
     #[inline]
-    fn rates(&self, state: &State<G>) -> Rates<G::Vector> {
-        EulerPoincare::rates(self, state)
+    fn velocity_of(&self, momentum: &G::Vector) -> G::Vector {
+        self.inverse.apply(momentum)
+    }
+
+    #[inline]
+    fn is_free(&self) -> bool {
+        self.excess.is_empty() && self.torque.is_absent()
+    }
+
+    #[inline(always)]
+    fn force(
+        &self,
+        time: f64,
+        element: &G::Element,
+        velocity: &G::Vector,
+        momentum: &G::Vector,
+    ) -> G::Vector {
+        let mut force = self.excess_force(velocity, momentum);
+        self.torque.add(time, element, velocity, &mut force);
+        force
     }
 }
 
@@ -149,12 +164,7 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
             rows[at[2]].push(([at[1], at[0]], *value));
         }
         let excess = if rows.iter().all(Vec::is_empty) { vec![] } else { rows };
-        let rows = |tensor: &Tensor<f64>| -> Rows<G> {
-            let mut rows = vec![vec![0.0; n]; n];
-            tensor.components().for_each(|(at, value)| rows[at[0]][at[1]] = *value);
-            rows.iter().map(|row| G::Vector::from_components(row)).collect()
-        };
-        let (metric, inverse) = (rows(metric.components()), rows(metric.inverse()));
+        let (metric, inverse) = (Matrix::new(metric.components()), Matrix::new(metric.inverse()));
         Ok(EulerPoincare { group, metric, inverse, excess, torque })
     }
 
@@ -184,7 +194,7 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
 
     /// The state of an element with a velocity `Omega` in body components.
     pub fn state(&self, time: f64, element: G::Element, velocity: &G::Vector) -> State<G> {
-        let momentum = applied::<G>(&self.metric, velocity);
+        let momentum = self.metric.apply(velocity);
         self.state_with_momentum(time, element, &momentum)
     }
 
@@ -205,29 +215,15 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
 
     /// `Omega = J^-1 H`, in body components.
     pub fn velocity(&self, state: &State<G>) -> G::Vector {
-        applied::<G>(&self.inverse, &self.momentum(state))
+        self.inverse.apply(&self.momentum(state))
     }
 
     /// `T = H(Omega)/2` (98).
     pub fn energy(&self, state: &State<G>) -> f64 {
         let momentum = self.momentum(state);
-        let velocity = applied::<G>(&self.inverse, &momentum);
+        let velocity = self.inverse.apply(&momentum);
         let products = momentum.components().iter().zip(velocity.components());
         0.5 * products.map(|(h, omega)| h * omega).sum::<f64>()
-    }
-
-    /// The rates of change of a state.
-    #[inline]
-    pub fn rates(&self, state: &State<G>) -> Rates<G::Vector> {
-        let momentum = self.momentum(state);
-        let velocity = applied::<G>(&self.inverse, &momentum);
-        if self.excess.is_empty() && self.torque.is_absent() {
-            return Rates { spatial: G::Vector::zeros(self.group.dimension()), velocity };
-        }
-        let mut force = self.excess_force(&velocity, &momentum);
-        self.torque.add(state.time, &state.element, &velocity, &mut force);
-        let back = self.group.inverse(&state.element);
-        Rates { spatial: self.group.coadjoint(&back, &force), velocity }
     }
 
     /// `(Lambda - c)^j_ki Omega^k H_j`.
@@ -263,19 +259,11 @@ impl<M> EulerPoincare<So3, M> {
     pub(super) fn expect_body(&self, inertia: &Inertia) -> Result<(), Error> {
         let (axes, moments) = (inertia.axes(), inertia.moments());
         let expected = axes * Matrix3::from_diagonal(moments) * axes.transpose();
-        let off = (0..3).map(|i| (self.metric[i] - expected.column(i)).amax()).fold(0.0, f64::max);
+        let off = (0..3).map(|i| (self.metric.row(i) - expected.column(i)).amax()).fold(0.0, f64::max);
         if off <= SAME * moments.amax() && self.excess.is_empty() {
             return Ok(());
         }
         let reason = "the system has another one, or a connection other than plus".into();
         Err(Error::NoInertia { reason })
     }
-}
-
-/// `b_ij x^j`.
-#[inline]
-fn applied<G: LieGroup>(b: &Rows<G>, x: &G::Vector) -> G::Vector {
-    let x = x.components();
-    let product = |row: &G::Vector| row.components().iter().zip(x).map(|(b, x)| b * x).sum();
-    G::Vector::from_fn(b.len(), |i| product(&b[i]))
 }

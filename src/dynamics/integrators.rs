@@ -2,8 +2,9 @@
 //!
 //! | method | order | for | keeps |
 //! |---|---|---|---|
-//! | [`MuntheKaas`] | 4, 5 | any system | momentum |
-//! | [`Adaptive`] | 5(4) | any system, to a tolerance | momentum |
+//! | [`MuntheKaas`] | 4, 5, 8 | any system | momentum |
+//! | [`Projected`] | 4, 5, 8 | any system on a group of [stored](crate::group::Stored) numbers | momentum |
+//! | [`Adaptive`] | 5, 8 | any system, to a tolerance | momentum |
 //! | [`CommutatorFree`] | 4 | any system | momentum |
 //! | [`CrouchGrossman`] | 3 | any system | momentum |
 //! | [`Magnus`] | 4, 6 | `g' = g A(t)` | |
@@ -22,10 +23,12 @@ mod generalised_alpha;
 mod isospectral_midpoint;
 pub mod kick;
 pub mod magnus;
-mod munthe_kaas;
+pub mod munthe_kaas;
+pub mod projected;
+pub mod runge_kutta;
 mod simo_wong;
 pub mod splitting;
-mod tableaux;
+pub mod tableaux;
 
 pub use adaptive::{Adaptive, Pair};
 pub use commutator_free::CommutatorFree;
@@ -36,6 +39,8 @@ pub use isospectral_midpoint::IsospectralMidpoint;
 pub use kick::Kick;
 pub use magnus::{Linear, Magnus, Place};
 pub use munthe_kaas::MuntheKaas;
+pub use projected::Projected;
+pub use runge_kutta::RungeKutta;
 pub use simo_wong::SimoWong;
 pub use splitting::Splitting;
 
@@ -62,8 +67,9 @@ pub trait Integrator<S: System> {
 }
 
 /// That all components are finite.
-fn expect_finite<V: Coordinates>(t: f64, vectors: &[&V]) -> Result<(), Error> {
-    if vectors.iter().all(|vector| vector.is_finite()) {
+#[inline]
+fn expect_finite<V: Coordinates>(t: f64, vector: &V) -> Result<(), Error> {
+    if vector.is_finite() {
         return Ok(());
     }
     Err(Error::Integration { t, reason: "a value is not finite".into() })

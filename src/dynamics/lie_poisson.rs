@@ -1,8 +1,8 @@
 //! Lie-Poisson systems: any Hamiltonian on the dual of an algebra, with reconstruction on the group.
 
 use super::System;
-use super::cotangent::{CotangentSystem, Rates, State};
-use crate::group::{Coordinates, LieGroup};
+use super::cotangent::{CotangentSystem, State};
+use crate::group::LieGroup;
 
 /// The system of a Hamiltonian `E(H)` of the body momentum:
 ///
@@ -69,8 +69,7 @@ impl<G: LieGroup, F: Fn(&G::Vector) -> G::Vector> CotangentSystem for LiePoisson
         &self.group
     }
 
-    fn rates(&self, state: &State<G>) -> Rates<G::Vector> {
-        let spatial = G::Vector::zeros(self.group.dimension());
-        Rates { velocity: self.velocity(state), spatial }
+    fn velocity_of(&self, momentum: &G::Vector) -> G::Vector {
+        (self.gradient)(momentum)
     }
 }

@@ -1,6 +1,6 @@
 //! The Heisenberg groups.
 
-use super::LieGroup;
+use super::{LieGroup, Stored};
 use crate::Error;
 use nalgebra::{DMatrix, SVector};
 
@@ -99,5 +99,22 @@ impl<const N: usize> LieGroup for Heisenberg<N> {
         v: &Self::Vector,
     ) -> Result<Self::Vector, Error> {
         Ok(v + self.bracket(x, v) * 0.5)
+    }
+}
+
+/// The coordinates, with the rate `v + [g, v]/2`.
+impl<const N: usize> Stored for Heisenberg<N> {
+    type Numbers = SVector<f64, N>;
+
+    fn numbers(&self, g: &Self::Element) -> SVector<f64, N> {
+        *g
+    }
+
+    fn from_numbers(&self, y: &SVector<f64, N>) -> Self::Element {
+        *y
+    }
+
+    fn rate(&self, g: &Self::Element, v: &Self::Vector) -> SVector<f64, N> {
+        v + self.bracket(g, v) * 0.5
     }
 }

@@ -1,6 +1,6 @@
 //! The opposite of a group: the same elements, multiplied in the other order.
 
-use super::LieGroup;
+use super::{LieGroup, Stored};
 use crate::Error;
 use nalgebra::DMatrix;
 
@@ -97,5 +97,26 @@ impl<G: LieGroup> LieGroup for Opposite<G> {
 
     fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
         self.0.coadjoint(&self.0.inverse(g), h)
+    }
+
+    fn coadjoint_exp(&self, x: &Self::Vector, h: &Self::Vector) -> Self::Vector {
+        self.0.coadjoint_exp(&-x.clone(), h)
+    }
+}
+
+impl<G: Stored> Stored for Opposite<G> {
+    type Numbers = G::Numbers;
+
+    fn numbers(&self, g: &Self::Element) -> Self::Numbers {
+        self.0.numbers(g)
+    }
+
+    fn from_numbers(&self, y: &Self::Numbers) -> Self::Element {
+        self.0.from_numbers(y)
+    }
+
+    /// `v g` of the group.
+    fn rate(&self, g: &Self::Element, v: &Self::Vector) -> Self::Numbers {
+        self.0.rate(g, &self.adjoint(g, v))
     }
 }

@@ -4,7 +4,7 @@
 //! each operator of SO(3) acts on `w` and, by its derivative, on the `u_a`. V. Brodsky and M. Shoham, *Mechanism and Machine Theory* 34 (1999) 693-718.
 
 use super::stumpff::{FAR, Stumpff};
-use super::{LieGroup, So3, rotation};
+use super::{LieGroup, So3, Stored, rotation};
 use crate::Error;
 use nalgebra::{DMatrix, SVector, UnitQuaternion, Vector3};
 
@@ -58,6 +58,15 @@ pub(super) fn coadjoint<const K: usize>((r, t): Motion<K>, (m, f): Screw<K>) -> 
     (r.inverse_transform_vector(&m), f.map(|f| r.inverse_transform_vector(&f)))
 }
 
+/// `Ad*_exp(w; u_a) (m; f_a)`: as [`coadjoint`], with all in one turn, for `f_a cross t_a` goes to
+/// `R^T f_a cross T_left(w) u_a`.
+#[inline]
+pub(super) fn coadjoint_exp<const K: usize>((w, u): Screw<K>, (m, f): Screw<K>) -> Screw<K> {
+    let f = f.map(|f| So3.coadjoint_exp(&w, &f));
+    let m = So3.coadjoint_exp(&w, &m);
+    ((0..K).fold(m, |m, a| m + f[a].cross(&So3.tangent_left(&w, &u[a]))), f)
+}
+
 /// `[(w; u_a), (w'; u'_a)] = (w cross w'; w cross u'_a + u_a cross w')`.
 pub(super) fn bracket<const K: usize>((w, u): Screw<K>, (v, s): Screw<K>) -> Screw<K> {
     (w.cross(&v), std::array::from_fn(|a| w.cross(&s[a]) + u[a].cross(&v)))
@@ -88,6 +97,30 @@ pub(super) fn matrix<const K: usize>((r, t): Motion<K>) -> DMatrix<f64> {
         matrix.view_mut((0, 3 + a), (3, 1)).copy_from(t);
     }
     matrix
+}
+
+/// The numbers of `R`, then the `t_a`.
+#[inline]
+pub(super) fn numbers<const N: usize, const K: usize>((r, t): Motion<K>) -> SVector<f64, N> {
+    SVector::from_fn(|i, _| if i < 4 { r.coords[i] } else { t[(i - 4) / 3][(i - 4) % 3] })
+}
+
+/// The reverse of [`numbers`].
+#[inline]
+pub(super) fn from_numbers<const N: usize, const K: usize>(y: &SVector<f64, N>) -> Motion<K> {
+    let r = So3.from_numbers(&y.fixed_rows::<4>(0).into_owned());
+    (r, std::array::from_fn(|a| y.fixed_rows::<3>(4 + 3 * a).into_owned()))
+}
+
+/// That of `R`, then `R u_a`.
+#[inline]
+pub(super) fn rate<const N: usize, const K: usize>(
+    (r, _): Motion<K>,
+    (w, u): Screw<K>,
+) -> SVector<f64, N> {
+    let r_rate = So3.rate(&r, &w);
+    let t_rate = u.map(|u| r * u);
+    SVector::from_fn(|i, _| if i < 4 { r_rate[i] } else { t_rate[(i - 4) / 3][(i - 4) % 3] })
 }
 
 /// `Q(x, p) v = d/de T_left(x + e p) v` at `e = 0`, for

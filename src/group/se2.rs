@@ -1,8 +1,8 @@
 //! SE(2), the rigid motions of a plane.
 
-use super::{LieGroup, cubic};
+use super::{LieGroup, So2, Stored, cubic};
 use crate::Error;
-use nalgebra::{DMatrix, Isometry2, UnitComplex, Vector2, Vector3};
+use nalgebra::{DMatrix, Isometry2, UnitComplex, Vector1, Vector2, Vector3, Vector4};
 
 /// The rigid motions of a plane, `p -> R p + t`.
 ///
@@ -102,5 +102,26 @@ impl LieGroup for Se2 {
         v: &Self::Vector,
     ) -> Result<Self::Vector, Error> {
         cubic::tangent_left_inverse(self, z, x, v)
+    }
+}
+
+/// Cosine and sine, then the translation.
+impl Stored for Se2 {
+    type Numbers = Vector4<f64>;
+
+    fn numbers(&self, g: &Self::Element) -> Vector4<f64> {
+        let (turn, t) = (So2.numbers(&g.rotation), g.translation);
+        Vector4::new(turn.x, turn.y, t.x, t.y)
+    }
+
+    fn from_numbers(&self, y: &Vector4<f64>) -> Self::Element {
+        let rotation = So2.from_numbers(&Vector2::new(y[0], y[1]));
+        Isometry2::from_parts(Vector2::new(y[2], y[3]).into(), rotation)
+    }
+
+    fn rate(&self, g: &Self::Element, v: &Self::Vector) -> Vector4<f64> {
+        let turn = So2.rate(&g.rotation, &Vector1::new(v[0]));
+        let t = g.rotation * translation(v);
+        Vector4::new(turn.x, turn.y, t.x, t.y)
     }
 }

@@ -1,7 +1,7 @@
 //! SE_2(3), attitude, velocity and position together.
 
 use super::screws::{self, join, split};
-use super::{LieGroup, So3};
+use super::{LieGroup, So3, Stored};
 use crate::Error;
 use nalgebra::{DMatrix, SVector, UnitQuaternion, Vector3};
 
@@ -81,6 +81,10 @@ impl LieGroup for Se23 {
         join(screws::coadjoint(parts(g), split(h)))
     }
 
+    fn coadjoint_exp(&self, x: &Self::Vector, h: &Self::Vector) -> Self::Vector {
+        join(screws::coadjoint_exp::<2>(split(x), split(h)))
+    }
+
     fn restored(&self, g: Self::Element) -> Self::Element {
         let (rotation, vectors) = parts(&g);
         whole((So3.restored(rotation), vectors))
@@ -105,5 +109,22 @@ impl LieGroup for Se23 {
         v: &Self::Vector,
     ) -> Result<Self::Vector, Error> {
         screws::tangent_left_inverse::<2>(split(x), split(v)).map(join)
+    }
+}
+
+/// Those of the rotation, then `v` and `p` with the rates `R a` and `R u`.
+impl Stored for Se23 {
+    type Numbers = SVector<f64, 10>;
+
+    fn numbers(&self, g: &Self::Element) -> SVector<f64, 10> {
+        screws::numbers(parts(g))
+    }
+
+    fn from_numbers(&self, y: &SVector<f64, 10>) -> Self::Element {
+        whole(screws::from_numbers(y))
+    }
+
+    fn rate(&self, g: &Self::Element, v: &Self::Vector) -> SVector<f64, 10> {
+        screws::rate(parts(g), split(v))
     }
 }

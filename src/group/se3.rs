@@ -1,9 +1,9 @@
 //! SE(3), the rigid motions of space.
 
 use super::screws::{self, join, split};
-use super::{LieGroup, So3};
+use super::{LieGroup, So3, Stored};
 use crate::Error;
-use nalgebra::{DMatrix, Isometry3, UnitQuaternion, Vector3, Vector6};
+use nalgebra::{DMatrix, Isometry3, SVector, UnitQuaternion, Vector3, Vector6};
 
 /// The rigid motions of space, `p -> R p + t`: body to spatial coordinates.
 ///
@@ -78,6 +78,11 @@ impl LieGroup for Se3 {
     }
 
     #[inline]
+    fn coadjoint_exp(&self, x: &Self::Vector, h: &Self::Vector) -> Self::Vector {
+        join(screws::coadjoint_exp::<1>(split(x), split(h)))
+    }
+
+    #[inline]
     fn restored(&self, g: Self::Element) -> Self::Element {
         let (rotation, vectors) = parts(&g);
         whole((So3.restored(rotation), vectors))
@@ -107,5 +112,25 @@ impl LieGroup for Se3 {
         v: &Self::Vector,
     ) -> Result<Self::Vector, Error> {
         screws::tangent_left_inverse::<1>(split(x), split(v)).map(join)
+    }
+}
+
+/// Those of the rotation, then `t` with the rate `R u`.
+impl Stored for Se3 {
+    type Numbers = SVector<f64, 7>;
+
+    #[inline]
+    fn numbers(&self, g: &Self::Element) -> SVector<f64, 7> {
+        screws::numbers(parts(g))
+    }
+
+    #[inline]
+    fn from_numbers(&self, y: &SVector<f64, 7>) -> Self::Element {
+        whole(screws::from_numbers(y))
+    }
+
+    #[inline]
+    fn rate(&self, g: &Self::Element, v: &Self::Vector) -> SVector<f64, 7> {
+        screws::rate(parts(g), split(v))
     }
 }

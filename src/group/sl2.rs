@@ -1,9 +1,9 @@
 //! SL(2,R), the real matrices of size 2 and determinant 1.
 
 use super::stumpff::Stumpff;
-use super::{LieGroup, cubic};
+use super::{LieGroup, Stored, cubic};
 use crate::Error;
-use nalgebra::{DMatrix, Matrix2, Vector3};
+use nalgebra::{DMatrix, Matrix2, Vector3, Vector4};
 use std::f64::consts::PI;
 
 /// The real matrices of size 2 and determinant 1.
@@ -144,5 +144,22 @@ impl LieGroup for Sl2 {
         v: &Self::Vector,
     ) -> Result<Self::Vector, Error> {
         cubic::tangent_left_inverse(self, z, x, v)
+    }
+}
+
+/// The entries.
+impl Stored for Sl2 {
+    type Numbers = Vector4<f64>;
+
+    fn numbers(&self, g: &Self::Element) -> Vector4<f64> {
+        Vector4::from_column_slice(g.as_slice())
+    }
+
+    fn from_numbers(&self, y: &Vector4<f64>) -> Self::Element {
+        Matrix2::from_column_slice(y.as_slice())
+    }
+
+    fn rate(&self, g: &Self::Element, v: &Self::Vector) -> Vector4<f64> {
+        self.numbers(&(g * traceless(v)))
     }
 }

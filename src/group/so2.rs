@@ -1,8 +1,8 @@
 //! SO(2), the rotations of a plane, as complex numbers of modulus 1.
 
-use super::LieGroup;
+use super::{LieGroup, Stored};
 use crate::Error;
-use nalgebra::{DMatrix, UnitComplex, Vector1};
+use nalgebra::{Complex, DMatrix, UnitComplex, Vector1, Vector2};
 
 /// The rotations of a plane, counterclockwise; vectors are angles in radians.
 ///
@@ -72,5 +72,22 @@ impl LieGroup for So2 {
         v: &Self::Vector,
     ) -> Result<Self::Vector, Error> {
         Ok(*v)
+    }
+}
+
+/// Cosine and sine.
+impl Stored for So2 {
+    type Numbers = Vector2<f64>;
+
+    fn numbers(&self, g: &Self::Element) -> Vector2<f64> {
+        Vector2::new(g.re, g.im)
+    }
+
+    fn from_numbers(&self, y: &Vector2<f64>) -> Self::Element {
+        UnitComplex::new_unchecked(Complex::new(y.x, y.y))
+    }
+
+    fn rate(&self, g: &Self::Element, v: &Self::Vector) -> Vector2<f64> {
+        Vector2::new(-g.im, g.re) * v[0]
     }
 }

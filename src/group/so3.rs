@@ -1,11 +1,11 @@
 //! SO(3), the rotations of space, as unit quaternions.
 
-use super::LieGroup;
+use super::{LieGroup, Stored};
 use super::polynomial::polynomial;
 use super::rotation;
-use super::stumpff::{FAR, Stumpff, first_two, inverse_tangent};
+use super::stumpff::{FAR, Stumpff, first_two, inverse_tangent, turning};
 use crate::Error;
-use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3, Vector4};
 
 /// The rotations of space: `R` maps body to spatial components, `Rdot = R spin(Omega)`.
 ///
@@ -54,18 +54,11 @@ impl LieGroup for So3 {
     #[inline]
     fn exp(&self, x: &Self::Vector) -> Self::Element {
         let square = x.norm_squared();
-        let (w, v) = if square < LARGE {
+        if square < LARGE {
             let (cos, sin) = first_two(0.25 * square);
-            (cos, x * (0.5 * sin))
-        } else {
-            let largest = x.amax();
-            let unit = x / largest;
-            let length = unit.norm();
-            // a length beyond the range of floats is halved where it still fits
-            let (sin, cos) = (0.5 * largest * length).sin_cos();
-            (cos, unit * (sin / length))
-        };
-        UnitQuaternion::new_unchecked(Quaternion::from_parts(w, v))
+            return UnitQuaternion::new_unchecked(Quaternion::from_parts(cos, x * (0.5 * sin)));
+        }
+        exp_far(x)
     }
 
     /// The rotation vector of length at most `pi`, from the quaternion with `w >= 0`. At exactly `pi`
@@ -95,6 +88,18 @@ impl LieGroup for So3 {
     #[inline]
     fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
         g.inverse_transform_vector(h)
+    }
+
+    /// `h - c_1 x cross h + c_2 x cross (x cross h)` with the Stumpff functions of `|x|^2`.
+    #[inline(always)]
+    fn coadjoint_exp(&self, x: &Self::Vector, h: &Self::Vector) -> Self::Vector {
+        let square = x.norm_squared();
+        if square < FAR {
+            let (c1, c2) = turning(square);
+            let turned = x.cross(h);
+            return (h - turned * c1) + x.cross(&turned) * c2;
+        }
+        exp_far(x).inverse_transform_vector(h)
     }
 
     #[inline]
@@ -183,6 +188,17 @@ impl So3 {
     }
 }
 
+/// The exponential where the square of a length is near the end of floats.
+#[inline(never)]
+fn exp_far(x: &Vector3<f64>) -> UnitQuaternion<f64> {
+    let largest = x.amax();
+    let unit = x / largest;
+    let length = unit.norm();
+    // a length beyond the range of floats is halved where it still fits
+    let (sin, cos) = (0.5 * largest * length).sin_cos();
+    UnitQuaternion::new_unchecked(Quaternion::from_parts(cos, unit * (sin / length)))
+}
+
 /// Whether a square `|q|^2` is so near to 1 that `|q| = (1 + |q|^2)/2` without error.
 #[inline(always)]
 pub(super) fn is_unit(norm: f64) -> bool {
@@ -235,4 +251,26 @@ fn in_range(v: &Vector3<f64>, map: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Ve
         return map(v);
     }
     map(&(v / largest)) * largest
+}
+
+/// `x, y, z, w` with the rate `q (0, v)/2`.
+impl Stored for So3 {
+    type Numbers = Vector4<f64>;
+
+    #[inline]
+    fn numbers(&self, g: &Self::Element) -> Vector4<f64> {
+        g.coords
+    }
+
+    #[inline]
+    fn from_numbers(&self, y: &Vector4<f64>) -> Self::Element {
+        UnitQuaternion::new_unchecked(Quaternion::from(*y))
+    }
+
+    #[inline]
+    fn rate(&self, g: &Self::Element, v: &Self::Vector) -> Vector4<f64> {
+        let half = v * 0.5;
+        let turn = half * g.w + g.imag().cross(&half);
+        Vector4::new(turn.x, turn.y, turn.z, -g.imag().dot(&half))
+    }
 }

@@ -82,16 +82,34 @@ impl Stumpff {
 #[inline]
 pub fn first_two(z: f64) -> (f64, f64) {
     if z.abs() < SMALL {
-        (polynomial(&first(&ZEROTH), z), polynomial(&first(&FIRST), z))
-    } else if z.abs() < NEAR {
-        near(z)
-    } else {
-        far(z)
+        return (polynomial(&first(&ZEROTH), z), polynomial(&first(&FIRST), z));
     }
+    larger(z)
+}
+
+/// [`first_two`] of an angle that no step has: not to be inlined with it.
+#[inline(never)]
+fn larger(z: f64) -> (f64, f64) {
+    if z.abs() < NEAR { near(z) } else { far(z) }
+}
+
+/// `(c_1(z), c_2(z))` alone: `R = 1 + c_1 spin(x) + c_2 spin(x)^2` at `z = |x|^2`.
+#[inline]
+pub(super) fn turning(z: f64) -> (f64, f64) {
+    if z.abs() < SMALL {
+        return (polynomial(&first(&FIRST), z), polynomial(&first(&SECOND), z));
+    }
+    turning_far(z)
+}
+
+#[inline(never)]
+fn turning_far(z: f64) -> (f64, f64) {
+    let c = Stumpff::at(z);
+    (c.c1, c.c2)
 }
 
 /// Below this modulus of `z`, such as half the angle that a body turns in a step, [`TERMS`] of a series are enough:
-/// the next one is below 1e-17.
+/// the next one is below 4e-17.
 const SMALL: f64 = 0.4;
 const TERMS: usize = 8;
 
@@ -146,6 +164,7 @@ const fn coefficients<const N: usize>(k: usize) -> [f64; N] {
 // the first term left out is below 1e-16 of the sum up to NEAR, below 1e-18 of it up to SERIES
 const ZEROTH: [f64; 12] = coefficients(0);
 const FIRST: [f64; 12] = coefficients(1);
+const SECOND: [f64; TERMS] = coefficients(2);
 const FOURTH: [f64; 15] = coefficients(4);
 const FIFTH: [f64; 15] = coefficients(5);
 

@@ -6,7 +6,6 @@ use super::pace::Pace;
 use super::quantities::{Quantity, Scope};
 use super::{Forces, Method, Motion, Point, Simulated};
 use crate::Error;
-use crate::dynamics::cotangent::Rates;
 use crate::dynamics::{
     Adaptive, CommutatorFree, CotangentSystem, CrouchGrossman, LiePoissonSystem, MuntheKaas, State,
     System,
@@ -126,8 +125,8 @@ impl<G: Simulated> CotangentSystem for Named<G> {
         &self.equations.group
     }
 
-    fn rates(&self, state: &State<G>) -> Rates<G::Vector> {
-        self.equations.rates(state)
+    fn velocity_of(&self, momentum: &G::Vector) -> G::Vector {
+        self.equations.velocity_of(momentum)
     }
 }
 

@@ -77,8 +77,8 @@ pub fn on_group<G: Simulated>(
         Method::CommutatorFree => fixed(Box::new(CommutatorFree)),
         Method::CrouchGrossman => fixed(Box::new(CrouchGrossman)),
         Method::Adaptive(pair) => {
-            let (tolerance, max_steps) = (setup.tolerance, setup.max_steps);
-            let control = Adaptive { pair, tolerance, max_steps };
+            let max_steps = setup.max_steps;
+            let control = Adaptive { pair, max_steps, ..Adaptive::new(setup.tolerance) };
             Drive::Adaptive { control, next: control.first_step(), taken: 0 }
         }
         _ => {

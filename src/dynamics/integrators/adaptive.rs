@@ -1,16 +1,19 @@
 //! Steps as long as a tolerance allows.
 
-use super::MuntheKaas;
+use super::munthe_kaas::Canonical;
+use super::projected::Projection;
+use super::runge_kutta::{LocalCoordinates, RungeKutta};
+use super::tableaux::{DormandPrince, DormandPrince8, Tabulated};
 use crate::Error;
 use crate::dynamics::cotangent::{CotangentSystem, State};
 
 /// Which pair of Dormand and Prince.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Pair {
-    /// [`MuntheKaas::DORMAND_PRINCE`], of order 5.
+    /// That of order 5.
     #[default]
     Five,
-    /// [`MuntheKaas::DORMAND_PRINCE_8`], of order 8: the cheaper one for small tolerances.
+    /// That of order 8: the cheaper one for small tolerances.
     Eight,
 }
 
@@ -18,8 +21,8 @@ impl Pair {
     /// The order of the error of a motion.
     pub fn order(self) -> u32 {
         match self {
-            Pair::Five => MuntheKaas::DORMAND_PRINCE.order(),
-            Pair::Eight => MuntheKaas::DORMAND_PRINCE_8.order(),
+            Pair::Five => DormandPrince::TABLEAU.order,
+            Pair::Eight => DormandPrince8::TABLEAU.order,
         }
     }
 }
@@ -29,19 +32,22 @@ impl Pair {
 /// A step is kept if its estimated error, of the coordinates of the group and relative of the momentum, is below
 /// the tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Adaptive {
+pub struct Adaptive<C = Canonical> {
     /// The pair.
     pub pair: Pair,
     /// What the error of a step may be.
     pub tolerance: f64,
     /// The most steps between two times.
     pub max_steps: usize,
+    /// The coordinates in which steps are made.
+    pub coordinates: C,
 }
 
 impl Adaptive {
     /// The pair of order 5 with a tolerance, and at most a million steps.
     pub fn new(tolerance: f64) -> Self {
-        Adaptive { pair: Pair::Five, tolerance, max_steps: 1_000_000 }
+        let (pair, max_steps, coordinates) = (Pair::Five, 1_000_000, Canonical);
+        Adaptive { pair, tolerance, max_steps, coordinates }
     }
 
     /// The same with the pair of order 8.
@@ -49,6 +55,14 @@ impl Adaptive {
         Adaptive { pair: Pair::Eight, ..Self::new(tolerance) }
     }
 
+    /// The same with steps of [`Projected`](super::Projected).
+    pub fn projected(self) -> Adaptive<Projection> {
+        let Adaptive { pair, tolerance, max_steps, .. } = self;
+        Adaptive { pair, tolerance, max_steps, coordinates: Projection }
+    }
+}
+
+impl<C: Copy> Adaptive<C> {
     /// A first guess of a step, which the control corrects at once.
     pub fn first_step(&self) -> f64 {
         self.tolerance.powf(self.exponent()).min(0.1)
@@ -70,7 +84,12 @@ impl Adaptive {
         state: &mut State<S::Group>,
         next: &mut f64,
         end: f64,
-    ) -> Result<(), Error> {
+    ) -> Result<(), Error>
+    where
+        C: LocalCoordinates<S::Group>,
+    {
+        let five = RungeKutta::new(DormandPrince, self.coordinates);
+        let eight = RungeKutta::new(DormandPrince8, self.coordinates);
         loop {
             let left = end - state.time;
             let last = *next >= left.abs();
@@ -80,8 +99,8 @@ impl Adaptive {
                 return Err(Error::Integration { t: state.time, reason });
             }
             let advanced = match self.pair {
-                Pair::Five => MuntheKaas::DORMAND_PRINCE.advanced(system, state, h),
-                Pair::Eight => MuntheKaas::DORMAND_PRINCE_8.advanced(system, state, h),
+                Pair::Five => five.advanced(system, state, h),
+                Pair::Eight => eight.advanced(system, state, h),
             };
             let (reached, error) = match advanced {
                 Ok((reached, error)) if error.is_finite() => (reached, error / self.tolerance),
@@ -110,7 +129,10 @@ impl Adaptive {
         system: &S,
         start: &State<S::Group>,
         times: &[f64],
-    ) -> Result<Vec<State<S::Group>>, Error> {
+    ) -> Result<Vec<State<S::Group>>, Error>
+    where
+        C: LocalCoordinates<S::Group>,
+    {
         let mut state = start.clone();
         let mut next = self.first_step();
         let mut states = Vec::with_capacity(times.len());

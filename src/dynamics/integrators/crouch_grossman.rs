@@ -42,7 +42,8 @@ impl<S: CotangentSystem> Integrator<S> for CrouchGrossman {
         let k2 = system.rates(&moved(&[&k1], &STAGES[1], NODES[1]));
         let k3 = system.rates(&moved(&[&k1, &k2], &STAGES[2], NODES[2]));
         let next = moved(&[&k1, &k2, &k3], &WEIGHTS, 1.0);
-        expect_finite(state.time, &[&k3.velocity, &next.spatial])?;
+        expect_finite(state.time, &k3.velocity)?;
+        expect_finite(state.time, &next.spatial)?;
         *state = State { element: group.restored(next.element), ..next };
         Ok(())
     }

@@ -145,7 +145,7 @@ impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for Kick {
         for (at, share) in self.shares.iter().enumerate() {
             if at % 2 == 0 {
                 spatial += self.body.torque(system, time, axes, &unknown) * (share * h);
-                expect_finite(time, &[&spatial])?;
+                expect_finite(time, &spatial)?;
             } else {
                 axes = self.moved(axes, &spatial, share * h)?;
                 time += share * h;

@@ -118,7 +118,7 @@ impl<G: LieGroup, F: Fn(f64) -> G::Vector> Integrator<Linear<G, F>> for Magnus {
     fn step(&self, system: &Linear<G, F>, state: &mut Place<G>, h: f64) -> Result<(), Error> {
         let group = &system.group;
         let u = self.coordinates(group, &system.velocity, state.time + 0.5 * h, h);
-        expect_finite(state.time, &[&u])?;
+        expect_finite(state.time, &u)?;
         let element = group.restored(group.compose(&state.element, &group.exp(&u)));
         *state = Place { time: state.time + h, element };
         Ok(())

@@ -71,7 +71,7 @@ impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for SimoWong {
             let pushed = end.inverse_transform_vector(&(state.spatial + impulse));
             // over h, as h J is what multiplies the unknown
             let residual = moments.component_mul(&(u * 2.0 - start)) - pushed * h;
-            expect_finite(state.time, &[&residual])?;
+            expect_finite(state.time, &residual)?;
             let slope = |v: Vector3<f64>| pushed.cross(&So3.tangent_left(&u, &v));
             let columns = [Vector3::x(), Vector3::y(), Vector3::z()].map(slope);
             let derivative =

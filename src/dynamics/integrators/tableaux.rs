@@ -1,10 +1,34 @@
 //! The tableaux of Runge-Kutta methods.
 
-use super::MuntheKaas;
+/// An explicit method by its tableau, which the compiler knows.
+pub trait Tabulated<const STAGES: usize> {
+    /// The tableau.
+    const TABLEAU: Tableau<STAGES>;
+}
 
-impl MuntheKaas<4> {
-    /// The classical method of order 4.
-    pub const RK4: Self = MuntheKaas {
+/// Rows below the diagonal, weights and nodes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tableau<const STAGES: usize> {
+    /// The order of the error of a motion.
+    pub order: u32,
+    /// Stages that a step needs; its error has all.
+    pub needed: usize,
+    /// `a_ij`, the rows.
+    pub a: [[f64; STAGES]; STAGES],
+    /// `b_j`, the weights of the step.
+    pub b: [f64; STAGES],
+    /// The differences of `b_j` and the weights of two embedded methods, the higher order first; 0 for none.
+    pub errors: [[f64; STAGES]; 2],
+    /// `c_i`, the times of the stages in the step.
+    pub c: [f64; STAGES],
+}
+
+/// The classical method of order 4.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Classical;
+
+impl Tabulated<4> for Classical {
+    const TABLEAU: Tableau<4> = Tableau {
         order: 4,
         needed: 4,
         a: [[0.0; 4], [0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
@@ -14,10 +38,13 @@ impl MuntheKaas<4> {
     };
 }
 
-impl MuntheKaas<7> {
-    /// The pair of orders 5 and 4 of J. R. Dormand and P. J. Prince, *J. Comput. Appl. Math.* 6
-    /// (1980) 19-26.
-    pub const DORMAND_PRINCE: Self = MuntheKaas {
+/// The pair of orders 5 and 4 of J. R. Dormand and P. J. Prince, *J. Comput. Appl. Math.* 6
+/// (1980) 19-26.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct DormandPrince;
+
+impl Tabulated<7> for DormandPrince {
+    const TABLEAU: Tableau<7> = Tableau {
         order: 5,
         needed: 6,
         a: [
@@ -54,10 +81,13 @@ impl MuntheKaas<7> {
     };
 }
 
-impl MuntheKaas<12> {
-    /// The method of order 8 of Dormand and Prince with the error estimates of orders 5 and 3 of E. Hairer, S. P.
-    /// Norsett and G. Wanner, *Solving Ordinary Differential Equations I* (1993), II.10.
-    pub const DORMAND_PRINCE_8: Self = MuntheKaas {
+/// The method of order 8 of Dormand and Prince with the error estimates of orders 5 and 3 of E. Hairer, S. P.
+/// Norsett and G. Wanner, *Solving Ordinary Differential Equations I* (1993), II.10.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct DormandPrince8;
+
+impl Tabulated<12> for DormandPrince8 {
+    const TABLEAU: Tableau<12> = Tableau {
         order: 8,
         needed: 12,
         a: [

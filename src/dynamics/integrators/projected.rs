@@ -1,0 +1,96 @@
+//! Runge-Kutta methods in the numbers of which elements consist.
+
+use super::runge_kutta::{LocalCoordinates, RungeKutta};
+use super::tableaux::{Classical, DormandPrince, DormandPrince8};
+use crate::Error;
+use crate::dynamics::cotangent::State;
+use crate::group::Stored;
+
+/// Runge-Kutta in the numbers that are stored of an element, such as the four of a quaternion; each step ends with the
+/// element of the group that is meant.
+///
+/// The standard projection method: E. Hairer, C. Lubich and G. Wanner, *Geometric Numerical Integration* (2006), IV.4.
+/// A stage needs neither exponentials nor tangent operators, so a step is cheaper than that of
+/// [`MuntheKaas`](super::MuntheKaas), of the same order and on the group as well; but the stages are not.
+/// The spatial momentum of a free system stays what it is, to the last bit.
+///
+/// ```
+/// use affinor::dynamics::{EulerPoincare, Integrator, Projected};
+/// use affinor::group::{LieGroup, Se3};
+/// use affinor::{Canonical, Connection, Metric};
+/// use affinor_tensors::{Down, Tensor};
+/// use nalgebra::Vector6;
+/// let se3 = Se3.algebra()?;
+/// let masses = (0..6).map(|i| ([i, i], 1.0 + i as f64));
+/// let masses = Metric::new(se3.labels(), Tensor::from_components(6, &[Down, Down], masses)?)?;
+/// let body = EulerPoincare::free(Se3, &Connection::canonical(&se3, Canonical::Plus), &masses)?;
+/// let mut state = body.state(0.0, Se3.identity(), &Vector6::new(0.3, 1.0, 0.1, 0.2, 0.0, 0.5));
+/// let energy = body.energy(&state);
+/// for _ in 0..100 {
+///     Projected::DORMAND_PRINCE_8.step(&body, &mut state, 0.1)?;
+/// }
+/// assert!((body.energy(&state) - energy).abs() < 1e-9);
+/// assert!((state.element.rotation.norm() - 1.0).abs() < 1e-15);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+pub type Projected<const STAGES: usize, T> = RungeKutta<STAGES, T, Projection>;
+
+/// The stored numbers as coordinates.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Projection;
+
+impl Projected<4, Classical> {
+    /// The classical method of order 4.
+    pub const RK4: Self = RungeKutta::new(Classical, Projection);
+}
+
+impl Projected<7, DormandPrince> {
+    /// The pair of orders 5 and 4 of Dormand and Prince.
+    pub const DORMAND_PRINCE: Self = RungeKutta::new(DormandPrince, Projection);
+}
+
+impl Projected<12, DormandPrince8> {
+    /// The method of order 8 of Dormand and Prince.
+    pub const DORMAND_PRINCE_8: Self = RungeKutta::new(DormandPrince8, Projection);
+}
+
+impl<G: Stored> LocalCoordinates<G> for Projection {
+    type Numbers = G::Numbers;
+
+    #[inline(always)]
+    fn origin(&self, group: &G, at: &G::Element) -> G::Numbers {
+        group.numbers(at)
+    }
+
+    #[inline(always)]
+    fn element(&self, group: &G, _: &G::Element, y: &G::Numbers) -> G::Element {
+        group.from_numbers(y)
+    }
+
+    #[inline(always)]
+    fn end(&self, group: &G, _: &G::Element, y: &G::Numbers) -> G::Element {
+        group.restored(group.from_numbers(y))
+    }
+
+    #[inline(always)]
+    fn momentum(&self, group: &G, state: &State<G>, _: &G::Vector, y: &G::Numbers) -> G::Vector {
+        group.coadjoint(&group.from_numbers(y), &state.spatial)
+    }
+
+    #[inline(always)]
+    fn first_rate(&self, group: &G, at: &G::Element, velocity: &G::Vector) -> G::Numbers {
+        group.rate(at, velocity)
+    }
+
+    #[inline(always)]
+    fn rate(
+        &self,
+        group: &G,
+        _: &G::Element,
+        y: &G::Numbers,
+        velocity: &G::Vector,
+        _: u32,
+    ) -> Result<G::Numbers, Error> {
+        Ok(group.rate(&group.from_numbers(y), velocity))
+    }
+}

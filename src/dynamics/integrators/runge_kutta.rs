@@ -1,0 +1,215 @@
+//! Runge-Kutta methods in coordinates around the present element.
+
+use super::tableaux::{Tableau, Tabulated};
+use super::{Integrator, expect_finite};
+use crate::Error;
+use crate::dynamics::cotangent::{CotangentSystem, State, Vector};
+use crate::group::{Coordinates, LieGroup};
+
+/// Coordinates `y` of the elements near a given one, in which a step is made.
+pub trait LocalCoordinates<G: LieGroup> {
+    /// What `y` is.
+    type Numbers: Coordinates;
+
+    /// Those of the given element.
+    fn origin(&self, group: &G, at: &G::Element) -> Self::Numbers;
+
+    /// The element of coordinates, or numbers near to one that have its name.
+    fn element(&self, group: &G, at: &G::Element, y: &Self::Numbers) -> G::Element;
+
+    /// The element at the end of a step, on the group to rounding however many steps there were.
+    fn end(&self, group: &G, at: &G::Element, y: &Self::Numbers) -> G::Element;
+
+    /// `H = Ad*_g h` at the element `g` of coordinates, from the state around which they are and its own `H`.
+    fn momentum(
+        &self,
+        group: &G,
+        state: &State<G>,
+        momentum: &G::Vector,
+        y: &Self::Numbers,
+    ) -> G::Vector;
+
+    /// `y'` for `g' = g velocity` at the origin.
+    fn first_rate(&self, group: &G, at: &G::Element, velocity: &G::Vector) -> Self::Numbers;
+
+    /// `y'` for `g' = g velocity`, to the accuracy that a method of an order asks for.
+    ///
+    /// # Errors
+    /// [`Error::SingularTangent`] at the end of their reach.
+    fn rate(
+        &self,
+        group: &G,
+        at: &G::Element,
+        y: &Self::Numbers,
+        velocity: &G::Vector,
+        order: u32,
+    ) -> Result<Self::Numbers, Error>;
+}
+
+/// The Runge-Kutta method `T` for `y'` and `h'`, with `y` the coordinates `C`:
+/// [`MuntheKaas`](super::MuntheKaas) or [`Projected`](super::Projected).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RungeKutta<const STAGES: usize, T, C> {
+    method: T,
+    coordinates: C,
+}
+
+impl<const STAGES: usize, T: Tabulated<STAGES>, C> RungeKutta<STAGES, T, C> {
+    /// The method in the coordinates.
+    pub const fn new(method: T, coordinates: C) -> Self {
+        RungeKutta { method, coordinates }
+    }
+
+    /// The order of the error of a motion.
+    pub fn order(&self) -> u32 {
+        T::TABLEAU.order
+    }
+
+    /// The tableau.
+    pub fn tableau(&self) -> &'static Tableau<STAGES> {
+        &const { T::TABLEAU }
+    }
+
+    /// The state after a step, and the size of its estimated error.
+    ///
+    /// With two estimates it is `a^2/sqrt(a^2 + b^2/100)`: of order 7 where they are of order 5 and 3.
+    ///
+    /// # Errors
+    /// [`Error::Integration`], [`Error::SingularTangent`].
+    pub(super) fn advanced<S: CotangentSystem>(
+        &self,
+        system: &S,
+        state: &State<S::Group>,
+        h: f64,
+    ) -> Result<(State<S::Group>, f64), Error>
+    where
+        C: LocalCoordinates<S::Group>,
+    {
+        let stages = Stages::begin(system, state, &self.coordinates, h).through::<T>(STAGES)?;
+        let next = stages.end(&T::TABLEAU.b)?;
+        let scale = state.spatial.largest().max(f64::MIN_POSITIVE);
+        let [a, b] = T::TABLEAU.errors.map(|weights| {
+            let drift = stages.drifts.as_ref().map_or(0.0, |drifts| size(drifts, &weights, h));
+            size(&stages.slopes, &weights, h).max(drift / scale)
+        });
+        Ok((next, if a > 0.0 { a * (a / a.hypot(0.1 * b)) } else { a }))
+    }
+}
+
+impl<const STAGES: usize, T: Tabulated<STAGES>, S: CotangentSystem, C> Integrator<S>
+    for RungeKutta<STAGES, T, C>
+where
+    C: LocalCoordinates<S::Group>,
+{
+    #[inline]
+    fn step(&self, system: &S, state: &mut State<S::Group>, h: f64) -> Result<(), Error> {
+        let stages = Stages::begin(system, state, &self.coordinates, h);
+        *state = stages.through::<T>(T::TABLEAU.needed)?.end(&T::TABLEAU.b)?;
+        Ok(())
+    }
+}
+
+/// The stages of a step.
+struct Stages<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize> {
+    system: &'s S,
+    state: &'s State<S::Group>,
+    coordinates: &'s C,
+    h: f64,
+    /// `H` at the start.
+    momentum: Vector<S>,
+    origin: C::Numbers,
+    /// `y'`.
+    slopes: [C::Numbers; STAGES],
+    /// `h'`, unless it is zero.
+    drifts: Option<[Vector<S>; STAGES]>,
+}
+
+impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
+    Stages<'s, S, C, STAGES>
+{
+    /// With the first stage made.
+    #[inline]
+    fn begin(system: &'s S, state: &'s State<S::Group>, coordinates: &'s C, h: f64) -> Self {
+        let (group, at) = (system.group(), &state.element);
+        let momentum = state.momentum(group);
+        let velocity = system.velocity_of(&momentum);
+        let drifts = (!system.is_free()).then(|| {
+            let force = system.force(state.time, at, &velocity, &momentum);
+            let drift = group.coadjoint(&group.inverse(at), &force);
+            std::array::from_fn(|_| drift.clone())
+        });
+        let slope = coordinates.first_rate(group, at, &velocity);
+        let slopes = std::array::from_fn(|_| slope.clone());
+        let origin = coordinates.origin(group, at);
+        Stages { system, state, coordinates, h, momentum, origin, slopes, drifts }
+    }
+
+    /// All up to a number of them.
+    #[inline]
+    fn through<T: Tabulated<STAGES>>(mut self, count: usize) -> Result<Self, Error> {
+        if STAGES == 4 {
+            // few slopes stay in registers
+            self.advance::<T>(1)?;
+            self.advance::<T>(2)?;
+            self.advance::<T>(3)?;
+        } else {
+            (1..count).try_for_each(|stage| self.advance::<T>(stage))?;
+        }
+        Ok(self)
+    }
+
+    #[inline(always)]
+    fn advance<T: Tabulated<STAGES>>(&mut self, stage: usize) -> Result<(), Error> {
+        let Tableau { a, c, order, .. } = T::TABLEAU;
+        let (group, state, h) = (self.system.group(), self.state, self.h);
+        // or the next stage asks for a torque at no place
+        expect_finite(state.time, &self.slopes[stage - 1])?;
+        let y = moved(&self.origin, &self.slopes[..stage], &a[stage], h);
+        let velocity = match &mut self.drifts {
+            None => {
+                let momentum = self.coordinates.momentum(group, state, &self.momentum, &y);
+                self.system.velocity_of(&momentum)
+            }
+            Some(drifts) => {
+                expect_finite(state.time, &drifts[stage - 1])?;
+                let rates = self.system.rates(&State {
+                    time: state.time + c[stage] * h,
+                    element: self.coordinates.element(group, &state.element, &y),
+                    spatial: moved(&state.spatial, &drifts[..stage], &a[stage], h),
+                });
+                drifts[stage] = rates.spatial;
+                rates.velocity
+            }
+        };
+        self.slopes[stage] =
+            self.coordinates.rate(group, &state.element, &y, &velocity, order)?;
+        Ok(())
+    }
+
+    /// The state after the step.
+    #[inline]
+    fn end(&self, weights: &[f64; STAGES]) -> Result<State<S::Group>, Error> {
+        let Stages { state, h, .. } = *self;
+        let y = moved(&self.origin, &self.slopes, weights, h);
+        expect_finite(state.time, &y)?;
+        let spatial = match &self.drifts {
+            None => state.spatial.clone(),
+            Some(drifts) => moved(&state.spatial, drifts, weights, h),
+        };
+        expect_finite(state.time, &spatial)?;
+        let element = self.coordinates.end(self.system.group(), &state.element, &y);
+        Ok(State { time: state.time + h, element, spatial })
+    }
+}
+
+/// `h` times the weighted slopes, from a start.
+#[inline]
+fn moved<V: Coordinates>(start: &V, slopes: &[V], weights: &[f64], h: f64) -> V {
+    let weighted = slopes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);
+    weighted.fold(start.clone(), |sum, (slope, weight)| sum + slope.clone() * (h * weight))
+}
+
+/// The largest component of the weighted slopes times `h`.
+fn size<V: Coordinates>(slopes: &[V], weights: &[f64], h: f64) -> f64 {
+    moved(&(slopes[0].clone() * 0.0), slopes, weights, h).largest()
+}
