@@ -24,8 +24,8 @@ mod sweep;
 
 use affinor::dynamics::euler_poincare::{Free, Torque};
 use affinor::dynamics::integrators::Pair;
-use affinor::dynamics::integrators::runge_kutta::LocalCoordinates;
 use affinor::dynamics::integrators::kick::{FreeMotion, Order as KickOrder};
+use affinor::dynamics::integrators::runge_kutta::LocalCoordinates;
 use affinor::dynamics::integrators::splitting::Composition;
 use affinor::dynamics::moser_veselov::Order;
 use affinor::dynamics::{

@@ -11,10 +11,13 @@ use affinor::dynamics::integrators::splitting::Composition;
 use affinor::dynamics::moser_veselov::Order;
 use affinor::dynamics::{
     Adaptive, BodyState, CommutatorFree, CrouchGrossman, EulerPoincare, FreeBody, Inertia,
-    Integrator, Kick, Linear, Magnus, MoserVeselov, MuntheKaas, Place, SimoWong, Splitting, State,
+    Integrator, Kick, Linear, Magnus, MoserVeselov, MuntheKaas, Place, Projected, SimoWong,
+    Splitting, State,
 };
 use affinor::equations::Equations;
-use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Se23, Sl2, So3};
+use affinor::group::{
+    Coordinates, Heisenberg, LieGroup, MatrixGroup, Opposite, Se2, Se3, Se23, Sl2, So2, So3, Stored,
+};
 use affinor::{Canonical, Connection, Error, Metric, ode};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{
@@ -74,9 +77,28 @@ fn entries<G: LieGroup>(
 }
 
 /// A torque that depends on everything it may.
-fn moment(n: usize, time: f64, matrix: &DMatrix<f64>, omega: &[f64]) -> Vec<f64> {
+fn moment(time: f64, matrix: &DMatrix<f64>, omega: &[f64]) -> Vec<f64> {
+    let n = omega.len();
     let place = |i: usize| matrix[(0, 1)] * (1.0 + i as f64) - matrix[(0, matrix.ncols() - 1)];
     (0..n).map(|i| 0.2 * (time + i as f64).sin() - 0.1 * omega[i] + 0.1 * place(i)).collect()
+}
+
+/// The same, four times as fast.
+fn fast(time: f64, matrix: &DMatrix<f64>, omega: &[f64]) -> Vec<f64> {
+    moment(4.0 * time, matrix, omega).iter().map(|m| 4.0 * m).collect()
+}
+
+/// A torque by the matrix of the element.
+struct Load<G, F> {
+    group: G,
+    moment: F,
+}
+
+impl<G: LieGroup, F: Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64>> Torque<G> for Load<G, F> {
+    fn add(&self, time: f64, g: &G::Element, omega: &G::Vector, force: &mut G::Vector) {
+        let moment = (self.moment)(time, &self.group.matrix(g), omega.components());
+        *force = force.clone() + G::Vector::from_components(&moment);
+    }
 }
 
 struct Case<G: LieGroup, M> {
@@ -89,28 +111,31 @@ struct Case<G: LieGroup, M> {
 impl<G: LieGroup, M: Torque<G>> Case<G, M> {
     /// How far the end is from that of the oracle.
     fn error(&self, method: &impl Integrator<EulerPoincare<G, M>>, steps: usize) -> f64 {
+        self.errors(method, steps).amax()
+    }
+
+    /// Of each entry of the element, and of the velocity.
+    fn errors(&self, method: &impl Integrator<EulerPoincare<G, M>>, steps: usize) -> DVector<f64> {
         let end = run(method, &self.system, &self.start, self.span, steps);
-        let off = (self.system.group().matrix(&end.element) - &self.end.0).amax();
+        let off = self.system.group().matrix(&end.element) - &self.end.0;
         let velocity = self.system.velocity(&end) - G::Vector::from_components(&self.end.1);
-        off.max(velocity.largest())
+        let entries = off.iter().chain(velocity.components()).copied();
+        DVector::from_iterator(off.len() + velocity.components().len(), entries)
     }
 }
 
 /// A system and where the matrix entries and the velocity are after a time, by the equations (106).
-fn case<G: LieGroup + Clone>(
+fn case<G: LieGroup + Clone, F: Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64> + Clone>(
     group: G,
     which: Canonical,
     metric: &Metric<f64>,
     velocity: &G::Vector,
     span: f64,
-    torque: impl Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64> + Clone,
-) -> Case<G, impl Torque<G>> {
+    moment: F,
+) -> Case<G, Load<G, F>> {
     let connection = Connection::canonical(&group.algebra().unwrap(), which);
     let equations = Equations::euler_poincare(&connection, metric).unwrap();
-    let (of_group, of_matrix) = (group.clone(), torque.clone());
-    let torque = move |time: f64, g: &G::Element, omega: &G::Vector| {
-        G::Vector::from_components(&torque(time, &of_group.matrix(g), omega.components()))
-    };
+    let torque = Load { group: group.clone(), moment: moment.clone() };
     let system = EulerPoincare::new(group.clone(), &connection, metric, torque).unwrap();
     let start = system.state(0.3, group.exp(&(velocity.clone() * 0.2)), velocity);
     let at = (0.3, &start.element, velocity.components());
@@ -119,34 +144,52 @@ fn case<G: LieGroup + Clone>(
         at,
         0.3 + span,
         |_, omega| omega.to_vec(),
-        |t, g, omega| equations.rate(omega, &of_matrix(t, g, omega)).unwrap(),
+        |t, g, omega| equations.rate(omega, &moment(t, g, omega)).unwrap(),
     );
     Case { system, start, span, end }
 }
 
-fn orders<G: LieGroup + Clone>(name: &str, group: G, velocity: &G::Vector, steps: usize) {
-    let n = group.dimension();
+type Moment = fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64>;
+
+/// Motions of one time unit, and of three with forces four times as fast, in two connections.
+fn each_motion<G: LieGroup + Clone>(
+    group: G,
+    velocity: &G::Vector,
+    check: impl Fn(&Case<G, Load<G, Moment>>, &Case<G, Load<G, Moment>>),
+) {
     let metric = full(&group);
     for which in [Canonical::Zero, Canonical::Plus] {
-        let torque =
-            move |time: f64, matrix: &DMatrix<f64>, omega: &[f64]| moment(n, time, matrix, omega);
-        let fast = move |time: f64, matrix: &DMatrix<f64>, omega: &[f64]| {
-            let moment = moment(n, 4.0 * time, matrix, omega);
-            moment.iter().map(|m| 4.0 * m).collect()
-        };
-        let short = case(group.clone(), which, &metric, velocity, 1.0, torque);
-        let long = case(group.clone(), which, &metric, velocity, 4.0, fast);
-        let check = |method: &str, order: u32, steps, halvings, error: &dyn Fn(usize) -> f64| {
-            expect_order(&format!("{method} on {name}"), order, steps, halvings, error);
-        };
-        check("CG3", CrouchGrossman.order(), 2 * steps, 4, &|n| short.error(&CrouchGrossman, n));
-        check("CF4", CommutatorFree.order(), steps, 4, &|n| short.error(&CommutatorFree, n));
-        check("RKMK4", 4, steps, 4, &|n| short.error(&MuntheKaas::RK4, n));
-        // its error constants are so small that the next powers show; they make it seem larger
-        let error = |n: usize| long.error(&MuntheKaas::DORMAND_PRINCE, n);
-        let observed = (error(128) / error(512)).log2() / 2.0;
-        assert!((4.8..5.7).contains(&observed), "DP5 on {name}: {observed}");
+        let case = |span, load: Moment| case(group.clone(), which, &metric, velocity, span, load);
+        check(&case(1.0, moment), &case(3.0, fast));
     }
+}
+
+fn orders<G: LieGroup + Clone>(name: &str, group: G, velocity: &G::Vector, steps: usize) {
+    each_motion(group, velocity, |short, long| {
+        let check = |method: &str, order: u32, steps, error: &dyn Fn(usize) -> f64| {
+            expect_order(&format!("{method} on {name}"), order, steps, 4, error);
+        };
+        check("CG3", CrouchGrossman.order(), 2 * steps, &|n| short.error(&CrouchGrossman, n));
+        check("CF4", CommutatorFree.order(), steps, &|n| short.error(&CommutatorFree, n));
+        check("RKMK4", 4, steps, &|n| short.error(&MuntheKaas::RK4, n));
+        order_of_five("DP5", name, |n| long.errors(&MuntheKaas::DORMAND_PRINCE, n));
+    });
+}
+
+/// Of methods in stored numbers.
+fn projected_orders<G: Stored + Clone>(name: &str, group: G, velocity: &G::Vector, steps: usize) {
+    each_motion(group, velocity, |short, long| {
+        let error = |n: usize| short.error(&Projected::RK4, n);
+        expect_order(&format!("projected RK4 on {name}"), 4, steps, 4, error);
+        order_of_five("projected DP5", name, |n| long.errors(&Projected::DORMAND_PRINCE, n));
+    });
+}
+
+/// The error constants of order 5 are so small that the sixth power of a step shows, so it is taken out:
+/// `e(h) = a h^5 + b h^6 + c h^7` leaves `64 e(h/2) - e(h) = a h^5 - c h^7/2`.
+fn order_of_five(method: &str, name: &str, errors: impl Fn(usize) -> DVector<f64>) {
+    let fifth = |steps: usize| (errors(2 * steps) * 64.0 - errors(steps)).amax();
+    expect_order(&format!("{method} on {name}"), 5, 64, 1, fifth);
 }
 
 /// The group of `x -> a x + b`, which is not unimodular.
@@ -157,26 +200,31 @@ fn affine_line() -> MatrixGroup {
 #[test]
 fn orders_on_so3() {
     orders("SO(3)", So3, &Vector3::new(0.9, -0.5, 1.1), 16);
+    projected_orders("SO(3)", So3, &Vector3::new(0.9, -0.5, 1.1), 16);
 }
 
 #[test]
 fn orders_on_se3() {
     orders("SE(3)", Se3, &Vector6::new(0.5, -0.3, 0.6, 0.4, 0.2, -0.5), 16);
+    projected_orders("SE(3)", Se3, &Vector6::new(0.5, -0.3, 0.6, 0.4, 0.2, -0.5), 16);
 }
 
 #[test]
 fn orders_on_se2() {
     orders("SE(2)", Se2, &Vector3::new(0.9, 0.5, -0.4), 16);
+    projected_orders("SE(2)", Se2, &Vector3::new(0.9, 0.5, -0.4), 16);
 }
 
 #[test]
 fn orders_on_sl2() {
     orders("SL(2)", Sl2, &Vector3::new(0.3, -0.5, 0.2), 16);
+    projected_orders("SL(2)", Sl2, &Vector3::new(0.3, -0.5, 0.2), 16);
 }
 
 #[test]
 fn orders_on_heisenberg() {
     orders("Heisenberg", Heisenberg::<3>, &Vector3::new(0.9, -0.5, 1.1), 16);
+    projected_orders("Heisenberg", Heisenberg::<3>, &Vector3::new(0.9, -0.5, 1.1), 16);
 }
 
 #[test]
@@ -298,8 +346,7 @@ fn orders_of_the_free_body() {
 #[test]
 fn order_of_simo_wong_with_a_torque() {
     let (inertia, metric) = inertia();
-    let torque = |time: f64, matrix: &DMatrix<f64>, omega: &[f64]| moment(3, time, matrix, omega);
-    let case = case(So3, Canonical::Plus, &metric, &VELOCITY, 1.0, torque);
+    let case = case(So3, Canonical::Plus, &metric, &VELOCITY, 1.0, moment);
     expect_order("Simo-Wong", 2, 32, 4, |n| case.error(&SimoWong::new(&inertia), n));
 }
 
@@ -453,6 +500,13 @@ fn coadjoint_and_restored() {
                 * DVector::from_column_slice((group.unit(i) * 2.0 + x.clone()).components());
             assert!((DVector::from_vec(h) - expected).amax() < 1e-14);
         }
+        // up to where the series of small angles end, and beyond
+        for size in [1e-3, 0.3, 1.0, 30.0] {
+            let (x, h) = (x.clone() * size, group.unit(0) * 2.0 + x.clone());
+            let off = group.coadjoint_exp(&x, &h) - group.coadjoint(&group.exp(&x), &h);
+            let scale = 1.0 + group.matrix(&group.exp(&x)).amax().powi(2);
+            assert!(off.largest() < 1e-14 * scale, "{x:?}: {off:?}");
+        }
         let restored = group.restored(grown(g.clone()));
         assert!((group.matrix(&restored) - group.matrix(&g)).amax() < 1e-15);
     }
@@ -473,4 +527,33 @@ fn coadjoint_and_restored() {
         g.rotation = nalgebra::UnitComplex::new_unchecked(g.rotation.into_inner() * 1.001);
         g
     });
+}
+
+/// Numbers of elements make them again, and change as differences say, of right-invariant systems as well.
+#[test]
+fn numbers_of_elements() {
+    fn check<G: Stored>(group: G) {
+        let x = G::Vector::from_fn(group.dimension(), |i| [0.3, -0.5, 0.2, 0.7][i % 4]);
+        let v = G::Vector::from_fn(group.dimension(), |i| [0.4, 0.1, -0.6][i % 3]);
+        let g = group.exp(&x);
+        let again = group.from_numbers(&group.numbers(&g));
+        assert_eq!(group.matrix(&again), group.matrix(&g));
+        let at = |t: f64| group.numbers(&group.compose(&g, &group.exp(&(v.clone() * t))));
+        let step = 1e-4;
+        // Richardson's extrapolation of central differences
+        let difference = |h: f64| (at(h) - at(-h)) * (0.5 / h);
+        let slope = difference(step) * (4.0 / 3.0) - difference(2.0 * step) * (1.0 / 3.0);
+        let off = slope - group.rate(&g, &v);
+        assert!(off.largest() < 1e-11, "{off:?}");
+    }
+    check(So2);
+    check(So3);
+    check(Se2);
+    check(Se3);
+    check(Se23);
+    check(Sl2);
+    check(Heisenberg::<5>);
+    check(Opposite(So3));
+    check(Opposite(Se3));
+    check(Opposite(Sl2));
 }

@@ -9,10 +9,10 @@ use affinor::dynamics::integrators::splitting::Composition;
 use affinor::dynamics::moser_veselov::Order;
 use affinor::dynamics::{
     Adaptive, BodyState, CommutatorFree, CrouchGrossman, EulerPoincare, FreeBody, Inertia,
-    Integrator, Kick, Linear, Magnus, MoserVeselov, MuntheKaas, Place, SimoWong, Splitting, State,
-    System,
+    Integrator, Kick, Linear, Magnus, MoserVeselov, MuntheKaas, Place, Projected, SimoWong,
+    Splitting, State, System,
 };
-use affinor::group::{Coordinates, LieGroup, Se2, Se3, Sl2, So3};
+use affinor::group::{Coordinates, LieGroup, Se2, Se3, Sl2, So3, Stored};
 use affinor::{Canonical, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 use allocation_counter::measure;
@@ -38,7 +38,7 @@ fn body<G: LieGroup, M: Torque<G>>(group: G, which: Canonical, torque: M) -> Eul
     EulerPoincare::new(group, &Connection::canonical(&algebra, which), &metric, torque).unwrap()
 }
 
-fn any_group<G: LieGroup + Clone>(name: &str, group: G) {
+fn any_group<G: Stored + Clone>(name: &str, group: G) {
     let n = group.dimension();
     let torque = move |time: f64, _: &G::Element, omega: &G::Vector| {
         omega.clone() * -0.1 + G::Vector::from_fn(n, |i| (time + i as f64).sin())
@@ -47,8 +47,14 @@ fn any_group<G: LieGroup + Clone>(name: &str, group: G) {
         let system = body(group.clone(), which, torque);
         let velocity = G::Vector::from_fn(n, |i| 0.3 - 0.1 * i as f64);
         let start = system.state(0.0, group.exp(&velocity), &velocity);
-        let methods: [&dyn Integrator<EulerPoincare<G, _>>; 4] =
-            [&MuntheKaas::RK4, &MuntheKaas::DORMAND_PRINCE, &CommutatorFree, &CrouchGrossman];
+        let methods: [&dyn Integrator<EulerPoincare<G, _>>; 6] = [
+            &MuntheKaas::RK4,
+            &MuntheKaas::DORMAND_PRINCE,
+            &Projected::RK4,
+            &Projected::DORMAND_PRINCE_8,
+            &CommutatorFree,
+            &CrouchGrossman,
+        ];
         for method in methods {
             assert_none(name, &system, method, &start);
         }

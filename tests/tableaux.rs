@@ -1,11 +1,13 @@
 //! The order conditions of the Runge-Kutta tableaux, for every rooted tree, and order 8 on groups.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use affinor::dynamics::integrators::RungeKutta;
+use affinor::dynamics::integrators::runge_kutta::LocalCoordinates;
 use affinor::dynamics::integrators::tableaux::{
     Classical, DormandPrince, DormandPrince8, Tableau, Tabulated,
 };
-use affinor::dynamics::{Adaptive, EulerPoincare, Integrator, MuntheKaas, State};
-use affinor::group::{Coordinates, LieGroup, Se3, Sl2, So3};
+use affinor::dynamics::{Adaptive, EulerPoincare, Integrator, MuntheKaas, Projected, State};
+use affinor::group::{Coordinates, Se3, Sl2, So3, Stored};
 use affinor::{Canonical, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 
@@ -98,7 +100,11 @@ fn conditions_hold() {
 
 /// With a metric that is not diagonal, a connection that does not keep the spatial momentum, and a torque that depends on
 /// time and velocity: a step of half the length has a 2^8th of the error; with step control it is the one of order 5.
-fn order_on<G: LieGroup + Clone>(group: G, steps: usize) {
+fn order_on<G: Stored + Clone, C: LocalCoordinates<G>>(
+    group: G,
+    method: RungeKutta<12, DormandPrince8, C>,
+    steps: usize,
+) {
     let n = group.dimension();
     let algebra = group.algebra().unwrap();
     let entry = |[i, j]: [usize; 2]| if i == j { 1.0 + 0.5 * i as f64 } else { 0.1 };
@@ -115,7 +121,7 @@ fn order_on<G: LieGroup + Clone>(group: G, steps: usize) {
         let mut state = start.clone();
         for _ in 0..count {
             let h = 2.0 / count as f64;
-            MuntheKaas::DORMAND_PRINCE_8.step(&system, &mut state, h).unwrap();
+            method.step(&system, &mut state, h).unwrap();
         }
         state
     };
@@ -129,14 +135,22 @@ fn order_on<G: LieGroup + Clone>(group: G, steps: usize) {
     let observed = (long / short).log2();
     assert!((7.4..9.0).contains(&observed), "{observed}: {long:e}, {short:e}");
     for control in [Adaptive::new(1e-12), Adaptive::of_order_8(1e-12)] {
-        let end = control.states(&system, &start, &[2.3]).unwrap().remove(0);
-        assert!(distance(&end, &exact) < 1e-10, "{control:?}: {:e}", distance(&end, &exact));
+        let ends = [
+            control.states(&system, &start, &[2.3]).unwrap().remove(0),
+            control.projected().states(&system, &start, &[2.3]).unwrap().remove(0),
+        ];
+        for end in ends {
+            assert!(distance(&end, &exact) < 1e-10, "{control:?}: {:e}", distance(&end, &exact));
+        }
     }
 }
 
 #[test]
 fn order_8_on_groups() {
-    order_on(So3, 4);
-    order_on(Se3, 4);
-    order_on(Sl2, 4);
+    order_on(So3, MuntheKaas::DORMAND_PRINCE_8, 4);
+    order_on(Se3, MuntheKaas::DORMAND_PRINCE_8, 4);
+    order_on(Sl2, MuntheKaas::DORMAND_PRINCE_8, 4);
+    order_on(So3, Projected::DORMAND_PRINCE_8, 4);
+    order_on(Se3, Projected::DORMAND_PRINCE_8, 4);
+    order_on(Sl2, Projected::DORMAND_PRINCE_8, 4);
 }

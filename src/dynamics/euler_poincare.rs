@@ -259,7 +259,8 @@ impl<M> EulerPoincare<So3, M> {
     pub(super) fn expect_body(&self, inertia: &Inertia) -> Result<(), Error> {
         let (axes, moments) = (inertia.axes(), inertia.moments());
         let expected = axes * Matrix3::from_diagonal(moments) * axes.transpose();
-        let off = (0..3).map(|i| (self.metric.row(i) - expected.column(i)).amax()).fold(0.0, f64::max);
+        let off =
+            (0..3).map(|i| (self.metric.row(i) - expected.column(i)).amax()).fold(0.0, f64::max);
         if off <= SAME * moments.amax() && self.excess.is_empty() {
             return Ok(());
         }

@@ -1,9 +1,9 @@
 //! SO(3), the rotations of space, as unit quaternions.
 
-use super::{LieGroup, Stored};
 use super::polynomial::polynomial;
 use super::rotation;
 use super::stumpff::{FAR, Stumpff, first_two, inverse_tangent, turning};
+use super::{LieGroup, Stored};
 use crate::Error;
 use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3, Vector4};
 

@@ -181,8 +181,7 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
                 rates.velocity
             }
         };
-        self.slopes[stage] =
-            self.coordinates.rate(group, &state.element, &y, &velocity, order)?;
+        self.slopes[stage] = self.coordinates.rate(group, &state.element, &y, &velocity, order)?;
         Ok(())
     }
 
