@@ -1,8 +1,14 @@
 //! Ways to go on: steps of one length, steps under control, or all at once.
 
 use super::pace::Pace;
+use super::{Method, Simulated};
 use crate::Error;
-use crate::dynamics::{Adaptive, CotangentSystem, Integrator, State};
+use crate::dynamics::integrators::{Controlled, Pair};
+use crate::dynamics::{
+    Adaptive, CommutatorFree, CotangentSystem, CrouchGrossman, Integrator, MuntheKaas, Projected,
+    State,
+};
+use crate::group::Stored;
 use serde::{Deserialize, Serialize};
 
 /// How a motion goes on.
@@ -17,7 +23,9 @@ pub enum Drive<S: CotangentSystem> {
     /// Steps as long as a tolerance allows.
     Adaptive {
         /// The control.
-        control: Adaptive,
+        control: Box<dyn Controlled<S> + Send>,
+        /// The most steps from one wanted time to the next.
+        max_steps: usize,
         /// The next step to try.
         next: f64,
         /// Steps since a wanted time was reached.
@@ -39,6 +47,54 @@ pub enum Memory {
 }
 
 impl<S: CotangentSystem> Drive<S> {
+    /// Steps of one length.
+    pub fn fixed(integrator: impl Integrator<S> + Send + 'static, step: f64) -> Self {
+        Drive::Fixed { integrator: Box::new(integrator), pace: Pace::new(step) }
+    }
+
+    /// By a method for all groups and forces; none if it is not one of these, or not on this group.
+    pub fn of_any_system(method: Method, step: f64, control: Adaptive) -> Option<Self>
+    where
+        S: 'static,
+        S::Group: Simulated,
+    {
+        Some(match method {
+            Method::MuntheKaas => Self::fixed(MuntheKaas::RK4, step),
+            Method::CommutatorFree => Self::fixed(CommutatorFree, step),
+            Method::CrouchGrossman => Self::fixed(CrouchGrossman, step),
+            Method::Adaptive(pair) => Self::controlled(pair, control, |control| control),
+            Method::Projected | Method::ProjectedAdaptive(_) => {
+                return S::Group::projected(method, step, control);
+            }
+            _ => return None,
+        })
+    }
+
+    /// By a method in stored numbers.
+    pub fn projected(method: Method, step: f64, control: Adaptive) -> Option<Self>
+    where
+        S: 'static,
+        S::Group: Stored,
+    {
+        match method {
+            Method::Projected => Some(Self::fixed(Projected::RK4, step)),
+            Method::ProjectedAdaptive(pair) => {
+                Some(Self::controlled(pair, control, Adaptive::projected))
+            }
+            _ => None,
+        }
+    }
+
+    fn controlled<C: Controlled<S> + Send + 'static>(
+        pair: Pair,
+        control: Adaptive,
+        of: impl FnOnce(Adaptive) -> C,
+    ) -> Self {
+        let control = Adaptive { pair, ..control };
+        let (max_steps, next) = (control.max_steps, control.first_step());
+        Drive::Adaptive { control: Box::new(of(control)), max_steps, next, taken: 0 }
+    }
+
     /// One step towards a time, and whether it is reached.
     pub fn step(
         &mut self,
@@ -51,8 +107,8 @@ impl<S: CotangentSystem> Drive<S> {
         }
         match self {
             Drive::Exact(at) => *state = at(until),
-            Drive::Adaptive { control, next, taken } => {
-                if *taken == control.max_steps {
+            Drive::Adaptive { control, max_steps, next, taken } => {
+                if *taken == *max_steps {
                     let reason = format!(
                         "{taken} steps did not reach t = {until}: the problem is stiff, or times of output far apart"
                     );
@@ -81,8 +137,8 @@ impl<S: CotangentSystem> Drive<S> {
     pub fn remember(&mut self, memory: Memory) -> bool {
         match (self, memory) {
             (Drive::Fixed { pace, .. }, Memory::Pace(saved)) if pace.fits(&saved) => *pace = saved,
-            (Drive::Adaptive { control, next, taken }, Memory::Next(saved, count))
-                if count <= control.max_steps =>
+            (Drive::Adaptive { max_steps, next, taken, .. }, Memory::Next(saved, count))
+                if count <= *max_steps =>
             {
                 (*next, *taken) = (saved, count);
             }

@@ -1,15 +1,14 @@
 //! The groups on which motions are simulated.
 
 use super::drive::Drive;
-use super::pace::Pace;
 use super::{Body, Method, Simulated};
 use crate::Error;
 use crate::dynamics::euler_poincare::Free;
 use crate::dynamics::integrators::kick::FreeMotion;
 use crate::dynamics::moser_veselov::Order;
 use crate::dynamics::{
-    BodyState, EulerPoincare, FreeBody, Inertia, Integrator, Kick, MoserVeselov, SimoWong,
-    Splitting, State,
+    Adaptive, BodyState, CotangentSystem, EulerPoincare, FreeBody, Inertia, Integrator, Kick,
+    MoserVeselov, SimoWong, Splitting, State,
 };
 use crate::group::{
     Coordinates, LieGroup, MatrixGroup, Nilpotent, Opposite, Se2, Se3, Sl2, So2, So3,
@@ -22,6 +21,14 @@ impl Simulated for So2 {
     fn named(&self, g: &Self::Element) -> Vec<f64> {
         vec![g.angle()]
     }
+
+    fn projected<S: CotangentSystem<Group = Self> + 'static>(
+        method: Method,
+        step: f64,
+        control: Adaptive,
+    ) -> Option<Drive<S>> {
+        Drive::projected(method, step, control)
+    }
 }
 
 impl Simulated for Se2 {
@@ -29,6 +36,14 @@ impl Simulated for Se2 {
 
     fn named(&self, g: &Self::Element) -> Vec<f64> {
         vec![g.rotation.angle(), g.translation.x, g.translation.y]
+    }
+
+    fn projected<S: CotangentSystem<Group = Self> + 'static>(
+        method: Method,
+        step: f64,
+        control: Adaptive,
+    ) -> Option<Drive<S>> {
+        Drive::projected(method, step, control)
     }
 }
 
@@ -39,9 +54,25 @@ impl Simulated for Se3 {
         let (q, x) = (g.rotation, g.translation);
         vec![q.w, q.i, q.j, q.k, x.x, x.y, x.z]
     }
+
+    fn projected<S: CotangentSystem<Group = Self> + 'static>(
+        method: Method,
+        step: f64,
+        control: Adaptive,
+    ) -> Option<Drive<S>> {
+        Drive::projected(method, step, control)
+    }
 }
 
-impl Simulated for Sl2 {}
+impl Simulated for Sl2 {
+    fn projected<S: CotangentSystem<Group = Self> + 'static>(
+        method: Method,
+        step: f64,
+        control: Adaptive,
+    ) -> Option<Drive<S>> {
+        Drive::projected(method, step, control)
+    }
+}
 
 impl Simulated for MatrixGroup {}
 
@@ -67,6 +98,14 @@ impl Simulated for So3 {
 
     fn named(&self, q: &Self::Element) -> Vec<f64> {
         vec![q.w, q.i, q.j, q.k]
+    }
+
+    fn projected<S: CotangentSystem<Group = Self> + 'static>(
+        method: Method,
+        step: f64,
+        control: Adaptive,
+    ) -> Option<Drive<S>> {
+        Drive::projected(method, step, control)
     }
 
     fn body(&self, inertia: &DMatrix<f64>) -> Option<Result<Inertia, Error>> {
@@ -98,14 +137,10 @@ impl Simulated for So3 {
             Method::Splitting(composition) => {
                 free(Splitting::new(inertia, composition), system, step)
             }
-            Method::SimoWong => {
-                let integrator = Box::new(SimoWong::new(inertia));
-                Some(Ok(Drive::Fixed { integrator, pace: Pace::new(step) }))
-            }
+            Method::SimoWong => Some(Ok(Drive::fixed(SimoWong::new(inertia), step))),
             Method::Kick(order) => {
-                let integrator =
-                    Box::new(Kick::new(inertia, order, FreeMotion::MoserVeselov(Order::Ten)));
-                Some(Ok(Drive::Fixed { integrator, pace: Pace::new(step) }))
+                let motion = FreeMotion::MoserVeselov(Order::Ten);
+                Some(Ok(Drive::fixed(Kick::new(inertia, order, motion), step)))
             }
             _ => None,
         }
@@ -118,8 +153,8 @@ fn free(
     system: &Body<So3>,
     step: f64,
 ) -> Option<Result<Drive<Body<So3>>, Error>> {
-    let integrator = Box::new(Unforced { system: system.clone_with(Free), integrator });
-    Some(Ok(Drive::Fixed { integrator, pace: Pace::new(step) }))
+    let integrator = Unforced { system: system.clone_with(Free), integrator };
+    Some(Ok(Drive::fixed(integrator, step)))
 }
 
 /// A method for the system without forces.

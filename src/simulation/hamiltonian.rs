@@ -2,14 +2,11 @@
 
 use super::drive::Drive;
 use super::on_cotangent::{OnCotangent, Seen};
-use super::pace::Pace;
+use super::on_group::NO_NUMBERS;
 use super::quantities::{Quantity, Scope};
 use super::{Forces, Method, Motion, Point, Simulated};
 use crate::Error;
-use crate::dynamics::{
-    Adaptive, CommutatorFree, CotangentSystem, CrouchGrossman, LiePoissonSystem, MuntheKaas, State,
-    System,
-};
+use crate::dynamics::{Adaptive, CotangentSystem, LiePoissonSystem, State, System};
 use crate::formula::Formula;
 use crate::group::{Coordinates, LieGroup};
 use affinor_tensors::expression::ExpressionError;
@@ -76,22 +73,15 @@ pub fn on_hamiltonian<G: Simulated>(
     let default = if step.is_some() { Method::MuntheKaas } else { Method::to(control.tolerance) };
     let method = method.unwrap_or(default);
     let refused = |reason: &str| Error::NoMethod { method: method.name(), reason: reason.into() };
-    let needed = || step.map(Pace::new).ok_or_else(|| refused("it needs a step"));
-    let drive = match method {
-        Method::MuntheKaas => {
-            Drive::Fixed { integrator: Box::new(MuntheKaas::RK4), pace: needed()? }
-        }
-        Method::CommutatorFree => {
-            Drive::Fixed { integrator: Box::new(CommutatorFree), pace: needed()? }
-        }
-        Method::CrouchGrossman => {
-            Drive::Fixed { integrator: Box::new(CrouchGrossman), pace: needed()? }
-        }
-        Method::Adaptive(pair) => {
-            let control = Adaptive { pair, ..control };
-            Drive::Adaptive { control, next: control.first_step(), taken: 0 }
-        }
-        _ => return Err(refused("a Hamiltonian has rkmk54, rkmk853, rkmk4, cf4, cg3")),
+    let step = match step {
+        Some(step) => step,
+        None if method.has_steps() => return Err(refused("it needs a step")),
+        None => 0.0,
+    };
+    let drive = match Drive::of_any_system(method, step, control) {
+        Some(drive) => drive,
+        None if method.is_projected() => return Err(refused(NO_NUMBERS)),
+        None => return Err(refused("it is not for a Hamiltonian")),
     };
     let of = hamiltonian.clone();
     let gradient: Gradient<G> = Box::new(move |momentum| of.gradient(momentum));

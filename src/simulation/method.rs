@@ -18,6 +18,10 @@ pub enum Method {
     Adaptive(Pair),
     /// Runge-Kutta-Munthe-Kaas of order 4.
     MuntheKaas,
+    /// Runge-Kutta in stored numbers, of order 4.
+    Projected,
+    /// A pair of Dormand and Prince in stored numbers, with step size control.
+    ProjectedAdaptive(Pair),
     /// Commutator-free, of order 4.
     CommutatorFree,
     /// Crouch and Grossman, of order 3.
@@ -42,11 +46,14 @@ pub enum Method {
 
 impl Method {
     /// All of them.
-    pub const ALL: [Method; 22] = [
+    pub const ALL: [Method; 25] = [
         Method::Exact,
         Method::Adaptive(Pair::Five),
         Method::Adaptive(Pair::Eight),
         Method::MuntheKaas,
+        Method::Projected,
+        Method::ProjectedAdaptive(Pair::Five),
+        Method::ProjectedAdaptive(Pair::Eight),
         Method::CommutatorFree,
         Method::CrouchGrossman,
         Method::MoserVeselov(Order::Two),
@@ -74,6 +81,9 @@ impl Method {
             Method::Adaptive(Pair::Five) => "rkmk54",
             Method::Adaptive(Pair::Eight) => "rkmk853",
             Method::MuntheKaas => "rkmk4",
+            Method::Projected => "projected4",
+            Method::ProjectedAdaptive(Pair::Five) => "projected54",
+            Method::ProjectedAdaptive(Pair::Eight) => "projected853",
             Method::CommutatorFree => "cf4",
             Method::CrouchGrossman => "cg3",
             Method::MoserVeselov(Order::Two) => "dmv2",
@@ -123,7 +133,12 @@ impl Method {
 
     /// Whether it goes by steps of one length.
     pub fn has_steps(self) -> bool {
-        !matches!(self, Method::Exact | Method::Adaptive(_))
+        !matches!(self, Method::Exact | Method::Adaptive(_) | Method::ProjectedAdaptive(_))
+    }
+
+    /// Whether its steps are in stored numbers.
+    pub fn is_projected(self) -> bool {
+        matches!(self, Method::Projected | Method::ProjectedAdaptive(_))
     }
 }
 

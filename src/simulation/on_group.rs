@@ -2,14 +2,17 @@
 
 use super::drive::Drive;
 use super::on_cotangent::{OnCotangent, Seen};
-use super::pace::Pace;
 use super::quantities::Scope;
 use super::{Body, Forces, Method, Motion, Point, Simulated};
 use crate::dynamics::integrators::kick;
 use crate::dynamics::moser_veselov::Order;
-use crate::dynamics::{Adaptive, CommutatorFree, CrouchGrossman, EulerPoincare, MuntheKaas, State};
+use crate::dynamics::{Adaptive, EulerPoincare, State};
 use crate::formula::Formula;
 use crate::{Connection, Error, Metric};
+
+/// Why a group may have no projected methods.
+pub(super) const NO_NUMBERS: &str =
+    "it is for so(2), so(3), se(2), se(3) and sl(2), left-invariant";
 
 /// What a motion on a group needs.
 pub struct Setup<'s, G: Simulated> {
@@ -71,17 +74,11 @@ pub fn on_group<G: Simulated>(
         None if method.has_steps() => return Err(refused("it needs a step")),
         None => 0.0,
     };
-    let fixed = |integrator| Drive::Fixed { integrator, pace: Pace::new(step) };
-    let drive = match method {
-        Method::MuntheKaas => fixed(Box::new(MuntheKaas::RK4)),
-        Method::CommutatorFree => fixed(Box::new(CommutatorFree)),
-        Method::CrouchGrossman => fixed(Box::new(CrouchGrossman)),
-        Method::Adaptive(pair) => {
-            let max_steps = setup.max_steps;
-            let control = Adaptive { pair, max_steps, ..Adaptive::new(setup.tolerance) };
-            Drive::Adaptive { control, next: control.first_step(), taken: 0 }
-        }
-        _ => {
+    let control = Adaptive { max_steps: setup.max_steps, ..Adaptive::new(setup.tolerance) };
+    let drive = match Drive::of_any_system(method, step, control) {
+        Some(drive) => drive,
+        None if method.is_projected() => return Err(refused(NO_NUMBERS)),
+        None => {
             let inertia =
                 body.ok_or_else(|| refused("it is for a body: so(3), connection plus"))?;
             if !has {

@@ -357,6 +357,8 @@ fn methods() {
     }
     let on_se2 = "space = 'se2'\nintegrator = { method = 'exact' }\n";
     refuse_problems(&[("on se(2)", SPACE, on_se2, MATHEMATICS, &["it is for a body"])]);
+    let on_h3 = "space = 'heisenberg(3)'\nintegrator = { method = 'projected853' }\n";
+    refuse_problems(&[("on heisenberg", SPACE, on_h3, MATHEMATICS, &["it is for so(2), so(3)"])]);
 }
 
 #[test]

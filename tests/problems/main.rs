@@ -7,7 +7,9 @@ mod references;
 mod run;
 
 use affinor::definition::{Problem, mesh};
+use affinor::dynamics::integrators::Pair;
 use affinor::dynamics::{MassProperties, Mesh};
+use affinor::simulation::Method;
 use checks::CHECKS;
 use nalgebra::{Isometry3, Vector3};
 use references::off;
@@ -126,4 +128,37 @@ fn an_indefinite_metric_is_allowed_and_named() {
     assert_eq!(ready.notes, ["the metric is indefinite: no energy bounds the velocity"]);
     assert_eq!(ready.method.name(), "rkmk853");
     Run::new(&problem, 0).keeps(&["energy", "h1", "h2", "h3", "casimir1"], 1e-10);
+}
+
+/// In stored numbers a motion is the same, on the groups that have them.
+#[test]
+fn projected_methods_agree() {
+    for name in [
+        "free_body",
+        "heavy_top",
+        "heavy_top_reduced",
+        "friction",
+        "kirchhoff",
+        "geodesic_sl2",
+        "geodesic_se2",
+    ] {
+        let problem = open(name);
+        let rows =
+            |method, step| Run::new(&problem.with_method(method, step, 1e-12), 0).rows.concat();
+        let expected = rows(Method::Adaptive(Pair::Eight), None);
+        for (method, step, tolerance) in [
+            (Method::ProjectedAdaptive(Pair::Five), None, 1e-9),
+            (Method::ProjectedAdaptive(Pair::Eight), None, 1e-9),
+            (Method::Projected, Some(0.001), 1e-5),
+        ] {
+            let error = off(&rows(method, step), &expected);
+            println!("{name}, {method}: {error:.1e}");
+            assert!(error < tolerance, "{name}, {method}: {error:e}");
+        }
+    }
+    for name in ["euler_poincare_so4", "geodesic_heisenberg", "fluid_se2", "thrown_ball"] {
+        let problem = open(name).with_method(Method::Projected, Some(0.1), 1.0);
+        let Err(error) = problem.motion(0) else { panic!("{name}: projected") };
+        assert!(error.to_string().contains("it is for so(2), so(3)"), "{error}");
+    }
 }
