@@ -75,7 +75,7 @@ pub trait CotangentSystem: System<State = State<Self::Group>> {
     }
 
     /// The rates of change of a state.
-    #[inline]
+    #[inline(always)]
     fn rates(&self, state: &State<Self::Group>) -> Rates<Vector<Self>> {
         let group = self.group();
         let momentum = state.momentum(group);

@@ -98,6 +98,11 @@ impl Inertia {
         &self.axes
     }
 
+    /// `A diag(J_1, J_2, J_3) A^T`, the matrix in body components.
+    pub fn matrix(&self) -> Matrix3<f64> {
+        self.axes * Matrix3::from_diagonal(&self.moments) * self.axes.transpose()
+    }
+
     /// The inertia of the same body with its principal axes as those of the body.
     #[must_use]
     pub fn in_principal_axes(&self) -> Self {

@@ -5,7 +5,7 @@ use super::euler_poincare::{EulerPoincare, Torque};
 use super::{BodyState, Inertia};
 use crate::Error;
 use crate::group::{LieGroup, So3};
-use nalgebra::{Rotation3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
 /// Principal axes, to go there and back by quaternions.
 ///
@@ -13,7 +13,8 @@ use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 /// error of a quaternion is its length, which drops out.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Principal {
-    inertia: Inertia,
+    moments: Vector3<f64>,
+    inertia: Matrix3<f64>,
     axes: UnitQuaternion<f64>,
 }
 
@@ -21,18 +22,23 @@ impl Principal {
     pub(super) fn new(inertia: &Inertia) -> Self {
         let axes = Rotation3::from_matrix_unchecked(*inertia.axes());
         let axes = UnitQuaternion::from_rotation_matrix(&axes);
-        Principal { inertia: inertia.clone(), axes: So3.restored(axes) }
+        Principal {
+            moments: *inertia.moments(),
+            inertia: inertia.matrix(),
+            axes: So3.restored(axes),
+        }
     }
 
     /// The principal moments.
     pub(super) fn moments(&self) -> &Vector3<f64> {
-        self.inertia.moments()
+        &self.moments
     }
 
     /// Attitude of the principal axes, and the momentum along them.
     ///
     /// # Errors
     /// [`Error::NoInertia`] for a system of another body.
+    #[inline]
     pub(super) fn state<M: Torque<So3>>(
         &self,
         system: &EulerPoincare<So3, M>,
@@ -44,6 +50,7 @@ impl Principal {
     }
 
     /// The attitude of the body from that of its principal axes.
+    #[inline]
     pub(super) fn attitude(&self, axes: UnitQuaternion<f64>) -> UnitQuaternion<f64> {
         So3.restored(axes * self.axes.inverse())
     }

@@ -24,41 +24,49 @@ pub trait Coordinates:
     ///
     /// # Panics
     /// If the size is fixed and the list is shorter.
+    #[inline]
     fn from_components(components: &[f64]) -> Self {
         Self::from_fn(components.len(), |i| components[i])
     }
 
     /// The zero vector of a dimension.
+    #[inline]
     fn zeros(dimension: usize) -> Self {
         Self::from_fn(dimension, |_| 0.0)
     }
 
     /// The largest modulus of a component; NaN is not seen.
+    #[inline]
     fn largest(&self) -> f64 {
         self.components().iter().fold(0.0, |most, x| x.abs().max(most))
     }
 
     /// Whether no component is infinite or NaN.
+    #[inline]
     fn is_finite(&self) -> bool {
         self.components().iter().all(|x| x.is_finite())
     }
 }
 
 impl<const N: usize> Coordinates for SVector<f64, N> {
+    #[inline]
     fn from_fn(_: usize, mut component: impl FnMut(usize) -> f64) -> Self {
         SVector::from_fn(|i, _| component(i))
     }
 
+    #[inline]
     fn components(&self) -> &[f64] {
         self.as_slice()
     }
 }
 
 impl Coordinates for DVector<f64> {
+    #[inline]
     fn from_fn(dimension: usize, mut component: impl FnMut(usize) -> f64) -> Self {
         DVector::from_fn(dimension, |i, _| component(i))
     }
 
+    #[inline]
     fn components(&self) -> &[f64] {
         self.as_slice()
     }

@@ -85,7 +85,8 @@ impl<const STAGES: usize, T: Tabulated<STAGES>, C> RungeKutta<STAGES, T, C> {
     where
         C: LocalCoordinates<S::Group>,
     {
-        let stages = Stages::begin(system, state, &self.coordinates, h).through::<T>(STAGES)?;
+        let mut stages = Stages::begin(system, state, &self.coordinates, h);
+        stages.make::<T>(STAGES)?;
         let next = stages.end(&T::TABLEAU.b)?;
         let scale = state.spatial.largest().max(f64::MIN_POSITIVE);
         let [a, b] = T::TABLEAU.errors.map(|weights| {
@@ -103,8 +104,9 @@ where
 {
     #[inline]
     fn step(&self, system: &S, state: &mut State<S::Group>, h: f64) -> Result<(), Error> {
-        let stages = Stages::begin(system, state, &self.coordinates, h);
-        *state = stages.through::<T>(T::TABLEAU.needed)?.end(&T::TABLEAU.b)?;
+        let mut stages = Stages::begin(system, state, &self.coordinates, h);
+        stages.make::<T>(T::TABLEAU.needed)?;
+        *state = stages.end(&T::TABLEAU.b)?;
         Ok(())
     }
 }
@@ -146,16 +148,15 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
 
     /// All up to a number of them.
     #[inline]
-    fn through<T: Tabulated<STAGES>>(mut self, count: usize) -> Result<Self, Error> {
+    fn make<T: Tabulated<STAGES>>(&mut self, count: usize) -> Result<(), Error> {
         if STAGES == 4 {
             // few slopes stay in registers
             self.advance::<T>(1)?;
             self.advance::<T>(2)?;
-            self.advance::<T>(3)?;
+            self.advance::<T>(3)
         } else {
-            (1..count).try_for_each(|stage| self.advance::<T>(stage))?;
+            (1..count).try_for_each(|stage| self.advance::<T>(stage))
         }
-        Ok(self)
     }
 
     #[inline(always)]
