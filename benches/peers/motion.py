@@ -34,7 +34,7 @@ BATCH = 0.02
 LEVELS = [10.0**-k for k in range(4, 13)]
 TOLERANCES = [10.0 ** (-k / 2) for k in range(4, 29)]
 # lines of the diagram
-SHOWN = ["exact", "DMV10", "RKMK853", "kick4, DMV10", "Rust: DOP853", "SciPy: DOP853", "MuJoCo: RK4"]
+SHOWN = ["exact", "DMV10", "RKMK853", "projected DP853", "kick4, DMV10", "Rust: DOP853", "SciPy: DOP853", "MuJoCo: RK4"]
 PROBLEMS = {
     "free body, t = 10": ("hairer-vilmart", "10.0", 20),
     "free body, t = 100": ("hairer-vilmart", "100.0", 200),
@@ -439,17 +439,23 @@ def measure(options):
     load = " ".join(f"{x:.1f}" for x in os.getloadavg())
     versions = {peer: version(options.python, peer) for peer in PEERS}
     missing = [peer for peer in PEERS if not versions[peer]]
-    found, folder = {}, tempfile.mkdtemp(prefix="peers")  # some leave files where they run
+    found, late, folder = {}, [], tempfile.mkdtemp(prefix="peers")  # some leave files where they run
     commands = [("affinor", [*options.precision, "measure"])]
     commands += [(p, [options.python, os.path.abspath(__file__), "--peer", p]) for p in PEERS if versions[p]]
     for number in range(options.rounds):
         for name, command in commands:
             print(f"round {number + 1}: {name}", file=sys.stderr)
             environment = os.environ | {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
-            done = subprocess.run(command, stdout=subprocess.PIPE, text=True, env=environment, cwd=folder)
-            if done.returncode:
-                print(f"{name} ended with {done.returncode}", file=sys.stderr)
-            for row in csv.reader(io.StringIO(done.stdout)):
+            running = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment, cwd=folder)
+            try:
+                rows, _ = running.communicate(timeout=options.limit * 60)
+            except subprocess.TimeoutExpired:
+                running.kill()
+                rows, _ = running.communicate()
+                late.append(name)
+            if running.returncode:
+                print(f"{name} ended with {running.returncode}", file=sys.stderr)
+            for row in csv.reader(io.StringIO(rows)):
                 if len(row) != 6 or row[0] == "problem":
                     continue
                 key, error, seconds = tuple(row[:3]), float(row[3] or "nan"), float(row[4])
@@ -466,7 +472,9 @@ def measure(options):
         file.write(picture.stdout)
     installed = ", ".join(f"{peer} {versions[peer]}" for peer in PEERS if versions[peer])
     head = f"{time.strftime('%Y-%m-%d')}; {os.cpu_count()} cores; load average at the start {load}; "
-    head += f"{options.rounds} rounds; {installed}."
+    head += f"{options.rounds} round{'s' * (options.rounds > 1)}; {installed}."
+    if late:
+        head += f" Ended after {options.limit:g} minutes: " + ", ".join(dict.fromkeys(late)) + "."
     if missing:
         head += " Not there: " + ", ".join(missing) + "."
     path = os.path.join(ROOT, "docs/motion_speed.md")
@@ -482,6 +490,7 @@ def main():
     arguments.add_argument("--python", default=sys.executable, type=os.path.abspath, help="Python with the peers")
     arguments.add_argument("--precision", help="the compiled benches/precision.rs [built by cargo]")
     arguments.add_argument("--rounds", type=int, default=3, help="[3]")
+    arguments.add_argument("--limit", type=float, default=10, help="the most minutes of one program in a round [10]")
     arguments.add_argument("--ensemble", metavar="PROGRAM", help="only time an ensemble of 10^5 free bodies with this affinor")
     arguments.add_argument("--peer", choices=PEERS, help="print the rows of one peer (needs it in this Python)")
     options = arguments.parse_args()

@@ -57,10 +57,8 @@ pub trait CotangentSystem: System<State = State<Self::Group>> {
     /// `Omega` of a momentum `H`, in body components.
     fn velocity_of(&self, momentum: &Vector<Self>) -> Vector<Self>;
 
-    /// Whether `F` is zero everywhere, so that `h` stays what it is.
-    fn is_free(&self) -> bool {
-        true
-    }
+    /// Whether `F` is zero everywhere, so that `h` stays what it is; no one asks for `F` then.
+    fn is_free(&self) -> bool;
 
     /// `F`, in body components.
     fn force(

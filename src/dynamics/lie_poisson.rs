@@ -72,4 +72,8 @@ impl<G: LieGroup, F: Fn(&G::Vector) -> G::Vector> CotangentSystem for LiePoisson
     fn velocity_of(&self, momentum: &G::Vector) -> G::Vector {
         (self.gradient)(momentum)
     }
+
+    fn is_free(&self) -> bool {
+        true
+    }
 }

@@ -118,6 +118,10 @@ impl<G: Simulated> CotangentSystem for Named<G> {
     fn velocity_of(&self, momentum: &G::Vector) -> G::Vector {
         self.equations.velocity_of(momentum)
     }
+
+    fn is_free(&self) -> bool {
+        self.equations.is_free()
+    }
 }
 
 impl<G: Simulated> Seen for Named<G> {

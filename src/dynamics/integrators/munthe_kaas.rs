@@ -45,7 +45,7 @@ impl<G: LieGroup> LocalCoordinates<G> for Canonical {
         group.compose(at, &group.exp(u))
     }
 
-    /// What was before is restored: that takes no time of the processor's, which is still at the stages.
+    /// It is the start that is restored: a processor does so while the stages are made.
     #[inline(always)]
     fn end(&self, group: &G, at: &G::Element, u: &G::Vector) -> G::Element {
         group.compose(&group.restored(at.clone()), &group.exp(u))

@@ -14,7 +14,7 @@ pub trait LocalCoordinates<G: LieGroup> {
     /// Those of the given element.
     fn origin(&self, group: &G, at: &G::Element) -> Self::Numbers;
 
-    /// The element of coordinates, or numbers near to one that have its name.
+    /// The element of coordinates, perhaps as far off the group as a stage is off the motion.
     fn element(&self, group: &G, at: &G::Element, y: &Self::Numbers) -> G::Element;
 
     /// The element at the end of a step, on the group to rounding however many steps there were.
