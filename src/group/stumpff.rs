@@ -1,6 +1,6 @@
 //! The Stumpff functions, in which the closed forms of rotations and their kin are written.
 
-use super::polynomial::polynomial;
+use super::polynomial::{eight_terms, polynomial};
 
 /// `c_k(z) = sum (-z)^i/(k + 2i)!` for `k = 0..=5`, for any sign of `z`.
 ///
@@ -44,7 +44,7 @@ impl Stumpff {
     pub fn at(z: f64) -> Self {
         if z.abs() < SERIES {
             let (c4, c5) = if z.abs() < SMALL {
-                (polynomial(&first(&FOURTH), z), polynomial(&first(&FIFTH), z))
+                (eight_terms(&first(&FOURTH), z), eight_terms(&first(&FIFTH), z))
             } else {
                 (polynomial(&FOURTH, z), polynomial(&FIFTH, z))
             };
@@ -82,7 +82,7 @@ impl Stumpff {
 #[inline]
 pub fn first_two(z: f64) -> (f64, f64) {
     if z.abs() < SMALL {
-        return (polynomial(&first(&ZEROTH), z), polynomial(&first(&FIRST), z));
+        return (eight_terms(&first(&ZEROTH), z), eight_terms(&first(&FIRST), z));
     }
     larger(z)
 }
@@ -97,7 +97,7 @@ fn larger(z: f64) -> (f64, f64) {
 #[inline]
 pub(super) fn turning(z: f64) -> (f64, f64) {
     if z.abs() < SMALL {
-        return (polynomial(&first(&FIRST), z), polynomial(&first(&SECOND), z));
+        return (eight_terms(&first(&FIRST), z), eight_terms(&SECOND, z));
     }
     turning_far(z)
 }
@@ -188,7 +188,7 @@ const INVERSE: [f64; 8] = [
 #[inline]
 pub fn inverse_tangent(z: f64) -> f64 {
     if z.abs() < SMALL {
-        return polynomial(&INVERSE, z);
+        return eight_terms(&INVERSE, z);
     }
     let c = Stumpff::at(0.25 * z);
     (c.c2 - c.c3) / (4.0 * c.c1)
