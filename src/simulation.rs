@@ -33,7 +33,7 @@ pub use table::Table;
 
 use crate::Error;
 use crate::any_group::Written;
-use crate::dynamics::{Adaptive, CotangentSystem, EulerPoincare, Inertia, State};
+use crate::dynamics::{EulerPoincare, Inertia, State};
 use crate::group::logarithm;
 use drive::Drive;
 use nalgebra::DMatrix;
@@ -99,6 +99,9 @@ pub trait Simulated:
     + Sync
     + 'static
 {
+    /// The numbers in which there are projected methods, or `()`.
+    type Numbers: drive::Numbers<Self>;
+
     /// Whether its left-invariant frame is the right-invariant one of the group it stands for.
     const RIGHT: bool = false;
 
@@ -136,16 +139,6 @@ pub trait Simulated:
     /// The inertia of a body, where the group is that of rotations.
     fn body(&self, inertia: &DMatrix<f64>) -> Option<Result<Inertia, Error>> {
         let _ = inertia;
-        None
-    }
-
-    /// By a method in stored numbers; none where a group has none.
-    fn projected<S: CotangentSystem<Group = Self> + 'static>(
-        method: Method,
-        step: f64,
-        control: Adaptive,
-    ) -> Option<Drive<S>> {
-        let _ = (method, step, control);
         None
     }
 

@@ -30,7 +30,7 @@ mod simo_wong;
 pub mod splitting;
 pub mod tableaux;
 
-pub use adaptive::{Adaptive, Controlled, Pair};
+pub use adaptive::{Adaptive, Pair};
 pub use commutator_free::CommutatorFree;
 pub use composed::Composed;
 pub use crouch_grossman::CrouchGrossman;

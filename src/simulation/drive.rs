@@ -3,12 +3,14 @@
 use super::pace::Pace;
 use super::{Method, Simulated};
 use crate::Error;
-use crate::dynamics::integrators::{Controlled, Pair};
+use crate::dynamics::integrators::Pair;
+use crate::dynamics::integrators::projected::Projection;
+use crate::dynamics::integrators::runge_kutta::LocalCoordinates;
 use crate::dynamics::{
     Adaptive, CommutatorFree, CotangentSystem, CrouchGrossman, Integrator, MuntheKaas, Projected,
     State,
 };
-use crate::group::Stored;
+use crate::group::{LieGroup, Stored};
 use serde::{Deserialize, Serialize};
 
 /// How a motion goes on.
@@ -22,8 +24,8 @@ pub enum Drive<S: CotangentSystem> {
     },
     /// Steps as long as a tolerance allows.
     Adaptive {
-        /// The control.
-        control: Box<dyn Controlled<S> + Send>,
+        /// [`Adaptive::step`](crate::dynamics::Adaptive::step).
+        control: Box<Control<S>>,
         /// The most steps from one wanted time to the next.
         max_steps: usize,
         /// The next step to try.
@@ -33,6 +35,49 @@ pub enum Drive<S: CotangentSystem> {
     },
     /// The state at any time.
     Exact(Box<dyn Fn(f64) -> State<S::Group> + Send>),
+}
+
+/// A step under control: of a system and its state, with the length to try, towards a time.
+type Control<S> = dyn Fn(&S, &mut State<<S as CotangentSystem>::Group>, &mut f64, f64) -> Result<(), Error>
+    + Send;
+
+/// Why a group may have no projected methods.
+pub const NO_NUMBERS: &str = "it is for so(2), so(3), se(2), se(3) and sl(2), left-invariant";
+
+/// The numbers in which a group has its projected methods: [`Projection`], or none, `()`.
+pub trait Numbers<G: LieGroup> {
+    /// By a projected method.
+    fn drive<S: CotangentSystem<Group = G> + 'static>(
+        method: Method,
+        step: f64,
+        control: Adaptive,
+    ) -> Option<Drive<S>>;
+}
+
+impl<G: Stored> Numbers<G> for Projection {
+    fn drive<S: CotangentSystem<Group = G> + 'static>(
+        method: Method,
+        step: f64,
+        control: Adaptive,
+    ) -> Option<Drive<S>> {
+        match method {
+            Method::Projected => Some(Drive::fixed(Projected::RK4, step)),
+            Method::ProjectedAdaptive(pair) => {
+                Some(Drive::controlled(pair, control, Adaptive::projected))
+            }
+            _ => None,
+        }
+    }
+}
+
+impl<G: LieGroup> Numbers<G> for () {
+    fn drive<S: CotangentSystem<Group = G> + 'static>(
+        _: Method,
+        _: f64,
+        _: Adaptive,
+    ) -> Option<Drive<S>> {
+        None
+    }
 }
 
 /// What a drive remembers.
@@ -64,35 +109,23 @@ impl<S: CotangentSystem> Drive<S> {
             Method::CrouchGrossman => Self::fixed(CrouchGrossman, step),
             Method::Adaptive(pair) => Self::controlled(pair, control, |control| control),
             Method::Projected | Method::ProjectedAdaptive(_) => {
-                return S::Group::projected(method, step, control);
+                return <S::Group as Simulated>::Numbers::drive(method, step, control);
             }
             _ => return None,
         })
     }
 
-    /// By a method in stored numbers.
-    pub fn projected(method: Method, step: f64, control: Adaptive) -> Option<Self>
-    where
-        S: 'static,
-        S::Group: Stored,
-    {
-        match method {
-            Method::Projected => Some(Self::fixed(Projected::RK4, step)),
-            Method::ProjectedAdaptive(pair) => {
-                Some(Self::controlled(pair, control, Adaptive::projected))
-            }
-            _ => None,
-        }
-    }
-
-    fn controlled<C: Controlled<S> + Send + 'static>(
+    fn controlled<C: LocalCoordinates<S::Group> + Copy + Send + 'static>(
         pair: Pair,
         control: Adaptive,
-        of: impl FnOnce(Adaptive) -> C,
+        of: impl FnOnce(Adaptive) -> Adaptive<C>,
     ) -> Self {
-        let control = Adaptive { pair, ..control };
+        let control = of(Adaptive { pair, ..control });
         let (max_steps, next) = (control.max_steps, control.first_step());
-        Drive::Adaptive { control: Box::new(of(control)), max_steps, next, taken: 0 }
+        let step = move |system: &S, state: &mut State<S::Group>, next: &mut f64, end: f64| {
+            control.step(system, state, next, end)
+        };
+        Drive::Adaptive { control: Box::new(step), max_steps, next, taken: 0 }
     }
 
     /// One step towards a time, and whether it is reached.
@@ -114,7 +147,7 @@ impl<S: CotangentSystem> Drive<S> {
                     );
                     return Err(Error::Integration { t: state.time, reason });
                 }
-                control.step(system, state, next, until)?;
+                control(system, state, next, until)?;
                 *taken = if state.time == until { 0 } else { *taken + 1 };
             }
             Drive::Fixed { integrator, pace } => {

@@ -5,10 +5,11 @@ use super::{Body, Method, Simulated};
 use crate::Error;
 use crate::dynamics::euler_poincare::Free;
 use crate::dynamics::integrators::kick::FreeMotion;
+use crate::dynamics::integrators::projected::Projection;
 use crate::dynamics::moser_veselov::Order;
 use crate::dynamics::{
-    Adaptive, BodyState, CotangentSystem, EulerPoincare, FreeBody, Inertia, Integrator, Kick,
-    MoserVeselov, SimoWong, Splitting, State,
+    BodyState, EulerPoincare, FreeBody, Inertia, Integrator, Kick, MoserVeselov, SimoWong,
+    Splitting, State,
 };
 use crate::group::{
     Coordinates, LieGroup, MatrixGroup, Nilpotent, Opposite, Se2, Se3, Sl2, So2, So3,
@@ -16,69 +17,46 @@ use crate::group::{
 use nalgebra::{DMatrix, DVector};
 
 impl Simulated for So2 {
+    type Numbers = Projection;
     const NAMED: &'static [&'static str] = &["angle"];
 
     fn named(&self, g: &Self::Element) -> Vec<f64> {
         vec![g.angle()]
     }
-
-    fn projected<S: CotangentSystem<Group = Self> + 'static>(
-        method: Method,
-        step: f64,
-        control: Adaptive,
-    ) -> Option<Drive<S>> {
-        Drive::projected(method, step, control)
-    }
 }
 
 impl Simulated for Se2 {
+    type Numbers = Projection;
     const NAMED: &'static [&'static str] = &["angle", "x", "y"];
 
     fn named(&self, g: &Self::Element) -> Vec<f64> {
         vec![g.rotation.angle(), g.translation.x, g.translation.y]
     }
-
-    fn projected<S: CotangentSystem<Group = Self> + 'static>(
-        method: Method,
-        step: f64,
-        control: Adaptive,
-    ) -> Option<Drive<S>> {
-        Drive::projected(method, step, control)
-    }
 }
 
 impl Simulated for Se3 {
+    type Numbers = Projection;
     const NAMED: &'static [&'static str] = &["qw", "qx", "qy", "qz", "x", "y", "z"];
 
     fn named(&self, g: &Self::Element) -> Vec<f64> {
         let (q, x) = (g.rotation, g.translation);
         vec![q.w, q.i, q.j, q.k, x.x, x.y, x.z]
     }
-
-    fn projected<S: CotangentSystem<Group = Self> + 'static>(
-        method: Method,
-        step: f64,
-        control: Adaptive,
-    ) -> Option<Drive<S>> {
-        Drive::projected(method, step, control)
-    }
 }
 
 impl Simulated for Sl2 {
-    fn projected<S: CotangentSystem<Group = Self> + 'static>(
-        method: Method,
-        step: f64,
-        control: Adaptive,
-    ) -> Option<Drive<S>> {
-        Drive::projected(method, step, control)
-    }
+    type Numbers = Projection;
 }
 
-impl Simulated for MatrixGroup {}
+impl Simulated for MatrixGroup {
+    type Numbers = ();
+}
 
 /// Elements are written as their canonical coordinates `x`, and `log(g exp(s e_i))` has the derivative
 /// `T_left(x)^-1 e_i`.
 impl Simulated for Nilpotent<f64> {
+    type Numbers = ();
+
     fn generators(&self) -> Vec<DMatrix<f64>> {
         vec![]
     }
@@ -94,18 +72,11 @@ impl Simulated for Nilpotent<f64> {
 }
 
 impl Simulated for So3 {
+    type Numbers = Projection;
     const NAMED: &'static [&'static str] = &["qw", "qx", "qy", "qz"];
 
     fn named(&self, q: &Self::Element) -> Vec<f64> {
         vec![q.w, q.i, q.j, q.k]
-    }
-
-    fn projected<S: CotangentSystem<Group = Self> + 'static>(
-        method: Method,
-        step: f64,
-        control: Adaptive,
-    ) -> Option<Drive<S>> {
-        Drive::projected(method, step, control)
     }
 
     fn body(&self, inertia: &DMatrix<f64>) -> Option<Result<Inertia, Error>> {
@@ -174,6 +145,7 @@ where
 
 /// What is said of an element stays; its derivatives along right-invariant fields are those of `exp(s e_i) g`.
 impl<G: Simulated> Simulated for Opposite<G> {
+    type Numbers = ();
     const RIGHT: bool = true;
     const NAMED: &'static [&'static str] = G::NAMED;
 

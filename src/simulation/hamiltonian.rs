@@ -1,8 +1,7 @@
 //! Lie-Poisson systems as motions: a Hamiltonian as a formula of the momentum.
 
-use super::drive::Drive;
+use super::drive::{Drive, NO_NUMBERS};
 use super::on_cotangent::{OnCotangent, Seen};
-use super::on_group::NO_NUMBERS;
 use super::quantities::{Quantity, Scope};
 use super::{Forces, Method, Motion, Point, Simulated};
 use crate::Error;
@@ -81,7 +80,11 @@ pub fn on_hamiltonian<G: Simulated>(
     let drive = match Drive::of_any_system(method, step, control) {
         Some(drive) => drive,
         None if method.is_projected() => return Err(refused(NO_NUMBERS)),
-        None => return Err(refused("it is not for a Hamiltonian")),
+        None => {
+            return Err(refused(
+                "a Hamiltonian has rkmk54, rkmk853, rkmk4, projected ones, cf4, cg3",
+            ));
+        }
     };
     let of = hamiltonian.clone();
     let gradient: Gradient<G> = Box::new(move |momentum| of.gradient(momentum));

@@ -1,6 +1,6 @@
 //! Euler-Poincare systems with forces as motions.
 
-use super::drive::Drive;
+use super::drive::{Drive, NO_NUMBERS};
 use super::on_cotangent::{OnCotangent, Seen};
 use super::quantities::Scope;
 use super::{Body, Forces, Method, Motion, Point, Simulated};
@@ -9,10 +9,6 @@ use crate::dynamics::moser_veselov::Order;
 use crate::dynamics::{Adaptive, EulerPoincare, State};
 use crate::formula::Formula;
 use crate::{Connection, Error, Metric};
-
-/// Why a group may have no projected methods.
-pub(super) const NO_NUMBERS: &str =
-    "it is for so(2), so(3), se(2), se(3) and sl(2), left-invariant";
 
 /// What a motion on a group needs.
 pub struct Setup<'s, G: Simulated> {

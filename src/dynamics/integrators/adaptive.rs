@@ -62,33 +62,6 @@ impl Adaptive {
     }
 }
 
-/// Steps under control, whatever they are made of.
-pub trait Controlled<S: CotangentSystem> {
-    /// As [`Adaptive::step`].
-    ///
-    /// # Errors
-    /// [`Error::Integration`].
-    fn step(
-        &self,
-        system: &S,
-        state: &mut State<S::Group>,
-        next: &mut f64,
-        end: f64,
-    ) -> Result<(), Error>;
-}
-
-impl<S: CotangentSystem, C: LocalCoordinates<S::Group> + Copy> Controlled<S> for Adaptive<C> {
-    fn step(
-        &self,
-        system: &S,
-        state: &mut State<S::Group>,
-        next: &mut f64,
-        end: f64,
-    ) -> Result<(), Error> {
-        Adaptive::step(self, system, state, next, end)
-    }
-}
-
 impl<C: Copy> Adaptive<C> {
     /// A first guess of a step, which the control corrects at once.
     pub fn first_step(&self) -> f64 {

@@ -65,11 +65,6 @@ impl<const STAGES: usize, T: Tabulated<STAGES>, C> RungeKutta<STAGES, T, C> {
         T::TABLEAU.order
     }
 
-    /// The tableau.
-    pub fn tableau(&self) -> &'static Tableau<STAGES> {
-        &const { T::TABLEAU }
-    }
-
     /// The state after a step, and the size of its estimated error.
     ///
     /// With two estimates it is `a^2/sqrt(a^2 + b^2/100)`: of order 7 where they are of order 5 and 3.
