@@ -88,8 +88,6 @@ impl<C: Copy> Adaptive<C> {
     where
         C: LocalCoordinates<S::Group>,
     {
-        let five = RungeKutta::new(DormandPrince, self.coordinates);
-        let eight = RungeKutta::new(DormandPrince8, self.coordinates);
         loop {
             let left = end - state.time;
             let last = *next >= left.abs();
@@ -99,8 +97,8 @@ impl<C: Copy> Adaptive<C> {
                 return Err(Error::Integration { t: state.time, reason });
             }
             let advanced = match self.pair {
-                Pair::Five => five.advanced(system, state, h),
-                Pair::Eight => eight.advanced(system, state, h),
+                Pair::Five => RungeKutta::<_, _, C>::DORMAND_PRINCE.advanced(system, state, h),
+                Pair::Eight => RungeKutta::<_, _, C>::DORMAND_PRINCE_8.advanced(system, state, h),
             };
             let (reached, error) = match advanced {
                 Ok((reached, error)) if error.is_finite() => (reached, error / self.tolerance),

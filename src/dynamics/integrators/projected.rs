@@ -1,7 +1,6 @@
 //! Runge-Kutta methods in the numbers of which elements consist.
 
 use super::runge_kutta::{LocalCoordinates, RungeKutta};
-use super::tableaux::{Classical, DormandPrince, DormandPrince8};
 use crate::Error;
 use crate::dynamics::cotangent::State;
 use crate::group::Stored;
@@ -39,52 +38,36 @@ pub type Projected<const STAGES: usize, T> = RungeKutta<STAGES, T, Projection>;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Projection;
 
-impl Projected<4, Classical> {
-    /// The classical method of order 4.
-    pub const RK4: Self = RungeKutta::new(Classical, Projection);
-}
-
-impl Projected<7, DormandPrince> {
-    /// The pair of orders 5 and 4 of Dormand and Prince.
-    pub const DORMAND_PRINCE: Self = RungeKutta::new(DormandPrince, Projection);
-}
-
-impl Projected<12, DormandPrince8> {
-    /// The method of order 8 of Dormand and Prince.
-    pub const DORMAND_PRINCE_8: Self = RungeKutta::new(DormandPrince8, Projection);
-}
-
 impl<G: Stored> LocalCoordinates<G> for Projection {
     type Numbers = G::Numbers;
 
     #[inline(always)]
-    fn origin(&self, group: &G, at: &G::Element) -> G::Numbers {
+    fn origin(group: &G, at: &G::Element) -> G::Numbers {
         group.numbers(at)
     }
 
     #[inline(always)]
-    fn element(&self, group: &G, _: &G::Element, y: &G::Numbers) -> G::Element {
+    fn element(group: &G, _: &G::Element, y: &G::Numbers) -> G::Element {
         group.from_numbers(y)
     }
 
     #[inline(always)]
-    fn end(&self, group: &G, _: &G::Element, y: &G::Numbers) -> G::Element {
+    fn end(group: &G, _: &G::Element, y: &G::Numbers) -> G::Element {
         group.restored(group.from_numbers(y))
     }
 
     #[inline(always)]
-    fn momentum(&self, group: &G, state: &State<G>, _: &G::Vector, y: &G::Numbers) -> G::Vector {
+    fn momentum(group: &G, state: &State<G>, _: &G::Vector, y: &G::Numbers) -> G::Vector {
         group.coadjoint(&group.from_numbers(y), &state.spatial)
     }
 
     #[inline(always)]
-    fn first_rate(&self, group: &G, at: &G::Element, velocity: &G::Vector) -> G::Numbers {
+    fn first_rate(group: &G, at: &G::Element, velocity: &G::Vector) -> G::Numbers {
         group.rate(at, velocity)
     }
 
     #[inline(always)]
     fn rate(
-        &self,
         group: &G,
         _: &G::Element,
         y: &G::Numbers,

@@ -1,10 +1,11 @@
 //! Runge-Kutta methods in coordinates around the present element.
 
-use super::tableaux::{Tableau, Tabulated};
+use super::tableaux::{Classical, DormandPrince, DormandPrince8, Tableau, Tabulated};
 use super::{Integrator, expect_finite};
 use crate::Error;
 use crate::dynamics::cotangent::{CotangentSystem, State, Vector};
 use crate::group::{Coordinates, LieGroup};
+use std::marker::PhantomData;
 
 /// Coordinates `y` of the elements near a given one, in which a step is made.
 pub trait LocalCoordinates<G: LieGroup> {
@@ -12,32 +13,25 @@ pub trait LocalCoordinates<G: LieGroup> {
     type Numbers: Coordinates;
 
     /// Those of the given element.
-    fn origin(&self, group: &G, at: &G::Element) -> Self::Numbers;
+    fn origin(group: &G, at: &G::Element) -> Self::Numbers;
 
     /// The element of coordinates, perhaps as far off the group as a stage is off the motion.
-    fn element(&self, group: &G, at: &G::Element, y: &Self::Numbers) -> G::Element;
+    fn element(group: &G, at: &G::Element, y: &Self::Numbers) -> G::Element;
 
     /// The element at the end of a step, on the group to rounding however many steps there were.
-    fn end(&self, group: &G, at: &G::Element, y: &Self::Numbers) -> G::Element;
+    fn end(group: &G, at: &G::Element, y: &Self::Numbers) -> G::Element;
 
     /// `H = Ad*_g h` at the element `g` of coordinates, from the state around which they are and its own `H`.
-    fn momentum(
-        &self,
-        group: &G,
-        state: &State<G>,
-        momentum: &G::Vector,
-        y: &Self::Numbers,
-    ) -> G::Vector;
+    fn momentum(group: &G, state: &State<G>, momentum: &G::Vector, y: &Self::Numbers) -> G::Vector;
 
     /// `y'` for `g' = g velocity` at the origin.
-    fn first_rate(&self, group: &G, at: &G::Element, velocity: &G::Vector) -> Self::Numbers;
+    fn first_rate(group: &G, at: &G::Element, velocity: &G::Vector) -> Self::Numbers;
 
     /// `y'` for `g' = g velocity`, to the accuracy that a method of an order asks for.
     ///
     /// # Errors
     /// [`Error::SingularTangent`] at the end of their reach.
     fn rate(
-        &self,
         group: &G,
         at: &G::Element,
         y: &Self::Numbers,
@@ -48,18 +42,32 @@ pub trait LocalCoordinates<G: LieGroup> {
 
 /// The Runge-Kutta method `T` for `y'` and `h'`, with `y` the coordinates `C`:
 /// [`MuntheKaas`](super::MuntheKaas) or [`Projected`](super::Projected).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RungeKutta<const STAGES: usize, T, C> {
-    method: T,
-    coordinates: C,
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RungeKutta<const STAGES: usize, T, C>(PhantomData<(T, C)>);
+
+impl<C> RungeKutta<4, Classical, C> {
+    /// The classical method of order 4.
+    pub const RK4: Self = RungeKutta::new();
+}
+
+impl<C> RungeKutta<7, DormandPrince, C> {
+    /// The pair of orders 5 and 4 of Dormand and Prince.
+    pub const DORMAND_PRINCE: Self = RungeKutta::new();
+}
+
+impl<C> RungeKutta<12, DormandPrince8, C> {
+    /// The method of order 8 of Dormand and Prince.
+    pub const DORMAND_PRINCE_8: Self = RungeKutta::new();
+}
+
+impl<const STAGES: usize, T, C> RungeKutta<STAGES, T, C> {
+    /// The method, of any tableau.
+    pub const fn new() -> Self {
+        RungeKutta(PhantomData)
+    }
 }
 
 impl<const STAGES: usize, T: Tabulated<STAGES>, C> RungeKutta<STAGES, T, C> {
-    /// The method in the coordinates.
-    pub const fn new(method: T, coordinates: C) -> Self {
-        RungeKutta { method, coordinates }
-    }
-
     /// The order of the error of a motion.
     pub fn order(&self) -> u32 {
         T::TABLEAU.order
@@ -80,7 +88,7 @@ impl<const STAGES: usize, T: Tabulated<STAGES>, C> RungeKutta<STAGES, T, C> {
     where
         C: LocalCoordinates<S::Group>,
     {
-        let mut stages = Stages::begin(system, state, &self.coordinates, h);
+        let mut stages = Stages::<_, C, STAGES>::begin(system, state, h);
         stages.make::<T>(STAGES)?;
         let next = stages.end(&T::TABLEAU.b)?;
         let scale = state.spatial.largest().max(f64::MIN_POSITIVE);
@@ -99,7 +107,7 @@ where
 {
     #[inline]
     fn step(&self, system: &S, state: &mut State<S::Group>, h: f64) -> Result<(), Error> {
-        let mut stages = Stages::begin(system, state, &self.coordinates, h);
+        let mut stages = Stages::<_, C, STAGES>::begin(system, state, h);
         stages.make::<T>(T::TABLEAU.needed)?;
         *state = stages.end(&T::TABLEAU.b)?;
         Ok(())
@@ -110,7 +118,6 @@ where
 struct Stages<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize> {
     system: &'s S,
     state: &'s State<S::Group>,
-    coordinates: &'s C,
     h: f64,
     /// `H` at the start.
     momentum: Vector<S>,
@@ -126,7 +133,7 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
 {
     /// With the first stage made.
     #[inline]
-    fn begin(system: &'s S, state: &'s State<S::Group>, coordinates: &'s C, h: f64) -> Self {
+    fn begin(system: &'s S, state: &'s State<S::Group>, h: f64) -> Self {
         let (group, at) = (system.group(), &state.element);
         let momentum = state.momentum(group);
         let velocity = system.velocity_of(&momentum);
@@ -135,10 +142,10 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
             let drift = group.coadjoint(&group.inverse(at), &force);
             std::array::from_fn(|_| drift.clone())
         });
-        let slope = coordinates.first_rate(group, at, &velocity);
+        let slope = C::first_rate(group, at, &velocity);
         let slopes = std::array::from_fn(|_| slope.clone());
-        let origin = coordinates.origin(group, at);
-        Stages { system, state, coordinates, h, momentum, origin, slopes, drifts }
+        let origin = C::origin(group, at);
+        Stages { system, state, h, momentum, origin, slopes, drifts }
     }
 
     /// All up to a number of them.
@@ -163,21 +170,21 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
         let y = moved(&self.origin, &self.slopes[..stage], &a[stage], h);
         let velocity = match &mut self.drifts {
             None => {
-                let momentum = self.coordinates.momentum(group, state, &self.momentum, &y);
+                let momentum = C::momentum(group, state, &self.momentum, &y);
                 self.system.velocity_of(&momentum)
             }
             Some(drifts) => {
                 expect_finite(state.time, &drifts[stage - 1])?;
                 let rates = self.system.rates(&State {
                     time: state.time + c[stage] * h,
-                    element: self.coordinates.element(group, &state.element, &y),
+                    element: C::element(group, &state.element, &y),
                     spatial: moved(&state.spatial, &drifts[..stage], &a[stage], h),
                 });
                 drifts[stage] = rates.spatial;
                 rates.velocity
             }
         };
-        self.slopes[stage] = self.coordinates.rate(group, &state.element, &y, &velocity, order)?;
+        self.slopes[stage] = C::rate(group, &state.element, &y, &velocity, order)?;
         Ok(())
     }
 
@@ -192,7 +199,7 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
             Some(drifts) => moved(&state.spatial, drifts, weights, h),
         };
         expect_finite(state.time, &spatial)?;
-        let element = self.coordinates.end(self.system.group(), &state.element, &y);
+        let element = C::end(self.system.group(), &state.element, &y);
         Ok(State { time: state.time + h, element, spatial })
     }
 }
