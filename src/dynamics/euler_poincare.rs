@@ -258,9 +258,10 @@ impl<M> EulerPoincare<So3, M> {
     /// [`Error::NoInertia`] for another metric, or a connection other than `plus`.
     #[inline]
     pub(super) fn expect_body(&self, inertia: &Matrix3<f64>) -> Result<(), Error> {
-        let off = |i: usize| (self.metric.row(i) - inertia.column(i)).amax();
-        let off = (0..3).map(off).fold(0.0, f64::max);
-        if off <= SAME * inertia.amax() && self.excess.is_empty() {
+        // each step asks: nothing of a positive matrix exceeds its trace
+        let bound = SAME * inertia.trace();
+        let same = |i: usize, j: usize| (self.metric.entry(i, j) - inertia[(i, j)]).abs() <= bound;
+        if (0..9).all(|at| same(at / 3, at % 3)) && self.excess.is_empty() {
             return Ok(());
         }
         let reason = "the system has another one, or a connection other than plus".into();

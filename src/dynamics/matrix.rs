@@ -34,14 +34,13 @@ impl<V: Coordinates> Matrix<V> {
         }
     }
 
-    /// The row `i`.
-    pub(super) fn row(&self, i: usize) -> V {
+    /// `b_ij`.
+    #[inline(always)]
+    pub(super) fn entry(&self, i: usize, j: usize) -> f64 {
         match self {
-            Matrix::Diagonal(b) => {
-                let n = b.components().len();
-                V::from_fn(n, |j| if i == j { b.components()[i] } else { 0.0 })
-            }
-            Matrix::Full(rows) => rows[i].clone(),
+            Matrix::Diagonal(b) if i == j => b.components()[i],
+            Matrix::Diagonal(_) => 0.0,
+            Matrix::Full(rows) => rows[i].components()[j],
         }
     }
 }
