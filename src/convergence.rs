@@ -96,9 +96,9 @@ fn reference(problem: &Problem, step: f64, halvings: u32) -> Problem {
 
 /// The last row without the time, the mean length of a step, and how long it took.
 fn end(problem: &Problem) -> Result<(Vec<f64>, f64, f64), InputError> {
-    let last = problem.times[problem.times.len() - 1];
     let mut seconds = f64::INFINITY;
     let mut ready = problem.motion(0)?;
+    let (first, last) = (ready.times[0], ready.times[ready.times.len() - 1]);
     for _ in 0..3 {
         ready = problem.motion(0)?;
         let begun = Instant::now();
@@ -108,7 +108,7 @@ fn end(problem: &Problem) -> Result<(Vec<f64>, f64, f64), InputError> {
     let Ready { motion, columns, .. } = ready;
     let row = motion.row().into_iter().zip(&columns);
     let row = row.filter(|(_, column)| column.name != "t").map(|(value, _)| value);
-    let whole = (last - problem.times[0]).abs();
+    let whole = (last - first).abs();
     Ok((row.collect(), whole / motion.steps().max(1) as f64, seconds))
 }
 

@@ -28,7 +28,7 @@ pub use given::{GivenVelocity, on_given};
 pub use hamiltonian::{Hamiltonian, on_hamiltonian};
 pub use matrices::{MatrixFlow, Started, on_matrices};
 pub use method::Method;
-pub use on_group::{Setup, on_group};
+pub use on_group::{Setup, is_plus, on_group};
 pub use table::Table;
 
 use crate::Error;

@@ -76,8 +76,11 @@ impl Arguments {
             expect_place(file, &inputs)?;
         }
         let mut store = Store::open(self, &problem)?;
-        let bar =
-            bar(if self.ensemble { problem.members() } else { Some(problem.times.len() as u64) });
+        let bar = bar(if self.ensemble {
+            problem.members()
+        } else {
+            Some(problem.times(0)?.len() as u64)
+        });
         let (head, columns, stopped) = if self.ensemble {
             self.members(&problem, &mut store, &bar)?
         } else {

@@ -46,6 +46,7 @@ impl Source {
             let quoted = |at: &usize| {
                 let before = self.text[..*at].trim_end_matches(['\n', '\r']);
                 before.ends_with(['"', '\''])
+                    && self.text[at + string.len()..].starts_with(['"', '\''])
             };
             let places = self.text.match_indices(string).map(|(at, _)| at);
             places.into_iter().find(quoted)

@@ -27,9 +27,15 @@ use inertia::Body;
 use launch::Launch;
 use matrices::Matrices;
 use nalgebra::DMatrix;
+use output::Times;
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::OnceLock;
+
+/// The error of a step under control, unless another is given.
+const TOLERANCE: f64 = 1e-10;
+/// The most steps under control between two rows, unless another limit is given.
+const MAX_STEPS: usize = 10_000_000;
 
 /// A problem of motion.
 #[derive(Clone, Debug)]
@@ -37,15 +43,16 @@ pub struct Problem {
     /// What it is called.
     pub name: String,
     source: Source,
-    parameters: Vec<(String, f64)>,
+    parameters: Vec<Parameter>,
+    /// Values that stand in the place of those of the file.
+    settings: Vec<(String, f64)>,
     kind: Kind,
     /// The method, unless that of the class of the problem is taken.
     pub method: Option<Method>,
     step: Option<Value>,
-    tolerance: Value,
-    max_steps: usize,
-    /// The times of the rows; the first is that of the start.
-    pub times: Vec<f64>,
+    tolerance: Option<Value>,
+    max_steps: Option<usize>,
+    times: Times,
     columns: Vec<Written>,
     quantities: Vec<(String, Written)>,
     events: Vec<(String, Written)>,
@@ -54,6 +61,13 @@ pub struct Problem {
     /// The event that rows are taken at, in the place of times.
     pub section: Option<String>,
     ensemble: Option<Ensemble>,
+}
+
+#[derive(Clone, Debug)]
+struct Parameter {
+    name: String,
+    /// A formula in those before it, unless it is the ensemble's own.
+    value: Option<Value>,
 }
 
 #[derive(Clone, Debug)]
@@ -66,6 +80,7 @@ enum Kind {
 #[derive(Clone, Debug)]
 struct OnGroup {
     space: Space,
+    places: Places,
     /// The body that moves, in the place of a metric.
     inertia: Option<Body>,
     /// Whether the metric is right-invariant.
@@ -83,6 +98,25 @@ struct OnGroup {
     casimirs: Vec<String>,
     /// What all members of an ensemble share, where no parameter is in it.
     shared: OnceLock<launch::Ground>,
+}
+
+/// Where the file speaks of what it hands on to the space.
+#[derive(Clone, Debug)]
+struct Places {
+    metric: Place,
+    /// Unless it names none.
+    connection: Option<Place>,
+}
+
+impl Places {
+    /// An error in what was handed on, at its place in the file.
+    fn moved(&self, error: InputError) -> InputError {
+        let error = error.moved("--metric", &self.metric);
+        match &self.connection {
+            Some(place) => error.moved("--connection", place),
+            None => error,
+        }
+    }
 }
 
 /// A text with its place.
@@ -135,6 +169,8 @@ pub struct Ready {
     pub motion: Box<dyn Motion>,
     /// The method that it goes by.
     pub method: Method,
+    /// The times of its rows; the first is that of the start.
+    pub times: Vec<f64>,
     /// Names of the columns of its rows.
     pub columns: Vec<Column>,
     /// Events: their values stand behind those of the columns in a row.
@@ -191,7 +227,8 @@ impl Problem {
         Self::understand(&Source::new(name.escape_debug().to_string(), text), Path::new(""))
     }
 
-    /// Gives parameters other values, `name=value,...`.
+    /// Gives parameters other values, `name=value,...`: all that depends on them follows, and an ensemble varies them
+    /// no longer.
     ///
     /// # Errors
     /// A name that is no parameter; what is no number.
@@ -202,23 +239,56 @@ impl Problem {
                 let error = InputError::usage("a setting is name=value");
                 return Err(error.at(&source.whole(part)));
             };
-            let known = self.parameters.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
-            let parameter = self.parameters.iter_mut().find(|(other, _)| *other == name.trim());
-            let Some((_, parameter)) = parameter else {
-                let message = format!("`{}` is no parameter here", shown(name.trim()));
+            let trimmed = name.trim();
+            let known: Vec<&str> = self.parameters.iter().map(|known| &*known.name).collect();
+            if !known.contains(&trimmed) {
+                let message = format!("`{}` is no parameter here", shown(trimmed));
                 let help = match known.as_slice() {
                     [] => "there are none".into(),
                     known => format!("the parameters are {}", known.join(", ")),
                 };
                 return Err(InputError::usage(message).at(&source.whole(name)).help(help));
-            };
+            }
             let [value] = numbers(&Source::new("--set", value))?[..] else {
                 let error = InputError::usage("a parameter has one value");
                 return Err(error.at(&source.whole(part)));
             };
-            *parameter = value;
+            self.settings.retain(|(other, _)| other != trimmed);
+            self.settings.push((trimmed.into(), value));
+            if let Some(ensemble) = &mut self.ensemble {
+                ensemble.leave_out(trimmed);
+            }
         }
         Ok(())
+    }
+
+    /// The values of the parameters for a member of the ensemble, from 0.
+    fn values(&self, member: u64) -> Result<Vec<(String, f64)>, InputError> {
+        let varied = self.varied().into_iter().zip(self.variation(member));
+        let mut given: Vec<(&str, f64)> = varied.collect();
+        given.extend(self.settings.iter().map(|(name, value)| (&**name, *value)));
+        let mut values = Vec::with_capacity(self.parameters.len());
+        for Parameter { name, value } in &self.parameters {
+            let own = given.iter().find(|(other, _)| other == name);
+            values.push(match (own, value) {
+                (Some((_, number)), _) => *number,
+                (None, Some(value)) => {
+                    let number = value.at(&values);
+                    number.map_err(|error| error.or_near(&self.source.key(name)))?
+                }
+                (None, None) => f64::NAN,
+            });
+        }
+        let names = self.parameters.iter().map(|parameter| parameter.name.clone());
+        Ok(names.zip(values).collect())
+    }
+
+    /// The times of the rows, of a member of the ensemble from 0; the first is that of the start.
+    ///
+    /// # Errors
+    /// Times that neither increase nor decrease, or are too many; a formula without a value.
+    pub fn times(&self, member: u64) -> Result<Vec<f64>, InputError> {
+        self.times.at(&self.source, &numbers_of(&self.values(member)?))
     }
 
     /// The same problem with another method, with steps of this length, or to this tolerance.
@@ -234,7 +304,8 @@ impl Problem {
         Problem {
             method: Some(method),
             step: step.map(value),
-            tolerance: value(tolerance),
+            tolerance: method.is_controlled().then(|| value(tolerance)),
+            max_steps: self.max_steps.filter(|_| method.is_controlled()),
             ..self.clone()
         }
     }
@@ -252,8 +323,7 @@ impl Problem {
     /// The same problem with rows at the end only.
     #[must_use]
     pub fn to_the_end(&self) -> Self {
-        let times = [self.times[0], self.times[self.times.len() - 1]];
-        Problem { times: times.to_vec(), ..self.clone() }
+        Problem { times: self.times.to_the_end(), ..self.clone() }
     }
 
     /// The text of the file.
@@ -283,8 +353,42 @@ impl Problem {
     }
 
     fn tolerance_at(&self, parameters: &[f64]) -> Result<f64, InputError> {
-        let tolerance = self.tolerance.positive(parameters);
+        let tolerance = self.tolerance.as_ref().map(|tolerance| tolerance.positive(parameters));
+        let tolerance = tolerance.unwrap_or(Ok(TOLERANCE));
         tolerance.map_err(|error| error.or_near(&self.source.key("tolerance")))
+    }
+
+    fn max_steps(&self) -> usize {
+        self.max_steps.unwrap_or(MAX_STEPS)
+    }
+
+    /// Checks that what controls steps has something to say of the method.
+    fn expect_no_idle_control(&self, method: Method) -> Result<(), InputError> {
+        let keys = [
+            ("step", self.step.is_some() && !method.has_steps()),
+            ("tolerance", self.tolerance.is_some() && !method.is_controlled()),
+            ("max_steps", self.max_steps.is_some() && !method.is_controlled()),
+        ];
+        let Some((key, _)) = keys.iter().find(|(_, idle)| *idle) else { return Ok(()) };
+        let message = format!("the method {method} has no `{key}`");
+        let help = "leave the key out, or name another method";
+        Err(InputError::usage(message).at(&self.source.key(key)).help(help))
+    }
+
+    /// Checks that no two columns have one name, those of an ensemble included.
+    fn expect_distinct(&self, columns: &[Column]) -> Result<(), InputError> {
+        let mut seen: Vec<&str> = match self.ensemble {
+            Some(_) => [vec!["member"], self.varied()].concat(),
+            None => vec![],
+        };
+        for column in columns {
+            if seen.contains(&&*column.name) {
+                let message = format!("there are two columns `{}`", shown(&column.name));
+                return Err(InputError::usage(message).at(&self.source.key(&column.name)));
+            }
+            seen.push(&column.name);
+        }
+        Ok(())
     }
 
     /// The motion; of an ensemble that of a member, from 0.
@@ -292,31 +396,38 @@ impl Problem {
     /// # Errors
     /// What the mathematics refuses: the algebra, a degenerate metric, a method that is not for this problem.
     pub fn motion(&self, member: u64) -> Result<Ready, InputError> {
-        let mut parameters = self.parameters.clone();
-        for (name, value) in self.varied().into_iter().zip(self.variation(member)) {
-            match parameters.iter_mut().find(|(other, _)| other == name) {
-                Some((_, old)) => *old = value,
-                None => parameters.push((name.into(), value)),
-            }
-        }
+        let ready = self.launched(member)?;
+        self.expect_no_idle_control(ready.method)?;
+        self.expect_distinct(&ready.columns)?;
+        Ok(ready)
+    }
+
+    fn launched(&self, member: u64) -> Result<Ready, InputError> {
+        let parameters = self.values(member)?;
+        let numbers = numbers_of(&parameters);
+        let times = &*self.times.at(&self.source, &numbers)?;
         let on_group = match &self.kind {
-            Kind::Matrices(matrices) => {
-                let values: Vec<f64> = parameters.iter().map(|(_, value)| *value).collect();
-                return matrices.motion(self, &values);
-            }
+            Kind::Matrices(matrices) => return matrices.motion(self, times, &numbers),
             Kind::Group(on_group) => on_group,
         };
         let of_space = on_group.space.definition.parameters();
+        let known = |name: &&String| parameters.iter().any(|(other, _)| other == *name);
+        if let Some(name) = of_space.iter().find(|name| !known(name)) {
+            let message = format!("`{}` has no value", shown(name));
+            let help = "give it one in a table [parameters]";
+            return Err(InputError::usage(message).at(&on_group.places.metric).help(help));
+        }
         let set = parameters.iter().filter(|(name, _)| of_space.contains(name));
         let set: Vec<String> = set.map(|(name, value)| format!("{name}={value:?}")).collect();
         let mut space = Cow::Borrowed(&on_group.space);
         if !set.is_empty() {
             space.to_mut().set(&set.join(","), &[])?;
         }
-        space.in_floats(Tolerance::default(), |definition, reading| {
-            let launch = Launch { problem: self, on_group, parameters, definition, reading };
+        let ready = space.in_floats(Tolerance::default(), |definition, reading| {
+            let launch = Launch { problem: self, on_group, parameters, times, definition, reading };
             definition.on_group(reading, launch)
-        })
+        });
+        ready.map_err(|error| on_group.places.moved(error))
     }
 }
 
@@ -345,6 +456,11 @@ impl Value {
     fn all(list: &[Value], parameters: &[f64]) -> Result<Vec<f64>, InputError> {
         list.iter().map(|value| value.at(parameters)).collect()
     }
+}
+
+/// Values without their names.
+fn numbers_of(parameters: &[(String, f64)]) -> Vec<f64> {
+    parameters.iter().map(|(_, value)| *value).collect()
 }
 
 /// The name of a file without its folder and ending.

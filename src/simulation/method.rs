@@ -133,7 +133,12 @@ impl Method {
 
     /// Whether it goes by steps of one length.
     pub fn has_steps(self) -> bool {
-        !matches!(self, Method::Exact | Method::Adaptive(_) | Method::ProjectedAdaptive(_))
+        self != Method::Exact && !self.is_controlled()
+    }
+
+    /// Whether the error of its steps is under control.
+    pub fn is_controlled(self) -> bool {
+        matches!(self, Method::Adaptive(_) | Method::ProjectedAdaptive(_))
     }
 
     /// Whether its steps are in stored numbers.

@@ -89,7 +89,7 @@ pub fn on_group<G: Simulated>(
 }
 
 /// Whether the connection is the one of Euler-Poincare.
-fn is_plus(connection: &Connection<f64>) -> bool {
+pub fn is_plus(connection: &Connection<f64>) -> bool {
     connection.gamma() == connection.frame().structure()
 }
 

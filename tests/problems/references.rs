@@ -52,7 +52,7 @@ pub fn free_body(problem: &Problem, name: &str, bound: f64) {
             continue;
         };
         let n: Vec<f64> = rest.split(' ').map(|number| number.parse().unwrap()).collect();
-        if !(0.0..=problem.times[problem.times.len() - 1]).contains(&n[16]) {
+        if !(0.0..=*problem.times(0).unwrap().last().unwrap()).contains(&n[16]) {
             continue;
         }
         let row = run.at(n[16]);

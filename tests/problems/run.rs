@@ -25,8 +25,8 @@ impl Run {
         let mut ready = problem.motion(member).unwrap_or_else(|e| panic!("{}: {e}", problem.name));
         let names = ready.columns.iter().map(|column| column.name.clone()).collect();
         let mut rows = vec![];
-        for time in &problem.times {
-            while !ready.motion.step(*time).unwrap() {}
+        for time in ready.times.clone() {
+            while !ready.motion.step(time).unwrap() {}
             rows.push(ready.motion.row());
             assert!(rows[rows.len() - 1].iter().all(|x| x.is_finite()), "{}", problem.name);
         }

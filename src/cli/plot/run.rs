@@ -39,7 +39,7 @@ impl Run {
         let stages = Stages::new(false);
         stages.begin("the motion");
         let mut rows = Vec::new();
-        for &time in &problem.times {
+        for &time in &ready.times.clone() {
             while !ready.motion.step(time)? {}
             rows.push(ready.motion.row());
         }
@@ -73,7 +73,8 @@ impl Run {
             })
         };
         let methods = methods.split(',').map(method).collect::<Result<Vec<_>, _>>()?;
-        let whole = problem.times[problem.times.len() - 1] - problem.times[0];
+        let times = problem.times(0)?;
+        let whole = times[times.len() - 1] - times[0];
         let step = step.unwrap_or(whole.abs() / 16.0);
         if !(step > 0.0 && step.is_finite()) {
             return Err(InputError::usage(format!("--step {step} is not above zero")).into());

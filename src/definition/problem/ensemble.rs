@@ -60,6 +60,12 @@ impl Ensemble {
         grid.chain(self.random.iter().map(|(name, _)| name.as_str()))
     }
 
+    /// Varies a parameter no longer.
+    pub fn leave_out(&mut self, name: &str) {
+        self.grid.retain(|(other, _)| other != name);
+        self.random.retain(|(other, _)| other != name);
+    }
+
     /// The values of a member, in the order of the names. They depend on the seed and its number alone, and not on
     /// what was asked before.
     pub fn values(&self, member: u64) -> Vec<f64> {
@@ -86,6 +92,12 @@ impl Ensemble {
 }
 
 impl EnsembleKeys<'_> {
+    /// Whether it varies nothing, and has no samples of that either.
+    pub fn is_empty(&self) -> bool {
+        let varied = self.grid.iter().chain(&self.random);
+        self.samples.is_none() && varied.map(|table| table.0.len()).sum::<usize>() == 0
+    }
+
     pub fn ensemble(&self, reader: &mut Reader) -> Result<Ensemble, InputError> {
         let source = reader.source;
         let (mut grid, mut random) = (vec![], vec![]);

@@ -1,7 +1,7 @@
 //! Problems of a Hamiltonian.
 
 use super::launch::Launch;
-use super::{Course, Ready, Written};
+use super::{Course, Ready, Written, numbers_of};
 use crate::definition::InputError;
 use crate::dynamics::Adaptive;
 use crate::simulation::{Forces, Hamiltonian, Simulated, on_hamiltonian};
@@ -32,7 +32,7 @@ impl Launch<'_> {
             return refused("a Hamiltonian starts from a momentum");
         }
         let n = group.dimension();
-        let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
+        let values = numbers_of(&self.parameters);
         let names = Forces::none(group.clone(), DMatrix::identity(n, n), self.parameters.clone());
         self.expect_new_names(&group, &[])?;
         let hamiltonian = Hamiltonian::read(&written.text, &names).map_err(|error| {
@@ -46,12 +46,13 @@ impl Launch<'_> {
         let momentum = self.momentum(&group, &element, &names, &values)?;
         let problem = self.problem;
         let control = Adaptive {
-            max_steps: problem.max_steps,
+            max_steps: problem.max_steps(),
             ..Adaptive::new(problem.tolerance_at(&values)?)
         };
         let how = (problem.method, problem.step_at(&values)?, control);
-        let start = (problem.times[0], element, momentum);
+        let start = (self.times[0], element, momentum);
         let (motion, method) = on_hamiltonian(names, hamiltonian, start, how, formulas)?;
-        Ok(Ready { motion, method, columns, events, inertia: None, notes: vec![] })
+        let (times, notes) = (self.times.to_vec(), vec![]);
+        Ok(Ready { motion, method, times, columns, events, inertia: None, notes })
     }
 }

@@ -1,7 +1,7 @@
 //! Problems with constraints.
 
-use super::Column;
 use super::launch::{Formulas, Launch};
+use super::{Column, numbers_of};
 use crate::definition::InputError;
 use crate::dense::to_dmatrix;
 use crate::dynamics::Constrained;
@@ -34,7 +34,7 @@ impl Launch<'_> {
         let Some(step) = held.step else {
             return Err(InputError::mathematics("a system with constraints needs a step"));
         };
-        let values = self.parameters.iter().map(|(_, value)| *value).collect();
+        let values = numbers_of(&self.parameters);
         let mut equations = Equations::new(group.clone(), values);
         for written in &self.on_group.constraints {
             let added = equations.add(&written.text, held.forces.names());

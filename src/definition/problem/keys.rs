@@ -6,7 +6,7 @@ use super::launch::casimirs;
 use super::matrices::{FlowKeys, Matrices};
 use super::output::OutputKeys;
 use super::reader::Reader;
-use super::{Course, Force, Kind, OnGroup, Problem, StartElement, stem};
+use super::{Course, Force, Kind, OnGroup, Parameter, Places, Problem, StartElement, stem};
 use crate::definition::document::Document;
 use crate::definition::input::{InputError, Source, shown};
 use crate::definition::written::{Cell, MetricText, Number, NumbersText, Text, TextsText};
@@ -15,8 +15,6 @@ use crate::simulation::{Method, Side, Table};
 use std::path::Path;
 use std::sync::OnceLock;
 
-/// The most steps under control between two rows, unless another limit is given.
-const MAX_STEPS: usize = 10_000_000;
 /// What is written down where nothing is said.
 const COLUMNS: [&str; 6] = ["t", "element", "Omega", "H", "h", "energy"];
 
@@ -126,7 +124,7 @@ impl Problem {
     pub(super) fn understand(source: &Source, folder: &Path) -> Result<Self, InputError> {
         let content = "a problem has a space, its metric, initial values and an output";
         let keys: Keys = file::keys(source, content)?;
-        let reader = Reader { source, names: Vec::new(), values: Vec::new() };
+        let reader = Reader { source, names: Vec::new() };
         keys.problem(reader, folder)
     }
 }
@@ -135,17 +133,19 @@ impl<'t> Keys<'t> {
     fn problem(self, mut reader: Reader, folder: &Path) -> Result<Problem, InputError> {
         let source = reader.source;
         self.expect_no_idle_keys(source)?;
+        let mut values = Vec::new();
         for (name, number) in self.parameters.iter().flat_map(|table| &table.0) {
-            let value = reader.number(number);
-            let value = value.map_err(|error| error.or_near(&source.key(&name.0)))?;
+            let value = reader.value(number);
+            values.push(Some(value.map_err(|error| error.or_near(&source.key(&name.0)))?));
             reader.declare(name)?;
-            reader.values.push(value);
         }
-        let parameters = reader.names.iter().cloned().zip(reader.values.iter().copied()).collect();
         let ensemble = match &self.ensemble {
             Some(keys) => Some(keys.ensemble(&mut reader)?),
             None => None,
         };
+        let values = values.into_iter().chain(std::iter::repeat(None));
+        let parameters = reader.names.iter().cloned().zip(values);
+        let parameters = parameters.map(|(name, value)| Parameter { name, value }).collect();
         let right = match self.invariance.as_ref().map(|Text(text)| &**text) {
             None | Some("left") => false,
             Some("right") => true,
@@ -163,13 +163,10 @@ impl<'t> Keys<'t> {
                 InputError::usage(message).at(&place).help(format!("the methods are {all}"))
             })?),
         };
-        let default = Number(Text("1e-10".into()));
-        let tolerance = reader.value(self.integrator.tolerance.as_ref().unwrap_or(&default))?;
-        let max_steps = self.integrator.max_steps.unwrap_or(MAX_STEPS);
-        let step = self.integrator.step.as_ref().map(|step| reader.value(step)).transpose()?;
-        let time = self.initial.time.as_ref().map_or(Ok(0.0), |time| reader.number(time));
-        let time = time.map_err(|error| error.or_near(&source.key("time")))?;
-        let times = self.output.times(time, &reader)?;
+        let tolerance = reader.optional(&self.integrator.tolerance)?;
+        let max_steps = self.integrator.max_steps;
+        let step = reader.optional(&self.integrator.step)?;
+        let times = self.output.times(reader.optional(&self.initial.time)?, &reader)?;
         let columns = match &self.output.columns {
             Some(columns) => columns.iter().map(|column| reader.written(column)).collect(),
             // a velocity that is given has no inertia
@@ -209,10 +206,18 @@ impl<'t> Keys<'t> {
                 let element = self.initial.element(&reader)?;
                 let course = self.course(&reader)?;
                 let is_given = matches!(course, Course::Given(..));
-                let space = self.space(source, folder)?;
+                let places = Places {
+                    metric: match &self.metric {
+                        Some(MetricText::Word(text)) => source.whole(&text.0),
+                        _ => source.key("metric"),
+                    },
+                    connection: self.connection.as_ref().map(|text| source.whole(&text.0)),
+                };
+                let space = self.space(source, folder).map_err(|error| places.moved(error))?;
                 let casimirs = if is_given { vec![] } else { casimirs(&space) };
                 Kind::Group(Box::new(OnGroup {
                     space,
+                    places,
                     inertia,
                     right,
                     element,
@@ -231,6 +236,7 @@ impl<'t> Keys<'t> {
             name,
             source: source.clone(),
             parameters,
+            settings: vec![],
             kind,
             method,
             step,
@@ -274,6 +280,18 @@ impl<'t> Keys<'t> {
             ("quantities", self.quantities.is_some()),
             ("events", self.events.is_some()),
         ];
+        let forces = self.forces.as_ref();
+        let is_empty = |list: Option<&Vec<Number>>| list.is_some_and(Vec::is_empty);
+        let empty = [
+            ("body", is_empty(forces.and_then(|forces| forces.body.as_ref()))),
+            ("space", is_empty(forces.and_then(|forces| forces.space.as_ref()))),
+            ("constraints", self.constraints.as_ref().is_some_and(Vec::is_empty)),
+            ("ensemble", self.ensemble.as_ref().is_some_and(EnsembleKeys::is_empty)),
+        ];
+        if let Some((key, _)) = empty.iter().find(|(_, empty)| *empty) {
+            let error = InputError::usage(format!("nothing stands in `{key}`"));
+            return Err(error.at(&source.key(key)).help("leave the key out"));
+        }
         let idle = |keys: &[(&'static str, bool)], what: &str| {
             let Some((key, _)) = keys.iter().find(|(_, given)| *given) else { return Ok(()) };
             let message = format!("{what} has no `{key}`");
@@ -306,10 +324,6 @@ impl<'t> Keys<'t> {
     }
 
     fn space(self, source: &Source, folder: &Path) -> Result<Space, InputError> {
-        let metric_place = match &self.metric {
-            Some(MetricText::Word(text)) => source.whole(&text.0),
-            _ => source.key("metric"),
-        };
         let metric = self.metric.map(|metric| match metric {
             MetricText::Word(Text(text)) => text.into_owned(),
             MetricText::Rows(rows) => {
@@ -322,7 +336,6 @@ impl<'t> Keys<'t> {
         });
         let connection = self.connection.map(|Text(text)| text.into_owned());
         let request = Request { metric, connection, ..Request::default() };
-        let placed = |error: InputError| error.moved("--metric", &metric_place);
         match (self.space, self.definition) {
             (Some(Text(name)), None) => {
                 let is_file = name.ends_with(".toml") || name.ends_with(".json");
@@ -330,9 +343,9 @@ impl<'t> Keys<'t> {
                 let space = if is_file { path() } else { name.to_string() };
                 let space = Space::open(&Request { space: Some(space), ..request });
                 let place = source.whole(&name);
-                space.map_err(|error| placed(error).moved("SPACE", &place).or_at(&place))
+                space.map_err(|error| error.moved("SPACE", &place).or_at(&place))
             }
-            (None, Some(keys)) => Space::of(keys.define(source)?, &request).map_err(placed),
+            (None, Some(keys)) => Space::of(keys.define(source)?, &request),
             (None, None) => {
                 let error = InputError::usage("the problem names no space");
                 Err(error.help("give space = \"so3\", a file, or a table [definition]"))

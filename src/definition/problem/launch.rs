@@ -1,7 +1,7 @@
 //! A problem put on its group: from values of the parameters to a motion.
 
 use super::held::{Held, velocity_of};
-use super::{Column, Course, OnGroup, Problem, Ready, StartElement, Value, Written};
+use super::{Column, Course, OnGroup, Problem, Ready, StartElement, Value, Written, numbers_of};
 use crate::definition::group::GroupWork;
 use crate::definition::input::{Place, shown};
 use crate::definition::{Definition, InputError, Reading, Space};
@@ -11,7 +11,7 @@ use crate::formula::Formula;
 use crate::group::{Coordinates, Opposite, rotation};
 use crate::simulation::quantities::{Names, Quantity, Scope};
 use crate::simulation::{
-    Forces, GivenVelocity, Method, Setup, Side, Simulated, on_given, on_group,
+    Forces, GivenVelocity, Method, Setup, Side, Simulated, is_plus, on_given, on_group,
 };
 use crate::{Canonical, Connection, Error, LieAlgebra, LiePoisson, Metric};
 use affinor_tensors::expression::ExpressionError;
@@ -30,6 +30,7 @@ pub(super) struct Launch<'p> {
     pub problem: &'p Problem,
     pub on_group: &'p OnGroup,
     pub parameters: Vec<(String, f64)>,
+    pub times: &'p [f64],
     pub definition: &'p Definition,
     pub reading: &'p Reading<'p, f64>,
 }
@@ -97,7 +98,7 @@ impl Launch<'_> {
         if let Some(hamiltonian) = &self.on_group.hamiltonian {
             return self.hamiltonian(group, hamiltonian);
         }
-        let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
+        let values = numbers_of(&self.parameters);
         let shared = &self.on_group.shared;
         let ground = match shared.get() {
             Some(ground) => Cow::Borrowed(ground),
@@ -110,7 +111,11 @@ impl Launch<'_> {
         }
         let Ground { metric, connection, of_body } = &*ground;
         let inertia = to_dmatrix(metric.components())?;
-        let notes = notes(&group, &inertia);
+        let (times, mut notes) = (self.times.to_vec(), notes(&group, &inertia));
+        if self.on_group.places.connection.is_none() && !is_plus(connection) {
+            let own = "the space brings a connection that is not plus, with equations of its own";
+            notes.push(own.into());
+        }
         self.expect_new_names(&group, of_body)?;
         let parameters = [&self.parameters[..], of_body].concat();
         let whole = Launch { parameters: parameters.clone(), ..*self };
@@ -123,27 +128,27 @@ impl Launch<'_> {
         let step = self.problem.step_at(&values)?;
         if !self.on_group.constraints.is_empty() {
             let velocity = velocity_of(metric, &momentum)?;
-            let start = (self.problem.times[0], element, velocity);
+            let start = (self.times[0], element, velocity);
             let held = Held { metric, connection, forces, step };
             let (motion, columns) = whole.constrained(group, held, start, columns, formulas)?;
             let (method, inertia) = (Method::GeneralisedAlpha, Some(inertia));
-            return Ok(Ready { motion, method, columns, events, inertia, notes });
+            return Ok(Ready { motion, method, times, columns, events, inertia, notes });
         }
         let setup = Setup {
             connection,
             metric,
             forces,
-            time: self.problem.times[0],
+            time: self.times[0],
             element,
             momentum,
             method: self.problem.method,
             step,
             tolerance: self.problem.tolerance_at(&values)?,
-            max_steps: self.problem.max_steps,
+            max_steps: self.problem.max_steps(),
             columns: formulas,
         };
         let (motion, method) = on_group(group, setup)?;
-        Ok(Ready { motion, method, columns, events, inertia: Some(inertia), notes })
+        Ok(Ready { motion, method, times, columns, events, inertia: Some(inertia), notes })
     }
 
     /// A motion of a velocity over time.
@@ -169,7 +174,7 @@ impl Launch<'_> {
             let message = format!("the method {method} is not for a velocity over time");
             return Err(InputError::mathematics(message).help("that has magnus4 and magnus6"));
         };
-        let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
+        let values = numbers_of(&self.parameters);
         let Some(step) = self.problem.step_at(&values)? else {
             return Err(InputError::mathematics("a velocity over time needs a step"));
         };
@@ -191,9 +196,10 @@ impl Launch<'_> {
         };
         let (columns, mut formulas) = self.columns(&names, &kinematic)?;
         let events = self.events(&names, &kinematic, &mut formulas)?;
-        let start = (self.problem.times[0], self.element(&group, &values)?);
+        let start = (self.times[0], self.element(&group, &values)?);
         let motion = on_given(group, velocity, start, (magnus, step), formulas, names);
-        Ok(Ready { motion, method, columns, events, inertia: None, notes: vec![] })
+        let (times, notes) = (self.times.to_vec(), vec![]);
+        Ok(Ready { motion, method, times, columns, events, inertia: None, notes })
     }
 
     /// Checks that parameters hide nothing that formulas speak of.
@@ -412,7 +418,11 @@ fn expect_one(columns: &[Column], name: &str, place: &Place) -> Result<(), Input
 
 /// What is said of a metric that no body has.
 fn notes<G: Simulated>(group: &G, inertia: &DMatrix<f64>) -> Vec<String> {
-    if inertia.symmetric_eigenvalues().iter().any(|value| *value <= 0.0) {
+    let eigenvalues = inertia.symmetric_eigenvalues();
+    if eigenvalues.max() < 0.0 {
+        return vec!["the metric is negative: so is the kinetic energy".into()];
+    }
+    if eigenvalues.min() <= 0.0 {
         return vec!["the metric is indefinite: no energy bounds the velocity".into()];
     }
     let Some(Ok(body)) = group.body(inertia) else { return vec![] };

@@ -46,7 +46,12 @@ pub(super) enum Flow {
 }
 
 impl Matrices {
-    pub fn motion(&self, problem: &Problem, values: &[f64]) -> Result<Ready, InputError> {
+    pub fn motion(
+        &self,
+        problem: &Problem,
+        times: &[f64],
+        values: &[f64],
+    ) -> Result<Ready, InputError> {
         let method = problem.method.unwrap_or(Method::Isospectral);
         if !matches!(method, Method::Isospectral | Method::ComposedIsospectral) {
             let message = format!("the method {method} is not for flows of matrices");
@@ -58,12 +63,13 @@ impl Matrices {
             return Err(error.at(&self.place));
         };
         let fourth = method == Method::ComposedIsospectral;
-        let started = on_matrices(&self.flow(values)?, problem.times[0], step, fourth);
+        let started = on_matrices(&self.flow(values)?, times[0], step, fourth);
         let (motion, names) = started.map_err(|error| InputError::from(error).at(&self.place))?;
         let column = |(name, watched)| Column { name, formula: None, watched };
         Ok(Ready {
             motion,
             method,
+            times: times.to_vec(),
             columns: names.into_iter().map(column).collect(),
             events: vec![],
             inertia: None,
@@ -123,7 +129,25 @@ impl FlowKeys<'_> {
         let rows = |rows: &Vec<Vec<Number>>| -> Result<Vec<Vec<Value>>, InputError> {
             rows.iter().map(|row| reader.values(row)).collect()
         };
-        match &*self.kind.0 {
+        let keys = [
+            ("positions", self.positions.is_some(), "toda"),
+            ("momenta", self.momenta.is_some(), "toda"),
+            ("masses", self.masses.is_some(), "manakov"),
+            ("momentum", self.momentum.is_some(), "manakov"),
+            ("size", self.size.is_some(), "zeitlin"),
+            ("modes", self.modes.is_some(), "zeitlin"),
+            ("seed", self.seed.is_some(), "zeitlin"),
+            // modes say all
+            ("degree", self.degree.is_some(), if self.modes.is_none() { "zeitlin" } else { "" }),
+        ];
+        let kind = &*self.kind.0;
+        let known = keys.iter().any(|(.., owner)| *owner == kind);
+        let idle = keys.iter().find(|(_, given, owner)| *given && known && *owner != kind);
+        if let Some((key, ..)) = idle {
+            let message = format!("the flow {kind} has no `{key}` here");
+            return Err(InputError::usage(message).at(&source.key(key)).help("leave the key out"));
+        }
+        match kind {
             "toda" => {
                 let both = self.positions.as_ref().zip(self.momenta.as_ref());
                 let (positions, momenta) = both.ok_or_else(|| missing("positions and momenta"))?;

@@ -13,8 +13,6 @@ const NUMBERS: [&str; 2] = ["pi", "tau"];
 pub(super) struct Reader<'s> {
     pub source: &'s Source,
     pub names: Vec<String>,
-    /// Of those that are no ensemble's own.
-    pub values: Vec<f64>,
 }
 
 impl Reader<'_> {
@@ -41,16 +39,8 @@ impl Reader<'_> {
         list.iter().map(|number| self.value(number)).collect()
     }
 
-    /// A number that no ensemble varies.
-    pub fn number(&self, number: &Number) -> Result<f64, InputError> {
-        let value = self.value(number)?;
-        if self.names.len() > self.values.len() {
-            // the ensemble's own parameters have no value of their own
-            let mut values = self.values.clone();
-            values.resize(self.names.len(), f64::NAN);
-            return value.at(&values);
-        }
-        value.at(&self.values)
+    pub fn optional(&self, number: &Option<Number>) -> Result<Option<Value>, InputError> {
+        number.as_ref().map(|number| self.value(number)).transpose()
     }
 
     /// Formulas by their names.

@@ -65,7 +65,7 @@ impl<'p> Walk<'p> {
     /// What stops the motion; all before stays.
     pub fn step(&mut self) -> Result<Left, Error> {
         let mut left = Left::default();
-        let Some(&time) = self.problem.times.get(self.next) else {
+        let Some(&time) = self.ready.times.get(self.next) else {
             left.done = true;
             return Ok(left);
         };
@@ -78,7 +78,7 @@ impl<'p> Walk<'p> {
             }
             left.events.push((self.ready.events[event].clone(), time));
             if stops {
-                self.next = self.problem.times.len();
+                self.next = self.ready.times.len();
                 left.done = true;
                 return Ok(left);
             }
@@ -88,7 +88,7 @@ impl<'p> Walk<'p> {
                 left.rows.push(self.visible(self.ready.motion.row()));
             }
             self.next += 1;
-            left.done = self.next == self.problem.times.len();
+            left.done = self.next == self.ready.times.len();
         }
         Ok(left)
     }
