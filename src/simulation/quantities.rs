@@ -36,6 +36,9 @@ pub enum Quantity {
     Power,
 }
 
+/// Coordinates of the origin of a body, where a group names them.
+const POSITION: [&str; 3] = ["x", "y", "z"];
+
 /// The names of quantities on a group.
 #[derive(Clone, Debug)]
 pub struct Names {
@@ -73,7 +76,11 @@ impl Names {
             return Some(Quantity::Parameter(k));
         }
         if let Some(k) = self.named.iter().position(|named| *named == name) {
-            return Some(Quantity::Named(k));
+            // a position is the last column of the matrix, so a potential may speak of it
+            let axis = POSITION.iter().position(|axis| *axis == name);
+            return Some(
+                axis.map_or(Quantity::Named(k), |row| Quantity::Entry(row, self.shape.1 - 1)),
+            );
         }
         match name {
             "t" => return Some(Quantity::Time),
@@ -147,16 +154,26 @@ impl Names {
         }
     }
 
+    /// The entries of the element, for messages.
+    pub fn entries(&self) -> String {
+        let entries = self.expand(self.element_stem());
+        let mut names = vec![match entries.as_slice() {
+            [first, .., last] => format!("{first}..{last}"),
+            few => few.concat(),
+        }];
+        let positions = self.named.iter().filter(|name| POSITION.contains(name));
+        names.extend(positions.map(|name| name.to_string()));
+        names.join(", ")
+    }
+
     /// What there is, for messages.
     pub fn all(&self) -> String {
         let mut names: Vec<String> = vec!["t".into()];
         let n = self.dimension;
         names.extend(self.sides.as_flattened().iter().map(|stem| format!("{stem}1..{stem}{n}")));
-        let entries = self.expand(self.element_stem());
-        if let [first, .., last] = entries.as_slice() {
-            names.push(format!("{first}..{last}"));
-        }
-        names.extend(self.named.iter().map(|name| name.to_string()));
+        names.push(self.entries());
+        let others = self.named.iter().filter(|name| !POSITION.contains(name));
+        names.extend(others.map(|name| name.to_string()));
         names.extend(["kinetic", "potential", "energy", "power"].map(String::from));
         names.extend(self.parameters.iter().cloned());
         names.join(", ")

@@ -38,8 +38,9 @@ impl Launch<'_> {
         let mut equations = Equations::new(group.clone(), values);
         for written in &self.on_group.constraints {
             let added = equations.add(&written.text, held.forces.names());
-            let help = "a constraint is a formula of the entries of the element and parameters";
-            added.map_err(|error| written.refused(error, help.into()))?;
+            let entries = held.forces.names().entries();
+            let help = format!("a constraint is a formula of the entries {entries} and parameters");
+            added.map_err(|error| written.refused(error, help))?;
         }
         let visible = columns.len();
         let multipliers =

@@ -246,9 +246,11 @@ impl Launch<'_> {
             added.map_err(|error| force.written.refused(error, help(forces)))?;
         }
         if let Some(potential) = &self.on_group.potential {
+            let entries = forces.names().entries();
             let set = forces.set_potential(&potential.text);
-            let help = "a potential is a formula of t, the entries of the element and parameters";
-            set.map_err(|error| potential.refused(error, help.into()))?;
+            let help =
+                format!("a potential is a formula of t, the entries {entries} and parameters");
+            set.map_err(|error| potential.refused(error, help))?;
         }
         if let Some((side, table)) = &self.on_group.table {
             forces.set_table(*side, table.clone());
