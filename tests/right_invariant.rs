@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use affinor::any_group::Written;
+use affinor::definition::Problem;
 use affinor::dynamics::euler_poincare::Free;
 use affinor::dynamics::{Adaptive, EulerPoincare, Integrator, MuntheKaas};
 use affinor::equations::Equations;
@@ -130,4 +131,60 @@ fn elements_are_written_as_those_of_the_group() {
     assert!(Opposite(So3).read(&written).unwrap().angle_to(&g) < 1e-15);
     assert_eq!(<Opposite<So3> as Written>::ANGLES, 3);
     assert!(Opposite(So3).read(&DMatrix::zeros(3, 3)).is_err());
+}
+
+/// Entries of the element, and the other columns, at the end of a problem.
+fn ended(text: &str) -> (DMatrix<f64>, Vec<f64>, Vec<f64>) {
+    let problem = Problem::parse("motion.toml", text).unwrap_or_else(|e| panic!("{text}: {e}"));
+    let mut ready = problem.motion(0).unwrap_or_else(|e| panic!("{text}: {e}"));
+    let entries = ready.columns.iter().filter(|column| column.name.starts_with('g')).count();
+    let size = (1..=entries).find(|n| n * n == entries).unwrap();
+    let start = ready.motion.row();
+    while !ready.motion.step(problem.times[1]).unwrap() {}
+    let mut row = ready.motion.row();
+    let others = row.split_off(entries);
+    (DMatrix::from_row_slice(size, size, &row), start[entries..].to_vec(), others)
+}
+
+/// By name, on groups of matrices whose brackets are no whole numbers in floats: the inverse of the left-invariant motion
+/// with the negative velocity, and the momentum in the body stays.
+#[test]
+fn every_group_of_matrices_has_right_invariant_motions() {
+    let spaces = [
+        ("so(4)", 6),
+        ("so(5)", 10),
+        ("so(2,1)", 3),
+        ("so(3,1)", 6),
+        ("sl(3)", 8),
+        ("su(3)", 8),
+        ("sp(4)", 10),
+        ("gl(2)", 4),
+        ("se(4)", 10),
+        ("so3+so3", 6),
+    ];
+    for (space, n) in spaces {
+        let metric: Vec<String> = (0..n).map(|i| format!("1 + {i}/5")).collect();
+        let velocity = |sign: f64| -> Vec<f64> {
+            (0..n).map(|i| sign * (0.4 - 0.3 * f64::from(i % 3))).collect()
+        };
+        let of = |invariance: &str, sign: f64, momentum: &str| {
+            ended(&format!(
+                "space = \"{space}\"\nmetric = \"diag({})\"\ninvariance = \"{invariance}\"\n\
+                 [initial]\nvelocity = {:?}\n[integrator]\ntolerance = 1e-13\n\
+                 [output]\nend = 1\ncolumns = [\"g\", \"{momentum}\", \"omega\"]\n",
+                metric.join(", "),
+                velocity(sign),
+            ))
+        };
+        let (right, before, after) = of("right", 1.0, "H");
+        let (left, ..) = of("left", -1.0, "h");
+        let product = &left * &right;
+        let off = (&product - DMatrix::identity(product.nrows(), product.nrows())).amax();
+        assert!(off < 1e-10 * (1.0 + left.amax() * right.amax()), "{space}: {off:e}");
+        let (body, space_velocity) = before.split_at(n as usize);
+        let stays = body.iter().zip(&after).all(|(a, b)| (a - b).abs() < 1e-10);
+        assert!(stays, "{space}: {before:?} and {after:?}");
+        let moved = space_velocity.iter().zip(&after[n as usize..]).any(|(a, b)| (a - b).abs() > 1e-3);
+        assert!(moved, "{space} is steady");
+    }
 }

@@ -155,6 +155,11 @@ impl LieGroup for Nilpotent<f64> {
         exp(&self.ad(g))
     }
 
+    /// That it was made of, with its labels.
+    fn algebra(&self) -> Result<LieAlgebra<f64>, Error> {
+        Ok(self.algebra.clone())
+    }
+
     /// The series, which ends.
     fn tangent_left_inverse(
         &self,

@@ -1,7 +1,7 @@
 //! The opposite of a group: the same elements, multiplied in the other order.
 
 use super::{LieGroup, Stored};
-use crate::Error;
+use crate::{Error, LieAlgebra};
 use nalgebra::DMatrix;
 
 /// The group with the product `g * h = h g`.
@@ -69,6 +69,11 @@ impl<G: LieGroup> LieGroup for Opposite<G> {
     /// That of the group: it reverses products.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
         self.0.matrix(g)
+    }
+
+    /// The opposite of that of the group, as exact as this is.
+    fn algebra(&self) -> Result<LieAlgebra<f64>, Error> {
+        Ok(self.0.algebra()?.opposite())
     }
 
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {

@@ -1,7 +1,7 @@
 //! Direct products of two groups.
 
 use super::{Coordinates, LieGroup};
-use crate::Error;
+use crate::{Error, LieAlgebra};
 use nalgebra::{DMatrix, DVector};
 
 /// The direct product of two groups: pairs of elements, vectors of the first and then the second.
@@ -104,6 +104,11 @@ impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
             matrix.view_mut((at, at), block.shape()).copy_from(block);
         }
         matrix
+    }
+
+    /// The direct sum of those of the groups, as exact as these are.
+    fn algebra(&self) -> Result<LieAlgebra<f64>, Error> {
+        self.0.algebra()?.direct_sum(&self.1.algebra()?)
     }
 
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
