@@ -52,6 +52,15 @@ pub trait Motion: Send {
     /// [`Error::Integration`]; the state is then that of the last good step.
     fn step(&mut self, until: f64) -> Result<bool, Error>;
 
+    /// The same by a step in which nothing turns far, so that looks between steps see what happens. One of a given length
+    /// is what it is.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    fn short_step(&mut self, until: f64) -> Result<bool, Error> {
+        self.step(until)
+    }
+
     /// The values of the columns.
     fn row(&self) -> Vec<f64>;
 

@@ -335,6 +335,64 @@ tolerance = 1e-13",
     }
 }
 
+/// The first column of what is written.
+fn times(folder: &Path) -> Vec<f64> {
+    let output = done(&mut simulate(folder));
+    let text = String::from_utf8(output.stdout).unwrap();
+    text.lines().skip(1).map(|line| line.split(',').next().unwrap().parse().unwrap()).collect()
+}
+
+/// However far apart rows are, no event is passed over: of a body that flips, and of uniform turns, whose steps under control
+/// have no error that would keep them short.
+#[test]
+fn events_are_seen_between_rows_far_apart() {
+    let flips = "space = \"so3\"\nmetric = \"diag(1, 2, 3)\"\ninitial.velocity = [0.1, 2, 0.1]\n\
+                 events = { turn = \"H2\" }\n";
+    let section = |problem: &str, integrator: &str, every: f64| {
+        let output = format!("[output]\nend = 100\nevery = {every}\nsection = \"turn\"\n");
+        times(folder(&format!("{problem}{output}[integrator]\n{integrator}\n")).path())
+    };
+    let same = |a: &[f64], b: &[f64]| {
+        assert_eq!(a.len(), b.len());
+        assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-8), "{a:?} and {b:?}");
+    };
+    let all = section(flips, "method = \"dmv10\"\nstep = 0.01", 100.0);
+    assert_eq!(all.len(), 14);
+    for every in [100.0, 5.0, 0.1] {
+        same(&section(flips, "method = \"exact\"", every), &all);
+    }
+    same(&section(flips, "method = \"rkmk853\"", 100.0), &all);
+    // a stop at the first, and backwards
+    for (end, first) in [(100.0, all[0]), (-100.0, -1.0)] {
+        let output = format!("[output]\nend = {end}\nstop = \"turn\"\n");
+        let found = times(folder(&format!("{flips}{output}")).path());
+        let stopped = found[found.len() - 1];
+        assert!(if first > 0.0 { stopped == first || (stopped - first).abs() < 1e-8 } else { stopped > -30.0 });
+    }
+    let turns = "metric = \"identity\"\ninitial.velocity = [0, 0, 1, 0, 0, 0]\n";
+    for (space, entry) in [("se3", "g11"), ("so(4)", "g33 - 1/2"), ("so3+R^3", "g11 - 1/3")] {
+        let problem = format!("space = \"{space}\"\n{turns}events = {{ turn = \"{entry}\" }}\n");
+        let found = section(&problem, "method = \"rkmk853\"", 100.0);
+        let dense = section(&problem, "method = \"rkmk4\"\nstep = 0.05", 100.0);
+        assert!(dense.len() > 25, "{space}: {dense:?}");
+        assert_eq!(found.len(), dense.len(), "{space}");
+    }
+}
+
+/// A motion with events is resumed to the same rows.
+#[test]
+fn events_survive_a_kill() {
+    let problem = "space = \"so3\"\nmetric = \"diag(1, 2, 3)\"\ninitial.velocity = [0.1, 2, 0.1]\n\
+                   events = { turn = \"H2\" }\n\
+                   [output]\nend = 20000\nevery = 5000\nsection = \"turn\"\n";
+    let folder = folder(problem);
+    let folder = folder.path();
+    done(simulate(folder).args(["-o", "whole.csv"]));
+    killed_and_resumed(folder, &[]);
+    let read = |name: &str| fs::read(folder.join(name)).unwrap();
+    assert_eq!(read("whole.csv"), read("killed.csv"));
+}
+
 /// A member that was stopped is told though the run was killed behind it.
 #[test]
 fn a_stopped_member_is_not_forgotten() {

@@ -181,6 +181,19 @@ impl FreeBody {
         self.phase().map(|phase| phase.period)
     }
 
+    /// A bound, in radians, of what a unit of time turns the body by, and of the change of the argument of its elliptic
+    /// functions.
+    pub fn rate(&self) -> f64 {
+        let energy = self.start.momentum.dot(&self.inertia.velocity(&self.start.momentum));
+        let argument = match &self.motion {
+            Motion::Steady { .. } => 0.0,
+            // u = (1 + k1) v
+            Motion::Turning { course: Course::Periodic { v, .. }, .. } => 2.0 * v[1].abs(),
+            Motion::Turning { course: Course::Separatrix { u, .. }, .. } => u[1].abs(),
+        };
+        (energy / self.inertia.moments().min()).sqrt().max(argument)
+    }
+
     /// What a period does to the attitude, with [`period`](Self::period).
     pub fn phase(&self) -> Option<Phase> {
         match &self.motion {

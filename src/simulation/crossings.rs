@@ -33,7 +33,7 @@ impl Crossings {
     /// One step of the motion towards a time, whether it is reached, and the events on the way, in the order of time.
     ///
     /// A zero at the end of a step counts in that step and not in the next. Of two changes of sign in one step neither is
-    /// seen.
+    /// seen; steps are short beside the motion, where their length is free.
     ///
     /// # Errors
     /// As [`Motion::step`]; [`Error::Integration`] where a column is not a number.
@@ -46,7 +46,7 @@ impl Crossings {
             return Ok((motion.step(until)?, vec![]));
         }
         let (before, from) = (motion.save()?, motion.time());
-        let reached = motion.step(until)?;
+        let reached = motion.short_step(until)?;
         let end = motion.time();
         let now = motion.row()[self.columns.clone()].to_vec();
         now.iter().try_for_each(|value| expect_number(end, *value).map(drop))?;

@@ -11,6 +11,7 @@ use crate::dynamics::{
     State,
 };
 use crate::group::{LieGroup, Stored};
+use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
 /// How a motion goes on.
@@ -34,12 +35,25 @@ pub enum Drive<S: CotangentSystem> {
         taken: usize,
     },
     /// The state at any time.
-    Exact(Box<dyn Fn(f64) -> State<S::Group> + Send>),
+    Exact {
+        /// The state at a time.
+        at: Box<At<S>>,
+        /// What a unit of time turns it by at most, in radians.
+        rate: f64,
+    },
 }
+
+/// Between looks for events a motion turns by at most this, in radians: where a look costs a step, and where it costs no more
+/// than a row.
+const TURN: f64 = 0.25;
+const EXACT_TURN: f64 = 0.0625;
 
 /// A step under control: of a system and its state, with the length to try, towards a time.
 type Control<S> = dyn Fn(&S, &mut State<<S as CotangentSystem>::Group>, &mut f64, f64) -> Result<(), Error>
     + Send;
+
+/// The state at a time.
+type At<S> = dyn Fn(f64) -> Result<State<<S as CotangentSystem>::Group>, Error> + Send;
 
 /// Why a group may have no projected methods.
 pub const NO_NUMBERS: &str = "it is for so(2), so(3), se(2), se(3) and sl(2), left-invariant";
@@ -128,18 +142,20 @@ impl<S: CotangentSystem> Drive<S> {
         Drive::Adaptive { control: Box::new(step), max_steps, next, taken: 0 }
     }
 
-    /// One step towards a time, and whether it is reached.
+    /// One step towards a time, and whether it is reached. Where the length of steps is free, it does not go beyond `pause`,
+    /// a time on the way.
     pub fn step(
         &mut self,
         system: &S,
         state: &mut State<S::Group>,
         until: f64,
+        pause: f64,
     ) -> Result<bool, Error> {
         if state.time == until {
             return Ok(true);
         }
         match self {
-            Drive::Exact(at) => *state = at(until),
+            Drive::Exact { at, .. } => *state = at(pause)?,
             Drive::Adaptive { control, max_steps, next, taken } => {
                 if *taken == *max_steps {
                     let reason = format!(
@@ -147,7 +163,7 @@ impl<S: CotangentSystem> Drive<S> {
                     );
                     return Err(Error::Integration { t: state.time, reason });
                 }
-                control(system, state, next, until)?;
+                control(system, state, next, pause)?;
                 *taken = if state.time == until { 0 } else { *taken + 1 };
             }
             Drive::Fixed { integrator, pace } => {
@@ -157,12 +173,25 @@ impl<S: CotangentSystem> Drive<S> {
         Ok(state.time == until)
     }
 
+    /// How long a step may be in which nothing turns far; infinite where steps have their length.
+    pub fn look(&self, system: &S, state: &State<S::Group>) -> f64 {
+        match self {
+            Drive::Fixed { .. } => f64::INFINITY,
+            Drive::Exact { rate, .. } => EXACT_TURN / rate,
+            Drive::Adaptive { .. } => {
+                let group = system.group();
+                let velocity = system.velocity_of(&state.momentum(group));
+                TURN / spectral_radius(group.operator(|x| group.bracket(&velocity, x)))
+            }
+        }
+    }
+
     /// What it remembers.
     pub fn memory(&self) -> Memory {
         match self {
             Drive::Fixed { pace, .. } => Memory::Pace(*pace),
             Drive::Adaptive { next, taken, .. } => Memory::Next(*next, *taken),
-            Drive::Exact(_) => Memory::None,
+            Drive::Exact { .. } => Memory::None,
         }
     }
 
@@ -175,9 +204,19 @@ impl<S: CotangentSystem> Drive<S> {
             {
                 (*next, *taken) = (saved, count);
             }
-            (Drive::Exact(_), Memory::None) => {}
+            (Drive::Exact { .. }, Memory::None) => {}
             _ => return false,
         }
         true
     }
+}
+
+/// The largest `|lambda|` of an eigenvalue, by Gelfand's `|A^k|^(1/k)`: not much above, and 0 for a nilpotent matrix.
+fn spectral_radius(matrix: DMatrix<f64>) -> f64 {
+    let size = matrix.norm();
+    if size == 0.0 || !size.is_finite() {
+        return 0.0;
+    }
+    let power = (0..4).fold(matrix / size, |power, _| &power * &power);
+    size * power.norm().powf(1.0 / 16.0)
 }

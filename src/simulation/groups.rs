@@ -97,11 +97,11 @@ impl Simulated for So3 {
             Method::Exact => {
                 let body = FreeBody::new(inertia, &BodyState { attitude, momentum });
                 Some(body.map(|body| {
-                    Drive::Exact(Box::new(move |t: f64| State {
-                        time: t,
-                        element: body.at(t - time).attitude,
-                        spatial,
-                    }))
+                    let rate = body.rate();
+                    let at = move |t: f64| {
+                        Ok(State { time: t, element: body.at(t - time).attitude, spatial })
+                    };
+                    Drive::Exact { at: Box::new(at), rate }
                 }))
             }
             Method::MoserVeselov(order) => free(MoserVeselov::new(inertia, order), system, step),

@@ -38,17 +38,19 @@ struct Saved<E> {
     steps: u64,
 }
 
-impl<S: Seen + Send> Motion for OnCotangent<S> {
-    fn time(&self) -> f64 {
-        self.state.time
-    }
-
-    fn step(&mut self, until: f64) -> Result<bool, Error> {
-        self.steps = self.steps.saturating_add(u64::from(self.state.time != until));
+impl<S: Seen> OnCotangent<S> {
+    /// A step towards a time, at most so long where its length is free.
+    fn go(&mut self, until: f64, longest: f64) -> Result<bool, Error> {
+        let (time, forces) = (self.state.time, self.system.forces());
+        self.steps = self.steps.saturating_add(u64::from(time != until));
         // that of an earlier step is none now
-        let _ = self.system.forces().trouble();
-        let done = self.drive.step(&self.system, &mut self.state, until);
-        done.map_err(|error| match (error, self.system.forces().trouble()) {
+        let _ = forces.trouble();
+        let mut pause = until;
+        if (pause - time).abs() > longest {
+            pause = time + longest.copysign(until - time);
+        }
+        let done = self.drive.step(&self.system, &mut self.state, until, pause);
+        done.map_err(|error| match (error, forces.trouble()) {
             (_, Some(trouble)) => Error::Integration { t: self.state.time, reason: trouble },
             (Error::Integration { t, reason }, None) => Error::Integration { t, reason },
             (error, None) => Error::Integration {
@@ -56,6 +58,21 @@ impl<S: Seen + Send> Motion for OnCotangent<S> {
                 reason: format!("the step is too long: {error}"),
             },
         })
+    }
+}
+
+impl<S: Seen + Send> Motion for OnCotangent<S> {
+    fn time(&self) -> f64 {
+        self.state.time
+    }
+
+    fn step(&mut self, until: f64) -> Result<bool, Error> {
+        self.go(until, f64::INFINITY)
+    }
+
+    fn short_step(&mut self, until: f64) -> Result<bool, Error> {
+        let look = self.drive.look(&self.system, &self.state);
+        self.go(until, look)
     }
 
     fn row(&self) -> Vec<f64> {
