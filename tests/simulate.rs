@@ -379,6 +379,51 @@ fn events_are_seen_between_rows_far_apart() {
     }
 }
 
+/// A table acts between rows far apart, and its corners cost no digits: the impulse is its integral.
+#[test]
+fn a_table_is_not_passed_over() {
+    let thruster = "t,M1,M2,M3\n20,0,0,0\n20.25,0.5,0,0\n20.75,0.5,0,0\n21,0,0,0\n";
+    let pulse = "t,a,b,c\n0,0,0,0\n50,0,0,0\n50.001,1000,0,0\n50.002,0,0,0\n";
+    for (table, end) in [(thruster, 0.425), (pulse, 1.05)] {
+        for (start, stop, sign) in [(0.0, 100.0, 1.0), (100.0, 0.0, -1.0)] {
+            for every in [100.0, 50.0, 7.0, 0.5] {
+                for integrator in ["rkmk853", "rkmk54", "projected853"] {
+                    let problem = format!(
+                        "space = \"so3\"\nmetric = \"diag(1, 2, 2.5)\"\n\
+                         [initial]\ntime = {start}\nvelocity = [0.05, 0, 0]\n\
+                         [forces]\ntable = \"table.csv\"\n\
+                         [integrator]\nmethod = \"{integrator}\"\n\
+                         [output]\nend = {stop}\nevery = {every}\ncolumns = [\"Omega1\", \"t\"]\n"
+                    );
+                    let folder = folder(&problem);
+                    fs::write(folder.path().join("table.csv"), table).unwrap();
+                    let found = times(folder.path());
+                    assert_eq!(found.len(), (100.0_f64 / every).ceil() as usize + 1);
+                    let expected = 0.05 + sign * (end - 0.05);
+                    let off = (found[found.len() - 1] - expected).abs();
+                    assert!(off < 1e-12, "{integrator}, {every}: off by {off:e}");
+                }
+            }
+        }
+    }
+}
+
+/// With corners between rows and events among them: to the same rows after a kill.
+#[test]
+fn a_table_survives_a_kill() {
+    let problem = TOP.replace("body =", "table = \"table.csv\"\nbody =").replace("end = 400", "end = 100");
+    let problem = problem.replace("every = 0.25", "every = 5");
+    let folder = folder(&format!("{problem}[events]\nflip = \"Omega2\"\n"));
+    let folder = folder.path();
+    let row = |k: u32| format!("{},{},0.1,0\n", f64::from(k) * 0.37, 0.2 * f64::from(k % 3));
+    let rows: String = (0..300).map(row).collect();
+    fs::write(folder.join("table.csv"), format!("t,a,b,c\n{rows}")).unwrap();
+    done(simulate(folder).args(["-o", "whole.csv"]));
+    assert!(killed_and_resumed(folder, &[]) > 0);
+    let read = |name: &str| fs::read(folder.join(name)).unwrap();
+    assert_eq!(read("whole.csv"), read("killed.csv"));
+}
+
 /// A motion with events is resumed to the same rows.
 #[test]
 fn events_survive_a_kill() {

@@ -112,6 +112,12 @@ impl<G: Simulated> Forces<G> {
         self.table = Some((side, table));
     }
 
+    /// Where a step under control from one time towards another has to end: at a corner of the table, or there.
+    pub(super) fn pause(&self, from: f64, until: f64) -> f64 {
+        let corner = self.table.as_ref().and_then(|(_, table)| table.corner(from, until));
+        corner.unwrap_or(until)
+    }
+
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.terms.is_empty() && self.potential.is_none() && self.table.is_none()

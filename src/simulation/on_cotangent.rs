@@ -45,7 +45,7 @@ impl<S: Seen> OnCotangent<S> {
         self.steps = self.steps.saturating_add(u64::from(time != until));
         // that of an earlier step is none now
         let _ = forces.trouble();
-        let mut pause = until;
+        let mut pause = forces.pause(time, until);
         if (pause - time).abs() > longest {
             pause = time + longest.copysign(until - time);
         }

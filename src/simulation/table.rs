@@ -45,6 +45,17 @@ impl Table {
         [self.times[0], self.times[self.times.len() - 1]]
     }
 
+    /// The first time of a row on the way from one time to another; the values have a corner there.
+    pub fn corner(&self, from: f64, until: f64) -> Option<f64> {
+        let forwards = from < until;
+        let next = if forwards {
+            self.times.get(self.times.partition_point(|t| *t <= from))
+        } else {
+            self.times[..self.times.partition_point(|t| *t < from)].last()
+        };
+        next.copied().filter(|t| (*t < until) == forwards)
+    }
+
     /// Adds the values at a time; before the first and behind the last row they stay what they are there.
     pub fn add(&self, time: f64, sum: &mut [f64]) {
         let behind = self.times.partition_point(|t| *t <= time);
