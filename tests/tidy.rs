@@ -221,6 +221,7 @@ fn the_library_neither_panics_nor_prints() {
 fn only_the_program_uses_what_a_terminal_needs() {
     for file in library().iter().filter(|file| file.is_library()) {
         file.forbid(&["clap", "clap_complete", "indicatif", "annotate_snippets", "tempfile"]);
+        file.forbid(&["signal_hook"]);
     }
 }
 

@@ -1,6 +1,7 @@
 //! `affinor simulate`: the motion of a problem, or of an ensemble of them.
 
 mod checkpoint;
+mod signals;
 mod spool;
 mod summary;
 
@@ -14,6 +15,7 @@ use checkpoint::{Checkpoint, Store};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
+use signals::{Signal, Signals};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -75,37 +77,49 @@ impl Arguments {
         if let Some(file) = &self.file {
             expect_place(file, &inputs)?;
         }
+        let rows_or_members = match self.ensemble {
+            true => problem.members(),
+            false => Some(problem.times(0)?.len() as u64),
+        };
         let mut store = Store::open(self, &problem)?;
-        let bar = bar(if self.ensemble {
-            problem.members()
+        let bar = bar(rows_or_members);
+        let signals = Signals::hear();
+        let signals = signals
+            .map_err(|error| InputError::usage(format!("cannot listen to signals: {error}")))?;
+        let (head, columns, end) = if self.ensemble {
+            self.members(&problem, &mut store, &signals, &bar)?
         } else {
-            Some(problem.times(0)?.len() as u64)
-        });
-        let (head, columns, stopped) = if self.ensemble {
-            self.members(&problem, &mut store, &bar)?
-        } else {
-            self.one(&problem, &mut store, &bar)?
+            self.one(&problem, &mut store, &signals, &bar)?
         };
         bar.finish_and_clear();
         let mut target = self.file.clone();
-        if stopped.is_some()
+        if !matches!(end, End::Reached)
             && let Some(file) = &mut target
         {
             *file = partial(file);
         }
         let spool = &mut store.spool;
         deliver(target.as_deref(), &inputs, |out| format.write(&head, &mut spool.rows()?, out))?;
-        if let Some(error) = stopped {
-            let rows = spool.count();
-            let kept = match &target {
-                Some(file) => format!("{rows} rows up to there are in {}", file.display()),
-                None => format!("{rows} rows up to there were written"),
-            };
-            return Err(match error.help {
-                Some(help) => InputError { help: Some(format!("{help}; {kept}")), ..error },
-                None => error.help(kept),
+        let rows = spool.count();
+        let kept = match &target {
+            Some(file) => format!("{rows} rows up to there are in {}", file.display()),
+            None => format!("{rows} rows up to there were written"),
+        };
+        match end {
+            End::Reached => {}
+            End::Error(error) => {
+                return Err(match error.help {
+                    Some(help) => InputError { help: Some(format!("{help}; {kept}")), ..error },
+                    None => error.help(kept),
+                }
+                .into());
             }
-            .into());
+            End::Signal(signal) => {
+                let on =
+                    if self.checkpoint.is_some() { "; --resume goes on from there" } else { "" };
+                line(&format!("interrupted; {kept}{on}"));
+                return Ok(signal.status());
+            }
         }
         if !self.ensemble {
             summary::show(&head, &columns, spool).map_err(spool::failed)?;
@@ -123,7 +137,13 @@ impl Arguments {
     }
 
     /// One motion: rows at its times. What stopped it, if anything did.
-    fn one(&self, problem: &Problem, store: &mut Store, bar: &ProgressBar) -> Outcome {
+    fn one(
+        &self,
+        problem: &Problem,
+        store: &mut Store,
+        signals: &Signals,
+        bar: &ProgressBar,
+    ) -> Outcome {
         let ready = problem.motion(0)?;
         let (method, columns) = (ready.method, ready.columns.clone());
         ready.notes.iter().for_each(|text| note(text));
@@ -137,9 +157,13 @@ impl Arguments {
             walk.restore(*done as usize, snapshot)?;
         }
         loop {
+            if let Some(signal) = signals.arrived() {
+                store.save(walk.position() as u64, Some(walk.save()?))?;
+                return Ok((head, columns, End::Signal(signal)));
+            }
             let left = match walk.step() {
                 Ok(left) => left,
-                Err(error) => return Ok((head, columns, Some(error.into()))),
+                Err(error) => return Ok((head, columns, End::Error(error.into()))),
             };
             for row in &left.rows {
                 store.spool.push(row).map_err(spool::failed)?;
@@ -149,7 +173,7 @@ impl Arguments {
             }
             bar.set_position(walk.position() as u64);
             if left.done {
-                return Ok((head, columns, None));
+                return Ok((head, columns, End::Reached));
             }
             if store.is_due() {
                 store.save(walk.position() as u64, Some(walk.save()?))?;
@@ -158,7 +182,13 @@ impl Arguments {
     }
 
     /// All members of an ensemble, in their order.
-    fn members(&self, problem: &Problem, store: &mut Store, bar: &ProgressBar) -> Outcome {
+    fn members(
+        &self,
+        problem: &Problem,
+        store: &mut Store,
+        signals: &Signals,
+        bar: &ProgressBar,
+    ) -> Outcome {
         let Some(size) = problem.members() else {
             let error = InputError::usage("the problem has no ensemble");
             return Err(error.help("give it a table [ensemble] with grid or random").into());
@@ -174,15 +204,28 @@ impl Arguments {
         let mut done = store.resumed().map_or(0, |checkpoint| checkpoint.done);
         while done < size {
             let chunk: Vec<u64> = (done..size.min(done + CHUNK)).collect();
-            let rows: Vec<_> = pool
-                .install(|| chunk.par_iter().map(|member| all_rows(problem, *member)).collect());
-            for (member, (rows, error)) in chunk.iter().zip(rows) {
+            let found: Vec<_> = pool.install(|| {
+                chunk.par_iter().map(|member| all_rows(problem, *member, signals)).collect()
+            });
+            let mut interrupted = None;
+            for (member, (rows, end)) in chunk.iter().zip(found) {
+                match end {
+                    End::Signal(signal) if interrupted.is_none() => {
+                        // members from here on are computed again, though what there is of them is written
+                        store.save(*member, None)?;
+                        interrupted = Some(signal);
+                    }
+                    End::Error(error) => {
+                        store.stop(format!("member {}: {}", member + 1, error.message));
+                    }
+                    _ => {}
+                }
                 for row in rows {
                     store.spool.push(&row).map_err(spool::failed)?;
                 }
-                if let Some(error) = error {
-                    store.stop(format!("member {}: {}", member + 1, error.message));
-                }
+            }
+            if let Some(signal) = interrupted {
+                return Ok((head, columns, End::Signal(signal)));
             }
             done += chunk.len() as u64;
             bar.set_position(done);
@@ -190,31 +233,48 @@ impl Arguments {
                 store.save(done, None)?;
             }
         }
-        Ok((head, columns, store.stopped().map(InputError::mathematics)))
+        let stopped = store.stopped().map(InputError::mathematics);
+        Ok((head, columns, stopped.map_or(End::Reached, End::Error)))
     }
 }
 
-/// The head, the columns, and what stopped the motion before its end.
-type Outcome = Result<(Head, Vec<Column>, Option<InputError>), Failure>;
+/// How a run ends.
+enum End {
+    /// At its last time, or where it was asked to.
+    Reached,
+    /// By what stopped it before.
+    Error(InputError),
+    /// From outside.
+    Signal(Signal),
+}
 
-/// The rows of a member, and what stopped it.
-fn all_rows(problem: &Problem, member: u64) -> (Vec<Vec<f64>>, Option<InputError>) {
+/// The head, the columns, and the end.
+type Outcome = Result<(Head, Vec<Column>, End), Failure>;
+
+/// The rows of a member, and how it ends.
+fn all_rows(problem: &Problem, member: u64, signals: &Signals) -> (Vec<Vec<f64>>, End) {
+    if let Some(signal) = signals.arrived() {
+        return (vec![], End::Signal(signal));
+    }
     let mut walk = match problem.motion(member) {
         Ok(ready) => Walk::new(problem, ready),
-        Err(error) => return (vec![], Some(error)),
+        Err(error) => return (vec![], End::Error(error)),
     };
     let mut front = vec![(member + 1) as f64];
     front.extend(problem.variation(member));
     let mut rows = Vec::new();
     loop {
+        if let Some(signal) = signals.arrived() {
+            return (rows, End::Signal(signal));
+        }
         match walk.step() {
             Ok(left) => {
                 rows.extend(left.rows.iter().map(|row| [&front[..], row].concat()));
                 if left.done {
-                    return (rows, None);
+                    return (rows, End::Reached);
                 }
             }
-            Err(error) => return (rows, Some(error.into())),
+            Err(error) => return (rows, End::Error(error.into())),
         }
     }
 }
