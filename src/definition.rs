@@ -19,7 +19,7 @@ mod setting;
 mod space;
 mod written;
 
-pub use file::read_rows;
+pub use file::{fingerprint, read_rows};
 pub use group::GroupWork;
 pub use input::{InputError, Place, Refusal, Source};
 pub use mesh::{mesh, read_mesh};

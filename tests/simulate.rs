@@ -634,3 +634,45 @@ fn saved_rows(folder: &Path) -> u64 {
 fn later(start: Instant) -> bool {
     start.elapsed() > Duration::from_millis(500)
 }
+
+/// A table, a mesh or the definition of the space is of the problem as well as its own text.
+#[test]
+fn a_checkpoint_is_of_the_files_of_its_problem() {
+    let pyramid = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4";
+    let brackets = "basis = [\"x\", \"y\", \"z\"]\nbrackets = \"[x, y] = z\"";
+    let table = "t,a,b,c\n0,0,0,0\n10,0.1,0,0\n";
+    let body = TOP.replace("metric = \"diag(1, 2, 3)\"", "");
+    let body = body.replace(
+        "[ensemble]",
+        "[inertia]\nparts = [{ mesh = \"other.obj\", mass = 1 }]\n[ensemble]",
+    );
+    let cases = [
+        ("other.csv", table, TOP.replace("[forces]", "[forces]\ntable = \"other.csv\"")),
+        ("other.obj", pyramid, body),
+        (
+            "other.toml",
+            brackets,
+            TOP.replace("so3", "other.toml").replace("g33 + g12*g23", "x1*x2"),
+        ),
+    ];
+    for (file, content, problem) in cases {
+        let short =
+            problem.replace("end = 400", "end = 4").replace("every = 0.25", "every = 0.005");
+        let folder = folder(&short);
+        let folder = folder.path();
+        fs::write(folder.join(file), content).unwrap();
+        let message = refused(simulate(folder).args(["-o", file]), 2);
+        assert!(message.contains("would lose it"), "{message}");
+        let mut run = simulate(folder);
+        run.args(["--checkpoint", "c", "--checkpoint-every", "0", "-o", "rows.csv"]);
+        let (status, message) = interrupted(&mut run, "INT", || saved_rows(folder) > 0);
+        assert_eq!(status, 130, "{message}");
+        let resume = ["--checkpoint", "c", "--resume", "-o", "rows.csv"];
+        fs::write(folder.join(file), format!("{content}\n ")).unwrap();
+        let message = refused(simulate(folder).args(resume), 2);
+        let expected = format!("c was saved with another content of {file}");
+        assert!(message.contains(&expected), "{message}");
+        fs::write(folder.join(file), content).unwrap();
+        done(simulate(folder).args(resume));
+    }
+}

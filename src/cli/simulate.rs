@@ -73,7 +73,8 @@ impl Arguments {
         }
         let format = self.format();
         let begun = Instant::now();
-        let inputs = [Path::new(&self.problem)];
+        let files = std::iter::once(&self.problem).chain(problem.files());
+        let inputs: Vec<&Path> = files.map(Path::new).collect();
         if let Some(file) = &self.file {
             expect_place(file, &inputs)?;
         }

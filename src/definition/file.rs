@@ -7,6 +7,7 @@ use serde::Deserialize;
 use std::fs::File;
 use std::io::{self, Read};
 use std::ops::Range;
+use std::path::Path;
 
 /// The most bytes a file may have.
 const MAX_BYTES: u64 = 1 << 28;
@@ -29,6 +30,19 @@ pub(super) fn bytes(path: &str) -> Result<(String, Vec<u8>), InputError> {
         return Err(InputError::usage(message));
     }
     Ok((name, bytes))
+}
+
+/// A number of what a file holds, to see whether it is still the same: FNV-1a, against
+/// mistakes and not against malice. Of what is no regular file, such as a pipe, it is 0.
+///
+/// # Errors
+/// What cannot be read.
+pub fn fingerprint(path: &str) -> Result<u64, InputError> {
+    if !Path::new(path).is_file() {
+        return Ok(0);
+    }
+    let mix = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+    Ok(bytes(path)?.1.iter().fold(0xcbf2_9ce4_8422_2325, mix))
 }
 
 impl Definition {

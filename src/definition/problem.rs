@@ -4,6 +4,7 @@
 //! what is written down. Its numbers may be formulas in its parameters; an ensemble varies these.
 
 mod ensemble;
+mod folder;
 mod hamiltonian;
 mod held;
 mod inertia;
@@ -23,6 +24,7 @@ use crate::formula::Formula;
 use crate::simulation::{Method, Motion, Side, Table};
 use affinor_tensors::Tolerance;
 use ensemble::Ensemble;
+use folder::Folder;
 use inertia::Body;
 use launch::Launch;
 use matrices::Matrices;
@@ -43,6 +45,8 @@ pub struct Problem {
     /// What it is called.
     pub name: String,
     source: Source,
+    /// Paths of the files that it names.
+    files: Vec<String>,
     parameters: Vec<Parameter>,
     /// Values that stand in the place of those of the file.
     settings: Vec<(String, f64)>,
@@ -198,7 +202,7 @@ impl Problem {
     /// # Errors
     /// What cannot be read, parsed or understood, with its place.
     pub fn read(path: &str) -> Result<Self, InputError> {
-        let folder = Path::new(path).parent().unwrap_or(Path::new("")).to_path_buf();
+        let folder = Folder::new(Path::new(path).parent().unwrap_or(Path::new("")));
         Self::understand(&file::read(path)?, &folder)
     }
 
@@ -224,7 +228,8 @@ impl Problem {
     /// # Errors
     /// As [`read`](Self::read).
     pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
-        Self::understand(&Source::new(name.escape_debug().to_string(), text), Path::new(""))
+        let source = Source::new(name.escape_debug().to_string(), text);
+        Self::understand(&source, &Folder::new(Path::new("")))
     }
 
     /// Gives parameters other values, `name=value,...`: all that depends on them follows, and an ensemble varies them
@@ -329,6 +334,11 @@ impl Problem {
     /// The text of the file.
     pub fn text(&self) -> &str {
         &self.source.text
+    }
+
+    /// The files that it names: tables, meshes, the definition of its space.
+    pub fn files(&self) -> &[String] {
+        &self.files
     }
 
     /// How many members the ensemble has; none without one.

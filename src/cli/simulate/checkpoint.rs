@@ -7,7 +7,7 @@ use super::super::failure::Failure;
 use super::super::note::note;
 use super::super::output::{deliver, is_same};
 use super::spool::{Spool, failed};
-use affinor::definition::{InputError, Problem};
+use affinor::definition::{InputError, Problem, fingerprint};
 use affinor::simulation::Snapshot;
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -25,6 +25,8 @@ pub struct Checkpoint {
     version: String,
     /// The problem, to be sure that it is the same.
     problem: String,
+    /// What it reads, by fingerprints.
+    files: Vec<(String, u64)>,
     settings: Option<String>,
     ensemble: bool,
     rows: u64,
@@ -52,10 +54,13 @@ impl Store {
             let seconds = arguments.checkpoint_every;
             InputError::usage(format!("--checkpoint-every {seconds} is no time in seconds"))
         })?;
+        let files = problem.files().iter();
+        let files = files.map(|file| Ok((file.clone(), fingerprint(file)?)));
         let fresh = Checkpoint {
             schema: SCHEMA.into(),
             version: env!("CARGO_PKG_VERSION").into(),
             problem: problem.text().into(),
+            files: files.collect::<Result<_, InputError>>()?,
             settings: arguments.set.clone(),
             ensemble: arguments.ensemble,
             rows: 0,
@@ -153,13 +158,18 @@ fn read(path: &Path, fresh: &Checkpoint) -> Result<Option<Checkpoint>, Failure> 
     };
     let found: Checkpoint = serde_json::from_str(&text)
         .map_err(|error| InputError::usage(format!("{shown} is no checkpoint: {error}")))?;
-    let same = [
-        ("schema", found.schema == fresh.schema),
-        ("version of affinor", found.version == fresh.version),
-        ("problem", found.problem == fresh.problem),
-        ("--set", found.settings == fresh.settings),
-        ("--ensemble", found.ensemble == fresh.ensemble),
+    let mut same = vec![
+        ("schema".to_string(), found.schema == fresh.schema),
+        ("version of affinor".into(), found.version == fresh.version),
+        ("problem".into(), found.problem == fresh.problem),
+        ("--set".into(), found.settings == fresh.settings),
+        ("--ensemble".into(), found.ensemble == fresh.ensemble),
     ];
+    // of the same problem, they are named in the same order, though perhaps from another folder
+    same.extend(fresh.files.iter().enumerate().map(|(at, (file, fingerprint))| {
+        let before = found.files.get(at).map(|(_, before)| before);
+        (format!("content of {}", file.escape_debug()), before == Some(fingerprint))
+    }));
     if let Some((what, _)) = same.iter().find(|(_, same)| !same) {
         let message = format!("{shown} was saved with another {what}");
         let help = "run without --resume, or with what it was begun with";

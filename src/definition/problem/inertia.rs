@@ -1,5 +1,6 @@
 //! Bodies by their parts: simple shapes, meshes, masses at points, holes.
 
+use super::folder::Folder;
 use super::reader::Reader;
 use super::{Value, Written};
 use crate::Metric;
@@ -10,7 +11,6 @@ use crate::dynamics::{Inertia, MassProperties};
 use crate::simulation::Simulated;
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{Isometry3, Matrix3, Vector3};
-use std::path::Path;
 use std::sync::Arc;
 
 /// The shapes, with the keys of their sizes.
@@ -123,7 +123,7 @@ enum Amount {
 
 impl InertiaKeys<'_> {
     /// The body; meshes are read at once.
-    pub fn read(&self, reader: &Reader, folder: &Path) -> Result<Body, InputError> {
+    pub fn read(&self, reader: &Reader, folder: &Folder) -> Result<Body, InputError> {
         let place = reader.source.key("inertia");
         let content = match (&self.parts, &self.moments, &self.matrix) {
             (Some(parts), None, None) => {
@@ -170,7 +170,7 @@ impl InertiaKeys<'_> {
 }
 
 impl PartKeys<'_> {
-    fn read(&self, reader: &Reader, folder: &Path) -> Result<Part, InputError> {
+    fn read(&self, reader: &Reader, folder: &Folder) -> Result<Part, InputError> {
         let name = self.shape.as_ref().or(self.mesh.as_ref());
         let place = name.map(|name| reader.written(name).place);
         let place = place.unwrap_or_else(|| reader.source.key("parts"));
@@ -194,7 +194,7 @@ impl PartKeys<'_> {
                 self.shape(shape, reader)?
             }
             (None, Some(Text(file))) => {
-                let mesh = read_mesh(&folder.join(&**file).to_string_lossy());
+                let mesh = read_mesh(&folder.join(file));
                 let mesh = mesh.map_err(|error| error.or_at(&place))?;
                 Some(Shape::Solid(mesh.mass_properties()))
             }

@@ -1,6 +1,7 @@
 //! The keys of a problem, and what they say.
 
 use super::ensemble::EnsembleKeys;
+use super::folder::Folder;
 use super::inertia::InertiaKeys;
 use super::launch::casimirs;
 use super::matrices::{FlowKeys, Matrices};
@@ -12,7 +13,6 @@ use crate::definition::input::{InputError, Source, shown};
 use crate::definition::written::{Cell, MetricText, Number, NumbersText, Text, TextsText};
 use crate::definition::{Request, Space, file};
 use crate::simulation::{Method, Side, Table};
-use std::path::Path;
 use std::sync::OnceLock;
 
 /// What is written down where nothing is said.
@@ -121,7 +121,7 @@ struct IntegratorKeys<'t> {
 }
 
 impl Problem {
-    pub(super) fn understand(source: &Source, folder: &Path) -> Result<Self, InputError> {
+    pub(super) fn understand(source: &Source, folder: &Folder) -> Result<Self, InputError> {
         let content = "a problem has a space, its metric, initial values and an output";
         let keys: Keys = file::keys(source, content)?;
         let reader = Reader { source, names: Vec::new() };
@@ -130,7 +130,7 @@ impl Problem {
 }
 
 impl<'t> Keys<'t> {
-    fn problem(self, mut reader: Reader, folder: &Path) -> Result<Problem, InputError> {
+    fn problem(self, mut reader: Reader, folder: &Folder) -> Result<Problem, InputError> {
         let source = reader.source;
         self.expect_no_idle_keys(source)?;
         let mut values = Vec::new();
@@ -235,6 +235,7 @@ impl<'t> Keys<'t> {
         Ok(Problem {
             name,
             source: source.clone(),
+            files: folder.named(),
             parameters,
             settings: vec![],
             kind,
@@ -323,7 +324,7 @@ impl<'t> Keys<'t> {
         }
     }
 
-    fn space(self, source: &Source, folder: &Path) -> Result<Space, InputError> {
+    fn space(self, source: &Source, folder: &Folder) -> Result<Space, InputError> {
         let metric = self.metric.map(|metric| match metric {
             MetricText::Word(Text(text)) => text.into_owned(),
             MetricText::Rows(rows) => {
@@ -339,8 +340,7 @@ impl<'t> Keys<'t> {
         match (self.space, self.definition) {
             (Some(Text(name)), None) => {
                 let is_file = name.ends_with(".toml") || name.ends_with(".json");
-                let path = || folder.join(&*name).to_string_lossy().into_owned();
-                let space = if is_file { path() } else { name.to_string() };
+                let space = if is_file { folder.join(&name) } else { name.to_string() };
                 let space = Space::open(&Request { space: Some(space), ..request });
                 let place = source.whole(&name);
                 space.map_err(|error| error.moved("SPACE", &place).or_at(&place))
@@ -434,7 +434,7 @@ impl ForceKeys<'_> {
         forces
     }
 
-    fn table(&self, source: &Source, folder: &Path) -> Result<Option<(Side, Table)>, InputError> {
+    fn table(&self, source: &Source, folder: &Folder) -> Result<Option<(Side, Table)>, InputError> {
         let side = match self.table_in.as_ref().map(|Text(text)| &**text) {
             None | Some("body") => Side::Body,
             Some("space") => Side::Space,
@@ -453,7 +453,7 @@ impl ForceKeys<'_> {
             };
         };
         let place = source.whole(name);
-        let rows = file::read_rows(&folder.join(&**name).to_string_lossy());
+        let rows = file::read_rows(&folder.join(name));
         let (_, rows) = rows.map_err(|error| error.or_at(&place))?;
         let table = Table::new(rows);
         let table = table.map_err(|error| InputError::usage(error.to_string()).at(&place))?;
