@@ -497,7 +497,8 @@ fn checkpoints_that_were_changed_do_no_harm() {
             .stderr(Stdio::null())
             .spawn()
             .unwrap();
-        while !folder.join("c").exists() && child.try_wait().unwrap().is_none() {}
+        let begun = || !saved(folder)["snapshot"].is_null();
+        while !begun() && child.try_wait().unwrap().is_none() {}
         child.kill().unwrap();
         child.wait().unwrap();
         let saved = fs::read_to_string(folder.join("c")).unwrap();
@@ -624,11 +625,15 @@ fn a_second_signal_kills() {
     assert_eq!((ended, program::wait(&mut child)), (vec![false, false], 130));
 }
 
-/// How many rows the checkpoint counts, if there is one.
-fn saved_rows(folder: &Path) -> u64 {
+/// The checkpoint, or null if there is none.
+fn saved(folder: &Path) -> serde_json::Value {
     let saved = fs::read_to_string(folder.join("c")).unwrap_or_default();
-    let saved: Option<serde_json::Value> = serde_json::from_str(&saved).ok();
-    saved.and_then(|saved| saved["rows"].as_u64()).unwrap_or(0)
+    serde_json::from_str(&saved).unwrap_or_default()
+}
+
+/// How many rows the checkpoint counts.
+fn saved_rows(folder: &Path) -> u64 {
+    saved(folder)["rows"].as_u64().unwrap_or(0)
 }
 
 fn later(start: Instant) -> bool {
@@ -674,5 +679,34 @@ fn a_checkpoint_is_of_the_files_of_its_problem() {
         assert!(message.contains(&expected), "{message}");
         fs::write(folder.join(file), content).unwrap();
         done(simulate(folder).args(resume));
+    }
+}
+
+/// A file of the name of the rows is nobody's but of who made it.
+#[test]
+fn rows_of_a_checkpoint_take_no_place_of_others() {
+    let folder = folder(&TOP.replace("end = 400", "end = 1"));
+    let folder = folder.path();
+    fs::write(folder.join("c.rows"), "mine").unwrap();
+    for resume in [&[][..], &["--resume"]] {
+        let message = refused(simulate(folder).args(["--checkpoint", "c"]).args(resume), 2);
+        assert!(message.contains("c.rows exists already"), "{message}");
+        assert_eq!(fs::read_to_string(folder.join("c.rows")).unwrap(), "mine");
+        assert!(!folder.join("c").exists());
+    }
+}
+
+/// Rows are not left without their checkpoint, whatever ends the run before the first is due.
+#[test]
+fn a_run_that_stops_leaves_no_rows_alone() {
+    let broken = TOP.replace("-0.001*Omega1", "sqrt(3 - t)");
+    let refusing = TOP.replace("tolerance = 1e-12", "method = \"exact\"");
+    for (problem, left) in [(broken, true), (refusing, false)] {
+        let folder = folder(&problem);
+        let folder = folder.path();
+        refused(simulate(folder).args(["--checkpoint", "c"]), 1);
+        assert_eq!(folder.join("c.rows").exists(), left);
+        assert_eq!(folder.join("c").exists(), left);
+        refused(simulate(folder).args(["--checkpoint", "c", "--resume"]), 1);
     }
 }

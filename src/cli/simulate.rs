@@ -11,7 +11,7 @@ use super::note::{line, note};
 use super::output::{deliver, expect_place};
 use affinor::definition::{Column, InputError, Problem, Ready, Walk};
 use affinor::run::{Head, RunFormat};
-use checkpoint::{Checkpoint, Store};
+use checkpoint::{Checkpoint, Plan, Store};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
@@ -78,19 +78,30 @@ impl Arguments {
         if let Some(file) = &self.file {
             expect_place(file, &inputs)?;
         }
-        let rows_or_members = match self.ensemble {
-            true => problem.members(),
-            false => Some(problem.times(0)?.len() as u64),
+        let members = match (self.ensemble, problem.members()) {
+            (false, _) => None,
+            (true, Some(size)) => Some(size),
+            (true, None) => {
+                let error = InputError::usage("the problem has no ensemble");
+                return Err(error.help("give it a table [ensemble] with grid or random").into());
+            }
         };
-        let mut store = Store::open(self, &problem)?;
-        let bar = bar(rows_or_members);
+        let plan = Plan::of(self, &problem)?;
+        let ready = problem.motion(0)?;
+        if members.is_none() {
+            tell(&problem, &ready);
+        }
+        let front = members.map_or(vec![], |_| [vec!["member"], problem.varied()].concat());
+        let columns = ready.columns.clone();
+        let head = head(&problem, ready.method.name(), &front, &columns);
+        let mut store = plan.begin(head.columns.len())?;
+        let bar = bar(members.unwrap_or(ready.times.len() as u64));
         let signals = Signals::hear();
         let signals = signals
             .map_err(|error| InputError::usage(format!("cannot listen to signals: {error}")))?;
-        let (head, columns, end) = if self.ensemble {
-            self.members(&problem, &mut store, &signals, &bar)?
-        } else {
-            self.one(&problem, &mut store, &signals, &bar)?
+        let end = match members {
+            Some(size) => self.members(&problem, size, &mut store, &signals, &bar)?,
+            None => one(&problem, ready, &mut store, &signals, &bar)?,
         };
         bar.finish_and_clear();
         let mut target = self.file.clone();
@@ -137,71 +148,19 @@ impl Arguments {
         self.format.or(by_ending).unwrap_or(RunFormat::Csv)
     }
 
-    /// One motion: rows at its times. What stopped it, if anything did.
-    fn one(
-        &self,
-        problem: &Problem,
-        store: &mut Store,
-        signals: &Signals,
-        bar: &ProgressBar,
-    ) -> Outcome {
-        let ready = problem.motion(0)?;
-        let (method, columns) = (ready.method, ready.columns.clone());
-        ready.notes.iter().for_each(|text| note(text));
-        if problem.method.is_none() {
-            note(&format!("method {method}: {}", method.why()));
-        }
-        let head = head(problem, method.name(), &[], &columns);
-        store.spool.set_width(head.columns.len()).map_err(spool::failed)?;
-        let mut walk = Walk::new(problem, ready);
-        if let Some(Checkpoint { done, snapshot: Some(snapshot), .. }) = store.resumed() {
-            walk.restore(*done as usize, snapshot)?;
-        }
-        loop {
-            if let Some(signal) = signals.arrived() {
-                store.save(walk.position() as u64, Some(walk.save()?))?;
-                return Ok((head, columns, End::Signal(signal)));
-            }
-            let left = match walk.step() {
-                Ok(left) => left,
-                Err(error) => return Ok((head, columns, End::Error(error.into()))),
-            };
-            for row in &left.rows {
-                store.spool.push(row).map_err(spool::failed)?;
-            }
-            for (event, time) in &left.events {
-                bar.suspend(|| line(&format!("{event} at t = {time}")));
-            }
-            bar.set_position(walk.position() as u64);
-            if left.done {
-                return Ok((head, columns, End::Reached));
-            }
-            if store.is_due() {
-                store.save(walk.position() as u64, Some(walk.save()?))?;
-            }
-        }
-    }
-
     /// All members of an ensemble, in their order.
     fn members(
         &self,
         problem: &Problem,
+        size: u64,
         store: &mut Store,
         signals: &Signals,
         bar: &ProgressBar,
-    ) -> Outcome {
-        let Some(size) = problem.members() else {
-            let error = InputError::usage("the problem has no ensemble");
-            return Err(error.help("give it a table [ensemble] with grid or random").into());
-        };
+    ) -> Result<End, Failure> {
         let threads = self.threads.map_or(0, usize::from);
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         let pool =
             pool.map_err(|error| InputError::usage(format!("cannot start threads: {error}")))?;
-        let Ready { method, columns, .. } = problem.motion(0)?;
-        let front = [vec!["member"], problem.varied()].concat();
-        let head = head(problem, method.name(), &front, &columns);
-        store.spool.set_width(head.columns.len()).map_err(spool::failed)?;
         let mut done = store.resumed().map_or(0, |checkpoint| checkpoint.done);
         while done < size {
             let chunk: Vec<u64> = (done..size.min(done + CHUNK)).collect();
@@ -226,7 +185,7 @@ impl Arguments {
                 }
             }
             if let Some(signal) = interrupted {
-                return Ok((head, columns, End::Signal(signal)));
+                return Ok(End::Signal(signal));
             }
             done += chunk.len() as u64;
             bar.set_position(done);
@@ -235,7 +194,7 @@ impl Arguments {
             }
         }
         let stopped = store.stopped().map(InputError::mathematics);
-        Ok((head, columns, stopped.map_or(End::Reached, End::Error)))
+        Ok(stopped.map_or(End::Reached, End::Error))
     }
 }
 
@@ -249,8 +208,42 @@ enum End {
     Signal(Signal),
 }
 
-/// The head, the columns, and the end.
-type Outcome = Result<(Head, Vec<Column>, End), Failure>;
+/// One motion: rows at its times.
+fn one(
+    problem: &Problem,
+    ready: Ready,
+    store: &mut Store,
+    signals: &Signals,
+    bar: &ProgressBar,
+) -> Result<End, Failure> {
+    let mut walk = Walk::new(problem, ready);
+    if let Some(Checkpoint { done, snapshot: Some(snapshot), .. }) = store.resumed() {
+        walk.restore(*done as usize, snapshot)?;
+    }
+    loop {
+        if let Some(signal) = signals.arrived() {
+            store.save(walk.position() as u64, Some(walk.save()?))?;
+            return Ok(End::Signal(signal));
+        }
+        let left = match walk.step() {
+            Ok(left) => left,
+            Err(error) => return Ok(End::Error(error.into())),
+        };
+        for row in &left.rows {
+            store.spool.push(row).map_err(spool::failed)?;
+        }
+        for (event, time) in &left.events {
+            bar.suspend(|| line(&format!("{event} at t = {time}")));
+        }
+        bar.set_position(walk.position() as u64);
+        if left.done {
+            return Ok(End::Reached);
+        }
+        if store.is_due() {
+            store.save(walk.position() as u64, Some(walk.save()?))?;
+        }
+    }
+}
 
 /// The rows of a member, and how it ends.
 fn all_rows(problem: &Problem, member: u64, signals: &Signals) -> (Vec<Vec<f64>>, End) {
@@ -280,6 +273,15 @@ fn all_rows(problem: &Problem, member: u64, signals: &Signals) -> (Vec<Vec<f64>>
     }
 }
 
+/// What is worth a word before the motion begins.
+fn tell(problem: &Problem, ready: &Ready) {
+    ready.notes.iter().for_each(|text| note(text));
+    if problem.method.is_none() {
+        let method = ready.method;
+        note(&format!("method {method}: {}", method.why()));
+    }
+}
+
 fn head(problem: &Problem, method: &str, front: &[&str], columns: &[Column]) -> Head {
     let front = front.iter().copied();
     let names = front.chain(columns.iter().map(|column| column.name.as_str()));
@@ -294,8 +296,8 @@ fn partial(file: &Path) -> PathBuf {
 }
 
 /// A bar on a terminal, once it takes a while.
-fn bar(length: Option<u64>) -> ProgressBar {
-    let bar = ProgressBar::with_draw_target(length, ProgressDrawTarget::stderr_with_hz(8));
+fn bar(length: u64) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::stderr_with_hz(8));
     let template = "{bar:40} {pos}/{len} {elapsed} (about {eta} left)";
     if let Ok(style) = ProgressStyle::with_template(template) {
         bar.set_style(style);

@@ -37,30 +37,33 @@ pub struct Checkpoint {
     pub stopped: Option<String>,
 }
 
-/// Where rows and checkpoints are kept.
-pub struct Store {
-    pub spool: Spool,
+/// Where a run begins, and where what it reaches is kept; nothing is written yet.
+pub struct Plan {
     path: Option<PathBuf>,
     every: Duration,
-    last: Instant,
     checkpoint: Checkpoint,
     resumed: bool,
 }
 
-impl Store {
-    pub fn open(arguments: &super::Arguments, problem: &Problem) -> Result<Self, Failure> {
+/// Where rows and checkpoints are kept.
+pub struct Store {
+    pub spool: Spool,
+    plan: Plan,
+    last: Instant,
+}
+
+impl Plan {
+    pub fn of(arguments: &super::Arguments, problem: &Problem) -> Result<Self, Failure> {
         let every = Duration::try_from_secs_f64(arguments.checkpoint_every);
         let every = every.map_err(|_| {
             let seconds = arguments.checkpoint_every;
             InputError::usage(format!("--checkpoint-every {seconds} is no time in seconds"))
         })?;
-        let files = problem.files().iter();
-        let files = files.map(|file| Ok((file.clone(), fingerprint(file)?)));
-        let fresh = Checkpoint {
+        let mut fresh = Checkpoint {
             schema: SCHEMA.into(),
             version: env!("CARGO_PKG_VERSION").into(),
             problem: problem.text().into(),
-            files: files.collect::<Result<_, InputError>>()?,
+            files: vec![],
             settings: arguments.set.clone(),
             ensemble: arguments.ensemble,
             rows: 0,
@@ -68,78 +71,102 @@ impl Store {
             snapshot: None,
             stopped: None,
         };
-        let path = arguments.checkpoint.clone();
-        if let (Some(path), Some(file)) = (&path, &arguments.file)
-            && (is_same(path, file) || is_same(&rows_of(path), file))
+        let Some(path) = arguments.checkpoint.clone() else {
+            return Ok(Plan { path: None, every, checkpoint: fresh, resumed: false });
+        };
+        for file in problem.files() {
+            fresh.files.push((file.clone(), fingerprint(file)?));
+        }
+        let rows = rows_of(&path);
+        if let Some(file) = &arguments.file
+            && (is_same(&path, file) || is_same(&rows, file))
         {
             let message = "the rows and the checkpoint are one file";
             return Err(InputError::usage(message).help("give one of them another name").into());
         }
-        let found = match &path {
-            Some(path) if arguments.resume => read(path, &fresh)?,
-            Some(path) if path.exists() => {
-                let shown = path.display().to_string().escape_debug().to_string();
-                let error = InputError::usage(format!("{shown} exists already"));
-                return Err(error.help("go on from it with --resume, or take it away").into());
-            }
-            _ => None,
-        };
+        let found = if arguments.resume { read(&path, &fresh)? } else { None };
         let resumed = found.is_some();
-        let checkpoint = found.unwrap_or(fresh);
-        let spool = match &path {
-            Some(path) => Spool::named(&rows_of(path), checkpoint.rows),
-            None => Spool::temporary(),
-        };
-        let spool = spool.map_err(failed)?;
+        if path.exists() && !resumed {
+            let error = InputError::usage(format!("{} exists already", shown(&path)));
+            return Err(error.help("go on from it with --resume, or take it away").into());
+        }
+        if rows.exists() && !resumed {
+            let message = format!("{} exists already, and no checkpoint with it", shown(&rows));
+            let help = "the rows of the run would stand there: take it away, or give the checkpoint another name";
+            return Err(InputError::usage(message).help(help).into());
+        }
         if arguments.resume && !resumed {
             note("there is no checkpoint yet: the run starts from the beginning");
         }
-        Ok(Store { spool, path, every, last: Instant::now(), checkpoint, resumed })
+        Ok(Plan { path: Some(path), every, checkpoint: found.unwrap_or(fresh), resumed })
     }
 
+    /// Begins with rows of this width. There is a checkpoint from now on, so that no rows are without one.
+    pub fn begin(self, width: usize) -> Result<Store, Failure> {
+        let spool = match &self.path {
+            None => Spool::temporary(width).map_err(failed)?,
+            Some(path) => {
+                if !self.resumed {
+                    self.write(path)?;
+                }
+                Spool::named(&rows_of(path), width, self.checkpoint.rows).map_err(failed)?
+            }
+        };
+        Ok(Store { spool, plan: self, last: Instant::now() })
+    }
+
+    fn write(&self, path: &Path) -> Result<(), Failure> {
+        deliver(Some(path), &[], |out| {
+            serde_json::to_writer(&mut *out, &self.checkpoint).map_err(io::Error::from)
+        })
+    }
+}
+
+impl Store {
     /// The checkpoint to go on from.
     pub fn resumed(&self) -> Option<&Checkpoint> {
-        self.resumed.then_some(&self.checkpoint)
+        self.plan.resumed.then_some(&self.plan.checkpoint)
     }
 
     /// Whether it is time for the next checkpoint.
     pub fn is_due(&self) -> bool {
-        self.path.is_some() && self.last.elapsed() >= self.every
+        self.plan.path.is_some() && self.last.elapsed() >= self.plan.every
     }
 
     /// Notes what stopped a member of an ensemble.
     pub fn stop(&mut self, reason: String) {
-        self.checkpoint.stopped.get_or_insert(reason);
+        self.plan.checkpoint.stopped.get_or_insert(reason);
     }
 
     /// What stopped the first member that was stopped.
     pub fn stopped(&self) -> Option<&str> {
-        self.checkpoint.stopped.as_deref()
+        self.plan.checkpoint.stopped.as_deref()
     }
 
     pub fn save(&mut self, done: u64, snapshot: Option<Snapshot>) -> Result<(), Failure> {
-        let Some(path) = &self.path else { return Ok(()) };
+        let Some(path) = &self.plan.path else { return Ok(()) };
         self.spool.sync().map_err(failed)?;
-        self.checkpoint.rows = self.spool.count();
-        self.checkpoint.done = done;
-        self.checkpoint.snapshot = snapshot;
-        let checkpoint = &self.checkpoint;
-        deliver(Some(path), &[], |out| {
-            serde_json::to_writer(&mut *out, checkpoint).map_err(io::Error::from)
-        })?;
+        let rows = self.spool.count();
+        let checkpoint = &mut self.plan.checkpoint;
+        (checkpoint.rows, checkpoint.done, checkpoint.snapshot) = (rows, done, snapshot);
+        self.plan.write(path)?;
         self.last = Instant::now();
         Ok(())
     }
 
     /// Takes away what is needed no longer.
     pub fn finished(&self) {
-        if let Some(path) = &self.path {
-            for file in [path.clone(), rows_of(path)] {
+        if let Some(path) = &self.plan.path {
+            for file in [rows_of(path), path.clone()] {
                 // one that is left does no harm
                 let _ = fs::remove_file(file);
             }
         }
     }
+}
+
+fn shown(path: &Path) -> String {
+    path.display().to_string().escape_debug().to_string()
 }
 
 fn rows_of(path: &Path) -> PathBuf {
@@ -150,7 +177,7 @@ fn rows_of(path: &Path) -> PathBuf {
 
 /// The checkpoint in a file, if there is one, and it is of the same run.
 fn read(path: &Path, fresh: &Checkpoint) -> Result<Option<Checkpoint>, Failure> {
-    let shown = path.display().to_string().escape_debug().to_string();
+    let shown = shown(path);
     let text = match fs::read_to_string(path) {
         Ok(text) => text,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),

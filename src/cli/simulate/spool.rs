@@ -16,31 +16,25 @@ const BYTES: usize = size_of::<f64>();
 
 impl Spool {
     /// In a file without a name, which is gone when the program is.
-    pub fn temporary() -> io::Result<Self> {
-        Ok(Self::over(tempfile::tempfile()?, 0))
+    pub fn temporary(width: usize) -> io::Result<Self> {
+        Self::over(tempfile::tempfile()?, width, 0)
     }
 
     /// In a named file, of which the first rows are kept.
-    pub fn named(path: &Path, kept: u64) -> io::Result<Self> {
+    pub fn named(path: &Path, width: usize, kept: u64) -> io::Result<Self> {
         let mut options = OpenOptions::new();
         let file = options.read(true).write(true).create(true).truncate(false).open(path)?;
-        Ok(Self::over(file, kept))
+        Self::over(file, width, kept)
     }
 
-    fn over(file: File, count: u64) -> Self {
-        Spool { file: BufWriter::with_capacity(1 << 16, file), width: 1, count }
-    }
-
-    /// Says how wide rows are, and forgets what is behind the rows that are kept.
-    pub fn set_width(&mut self, width: usize) -> io::Result<()> {
-        self.width = width;
-        let end = self.count.checked_mul((width * BYTES) as u64);
-        let file = self.file.get_mut();
+    /// Forgets what is behind the rows that are kept.
+    fn over(mut file: File, width: usize, count: u64) -> io::Result<Self> {
+        let end = count.checked_mul((width * BYTES) as u64);
         let length = file.metadata()?.len();
         let end = end.filter(|end| *end <= length).ok_or(io::ErrorKind::UnexpectedEof)?;
         file.set_len(end)?;
         file.seek(SeekFrom::Start(end))?;
-        Ok(())
+        Ok(Spool { file: BufWriter::with_capacity(1 << 16, file), width, count })
     }
 
     pub fn push(&mut self, row: &[f64]) -> io::Result<()> {
