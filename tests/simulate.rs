@@ -710,3 +710,20 @@ fn a_run_that_stops_leaves_no_rows_alone() {
         refused(simulate(folder).args(["--checkpoint", "c", "--resume"]), 1);
     }
 }
+
+#[test]
+fn a_checkpoint_without_its_rows_is_told() {
+    let folder = folder(TOP);
+    let folder = folder.path();
+    let mut run = simulate(folder);
+    run.args(["--checkpoint", "c", "--checkpoint-every", "0", "-o", "rows.csv"]);
+    interrupted(&mut run, "INT", || saved_rows(folder) > 3);
+    let resume = ["--checkpoint", "c", "--resume"];
+    fs::write(folder.join("c.rows"), [0; 17]).unwrap();
+    let message = refused(simulate(folder).args(resume), 2);
+    assert!(message.contains("c.rows is too short: c counts"), "{message}");
+    fs::remove_file(folder.join("c.rows")).unwrap();
+    let message = refused(simulate(folder).args(resume), 2);
+    assert!(message.contains("c.rows is missing: c counts"), "{message}");
+    assert!(!folder.join("c.rows").exists());
+}

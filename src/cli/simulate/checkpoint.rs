@@ -109,7 +109,15 @@ impl Plan {
                 if !self.resumed {
                     self.write(path)?;
                 }
-                Spool::named(&rows_of(path), width, self.checkpoint.rows).map_err(failed)?
+                let (rows, count) = (rows_of(path), self.checkpoint.rows);
+                let kept = Spool::named(&rows, width, count).map_err(failed)?;
+                kept.ok_or_else(|| {
+                    let is = if rows.exists() { "is too short" } else { "is missing" };
+                    let (rows, path) = (shown(&rows), shown(path));
+                    let message = format!("{rows} {is}: {path} counts {count} rows in it");
+                    let help = "bring both back as they were, or begin again without either";
+                    InputError::usage(message).help(help)
+                })?
             }
         };
         Ok(Store { spool, plan: self, last: Instant::now() })

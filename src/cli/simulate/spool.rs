@@ -17,21 +17,24 @@ const BYTES: usize = size_of::<f64>();
 impl Spool {
     /// In a file without a name, which is gone when the program is.
     pub fn temporary(width: usize) -> io::Result<Self> {
-        Self::over(tempfile::tempfile()?, width, 0)
+        Self::over(tempfile::tempfile()?, width, 0, 0)
     }
 
-    /// In a named file, of which the first rows are kept.
-    pub fn named(path: &Path, width: usize, kept: u64) -> io::Result<Self> {
+    /// In a named file, of which the first rows are kept; none if it has fewer.
+    pub fn named(path: &Path, width: usize, kept: u64) -> io::Result<Option<Self>> {
         let mut options = OpenOptions::new();
-        let file = options.read(true).write(true).create(true).truncate(false).open(path)?;
-        Self::over(file, width, kept)
+        options.read(true).write(true).create(kept == 0).truncate(false);
+        let file = match options.open(path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound && kept > 0 => return Ok(None),
+            opened => opened?,
+        };
+        let length = file.metadata()?.len();
+        let end = kept.checked_mul((width * BYTES) as u64).filter(|end| *end <= length);
+        end.map(|end| Self::over(file, width, kept, end)).transpose()
     }
 
     /// Forgets what is behind the rows that are kept.
-    fn over(mut file: File, width: usize, count: u64) -> io::Result<Self> {
-        let end = count.checked_mul((width * BYTES) as u64);
-        let length = file.metadata()?.len();
-        let end = end.filter(|end| *end <= length).ok_or(io::ErrorKind::UnexpectedEof)?;
+    fn over(mut file: File, width: usize, count: u64, end: u64) -> io::Result<Self> {
         file.set_len(end)?;
         file.seek(SeekFrom::Start(end))?;
         Ok(Spool { file: BufWriter::with_capacity(1 << 16, file), width, count })
