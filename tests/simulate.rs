@@ -727,3 +727,22 @@ fn a_checkpoint_without_its_rows_is_told() {
     assert!(message.contains("c.rows is missing: c counts"), "{message}");
     assert!(!folder.join("c.rows").exists());
 }
+
+/// A table of forces says where it is wrong, and a first row is not taken for names.
+#[test]
+fn tables_have_names_and_numbers() {
+    let folder = folder(&TOP.replace("[forces]", "[forces]\ntable = \"pulse.csv\""));
+    let folder = folder.path();
+    let cases = [
+        ("0,0,0,0\n1,5,0,0\n", "names its columns", "pulse.csv:1:1"),
+        ("\u{feff}0, 1/2, -1e3, pi\n1,5,0,0\n", "names its columns", "pulse.csv:1:1"),
+        ("# c\nt,a,b,c\n0,1,2,3\n", "`t` is no number", "pulse.csv:2:1"),
+        ("t,a,b,c\n\n0,0,0,0\n1,5,x,0\n", "`x` is no number", "pulse.csv:4:5"),
+        ("t,a,b,c\n0,0,0,0\n1,5,0\n", "a row of 3 numbers", "pulse.csv:3:1"),
+    ];
+    for (table, what, place) in cases {
+        fs::write(folder.join("pulse.csv"), table).unwrap();
+        let message = refused(&mut simulate(folder), 2);
+        assert!(message.contains(what) && message.contains(place), "{message}");
+    }
+}

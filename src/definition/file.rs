@@ -109,20 +109,26 @@ fn decode(name: &str, bytes: &[u8]) -> Result<Source, InputError> {
 /// The names and the rows of a table in CSV.
 ///
 /// # Errors
-/// What cannot be read, and what is no number, with its place.
+/// What cannot be read, names that are numbers, and what is no number, with its place.
 pub fn read_rows(path: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError> {
+    const ROW: &str = "a row";
     let file = read(path)?;
-    let mut lines = file.text.lines().enumerate();
-    let names = lines.next().map_or("", |(_, line)| line).split(',');
-    let names: Vec<String> = names.map(|name| name.trim().to_string()).collect();
+    let mut lines = file.text.lines();
+    let first = lines.next().unwrap_or("");
+    if numbers(&Source::new(ROW, first)).is_ok_and(|row| !row.is_empty()) {
+        let message = "the first line of a table names its columns, and this one has numbers";
+        let help = "put a line of names before it, as `t,a,b,c`";
+        return Err(InputError::usage(message).at(&file.whole(first)).help(help));
+    }
+    let names: Vec<String> = first.split(',').map(|name| name.trim().to_string()).collect();
     let mut rows = Vec::new();
-    for (at, line) in lines.filter(|(_, line)| !line.trim().is_empty()) {
-        let source = Source::new(format!("{}, line {}", file.name, at + 1), line);
-        let row = numbers(&source)?;
+    for line in lines.filter(|line| !line.trim().is_empty()) {
+        let row = numbers(&Source::new(ROW, line));
+        let row = row.map_err(|error| error.moved(ROW, &file.whole(line)))?;
         if row.len() != names.len() {
             let (found, expected) = (row.len(), names.len());
             let message = format!("a row of {found} numbers stands below {expected} names");
-            return Err(InputError::usage(message).at(&source.whole(&source.text)));
+            return Err(InputError::usage(message).at(&file.whole(line)));
         }
         rows.push(row);
     }
