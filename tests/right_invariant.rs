@@ -140,7 +140,8 @@ fn ended(text: &str) -> (DMatrix<f64>, Vec<f64>, Vec<f64>) {
     let entries = ready.columns.iter().filter(|column| column.name.starts_with('g')).count();
     let size = (1..=entries).find(|n| n * n == entries).unwrap();
     let start = ready.motion.row();
-    while !ready.motion.step(problem.times[1]).unwrap() {}
+    let end = ready.times[1];
+    while !ready.motion.step(end).unwrap() {}
     let mut row = ready.motion.row();
     let others = row.split_off(entries);
     (DMatrix::from_row_slice(size, size, &row), start[entries..].to_vec(), others)
@@ -184,7 +185,8 @@ fn every_group_of_matrices_has_right_invariant_motions() {
         let (body, space_velocity) = before.split_at(n as usize);
         let stays = body.iter().zip(&after).all(|(a, b)| (a - b).abs() < 1e-10);
         assert!(stays, "{space}: {before:?} and {after:?}");
-        let moved = space_velocity.iter().zip(&after[n as usize..]).any(|(a, b)| (a - b).abs() > 1e-3);
+        let moved =
+            space_velocity.iter().zip(&after[n as usize..]).any(|(a, b)| (a - b).abs() > 1e-3);
         assert!(moved, "{space} is steady");
     }
 }

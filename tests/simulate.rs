@@ -368,7 +368,11 @@ fn events_are_seen_between_rows_far_apart() {
         let output = format!("[output]\nend = {end}\nstop = \"turn\"\n");
         let found = times(folder(&format!("{flips}{output}")).path());
         let stopped = found[found.len() - 1];
-        assert!(if first > 0.0 { stopped == first || (stopped - first).abs() < 1e-8 } else { stopped > -30.0 });
+        assert!(if first > 0.0 {
+            stopped == first || (stopped - first).abs() < 1e-8
+        } else {
+            stopped > -30.0
+        });
     }
     let turns = "metric = \"identity\"\ninitial.velocity = [0, 0, 1, 0, 0, 0]\n";
     for (space, entry) in [("se3", "g11"), ("so(4)", "g33 - 1/2"), ("so3+R^3", "g11 - 1/3")] {
@@ -412,7 +416,8 @@ fn a_table_is_not_passed_over() {
 /// With corners between rows and events among them: to the same rows after a kill.
 #[test]
 fn a_table_survives_a_kill() {
-    let problem = TOP.replace("body =", "table = \"table.csv\"\nbody =").replace("end = 400", "end = 100");
+    let problem =
+        TOP.replace("body =", "table = \"table.csv\"\nbody =").replace("end = 400", "end = 100");
     let problem = problem.replace("every = 0.25", "every = 5");
     let folder = folder(&format!("{problem}[events]\nflip = \"Omega2\"\n"));
     let folder = folder.path();
