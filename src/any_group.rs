@@ -201,9 +201,12 @@ impl Written for Sl2 {
 }
 
 impl Written for MatrixGroup {
-    /// Any invertible matrix; whether it is of the group, its logarithm shows.
+    /// As far as [`expect_element`](MatrixGroup::expect_element) sees.
     fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
-        checked(self, matrix, |m| Ok(m.clone()))
+        checked(self, matrix, |m| {
+            self.expect_element(m, TOLERANCE)?;
+            Ok(m.clone())
+        })
     }
 }
 

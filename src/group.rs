@@ -16,6 +16,7 @@ pub mod heisenberg;
 mod left_frame;
 mod logarithm;
 pub mod matrix_group;
+mod membership;
 pub mod nilpotent;
 pub mod opposite;
 mod polynomial;

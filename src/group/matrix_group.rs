@@ -121,6 +121,16 @@ impl MatrixGroup {
         &self.nearest * DVector::from_column_slice(m.as_slice())
     }
 
+    /// How far a matrix is from the algebra.
+    pub(super) fn outside(&self, m: &DMatrix<f64>) -> f64 {
+        (self.generator(&self.coordinates(m)) - m).norm()
+    }
+
+    /// The matrices of the basis.
+    pub(super) fn matrices(&self) -> &[DMatrix<f64>] {
+        &self.basis
+    }
+
     fn size(&self) -> usize {
         self.basis[0].nrows()
     }
@@ -219,10 +229,9 @@ impl LieGroup for MatrixGroup {
             return Err(Error::Shape { what: "an element", expected, found });
         }
         let log = logarithm(g)?;
-        let x = self.coordinates(&log);
-        let outside = (self.generator(&x) - &log).norm();
+        let outside = self.outside(&log);
         if outside <= OUTSIDE * (1.0 + log.norm()) {
-            return Ok(x);
+            return Ok(self.coordinates(&log));
         }
         let reason = format!("the principal logarithm leaves the algebra by {outside:e}");
         Err(Error::NoLogarithm { reason })

@@ -11,7 +11,7 @@ use affinor::dynamics::integrators::Pair;
 use affinor::dynamics::{MassProperties, Mesh};
 use affinor::simulation::Method;
 use checks::CHECKS;
-use nalgebra::{Isometry3, Vector3};
+use nalgebra::{DMatrix, Isometry3, Vector3};
 use references::off;
 use run::{Run, folder, open};
 
@@ -161,4 +161,96 @@ fn projected_methods_agree() {
         let Err(error) = problem.motion(0) else { panic!("{name}: projected") };
         assert!(error.to_string().contains("it is for so(2), so(3)"), "{error}");
     }
+}
+
+fn with_element(space: &str, dimension: usize, element: &DMatrix<f64>) -> Result<(), String> {
+    let rows: Vec<Vec<f64>> = element.row_iter().map(|row| row.iter().copied().collect()).collect();
+    let velocity: Vec<f64> = (0..dimension).map(|i| 0.4 - 0.3 * (i % 3) as f64).collect();
+    let text = format!(
+        "space = \"{space}\"\nmetric = \"identity\"\n[initial]\nelement = {rows:?}\n\
+         velocity = {velocity:?}\n[output]\nend = 1\ncolumns = [\"g\"]\n"
+    );
+    let problem = Problem::parse("element.toml", &text).unwrap();
+    problem.motion(0).map(drop).map_err(|error| error.to_string())
+}
+
+/// Groups of matrices know their elements: those that a motion comes to, and centres, but not what is near or what is scaled.
+#[test]
+fn elements_are_of_the_group() {
+    let spaces = [
+        ("so(4)", 6),
+        ("so(5)", 10),
+        ("so(2,1)", 3),
+        ("su(2)", 3),
+        ("su(3)", 8),
+        ("sp(4)", 10),
+        ("sl(3)", 8),
+        ("gl(2)", 4),
+        ("aff(1)", 2),
+        ("se(4)", 10),
+        ("so3+sl2", 6),
+    ];
+    for (space, dimension) in spaces {
+        // once to the size of the matrix, and then far along a motion
+        for (end, every) in [(0.0, 1.0), (20.0, 1.0)] {
+            let velocity: Vec<f64> = (0..dimension).map(|i| 0.4 - 0.3 * (i % 3) as f64).collect();
+            let text = format!(
+                "space = \"{space}\"\nmetric = \"identity\"\n[initial]\nvelocity = {velocity:?}\n\
+                 [integrator]\ntolerance = 1e-12\n[output]\nend = {end}\nevery = {every}\n\
+                 columns = [\"g\"]\n"
+            );
+            let text = if end == 0.0 { text.replace("end = 0\nevery = 1\n", "end = 0.1\n") } else { text };
+            let run = Run::new(&Problem::parse("motion.toml", &text).unwrap(), 0);
+            let size = (1..).find(|n| n * n == run.names.len()).unwrap();
+            for row in &run.rows {
+                let element = DMatrix::from_row_slice(size, size, row);
+                // what grows without bound loses its digits
+                let inverse = element.clone().try_inverse().unwrap();
+                if element.norm() * inverse.norm() < 1e5 {
+                    let taken = with_element(space, dimension, &element);
+                    assert!(taken.is_ok(), "{space}: {taken:?} for {element}");
+                    let mut other = element.clone();
+                    other[(0, size - 1)] += 0.1;
+                    other[(0, 0)] *= 1.5;
+                    let refused = with_element(space, dimension, &other);
+                    assert!(space == "gl(2)" || space == "aff(1)" || refused.is_err(), "{space}: {other}");
+                }
+            }
+        }
+    }
+    let refused = |space: &str, dimension: usize, rows: &[f64]| {
+        let size = rows.len().isqrt();
+        let message = with_element(space, dimension, &DMatrix::from_row_slice(size, size, rows));
+        let message = message.expect_err(space);
+        assert!(message.contains("no element of the group"), "{space}: {message}");
+    };
+    let diagonal = |entries: &[f64]| -> Vec<f64> {
+        DMatrix::from_diagonal(&nalgebra::DVector::from_column_slice(entries)).as_slice().to_vec()
+    };
+    refused("so(4)", 6, &diagonal(&[2.0, 1.0, 1.0, 1.0]));
+    refused("so(4)", 6, &diagonal(&[2.0; 4]));
+    refused("so(4)", 6, &diagonal(&[-1.0, 1.0, 1.0, 1.0]));
+    refused("so(4)", 6, &diagonal(&[0.0; 4]));
+    refused("sl(3)", 8, &diagonal(&[-2.0, -1.0, 1.0]));
+    refused("gl(2)", 4, &diagonal(&[-1.0, 1.0]));
+    refused("aff(1)", 2, &[2.0, 0.3, 0.6, 2.0]);
+    refused("sp(4)", 10, &diagonal(&[2.0; 4]));
+    // centres, half turns, and what has no logarithm
+    let taken = |space: &str, dimension: usize, entries: &[f64]| {
+        let size = entries.len().isqrt();
+        let element = DMatrix::from_row_slice(size, size, entries);
+        let taken = with_element(space, dimension, &element);
+        assert!(taken.is_ok(), "{space}: {taken:?}");
+    };
+    taken("so(4)", 6, &diagonal(&[-1.0; 4]));
+    taken("so(4)", 6, &diagonal(&[-1.0, -1.0, 1.0, 1.0]));
+    taken("sl(3)", 8, &diagonal(&[-2.0, -0.5, 1.0]));
+    taken("gl(2)", 4, &[-1.0, 1.0, 0.0, -1.0]);
+    let (third, half) = (-0.5, 0.75_f64.sqrt());
+    let mut centre = DMatrix::identity(6, 6) * third;
+    for i in 0..3 {
+        centre[(i, i + 3)] = -half;
+        centre[(i + 3, i)] = half;
+    }
+    taken("su(3)", 8, centre.as_slice());
 }
