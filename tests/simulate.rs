@@ -162,6 +162,28 @@ fn what_is_no_number_is_told_with_time_and_state() {
     assert!(rows.lines().last().unwrap().starts_with("3,"));
 }
 
+/// Slopes that are numbers do not hide a potential that is none, nor a Hamiltonian.
+#[test]
+fn a_potential_is_a_number() {
+    for integrator in ["tolerance = 1e-8", "step = 0.1", "step = 0.1\nmethod = \"rkmk4\""] {
+        for potential in ["log(g33 - 2)", "g33 + log(3 - t) + 0*g11", "1/(t - 3)^2 - 1/(t - 3)^2 + g33"] {
+            let problem = format!(
+                "space = \"so3\"\nmetric = \"diag(1, 2, 3)\"\ninitial.velocity = [0.3, 1, 0.2]\n\
+                 forces.potential = \"{potential}\"\n[integrator]\n{integrator}\n\
+                 [output]\nend = 5\nevery = 1\n"
+            );
+            let message = refused(&mut simulate(folder(&problem).path()), 1);
+            for part in [&format!("the potential {potential} is"), "at t = ", "g = [", "row"] {
+                assert!(message.contains(part), "{part}: {message}");
+            }
+        }
+    }
+    let problem = "space = \"so3\"\nhamiltonian = \"H1^2 + H2^2 + 2*H3^2 + log(H1 - 3)\"\n\
+                   initial.momentum = [1, 0.2, 0.3]\noutput.end = 1\n";
+    let message = refused(&mut simulate(folder(problem).path()), 1);
+    assert!(message.contains("log(H1 - 3) is NaN"), "{message}");
+}
+
 #[test]
 fn an_event_is_a_number() {
     let problem = TOP.replace("every = 0.25", "every = 0.25\nstop = \"k\"");

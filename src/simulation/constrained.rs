@@ -58,7 +58,7 @@ impl<G: Simulated> Constraint<G> for Equations<G> {
     fn gradient(&self, element: &G::Element) -> DMatrix<f64> {
         let values = self.values(&self.group.write(element));
         let fields = self.group.slopes(element, &self.generators);
-        let rows = self.formulas.iter().map(|f| self.scope.along_fields(f, &values, &fields));
+        let rows = self.formulas.iter().map(|f| self.scope.along_fields(f, &values, &fields).1);
         let entries: Vec<f64> = rows.flatten().collect();
         DMatrix::from_row_slice(self.formulas.len(), fields.len(), &entries)
     }

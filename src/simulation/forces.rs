@@ -175,8 +175,11 @@ impl<G: Simulated> Forces<G> {
         }
         if let Some((formula, text)) = &self.potential {
             let fields = self.group.slopes(at.element, &self.generators);
-            let slopes = self.scope.along_fields(formula, &values, &fields);
-            if let Some(value) = slopes.iter().find(|value| !value.is_finite()) {
+            let (value, mut slopes) = self.scope.along_fields(formula, &values, &fields);
+            if !value.is_finite() {
+                self.note(&format!("the potential {text}"), value, at);
+                slopes.fill(f64::NAN);
+            } else if let Some(value) = slopes.iter().find(|value| !value.is_finite()) {
                 self.note(&format!("the derivative of the potential {text}"), *value, at);
             }
             for (sum, slope) in sums[0].iter_mut().zip(&slopes) {
@@ -190,7 +193,7 @@ impl<G: Simulated> Forces<G> {
         mine + self.group.coadjoint(at.element, &other)
     }
 
-    /// Keeps what went wrong last.
+    /// Keeps what went wrong, and where.
     fn note(&self, what: &str, value: f64, at: &Point<G>) {
         let list =
             |numbers: &[f64]| numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
@@ -204,6 +207,11 @@ impl<G: Simulated> Forces<G> {
             self.names.element_stem(),
             list(element.as_slice())
         );
+        self.tell(text);
+    }
+
+    /// Keeps what went wrong last.
+    pub(super) fn tell(&self, text: String) {
         if let Ok(mut trouble) = self.trouble.lock() {
             *trouble = Some(text);
         }

@@ -15,6 +15,7 @@ use affinor_tensors::expression::ExpressionError;
 pub struct Hamiltonian {
     scope: Scope,
     formula: Formula,
+    text: String,
     parameters: Vec<f64>,
 }
 
@@ -27,7 +28,8 @@ impl Hamiltonian {
         let mut scope = Scope::default();
         let allowed = |quantity| matches!(quantity, Quantity::Momentum(_) | Quantity::Parameter(_));
         let formula = scope.read(text, forces.names(), &allowed)?;
-        Ok(Hamiltonian { scope, formula, parameters: forces.parameters.clone() })
+        let (text, parameters) = (text.trim().into(), forces.parameters.clone());
+        Ok(Hamiltonian { scope, formula, text, parameters })
     }
 
     fn values(&self, momentum: &[f64]) -> Vec<f64> {
@@ -43,11 +45,15 @@ impl Hamiltonian {
         self.formula.value(&self.values(momentum))
     }
 
+    /// No numbers where the value is none.
     fn gradient<V: Coordinates>(&self, momentum: &V) -> V {
         let values = self.values(momentum.components());
         let mut slopes = vec![0.0; values.len()];
-        self.formula.gradient(&values, &mut slopes);
+        let value = self.formula.gradient(&values, &mut slopes);
         let n = momentum.components().len();
+        if !value.is_finite() {
+            return V::from_fn(n, |_| f64::NAN);
+        }
         let mut gradient = vec![0.0; n];
         for (quantity, slope) in self.scope.quantities().iter().zip(&slopes) {
             if let Quantity::Momentum(i) = quantity {
@@ -119,7 +125,17 @@ impl<G: Simulated> CotangentSystem for Named<G> {
     }
 
     fn velocity_of(&self, momentum: &G::Vector) -> G::Vector {
-        self.equations.velocity_of(momentum)
+        let velocity = self.equations.velocity_of(momentum);
+        if !velocity.is_finite() {
+            let (text, at) = (&self.hamiltonian.text, momentum.components());
+            let value = self.hamiltonian.energy(at);
+            let name = self.names.names().momentum();
+            self.names.tell(format!(
+                "the Hamiltonian {text} is {value}, its derivatives {:?}, at {name} = {at:?}",
+                velocity.components()
+            ));
+        }
+        velocity
     }
 
     fn is_free(&self) -> bool {

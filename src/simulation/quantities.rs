@@ -217,15 +217,16 @@ impl Scope {
         &self.quantities
     }
 
-    /// The derivatives of a formula along invariant fields, by those of the element as written: through its entries alone.
+    /// The value of a formula, and its derivatives along invariant fields, by those of the element as written: through its
+    /// entries alone.
     pub fn along_fields(
         &self,
         formula: &Formula,
         values: &[f64],
         fields: &[DMatrix<f64>],
-    ) -> Vec<f64> {
+    ) -> (f64, Vec<f64>) {
         let mut slopes = vec![0.0; values.len()];
-        formula.gradient(values, &mut slopes);
+        let value = formula.gradient(values, &mut slopes);
         let along = |field: &DMatrix<f64>| {
             let terms = self.quantities.iter().zip(&slopes);
             let term = |(quantity, slope): (&Quantity, &f64)| match *quantity {
@@ -235,7 +236,7 @@ impl Scope {
             };
             terms.map(term).sum()
         };
-        fields.iter().map(along).collect()
+        (value, fields.iter().map(along).collect())
     }
 
     fn any(&self, wanted: impl Fn(Quantity) -> bool) -> bool {
