@@ -37,7 +37,7 @@ use std::sync::OnceLock;
 /// The error of a step under control, unless another is given.
 const TOLERANCE: f64 = 1e-10;
 /// The most steps under control between two rows, unless another limit is given.
-const MAX_STEPS: usize = 10_000_000;
+const MAX_STEPS: usize = 1_000_000;
 
 /// A problem of motion.
 #[derive(Clone, Debug)]

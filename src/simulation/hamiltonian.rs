@@ -77,6 +77,7 @@ pub fn on_hamiltonian<G: Simulated>(
 ) -> Result<(Box<dyn Motion>, Method), Error> {
     let default = if step.is_some() { Method::MuntheKaas } else { Method::to(control.tolerance) };
     let method = method.unwrap_or(default);
+    method.expect_resolved(control.tolerance)?;
     let refused = |reason: &str| Error::NoMethod { method: method.name(), reason: reason.into() };
     let step = match step {
         Some(step) => step,

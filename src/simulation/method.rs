@@ -1,5 +1,6 @@
 //! The methods by name, and which is taken where none is named.
 
+use crate::Error;
 use crate::dynamics::Magnus;
 use crate::dynamics::integrators::splitting::Composition;
 use crate::dynamics::integrators::{Pair, kick};
@@ -8,6 +9,9 @@ use std::fmt;
 
 /// From this tolerance on order 8 takes less work than order 5.
 const EIGHT: f64 = 1e-8;
+
+/// The least tolerance that floats resolve.
+const LEAST: f64 = 1e-15;
 
 /// A method of integration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -139,6 +143,19 @@ impl Method {
     /// Whether the error of its steps is under control.
     pub fn is_controlled(self) -> bool {
         matches!(self, Method::Adaptive(_) | Method::ProjectedAdaptive(_))
+    }
+
+    /// Checks that a method under control can meet the tolerance.
+    ///
+    /// # Errors
+    /// [`Error::NoMethod`] for one that floats do not resolve.
+    pub fn expect_resolved(self, tolerance: f64) -> Result<(), Error> {
+        let is_controlled = matches!(self, Method::Adaptive(_) | Method::ProjectedAdaptive(_));
+        if !is_controlled || tolerance >= LEAST {
+            return Ok(());
+        }
+        let reason = format!("floats do not resolve the tolerance {tolerance:e}: the least is {LEAST:e}");
+        Err(Error::NoMethod { method: self.name(), reason })
     }
 
     /// Whether its steps are in stored numbers.

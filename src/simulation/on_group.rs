@@ -57,6 +57,7 @@ pub fn on_group<G: Simulated>(
         (_, Some(_)) => Method::MuntheKaas,
     });
     let refused = |reason: &str| Error::NoMethod { method: method.name(), reason: reason.into() };
+    method.expect_resolved(setup.tolerance)?;
     let needed = match method {
         Method::Exact | Method::MoserVeselov(_) | Method::Splitting(_) => "no forces",
         Method::Kick(_) => "forces that depend on no velocity",

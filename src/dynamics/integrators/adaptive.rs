@@ -29,8 +29,8 @@ impl Pair {
 
 /// A pair of Dormand and Prince with its step size under control.
 ///
-/// A step is kept if its estimated error, of the coordinates of the group and relative of the momentum, is below
-/// the tolerance.
+/// A step is kept if its estimated error is below the tolerance: of the coordinates of the group, relative to the step where
+/// this is longer than 1 in them, and relative of the momentum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adaptive<C = Canonical> {
     /// The pair.

@@ -92,9 +92,11 @@ impl<const STAGES: usize, T: Tabulated<STAGES>, C> RungeKutta<STAGES, T, C> {
         stages.make::<T>(STAGES)?;
         let next = stages.end(&T::TABLEAU.b)?;
         let scale = state.spatial.largest().max(f64::MIN_POSITIVE);
+        // of a step that is long in the group no more than its rounding can be asked for
+        let length = size(&stages.slopes, &T::TABLEAU.b, h).max(1.0);
         let [a, b] = T::TABLEAU.errors.map(|weights| {
             let drift = stages.drifts.as_ref().map_or(0.0, |drifts| size(drifts, &weights, h));
-            size(&stages.slopes, &weights, h).max(drift / scale)
+            (size(&stages.slopes, &weights, h) / length).max(drift / scale)
         });
         Ok((next, if a > 0.0 { a * (a / a.hypot(0.1 * b)) } else { a }))
     }
