@@ -116,6 +116,32 @@ fn directions_and_ends() {
     assert_eq!(numbers, [0]);
 }
 
+/// A sign changes without a zero at a pole, and where an angle begins again; a jump between values that stay is an event.
+#[test]
+fn poles_are_no_zeros() {
+    let pole = |p: f64| move |t: f64| 1.0 / (t - p);
+    for p in [0.25, 0.3, 1.0, 1.0 / 3.0, 1.999_999_9, 2.000_000_1] {
+        let found = events(vec![at(pole(p), Direction::Both, Then::Stop)], 0.0, 1.0, 4);
+        assert_eq!(found, (vec![], 4.0), "{p}");
+        let cubic = move |t: f64| (t - p).powi(-3);
+        assert!(events(vec![at(cubic, Direction::Both, Then::GoOn)], 0.0, 1.0, 4).0.is_empty());
+        let root = move |t: f64| (t - p).cbrt();
+        assert_eq!(events(vec![at(root, Direction::Both, Then::GoOn)], 0.0, 1.0, 4).0.len(), 1);
+        let jump = move |t: f64| (t - p).signum();
+        assert_eq!(events(vec![at(jump, Direction::Both, Then::GoOn)], 0.0, 1.0, 4).0.len(), 1);
+    }
+    // zeros at multiples of pi, poles between
+    let found = events(vec![at(f64::tan, Direction::Both, Then::GoOn)], 0.5, 0.25, 80).0;
+    let zeros: Vec<f64> = found.iter().map(|(_, t)| t / std::f64::consts::PI).collect();
+    assert_eq!(zeros.len(), 6, "{zeros:?}");
+    assert!(zeros.iter().enumerate().all(|(k, z)| (z - (k + 1) as f64).abs() < 1e-14));
+    let wrapped = |t: f64| t.sin().atan2(t.cos()) - 1.0;
+    let found = events(vec![at(wrapped, Direction::Both, Then::GoOn)], 0.0, 0.25, 80).0;
+    let turns: Vec<f64> = found.iter().map(|(_, t)| (t - 1.0) / std::f64::consts::TAU).collect();
+    assert_eq!(turns.len(), 4, "{turns:?}");
+    assert!(turns.iter().enumerate().all(|(k, turn)| (turn - k as f64).abs() < 1e-14));
+}
+
 #[test]
 fn what_is_no_number_is_refused() {
     let event = || vec![at(|t: f64| (1.0 - t).sqrt(), Direction::Both, Then::GoOn)];

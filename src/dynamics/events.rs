@@ -61,6 +61,9 @@ pub struct Crossing<T> {
 
 /// Events along a run: each is found once, in the step where the sign changes.
 ///
+/// Where the values grow on both sides of the place instead of shrinking, as at a pole or where an angle begins again, their sign
+/// changes without a zero, and that is no event; a jump between values that stay is one.
+///
 /// A zero at the very end of a step counts in that step, and so not in the next; a run that starts at a zero has not
 /// crossed it. Of two changes of sign within one step neither is seen, so steps have to be short beside the time between
 /// events.
@@ -134,7 +137,7 @@ impl<'a, T: Clone> Watch<'a, T> {
         for (at, (before, behind)) in self.values.iter().zip(&values).enumerate() {
             let rising = (*before < 0.0) == (step.length > 0.0);
             if is_crossed(*before, *behind) && self.events[at].is_meant(rising) {
-                found.push((self.located(at, step, [*before, *behind])?, at));
+                found.extend(self.located(at, step, [*before, *behind])?.map(|elapsed| (elapsed, at)));
             }
         }
         found.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
@@ -162,13 +165,13 @@ impl<'a, T: Clone> Watch<'a, T> {
         expect_number(system.time(at), (self.events[event].function)(at))
     }
 
-    /// The time from the start of a step, with values at its ends, to the far side of a change of sign within it.
+    /// The time from the start of a step, with values at its ends, to the far side of a zero within it.
     fn located<S: System<State = T>, I: Integrator<S>>(
         &self,
         event: usize,
         step: &Step<S, I>,
         values: [f64; 2],
-    ) -> Result<f64, Error> {
+    ) -> Result<Option<f64>, Error> {
         let value = |elapsed: f64| self.value(event, step.system, &step.after(elapsed)?);
         let start = step.system.time(&step.start);
         change_of_sign(value, start, step.length, values)
@@ -193,7 +196,8 @@ pub(crate) fn expect_number(time: f64, value: f64) -> Result<f64, Error> {
 }
 
 /// Where a function of given values at 0 and `end` changes its sign between them, to the rounding of times after `start`: the
-/// point beyond.
+/// point beyond. None where it has no zero there but a pole, or jumps to the other sign as an angle does: its values do not
+/// shrink towards the place, but grow.
 ///
 /// The ITP method of I. F. D. Oliveira and R. H. C. Takahashi, *ACM Trans. Math. Softw.* 47 (2021) 5: as fast as secants
 /// where these serve, and never more than one evaluation behind bisection.
@@ -201,12 +205,13 @@ pub(crate) fn change_of_sign(
     mut value: impl FnMut(f64) -> Result<f64, Error>,
     start: f64,
     end: f64,
-    [mut before, mut behind]: [f64; 2],
-) -> Result<f64, Error> {
+    ends: [f64; 2],
+) -> Result<Option<f64>, Error> {
+    let [mut before, mut behind] = ends;
     let resolution = f64::EPSILON * start.abs().max((start + end).abs());
     let (mut a, mut b) = (0.0, end);
     if behind == 0.0 {
-        return Ok(end);
+        return Ok(Some(end));
     }
     // the bracket that bisection would have come to, one step late
     let mut allowed = resolution * 2.0 * (end.abs() / resolution).max(1.0).log2().ceil().exp2();
@@ -228,11 +233,13 @@ pub(crate) fn change_of_sign(
             at = middle;
         }
         match value(at)? {
-            0.0 => return Ok(at),
+            0.0 => return Ok(Some(at)),
             y if (y < 0.0) == (behind < 0.0) => (b, behind) = (at, y),
             y => (a, before) = (at, y),
         }
         allowed *= 0.5;
     }
-    Ok(b)
+    let grown = |at: f64, end: f64| at.abs() >= end.abs();
+    let grows = grown(before, ends[0]) && grown(behind, ends[1]) && [before, behind] != ends;
+    Ok((!grows).then_some(b))
 }

@@ -68,9 +68,10 @@ impl Crossings {
                     expect_number(time, row[column])
                 };
                 let values = [self.last[event], now[event]];
-                let elapsed = change_of_sign(value, from, end - from, values)?;
-                let (time, row) = row_at(elapsed)?;
-                crossings.push(Crossing { event, row, time });
+                if let Some(elapsed) = change_of_sign(value, from, end - from, values)? {
+                    let (time, row) = row_at(elapsed)?;
+                    crossings.push(Crossing { event, row, time });
+                }
             }
             motion.restore(&after)?;
             crossings.sort_by(|a, b| (a.time - from).abs().total_cmp(&(b.time - from).abs()));
