@@ -66,7 +66,11 @@ const FUNCTIONS: [Function; 13] = [
     Function { name: "log", value: f64::ln, slope: |x, _| 1.0 / x },
     Function { name: "sqrt", value: f64::sqrt, slope: |_, y| 0.5 / y },
     // at 0, where it has none, that of the mean of both sides
-    Function { name: "abs", value: f64::abs, slope: |x, _| if x == 0.0 { 0.0 } else { x.signum() } },
+    Function {
+        name: "abs",
+        value: f64::abs,
+        slope: |x, _| if x == 0.0 { 0.0 } else { x.signum() },
+    },
 ];
 
 impl Formula {

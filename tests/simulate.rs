@@ -240,6 +240,27 @@ fn nothing_is_waited_for_without_end() {
     }
 }
 
+/// Where the rounding of time is a turn, there is no attitude to tell.
+#[test]
+fn a_phase_without_meaning_is_refused() {
+    let body = |end: &str| {
+        folder(&format!(
+            "space = \"so3\"\nmetric = \"diag(1, 2, 3)\"\ninitial.velocity = [0.1, 2, 0.1]\n\
+             [output]\nend = {end}\ncolumns = [\"t\"]\n"
+        ))
+    };
+    for end in ["1e13", "1e15", "-1e15", "1e300"] {
+        let message = refused(&mut simulate(body(end).path()), 1);
+        assert!(message.contains("its rounding alone turns the body"), "{end}: {message}");
+    }
+    assert_eq!(times(body("1e9").path()), [0.0, 1e9]);
+    // it does not turn
+    let still = body("1e300");
+    let text = fs::read_to_string(still.path().join("top.toml")).unwrap();
+    fs::write(still.path().join("top.toml"), text.replace("[0.1, 2, 0.1]", "[0, 0, 0]")).unwrap();
+    assert_eq!(times(still.path()), [0.0, 1e300]);
+}
+
 /// A potential of `|x|` has no slope where it has its corner.
 #[test]
 fn a_corner_is_a_place_of_rest() {

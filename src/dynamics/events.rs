@@ -137,7 +137,9 @@ impl<'a, T: Clone> Watch<'a, T> {
         for (at, (before, behind)) in self.values.iter().zip(&values).enumerate() {
             let rising = (*before < 0.0) == (step.length > 0.0);
             if is_crossed(*before, *behind) && self.events[at].is_meant(rising) {
-                found.extend(self.located(at, step, [*before, *behind])?.map(|elapsed| (elapsed, at)));
+                found.extend(
+                    self.located(at, step, [*before, *behind])?.map(|elapsed| (elapsed, at)),
+                );
             }
         }
         found.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));

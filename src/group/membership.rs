@@ -38,7 +38,9 @@ impl MatrixGroup {
             let off = self.outside(&(g * b * &inverse));
             if off.is_nan() || off > tolerance * b.norm() {
                 let vector = at + 1;
-                return refused(format!("Ad takes basis vector {vector} out of the algebra by {off:e}"));
+                return refused(format!(
+                    "Ad takes basis vector {vector} out of the algebra by {off:e}"
+                ));
             }
         }
         let (mut power, mut witness) = (g.clone(), None);

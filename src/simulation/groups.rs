@@ -99,6 +99,7 @@ impl Simulated for So3 {
                 Some(body.map(|body| {
                     let rate = body.rate();
                     let at = move |t: f64| {
+                        expect_phase(rate, t, t - time)?;
                         Ok(State { time: t, element: body.at(t - time).attitude, spatial })
                     };
                     Drive::Exact { at: Box::new(at), rate }
@@ -116,6 +117,20 @@ impl Simulated for So3 {
             _ => None,
         }
     }
+}
+
+/// How far, in radians, the rounding of a time may turn a body.
+const PHASE: f64 = 1e-3;
+
+/// Checks that a time says where a body is that turns at a rate.
+fn expect_phase(rate: f64, t: f64, elapsed: f64) -> Result<(), Error> {
+    let turn = f64::EPSILON * rate * t.abs().max(elapsed.abs());
+    if turn <= PHASE {
+        return Ok(());
+    }
+    let reason =
+        format!("the time is too long: its rounding alone turns the body by {turn:.1e} radians");
+    Err(Error::Integration { t, reason })
 }
 
 /// Steps of the body without its forces, of which there are none.

@@ -154,7 +154,8 @@ impl Method {
         if !is_controlled || tolerance >= LEAST {
             return Ok(());
         }
-        let reason = format!("floats do not resolve the tolerance {tolerance:e}: the least is {LEAST:e}");
+        let reason =
+            format!("floats do not resolve the tolerance {tolerance:e}: the least is {LEAST:e}");
         Err(Error::NoMethod { method: self.name(), reason })
     }
 

@@ -199,7 +199,8 @@ fn elements_are_of_the_group() {
                  [integrator]\ntolerance = 1e-12\n[output]\nend = {end}\nevery = {every}\n\
                  columns = [\"g\"]\n"
             );
-            let text = if end == 0.0 { text.replace("end = 0\nevery = 1\n", "end = 0.1\n") } else { text };
+            let text =
+                if end == 0.0 { text.replace("end = 0\nevery = 1\n", "end = 0.1\n") } else { text };
             let run = Run::new(&Problem::parse("motion.toml", &text).unwrap(), 0);
             let size = (1..).find(|n| n * n == run.names.len()).unwrap();
             for row in &run.rows {
@@ -213,7 +214,10 @@ fn elements_are_of_the_group() {
                     other[(0, size - 1)] += 0.1;
                     other[(0, 0)] *= 1.5;
                     let refused = with_element(space, dimension, &other);
-                    assert!(space == "gl(2)" || space == "aff(1)" || refused.is_err(), "{space}: {other}");
+                    assert!(
+                        space == "gl(2)" || space == "aff(1)" || refused.is_err(),
+                        "{space}: {other}"
+                    );
                 }
             }
         }
