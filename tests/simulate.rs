@@ -835,3 +835,18 @@ fn tables_have_names_and_numbers() {
         assert!(message.contains(what) && message.contains(place), "{message}");
     }
 }
+
+/// What is said of one motion is said once of many.
+#[test]
+fn an_ensemble_says_its_method_and_notes() {
+    let problem = TOP.replace("diag(1, 2, 3)", "diag(1, 2, -3)").replace("end = 400", "end = 0.5");
+    let folder = folder(&problem);
+    for (options, whose) in [(&[][..], ""), (&["--ensemble"], "member 1: ")] {
+        let output = done(simulate(folder.path()).args(options));
+        let message = String::from_utf8(output.stderr).unwrap();
+        let indefinite = format!("note: {whose}the metric is indefinite");
+        for expected in [&*indefinite, "note: method rkmk853: "] {
+            assert_eq!(message.matches(expected).count(), 1, "{message}");
+        }
+    }
+}

@@ -88,9 +88,7 @@ impl Arguments {
         };
         let plan = Plan::of(self, &problem)?;
         let ready = problem.motion(0)?;
-        if members.is_none() {
-            tell(&problem, &ready);
-        }
+        tell(&problem, &ready, if self.ensemble { "member 1: " } else { "" });
         let front = members.map_or(vec![], |_| [vec!["member"], problem.varied()].concat());
         let columns = ready.columns.clone();
         let head = head(&problem, ready.method.name(), &front, &columns);
@@ -273,9 +271,9 @@ fn all_rows(problem: &Problem, member: u64, signals: &Signals) -> (Vec<Vec<f64>>
     }
 }
 
-/// What is worth a word before the motion begins.
-fn tell(problem: &Problem, ready: &Ready) {
-    ready.notes.iter().for_each(|text| note(text));
+/// What is worth a word before the motion begins; of an ensemble, the first.
+fn tell(problem: &Problem, ready: &Ready, whose: &str) {
+    ready.notes.iter().for_each(|text| note(&format!("{whose}{text}")));
     if problem.method.is_none() {
         let method = ready.method;
         note(&format!("method {method}: {}", method.why()));
