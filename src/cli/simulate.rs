@@ -1,6 +1,7 @@
 //! `affinor simulate`: the motion of a problem, or of an ensemble of them.
 
 mod checkpoint;
+mod progress;
 mod signals;
 mod spool;
 mod summary;
@@ -13,12 +14,12 @@ use affinor::definition::{Column, InputError, Problem, Ready, Walk};
 use affinor::run::{Head, RunFormat};
 use checkpoint::{Checkpoint, Plan, Store};
 use clap::Args;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use progress::Progress;
 use rayon::prelude::*;
 use signals::{Signal, Signals};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// Members of an ensemble that are computed before their rows are written.
 const CHUNK: u64 = 128;
@@ -93,15 +94,13 @@ impl Arguments {
         let columns = ready.columns.clone();
         let head = head(&problem, ready.method.name(), &front, &columns);
         let mut store = plan.begin(head.columns.len())?;
-        let bar = bar(members.unwrap_or(ready.times.len() as u64));
         let signals = Signals::hear();
         let signals = signals
             .map_err(|error| InputError::usage(format!("cannot listen to signals: {error}")))?;
         let end = match members {
-            Some(size) => self.members(&problem, size, &mut store, &signals, &bar)?,
-            None => one(&problem, ready, &mut store, &signals, &bar)?,
+            Some(size) => self.members(&problem, size, &mut store, &signals)?,
+            None => one(&problem, ready, &mut store, &signals)?,
         };
-        bar.finish_and_clear();
         let mut target = self.file.clone();
         if !matches!(end, End::Reached)
             && let Some(file) = &mut target
@@ -153,13 +152,13 @@ impl Arguments {
         size: u64,
         store: &mut Store,
         signals: &Signals,
-        bar: &ProgressBar,
     ) -> Result<End, Failure> {
         let threads = self.threads.map_or(0, usize::from);
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         let pool =
             pool.map_err(|error| InputError::usage(format!("cannot start threads: {error}")))?;
         let mut done = store.resumed().map_or(0, |checkpoint| checkpoint.done);
+        let progress = Progress::from(done as f64 / size as f64);
         while done < size {
             let chunk: Vec<u64> = (done..size.min(done + CHUNK)).collect();
             let found: Vec<_> = pool.install(|| {
@@ -186,7 +185,7 @@ impl Arguments {
                 return Ok(End::Signal(signal));
             }
             done += chunk.len() as u64;
-            bar.set_position(done);
+            progress.reach(done as f64 / size as f64);
             if store.is_due() {
                 store.save(done, None)?;
             }
@@ -212,12 +211,12 @@ fn one(
     ready: Ready,
     store: &mut Store,
     signals: &Signals,
-    bar: &ProgressBar,
 ) -> Result<End, Failure> {
     let mut walk = Walk::new(problem, ready);
     if let Some(Checkpoint { done, snapshot: Some(snapshot), .. }) = store.resumed() {
         walk.restore(*done as usize, snapshot)?;
     }
+    let progress = Progress::from(walk.share());
     loop {
         if let Some(signal) = signals.arrived() {
             store.save(walk.position() as u64, Some(walk.save()?))?;
@@ -231,9 +230,9 @@ fn one(
             store.spool.push(row).map_err(spool::failed)?;
         }
         for (event, time) in &left.events {
-            bar.suspend(|| line(&format!("{event} at t = {time}")));
+            progress.beside(|| line(&format!("{event} at t = {time}")));
         }
-        bar.set_position(walk.position() as u64);
+        progress.reach(walk.share());
         if left.done {
             return Ok(End::Reached);
         }
@@ -291,15 +290,4 @@ fn head(problem: &Problem, method: &str, front: &[&str], columns: &[Column]) -> 
 fn partial(file: &Path) -> PathBuf {
     let ending = file.extension().map(|ending| ending.to_string_lossy().into_owned());
     file.with_extension(ending.map_or("partial".into(), |ending| format!("partial.{ending}")))
-}
-
-/// A bar on a terminal, once it takes a while.
-fn bar(length: u64) -> ProgressBar {
-    let bar = ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::stderr_with_hz(8));
-    let template = "{bar:40} {pos}/{len} {elapsed} (about {eta} left)";
-    if let Ok(style) = ProgressStyle::with_template(template) {
-        bar.set_style(style);
-    }
-    bar.enable_steady_tick(Duration::from_millis(250));
-    bar
 }

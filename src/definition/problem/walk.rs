@@ -38,6 +38,16 @@ impl<'p> Walk<'p> {
         self.next
     }
 
+    /// How much of the whole time lies behind, from 0 to 1.
+    pub fn share(&self) -> f64 {
+        let (Some(first), Some(last)) = (self.problem.times.first(), self.problem.times.last())
+        else {
+            return 1.0;
+        };
+        let share = (self.ready.motion.time() - first) / (last - first);
+        if share.is_nan() { 1.0 } else { share.clamp(0.0, 1.0) }
+    }
+
     /// What all that follows depends on, besides the position.
     ///
     /// # Errors
