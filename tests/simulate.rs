@@ -850,3 +850,26 @@ fn an_ensemble_says_its_method_and_notes() {
         }
     }
 }
+
+/// Formulas of quantities and large numbers leave the summary within 80 columns.
+#[test]
+fn the_summary_is_as_wide_as_a_terminal() {
+    let long = ["2.5*Omega1"; 9].join(" + ");
+    let problem = format!("{TOP}[quantities]\nk = \"1e290*({long})\"\nlast = \"h1\"\n");
+    let problem = problem.replace("end = 400", "end = 0.5").replace("[1, \"w\"", "[-1, \"w\"");
+    let free = "space = \"so(4)\"\nmetric = \"identity\"\n\
+                initial.velocity = [1, 2, 3, 4, 5, 6]\noutput = { end = 1, columns = [\"t\"] }";
+    for (problem, expected) in [(&*problem, &long), (free, &"H1^2 + H2^2".to_string())] {
+        let output = done(&mut simulate(folder(problem).path()));
+        let message = String::from_utf8(output.stderr).unwrap();
+        let table = message.split_once("top: method").unwrap().1;
+        assert!(table.lines().all(|line| line.len() <= 80), "{message}");
+        let words = |text: &str| text.split_whitespace().map(String::from).collect::<Vec<_>>();
+        // nothing of a formula is lost, though numbers stand between its lines
+        let mut found = words(table).into_iter();
+        assert!(
+            words(expected).iter().all(|word| found.any(|other| other.contains(word))),
+            "{message}"
+        );
+    }
+}

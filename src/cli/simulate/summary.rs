@@ -4,8 +4,13 @@ use super::super::note::line;
 use super::spool::Spool;
 use affinor::definition::Column;
 use affinor::run::Head;
-use comfy_table::{CellAlignment, Table, presets};
+use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, presets};
 use std::io;
+
+/// The widest line: formulas go on in the next.
+const WIDTH: u16 = 80;
+/// Larger numbers are written with an exponent.
+const LARGE: f64 = 1e6;
 
 /// Shows the watched columns on standard error.
 pub fn show(head: &Head, columns: &[Column], spool: &mut Spool) -> io::Result<()> {
@@ -27,6 +32,7 @@ pub fn show(head: &Head, columns: &[Column], spool: &mut Spool) -> io::Result<()
     }
     let mut table = Table::new();
     table.load_style(presets::NOTHING);
+    table.set_content_arrangement(ContentArrangement::Dynamic).set_width(WIDTH);
     table.set_header(["", "start", "end", "largest change"]);
     for ([first, last, most], column) in seen.iter().flatten().zip(columns) {
         if column.watched {
@@ -34,17 +40,13 @@ pub fn show(head: &Head, columns: &[Column], spool: &mut Spool) -> io::Result<()
                 Some(formula) => format!("{} = {formula}", column.name),
                 None => column.name.clone(),
             };
-            table.add_row([
-                name,
-                format!("{first:.12}"),
-                format!("{last:.12}"),
-                format!("{most:.1e}"),
-            ]);
+            table.add_row([name, written(*first), written(*last), format!("{most:.1e}")]);
         }
     }
     for at in 1..4 {
         if let Some(column) = table.column_mut(at) {
             column.set_cell_alignment(CellAlignment::Right);
+            column.set_constraint(ColumnConstraint::ContentWidth);
         }
     }
     line(&format!("{}: method {}", head.name, head.method));
@@ -52,4 +54,8 @@ pub fn show(head: &Head, columns: &[Column], spool: &mut Spool) -> io::Result<()
         line(&table.trim_fmt());
     }
     Ok(())
+}
+
+fn written(value: f64) -> String {
+    if value.abs() < LARGE { format!("{value:.12}") } else { format!("{value:.12e}") }
 }
