@@ -263,6 +263,8 @@ pub fn is_name(name: &str) -> bool {
     name.starts_with(begins_name) && name.chars().all(continues_name)
 }
 
+const NO_INTEGER: &str = "an exponent is an integer";
+
 fn begins_name(c: char) -> bool {
     c.is_ascii_alphabetic() || c == '_'
 }
@@ -386,13 +388,19 @@ impl Parser<'_> {
         let digits = self.digits();
         if digits.is_empty() {
             let width = self.peek().map_or(0, char::len_utf8);
-            return self.error(from..from + width, "an exponent is an integer");
+            return self.error(from..from + width, NO_INTEGER);
+        }
+        if self.peek() == Some('.') {
+            return self.error(from..self.at + 1, NO_INTEGER);
         }
         let value = digits.parse::<i64>().ok().filter(|n| *n <= MAX_EXPONENT);
         let Some(value) = value else {
             return self.error(from..self.at, format!("an exponent is at most {MAX_EXPONENT}"));
         };
         if parenthesis && self.take(&[')']).is_none() {
+            if self.take(&['/', '*', '+', '-']).is_some() {
+                return self.error(from..self.at, NO_INTEGER);
+            }
             return self.error(self.at..self.at, "`)` is missing after the exponent");
         }
         Ok(if sign == Some('-') { -value } else { value })
