@@ -720,6 +720,18 @@ fn saved(folder: &Path) -> serde_json::Value {
     serde_json::from_str(&saved).unwrap_or_default()
 }
 
+/// What is computed and only waits for a reader has nothing to stop.
+#[test]
+fn a_signal_kills_what_is_written_out() {
+    let folder = folder(&TOP.replace("0.25", "0.0005").replace("end = 400", "end = 5"));
+    let mut child =
+        simulate(folder.path()).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
+    std::thread::sleep(Duration::from_secs(3));
+    let id = child.id().to_string();
+    assert!(Command::new("kill").args(["-s", "TERM", &id]).status().unwrap().success());
+    assert_eq!(program::wait(&mut child), 143);
+}
+
 /// How many rows the checkpoint counts.
 fn saved_rows(folder: &Path) -> u64 {
     saved(folder)["rows"].as_u64().unwrap_or(0)

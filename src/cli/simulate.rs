@@ -101,6 +101,9 @@ impl Arguments {
             Some(size) => self.members(&problem, size, &mut store, &signals)?,
             None => one(&problem, ready, &mut store, &signals)?,
         };
+        if !matches!(end, End::Signal(_)) {
+            signals.let_through();
+        }
         let mut target = self.file.clone();
         if !matches!(end, End::Reached)
             && let Some(file) = &mut target

@@ -16,6 +16,8 @@ const OFTEN: Duration = Duration::from_millis(50);
 /// What was asked of the run from outside.
 pub struct Signals {
     arrived: Arc<AtomicUsize>,
+    /// Whether the next one kills.
+    armed: Arc<AtomicBool>,
 }
 
 /// A signal that asked the run to stop.
@@ -30,7 +32,7 @@ impl Signals {
             flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&armed))?;
             flag::register_usize(signal, Arc::clone(&arrived), signal as usize)?;
         }
-        let signals = Signals { arrived: Arc::clone(&arrived) };
+        let signals = Signals { arrived: Arc::clone(&arrived), armed: Arc::clone(&armed) };
         thread::Builder::new().spawn(move || {
             while arrived.load(Ordering::Relaxed) == 0 {
                 thread::sleep(OFTEN);
@@ -39,6 +41,11 @@ impl Signals {
             armed.store(true, Ordering::Relaxed);
         })?;
         Ok(signals)
+    }
+
+    /// There is nothing left to stop: from now on the first kills.
+    pub fn let_through(&self) {
+        self.armed.store(true, Ordering::Relaxed);
     }
 
     /// The signal, if one has come.
