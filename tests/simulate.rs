@@ -184,6 +184,15 @@ fn a_potential_is_a_number() {
     assert!(message.contains("log(H1 - 3) is NaN"), "{message}");
 }
 
+/// A pipe takes what there is of a run as well.
+#[test]
+fn part_of_a_run_goes_to_a_pipe() {
+    let folder = folder(&TOP.replace("-0.001*Omega1", "sqrt(3 - t)"));
+    let output = simulate(folder.path()).args(["-o", "/dev/stdout"]).output().unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(output.stdout.iter().filter(|byte| **byte == b'\n').count(), 14);
+}
+
 #[test]
 fn an_event_is_a_number() {
     let problem = TOP.replace("every = 0.25", "every = 0.25\nstop = \"k\"");

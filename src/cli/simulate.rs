@@ -17,6 +17,7 @@ use clap::Args;
 use progress::Progress;
 use rayon::prelude::*;
 use signals::{Signal, Signals};
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
@@ -289,8 +290,11 @@ fn head(problem: &Problem, method: &str, front: &[&str], columns: &[Column]) -> 
     Head { name: problem.name.clone(), method: method.into(), columns }
 }
 
-/// `run.csv` becomes `run.partial.csv`.
+/// `run.csv` becomes `run.partial.csv`; a device or a pipe stays.
 fn partial(file: &Path) -> PathBuf {
+    if fs::metadata(file).is_ok_and(|meta| !meta.is_file()) {
+        return file.to_path_buf();
+    }
     let ending = file.extension().map(|ending| ending.to_string_lossy().into_owned());
     file.with_extension(ending.map_or("partial".into(), |ending| format!("partial.{ending}")))
 }
