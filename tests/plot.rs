@@ -145,3 +145,48 @@ fn extreme_numbers_neither_panic_nor_hang() {
         }
     }
 }
+
+/// What a figure of a motion needs is computed, whatever columns the problem writes.
+#[test]
+fn a_motion_needs_no_columns_to_be_drawn() {
+    let folder = TempDir::new().unwrap();
+    let body = "metric = \"diag(1, 2, 3)\"\ninitial.velocity = [0.3, -0.2, 0.5]\n\
+                output = { end = 2, every = 0.5, columns = [\"energy\"] }\n";
+    let problem = format!("space = \"so3\"\n{body}[quantities]\ng11 = \"H1\"\n");
+    fs::write(folder.path().join("body.toml"), &problem).unwrap();
+    let all = problem.replace("\"energy\"", "\"t\", \"element\", \"H\", \"energy\"");
+    fs::write(folder.path().join("all.toml"), format!("name = \"body\"\n{all}")).unwrap();
+    let simulated = run(folder.path(), &["simulate", "all.toml", "-o", "all.csv"], b"");
+    assert_eq!(simulated.status, 0, "{}", simulated.err);
+    for figure in ["attitude", "momentum", "drift"] {
+        let drawn = affinor(&folder, &[figure, "body.toml"]);
+        assert_eq!(drawn.status, 0, "{figure}: {}", drawn.err);
+        let from_rows = affinor(&folder, &[figure, "body.toml", "--rows", "all.csv"]);
+        assert!(drawn.out == from_rows.out, "{figure}: {}", from_rows.err);
+    }
+    fs::write(folder.path().join("few.csv"), "t,energy\n0,1\n").unwrap();
+    for (figure, help) in [("attitude", "the columns `g`"), ("momentum", "the columns `H`")] {
+        let refused = affinor(&folder, &[figure, "body.toml", "--rows", "few.csv"]);
+        assert_eq!(refused.status, 1, "{figure}");
+        assert!(refused.err.contains(help), "{figure}: {}", refused.err);
+    }
+    // matrices of three rows that turn nothing, coordinates, a flow
+    let brackets = "definition.basis = [\"a\", \"b\", \"c\"]\ndefinition.brackets = ";
+    let flow = "flow = { kind = \"toda\", positions = [0, 0], momenta = [1, -1] }\n\
+                output = { end = 1 }\nintegrator.step = 0.1\n";
+    let cases = [
+        format!("{brackets}\"\"\"\n[a,c] = a\n[b,c] = -7/10*b\n\"\"\"\n{body}"),
+        format!("space = \"heisenberg3\"\n{body}"),
+        format!("{brackets}\"[a,b] = c\"\n{body}"),
+        format!("space = \"R^3\"\nparameters.g = 1\n{body}"),
+        flow.into(),
+    ];
+    for problem in cases {
+        fs::write(folder.path().join("other.toml"), &problem).unwrap();
+        for figure in ["attitude", "momentum"] {
+            let refused = affinor(&folder, &[figure, "other.toml"]);
+            assert_eq!((refused.status, &*refused.out), (1, ""), "{figure}: {problem}");
+            assert!(refused.err.contains("a body that turns"), "{figure}: {}", refused.err);
+        }
+    }
+}

@@ -154,10 +154,7 @@ impl Arguments {
                 let all = connections.or(&[]);
                 (all.and_then(|all| motion.show(|path, t| figures::frames(&all, path, t))), paper)
             }
-            Kind::Attitude(run) => {
-                let figure = run.rows().and_then(|(rows, _)| Ok(figures::run::attitude(&rows)?));
-                (figure, run.paper)
-            }
+            Kind::Attitude(run) => (run.attitude(), run.paper),
             Kind::Momentum(run) => (run.momentum(), run.paper),
             Kind::Drift(run) => {
                 let color = run.paper.color;

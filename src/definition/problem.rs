@@ -315,6 +315,15 @@ impl Problem {
         }
     }
 
+    /// The same problem with other columns, by the names of a file, and no quantities.
+    #[must_use]
+    pub fn with_columns(&self, names: &[&str]) -> Self {
+        let place = Place::within(self.source.clone());
+        let written = |name: &&str| Written { text: (*name).into(), place: place.clone() };
+        let columns = names.iter().map(written).collect();
+        Problem { columns, quantities: vec![], ..self.clone() }
+    }
+
     /// The best method with steps, of problems that have no tolerance.
     pub fn own_class(&self) -> Option<Method> {
         match &self.kind {

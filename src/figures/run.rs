@@ -9,6 +9,8 @@ use std::f64::consts::TAU;
 
 /// Points of an ellipse.
 const SAMPLES: u32 = 96;
+/// What is farther from a rotation is none: rows may be written with few digits, but a picture shows a pixel.
+const OFF: f64 = 1e-3;
 /// Changes below this are drawn here: a logarithm has no zero.
 const ROUNDING: f64 = 1e-17;
 
@@ -52,15 +54,23 @@ impl RunRows {
         let rows = [["g11", "g12", "g13"], ["g21", "g22", "g23"], ["g31", "g32", "g33"]];
         let [a, b, c] = rows.map(|names| self.vectors(names));
         let (a, b, c) = (a?, b?, c?);
-        let matrix = |k: usize| Matrix3::from_rows(&[a[k], b[k], c[k]].map(|row| row.transpose()));
-        Ok((0..a.len()).map(matrix).collect())
+        let matrix = |k: usize| {
+            let r = Matrix3::from_rows(&[a[k], b[k], c[k]].map(|row| row.transpose()));
+            let off = (r.transpose() * r - Matrix3::identity()).amax();
+            if off < OFF && r.determinant() > 0.0 {
+                return Ok(r);
+            }
+            let reason = format!("in row {} `g^T g` is off the identity by {off:.1e}", k + 1);
+            Err(Error::NoRotation { reason })
+        };
+        (0..a.len()).map(matrix).collect()
     }
 }
 
 /// The axes of the body on the unit sphere in space: the columns `R E_i`.
 ///
 /// # Errors
-/// [`Error::NoColumn`] for a run without an attitude.
+/// [`Error::NoColumn`] for a run without an attitude; [`Error::NoRotation`] for elements that turn nothing.
 pub fn attitude(run: &RunRows) -> Result<Figure, Error> {
     let attitudes = run.attitudes()?;
     let mut panel = Panel {

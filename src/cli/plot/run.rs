@@ -4,6 +4,7 @@ use super::super::failure::Failure;
 use super::super::note::line;
 use super::super::stages::Stages;
 use super::Paper;
+use affinor::Error;
 use affinor::convergence;
 use affinor::definition::{InputError, Problem, Ready, read_rows};
 use affinor::dynamics::Inertia;
@@ -12,6 +13,9 @@ use affinor::figures::run::RunRows;
 use affinor::figures::{self, Figure};
 use affinor::simulation::Method;
 use clap::Args;
+
+/// The entries of a rotation.
+const ENTRIES: [&str; 9] = ["g11", "g12", "g13", "g21", "g22", "g23", "g31", "g32", "g33"];
 
 /// A problem of motion, and perhaps its rows.
 #[derive(Args)]
@@ -27,10 +31,15 @@ pub struct Run {
 }
 
 impl Run {
-    /// The rows, and what is known of their motion.
+    /// The rows of the problem's own columns, and what is known of their motion.
     pub fn rows(&self) -> Result<(RunRows, Ready), Failure> {
         let problem = Problem::read(&self.problem)?;
-        let mut ready = problem.motion(0)?;
+        let ready = problem.motion(0)?;
+        self.run(&problem, ready)
+    }
+
+    /// The rows of a problem: from a file, or of a run.
+    fn run(&self, problem: &Problem, mut ready: Ready) -> Result<(RunRows, Ready), Failure> {
         let name = problem.name.clone();
         if let Some(file) = &self.rows {
             let (columns, rows) = read_rows(file)?;
@@ -38,24 +47,62 @@ impl Run {
         }
         let stages = Stages::new(false);
         stages.begin("the motion");
+        let mut columns: Vec<String> =
+            ready.columns.iter().map(|column| column.name.clone()).collect();
+        let is_timed = columns.iter().any(|name| name == "t");
+        if !is_timed {
+            columns.insert(0, "t".into());
+        }
         let mut rows = Vec::new();
         for &time in &ready.times.clone() {
             while !ready.motion.step(time)? {}
-            rows.push(ready.motion.row());
+            let before = if is_timed { &[][..] } else { &[time] };
+            rows.push([before, &ready.motion.row()].concat());
         }
-        let columns = ready.columns.iter().map(|column| column.name.clone()).collect();
         Ok((RunRows { name, columns, rows }, ready))
     }
 
+    /// The problem with columns that a picture needs, which there are for `reason` only.
+    fn asked(&self, columns: &[&str], reason: &str) -> Result<(Problem, Ready), Failure> {
+        let problem = Problem::read(&self.problem)?;
+        // its own faults come first
+        problem.motion(0)?;
+        let asked = problem.with_columns(columns);
+        // a flow of matrices has columns of its own only
+        let has = |ready: &Ready| {
+            columns.iter().all(|name| ready.columns.iter().any(|column| column.name == *name))
+        };
+        match asked.motion(0) {
+            Ok(ready) if has(&ready) => Ok((asked, ready)),
+            _ => Err(InputError::mathematics(reason).into()),
+        }
+    }
+
+    pub fn attitude(&self) -> Result<Figure, Failure> {
+        let reason = "the attitude is that of a body that turns, as on so(3) and se(3)";
+        let (problem, ready) = self.asked(&ENTRIES, reason)?;
+        let (rows, _) = self.run(&problem, ready)?;
+        figures::run::attitude(&rows).map_err(|error| {
+            let turns = matches!(error, Error::NoRotation { .. });
+            let help =
+                if turns { reason } else { "the rows need the columns `g`, or the quaternion" };
+            InputError::from(error).help(help).into()
+        })
+    }
+
     pub fn momentum(&self) -> Result<Figure, Failure> {
-        let (rows, ready) = self.rows()?;
+        let reason = "the sphere of the momentum is that of a body that turns: space = \"so3\"";
+        // a quaternion is of rotations
+        let (problem, ready) = self.asked(&["H1", "H2", "H3", "qw"], reason)?;
+        let (rows, ready) = self.run(&problem, ready)?;
         let inertia = ready.inertia.filter(|inertia| inertia.shape() == (3, 3));
         let Some(inertia) = inertia else {
             let message = "the ellipsoid of the energy is drawn of a body with an inertia";
             return Err(InputError::mathematics(message).into());
         };
         let inertia = Inertia::new(&inertia.fixed_view::<3, 3>(0, 0).into_owned())?;
-        Ok(figures::run::momentum(&rows, &inertia)?)
+        figures::run::momentum(&rows, &inertia)
+            .map_err(|error| InputError::from(error).help("the rows need the columns `H`").into())
     }
 
     pub fn convergence(
