@@ -34,7 +34,8 @@ use std::process::ExitCode;
 /// and --bracket given inline. It may carry its connection and metric:
 /// "so3@levi-civita;metric=diag(1,2,3)".
 ///
-/// Exit status: 0 done; 1 the mathematics refuses; 2 wrong usage or unreadable input.
+/// Exit status: 0 done; 1 the mathematics refuses; 2 wrong usage or unreadable input; 130, 143 a
+/// signal stopped it.
 #[derive(Parser)]
 #[command(name = "affinor", version, max_term_width = 80)]
 struct Cli {
