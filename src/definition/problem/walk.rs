@@ -40,8 +40,7 @@ impl<'p> Walk<'p> {
 
     /// How much of the whole time lies behind, from 0 to 1.
     pub fn share(&self) -> f64 {
-        let (Some(first), Some(last)) = (self.ready.times.first(), self.ready.times.last())
-        else {
+        let (Some(first), Some(last)) = (self.ready.times.first(), self.ready.times.last()) else {
             return 1.0;
         };
         let share = (self.ready.motion.time() - first) / (last - first);
