@@ -150,8 +150,7 @@ impl Method {
     /// # Errors
     /// [`Error::NoMethod`] for one that floats do not resolve.
     pub fn expect_resolved(self, tolerance: f64) -> Result<(), Error> {
-        let is_controlled = matches!(self, Method::Adaptive(_) | Method::ProjectedAdaptive(_));
-        if !is_controlled || tolerance >= LEAST {
+        if !self.is_controlled() || tolerance >= LEAST {
             return Ok(());
         }
         let reason =
