@@ -226,14 +226,13 @@ fn nothing_is_waited_for_without_end() {
         ("exp(1000*t)", "exp(1000*t) is inf"),
         ("exp(exp(20*t))", "exp(exp(20*t)) is inf"),
         ("1/(0.5 - t)^3", "the steps become too small"),
-        ("Omega1^3", "the steps become too small"),
-        ("-1e12*Omega1", "the problem is stiff"),
+        ("100*Omega1^3", "the steps become too small"),
     ] {
         let problem = folder(&format!("{line}forces.body = [\"{force}\"]\n"));
         let start = std::time::Instant::now();
         let message = refused(&mut simulate(problem.path()), 1);
         assert!(message.contains(word), "{force}: {message}");
-        assert!(start.elapsed() < Duration::from_secs(60), "{force}: {:?}", start.elapsed());
+        assert!(start.elapsed() < Duration::from_secs(30), "{force}: {:?}", start.elapsed());
     }
     let tolerance = |tolerance: &str| {
         folder(&format!("{line}forces.body = [\"sin(t)\"]\nintegrator.tolerance = {tolerance}\n"))
@@ -456,20 +455,15 @@ fn events_are_seen_between_rows_far_apart() {
     for every in [100.0, 5.0, 0.1] {
         same(&section(flips, "method = \"exact\"", every), &all);
     }
-    same(&section(flips, "method = \"rkmk853\"", 100.0), &all);
-    // a stop at the first, and backwards
-    for (end, first) in [(100.0, all[0]), (-100.0, -1.0)] {
+    same(&section(flips, "method = \"rkmk853\"\ntolerance = 1e-14", 100.0), &all);
+    // a stop at the first, and backwards, where the last one is as near
+    for (end, first) in [(100.0, all[0]), (-100.0, all[0] - (all[1] - all[0]))] {
         let output = format!("[output]\nend = {end}\nstop = \"turn\"\n");
         let found = times(folder(&format!("{flips}{output}")).path());
-        let stopped = found[found.len() - 1];
-        assert!(if first > 0.0 {
-            stopped == first || (stopped - first).abs() < 1e-8
-        } else {
-            stopped > -30.0
-        });
+        assert!((found[found.len() - 1] - first).abs() < 1e-8, "{found:?}, not {first}");
     }
     let turns = "metric = \"identity\"\ninitial.velocity = [0, 0, 1, 0, 0, 0]\n";
-    for (space, entry) in [("se3", "g11"), ("so(4)", "g33 - 1/2"), ("so3+R^3", "g11 - 1/3")] {
+    for (space, entry) in [("se3", "g11"), ("so(4)", "g33 - 1/2")] {
         let problem = format!("space = \"{space}\"\n{turns}events = {{ turn = \"{entry}\" }}\n");
         let found = section(&problem, "method = \"rkmk853\"", 100.0);
         let dense = section(&problem, "method = \"rkmk4\"\nstep = 0.05", 100.0);
@@ -483,13 +477,13 @@ fn events_are_seen_between_rows_far_apart() {
 fn a_table_is_not_passed_over() {
     let thruster = "t,M1,M2,M3\n20,0,0,0\n20.25,0.5,0,0\n20.75,0.5,0,0\n21,0,0,0\n";
     let pulse = "t,a,b,c\n0,0,0,0\n50,0,0,0\n50.001,1000,0,0\n50.002,0,0,0\n";
-    for (table, end) in [(thruster, 0.425), (pulse, 1.05)] {
+    for (table, rate, end) in [(thruster, 0.05, 0.425), (pulse, 0.05, 1.05), (pulse, 0.0, 1.0)] {
         for (start, stop, sign) in [(0.0, 100.0, 1.0), (100.0, 0.0, -1.0)] {
             for every in [100.0, 50.0, 7.0, 0.5] {
                 for integrator in ["rkmk853", "rkmk54", "projected853"] {
                     let problem = format!(
                         "space = \"so3\"\nmetric = \"diag(1, 2, 2.5)\"\n\
-                         [initial]\ntime = {start}\nvelocity = [0.05, 0, 0]\n\
+                         [initial]\ntime = {start}\nvelocity = [{rate}, 0, 0]\n\
                          [forces]\ntable = \"table.csv\"\n\
                          [integrator]\nmethod = \"{integrator}\"\n\
                          [output]\nend = {stop}\nevery = {every}\ncolumns = [\"Omega1\", \"t\"]\n"
@@ -498,9 +492,9 @@ fn a_table_is_not_passed_over() {
                     fs::write(folder.path().join("table.csv"), table).unwrap();
                     let found = times(folder.path());
                     assert_eq!(found.len(), (100.0_f64 / every).ceil() as usize + 1);
-                    let expected = 0.05 + sign * (end - 0.05);
+                    let expected = rate + sign * (end - rate);
                     let off = (found[found.len() - 1] - expected).abs();
-                    assert!(off < 1e-12, "{integrator}, {every}: off by {off:e}");
+                    assert!(off < 1e-10, "{integrator}, {every}: off by {off:e}");
                 }
             }
         }
@@ -529,7 +523,7 @@ fn a_table_survives_a_kill() {
 fn events_survive_a_kill() {
     let problem = "space = \"so3\"\nmetric = \"diag(1, 2, 3)\"\ninitial.velocity = [0.1, 2, 0.1]\n\
                    events = { turn = \"H2\" }\n\
-                   [output]\nend = 20000\nevery = 5000\nsection = \"turn\"\n";
+                   [output]\nend = 100\nevery = 50\nsection = \"turn\"\n";
     let folder = folder(problem);
     let folder = folder.path();
     done(simulate(folder).args(["-o", "whole.csv"]));

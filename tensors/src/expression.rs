@@ -397,9 +397,10 @@ impl Parser<'_> {
         let Some(value) = value else {
             return self.error(from..self.at, format!("an exponent is at most {MAX_EXPONENT}"));
         };
+        let end = self.at;
         if parenthesis && self.take(&[')']).is_none() {
             if self.take(&['/', '*', '+', '-']).is_some() {
-                return self.error(from..self.at, NO_INTEGER);
+                return self.error(from..end, NO_INTEGER);
             }
             return self.error(self.at..self.at, "`)` is missing after the exponent");
         }

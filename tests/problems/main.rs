@@ -202,9 +202,10 @@ fn elements_are_of_the_group() {
             let text =
                 if end == 0.0 { text.replace("end = 0\nevery = 1\n", "end = 0.1\n") } else { text };
             let run = Run::new(&Problem::parse("motion.toml", &text).unwrap(), 0);
-            let size = (1..).find(|n| n * n == run.names.len()).unwrap();
+            let entries = run.names.iter().filter(|name| name.starts_with('g')).count();
+            let size = entries.isqrt();
             for row in &run.rows {
-                let element = DMatrix::from_row_slice(size, size, row);
+                let element = DMatrix::from_row_slice(size, size, &row[..entries]);
                 // what grows without bound loses its digits
                 let inverse = element.clone().try_inverse().unwrap();
                 if element.norm() * inverse.norm() < 1e5 {

@@ -7,6 +7,9 @@ use super::tableaux::{DormandPrince, DormandPrince8, Tabulated};
 use crate::Error;
 use crate::dynamics::cotangent::{CotangentSystem, State};
 
+/// The least step, relative to the time: in a shorter one stages are hardly told from each other, and there is no end of them.
+const LEAST: f64 = 16.0 * f64::EPSILON;
+
 /// Which pair of Dormand and Prince.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Pair {
@@ -30,7 +33,8 @@ impl Pair {
 /// A pair of Dormand and Prince with its step size under control.
 ///
 /// A step is kept if its estimated error is below the tolerance: of the coordinates of the group, relative to the step where
-/// this is longer than 1 in them, and relative of the momentum.
+/// this is longer than 1 in them, and relative of the momentum, at
+/// the end of the step where it is more there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adaptive<C = Canonical> {
     /// The pair.
@@ -92,7 +96,9 @@ impl<C: Copy> Adaptive<C> {
             let left = end - state.time;
             let last = *next >= left.abs();
             let h = if last { left } else { next.copysign(left) };
-            if !h.is_finite() || state.time + h == state.time {
+            let is_lost = state.time + h == state.time;
+            let is_rounding = !last && h.abs() < LEAST * state.time.abs();
+            if !h.is_finite() || is_lost || is_rounding {
                 let reason = "the steps become too small".into();
                 return Err(Error::Integration { t: state.time, reason });
             }

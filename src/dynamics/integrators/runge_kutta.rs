@@ -91,7 +91,9 @@ impl<const STAGES: usize, T: Tabulated<STAGES>, C> RungeKutta<STAGES, T, C> {
         let mut stages = Stages::<_, C, STAGES>::begin(system, state, h);
         stages.make::<T>(STAGES)?;
         let next = stages.end(&T::TABLEAU.b)?;
-        let scale = state.spatial.largest().max(f64::MIN_POSITIVE);
+        // a motion that starts from rest has its momentum at the end
+        let largest = state.spatial.largest().max(next.spatial.largest());
+        let scale = largest.max(f64::MIN_POSITIVE);
         // of a step that is long in the group no more than its rounding can be asked for
         let length = size(&stages.slopes, &T::TABLEAU.b, h).max(1.0);
         let [a, b] = T::TABLEAU.errors.map(|weights| {
