@@ -7,8 +7,8 @@ use affinor::run::Head;
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, presets};
 use std::io;
 
-/// The widest line: formulas go on in the next.
-const WIDTH: u16 = 80;
+/// The widest line, with the blank at its end that is not written: formulas go on in the next.
+const WIDTH: u16 = 80 + 1;
 /// Larger numbers are written with an exponent.
 const LARGE: f64 = 1e6;
 
