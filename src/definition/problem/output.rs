@@ -37,7 +37,7 @@ enum Rows {
     /// At these times.
     Listed(Vec<Value>),
     /// Until the end, and on the way there so far apart.
-    Spaced(Value, Option<Value>),
+    Spaced(Box<(Value, Option<Value>)>),
 }
 
 impl OutputKeys<'_> {
@@ -45,7 +45,9 @@ impl OutputKeys<'_> {
     pub fn times(&self, start: Option<Value>, reader: &Reader) -> Result<Times, InputError> {
         let rows = match (&self.times, &self.end, &self.every) {
             (Some(times), None, None) => Rows::Listed(reader.values(times)?),
-            (None, Some(end), every) => Rows::Spaced(reader.value(end)?, reader.optional(every)?),
+            (None, Some(end), every) => {
+                Rows::Spaced(Box::new((reader.value(end)?, reader.optional(every)?)))
+            }
             _ => {
                 let message = "the output has an end, perhaps with every, or else times";
                 return Err(InputError::usage(message).at(&reader.source.key("output")));
@@ -78,10 +80,11 @@ impl Times {
                 let message = "the times neither increase nor decrease from the start";
                 Err(InputError::usage(message).at(&source.key("times")))
             }
-            Rows::Spaced(end, every) => {
+            Rows::Spaced(spaced) => {
+                let (end, every) = &**spaced;
                 let end = number("end", end)?;
                 let every = every.as_ref().map(|every| number("every", every)).transpose()?;
-                spaced(start, end, every.unwrap_or((end - start).abs()))
+                equally(start, end, every.unwrap_or((end - start).abs()))
                     .map_err(|error| error.at(&source.key("every")))
             }
         }
@@ -91,14 +94,14 @@ impl Times {
     pub fn to_the_end(&self) -> Self {
         let rows = match &self.rows {
             Rows::Listed(times) => Rows::Listed(times.last().into_iter().cloned().collect()),
-            Rows::Spaced(end, _) => Rows::Spaced(end.clone(), None),
+            Rows::Spaced(spaced) => Rows::Spaced(Box::new((spaced.0.clone(), None))),
         };
         Times { start: self.start.clone(), rows }
     }
 }
 
 /// Times from a start to an end, so far apart.
-fn spaced(start: f64, end: f64, every: f64) -> Result<Vec<f64>, InputError> {
+fn equally(start: f64, end: f64, every: f64) -> Result<Vec<f64>, InputError> {
     if every.is_nan() || every <= 0.0 && end != start {
         return Err(InputError::usage(format!("rows every {every} never come to the end")));
     }
