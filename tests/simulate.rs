@@ -232,7 +232,7 @@ fn nothing_is_waited_for_without_end() {
         let start = std::time::Instant::now();
         let message = refused(&mut simulate(problem.path()), 1);
         assert!(message.contains(word), "{force}: {message}");
-        assert!(start.elapsed() < Duration::from_secs(30), "{force}: {:?}", start.elapsed());
+        assert!(start.elapsed() < Duration::from_secs(120), "{force}: {:?}", start.elapsed());
     }
     let tolerance = |tolerance: &str| {
         folder(&format!("{line}forces.body = [\"sin(t)\"]\nintegrator.tolerance = {tolerance}\n"))

@@ -32,9 +32,8 @@ impl Pair {
 
 /// A pair of Dormand and Prince with its step size under control.
 ///
-/// A step is kept if its estimated error is below the tolerance: of the coordinates of the group, relative to the step where
-/// this is longer than 1 in them, and relative of the momentum, at
-/// the end of the step where it is more there.
+/// A step is kept if its estimated error is below the tolerance: of the coordinates of the group, in tenths of the step
+/// where this is longer than 10 in them, and relative of the momentum, at the end of the step where it is more there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adaptive<C = Canonical> {
     /// The pair.

@@ -7,6 +7,9 @@ use crate::dynamics::cotangent::{CotangentSystem, State, Vector};
 use crate::group::{Coordinates, LieGroup};
 use std::marker::PhantomData;
 
+/// The error of a step that is longer than this in its coordinates is relative to it.
+const LONG: f64 = 10.0;
+
 /// Coordinates `y` of the elements near a given one, in which a step is made.
 pub trait LocalCoordinates<G: LieGroup> {
     /// What `y` is.
@@ -94,11 +97,12 @@ impl<const STAGES: usize, T: Tabulated<STAGES>, C> RungeKutta<STAGES, T, C> {
         // a motion that starts from rest has its momentum at the end
         let largest = state.spatial.largest().max(next.spatial.largest());
         let scale = largest.max(f64::MIN_POSITIVE);
-        // of a step that is long in the group no more than its rounding can be asked for
-        let length = size(&stages.slopes, &T::TABLEAU.b, h).max(1.0);
+        // or a step that is long in the group would have to be exact beyond its rounding
+        let fastest = stages.slopes[0].largest().max(stages.slopes[STAGES - 1].largest());
+        let unit = (fastest * h.abs() / LONG).max(1.0);
         let [a, b] = T::TABLEAU.errors.map(|weights| {
             let drift = stages.drifts.as_ref().map_or(0.0, |drifts| size(drifts, &weights, h));
-            (size(&stages.slopes, &weights, h) / length).max(drift / scale)
+            (size(&stages.slopes, &weights, h) / unit).max(drift / scale)
         });
         Ok((next, if a > 0.0 { a * (a / a.hypot(0.1 * b)) } else { a }))
     }
