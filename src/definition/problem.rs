@@ -394,18 +394,16 @@ impl Problem {
         Err(InputError::usage(message).at(&self.source.key(key)).help(help))
     }
 
-    /// Checks that no two columns have one name, those of an ensemble included.
+    /// Checks that what comes by itself has a name of its own: casimirs, multipliers, and the columns of an ensemble.
     fn expect_distinct(&self, columns: &[Column]) -> Result<(), InputError> {
-        let mut seen: Vec<&str> = match self.ensemble {
-            Some(_) => [vec!["member"], self.varied()].concat(),
-            None => vec![],
-        };
-        for column in columns {
-            if seen.contains(&&*column.name) {
-                let message = format!("there are two columns `{}`", shown(&column.name));
-                return Err(InputError::usage(message).at(&self.source.key(&column.name)));
+        let front =
+            self.ensemble.as_ref().map_or(vec![], |_| [vec!["member"], self.varied()].concat());
+        for (at, Column { name, .. }) in columns.iter().enumerate() {
+            let place = self.source.key(name);
+            expect_new(&columns[..at], name, &place)?;
+            if front.contains(&&**name) {
+                return Err(twice(name, &place));
             }
-            seen.push(&column.name);
         }
         Ok(())
     }
@@ -475,6 +473,16 @@ impl Value {
     fn all(list: &[Value], parameters: &[f64]) -> Result<Vec<f64>, InputError> {
         list.iter().map(|value| value.at(parameters)).collect()
     }
+}
+
+/// Checks that no column has the name yet.
+fn expect_new(columns: &[Column], name: &str, place: &Place) -> Result<(), InputError> {
+    let is_new = columns.iter().all(|column| column.name != name);
+    if is_new { Ok(()) } else { Err(twice(name, place)) }
+}
+
+fn twice(name: &str, place: &Place) -> InputError {
+    InputError::usage(format!("there are two columns `{}`", shown(name))).at(place)
 }
 
 /// Values without their names.

@@ -1,7 +1,9 @@
 //! A problem put on its group: from values of the parameters to a motion.
 
 use super::held::{Held, velocity_of};
-use super::{Column, Course, OnGroup, Problem, Ready, StartElement, Value, Written, numbers_of};
+use super::{
+    Column, Course, OnGroup, Problem, Ready, StartElement, Value, Written, expect_new, numbers_of,
+};
 use crate::definition::group::GroupWork;
 use crate::definition::input::{Place, shown};
 use crate::definition::{Definition, InputError, Reading, Space};
@@ -275,14 +277,14 @@ impl Launch<'_> {
             }
             let watched = ["h", "energy"].contains(&&*stem.text);
             for name in expanded {
-                expect_one(&columns, &name, &stem.place)?;
+                expect_new(&columns, &name, &stem.place)?;
                 let formula = scope.read(&name, names, allowed);
                 formulas.push(formula.map_err(|error| stem.refused(error, help()))?);
                 columns.push(Column { name, formula: None, watched });
             }
         }
         for (name, written) in &self.problem.quantities {
-            expect_one(&columns, name, &self.problem.source.key(name))?;
+            expect_new(&columns, name, &self.problem.source.key(name))?;
             let formula = scope.read(&written.text, names, allowed);
             formulas.push(formula.map_err(|error| written.refused(error, help()))?);
             let formula = Some(written.text.clone());
@@ -408,14 +410,6 @@ impl Launch<'_> {
             Course::Given(..) => Ok(G::Vector::zeros(n)),
         }
     }
-}
-
-/// Checks that no column has the name yet.
-fn expect_one(columns: &[Column], name: &str, place: &Place) -> Result<(), InputError> {
-    if columns.iter().all(|column| column.name != name) {
-        return Ok(());
-    }
-    Err(InputError::usage(format!("there are two columns `{}`", shown(name))).at(place))
 }
 
 /// What is said of a metric that no body has.
