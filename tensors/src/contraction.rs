@@ -29,19 +29,38 @@
 mod arithmetic;
 mod kernel;
 mod notation;
+mod paths;
 mod rows;
 
 use crate::{Ring, Tensor, TensorError, Up, Variance};
 use arithmetic::{Factor, InRing, OnIntegers, Term};
 use notation::Expression;
+use paths::MAX_PLACES;
+#[doc(hidden)]
+pub use paths::Paths;
 
 /// The tensor that `expression` describes, with operands found by name.
 ///
 /// # Errors
 /// [`TensorError::Notation`] when the expression is malformed or does not fit the operands;
 /// [`TensorError::Dimension`]; [`TensorError::TooLarge`] for a result whose keys exceed 64 bits, or
-/// whose last two indices take more than 2^24 values together.
+/// whose last two indices take more than 2^24 values together, or for an operand of more than
+/// 2^32 - 1 components.
 pub fn contract<S: Ring>(
+    expression: &str,
+    operands: &[(&str, &Tensor<S>)],
+) -> Result<Tensor<S>, TensorError> {
+    contract_by(&Paths::default(), expression, operands)
+}
+
+/// [`contract`] with other sizes at which the kernel takes another path: the door by which tests
+/// enter every path with small tensors.
+///
+/// # Errors
+/// As [`contract`], with [`Paths::places`] in place of 2^24.
+#[doc(hidden)]
+pub fn contract_by<S: Ring>(
+    paths: &Paths,
     expression: &str,
     operands: &[(&str, &Tensor<S>)],
 ) -> Result<Tensor<S>, TensorError> {
@@ -54,19 +73,24 @@ pub fn contract<S: Ring>(
             }
             _ => {}
         }
+        // entries are numbered by 32 bits
+        if u32::try_from(operand.len()).is_err() {
+            let (dimension, rank) = (operand.dimension(), operand.rank());
+            return Err(TensorError::TooLarge { dimension, rank });
+        }
     }
     let terms = fold_mirrors(parsed.bind(operands)?, parsed.last_pair());
     let tolerance =
         operands.iter().map(|(_, t)| t.tolerance()).reduce(|a, b| a.weaker(b)).unwrap_or_default();
     let (dimension, rank) = (dimension.unwrap_or(0), parsed.slots().len());
     let zero = Tensor::zero(dimension, parsed.slots())?.with_tolerance(tolerance);
-    if (dimension as u64).saturating_pow(rank.min(2) as u32) > kernel::MAX_PLACES {
+    if (dimension as u64).saturating_pow(rank.min(2) as u32) > paths.places.min(MAX_PLACES) {
         return Err(TensorError::TooLarge { dimension, rank });
     }
     let groups = parsed.antisymmetric();
-    let (keys, values) = match OnIntegers::clear(&terms, zero.dimension()) {
-        Some((integers, terms)) => kernel::run(&integers, &terms, &zero, groups),
-        None => kernel::run(&InRing::new(tolerance), &InRing::terms(&terms), &zero, groups),
+    let (keys, values) = match OnIntegers::clear(&terms, zero.dimension(), paths) {
+        Some((integers, terms)) => kernel::run(&integers, &terms, &zero, groups, paths),
+        None => kernel::run(&InRing::new(tolerance), &InRing::terms(&terms), &zero, groups, paths),
     };
     Ok(zero.fill(keys, values))
 }

@@ -1,6 +1,6 @@
 //! How sums of products are formed: in the ring itself, or on machine integers.
 
-use super::{Product, Role};
+use super::{Paths, Product, Role};
 use crate::{Ring, Sum, Tolerance};
 
 /// A term before it is laid out for a run.
@@ -83,15 +83,13 @@ impl<S: Ring> Arithmetic<S> for InRing {
     }
 }
 
-/// The numerators whose quotients are kept.
-const SMALL: i64 = 64;
-
 /// Sums of machine integers over one denominator, which no sum of these terms can overflow.
 pub(super) struct OnIntegers<S> {
     denominator: i64,
-    /// The quotients of the numerators from `-SMALL` to `SMALL`, which most components repeat;
+    /// The quotients of the numerators from `-kept` to `kept`, which most components repeat;
     /// `None` for zero.
-    small: Vec<Option<S>>,
+    quotients: Vec<Option<S>>,
+    kept: u32,
 }
 
 impl<S: Ring> OnIntegers<S> {
@@ -99,6 +97,7 @@ impl<S: Ring> OnIntegers<S> {
     pub fn clear<'t>(
         products: &'t [Product<S>],
         dimension: usize,
+        paths: &Paths,
     ) -> Option<(Self, Vec<Term<'t, i64>>)> {
         let mut cleared = Vec::new();
         let mut denominator = 1i64;
@@ -136,10 +135,14 @@ impl<S: Ring> OnIntegers<S> {
             let mut values = factors.into_iter().map(|(values, _)| values);
             terms.push(product.with_values(|_, _| values.next().unwrap_or_default()));
         }
-        let small = (-SMALL..=SMALL)
+        if bound > paths.largest_integer.min(i64::MAX as u64) {
+            return None;
+        }
+        let kept = paths.kept_quotients;
+        let quotients = (-i64::from(kept)..=kept.into())
             .map(|n| if n == 0 { None } else { S::from_quotient(n, denominator) })
             .collect();
-        (bound <= i64::MAX as u64).then_some((OnIntegers { denominator, small }, terms))
+        Some((OnIntegers { denominator, quotients, kept }, terms))
     }
 }
 
@@ -163,9 +166,11 @@ impl<S: Ring> Arithmetic<S> for OnIntegers<S> {
     }
     fn finish(&self, sum: &i64, negative: bool) -> Option<S> {
         let sum = if negative { -sum } else { *sum };
-        match self.small.get(sum.wrapping_add(SMALL) as usize) {
-            Some(value) => value.clone(),
-            None => S::from_quotient(sum, self.denominator),
+        // compared before it becomes a place, which has 32 bits on some machines
+        if sum.unsigned_abs() <= self.kept.into() {
+            self.quotients[(sum + i64::from(self.kept)) as usize].clone()
+        } else {
+            S::from_quotient(sum, self.denominator)
         }
     }
 }

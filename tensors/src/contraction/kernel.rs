@@ -4,20 +4,12 @@
 //! reach, so results come out sorted. In a term of two factors, the one with more leading indices
 //! is read entry by entry, and each entry meets its partner's rows of the same summed indices.
 
+use super::Paths;
 use super::arithmetic::{Arithmetic, Term};
 use super::rows::{Entry, Laid, Place, Rows, sum};
 use crate::{Ring, Tensor};
 use rayon::prelude::*;
 use std::ops::Range;
-
-/// The most places of the accumulator: dimension 4096, when it has two indices.
-pub(super) const MAX_PLACES: u64 = 1 << 24;
-
-/// The most components that room is made for in advance.
-const MOST_ROOM: u64 = 1 << 21;
-
-/// Below this many operand entries, threads cost more than they save.
-const PARALLEL_FROM: usize = 4096;
 
 /// Runs the sum of `terms` into the shape of `result`: sorted keys and nonzero values.
 pub(super) fn run<S: Ring, A: Arithmetic<S>>(
@@ -25,21 +17,22 @@ pub(super) fn run<S: Ring, A: Arithmetic<S>>(
     terms: &[Term<A::Value>],
     result: &Tensor<S>,
     groups: &[Range<usize>],
+    paths: &Paths,
 ) -> (Vec<u64>, Vec<S>) {
     let n = result.dimension() as u64;
     let rank = result.rank();
     let outer = rank.saturating_sub(2);
     let laid: Vec<Laid<A::Value>> =
-        terms.iter().filter_map(|term| Laid::new(term, n, outer, rank)).collect();
+        terms.iter().filter_map(|term| Laid::new(term, n, outer, rank, paths)).collect();
     let plan = Plan { n, outer, rank, groups, terms: &laid };
     let entries: usize = laid.iter().map(Laid::entries).sum();
     let blocks: Vec<(Vec<u64>, Vec<S>)> = if laid.is_empty() {
         vec![]
-    } else if outer == 0 || entries < PARALLEL_FROM || rayon::current_num_threads() == 1 {
+    } else if outer == 0 || entries < paths.parallel_from || rayon::current_num_threads() == 1 {
         let mut walk = Walk::new(&plan, arithmetic);
         // room that is not used costs nothing, growing page by page does
         let products = laid.iter().filter(|_| outer > 0).map(Laid::products);
-        let room = products.fold(0, u64::saturating_add).min(MOST_ROOM);
+        let room = products.fold(0, u64::saturating_add).min(paths.reserved);
         walk.keys.reserve(2 * room as usize);
         walk.values.reserve(2 * room as usize);
         walk.descend(0, 0, 0);

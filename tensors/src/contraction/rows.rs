@@ -1,11 +1,8 @@
 //! The layout of a term: its factors in rows, so that partners find each other.
 
-use super::Role;
 use super::arithmetic::{Factor, Term};
+use super::{Paths, Role};
 use std::ops::Range;
-
-/// Tables of rows, or of groups of rows, up to this many entries are addressed directly.
-const DIRECT_ROWS: u64 = 1 << 22;
 
 /// A term laid out in rows: the factor that is read through, and the one that is looked up.
 pub(super) struct Laid<V> {
@@ -17,7 +14,13 @@ pub(super) struct Laid<V> {
 
 impl<V: Clone> Laid<V> {
     /// `None` for a term with an empty factor.
-    pub fn new(term: &Term<'_, V>, n: u64, outer: usize, rank: usize) -> Option<Self> {
+    pub fn new(
+        term: &Term<'_, V>,
+        n: u64,
+        outer: usize,
+        rank: usize,
+        paths: &Paths,
+    ) -> Option<Self> {
         if term.factors.iter().any(|factor| factor.keys.is_empty()) {
             return None;
         }
@@ -41,7 +44,7 @@ impl<V: Clone> Laid<V> {
             .filter(|role| partner.is_some_and(|p| p.roles.contains(role)))
             .filter_map(|role| if let Role::Summed(pair) = role { Some(*pair) } else { None })
             .collect();
-        let layout = Layout { n, outer, rank, shared: &shared };
+        let layout = Layout { n, outer, rank, shared: &shared, paths };
         let driver = Rows::new(driver, &layout);
         let partner = partner.map(|p| Rows::new(p, &layout));
         let empty =
@@ -72,6 +75,7 @@ struct Layout<'l> {
     outer: usize,
     rank: usize,
     shared: &'l [usize],
+    paths: &'l Paths,
 }
 
 /// Entries sorted by row; a row is the leading indices followed by the shared summed ones.
@@ -80,15 +84,25 @@ pub(super) struct Rows<V> {
     pub spans: Vec<Option<u64>>,
     /// How many values the shared indices take together.
     pub links: u64,
-    /// Where each row begins, when there are few enough rows; else where each group begins, the
-    /// rows of equal leading indices; else nothing.
-    starts: Option<Vec<u32>>,
-    /// How many rows lie between two of `starts`.
-    stride: u64,
-    /// With `starts`: a bit for each row that is not empty, `links` of them padded to whole words.
+    index: Index,
+    /// A bit for each row that is not empty, `links` of them padded to whole words; `None` where
+    /// these are too many.
     occupied: Option<Vec<u64>>,
+    /// The row of each entry, ascending.
     rows: Vec<u64>,
     pub entries: Vec<Entry<V>>,
+}
+
+/// How the entries of a row are found. In each case the entries are sorted by row, and those of
+/// one row stand in the order of the tensor.
+enum Index {
+    /// Where each row begins, and where the last one ends.
+    Rows(Vec<u32>),
+    /// Where each group begins, the `links` rows of equal leading indices, and where the last one
+    /// ends.
+    Groups(Vec<u32>),
+    /// By bisection.
+    Sorted,
 }
 
 /// A component of a factor.
@@ -102,7 +116,7 @@ pub(super) struct Entry<V> {
 
 impl<V: Clone> Rows<V> {
     fn new(factor: &Factor<'_, V>, layout: &Layout) -> Self {
-        let Layout { n, outer, rank, shared } = *layout;
+        let Layout { n, outer, rank, shared, paths } = *layout;
         let links = n.pow(shared.len() as u32);
         let mut spans = vec![None; outer];
         let mut span = links;
@@ -138,15 +152,22 @@ impl<V: Clone> Rows<V> {
             }
             order.push((row, place, at as u32));
         }
-        let stride = if span <= DIRECT_ROWS { 1 } else { links };
-        if stride > 1 {
-            order.sort_unstable();
-        }
-        let steps = span / stride;
-        let starts = (steps <= DIRECT_ROWS).then(|| sort_by_counting(&mut order, stride, steps));
-        let occupied = starts.is_some().then(|| {
-            let words = links.div_ceil(64);
-            let mut bits = vec![0; (span / links * words) as usize];
+        let groups = span / links;
+        let index = if span <= paths.direct_rows {
+            Index::Rows(sort_by_counting(&mut order, 1, span))
+        } else {
+            order.sort_unstable_by_key(|&(row, _, at)| (row, at));
+            if groups <= paths.direct_rows {
+                Index::Groups(sort_by_counting(&mut order, links, groups))
+            } else {
+                Index::Sorted
+            }
+        };
+        let words = links.div_ceil(64);
+        let marked = !matches!(index, Index::Sorted)
+            && groups.checked_mul(words).is_some_and(|all| all <= paths.marked_words);
+        let occupied = marked.then(|| {
+            let mut bits = vec![0; (groups * words) as usize];
             for &(row, _, _) in &order {
                 let (group, link) = (row / links, row % links);
                 bits[(group * words + link / 64) as usize] |= 1 << (link % 64);
@@ -164,8 +185,7 @@ impl<V: Clone> Rows<V> {
         Rows {
             spans,
             links,
-            starts,
-            stride,
+            index,
             occupied,
             rows: order.iter().map(|e| e.0).collect(),
             entries: order
@@ -220,17 +240,17 @@ impl<V: Clone> Rows<V> {
             let from = range.start + rows.partition_point(|&r| r < row);
             from..range.start + rows.partition_point(|&r| r < row + count)
         };
-        match &self.starts {
-            Some(starts) if self.stride == 1 => {
+        match &self.index {
+            Index::Rows(starts) => {
                 starts[row as usize] as usize..starts[(row + count) as usize] as usize
             }
-            Some(starts) => {
-                let first = (row / self.stride) as usize;
-                let last = (row + count).div_ceil(self.stride) as usize;
+            Index::Groups(starts) => {
+                let first = (row / self.links) as usize;
+                let last = (row + count).div_ceil(self.links) as usize;
                 let range = starts[first] as usize..starts[last] as usize;
-                if count.is_multiple_of(self.stride) { range } else { within(range) }
+                if count.is_multiple_of(self.links) { range } else { within(range) }
             }
-            None => within(0..self.rows.len()),
+            Index::Sorted => within(0..self.rows.len()),
         }
     }
 }

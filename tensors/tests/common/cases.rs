@@ -33,16 +33,23 @@ pub enum Values {
     Huge,
 }
 
-/// Contractions in dimension `0..=5`, and in 20 to 40 with few components.
+/// Contractions of rank 0 to 5 in dimension `0..=5`, and in 20 to 40 with few components.
+#[allow(dead_code, reason = "each test takes what it needs")]
 pub fn cases(values: Values) -> impl Strategy<Value = Case> {
-    vec(any::<u16>(), 400).prop_map(move |tape| {
+    cases_of_ranks(0..6, values)
+}
+
+/// The same with results of these ranks, at most 8.
+pub fn cases_of_ranks(ranks: Range<usize>, values: Values) -> impl Strategy<Value = Case> {
+    vec(any::<u16>(), 600).prop_map(move |tape| {
         let mut choices = Choices(tape.into_iter());
         let dimension = match choices.below(8) {
             6 => 20 + choices.below(20),
             7 => 0,
             few => few.min(5),
         };
-        case(&mut choices, dimension, values)
+        let rank = ranks.start + choices.below(ranks.len());
+        case(&mut choices, dimension, rank, values)
     })
 }
 
@@ -69,15 +76,14 @@ impl Choices {
 /// A factor: the number of its operand, and its letters.
 type Factor = (usize, Vec<(char, Variance)>);
 
-fn case(choices: &mut Choices, dimension: usize, values: Values) -> Case {
-    let rank = choices.below(6);
+fn case(choices: &mut Choices, dimension: usize, rank: usize, values: Values) -> Case {
     let groups = groups(choices, rank);
     let mut slots: Vec<Variance> = (0..rank).map(|_| variance(choices)).collect();
     for group in &groups {
         let first = slots[group.start];
         slots[group.clone()].fill(first);
     }
-    let free: Vec<_> = "ijklm".chars().zip(slots.iter().copied()).collect();
+    let free: Vec<_> = "ijklmnrs".chars().zip(slots.iter().copied()).collect();
     let mut operands: Vec<(String, Tensor<Rational>)> = vec![];
     let mut terms = vec![];
     for _ in 0..1 + choices.below(3) {
@@ -141,11 +147,13 @@ fn factors(choices: &mut Choices, free: &[(char, Variance)]) -> Vec<Vec<(char, V
         let at = choices.below(factors.len());
         factors[at].push(*letter);
     }
-    let pairs = choices.below(3).min((Indices::MAX - free.len()) / 2);
+    let pairs = choices.below(3).min((factors.len() * Indices::MAX - free.len()) / 2);
     for letter in "pq".chars().take(pairs) {
         let first = variance(choices);
         for slot in [first, if first == Up { Down } else { Up }] {
             let at = choices.below(factors.len());
+            let full = factors[at].len() == Indices::MAX;
+            let at = if full { factors.len() - 1 - at } else { at };
             factors[at].push((letter, slot));
         }
     }

@@ -1,0 +1,184 @@
+//! Every path of the kernel computes what the notation says: tables of rows, tables of groups,
+//! bisection, one thread and two, integers and the ring, with small tensors and lowered sizes.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+#[path = "common/cases.rs"]
+mod cases;
+#[path = "common/dual.rs"]
+mod dual;
+#[path = "common/oracle.rs"]
+mod oracle;
+#[path = "common/property.rs"]
+mod property;
+
+use affinor_tensors::contraction::{Paths, contract_by};
+use affinor_tensors::{Rational, Ring, Symbolic, Tensor, TensorError, contract};
+use cases::{Case, Values, cases_of_ranks};
+use dual::Dual;
+use oracle::{oracle, stored};
+use proptest::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::sync::LazyLock;
+
+/// One thread and two.
+static POOLS: LazyLock<[ThreadPool; 2]> = LazyLock::new(|| {
+    [1, 2].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build().unwrap())
+});
+
+/// The tables of rows: none, of groups and rows up to some power of the dimension, of all.
+fn tables(dimension: usize) -> Vec<(u64, u64)> {
+    let mut tables = vec![];
+    for rows in (0..4).map(|power| (dimension as u64).pow(power)).chain([0, 1 << 16]) {
+        tables.extend([0, 2, 1 << 16].map(|marked| (rows, marked)));
+    }
+    tables.dedup();
+    tables
+}
+
+/// Every combination of paths, with the pool it runs in.
+fn paths(dimension: usize) -> impl Iterator<Item = (Paths, &'static ThreadPool)> {
+    let arithmetics = [(0, 0), (u64::MAX, 0), (u64::MAX, 2), (u64::MAX, 64)];
+    tables(dimension).into_iter().flat_map(move |(direct_rows, marked_words)| {
+        let threads = POOLS.iter().zip([usize::MAX, 0]);
+        threads.flat_map(move |(pool, parallel_from)| {
+            arithmetics.into_iter().zip([0, 1, 7, 1 << 20]).map(move |(arithmetic, reserved)| {
+                let (largest_integer, kept_quotients) = arithmetic;
+                let paths = Paths {
+                    direct_rows,
+                    marked_words,
+                    parallel_from,
+                    reserved,
+                    largest_integer,
+                    kept_quotients,
+                    ..Paths::default()
+                };
+                (paths, pool)
+            })
+        })
+    })
+}
+
+/// The case with its operands mapped into another ring.
+fn mapped<S: Ring>(case: &Case, f: impl Fn(&[usize], &Rational) -> S) -> Vec<(&str, Tensor<S>)> {
+    let operand = |tensor: &Tensor<Rational>| tensor.filter_map(|at, value| Some(f(at, value)));
+    case.operands.iter().map(|(name, tensor)| (name.as_str(), operand(tensor))).collect()
+}
+
+fn borrowed<'a, S>(operands: &'a [(&'a str, Tensor<S>)]) -> Vec<(&'a str, &'a Tensor<S>)> {
+    operands.iter().map(|(name, tensor)| (*name, tensor)).collect()
+}
+
+/// Every path agrees with the oracle, in order, and no zero is stored.
+fn agrees<S: Ring>(text: &str, operands: &[(&str, &Tensor<S>)]) -> Result<(), TestCaseError> {
+    let expected: Vec<_> = oracle(text, operands).into_iter().collect();
+    for (paths, pool) in paths(operands[0].1.dimension()) {
+        let result = pool.install(|| contract_by(&paths, text, operands))?;
+        prop_assert_eq!(&stored(&result), &expected, "{} by {:?}", text, paths);
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(property::cases(100))]
+
+    #[test]
+    fn integers(case in cases_of_ranks(0..9, Values::Integers)) {
+        agrees(&case.text, &case.operands())?;
+        let result = contract(&case.text, &case.operands())?;
+        prop_assert_eq!(result.slots(), case.slots);
+    }
+
+    #[test]
+    fn fractions(case in cases_of_ranks(0..9, Values::Fractions)) {
+        agrees(&case.text, &case.operands())?;
+    }
+
+    #[test]
+    fn words_at_the_edge_of_64_bits(case in cases_of_ranks(0..7, Values::Words)) {
+        agrees(&case.text, &case.operands())?;
+    }
+
+    #[test]
+    fn beyond_64_bits(case in cases_of_ranks(0..5, Values::Huge)) {
+        agrees(&case.text, &case.operands())?;
+    }
+
+    /// A bound between the sizes of small sums, so that either arithmetic is taken.
+    #[test]
+    fn integers_up_to_a_bound(
+        case in cases_of_ranks(0..6, Values::Fractions),
+        largest_integer in 0u64..2000,
+    ) {
+        let expected: Vec<_> = oracle(&case.text, &case.operands()).into_iter().collect();
+        let paths = Paths { largest_integer, ..Paths::default() };
+        let result = contract_by(&paths, &case.text, &case.operands())?;
+        prop_assert_eq!(stored(&result), expected, "{}", case.text);
+    }
+
+    /// Floats are the same to the last bit on every path, and near the exact values.
+    #[test]
+    fn floats(case in cases_of_ranks(0..9, Values::Fractions)) {
+        let exact = contract(&case.text, &case.operands())?.map(Rational::to_f64);
+        let floats = mapped(&case, |_, value| value.to_f64());
+        let floats = borrowed(&floats);
+        let bits = |t: &Tensor<f64>| {
+            t.components().map(|(at, value)| (at.to_vec(), value.to_bits())).collect::<Vec<_>>()
+        };
+        let first = contract(&case.text, &floats)?;
+        prop_assert_eq!(first.len(), exact.len());
+        for ((at, value), (exact_at, exact)) in first.components().zip(exact.components()) {
+            prop_assert_eq!(at, exact_at);
+            prop_assert!((value - exact).abs() <= 1e-11 * exact.abs().max(1.0));
+        }
+        for (paths, pool) in paths(first.dimension()) {
+            let result = pool.install(|| contract_by(&paths, &case.text, &floats))?;
+            prop_assert_eq!(bits(&result), bits(&first), "{} by {:?}", case.text, paths);
+        }
+    }
+
+    /// Dual numbers with integer parts, which are exact; some have no real part.
+    #[test]
+    fn dual_numbers(case in cases_of_ranks(0..7, Values::Integers)) {
+        let duals = mapped(&case, |at, value| {
+            let parity = at.iter().sum::<usize>() % 3;
+            let real = if parity == 0 { 0.0 } else { value.to_f64() };
+            Dual::<true>::new(real, value.to_f64() + parity as f64)
+        });
+        agrees(&case.text, &borrowed(&duals))?;
+    }
+}
+
+proptest! {
+    #![proptest_config(property::cases(12))]
+
+    /// Parameters and constants side by side, and constants alone, which run on integers.
+    #[test]
+    fn symbols(case in cases_of_ranks(0..5, Values::Fractions), constants in any::<bool>()) {
+        let [a, b] = ["a", "b"].map(Symbolic::parameter);
+        let symbols = mapped(&case, |at, value| {
+            let constant = Symbolic::constant(value.clone());
+            match at.iter().sum::<usize>() % 3 {
+                1 if !constants => constant * &a,
+                2 if !constants => constant + &b,
+                _ => constant,
+            }
+        });
+        agrees(&case.text, &borrowed(&symbols))?;
+    }
+}
+
+/// The paths of a size are refused nowhere but at `places`.
+#[test]
+fn places_are_refused_past_their_limit() {
+    let identity = Tensor::<Rational>::identity(5);
+    let run = |places, text: &str| {
+        let paths = Paths { places, ..Paths::default() };
+        contract_by(&paths, text, &[("d", &identity)])
+    };
+    let refused = |rank| Err(TensorError::TooLarge { dimension: 5, rank });
+    assert_eq!(run(25, "d^a_b -> ^a_b").unwrap(), identity);
+    assert_eq!(run(24, "d^a_b -> ^a_b"), refused(2));
+    assert_eq!(run(24, "d^a_b d^c_d -> ^a_b^c_d"), refused(4));
+    assert_eq!(run(1, "d^p_p ->").unwrap().to_scalar(), Some(Rational::from(5)));
+    assert_eq!(run(0, "d^p_p ->"), refused(0));
+}
