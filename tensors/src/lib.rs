@@ -2,8 +2,8 @@
 //!
 //! This package knows no geometry. It holds
 //! - [`scalar`]: the traits [`Ring`] and [`Field`], their laws, and the scalars: exact
-//!   [`Rational`]s, `f64`, [`Symbolic`] rational functions of parameters, and [`Jet`]s, floats
-//!   with derivatives;
+//!   [`Rational`]s, `f64`, [`Tracked`] floats that know their rounding, [`Symbolic`] rational
+//!   functions of parameters, and [`Jet`]s, floats with derivatives;
 //! - [`expression`]: the written form of scalars;
 //! - [`Tensor`]: sorted nonzero components with upper and lower slots;
 //! - [`contract`]: signed sums of products written by index letters, through one kernel;
@@ -19,5 +19,5 @@ mod tensor;
 
 pub use contraction::contract;
 pub use error::TensorError;
-pub use scalar::{Field, Jet, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance};
+pub use scalar::{Field, Jet, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance, Tracked};
 pub use tensor::{Down, Indices, Tensor, Up, Variance};

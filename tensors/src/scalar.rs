@@ -13,6 +13,7 @@ pub mod laws;
 mod notation;
 mod rational;
 mod symbolic;
+mod tracked;
 
 use num_traits::{One, Zero};
 use std::fmt::{Debug, Display};
@@ -22,6 +23,7 @@ pub use jet::Jet;
 pub use notation::{Kind, Notation};
 pub use rational::Rational;
 pub use symbolic::Symbolic;
+pub use tracked::Tracked;
 
 /// A commutative ring with 1, by value and by reference.
 ///
@@ -51,6 +53,11 @@ pub trait Ring:
     /// Whether the whole value is zero. Sparsity rests on this, not on [`Zero::is_zero`], which
     /// some types answer by their leading part alone.
     fn vanishes(&self) -> bool;
+
+    /// Whether the value is a number: a float may be infinite or NaN. Exact values always are.
+    fn is_number(&self) -> bool {
+        true
+    }
 
     /// Whether the value counts as zero beside another one. Exact values do so only when they
     /// vanish; floats up to the tolerance.
@@ -89,7 +96,7 @@ pub trait Field: Ring {
 /// A sum of terms that can tell at the end whether it is zero.
 ///
 /// Exact scalars collect in themselves ([`ExactSum`]); floats also collect the magnitude of their
-/// terms, against which the [`Tolerance`] judges.
+/// terms, against which the [`Tolerance`] judges; a [`Tracked`] hands its rounding on to the next sum.
 pub trait Sum<S>: Clone + Send {
     /// The sum of one term.
     fn term(a: &S) -> Self;
@@ -125,7 +132,8 @@ impl<S: Ring> Sum<S> for ExactSum<S> {
     }
 }
 
-/// When a float counts as zero: `|sum| <= tolerance * (sum of the |terms|)`. Exact scalars ignore it.
+/// When a float counts as zero: `|sum| <= tolerance * (sum of the |terms|)`, of the terms of one sum of products; a
+/// [`Tracked`] also when it is the rounding of earlier sums. Exact scalars ignore it.
 ///
 /// ```
 /// use affinor_tensors::Tolerance;

@@ -1,6 +1,10 @@
-//! Floating point: `f64` with a tolerance for zero.
+//! Floating point: `f64` with a tolerance for zero, judged within one sum of products.
+//!
+//! What such a sum leaves of terms that cancel is an exact number to the next:
+//! [`Tracked`](super::Tracked) follows it through all stages.
 
 use super::{Field, Kind, Notation, Rational, Ring, Sum, Tolerance};
+use num_traits::One;
 
 /// A sum of floats beside the sum of the magnitudes of its terms.
 #[derive(Clone, Copy, Debug)]
@@ -40,6 +44,9 @@ impl Ring for f64 {
     fn vanishes(&self) -> bool {
         *self == 0.0
     }
+    fn is_number(&self) -> bool {
+        self.is_finite()
+    }
     fn negligible(&self, beside: &Self, tolerance: Tolerance) -> bool {
         let bound = tolerance.relative() * beside.abs();
         *self == 0.0 || (self.abs() <= bound && bound.is_finite())
@@ -65,7 +72,8 @@ impl Notation for f64 {
 
     fn from_rational(value: &Rational) -> Option<Self> {
         let x = value.to_f64();
-        x.is_finite().then_some(x)
+        let kept = if x.is_normal() { true } else { x.is_finite() && shortest(x) == *value };
+        kept.then_some(x)
     }
     fn latex(&self) -> String {
         let text = self.to_string();
@@ -83,4 +91,17 @@ impl Notation for f64 {
     fn size(&self) -> usize {
         1
     }
+}
+
+/// The shortest decimal that reads as a finite float. A subnormal float is that number as written;
+/// any other would lose its digits.
+fn shortest(x: f64) -> Rational {
+    let text = format!("{x:e}");
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let digits: i64 = mantissa.replace('.', "").parse().unwrap_or(0);
+    let behind = mantissa.split_once('.').map_or(0, |(_, behind)| behind.len()) as i32;
+    let power = exponent.parse::<i32>().unwrap_or(0) - behind;
+    let ten = num_traits::pow(Rational::from(10), power.unsigned_abs() as usize);
+    let ten = if power < 0 { ten.recip().unwrap_or_else(Rational::one) } else { ten };
+    Rational::from(digits) * &ten
 }

@@ -257,6 +257,9 @@ impl Ring for Jet {
         };
         self.value == 0.0 && flat
     }
+    fn is_number(&self) -> bool {
+        self.is_finite()
+    }
     fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
         (denominator != 0).then(|| Jet::constant(numerator as f64 / denominator as f64))
     }

@@ -18,7 +18,8 @@ pub trait Notation: Field {
     /// The kind of this scalar.
     const KIND: Kind;
 
-    /// The value of a rational number; `None` where this scalar cannot hold it (float overflow).
+    /// The value of a rational number; `None` where this scalar cannot hold it: beyond the range of
+    /// floats, or so near zero that they lose its digits.
     fn from_rational(value: &Rational) -> Option<Self>;
 
     /// The parameter of that name; `None` for scalars without parameters.
