@@ -225,6 +225,29 @@ fn only_the_program_uses_what_a_terminal_needs() {
     }
 }
 
+/// Properties are drawn from the fixed seed, and leave no file behind.
+#[test]
+fn every_property_has_the_shared_configuration() {
+    let mut blocks = 0;
+    for file in sources(&["src", "tests", "tensors/src", "tensors/tests", "benches", "examples"]) {
+        // in pieces, so that this test does not find itself
+        let (block, given) = (concat!("proptest", "!"), concat!("#![proptest", "_config("));
+        for (at, _) in file.text.match_indices(block) {
+            let number = file.text[..at].lines().count();
+            let inside = file.text[at + block.len()..].trim_start().strip_prefix('{');
+            let inside = inside.unwrap_or_default().trim_start().strip_prefix(given);
+            let config = inside.and_then(|rest| rest.split_once("(")).map(|(path, _)| path);
+            let shared = config.is_some_and(|path| path.ends_with("property::cases"));
+            assert!(shared, "{}:{number}: begin with {given}property::cases(256))]", file.path);
+            blocks += 1;
+        }
+        if !file.path.ends_with("tests/common/property.rs") {
+            file.forbid(&[concat!("Proptest", "Config"), concat!("Test", "Runner")]);
+        }
+    }
+    assert!(blocks > 50, "{blocks}");
+}
+
 #[test]
 fn every_source_says_what_it_is() {
     for file in library() {

@@ -7,6 +7,8 @@ mod cases;
 mod dual;
 #[path = "common/oracle.rs"]
 mod oracle;
+#[path = "common/property.rs"]
+mod property;
 
 use affinor_tensors::{Down, Rational, Ring, Symbolic, Tensor, TensorError, Up, contract};
 use cases::{Case, Values, cases};
@@ -42,7 +44,7 @@ fn agrees<S: Ring>(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(500))]
+    #![proptest_config(property::cases(500))]
 
     #[test]
     fn integers(case in cases(Values::Integers)) {
@@ -99,7 +101,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(property::cases(100))]
 
     /// Parameters, constants and fractions of parameters side by side.
     #[test]

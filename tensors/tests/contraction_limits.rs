@@ -3,6 +3,8 @@
 
 #[path = "common/oracle.rs"]
 mod oracle;
+#[path = "common/property.rs"]
+mod property;
 
 use affinor_tensors::{Down, Rational, Ring, Symbolic, Tensor, TensorError, Up, contract};
 use oracle::{oracle, stored};
@@ -29,7 +31,7 @@ fn edge() -> impl Strategy<Value = i64> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(property::cases(300))]
 
     /// Every way in which few products add up: one term, mirrored terms, sums, coefficients.
     #[test]

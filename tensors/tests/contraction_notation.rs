@@ -1,6 +1,9 @@
 //! What the notation refuses, and why it says so.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "common/property.rs"]
+mod property;
+
 use affinor_tensors::{Down, Rational, Tensor, TensorError, Up, contract};
 use proptest::prelude::*;
 
@@ -144,6 +147,8 @@ fn results_beyond_the_engine_are_refused() {
 }
 
 proptest! {
+    #![proptest_config(property::cases(256))]
+
     #[test]
     fn no_text_panics(text in ".*", tail in "[vwms]?[\\^_\\[\\]ij>2 +-]*") {
         for text in [format!("{text} -> ^i"), format!("v^i -> {text}"), text, tail.clone()] {

@@ -1,6 +1,9 @@
 //! Sines, cosines and exponentials of parameters: exact, differentiated, written and read back.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "common/property.rs"]
+mod property;
+
 use affinor_tensors::expression::{Expression, Functions, Scalars};
 use affinor_tensors::{Field, Notation, Ring, Symbolic};
 use proptest::prelude::*;
@@ -153,7 +156,7 @@ fn expressions() -> impl Strategy<Value = (String, f64)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(property::cases(64))]
 
     #[test]
     fn what_is_written_reads_back((text, at) in expressions(), (other, _) in expressions()) {

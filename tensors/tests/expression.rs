@@ -1,6 +1,9 @@
 //! The grammar of expressions: what is read, what is refused and where, and how soon.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "common/property.rs"]
+mod property;
+
 use affinor_tensors::expression::{Expression, ExpressionError, Scalars};
 use affinor_tensors::{Notation, Rational, Ring, Symbolic};
 use proptest::prelude::*;
@@ -244,6 +247,8 @@ fn functions() -> impl Strategy<Value = Symbolic> {
 }
 
 proptest! {
+    #![proptest_config(property::cases(256))]
+
     #[test]
     fn a_rational_reads_back(value in rationals()) {
         prop_assert_eq!(exact(&value.to_string())?, value);

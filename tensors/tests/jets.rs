@@ -1,6 +1,9 @@
 //! Jets against num-dual's second derivatives, which we did not write.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "common/property.rs"]
+mod property;
+
 use affinor_tensors::{Field, Jet, Ring};
 use num_dual::{DualNum, HyperDual64};
 use num_traits::{One, Zero};
@@ -17,6 +20,8 @@ macro_rules! formula {
 }
 
 proptest! {
+    #![proptest_config(property::cases(256))]
+
     #[test]
     fn derivatives_are_those_of_num_dual(point in [-3.0f64..3.0, -3.0f64..3.0]) {
         let [x, y] = Jet::coordinates(point);

@@ -5,6 +5,8 @@
 mod dual;
 #[path = "common/matrices.rs"]
 mod matrices;
+#[path = "common/property.rs"]
+mod property;
 
 use affinor_tensors::linear::{Echelon, LinearError, Matrix};
 use affinor_tensors::{Rational, Symbolic, Tolerance};
@@ -273,6 +275,8 @@ fn dual_numbers_pivot_on_units() -> Test {
 }
 
 proptest! {
+    #![proptest_config(property::cases(256))]
+
     /// d det(A) = the sum over i of det(A with row i of dA): on singular matrices too.
     #[test]
     fn the_determinant_of_dual_numbers_is_the_differential(

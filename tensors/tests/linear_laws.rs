@@ -3,6 +3,8 @@
 
 #[path = "common/matrices.rs"]
 mod matrices;
+#[path = "common/property.rs"]
+mod property;
 
 use affinor_tensors::linear::{Echelon, Matrix, Row};
 use affinor_tensors::{Field, Notation, Rational, Ring, Symbolic};
@@ -110,6 +112,8 @@ fn square_of<S: Ring, T: Strategy<Value = S>>(
 }
 
 proptest! {
+    #![proptest_config(property::cases(256))]
+
     #[test]
     fn square_rationals((a, b, x) in (0usize..6).prop_flat_map(|n| square_of(n, rational))) {
         square_laws(&a, &b, &x)?;
@@ -215,7 +219,7 @@ fn symbolic() -> impl Strategy<Value = Symbolic> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(property::cases(24))]
     #[test]
     fn square_rational_functions((a, b, x) in (1usize..4).prop_flat_map(|n| square_of(n, symbolic))) {
         square_laws(&a, &b, &x)?;

@@ -3,6 +3,8 @@
 
 #[path = "common/oracle.rs"]
 mod oracle;
+#[path = "common/property.rs"]
+mod property;
 #[path = "common/tensors.rs"]
 mod tensors;
 
@@ -84,7 +86,7 @@ fn sum_over_orders(t: &Tensor<Rational>, slots: &[usize], sign: i64) -> Tensor<R
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(property::cases(100))]
 
     #[test]
     fn symmetrisers(t in tensors(3, [Down; 3])) {

@@ -3,6 +3,8 @@
 
 #[path = "common/dual.rs"]
 mod dual;
+#[path = "common/property.rs"]
+mod property;
 
 use affinor_tensors::scalar::laws;
 use affinor_tensors::{Field, Notation, Rational, Ring, Sum, Symbolic, Tolerance};
@@ -84,6 +86,8 @@ fn dual_number() -> impl Strategy<Value = Dual<true>> {
 }
 
 proptest! {
+    #![proptest_config(property::cases(256))]
+
     #[test]
     fn rationals_are_a_field([a, b, c] in [rational(), rational(), rational()]) {
         // no tolerance: exact means exact
@@ -164,7 +168,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(property::cases(48))]
     #[test]
     fn rational_functions_are_a_field([a, b, c] in [symbolic(), symbolic(), symbolic()]) {
         laws::field(&a, &b, &c, Tolerance::new(0.0).unwrap())?;
@@ -251,6 +255,16 @@ fn the_ends_of_the_words() -> Test {
     assert!(Rational::new(3, 0).is_none());
     assert!(Ratio::<i64>::try_from(&-min.clone()).is_err());
     assert_eq!(Notation::to_f64(&max), Some(2f64.powi(63)));
+    // a sum of words at the least number of 128 bits, and one below
+    let half = Rational::from(1i64 << 32);
+    let mut sum = <Rational as Ring>::Sum::product(&min, &max);
+    sum.add_product(&min, &max);
+    sum.add_product(&-half.clone(), &half);
+    let least = sum.finish(Tolerance::default()).ok_or("not zero")?;
+    assert_eq!(least.to_string(), "-170141183460469231731687303715884105728");
+    sum.add_term(&-Rational::one());
+    let below = sum.finish(Tolerance::default()).ok_or("not zero")?;
+    assert_eq!(below - &least, -Rational::one());
     Ok(())
 }
 
@@ -263,6 +277,8 @@ fn only_digits_are_digits() {
 }
 
 proptest! {
+    #![proptest_config(property::cases(256))]
+
     /// Sums that are reduced at their end are those of the field, at the ends of the words, too.
     #[test]
     fn long_sums_agree_with_num(

@@ -1,6 +1,9 @@
 //! Rational functions of parameters, against exact values at rational points computed beside
 //! them, Euclid's algorithm in one variable, closed forms and finite differences.
 
+#[path = "common/property.rs"]
+mod property;
+
 use affinor_tensors::{Field, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance};
 use num_traits::{One, Zero, pow};
 use proptest::prelude::*;
@@ -203,7 +206,7 @@ fn read(text: &str) -> Symbolic {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(96))]
+    #![proptest_config(property::cases(96))]
 
     #[test]
     fn operations_agree_with_exact_values(x in quotient(), y in quotient(), p in point()) {

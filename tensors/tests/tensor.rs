@@ -1,6 +1,8 @@
 //! Tensors hold what they were given, in order, and keep it through maps and permutations.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "common/property.rs"]
+mod property;
 #[path = "common/tensors.rs"]
 mod tensors;
 
@@ -132,7 +134,7 @@ fn permutations_are_checked() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(property::cases(100))]
 
     #[test]
     fn permutations(t in tensors(3, [Up, Down, Up])) {

@@ -4,6 +4,8 @@
 
 pub mod algebras;
 pub mod charts;
+#[path = "../../tensors/tests/common/property.rs"]
+pub mod property;
 pub mod spaces;
 
 use affinor::{Connection, LieAlgebra, Metric};

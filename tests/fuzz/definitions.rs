@@ -100,6 +100,8 @@ fn check(name: &'static str, text: String) {
 }
 
 proptest! {
+    #![proptest_config(crate::property::cases(256))]
+
     #[test]
     fn any_text(text in texts()) {
         check("a.toml", text.clone());

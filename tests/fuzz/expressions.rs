@@ -114,6 +114,8 @@ fn formulas() -> impl Strategy<Value = String> {
 }
 
 proptest! {
+    #![proptest_config(crate::property::cases(256))]
+
     #[test]
     fn formulas_of_any_size(text in formulas()) {
         check(text);

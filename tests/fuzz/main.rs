@@ -1,11 +1,13 @@
 //! Arbitrary input: read or refused, never with a panic, and never for long.
 //!
-//! `PROPTEST_CASES=20000 cargo test --release --test fuzz` takes a long run.
+//! `AFFINOR_FRESH=100 cargo test --release --test fuzz` takes a long run.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod definitions;
 mod expressions;
 mod mutation;
+#[path = "../../tensors/tests/common/property.rs"]
+mod property;
 mod spaces;
 mod stored;
 

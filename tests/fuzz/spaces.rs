@@ -167,6 +167,8 @@ fn with_single_digits(name: &str) -> String {
 }
 
 proptest! {
+    #![proptest_config(crate::property::cases(256))]
+
     #[test]
     fn any_name(name in texts()) {
         check(space(name));

@@ -102,6 +102,8 @@ fn check(text: String) {
 }
 
 proptest! {
+    #![proptest_config(crate::property::cases(256))]
+
     #[test]
     fn any_text(text in texts()) {
         check(text.clone());
