@@ -14,7 +14,7 @@ pub use disformation::disformation;
 
 use crate::Error;
 use crate::algebra::{LETTERS, indices};
-use crate::frame::{Frame, expect_slots};
+use crate::frame::{Frame, expect_numbers, expect_slots};
 use crate::lie_derivative::derivation;
 use affinor_tensors::{Down, Ring, Tensor, Up};
 
@@ -30,12 +30,13 @@ pub struct Connection<S> {
 }
 
 impl<S: Ring> Connection<S> {
-    /// The connection with the affinities `Lambda^i_jk`, slots `[Up, Down, Down]`; any values.
+    /// The connection with the affinities `Lambda^i_jk`, slots `[Up, Down, Down]`; any numbers.
     ///
     /// # Errors
-    /// [`Error::Shape`].
+    /// [`Error::Shape`]; [`Error::NotFinite`].
     pub fn new(frame: Frame<S>, gamma: Tensor<S>) -> Result<Self, Error> {
         expect_slots("the affinities", &gamma, frame.dimension(), &[Up, Down, Down])?;
+        expect_numbers("the affinities", &gamma)?;
         Ok(Connection { frame, gamma })
     }
 

@@ -113,7 +113,7 @@ impl<S: Notation> Reading<'_, S> {
         (self.convert)(value).ok_or_else(|| {
             let shown = input::shown(&value.to_string());
             InputError::usage(format!("the value {shown} has no counterpart in this scalar"))
-                .help("set every parameter with --set, and keep floats within 1e308")
+                .help("set every parameter with --set, and keep floats within 1e308, and at 1e-307 or more unless 0")
         })
     }
 
@@ -168,9 +168,6 @@ impl Definition {
                 self.antisymmetric(given)?;
                 let mut constants = Vec::new();
                 for (&(j, k), right) in given {
-                    if j > k && given.contains_key(&(k, j)) {
-                        continue;
-                    }
                     for (i, value) in &right.value {
                         constants.push((j, k, *i, reading.value_at(value, &right.place)?));
                     }
@@ -327,11 +324,20 @@ impl Definition {
     /// `[x,x] = 0`, and `[y,x] = -[x,y]` where both are given.
     fn antisymmetric(&self, given: &Pairs) -> Result<(), InputError> {
         let Some(((j, k), sum, place)) = self.asymmetry(given) else { return Ok(()) };
-        let named = sum.iter().map(|(i, value)| (value, self.labels[*i].clone()));
-        let residual = crate::error::combination(named);
-        let (x, y) = (self.labels[j].clone(), self.labels[k].clone());
-        let error = InputError::from(Error::NotAntisymmetric { x, y, residual });
-        Err(error.at(&place))
+        let written = |value: &BTreeMap<usize, Symbolic>| {
+            let terms = value.iter().filter(|(_, value)| !value.vanishes());
+            let named = terms.map(|(i, value)| (value, self.labels[*i].clone()));
+            crate::error::combination(named)
+        };
+        let [x, y] = [j, k].map(|at| self.labels[at].clone());
+        let error = match (given.get(&(j, k)), given.get(&(k, j))) {
+            (Some(forward), Some(backward)) if j != k => {
+                let values = Box::new([forward, backward].map(|given| written(&given.value)));
+                Error::OrdersDisagree { x, y, values, residual: written(&sum) }
+            }
+            _ => Error::NotAntisymmetric { x, y, residual: written(&sum) },
+        };
+        Err(InputError::from(error).at(&place))
     }
 
     /// The first pair with `[x,y] + [y,x]` not zero, that sum, and where it stands.

@@ -45,6 +45,47 @@ pub enum Error {
         /// `[x,y] + [y,x]`.
         residual: String,
     },
+    /// A pair that is given in both orders, with values that are not opposite.
+    #[error(
+        "the bracket is not antisymmetric: [{x}, {y}] + [{y}, {x}] = {residual}, \
+         for [{x}, {y}] = {} and [{y}, {x}] = {}",
+        .values[0], .values[1]
+    )]
+    OrdersDisagree {
+        /// The first basis vector.
+        x: String,
+        /// The second basis vector.
+        y: String,
+        /// `[x,y]` and `[y,x]` as given.
+        values: Box<[String; 2]>,
+        /// `[x,y] + [y,x]`.
+        residual: String,
+    },
+    /// A structure constant that is given twice.
+    #[error(
+        "the component of [{x}, {y}] along {component} is given twice: {} and {}",
+        .values[0], .values[1]
+    )]
+    GivenTwice {
+        /// The first basis vector.
+        x: String,
+        /// The second basis vector.
+        y: String,
+        /// The basis vector of the component.
+        component: String,
+        /// Both values as given.
+        values: Box<[String; 2]>,
+    },
+    /// A component that is infinite or not a number.
+    #[error("{what} has the component {} = {value}, which is no number", indices(.at))]
+    NotFinite {
+        /// The object.
+        what: &'static str,
+        /// The indices of the component, from 1.
+        at: Vec<usize>,
+        /// What stands there.
+        value: String,
+    },
     /// A bracket that violates the Jacobi identity.
     #[error(
         "the Jacobi identity fails: \

@@ -7,7 +7,7 @@
 
 use crate::algebra::LETTERS;
 use crate::connection::Connection;
-use crate::frame::{Frame, expect_slots, expect_symmetry};
+use crate::frame::{Frame, expect_numbers, expect_slots, expect_symmetry};
 use crate::{Error, LieAlgebra};
 use affinor_tensors::{Down, Indices, Ring, Tensor, TensorError, Up, contract};
 
@@ -19,10 +19,11 @@ impl<S: Ring> Form<S> {
     /// The form with these components, all slots lower. Of degree 0: a function.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::Symmetry`] unless they are antisymmetric.
+    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::Symmetry`] unless they are antisymmetric.
     pub fn new(components: Tensor<S>) -> Result<Self, Error> {
         let degree = components.rank();
         expect_slots("the form", &components, components.dimension(), &vec![Down; degree])?;
+        expect_numbers("the form", &components)?;
         // neighbours generate all exchanges
         for a in 1..degree {
             expect_symmetry("the form", &components, [a - 1, a], -1)?;

@@ -28,10 +28,11 @@ impl<S: Ring> Frame<S> {
     ///
     /// # Errors
     /// [`Error::Shape`] unless `structure` has the slots `^i_jk` in the dimension of the labels;
-    /// [`Error::NotAntisymmetric`].
+    /// [`Error::NotFinite`]; [`Error::NotAntisymmetric`].
     pub fn invariant(labels: Arc<[String]>, structure: Tensor<S>) -> Result<Self, Error> {
         let frame = Frame { labels, structure, derivations: None, isotropy: None };
         expect_slots("the structure", &frame.structure, frame.labels.len(), &[Up, Down, Down])?;
+        expect_numbers("the structure", &frame.structure)?;
         let symmetric = contract("c^i_jk + c^i_kj -> ^i_jk", &[("c", &frame.structure)])?;
         match symmetric.components().next() {
             None => Ok(frame),
@@ -214,13 +215,25 @@ pub(crate) fn expect_slots<S: Ring>(
     })
 }
 
-/// Checks that two slots are symmetric (`sign` 1) or antisymmetric (-1).
+/// Checks that floats are neither infinite nor NaN, of which no comparison speaks.
+pub(crate) fn expect_numbers<S: Ring>(what: &'static str, tensor: &Tensor<S>) -> Result<(), Error> {
+    match tensor.components().find(|(_, value)| !value.is_number()) {
+        None => Ok(()),
+        Some((at, value)) => {
+            let at = at.iter().map(|index| index + 1).collect();
+            Err(Error::NotFinite { what, at, value: value.to_string() })
+        }
+    }
+}
+
+/// Checks that two slots are symmetric (`sign` 1) or antisymmetric (-1), and hold numbers.
 pub(crate) fn expect_symmetry<S: Ring>(
     what: &'static str,
     tensor: &Tensor<S>,
     [a, b]: [usize; 2],
     sign: i64,
 ) -> Result<(), Error> {
+    expect_numbers(what, tensor)?;
     for (at, value) in tensor.components() {
         let mut exchanged = at.to_vec();
         exchanged.swap(a, b);

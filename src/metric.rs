@@ -4,7 +4,7 @@ use crate::Error;
 use crate::algebra::{LieAlgebra, inverse, to_matrix};
 use crate::connection::Connection;
 use crate::error::{combination, written};
-use crate::frame::{expect_slots, formula};
+use crate::frame::{expect_numbers, expect_slots, formula};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Field, Notation, Rational, Tensor, Up};
 use std::collections::{BTreeMap, BTreeSet};
@@ -21,9 +21,11 @@ impl<S: Field> Metric<S> {
     /// The metric with these components, slots `[Down, Down]`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::NotSymmetric`]; [`Error::Degenerate`] with a vector of the kernel.
+    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::NotSymmetric`]; [`Error::Degenerate`] with a
+    /// vector of the kernel.
     pub fn new(labels: &Arc<[String]>, components: Tensor<S>) -> Result<Self, Error> {
         expect_slots("the metric", &components, labels.len(), &[Down, Down])?;
+        expect_numbers("the metric", &components)?;
         let skew = formula("g_ij - g_ji -> _ij", &[("g", &components)]);
         if let Some((at, residual)) = skew.components().next() {
             return Err(Error::NotSymmetric {

@@ -1,10 +1,11 @@
 //! Changes of basis.
 
 use crate::Error;
-use crate::frame::{expect_slots, formula};
+use crate::frame::{expect_numbers, expect_slots, formula};
 use affinor_tensors::contraction;
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{Down, Field, Tensor, Up};
+use affinor_tensors::{Down, Field, Ring, Tensor, Up};
+use std::collections::BTreeMap;
 
 /// A change of basis `e'_a = A^i_a e_i` with invertible `A`: constants, or functions over a chart.
 #[derive(Clone, Debug)]
@@ -17,9 +18,10 @@ impl<S: Field> BasisChange<S> {
     /// The change with the matrix `A^i_a`, slots `[Up, Down]`: column `a` is the new `e'_a`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::SingularBasis`] when `A` has no inverse.
+    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::SingularBasis`] when `A` has no inverse.
     pub fn new(matrix: Tensor<S>) -> Result<Self, Error> {
         expect_slots("the change of basis", &matrix, matrix.dimension(), &[Up, Down])?;
+        expect_numbers("the change of basis", &matrix)?;
         let inverse = inverse(&matrix).ok_or(Error::SingularBasis)?;
         let inverse = Tensor::from_components(matrix.dimension(), &[Up, Down], inverse)?;
         let inverse = inverse.with_tolerance(matrix.tolerance());
@@ -37,6 +39,9 @@ impl<S: Field> BasisChange<S> {
     }
 
     /// The components in the new basis: `A^-1` on every upper slot, `A` on every lower one.
+    ///
+    /// Slots of equal variance in which the tensor is symmetric or antisymmetric are so again, which
+    /// rounding alone would not keep.
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
@@ -58,15 +63,59 @@ impl<S: Field> BasisChange<S> {
                 ),
             };
         }
-        Ok(result)
+        Ok(with_symmetries(&symmetries(tensor), result))
     }
+}
+
+/// Two slots, and the sign with which a tensor takes their exchange.
+type Symmetry = (usize, usize, i64);
+
+/// The pairs of slots in which a tensor is symmetric or antisymmetric.
+fn symmetries<S: Ring>(tensor: &Tensor<S>) -> Vec<Symmetry> {
+    let pairs = (0..tensor.rank()).flat_map(|a| (a + 1..tensor.rank()).map(move |b| (a, b)));
+    pairs.filter_map(|(a, b)| Some((a, b, tensor.pair_symmetry(a, b)?))).collect()
+}
+
+/// The tensor with the symmetries, taken from its components with ordered indices.
+fn with_symmetries<S: Ring>(symmetries: &[Symmetry], tensor: Tensor<S>) -> Tensor<S> {
+    if symmetries.is_empty() {
+        return tensor;
+    }
+    let ordered = |at: &[usize]| symmetries.iter().all(|(a, b, _)| at[*a] <= at[*b]);
+    let mut components = Vec::with_capacity(tensor.len());
+    for (at, value) in tensor.components().filter(|(at, _)| ordered(at)) {
+        // every arrangement of the indices, each once, from exchanges of two slots
+        let mut orbit = BTreeMap::from([(at.to_vec(), 1)]);
+        let mut open = vec![(at.to_vec(), 1)];
+        let mut vanishes = false;
+        while let Some((at, sign)) = open.pop() {
+            for (a, b, exchange) in symmetries {
+                let (mut image, sign) = (at.clone(), sign * exchange);
+                image.swap(*a, *b);
+                match orbit.get(&image) {
+                    Some(known) => vanishes |= *known != sign,
+                    None => {
+                        orbit.insert(image.clone(), sign);
+                        open.push((image, sign));
+                    }
+                }
+            }
+        }
+        if !vanishes {
+            let signed = |sign| if sign < 0 { -value.clone() } else { value.clone() };
+            components.extend(orbit.into_iter().map(|(at, sign)| (at, signed(sign))));
+        }
+    }
+    Tensor::from_components(tensor.dimension(), tensor.slots(), components)
+        .expect("indices of a tensor")
+        .with_tolerance(tensor.tolerance())
 }
 
 /// The letters of the slots of a tensor; `m` and `p` are left for sums.
 pub(crate) const LETTERS: &str = "abcdefgh";
 
 /// One letter a slot, as the notation of contractions writes them.
-pub(crate) fn indices<S: affinor_tensors::Ring>(letters: &str, tensor: &Tensor<S>) -> String {
+pub(crate) fn indices<S: Ring>(letters: &str, tensor: &Tensor<S>) -> String {
     contraction::indices(letters.chars().zip(tensor.slots().iter().copied()))
 }
 
@@ -77,7 +126,7 @@ pub(crate) fn inverse<S: Field>(tensor: &Tensor<S>) -> Option<Vec<([usize; 2], S
 }
 
 /// A tensor of rank 2 as a matrix: the first index is the row.
-pub(crate) fn to_matrix<S: affinor_tensors::Ring>(tensor: &Tensor<S>) -> Matrix<S> {
+pub(crate) fn to_matrix<S: Ring>(tensor: &Tensor<S>) -> Matrix<S> {
     let n = tensor.dimension();
     let mut rows = vec![Vec::new(); n];
     for (at, value) in tensor.components() {

@@ -1,8 +1,11 @@
 //! Brackets: antisymmetric, not yet known to satisfy the Jacobi identity.
 
 use crate::Error;
-use crate::frame::Frame;
-use affinor_tensors::{Down, Ring, Tensor, Up};
+use crate::error::combination;
+use crate::frame::{Frame, expect_numbers};
+use affinor_tensors::{Down, Ring, Sum, Tensor, TensorError, Tolerance, Up};
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::sync::Arc;
 
 /// An antisymmetric bracket `[e_j, e_k] = c^i_jk e_i`, with the Jacobi identity unchecked: what
@@ -16,7 +19,8 @@ impl<S: Ring> Bracket<S> {
     /// The bracket with the structure constants `c^i_jk`, slots `[Up, Down, Down]`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::NotAntisymmetric`] with the first pair that is not.
+    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::NotAntisymmetric`] with the first pair that
+    /// is not.
     pub fn new(labels: Arc<[String]>, structure: Tensor<S>) -> Result<Self, Error> {
         Ok(Bracket { frame: Frame::invariant(labels, structure)? })
     }
@@ -25,7 +29,7 @@ impl<S: Ring> Bracket<S> {
     /// only, from 0.
     ///
     /// # Errors
-    /// An index out of range.
+    /// As [`from_constants`](Self::from_constants).
     pub fn from_fn(
         labels: &[&str],
         bracket: impl Fn(usize, usize) -> Vec<(usize, S)>,
@@ -38,19 +42,41 @@ impl<S: Ring> Bracket<S> {
         Self::from_constants(labels, constants)
     }
 
-    /// The bracket with `[e_j, e_k] = ... + v e_i` for each `(j, k, i, v)` and its antisymmetric
-    /// counterpart, from 0.
+    /// The bracket with `[e_j, e_k] = ... + v e_i` for each `(j, k, i, v)`, from 0, in any order.
+    ///
+    /// A pair is given in one order, of which the other follows, or in both: the full table of all
+    /// `c^i_jk` is as good as its half. Rows of definition files are read alike.
     ///
     /// # Errors
-    /// An index out of range; [`Error::NotAntisymmetric`] for `j = k`.
+    /// An index out of range; [`Error::NotFinite`]; [`Error::GivenTwice`] for a component that stands
+    /// twice; [`Error::OrdersDisagree`] for a pair with `[x, y] + [y, x]` not zero;
+    /// [`Error::NotAntisymmetric`] for `[x, x]`.
     pub fn from_constants(
         labels: Arc<[String]>,
         constants: impl IntoIterator<Item = (usize, usize, usize, S)>,
     ) -> Result<Self, Error> {
-        let both = constants.into_iter().flat_map(|(j, k, i, v)| {
-            let counterpart = (j != k).then(|| ([i, k, j], -v.clone()));
-            [Some(([i, j, k], v)), counterpart].into_iter().flatten()
-        });
+        let given = sorted(&labels, constants)?;
+        let pairs: Vec<&[Constant<S>]> = given.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).collect();
+        let of = |j: usize, k: usize| {
+            let at = pairs.binary_search_by_key(&(j, k), |pair| (pair[0].0, pair[0].1));
+            at.ok().map(|at| pairs[at])
+        };
+        let mut both = Vec::with_capacity(2 * given.len());
+        for pair in &pairs {
+            let (j, k, ..) = pair[0];
+            if j > k
+                && let Some(forward) = of(k, j)
+            {
+                expect_opposite(&labels, forward, pair)?;
+                continue;
+            }
+            for (_, _, i, v) in *pair {
+                both.push(([*i, j, k], v.clone()));
+                if j != k {
+                    both.push(([*i, k, j], -v.clone()));
+                }
+            }
+        }
         let structure = Tensor::from_components(labels.len(), &[Up, Down, Down], both)?;
         Self::new(labels, structure)
     }
@@ -71,9 +97,13 @@ impl<S: Ring> Bracket<S> {
         self.frame.jacobi()
     }
 
-    /// The first triple of basis vectors that violates the Jacobi identity.
+    /// The first triple of basis vectors that violates the Jacobi identity; [`Error::NotFinite`] where
+    /// floats leave their range on the way.
     pub fn jacobi_violation(&self) -> Option<Error> {
         let residual = self.jacobi();
+        if let Err(overflow) = expect_numbers("the Jacobi residual", &residual) {
+            return Some(overflow);
+        }
         let at = residual.components().map(|(at, _)| (at[1], at[2], at[3])).min();
         at.map(|(j, k, l)| {
             let label = |at: usize| self.labels()[at].clone();
@@ -90,4 +120,71 @@ impl<S: Ring> Bracket<S> {
     pub(super) fn into_frame(self) -> Frame<S> {
         self.frame
     }
+}
+
+/// `(j, k, i, v)`: `[e_j, e_k] = ... + v e_i`.
+type Constant<S> = (usize, usize, usize, S);
+
+/// The constants by pair and component, each a number and given once.
+fn sorted<S: Ring>(
+    labels: &[String],
+    constants: impl IntoIterator<Item = Constant<S>>,
+) -> Result<Vec<Constant<S>>, Error> {
+    let mut given: Vec<Constant<S>> = constants.into_iter().collect();
+    let dimension = labels.len();
+    for (j, k, i, v) in &given {
+        if let Some(&index) = [j, k, i].into_iter().find(|index| **index >= dimension) {
+            return Err(TensorError::IndexRange { index, dimension }.into());
+        }
+        if !v.is_number() {
+            let at = [i + 1, j + 1, k + 1].to_vec();
+            return Err(Error::NotFinite { what: "the bracket", at, value: v.to_string() });
+        }
+    }
+    given.sort_by_key(|(j, k, i, _)| (*j, *k, *i));
+    let twice = given
+        .windows(2)
+        .find(|two| (two[0].0, two[0].1, two[0].2) == (two[1].0, two[1].1, two[1].2));
+    if let Some([(j, k, i, first), (.., second)]) = twice {
+        let label = |at: &usize| labels[*at].clone();
+        let values = [first.to_string(), second.to_string()];
+        let values = Box::new(values);
+        return Err(Error::GivenTwice { x: label(j), y: label(k), component: label(i), values });
+    }
+    Ok(given)
+}
+
+/// Checks `[e_j, e_k] + [e_k, e_j] = 0`, each with its components in order.
+fn expect_opposite<S: Ring>(
+    labels: &[String],
+    forward: &[Constant<S>],
+    backward: &[Constant<S>],
+) -> Result<(), Error> {
+    let (j, k, ..) = forward[0];
+    let mut sums: BTreeMap<usize, S::Sum> = BTreeMap::new();
+    for (_, _, i, v) in forward.iter().chain(backward) {
+        match sums.entry(*i) {
+            Entry::Vacant(free) => drop(free.insert(S::Sum::term(v))),
+            Entry::Occupied(mut sum) => sum.get_mut().add_term(v),
+        }
+    }
+    let written = |terms: &[(usize, S)]| {
+        let terms = terms.iter().filter(|(_, v)| !v.vanishes());
+        combination(terms.map(|(i, v)| (v.clone(), labels[*i].clone())))
+    };
+    let sums = sums.iter().filter_map(|(i, sum)| Some((*i, sum.finish(Tolerance::default())?)));
+    let sums: Vec<(usize, S)> = sums.collect();
+    if sums.is_empty() {
+        return Ok(());
+    }
+    let of = |given: &[Constant<S>]| {
+        let terms: Vec<_> = given.iter().map(|(_, _, i, v)| (*i, v.clone())).collect();
+        written(&terms)
+    };
+    Err(Error::OrdersDisagree {
+        x: labels[j].clone(),
+        y: labels[k].clone(),
+        values: Box::new([of(forward), of(backward)]),
+        residual: written(&sums),
+    })
 }

@@ -45,8 +45,8 @@ impl<S: Field> MatrixBasis<S> {
     /// from 0.
     ///
     /// # Errors
-    /// [`Error::Shape`] for an entry outside or a wrong number of labels; [`Error::Dependent`]
-    /// with a vanishing combination.
+    /// [`Error::Shape`] for an entry outside or a wrong number of labels; [`Error::NotFinite`];
+    /// [`Error::Dependent`] with a vanishing combination.
     pub fn new(
         labels: Arc<[String]>,
         size: usize,
@@ -188,6 +188,10 @@ fn real_form<S: Field>(
         if i >= size || j >= size {
             let found = format!("an entry at row {}, column {}", i + 1, j + 1);
             return Err(Error::Shape { what: "a matrix", expected: format!("size {size}"), found });
+        }
+        if let Some(value) = [&re, &im].into_iter().find(|value| !value.is_number()) {
+            let at = vec![i + 1, j + 1];
+            return Err(Error::NotFinite { what: "a matrix", at, value: value.to_string() });
         }
         if complex {
             rows[i + size].extend([(j, im.clone()), (j + size, re.clone())]);

@@ -16,7 +16,7 @@ use affinor_tensors::{Down, Field, Tensor, Up};
 /// J. Beltrán Jiménez, L. Heisenberg and T. Koivisto, *Universe* 5 (2019) 173).
 ///
 /// # Errors
-/// [`Error::Shape`]; [`Error::Symmetry`] unless the torsion is antisymmetric.
+/// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::Symmetry`] unless the torsion is antisymmetric.
 pub fn contorsion<S: Field>(metric: &Metric<S>, torsion: &Tensor<S>) -> Result<Tensor<S>, Error> {
     let n = metric.components().dimension();
     expect_torsion(torsion, n)?;

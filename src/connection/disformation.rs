@@ -17,7 +17,7 @@ use affinor_tensors::{Down, Field, Ring, Tensor, Up, contract};
 /// *Universe* 5 (2019) 173).
 ///
 /// # Errors
-/// [`Error::Shape`]; [`Error::Symmetry`] unless `Q_kij = Q_kji`.
+/// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::Symmetry`] unless `Q_kij = Q_kji`.
 pub fn disformation<S: Field>(
     metric: &Metric<S>,
     nonmetricity: &Tensor<S>,

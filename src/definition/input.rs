@@ -226,7 +226,9 @@ impl From<TensorError> for InputError {
 /// What to do about a refusal of the mathematics.
 fn advice(error: &Error) -> Option<&'static str> {
     match error {
-        Error::NotAntisymmetric { .. } => Some("[y,x] must be -[x,y], and [x,x] zero"),
+        Error::NotAntisymmetric { .. } | Error::OrdersDisagree { .. } => {
+            Some("[y,x] must be -[x,y], and [x,x] zero")
+        }
         Error::Jacobi { .. } => Some("look at the brackets of these three basis vectors"),
         Error::NotClosed { .. } => Some("add the missing matrices to the basis"),
         Error::Dependent { .. } => Some("a basis has no such relation: leave a matrix out"),
