@@ -20,6 +20,8 @@ pub struct Geometry<S> {
     connection: Connection<S>,
     kind: ConnectionKind<S>,
     metric: Option<Metric<S>>,
+    /// Whether the components are those of the right-invariant frame.
+    right: bool,
 }
 
 /// How a connection was chosen.
@@ -31,7 +33,7 @@ pub enum ConnectionKind<S> {
     Family(S),
     /// The Levi-Civita connection of the metric.
     LeviCivita,
-    /// Affinities given one by one.
+    /// Affinities given one by one, in the frame of the geometry.
     Affinities(Tensor<S>),
 }
 
@@ -67,12 +69,13 @@ impl<S: Notation> Geometry<S> {
                 Connection::new(frame.clone(), gamma.clone())?
             }
         };
-        Ok(Geometry { name: name.into(), algebra_name: None, ground, connection, kind, metric })
+        let (name, algebra_name, right) = (name.into(), None, false);
+        Ok(Geometry { name, algebra_name, ground, connection, kind, metric, right })
     }
 
     /// The same geometry with its components in the right-invariant frame: structure `-c`,
     /// affinities `Lambda - c`. A metric that is not bi-invariant has no constant components
-    /// there, and is left out.
+    /// there, and is left out. Taken twice, it is this geometry again.
     ///
     /// # Errors
     /// [`Error::NotInvariant`] for a connection without constant components there;
@@ -85,12 +88,29 @@ impl<S: Notation> Geometry<S> {
         };
         let connection = self.connection.in_right_frame(algebra)?;
         let metric = self.metric.as_ref().filter(|metric| metric.is_bi_invariant(algebra));
+        let kind = match &self.kind {
+            ConnectionKind::Affinities(_) => ConnectionKind::Affinities(connection.gamma().clone()),
+            kind => kind.clone(),
+        };
         Ok(Geometry {
             ground: algebra.opposite().into(),
             connection,
+            kind,
             metric: metric.cloned(),
+            right: !self.right,
             ..self.clone()
         })
+    }
+
+    /// The name of the frame of all components: `left-invariant`, `right-invariant`, and over a
+    /// chart `coordinate` or `moving`.
+    pub fn frame_name(&self) -> &'static str {
+        match self.ground.fields() {
+            Some(fields) if fields.are_coordinates() => "coordinate",
+            Some(_) => "moving",
+            None if self.right => "right-invariant",
+            None => "left-invariant",
+        }
     }
 
     /// The same geometry with a name for its algebra, where that is not its own: so(3) for M(3).

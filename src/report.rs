@@ -130,11 +130,7 @@ impl<S: Notation> Table<S> {
             connection: geometry.kind().name().into(),
             connection_words: geometry.kind().describe(),
             lambda: geometry.kind().lambda(),
-            frame: match geometry.ground().fields() {
-                None => "left-invariant",
-                Some(fields) if fields.are_coordinates() => "coordinate",
-                Some(_) => "moving",
-            },
+            frame: geometry.frame_name(),
             chart: geometry.ground().fields().map(|fields| OnChart {
                 coordinates: fields.chart().coordinates().to_vec(),
                 fields: fields.written(),

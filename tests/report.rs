@@ -1,6 +1,9 @@
 //! A table says the same in every format, and what it says can be read back.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "../tensors/tests/common/property.rs"]
+mod property;
+
 use affinor::report::{Entry, Format, GROUPED, Quantity, Table, groups, independent};
 use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra, Metric};
 use affinor_tensors::{Down, Field, Notation, Rational, Symbolic, Tensor, Tolerance, Up, Variance};
@@ -498,6 +501,8 @@ fn symmetries(tensor: &Tensor<Rational>) -> Vec<(Vec<usize>, i64)> {
 }
 
 proptest! {
+    #![proptest_config(property::cases(256))]
+
     #[test]
     fn groups_hold_every_component_once(tensor in tensors()) {
         let groups = groups(&tensor);

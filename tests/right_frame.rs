@@ -3,7 +3,9 @@
 
 mod common;
 
-use affinor::{Bracket, Connection, Error, LieAlgebra};
+use affinor::equations::{Equations, Motion};
+use affinor::report::{Format, Quantity, System, Table};
+use affinor::{Bracket, Canonical, Connection, ConnectionKind, Error, Geometry, LieAlgebra};
 use affinor_tensors::{Rational, Tensor, contract};
 use common::algebras::by_table;
 use common::{Space, fraction, integer, spaces};
@@ -62,7 +64,7 @@ fn constant_or_refused(space: &Space, left: &Connection<Rational>) -> Result<boo
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(common::property::cases(40))]
 
     /// `Lambda_right = Lambda - c` over `-c`, which is the member `1 - lambda` of the family of
     /// the inverted group.
@@ -135,4 +137,52 @@ fn levi_civita_of_an_inertia() {
     let refused = levi_civita([1, 2, 3]).in_right_frame(&so3).unwrap_err();
     assert!(matches!(refused, Error::NotInvariant { .. }), "{refused}");
     assert!(refused.to_string().contains("no constant components in the right-invariant frame"));
+}
+
+/// A geometry says in which frame its components are, in whatever is written of it, and by whatever its
+/// connection was chosen.
+#[test]
+fn the_frame_is_named_as_it_is() {
+    let algebra = by_table(3, &[(1, 2, 3, 1), (2, 3, 1, 1), (3, 1, 2, 1)]);
+    let given = algebra.structure().scale(&fraction(1, 3));
+    let kinds = [
+        ConnectionKind::Canonical(Canonical::Plus),
+        ConnectionKind::Family(fraction(1, 3)),
+        ConnectionKind::Affinities(given),
+    ];
+    for kind in kinds {
+        let left = Geometry::new("rotations", algebra.clone(), kind.clone(), None).unwrap();
+        let right = left.in_right_frame().unwrap();
+        let back = right.in_right_frame().unwrap();
+        let names = [(&left, "left-invariant"), (&right, "right-invariant")];
+        for (geometry, name) in names.into_iter().chain([(&back, "left-invariant")]) {
+            let other = if name.starts_with('l') { "right-invariant" } else { "left-invariant" };
+            let table = Table::new(geometry, &[Quantity::Structure, Quantity::Affinities]).unwrap();
+            assert_eq!((geometry.frame_name(), table.frame), (name, name));
+            let transport = Equations::new(Motion::Transport, geometry.connection(), None).unwrap();
+            let system = System::new(transport, geometry);
+            for format in Format::ALL {
+                let [mut of_table, mut of_system] = [vec![], vec![]];
+                table.write(format, &mut of_table).unwrap();
+                system.write(format, &mut of_system).unwrap();
+                for written in [of_table, of_system] {
+                    let written = String::from_utf8(written).unwrap();
+                    let written = written.split_whitespace().collect::<Vec<_>>().join(" ");
+                    let frames = [format!("{other} frame"), format!("\"{other}\"")];
+                    assert!(!frames.iter().any(|frame| written.contains(frame)), "{written}");
+                }
+            }
+            let mut text = vec![];
+            system.write(Format::Text, &mut text).unwrap();
+            let text = String::from_utf8(text).unwrap();
+            // lines are filled
+            let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert!(words.contains(&format!("in the {name} frame")), "{text}");
+        }
+        if let ConnectionKind::Affinities(gamma) = right.kind() {
+            assert_eq!(gamma, right.connection().gamma());
+        }
+        assert_eq!(back.connection().gamma(), left.connection().gamma());
+        assert_eq!(back.kind(), &kind);
+    }
 }

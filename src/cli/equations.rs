@@ -73,6 +73,7 @@ impl Work for Build<'_> {
         })?;
         let equations = if *solved { equations.solved() } else { equations };
         let system = System::new(equations, &geometry);
+        system.finite()?;
         let code = code.map(|language| system.code(language)).transpose();
         let code = code.map_err(|error| InputError::usage(error.to_string()))?;
         self.stages.begin_output();

@@ -91,9 +91,6 @@ impl Selection {
         }
         let mut table = Table::in_stages(&geometry, quantities, &|name| stages.begin(name))?;
         table.independent = self.independent;
-        if self.frame == Frame::Right {
-            table.frame = "right-invariant";
-        }
         table.finite()?;
         Ok(table)
     }

@@ -16,7 +16,7 @@ use std::f64::consts::{PI, TAU};
 /// ```
 ///
 /// # Errors
-/// What is no finite number, with its place.
+/// What is no finite number, or so near zero that a float would lose its digits, with its place.
 pub fn numbers(source: &Source) -> Result<Vec<f64>, InputError> {
     let apart = |c: char| c.is_whitespace() || ",;[]".contains(c);
     let words = source.text.split(apart).filter(|word| !word.is_empty());
@@ -24,8 +24,11 @@ pub fn numbers(source: &Source) -> Result<Vec<f64>, InputError> {
 }
 
 fn number(word: &str, source: &Source) -> Result<f64, InputError> {
-    // `inf` and `nan`, which parse too, are refused below
-    if let Some(value) = word.parse().ok().filter(|value: &f64| value.is_finite()) {
+    // `inf` and `nan`, which parse too, are refused below, and so is what only became zero
+    let digits = word.split(['e', 'E']).next().unwrap_or(word);
+    let is_zero = !digits.contains(|c: char| ('1'..='9').contains(&c));
+    let kept = |value: &f64| value.is_normal() || (*value == 0.0 && is_zero);
+    if let Some(value) = word.parse().ok().filter(kept) {
         return Ok(value);
     }
     let value = Expression::parse(word).and_then(|number| number.evaluate(&Floats));
@@ -47,7 +50,7 @@ impl Meaning for Floats {
     type Value = f64;
 
     fn number(&self, number: &Rational) -> Result<f64, String> {
-        f64::from_rational(number).ok_or_else(|| "it is beyond the range of floats".into())
+        f64::from_rational(number).ok_or_else(beyond)
     }
 
     fn name(&self, name: &str) -> Result<f64, String> {
@@ -63,7 +66,9 @@ impl Meaning for Floats {
     }
 
     fn multiply(&self, a: f64, b: f64) -> Result<f64, String> {
-        Ok(a * b)
+        let product = a * b;
+        let lost = product.abs() < f64::MIN_POSITIVE && a != 0.0 && b != 0.0;
+        if lost { Err(beyond()) } else { Ok(product) }
     }
 
     fn negate(&self, a: f64) -> f64 {
@@ -71,6 +76,14 @@ impl Meaning for Floats {
     }
 
     fn reciprocal(&self, a: f64) -> Result<f64, String> {
-        if a == 0.0 { Err("it divides by zero".into()) } else { Ok(1.0 / a) }
+        match a.recip() {
+            _ if a == 0.0 => Err("it divides by zero".into()),
+            reciprocal if reciprocal.is_subnormal() => Err(beyond()),
+            reciprocal => Ok(reciprocal),
+        }
     }
+}
+
+fn beyond() -> String {
+    "it is beyond the range of floats".into()
 }

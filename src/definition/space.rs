@@ -6,7 +6,7 @@ use super::notation::{Names, basis, connection, lines, metric, statement};
 use super::setting::settings;
 use super::{Definition, Origin, Reading};
 use crate::catalogue::CatalogueError;
-use affinor_tensors::{Notation, Rational, Symbolic, Tolerance};
+use affinor_tensors::{Notation, Rational, Symbolic, Tolerance, Tracked};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -33,7 +33,7 @@ pub enum ScalarChoice {
     /// Rationals, or rational functions where parameters are left.
     #[default]
     Exact,
-    /// `f64`.
+    /// `f64`, with its rounding followed ([`Tracked`]).
     Float,
 }
 
@@ -171,9 +171,10 @@ impl Space {
     ) -> Result<W::Output, InputError> {
         let parameters = self.definition.parameters();
         match choice {
-            ScalarChoice::Float => {
-                self.in_floats(tolerance, |definition, reading| work.run(definition, reading))
-            }
+            ScalarChoice::Float => self
+                .in_floats::<Tracked, _>(tolerance, |definition, reading| {
+                    work.run(definition, reading)
+                }),
             ScalarChoice::Exact if parameters.is_empty() && !self.definition.is_on_chart() => {
                 let convert = |value: &Symbolic| value.as_constant().cloned();
                 work.run::<Rational>(&self.definition, &Reading { convert: &convert, tolerance })
@@ -185,14 +186,15 @@ impl Space {
         }
     }
 
-    /// Runs `work` in floats.
+    /// Runs `work` in floats: `f64`, or [`Tracked`], which follows their rounding through all that
+    /// is computed.
     ///
     /// # Errors
     /// A chart, whose functions are exact; parameters without values; whatever the work refuses.
-    pub fn in_floats<R>(
+    pub fn in_floats<S: Notation, R>(
         &self,
         tolerance: Tolerance,
-        work: impl FnOnce(&Definition, &Reading<f64>) -> Result<R, InputError>,
+        work: impl FnOnce(&Definition, &Reading<S>) -> Result<R, InputError>,
     ) -> Result<R, InputError> {
         if self.definition.is_on_chart() {
             let message = "functions on a chart are differentiated, so they are exact";
@@ -204,7 +206,7 @@ impl Space {
             let help = "set them, as in --set \"J1=1/2,h=-1\"";
             return Err(InputError::usage(message).help(help));
         }
-        let convert = |value: &Symbolic| value.to_f64().filter(|x| x.is_finite());
+        let convert = |value: &Symbolic| value.as_constant().and_then(S::from_rational);
         work(&self.definition, &Reading { convert: &convert, tolerance })
     }
 }

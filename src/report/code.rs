@@ -45,7 +45,8 @@ impl<S: Notation> System<S> {
     /// Over a chart the position comes first, among the arguments and among the rates.
     ///
     /// # Errors
-    /// A coefficient that is beyond the limits of [expressions](affinor_tensors::expression).
+    /// A coefficient that is beyond the limits of [expressions](affinor_tensors::expression), or has a
+    /// number that floats do not hold.
     pub fn code(&self, language: Language) -> Result<String, ExpressionError> {
         let motion = self.equations.motion();
         let coordinates = self.position.as_ref().map_or(&[][..], |(names, _)| names);
@@ -279,7 +280,10 @@ impl Meaning for Code<'_> {
     type Value = Factor;
 
     fn number(&self, number: &Rational) -> Result<Factor, String> {
-        Ok(Factor::Value(Code::number(&format!("{:?}", number.to_f64()))))
+        let float = f64::from_rational(number);
+        let float =
+            float.ok_or("this number is beyond the range of floats, in which code computes")?;
+        Ok(Factor::Value(Code::number(&format!("{float:?}"))))
     }
     fn name(&self, name: &str) -> Result<Factor, String> {
         let text = match self.coordinates.iter().position(|coordinate| coordinate == name) {

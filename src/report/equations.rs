@@ -7,7 +7,7 @@ use super::text::fill;
 use super::{Cell, Format, Grid};
 use crate::equations::{Equations, Motion, Row, Variable};
 use crate::error::{combination, is_sum};
-use crate::{Connection, Geometry};
+use crate::{Connection, Error, Geometry};
 use affinor_tensors::{Notation, Symbolic, Tensor};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -25,6 +25,8 @@ pub struct System<S> {
     pub connection: [String; 2],
     /// The parameters that the coefficients depend on, sorted.
     pub parameters: Vec<String>,
+    /// The frame of the components, as [`Geometry::frame_name`] says.
+    pub frame: &'static str,
     /// Over a chart the coordinates, and the fields `e^a_i` of the frame.
     pub position: Option<(Vec<String>, Tensor<S>)>,
     /// Whether equations `DH/Dt = M` are those of Euler and Poincare, in which `Lambda = c`.
@@ -59,6 +61,7 @@ impl<S: Notation> System<S> {
             labels: geometry.frame().labels().to_vec(),
             connection: [geometry.kind().name().into(), geometry.kind().describe()],
             parameters,
+            frame: geometry.frame_name(),
             position,
             genuine,
         }
@@ -77,6 +80,21 @@ impl<S: Notation> System<S> {
             terms.map(|(at, value)| (value.clone(), along(at[1]))).collect()
         };
         coordinates.iter().enumerate().map(|(a, name)| (name.as_str(), right(a))).collect()
+    }
+
+    /// Checks that floats have stayed within their range.
+    ///
+    /// # Errors
+    /// [`Error::Overflow`] with the first coefficient that is infinite or not a number.
+    pub fn finite(&self) -> Result<(), Error> {
+        for (at, Row { left, right }) in self.equations.rows().into_iter().enumerate() {
+            let values = left.iter().map(|(v, _)| v).chain(right.iter().map(|(v, _)| v));
+            if let Some(value) = values.into_iter().find(|value| !value.is_number()) {
+                let component = format!("a coefficient of equation {}", at + 1);
+                return Err(Error::Overflow { component, value: value.to_string() });
+            }
+        }
+        Ok(())
     }
 
     /// Writes the equations in one of the formats.
@@ -220,7 +238,7 @@ impl<S: Notation> System<S> {
             Motion::Transport => ("the transported vector", Some("the velocity of the curve")),
         };
         let frame = match &self.position {
-            None => "the left-invariant frame".to_string(),
+            None => format!("the {} frame", self.frame),
             Some((coordinates, _)) => format!("the frame over {}", coordinates.join(", ")),
         };
         let beside = beside.map_or(String::new(), |beside| format!("; {other} {beside}"));
