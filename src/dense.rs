@@ -1,11 +1,11 @@
-//! Dense matrices of floats: tensors of rank 2 to nalgebra and back.
+//! Dense matrices of floats: tensors of rank 2 to nalgebra and back, and least squares.
 //!
 //! Tensors are sparse and hold what the geometry computes; exponentials, eigenvalues and
 //! factorisations of small matrices are nalgebra's.
 
 use crate::Error;
 use affinor_tensors::{Tensor, Variance};
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 /// A tensor of rank 2 as a matrix: the first index is the row, as in `(ad_n)^i_k`.
 ///
@@ -52,4 +52,25 @@ pub fn from_dmatrix(matrix: &DMatrix<f64>, slots: [Variance; 2]) -> Result<Tenso
         });
     }
     Ok(Tensor::from_fn(matrix.nrows(), slots, |[i, j]| matrix[(i, j)])?)
+}
+
+/// What is this small beside the largest eigenvalue of `A^T A` is zero.
+const KERNEL: f64 = 1e-13;
+
+/// The shortest of the vectors `x` for which `|A x - b|` is least. The columns may depend on each other; the others are to be
+/// alike in scale.
+pub(crate) fn least_squares(matrix: &DMatrix<f64>, right: &DVector<f64>) -> DVector<f64> {
+    // nalgebra's singular values are not reliable where there are zeros among them
+    let eigen = (matrix.transpose() * matrix).symmetric_eigen();
+    let least = KERNEL * eigen.eigenvalues.amax();
+    let inverse = eigen.eigenvalues.map(|value| if value > least { 1.0 / value } else { 0.0 });
+    let vectors = &eigen.eigenvectors;
+    let solved = |right: &DVector<f64>| {
+        let turned = vectors.transpose() * (matrix.transpose() * right);
+        vectors * turned.component_mul(&inverse)
+    };
+    let first = solved(right);
+    // what squaring the matrix has lost
+    let second = solved(&(right - matrix * &first));
+    first + second
 }

@@ -30,6 +30,7 @@ pub mod series;
 pub mod sl2;
 pub mod so2;
 pub mod so3;
+mod splitting;
 mod stored;
 pub mod stumpff;
 pub mod translations;
@@ -118,7 +119,7 @@ pub trait LieGroup {
     ///
     /// # Errors
     /// [`Error::SingularTangent`] where `exp` is no local chart: an eigenvalue of `ad_x` is
-    /// `2 pi i k`, `k != 0`. In floats that point is met exactly by few groups; near it the result is large.
+    /// `2 pi i k`, `k != 0`, to the rounding of `x`. Near it the result is large.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,
@@ -161,6 +162,28 @@ pub trait LieGroup {
     /// quaternion of length 1 again. Groups whose elements are free coordinates have nothing to do.
     fn restored(&self, g: Self::Element) -> Self::Element {
         g
+    }
+
+    /// The translations `P x` in a vector: its part in an abelian ideal `V`, along a subalgebra `K` with `g = K + V`.
+    /// `None` where no such ideal is singled out.
+    ///
+    /// On SE(3) `P(w, u) = (0, u)`. Integrators treat `V` linearly, so that neither the place of the origin nor a
+    /// uniform motion of the frame enters the momentum about the body.
+    fn translation(&self, x: &Self::Vector) -> Option<Self::Vector> {
+        let _ = x;
+        None
+    }
+
+    /// The factor `k` of `g = exp(y) k`, with `y` in the ideal of [`translation`](Self::translation) and `k` in the
+    /// group of `K`: on SE(3) the rotation. The element itself where there are no translations.
+    fn turn(&self, g: &Self::Element) -> Self::Element {
+        g.clone()
+    }
+
+    /// Whether `Ad_k` is bounded for every [`turn`](Self::turn) `k`, as for rotations. Where it grows without bound, a
+    /// momentum in axes that do not turn has lost digits when it is carried back to the body.
+    fn has_bounded_turns(&self) -> bool {
+        false
     }
 
     /// The basis vector of an index, from 0.

@@ -1,6 +1,6 @@
 //! Tangent operators in closed form, for the groups with `ad_x^3 = -z(x) ad_x`.
 
-use super::stumpff::{FAR, Stumpff, inverse_tangent};
+use super::stumpff::{FAR, Stumpff, regular_inverse_tangent};
 use super::{Coordinates, LieGroup};
 use crate::Error;
 
@@ -23,19 +23,18 @@ pub(super) fn tangent_left<G: LieGroup>(
     v.clone() - once.clone() * c.c2 + group.bracket(x, &once) * c.c3
 }
 
-/// `T_left(x)^-1 v = v + [x, v]/2 + d [x, [x, v]]` with `d` of [`inverse_tangent`] at `z(x)`;
-/// singular at `z = (2 pi k)^2`, `k > 0`.
+/// `T_left(x)^-1 v = v + [x, v]/2 + d [x, [x, v]]` with `d` of
+/// [`inverse_tangent`](super::stumpff::inverse_tangent) at `z(x)`; singular at `z = (2 pi k)^2`, `k > 0`,
+/// as far as the rounding of `z` tells, whose terms have sizes that sum up to `size(x)`.
 pub(super) fn tangent_left_inverse<G: LieGroup>(
     group: &G,
-    z: impl Fn(&G::Vector) -> f64,
+    [z, size]: [fn(&G::Vector) -> f64; 2],
     x: &G::Vector,
     v: &G::Vector,
 ) -> Result<G::Vector, Error> {
     let at = z(x);
-    let d = inverse_tangent(at);
-    if at > FAR || !d.is_finite() {
-        return Err(Error::SingularTangent { x: x.components().to_vec() });
-    }
+    let singular = || Error::SingularTangent { x: x.components().to_vec() };
+    let d = regular_inverse_tangent(at, size(x)).filter(|_| at <= FAR).ok_or_else(singular)?;
     let once = group.bracket(x, v);
     Ok(v.clone() + once.clone() * 0.5 + group.bracket(x, &once) * d)
 }

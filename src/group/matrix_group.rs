@@ -3,6 +3,7 @@
 use super::LieGroup;
 use super::logarithm::logarithm;
 use super::series::exp;
+use super::splitting::translations;
 use crate::algebra::Complex;
 use crate::dense::to_dmatrix;
 use crate::{Bracket, Error, LieAlgebra, MatrixBasis};
@@ -35,6 +36,10 @@ pub struct MatrixGroup {
     /// Takes the entries of a matrix to the coordinates of the nearest one in the algebra.
     nearest: DMatrix<f64>,
     bracket: Bracket<f64>,
+    /// The projection on the translations, where there are some.
+    translations: Option<DMatrix<f64>>,
+    /// Whether all elements are orthogonal.
+    orthogonal: bool,
 }
 
 impl MatrixGroup {
@@ -64,7 +69,9 @@ impl MatrixGroup {
             basis.iter().map(|m| DVector::from_column_slice(m.as_slice())).collect();
         let (q, r) = DMatrix::from_columns(&columns).qr().unpack();
         let nearest = r.solve_upper_triangular(&q.transpose()).ok_or(Error::SingularBasis)?;
-        Ok(MatrixGroup { basis, nearest, bracket })
+        let orthogonal = basis.iter().all(|m| *m == -m.transpose());
+        let translations = if orthogonal { None } else { translations(bracket.structure()) };
+        Ok(MatrixGroup { basis, nearest, bracket, translations, orthogonal })
     }
 
     /// The group `exp(ad_x)` of inner automorphisms of an algebra without a centre: near the identity any
@@ -127,7 +134,7 @@ impl MatrixGroup {
     }
 
     /// The matrices of the basis.
-    pub(super) fn matrices(&self) -> &[DMatrix<f64>] {
+    pub(crate) fn matrices(&self) -> &[DMatrix<f64>] {
         &self.basis
     }
 
@@ -240,6 +247,16 @@ impl LieGroup for MatrixGroup {
     /// `g x g^-1`.
     fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
         self.coordinates(&(g * self.generator(x) * self.inverse(g)))
+    }
+
+    /// In the kernel of the Killing form, where this is abelian and a subalgebra completes it.
+    fn translation(&self, x: &Self::Vector) -> Option<Self::Vector> {
+        self.translations.as_ref().map(|projection| projection * x)
+    }
+
+    /// For orthogonal matrices.
+    fn has_bounded_turns(&self) -> bool {
+        self.orthogonal
     }
 
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {

@@ -76,6 +76,19 @@ impl<G: LieGroup> LieGroup for Opposite<G> {
         Ok(self.0.algebra()?.opposite())
     }
 
+    fn translation(&self, x: &Self::Vector) -> Option<Self::Vector> {
+        self.0.translation(x)
+    }
+
+    /// That of the group: `exp(y) k = k exp(Ad_(k^-1) y)`.
+    fn turn(&self, g: &Self::Element) -> Self::Element {
+        self.0.turn(g)
+    }
+
+    fn has_bounded_turns(&self) -> bool {
+        self.0.has_bounded_turns()
+    }
+
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         self.0.tangent_right(x, v)
     }
@@ -123,5 +136,9 @@ impl<G: Stored> Stored for Opposite<G> {
     /// `v g` of the group.
     fn rate(&self, g: &Self::Element, v: &Self::Vector) -> Self::Numbers {
         self.0.rate(g, &self.adjoint(g, v))
+    }
+
+    fn places(&self) -> usize {
+        self.0.places()
     }
 }

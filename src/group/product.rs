@@ -89,6 +89,25 @@ impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
         self.map(h, |h| self.0.coadjoint(&g.0, h), |h| self.1.coadjoint(&g.1, h))
     }
 
+    fn translation(&self, x: &DVector<f64>) -> Option<DVector<f64>> {
+        let (x, y) = self.split(x);
+        let (first, second) = (self.0.translation(&x), self.1.translation(&y));
+        if first.is_none() && second.is_none() {
+            return None;
+        }
+        let first = first.unwrap_or_else(|| G::Vector::zeros(self.0.dimension()));
+        let second = second.unwrap_or_else(|| H::Vector::zeros(self.1.dimension()));
+        Some(self.join(&first, &second))
+    }
+
+    fn turn(&self, g: &Self::Element) -> Self::Element {
+        (self.0.turn(&g.0), self.1.turn(&g.1))
+    }
+
+    fn has_bounded_turns(&self) -> bool {
+        self.0.has_bounded_turns() && self.1.has_bounded_turns()
+    }
+
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
         let (x, x_second) = self.split(x);
         self.map(y, |y| self.0.bracket(&x, y), |y| self.1.bracket(&x_second, y))

@@ -64,7 +64,22 @@ pub(super) fn coadjoint<const K: usize>((r, t): Motion<K>, (m, f): Screw<K>) -> 
 pub(super) fn coadjoint_exp<const K: usize>((w, u): Screw<K>, (m, f): Screw<K>) -> Screw<K> {
     let f = f.map(|f| So3.coadjoint_exp(&w, &f));
     let m = So3.coadjoint_exp(&w, &m);
+    if u.iter().all(|u| *u == Vector3::zeros()) {
+        return (m, f);
+    }
     ((0..K).fold(m, |m, a| m + f[a].cross(&So3.tangent_left(&w, &u[a]))), f)
+}
+
+/// `(0; u_a)`.
+#[inline]
+pub(super) fn translation<const K: usize>((_, u): Screw<K>) -> Screw<K> {
+    (Vector3::zeros(), u)
+}
+
+/// `(R, 0)`, for `(R, t_a) = (1, t_a)(R, 0)`.
+#[inline]
+pub(super) fn turn<const K: usize>((r, _): Motion<K>) -> Motion<K> {
+    (r, [Vector3::zeros(); K])
 }
 
 /// `[(w; u_a), (w'; u'_a)] = (w cross w'; w cross u'_a + u_a cross w')`.
@@ -112,14 +127,15 @@ pub(super) fn from_numbers<const N: usize, const K: usize>(y: &SVector<f64, N>) 
     (r, std::array::from_fn(|a| y.fixed_rows::<3>(4 + 3 * a).into_owned()))
 }
 
-/// That of `R`, then `R u_a`.
+/// That of `R`, then `R u_a` with the rotation that is meant, so that the path belongs to the momentum.
 #[inline]
 pub(super) fn rate<const N: usize, const K: usize>(
     (r, _): Motion<K>,
     (w, u): Screw<K>,
 ) -> SVector<f64, N> {
     let r_rate = So3.rate(&r, &w);
-    let t_rate = u.map(|u| r * u);
+    let meant = So3.restored(r);
+    let t_rate = u.map(|u| meant * u);
     SVector::from_fn(|i, _| if i < 4 { r_rate[i] } else { t_rate[(i - 4) / 3][(i - 4) % 3] })
 }
 

@@ -81,6 +81,18 @@ impl LieGroup for Se2 {
         Isometry2::from_parts(g.translation, rotation)
     }
 
+    fn translation(&self, x: &Self::Vector) -> Option<Self::Vector> {
+        Some(join(0.0, translation(x)))
+    }
+
+    fn turn(&self, g: &Self::Element) -> Self::Element {
+        Isometry2::from_parts(Vector2::zeros().into(), g.rotation)
+    }
+
+    fn has_bounded_turns(&self) -> bool {
+        true
+    }
+
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
         join(0.0, turned(translation(y)) * x[0] - turned(translation(x)) * y[0])
     }
@@ -101,7 +113,7 @@ impl LieGroup for Se2 {
         x: &Self::Vector,
         v: &Self::Vector,
     ) -> Result<Self::Vector, Error> {
-        cubic::tangent_left_inverse(self, z, x, v)
+        cubic::tangent_left_inverse(self, [z, z], x, v)
     }
 }
 
@@ -121,7 +133,12 @@ impl Stored for Se2 {
 
     fn rate(&self, g: &Self::Element, v: &Self::Vector) -> Vector4<f64> {
         let turn = So2.rate(&g.rotation, &Vector1::new(v[0]));
-        let t = g.rotation * translation(v);
+        // the rotation that is meant, so that the path belongs to the momentum
+        let t = So2.restored(g.rotation) * translation(v);
         Vector4::new(turn.x, turn.y, t.x, t.y)
+    }
+
+    fn places(&self) -> usize {
+        2
     }
 }

@@ -90,6 +90,18 @@ impl LieGroup for Se23 {
         whole((So3.restored(rotation), vectors))
     }
 
+    fn translation(&self, x: &Self::Vector) -> Option<Self::Vector> {
+        Some(join(screws::translation::<2>(split(x))))
+    }
+
+    fn turn(&self, g: &Self::Element) -> Self::Element {
+        whole(screws::turn::<2>(parts(g)))
+    }
+
+    fn has_bounded_turns(&self) -> bool {
+        true
+    }
+
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
         join(screws::bracket::<2>(split(x), split(y)))
     }
@@ -126,5 +138,9 @@ impl Stored for Se23 {
 
     fn rate(&self, g: &Self::Element, v: &Self::Vector) -> SVector<f64, 10> {
         screws::rate(parts(g), split(v))
+    }
+
+    fn places(&self) -> usize {
+        6
     }
 }

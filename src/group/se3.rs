@@ -89,6 +89,20 @@ impl LieGroup for Se3 {
     }
 
     #[inline]
+    fn translation(&self, x: &Self::Vector) -> Option<Self::Vector> {
+        Some(join(screws::translation::<1>(split(x))))
+    }
+
+    #[inline]
+    fn turn(&self, g: &Self::Element) -> Self::Element {
+        whole(screws::turn::<1>(parts(g)))
+    }
+
+    fn has_bounded_turns(&self) -> bool {
+        true
+    }
+
+    #[inline]
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
         join(screws::bracket::<1>(split(x), split(y)))
     }
@@ -132,5 +146,9 @@ impl Stored for Se3 {
     #[inline]
     fn rate(&self, g: &Self::Element, v: &Self::Vector) -> SVector<f64, 7> {
         screws::rate(parts(g), split(v))
+    }
+
+    fn places(&self) -> usize {
+        3
     }
 }

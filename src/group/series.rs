@@ -2,7 +2,9 @@
 
 use super::{Coordinates, LieGroup};
 use crate::Error;
+use nalgebra::linalg::{SVD, Schur};
 use nalgebra::{DMatrix, DVector};
+use std::f64::consts::TAU;
 
 /// The exponential of a square matrix, for entries of any size: what overflows becomes infinite or
 /// NaN, and an oscillation of more than `1e16` radians is noise.
@@ -49,9 +51,22 @@ pub fn phi1(m: &DMatrix<f64>) -> DMatrix<f64> {
     exp(&block).view((0, n), (n, n)).into_owned()
 }
 
-/// The matrix of `T_left(x)`.
-fn operator<G: LieGroup + ?Sized>(group: &G, x: &G::Vector) -> DMatrix<f64> {
-    phi1(&group.operator(|v| group.bracket(v, x)))
+/// The matrix of `-ad_x`, of which `T_left(x)` is the function [`phi1`].
+fn ad<G: LieGroup + ?Sized>(group: &G, x: &G::Vector) -> DMatrix<f64> {
+    group.operator(|v| group.bracket(v, x))
+}
+
+/// Whether a matrix has an eigenvalue near `2 pi i k`, `k != 0`; eigenvalues of a Jordan block are known to
+/// a root of the rounding only.
+fn turns(m: &DMatrix<f64>) -> bool {
+    const NEAR: f64 = 1e-3;
+    let steps = 100 * m.nrows();
+    // without eigenvalues nothing is known to be regular
+    let Some(schur) = Schur::try_new(m.clone(), 4.0 * f64::EPSILON, steps) else { return true };
+    schur.complex_eigenvalues().iter().any(|value| {
+        let k = (value.im / TAU).round();
+        k != 0.0 && value.re.hypot(value.im - k * TAU) <= NEAR * value.im.abs()
+    })
 }
 
 pub(super) fn tangent_left<G: LieGroup + ?Sized>(
@@ -60,16 +75,35 @@ pub(super) fn tangent_left<G: LieGroup + ?Sized>(
     v: &G::Vector,
 ) -> G::Vector {
     let v = DVector::from_column_slice(v.components());
-    G::Vector::from_components((operator(group, x) * v).as_slice())
+    G::Vector::from_components((phi1(&ad(group, x)) * v).as_slice())
 }
 
+/// Singular where the operator is so to rounding, for an eigenvalue of `ad_x` near `2 pi i k`.
 pub(super) fn tangent_left_inverse<G: LieGroup + ?Sized>(
     group: &G,
     x: &G::Vector,
     v: &G::Vector,
 ) -> Result<G::Vector, Error> {
     let v = DVector::from_column_slice(v.components());
-    let solution = operator(group, x).lu().solve(&v).filter(|u| u.iter().all(|u| u.is_finite()));
-    let solution = solution.ok_or_else(|| Error::SingularTangent { x: x.components().to_vec() })?;
+    let singular = || Error::SingularTangent { x: x.components().to_vec() };
+    let ad = ad(group, x);
+    let operator = phi1(&ad);
+    if !operator.iter().all(|entry| entry.is_finite()) {
+        return Err(singular());
+    }
+    if turns(&ad) {
+        // an oscillation of many radians is known to as many roundings
+        let rounding = f64::EPSILON * ad.nrows() as f64 * (1.0 + ad.norm());
+        let steps = 100 * ad.nrows();
+        let svd = SVD::try_new(operator.clone(), false, false, f64::EPSILON, steps);
+        let sizes = svd.ok_or_else(singular)?.singular_values;
+        // not at most: NaN is refused as well
+        let regular = sizes.min() > rounding * sizes.max();
+        if !regular {
+            return Err(singular());
+        }
+    }
+    let solution = operator.lu().solve(&v).filter(|u| u.iter().all(|u| u.is_finite()));
+    let solution = solution.ok_or_else(singular)?;
     Ok(G::Vector::from_components(solution.as_slice()))
 }

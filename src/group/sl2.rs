@@ -52,6 +52,11 @@ fn z(x: &Vector3<f64>) -> f64 {
     4.0 * determinant(x)
 }
 
+/// The sizes of the terms of [`z`].
+fn size(x: &Vector3<f64>) -> f64 {
+    4.0 * (x[2] * x[2] + (x[0] * x[1]).abs())
+}
+
 impl LieGroup for Sl2 {
     type Element = Matrix2<f64>;
     type Vector = Vector3<f64>;
@@ -98,10 +103,13 @@ impl LieGroup for Sl2 {
         let square = determinant(&part);
         let sine = square.abs().sqrt();
         if square <= 0.0 && cos < 0.0 {
-            let reason = format!(
-                "the trace is {}, that of exp(x) is above -2 unless exp(x) = -1",
-                2.0 * cos
-            );
+            let trace = 2.0 * cos;
+            let reason = match trace > -2.0 {
+                true => format!("the trace is {trace}, so near -2 that rounding hides the angle"),
+                false => {
+                    format!("the trace is {trace}, that of exp(x) is above -2 unless exp(x) = -1")
+                }
+            };
             return Err(Error::NoLogarithm { reason });
         }
         let angle = if square > 0.0 { sine.atan2(cos) } else { sine.asinh() };
@@ -143,7 +151,7 @@ impl LieGroup for Sl2 {
         x: &Self::Vector,
         v: &Self::Vector,
     ) -> Result<Self::Vector, Error> {
-        cubic::tangent_left_inverse(self, z, x, v)
+        cubic::tangent_left_inverse(self, [z, size], x, v)
     }
 }
 

@@ -54,6 +54,10 @@ impl LieGroup for So2 {
         UnitComplex::new_normalize(g.into_inner())
     }
 
+    fn has_bounded_turns(&self) -> bool {
+        true
+    }
+
     fn bracket(&self, _: &Self::Vector, _: &Self::Vector) -> Self::Vector {
         Vector1::zeros()
     }

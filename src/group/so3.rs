@@ -2,7 +2,7 @@
 
 use super::polynomial::polynomial;
 use super::rotation;
-use super::stumpff::{FAR, Stumpff, first_two, inverse_tangent, turning};
+use super::stumpff::{FAR, Stumpff, first_two, regular_inverse_tangent, turning};
 use super::{LieGroup, Stored};
 use crate::Error;
 use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3, Vector4};
@@ -102,6 +102,10 @@ impl LieGroup for So3 {
         exp_far(x).inverse_transform_vector(h)
     }
 
+    fn has_bounded_turns(&self) -> bool {
+        true
+    }
+
     #[inline]
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
         x.cross(y)
@@ -140,9 +144,9 @@ impl LieGroup for So3 {
         })
     }
 
-    /// `(1 - d |x|^2) v + x cross v/2 + d x (x . v)`, `d` of [`inverse_tangent`]; singular at
-    /// `|x| = 2 pi k`, `k > 0`, and refused beyond `1e15`, where neighbouring floats are far from each other
-    /// on that scale.
+    /// `(1 - d |x|^2) v + x cross v/2 + d x (x . v)`, `d` of
+    /// [`inverse_tangent`](super::stumpff::inverse_tangent); singular at `|x| = 2 pi k`, `k > 0`, to
+    /// rounding, and refused where neighbouring floats are far from each other on that scale.
     #[inline]
     fn tangent_left_inverse(
         &self,
@@ -150,10 +154,9 @@ impl LieGroup for So3 {
         v: &Self::Vector,
     ) -> Result<Self::Vector, Error> {
         let square = x.norm_squared();
-        let d = inverse_tangent(square);
-        if square > 1e30 || !d.is_finite() {
-            return Err(Error::SingularTangent { x: x.iter().copied().collect() });
-        }
+        let singular = || Error::SingularTangent { x: x.iter().copied().collect() };
+        let d = regular_inverse_tangent(square, square).filter(|_| square <= 1e30);
+        let d = d.ok_or_else(singular)?;
         Ok(in_range(v, |v| v * (1.0 - d * square) + x.cross(v) * 0.5 + x * (d * x.dot(v))))
     }
 }

@@ -25,4 +25,9 @@ pub trait Stored: LieGroup {
 
     /// Their rate of change for `g' = g v`, smooth around the surface as well.
     fn rate(&self, g: &Self::Element, v: &Self::Vector) -> Self::Numbers;
+
+    /// How many numbers, at the end, are those of a [`translation`](LieGroup::translation).
+    fn places(&self) -> usize {
+        0
+    }
 }

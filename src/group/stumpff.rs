@@ -43,14 +43,27 @@ impl Stumpff {
     #[inline]
     pub fn at(z: f64) -> Self {
         if z.abs() < SERIES {
-            let (c4, c5) = if z.abs() < SMALL {
-                (eight_terms(&first(&FOURTH), z), eight_terms(&first(&FIFTH), z))
-            } else {
-                (polynomial(&FOURTH, z), polynomial(&FIFTH, z))
-            };
-            let (c2, c3) = (0.5 - z * c4, 1.0 / 6.0 - z * c5);
-            return Stumpff { z, c0: 1.0 - z * c2, c1: 1.0 - z * c3, c2, c3, c4, c5 };
+            let short = z.abs() < SMALL;
+            return Self::by_series(z, short);
         }
+        Self::by_half_angle(z)
+    }
+
+    /// By the series of `c_4` and `c_5`, of eight terms each if `short`.
+    #[inline(always)]
+    fn by_series(z: f64, short: bool) -> Self {
+        let (c4, c5) = if short {
+            (eight_terms(&first(&FOURTH), z), eight_terms(&first(&FIFTH), z))
+        } else {
+            (polynomial(&FOURTH, z), polynomial(&FIFTH, z))
+        };
+        let (c2, c3) = (0.5 - z * c4, 1.0 / 6.0 - z * c5);
+        Stumpff { z, c0: 1.0 - z * c2, c1: 1.0 - z * c3, c2, c3, c4, c5 }
+    }
+
+    /// In closed form, by the cosine and sine of the half angle.
+    #[inline(always)]
+    fn by_half_angle(z: f64) -> Self {
         let (cos, half) = far(0.25 * z);
         // no difference: 1 - cos x = 2 sin^2(x/2)
         let (c0, c1, c2) = (1.0 - 0.5 * z * half * half, half * cos, 0.5 * half * half);
@@ -168,6 +181,23 @@ const SECOND: [f64; TERMS] = coefficients(2);
 const FOURTH: [f64; 15] = coefficients(4);
 const FIFTH: [f64; 15] = coefficients(5);
 
+/// What `z` may be off by in units of rounding: the roundings of a square of a length, and of the
+/// components that it is made of.
+const ROUNDINGS: f64 = 8.0;
+
+/// [`inverse_tangent`] at a `z` whose terms have sizes that sum up to `size`; `None` where that rounding
+/// no longer tells `z` from a pole, `z = (2 pi k)^2`.
+#[inline]
+pub(super) fn regular_inverse_tangent(z: f64, size: f64) -> Option<f64> {
+    if z.abs() < SMALL {
+        return Some(eight_terms(&INVERSE, z));
+    }
+    let c = Stumpff::at(0.25 * z);
+    // near a pole c_1 = sin(x/2)/(x/2) is half of the relative distance of z from it
+    let regular = c.c1.abs() > ROUNDINGS * f64::EPSILON * (size / z.abs());
+    regular.then(|| (c.c2 - c.c3) / (4.0 * c.c1)).filter(|d| d.is_finite())
+}
+
 /// `|B_2k|/(2k)!` for `k = 1..=8`, Bernoulli's numbers: the first terms of [`inverse_tangent`].
 const INVERSE: [f64; 8] = [
     1.0 / 12.0,
@@ -192,4 +222,133 @@ pub fn inverse_tangent(z: f64) -> f64 {
     }
     let c = Stumpff::at(0.25 * z);
     (c.c2 - c.c3) / (4.0 * c.c1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use affinor_tensors::Rational;
+
+    /// `c_k(z)` by its series in exact fractions, up to terms below 1e-30.
+    fn exact(k: i64, z: f64) -> Rational {
+        let z = Rational::from_f64(z).expect("a finite number");
+        let mut term = (1..=k).fold(Rational::from(1), |term, n| term / Rational::from(n));
+        let mut sum = Rational::from(0);
+        let mut i = 0;
+        while i < 4 || term.clone().abs().to_f64() > 1e-30 {
+            sum = sum + &term;
+            i += 1;
+            term = -(term * &z) / Rational::from((k + 2 * i - 1) * (k + 2 * i));
+        }
+        sum
+    }
+
+    /// The error in machine epsilons of the size that `c_k` has near `z`, where it oscillates.
+    fn error(k: i64, z: f64, found: f64) -> f64 {
+        let exact = exact(k, z);
+        let largest = 1.0 / (1..=k).map(|n| n as f64).product::<f64>();
+        let envelope = [1.0, z.powf(-0.5), 2.0 / z, 1.0 / z, 0.5 / z, 1.0 / (6.0 * z)][k as usize];
+        let size = if z > 0.0 { largest.min(envelope) } else { 0.0 };
+        let off = (Rational::from_f64(found).expect("a finite number") - exact.clone()).to_f64();
+        off.abs() / exact.to_f64().abs().max(size) / f64::EPSILON
+    }
+
+    fn all(c: Stumpff) -> [f64; 6] {
+        [c.c0, c.c1, c.c2, c.c3, c.c4, c.c5]
+    }
+
+    /// A threshold, its neighbours among the floats, and numbers farther away on both sides.
+    fn around(threshold: f64, farthest: f64) -> impl Iterator<Item = f64> {
+        let far = (1..=20).map(move |step| farthest.powf(f64::from(step) / 20.0));
+        let near = [1.0, 1.0 + 1e-9, 1.0 + 2.0 * f64::EPSILON].into_iter().chain(far);
+        let ratios = near.flat_map(|ratio| [ratio, 1.0 / ratio]);
+        ratios.flat_map(move |ratio| [threshold * ratio, -threshold * ratio])
+    }
+
+    /// Fails where an error passes its bound.
+    fn bounded(k: i64, z: f64, found: f64, bound: f64) {
+        let off = error(k, z, found);
+        assert!(off <= bound, "c_{k}({z:e}) is off by {off} eps");
+    }
+
+    /// As they are taken, on both sides of every threshold.
+    #[test]
+    fn every_function_around_every_threshold() {
+        let thresholds = [SMALL, NEAR, SERIES, 4.0 * SMALL, 4.0 * NEAR];
+        for z in thresholds.into_iter().flat_map(|threshold| around(threshold, 4.0)) {
+            for (k, found) in (0..6).zip(all(Stumpff::at(z))) {
+                bounded(k, z, found, 6.0);
+            }
+            let (pair, turning) = (first_two(z), turning(z));
+            for (k, found) in [(0, pair.0), (1, pair.1), (1, turning.0), (2, turning.1)] {
+                bounded(k, z, found, 4.0);
+            }
+        }
+    }
+
+    /// Each path alone, from where it is taken to beyond its threshold.
+    #[test]
+    fn every_path_beyond_its_threshold() {
+        let six = |z: f64, c: Stumpff, bound: f64| {
+            (0..6).zip(all(c)).for_each(|(k, found)| bounded(k, z, found, bound));
+        };
+        for z in around(SMALL, 4.0).filter(|z| z.abs() < 1.1 * SMALL) {
+            six(z, Stumpff::by_series(z, true), 4.0);
+            six(z, Stumpff::by_series(z, false), 4.0);
+        }
+        for z in around(SERIES, 100.0).filter(|z| z.abs() < 1.2 * SERIES) {
+            six(z, Stumpff::by_series(z, false), 6.0);
+        }
+        for z in around(SERIES, 2.0) {
+            six(z, Stumpff::by_half_angle(z), 10.0);
+        }
+        for z in around(NEAR, 100.0) {
+            let closed = far(z);
+            bounded(0, z, closed.0, 5.0);
+            bounded(1, z, closed.1, 5.0);
+            if z.abs() < 1.2 * NEAR {
+                let series = near(z);
+                bounded(0, z, series.0, 3.0);
+                bounded(1, z, series.1, 3.0);
+            }
+        }
+    }
+
+    /// `c_2'` and `c_3'`, with `2 c_k' = k c_{k+2} - c_{k+1}`.
+    #[test]
+    fn slopes_around_the_threshold() {
+        for z in around(SERIES, 8.0) {
+            let c = Stumpff::at(z);
+            for (k, found) in [(2, c.slope2()), (3, c.slope3())] {
+                let slope = exact(k + 2, z) * Rational::from(k) - exact(k + 1, z);
+                let slope = slope / Rational::from(2);
+                let off = Rational::from_f64(found).expect("a finite number") - slope.clone();
+                let size = if z > 0.0 { 0.5 * z.powf(-1.5) } else { 0.0 };
+                let off = off.to_f64().abs() / slope.to_f64().abs().max(size) / f64::EPSILON;
+                assert!(off <= 8.0, "c_{k}'({z:e}) is off by {off} eps");
+            }
+        }
+    }
+
+    /// `(c_2 - c_3)/(4 c_1)` at a quarter of the argument, on both sides of the first pole.
+    #[test]
+    fn the_inverse_around_its_thresholds() {
+        let exact = |z: f64| {
+            let quarter = 0.25 * z;
+            let four = Rational::from(4);
+            (exact(2, quarter) - exact(3, quarter)) / (exact(1, quarter) * four)
+        };
+        let points = around(SMALL, 4.0).chain(around(4.0 * NEAR, 2.0));
+        for z in points.chain(around(4.0 * SERIES, 2.0)) {
+            let expected = exact(z);
+            let off = Rational::from_f64(inverse_tangent(z)).expect("a finite number");
+            let off = (off - expected.clone()).to_f64().abs() / f64::EPSILON;
+            let size = expected.to_f64().abs().max(z.abs().recip().min(1.0 / 12.0));
+            // a rounding of the argument counts more near the pole
+            let step = f64::from(1 << 20).recip();
+            let condition = (exact(z * (1.0 + step)) - expected).to_f64().abs() / step / size;
+            let off = off / size / (1.0 + condition);
+            assert!(off <= 8.0, "the inverse at {z:e} is off by {off} eps");
+        }
+    }
 }

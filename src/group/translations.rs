@@ -47,6 +47,10 @@ impl<const N: usize> LieGroup for Translations<N> {
         *x
     }
 
+    fn has_bounded_turns(&self) -> bool {
+        true
+    }
+
     fn bracket(&self, _: &Self::Vector, _: &Self::Vector) -> Self::Vector {
         SVector::zeros()
     }
