@@ -11,6 +11,7 @@
 //! Attitudes map body to space components, `Rdot = R spin(Omega)`; momentum `H = J Omega` and velocity are in
 //! body components, `Hdot = H cross Omega` is (108) without torque, and `R H` is the momentum in space.
 
+mod centred;
 mod compensated;
 pub mod constrained;
 pub mod cotangent;

@@ -128,7 +128,8 @@ pub trait Simulated:
         self.write(g).shape() == self.write(&self.identity()).shape()
     }
 
-    /// The derivatives at 0 of `exp(s e_i)` as written: the matrices of the basis.
+    /// The derivatives at 0 of `exp(s e_i)` as written: the matrices of the basis. Entries that are zero have to be so to the
+    /// last bit: a derivative along them is multiplied by the coordinates of a place, which may be large.
     fn generators(&self) -> Vec<DMatrix<f64>> {
         let half = |x: &Self::Vector| self.write(&self.exp(&(x.clone() * 0.5)));
         // half of a basis vector has a principal logarithm

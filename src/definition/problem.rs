@@ -3,6 +3,7 @@
 //! A problem names a space with its metric, where the motion starts, which forces there are, how it is integrated and
 //! what is written down. Its numbers may be formulas in its parameters; an ensemble varies these.
 
+mod control;
 mod ensemble;
 mod folder;
 mod hamiltonian;
@@ -19,10 +20,11 @@ pub use walk::{Left, Walk};
 
 use super::input::{InputError, Place, Source, shown};
 use super::{Space, file, numbers};
-use crate::dynamics::Magnus;
+use crate::dynamics::{Adaptive, Magnus};
 use crate::formula::Formula;
 use crate::simulation::{Method, Motion, Side, Table};
 use affinor_tensors::Tolerance;
+use control::Control;
 use ensemble::Ensemble;
 use folder::Folder;
 use inertia::Body;
@@ -33,11 +35,6 @@ use output::Times;
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::OnceLock;
-
-/// The error of a step under control, unless another is given.
-const TOLERANCE: f64 = 1e-10;
-/// The most steps under control between two rows, unless another limit is given.
-const MAX_STEPS: usize = 1_000_000;
 
 /// A problem of motion.
 #[derive(Clone, Debug)]
@@ -54,8 +51,7 @@ pub struct Problem {
     /// The method, unless that of the class of the problem is taken.
     pub method: Option<Method>,
     step: Option<Value>,
-    tolerance: Option<Value>,
-    max_steps: Option<usize>,
+    control: Control,
     times: Times,
     columns: Vec<Written>,
     quantities: Vec<(String, Written)>,
@@ -309,8 +305,7 @@ impl Problem {
         Problem {
             method: Some(method),
             step: step.map(value),
-            tolerance: method.is_controlled().then(|| value(tolerance)),
-            max_steps: self.max_steps.filter(|_| method.is_controlled()),
+            control: self.control.of(method, value(tolerance)),
             ..self.clone()
         }
     }
@@ -371,24 +366,18 @@ impl Problem {
         step.map_err(|error| error.or_near(&self.source.key("step")))
     }
 
-    fn tolerance_at(&self, parameters: &[f64]) -> Result<f64, InputError> {
-        let tolerance = self.tolerance.as_ref().map(|tolerance| tolerance.positive(parameters));
-        let tolerance = tolerance.unwrap_or(Ok(TOLERANCE));
-        tolerance.map_err(|error| error.or_near(&self.source.key("tolerance")))
+    /// The control of steps along the times of a run.
+    fn control_at(&self, parameters: &[f64], times: &[f64]) -> Result<Adaptive, InputError> {
+        self.control.at(&self.source, parameters, times)
     }
 
-    fn max_steps(&self) -> usize {
-        self.max_steps.unwrap_or(MAX_STEPS)
-    }
-
-    /// Checks that what controls steps has something to say of the method.
+    /// Refuses keys that the method ignores.
     fn expect_no_idle_control(&self, method: Method) -> Result<(), InputError> {
-        let keys = [
-            ("step", self.step.is_some() && !method.has_steps()),
-            ("tolerance", self.tolerance.is_some() && !method.is_controlled()),
-            ("max_steps", self.max_steps.is_some() && !method.is_controlled()),
-        ];
-        let Some((key, _)) = keys.iter().find(|(_, idle)| *idle) else { return Ok(()) };
+        let step = [("step", self.step.is_some() && !method.has_steps())];
+        let control = self.control.given();
+        let control = control.map(|(key, given)| (key, given && !method.is_controlled()));
+        let mut keys = step.into_iter().chain(control);
+        let Some((key, _)) = keys.find(|(_, idle)| *idle) else { return Ok(()) };
         let message = format!("the method {method} has no `{key}`");
         let help = "leave the key out, or name another method";
         Err(InputError::usage(message).at(&self.source.key(key)).help(help))

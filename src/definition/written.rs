@@ -45,6 +45,9 @@ pub(super) struct FieldsText<'t>(pub Vec<(Text<'t>, Text<'t>)>);
 #[derive(Clone)]
 pub(super) struct Number<'t>(pub Text<'t>);
 
+/// A number, or a list of them.
+pub(super) struct OneOrMore<'t>(pub Vec<Number<'t>>);
+
 /// Numbers by their names, in order.
 pub(super) struct NumbersText<'t>(pub Vec<(Text<'t>, Number<'t>)>);
 
@@ -289,6 +292,26 @@ impl<'t> Form<'t> for Number<'t> {
     }
 }
 
+impl<'t> Form<'t> for OneOrMore<'t> {
+    const EXPECTED: &'static str = "a number, or a list of numbers";
+
+    fn text(text: Text<'t>) -> Option<Self> {
+        Number::text(text).map(|number| OneOrMore(vec![number]))
+    }
+
+    fn integer(digits: String) -> Option<Self> {
+        Number::integer(digits).map(|number| OneOrMore(vec![number]))
+    }
+
+    fn decimal(digits: String) -> Option<Self> {
+        Number::decimal(digits).map(|number| OneOrMore(vec![number]))
+    }
+
+    fn list<A: SeqAccess<'t>>(items: A) -> Result<Self, A::Error> {
+        Ok(OneOrMore(all(items)?))
+    }
+}
+
 impl<'t> Form<'t> for MatrixRows<'t> {
     const EXPECTED: &'static str = "an array of rows, or {name, rows}";
 
@@ -366,6 +389,12 @@ impl<'de: 't, 't> Deserialize<'de> for NumbersText<'t> {
 }
 
 impl<'de: 't, 't> Deserialize<'de> for Number<'t> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read(deserializer)
+    }
+}
+
+impl<'de: 't, 't> Deserialize<'de> for OneOrMore<'t> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         read(deserializer)
     }

@@ -10,7 +10,12 @@ pub struct State<G: LieGroup> {
     pub time: f64,
     /// The element: of a body the attitude, or the pose.
     pub element: G::Element,
-    /// The spatial momentum `h`, a covector.
+    /// The momentum about the body, in axes that do not turn: the covector `m` with `H = Ad*_k m` for the momentum `H` in
+    /// body components and the [`turn`](LieGroup::turn) `k` of the element.
+    ///
+    /// On SO(3) it is the spatial momentum `h`; on SE(3) it is the angular momentum about the origin of the body and the
+    /// linear momentum, both in spatial axes, so that it does not depend on where the origin of space is. On a group without
+    /// [bounded turns](LieGroup::has_bounded_turns) it is `H` itself.
     pub spatial: G::Vector,
 }
 
@@ -23,30 +28,52 @@ impl<G: LieGroup> Clone for State<G> {
 }
 
 impl<G: LieGroup> State<G> {
-    /// With the momentum `H` in body components: `h = Ad*_(g^-1) H`.
+    /// With the momentum `H` in body components.
     pub fn with_momentum(group: &G, time: f64, element: G::Element, momentum: &G::Vector) -> Self {
-        let spatial = group.coadjoint(&group.inverse(&element), momentum);
+        let spatial = in_axes(group, &element, momentum);
         State { time, element, spatial }
     }
 
-    /// `H = Ad*_g h`, the momentum in body components (103).
+    /// `H`, the momentum in body components (103).
     #[inline]
     pub fn momentum(&self, group: &G) -> G::Vector {
-        group.coadjoint(&self.element, &self.spatial)
+        if !group.has_bounded_turns() {
+            return self.spatial.clone();
+        }
+        group.coadjoint(&group.turn(&self.element), &self.spatial)
+    }
+
+    /// `h = Ad*_(g^-1) H`, the momentum in space, which a free system conserves. Far from the origin it is the small
+    /// difference of large numbers, and rounded as these are.
+    pub fn spatial_momentum(&self, group: &G) -> G::Vector {
+        group.coadjoint(&group.inverse(&self.element), &self.momentum(group))
     }
 }
 
-/// The rates of change of a state: `Omega` in body components, and `h'`.
-#[derive(Clone, Debug)]
-pub struct Rates<V> {
-    /// `Omega`.
-    pub velocity: V,
-    /// `h'`.
-    pub spatial: V,
+/// A covector in body components, taken to the axes of [`State::spatial`].
+#[inline]
+pub(super) fn in_axes<G: LieGroup>(
+    group: &G,
+    element: &G::Element,
+    momentum: &G::Vector,
+) -> G::Vector {
+    if !group.has_bounded_turns() {
+        return momentum.clone();
+    }
+    group.coadjoint(&group.inverse(&group.turn(element)), momentum)
 }
 
-/// Equations `g' = g Omega`, `h' = Ad*_{g^-1} F` of an element and its spatial momentum, where `Omega` is a function of
-/// the momentum `H = Ad*_g h` in body components.
+/// The sizes that a state of a system has by its inertia.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sizes {
+    /// The largest moment of inertia of turns, and the largest mass of translations.
+    pub inertia: [f64; 2],
+    /// The length at which both are alike: the radius of gyration, or 1 where there are no turns or no translations.
+    pub length: f64,
+}
+
+/// Equations `g' = g Omega`, `H' = ad*_Omega H + F` of an element and its momentum `H` in body components, where `Omega` is
+/// a function of `H` and `(ad*_Omega H)_i = c^j_ki Omega^k H_j`.
 pub trait CotangentSystem: System<State = State<Self::Group>> {
     /// The group.
     type Group: LieGroup;
@@ -57,7 +84,7 @@ pub trait CotangentSystem: System<State = State<Self::Group>> {
     /// `Omega` of a momentum `H`, in body components.
     fn velocity_of(&self, momentum: &Vector<Self>) -> Vector<Self>;
 
-    /// Whether `F` is zero everywhere, so that `h` stays what it is; no one asks for `F` then.
+    /// Whether `F` is zero everywhere; no one asks for `F` then.
     fn is_free(&self) -> bool;
 
     /// `F`, in body components.
@@ -72,17 +99,47 @@ pub trait CotangentSystem: System<State = State<Self::Group>> {
         Vector::<Self>::zeros(self.group().dimension())
     }
 
-    /// The rates of change of a state.
-    #[inline(always)]
-    fn rates(&self, state: &State<Self::Group>) -> Rates<Vector<Self>> {
+    /// The translation `c` to the centre, if that is another point than the origin of the body: seen from there,
+    ///
+    /// ```text
+    /// g~ = g c,   Omega~ = Ad_(c^-1) Omega,   H~ = Ad*_c H
+    /// ```
+    ///
+    /// turns and translations have no inertia in common. On SE(3) it is the centre of mass. Steps are made in these variables,
+    /// so that a uniform motion of the frame does not enter the angular momentum.
+    fn centre(&self) -> Option<&Element<Self>> {
+        None
+    }
+
+    /// `Omega~` of a momentum `H~`, both at the [`centre`](Self::centre).
+    fn velocity_at_centre(&self, momentum: &Vector<Self>) -> Vector<Self> {
+        let Some(centre) = self.centre() else { return self.velocity_of(momentum) };
+        let (group, back) = (self.group(), self.group().inverse(centre));
+        group.adjoint(&back, &self.velocity_of(&group.coadjoint(&back, momentum)))
+    }
+
+    /// Whether [`transfer`](Self::transfer) may differ from zero.
+    fn transfers(&self) -> bool {
         let group = self.group();
-        let momentum = state.momentum(group);
-        let velocity = self.velocity_of(&momentum);
-        if self.is_free() {
-            return Rates { spatial: Vector::<Self>::zeros(group.dimension()), velocity };
-        }
-        let force = self.force(state.time, &state.element, &velocity, &momentum);
-        Rates { spatial: group.coadjoint(&group.inverse(&state.element), &force), velocity }
+        group.translation(&Vector::<Self>::zeros(group.dimension())).is_some()
+    }
+
+    /// `ad*_(P Omega) H`, the change of the momentum about the centre by its [`translation`](LieGroup::translation)
+    /// `P Omega`, from the velocity and the momentum there: on SE(3) the moment `p cross u` of the linear momentum `p`.
+    fn transfer(&self, velocity: &Vector<Self>, momentum: &Vector<Self>) -> Vector<Self> {
+        let group = self.group();
+        let Some(translation) = group.translation(velocity) else {
+            return Vector::<Self>::zeros(group.dimension());
+        };
+        Vector::<Self>::from_fn(group.dimension(), |i| {
+            let moved = group.bracket(&translation, &group.unit(i));
+            moved.components().iter().zip(momentum.components()).map(|(x, h)| x * h).sum()
+        })
+    }
+
+    /// The sizes of a state, if the system has an inertia.
+    fn sizes(&self) -> Option<Sizes> {
+        None
     }
 }
 

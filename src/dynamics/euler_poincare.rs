@@ -1,7 +1,8 @@
 //! The equations of motion that a connection and a metric make on a group.
 
 use super::System;
-use super::cotangent::{CotangentSystem, State};
+use super::centred::Centred;
+use super::cotangent::{CotangentSystem, Sizes, State};
 use super::matrix::Matrix;
 use crate::frame::formula;
 use crate::group::{Coordinates, LieGroup, So3, expect_left_frame};
@@ -14,14 +15,15 @@ const SAME: f64 = 1e-12;
 /// `DH/Dt = M` (104) on a group, for the covector `H = J Omega` (103) and `g' = g Omega`:
 /// `dH_i/dt = Lambda^j_ki Omega^k H_j + M_i`, which with `plus` is Euler-Poincare (106), (108).
 ///
-/// The unknowns are `g` and the spatial momentum `h`, with `H = Ad*_g h`, that is
-/// `H_i = h_j (Ad_g e_i)^j`:
+/// The unknowns are `g` and the momentum about the body in axes that do not turn, [`State::spatial`]: of a rotation the
+/// spatial momentum `h`, with `H_i = (Ad*_g h)_i = h_j (Ad_g e_i)^j`:
 ///
 /// ```text
 /// g' = g Omega,   Omega = J^-1 H,   h' = Ad*_{g^-1} F,   F_i = M_i + (Lambda - c)^j_ki Omega^k H_j
 /// ```
 ///
-/// so that with `plus` and without a torque `h` stays what it is, to the last bit.
+/// so that with `plus` and without a torque `h` stays what it is, to the last bit. On groups with translations what is
+/// kept so is the linear momentum; `h` is kept to rounding.
 ///
 /// ```
 /// use affinor::dynamics::{EulerPoincare, Integrator, MuntheKaas};
@@ -49,6 +51,8 @@ pub struct EulerPoincare<G: LieGroup, M> {
     inverse: Matrix<G::Vector>,
     /// By `i`: `(k, j)` and the component `(Lambda - c)^j_ki`, where it is not zero. Empty with `plus`.
     excess: Vec<Vec<([usize; 2], f64)>>,
+    /// What is seen from the centre.
+    centred: Centred<G>,
     torque: M,
 }
 
@@ -119,6 +123,29 @@ impl<G: LieGroup, M: Torque<G>> CotangentSystem for EulerPoincare<G, M> {
         self.torque.add(time, element, velocity, &mut force);
         force
     }
+
+    #[inline]
+    fn centre(&self) -> Option<&G::Element> {
+        self.centred.centre()
+    }
+
+    #[inline]
+    fn velocity_at_centre(&self, momentum: &G::Vector) -> G::Vector {
+        self.centred.inverse().unwrap_or(&self.inverse).apply(momentum)
+    }
+
+    #[inline]
+    fn transfers(&self) -> bool {
+        self.centred.transfers()
+    }
+
+    fn transfer(&self, _: &G::Vector, momentum: &G::Vector) -> G::Vector {
+        self.centred.transfer(momentum)
+    }
+
+    fn sizes(&self) -> Option<Sizes> {
+        Some(self.centred.sizes())
+    }
 }
 
 impl<G: LieGroup> EulerPoincare<G, Free> {
@@ -165,7 +192,8 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
         }
         let excess = if rows.iter().all(Vec::is_empty) { vec![] } else { rows };
         let (metric, inverse) = (Matrix::new(metric.components()), Matrix::new(metric.inverse()));
-        Ok(EulerPoincare { group, metric, inverse, excess, torque })
+        let centred = Centred::new(&group, &metric, &inverse, frame.structure());
+        Ok(EulerPoincare { group, metric, inverse, excess, centred, torque })
     }
 
     /// The group.
@@ -183,6 +211,7 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
             metric: self.metric.clone(),
             inverse: self.inverse.clone(),
             excess: self.excess.clone(),
+            centred: self.centred.clone(),
             torque,
         }
     }

@@ -13,12 +13,14 @@
 //! | [`Kick`] | 2, 4, 6 | a body, torques of time and attitude | momentum as the potential allows, symplectic form |
 //! | [`MoserVeselov`](super::MoserVeselov) | 2 to 10 | a free body | momentum, energy, symplectic form |
 //!
-//! Momentum is that in space, which is a part of the state: to the last bit where nothing acts on it.
+//! Momentum is that in space: to the last bit on groups of rotations, where it is a part of the state, and to rounding on
+//! others.
 
 mod adaptive;
 mod commutator_free;
 mod composed;
 mod crouch_grossman;
+mod departure;
 mod generalised_alpha;
 mod isospectral_midpoint;
 pub mod kick;
@@ -29,6 +31,7 @@ pub mod runge_kutta;
 mod simo_wong;
 pub mod splitting;
 pub mod tableaux;
+mod tolerance;
 
 pub use adaptive::{Adaptive, Pair};
 pub use commutator_free::CommutatorFree;

@@ -10,8 +10,8 @@ use crate::group::LieGroup;
 /// H' = ad*_Omega H,   Omega = dE/dH,   g' = g Omega
 /// ```
 ///
-/// With `H = Ad*_g h` the spatial momentum `h` stays what it is, to the last bit, and so do all Casimirs to rounding; what is
-/// left to solve is `g' = g Omega`. A kinetic energy `E = H . J^-1 H/2` makes it
+/// The spatial momentum `h`, with `H = Ad*_g h`, and all Casimirs stay what they are, to rounding; what is left to solve is
+/// `g' = g Omega`. A kinetic energy `E = H . J^-1 H/2` makes it
 /// [`EulerPoincare`](super::EulerPoincare); the heavy top is one on se(3), with the vertical in the body as the second part of
 /// the momentum. J. E. Marsden and T. S. Ratiu, *Introduction to Mechanics and Symmetry* (1999), 13.
 ///

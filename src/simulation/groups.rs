@@ -16,9 +16,28 @@ use crate::group::{
 };
 use nalgebra::{DMatrix, DVector};
 
+/// A matrix by its entries that are not zero: row, column and value.
+fn sparse(size: usize, entries: &[(usize, usize, f64)]) -> DMatrix<f64> {
+    let mut matrix = DMatrix::zeros(size, size);
+    entries.iter().for_each(|&(row, column, value)| matrix[(row, column)] = value);
+    matrix
+}
+
+/// `spin(e_i)` in the corner of a matrix.
+fn spins(size: usize) -> impl Iterator<Item = DMatrix<f64>> {
+    (0..3).map(move |i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        sparse(size, &[(k, j, 1.0), (j, k, -1.0)])
+    })
+}
+
 impl Simulated for So2 {
     type Numbers = Projection;
     const NAMED: &'static [&'static str] = &["angle"];
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        vec![sparse(2, &[(1, 0, 1.0), (0, 1, -1.0)])]
+    }
 
     fn named(&self, g: &Self::Element) -> Vec<f64> {
         vec![g.angle()]
@@ -29,6 +48,11 @@ impl Simulated for Se2 {
     type Numbers = Projection;
     const NAMED: &'static [&'static str] = &["angle", "x", "y"];
 
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        let turn = sparse(3, &[(1, 0, 1.0), (0, 1, -1.0)]);
+        vec![turn, sparse(3, &[(0, 2, 1.0)]), sparse(3, &[(1, 2, 1.0)])]
+    }
+
     fn named(&self, g: &Self::Element) -> Vec<f64> {
         vec![g.rotation.angle(), g.translation.x, g.translation.y]
     }
@@ -38,6 +62,10 @@ impl Simulated for Se3 {
     type Numbers = Projection;
     const NAMED: &'static [&'static str] = &["qw", "qx", "qy", "qz", "x", "y", "z"];
 
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        spins(4).chain((0..3).map(|row| sparse(4, &[(row, 3, 1.0)]))).collect()
+    }
+
     fn named(&self, g: &Self::Element) -> Vec<f64> {
         let (q, x) = (g.rotation, g.translation);
         vec![q.w, q.i, q.j, q.k, x.x, x.y, x.z]
@@ -46,10 +74,19 @@ impl Simulated for Se3 {
 
 impl Simulated for Sl2 {
     type Numbers = Projection;
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        let diagonal = sparse(2, &[(0, 0, 1.0), (1, 1, -1.0)]);
+        vec![sparse(2, &[(0, 1, 1.0)]), sparse(2, &[(1, 0, 1.0)]), diagonal]
+    }
 }
 
 impl Simulated for MatrixGroup {
     type Numbers = ();
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        self.matrices().to_vec()
+    }
 }
 
 /// Elements are written as their canonical coordinates `x`, and `log(g exp(s e_i))` has the derivative
@@ -74,6 +111,10 @@ impl Simulated for Nilpotent<f64> {
 impl Simulated for So3 {
     type Numbers = Projection;
     const NAMED: &'static [&'static str] = &["qw", "qx", "qy", "qz"];
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        spins(3).collect()
+    }
 
     fn named(&self, q: &Self::Element) -> Vec<f64> {
         vec![q.w, q.i, q.j, q.k]

@@ -28,10 +28,8 @@ pub struct Setup<'s, G: Simulated> {
     pub method: Option<Method>,
     /// The length of steps.
     pub step: Option<f64>,
-    /// The tolerance of steps under control.
-    pub tolerance: f64,
-    /// The most steps under control from one wanted time to the next.
-    pub max_steps: usize,
+    /// Step-size control: its tolerances, its longest step, the most steps from one wanted time to the next.
+    pub control: Adaptive,
     /// Formulas to be computed along the way, over their scope.
     pub columns: (Scope, Vec<Formula>),
 }
@@ -51,13 +49,13 @@ pub fn on_group<G: Simulated>(
     let is_body = matches!(body, Some(Ok(_)));
     let method = setup.method.unwrap_or(match (is_body, setup.step) {
         (true, None) if free => Method::Exact,
-        (_, None) => Method::to(setup.tolerance),
+        (_, None) => Method::to(setup.control.tolerance),
         (true, Some(_)) if free => Method::MoserVeselov(Order::Ten),
         (true, Some(_)) if setup.forces.are_conservative() => Method::Kick(kick::Order::Four),
         (_, Some(_)) => Method::MuntheKaas,
     });
     let refused = |reason: &str| Error::NoMethod { method: method.name(), reason: reason.into() };
-    method.expect_resolved(setup.tolerance)?;
+    method.expect_resolved(setup.control.tolerance)?;
     let needed = match method {
         Method::Exact | Method::MoserVeselov(_) | Method::Splitting(_) => "no forces",
         Method::Kick(_) => "forces that depend on no velocity",
@@ -71,8 +69,7 @@ pub fn on_group<G: Simulated>(
         None if method.has_steps() => return Err(refused("it needs a step")),
         None => 0.0,
     };
-    let control = Adaptive { max_steps: setup.max_steps, ..Adaptive::new(setup.tolerance) };
-    let drive = match Drive::of_any_system(method, step, control) {
+    let drive = match Drive::of_any_system(method, step, setup.control) {
         Some(drive) => drive,
         None if method.is_projected() => return Err(refused(NO_NUMBERS)),
         None => {

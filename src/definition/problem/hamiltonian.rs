@@ -3,7 +3,6 @@
 use super::launch::Launch;
 use super::{Course, Ready, Written, numbers_of};
 use crate::definition::InputError;
-use crate::dynamics::Adaptive;
 use crate::simulation::{Forces, Hamiltonian, Simulated, on_hamiltonian};
 use nalgebra::DMatrix;
 
@@ -45,10 +44,7 @@ impl Launch<'_> {
         let element = self.element(&group, &values)?;
         let momentum = self.momentum(&group, &element, &names, &values)?;
         let problem = self.problem;
-        let control = Adaptive {
-            max_steps: problem.max_steps(),
-            ..Adaptive::new(problem.tolerance_at(&values)?)
-        };
+        let control = problem.control_at(&values, self.times)?;
         let how = (problem.method, problem.step_at(&values)?, control);
         let start = (self.times[0], element, momentum);
         let (motion, method) = on_hamiltonian(names, hamiltonian, start, how, formulas)?;

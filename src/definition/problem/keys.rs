@@ -1,5 +1,6 @@
 //! The keys of a problem, and what they say.
 
+use super::control::Control;
 use super::ensemble::EnsembleKeys;
 use super::folder::Folder;
 use super::inertia::InertiaKeys;
@@ -10,7 +11,9 @@ use super::reader::Reader;
 use super::{Course, Force, Kind, OnGroup, Parameter, Places, Problem, StartElement, stem};
 use crate::definition::document::Document;
 use crate::definition::input::{InputError, Source, shown};
-use crate::definition::written::{Cell, MetricText, Number, NumbersText, Text, TextsText};
+use crate::definition::written::{
+    Cell, MetricText, Number, NumbersText, OneOrMore, Text, TextsText,
+};
 use crate::definition::{Request, Space, file};
 use crate::simulation::{Method, Side, Table};
 use std::sync::OnceLock;
@@ -117,7 +120,34 @@ struct IntegratorKeys<'t> {
     step: Option<Number<'t>>,
     #[serde(borrow)]
     tolerance: Option<Number<'t>>,
+    #[serde(borrow)]
+    absolute_tolerance: Option<OneOrMore<'t>>,
+    #[serde(borrow)]
+    max_step: Option<Number<'t>>,
     max_steps: Option<usize>,
+}
+
+impl IntegratorKeys<'_> {
+    fn control(&self, reader: &Reader) -> Result<Control, InputError> {
+        let absolute = self.absolute_tolerance.as_ref().map(|OneOrMore(numbers)| {
+            match &reader.values(numbers)?[..] {
+                [both] => Ok([both.clone(), both.clone()]),
+                [turns, translations] => Ok([turns.clone(), translations.clone()]),
+                others => {
+                    let message = format!("`absolute_tolerance` has {} numbers", others.len());
+                    let help = "one is of turns and translations, two are of each";
+                    let place = reader.source.key("absolute_tolerance");
+                    Err(InputError::usage(message).at(&place).help(help))
+                }
+            }
+        });
+        Ok(Control {
+            tolerance: reader.optional(&self.tolerance)?,
+            absolute: absolute.transpose()?,
+            max_step: reader.optional(&self.max_step)?,
+            max_steps: self.max_steps,
+        })
+    }
 }
 
 impl Problem {
@@ -163,8 +193,7 @@ impl<'t> Keys<'t> {
                 InputError::usage(message).at(&place).help(format!("the methods are {all}"))
             })?),
         };
-        let tolerance = reader.optional(&self.integrator.tolerance)?;
-        let max_steps = self.integrator.max_steps;
+        let control = self.integrator.control(&reader)?;
         let step = reader.optional(&self.integrator.step)?;
         let times = self.output.times(reader.optional(&self.initial.time)?, &reader)?;
         let columns = match &self.output.columns {
@@ -241,8 +270,7 @@ impl<'t> Keys<'t> {
             kind,
             method,
             step,
-            tolerance,
-            max_steps,
+            control,
             times,
             columns,
             quantities,

@@ -145,8 +145,7 @@ impl Launch<'_> {
             momentum,
             method: self.problem.method,
             step,
-            tolerance: self.problem.tolerance_at(&values)?,
-            max_steps: self.problem.max_steps(),
+            control: self.problem.control_at(&values, self.times)?,
             columns: formulas,
         };
         let (motion, method) = on_group(group, setup)?;

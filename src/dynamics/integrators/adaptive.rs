@@ -4,6 +4,7 @@ use super::munthe_kaas::Canonical;
 use super::projected::Projection;
 use super::runge_kutta::{LocalCoordinates, RungeKutta};
 use super::tableaux::{DormandPrince, DormandPrince8, Tabulated};
+use super::tolerance::Allowed;
 use crate::Error;
 use crate::dynamics::cotangent::{CotangentSystem, State};
 
@@ -30,27 +31,51 @@ impl Pair {
     }
 }
 
-/// A pair of Dormand and Prince with its step size under control.
+/// A pair of Dormand and Prince with step-size control.
 ///
-/// A step is kept if its estimated error is below the tolerance: of the coordinates of the group, in tenths of the step
-/// where this is longer than 10 in them, and relative of the momentum, at the end of the step where it is more there.
+/// A step is kept if its estimated error is allowed. Turns and [translations](crate::group::LieGroup::translation) are judged
+/// apart, each by its own scale. With the tolerance `r`, an error may be
+///
+/// | of | absolute part | relative part |
+/// |---|---|---|
+/// | turns (radians for rotations) | `a_1`, by default `r` | `r/10` of the turn in the step |
+/// | translations | `a_2`, by default `r` times the radius of gyration | `r/10` of the path in the step |
+/// | momentum of turns | the momentum that turns the body by `a_1` in the time `span` | `r` of the larger one at both ends |
+/// | momentum of translations | the momentum that moves it by `a_2` in the time `span` | `r` of the larger one at both ends |
+///
+/// The radius of gyration is the square root of the largest moment of inertia over the largest mass, 1 where one of them is
+/// missing. A system without an inertia has its momentum judged as a whole, relative to its largest component.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adaptive<C = Canonical> {
     /// The pair.
     pub pair: Pair,
-    /// What the error of a step may be.
+    /// The relative tolerance `r` of a step.
     pub tolerance: f64,
+    /// The absolute tolerances `a_1` of turns and `a_2` of translations, or `None` for those of the table.
+    pub absolute: Option<[f64; 2]>,
+    /// The time over which an error of a velocity counts, such as that of the run; infinite for no absolute part of the
+    /// tolerance of momenta.
+    pub span: f64,
     /// The most steps between two times.
     pub max_steps: usize,
+    /// The longest step. A force that is shorter than a step may be missed.
+    pub max_step: f64,
     /// The coordinates in which steps are made.
     pub coordinates: C,
 }
 
 impl Adaptive {
-    /// The pair of order 5 with a tolerance, and at most a million steps.
+    /// The pair of order 5 with a tolerance, at most a million steps of any length, and no absolute tolerance of momenta.
     pub fn new(tolerance: f64) -> Self {
-        let (pair, max_steps, coordinates) = (Pair::Five, 1_000_000, Canonical);
-        Adaptive { pair, tolerance, max_steps, coordinates }
+        Adaptive {
+            pair: Pair::Five,
+            tolerance,
+            absolute: None,
+            span: f64::INFINITY,
+            max_steps: 1_000_000,
+            max_step: f64::INFINITY,
+            coordinates: Canonical,
+        }
     }
 
     /// The same with the pair of order 8.
@@ -60,15 +85,16 @@ impl Adaptive {
 
     /// The same with steps of [`Projected`](super::Projected).
     pub fn projected(self) -> Adaptive<Projection> {
-        let Adaptive { pair, tolerance, max_steps, .. } = self;
-        Adaptive { pair, tolerance, max_steps, coordinates: Projection }
+        let Adaptive { pair, tolerance, absolute, span, max_steps, max_step, .. } = self;
+        let coordinates = Projection;
+        Adaptive { pair, tolerance, absolute, span, max_steps, max_step, coordinates }
     }
 }
 
 impl<C: Copy> Adaptive<C> {
     /// A first guess of a step, which the control corrects at once.
     pub fn first_step(&self) -> f64 {
-        self.tolerance.powf(self.exponent()).min(0.1)
+        self.tolerance.powf(self.exponent()).min(0.1).min(self.max_step)
     }
 
     /// That of a step, as the error is of the power `order` of it.
@@ -91,8 +117,10 @@ impl<C: Copy> Adaptive<C> {
     where
         C: LocalCoordinates<S::Group>,
     {
+        let allowed = Allowed::new(self.tolerance, self.absolute, self.span, system.sizes());
         loop {
             let left = end - state.time;
+            *next = next.min(self.max_step);
             let last = *next >= left.abs();
             let h = if last { left } else { next.copysign(left) };
             let is_lost = state.time + h == state.time;
@@ -101,12 +129,14 @@ impl<C: Copy> Adaptive<C> {
                 let reason = "the steps become too small".into();
                 return Err(Error::Integration { t: state.time, reason });
             }
+            let (five, eight) =
+                (RungeKutta::<_, _, C>::DORMAND_PRINCE, RungeKutta::<_, _, C>::DORMAND_PRINCE_8);
             let advanced = match self.pair {
-                Pair::Five => RungeKutta::<_, _, C>::DORMAND_PRINCE.advanced(system, state, h),
-                Pair::Eight => RungeKutta::<_, _, C>::DORMAND_PRINCE_8.advanced(system, state, h),
+                Pair::Five => five.advanced(system, state, h, &allowed),
+                Pair::Eight => eight.advanced(system, state, h, &allowed),
             };
             let (reached, error) = match advanced {
-                Ok((reached, error)) if error.is_finite() => (reached, error / self.tolerance),
+                Ok((reached, error)) if error.is_finite() => (reached, error),
                 // a shorter step may still be possible
                 _ => {
                     *next = 0.2 * h.abs();

@@ -1,9 +1,9 @@
 //! The method of Crouch and Grossman of order 3.
 
+use super::departure::{Departure, Increment, Rates};
 use super::{Integrator, expect_finite};
 use crate::Error;
-use crate::dynamics::cotangent::{CotangentSystem, Rates, State, Vector};
-use crate::group::LieGroup;
+use crate::dynamics::cotangent::{CotangentSystem, State, Vector};
 
 /// `c_i`, rows `a_ij` and `b_j`.
 const NODES: [f64; 3] = [0.0, 3.0 / 4.0, 17.0 / 24.0];
@@ -29,22 +29,27 @@ impl CrouchGrossman {
 impl<S: CotangentSystem> Integrator<S> for CrouchGrossman {
     fn step(&self, system: &S, state: &mut State<S::Group>, h: f64) -> Result<(), Error> {
         let group = system.group();
-        let moved = |slopes: &[&Rates<Vector<S>>], weights: &[f64], share: f64| {
-            let start = State { time: state.time + share * h, ..state.clone() };
-            slopes.iter().zip(weights).fold(start, |at, (k, weight)| State {
-                element: group
-                    .compose(&at.element, &group.exp(&(k.velocity.clone() * (weight * h)))),
-                spatial: at.spatial + k.spatial.clone() * (weight * h),
-                ..at
+        let start = Departure::new(system, state);
+        let moved = |slopes: &[&Rates<Vector<S>>], weights: &[f64]| {
+            let begin = (Increment::none(group), start.momentum.clone());
+            slopes.iter().zip(weights).fold(begin, |(at, momentum), (k, weight)| {
+                let momentum = match &k.momentum {
+                    Some(change) => momentum + change.clone() * (weight * h),
+                    None => momentum,
+                };
+                (at.moved(group, k.velocity.clone() * (weight * h)), momentum)
             })
         };
-        let k1 = system.rates(state);
-        let k2 = system.rates(&moved(&[&k1], &STAGES[1], NODES[1]));
-        let k3 = system.rates(&moved(&[&k1, &k2], &STAGES[2], NODES[2]));
-        let next = moved(&[&k1, &k2, &k3], &WEIGHTS, 1.0);
+        let rates = |slopes: &[&Rates<Vector<S>>], stage: usize| {
+            let (at, momentum) = moved(slopes, &STAGES[stage]);
+            start.rates(NODES[stage] * h, &at, &momentum)
+        };
+        let k1 = rates(&[], 0);
+        let k2 = rates(&[&k1], 1);
+        let k3 = rates(&[&k1, &k2], 2);
         expect_finite(state.time, &k3.velocity)?;
-        expect_finite(state.time, &next.spatial)?;
-        *state = State { element: group.restored(next.element), ..next };
+        let (end, momentum) = moved(&[&k1, &k2, &k3], &WEIGHTS);
+        *state = start.arrive(h, &end, k1.momentum.is_some().then_some(&momentum))?;
         Ok(())
     }
 }

@@ -2,19 +2,40 @@
 
 use super::runge_kutta::{LocalCoordinates, RungeKutta};
 use crate::Error;
-use crate::dynamics::cotangent::State;
 use crate::group::{Coordinates, LieGroup};
 
-/// Runge-Kutta-Munthe-Kaas: with `g = g_0 exp(u)`, the method solves `u' = T_left(u)^-1 Omega` and
-/// `h'` together, from `u = 0`.
+/// Runge-Kutta-Munthe-Kaas: with `g = g_0 exp(u)`, the method solves `u' = T_left(u)^-1 Omega` and that of the momentum
+/// together, from `u = 0`. [Translations](LieGroup::translation) `y` are added: `g = g_0 exp(y) exp(u)`,
+/// `y' = Ad_exp(u) P Omega`.
 ///
 /// H. Munthe-Kaas, *BIT* 38 (1998) 92-111. Up to order 4 two brackets stand for the inverse tangent operator, as there;
 /// beyond it is the group's own. The order is that of the tableau.
 pub type MuntheKaas<const STAGES: usize, T> = RungeKutta<STAGES, T, Canonical>;
 
-/// Canonical coordinates `u` around `g_0`: `g = g_0 exp(u)`.
+/// Canonical coordinates around `g_0`: `g = g_0 exp(u)`, or `g_0 exp(y) exp(u)` with the translations `y` where the group
+/// has them, which then add up as vectors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Canonical;
+
+/// The turning part of a vector, and its translation.
+#[inline(always)]
+fn split<G: LieGroup>(group: &G, x: &G::Vector) -> (G::Vector, Option<G::Vector>) {
+    match group.translation(x) {
+        Some(translation) => (x.clone() - translation.clone(), Some(translation)),
+        None => (x.clone(), None),
+    }
+}
+
+/// `start exp(y) exp(u)`.
+#[inline(always)]
+fn from<G: LieGroup>(group: &G, start: &G::Element, x: &G::Vector) -> G::Element {
+    let (u, y) = split(group, x);
+    let turn = group.exp(&u);
+    match y {
+        Some(y) => group.compose(&group.compose(start, &group.exp(&y)), &turn),
+        None => group.compose(start, &turn),
+    }
+}
 
 impl<G: LieGroup> LocalCoordinates<G> for Canonical {
     type Numbers = G::Vector;
@@ -25,19 +46,29 @@ impl<G: LieGroup> LocalCoordinates<G> for Canonical {
     }
 
     #[inline(always)]
-    fn element(group: &G, at: &G::Element, u: &G::Vector) -> G::Element {
-        group.compose(at, &group.exp(u))
+    fn element(group: &G, at: &G::Element, x: &G::Vector) -> G::Element {
+        from(group, at, x)
     }
 
     /// It is the start that is restored: a processor does so while the stages are made.
     #[inline(always)]
-    fn end(group: &G, at: &G::Element, u: &G::Vector) -> G::Element {
-        group.compose(&group.restored(at.clone()), &group.exp(u))
+    fn end(group: &G, at: &G::Element, x: &G::Vector) -> G::Element {
+        from(group, &group.restored(at.clone()), x)
     }
 
     #[inline(always)]
-    fn momentum(group: &G, _: &State<G>, momentum: &G::Vector, u: &G::Vector) -> G::Vector {
-        group.coadjoint_exp(u, momentum)
+    fn carried(group: &G, _: &G::Element, x: &G::Vector, momentum: &G::Vector) -> G::Vector {
+        group.coadjoint_exp(&split(group, x).0, momentum)
+    }
+
+    #[inline(always)]
+    fn carried_back(group: &G, _: &G::Element, x: &G::Vector, force: &G::Vector) -> G::Vector {
+        group.coadjoint_exp(&-split(group, x).0, force)
+    }
+
+    fn sizes(group: &G, x: &G::Vector) -> [f64; 2] {
+        let (u, y) = split(group, x);
+        [u.largest(), y.map_or(0.0, |y| y.largest())]
     }
 
     #[inline(always)]
@@ -49,16 +80,23 @@ impl<G: LieGroup> LocalCoordinates<G> for Canonical {
     fn rate(
         group: &G,
         _: &G::Element,
-        u: &G::Vector,
+        x: &G::Vector,
         velocity: &G::Vector,
         order: u32,
     ) -> Result<G::Vector, Error> {
-        if order > 4 {
-            return group.tangent_left_inverse(u, velocity);
-        }
-        // of the series in ad_u the cubic term is zero, and u of the size of a step
-        let once = group.bracket(u, velocity);
-        let twice = group.bracket(u, &once);
-        Ok(velocity.clone() + once * 0.5 + twice * (1.0 / 12.0))
+        let (u, _) = split(group, x);
+        let (velocity, translation) = split(group, velocity);
+        let turning = if order > 4 {
+            group.tangent_left_inverse(&u, &velocity)?
+        } else {
+            // of the series in ad_u the cubic term is zero, and u of the size of a step
+            let once = group.bracket(&u, &velocity);
+            let twice = group.bracket(&u, &once);
+            velocity + once * 0.5 + twice * (1.0 / 12.0)
+        };
+        Ok(match translation {
+            Some(translation) => turning + group.adjoint(&group.exp(&u), &translation),
+            None => turning,
+        })
     }
 }

@@ -2,16 +2,16 @@
 
 use super::runge_kutta::{LocalCoordinates, RungeKutta};
 use crate::Error;
-use crate::dynamics::cotangent::State;
-use crate::group::Stored;
+use crate::group::{Coordinates, Stored};
 
 /// Runge-Kutta in the numbers that are stored of an element, such as the four of a quaternion; each step ends with the
 /// element of the group that is meant.
 ///
 /// The standard projection method: E. Hairer, C. Lubich and G. Wanner, *Geometric Numerical Integration* (2006), IV.4.
 /// A stage needs neither exponentials nor tangent operators, so a step is cheaper than that of
-/// [`MuntheKaas`](super::MuntheKaas), of the same order and on the group as well; but the stages are not.
-/// The spatial momentum of a free system stays what it is, to the last bit.
+/// [`MuntheKaas`](super::MuntheKaas), of the same order and on the group as well. The numbers of a stage lie
+/// off the group; forces are given the element that is meant.
+/// The spatial momentum of a free system stays what it is, to the last bit on rotations and to rounding on other groups.
 ///
 /// ```
 /// use affinor::dynamics::{EulerPoincare, Integrator, Projected};
@@ -38,6 +38,13 @@ pub type Projected<const STAGES: usize, T> = RungeKutta<STAGES, T, Projection>;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Projection;
 
+/// How far the element that is meant by numbers has turned from another.
+#[inline(always)]
+fn turned<G: Stored>(group: &G, from: &G::Element, y: &G::Numbers) -> G::Element {
+    let to = group.turn(&group.restored(group.from_numbers(y)));
+    group.compose(&group.inverse(&group.turn(from)), &to)
+}
+
 impl<G: Stored> LocalCoordinates<G> for Projection {
     type Numbers = G::Numbers;
 
@@ -48,7 +55,7 @@ impl<G: Stored> LocalCoordinates<G> for Projection {
 
     #[inline(always)]
     fn element(group: &G, _: &G::Element, y: &G::Numbers) -> G::Element {
-        group.from_numbers(y)
+        group.restored(group.from_numbers(y))
     }
 
     #[inline(always)]
@@ -57,8 +64,19 @@ impl<G: Stored> LocalCoordinates<G> for Projection {
     }
 
     #[inline(always)]
-    fn momentum(group: &G, state: &State<G>, _: &G::Vector, y: &G::Numbers) -> G::Vector {
-        group.coadjoint(&group.from_numbers(y), &state.spatial)
+    fn carried(group: &G, at: &G::Element, y: &G::Numbers, momentum: &G::Vector) -> G::Vector {
+        group.coadjoint(&turned(group, at, y), momentum)
+    }
+
+    #[inline(always)]
+    fn carried_back(group: &G, at: &G::Element, y: &G::Numbers, force: &G::Vector) -> G::Vector {
+        group.coadjoint(&group.inverse(&turned(group, at, y)), force)
+    }
+
+    fn sizes(group: &G, y: &G::Numbers) -> [f64; 2] {
+        let numbers = y.components();
+        let (turns, places) = numbers.split_at(numbers.len() - group.places());
+        [turns, places].map(|part| part.iter().fold(0.0, |most: f64, x| x.abs().max(most)))
     }
 
     #[inline(always)]
