@@ -50,7 +50,7 @@ const PUBLISHED: [&[(&str, i64, i64)]; 5] = [
 ];
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(32))]
+    #![proptest_config(common::property::cases(32))]
 
     #[test]
     fn published_terms(

@@ -79,7 +79,7 @@ fn ricci_identity(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(common::property::cases(64))]
 
     #[test]
     fn definitions(
@@ -133,7 +133,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(common::property::cases(12))]
 
     #[test]
     fn in_dimensions_up_to_seven(space in spaces(7)) {
@@ -159,7 +159,7 @@ fn jacobiator(c: &Tensor<Rational>, [i, j, k, l]: [usize; 4]) -> Rational {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(common::property::cases(48))]
 
     /// Without the Jacobi identity `plus` is curved, by exactly the failure of it; Bianchi fails
     /// too; and the algebra is refused with the first triple and what it leaves.

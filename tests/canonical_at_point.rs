@@ -270,7 +270,7 @@ fn points_far_out() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(common::property::cases(24))]
 
     #[test]
     fn random_algebras_in_random_bases(

@@ -185,7 +185,7 @@ fn eigenvalues_that_are_no_integers_are_refused() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(6))]
+    #![proptest_config(common::property::cases(6))]
 
     /// The curvature of a left-invariant metric and of the canonical connections, by constants
     /// and by coordinates.

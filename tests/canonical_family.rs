@@ -33,7 +33,7 @@ fn double_brackets(space: &Space, factor: &Rational) -> Tensor<Rational> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(common::property::cases(40))]
 
     #[test]
     fn torsion_and_curvature(space in spaces(5)) {

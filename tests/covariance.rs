@@ -42,7 +42,7 @@ fn changes() -> impl Strategy<Value = Change> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(common::property::cases(64))]
 
     #[test]
     fn the_algebra(change in changes()) {

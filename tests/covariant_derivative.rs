@@ -19,7 +19,7 @@ fn with_tensors(most: usize) -> impl Strategy<Value = (Space, Mixed, Mixed)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(common::property::cases(64))]
 
     /// Component by component, as the conventions write it.
     #[test]

@@ -20,7 +20,7 @@ fn square(tensor: &Tensor<Rational>, metric: &Metric<Rational>) -> Rational {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(32))]
+    #![proptest_config(common::property::cases(32))]
 
     /// No trace, the symmetries of a curvature, and nothing at all in dimension 3.
     #[test]

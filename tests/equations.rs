@@ -87,7 +87,7 @@ fn kirchhoff_on_se3() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(common::property::cases(48))]
 
     /// Geodesics of a left-invariant metric: the Levi-Civita connection gives the Euler-Poincare
     /// equations in both of its ways, and `zero` half of the quadratic terms.

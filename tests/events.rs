@@ -1,6 +1,9 @@
 //! Events: each is found once, at its time, and the state within a step is as good as at its end.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "../tensors/tests/common/property.rs"]
+mod property;
+
 use affinor::dynamics::dense::Step;
 use affinor::dynamics::euler_poincare::Free;
 use affinor::dynamics::events::{Direction, Event, Then, Watch};
@@ -154,6 +157,8 @@ fn what_is_no_number_is_refused() {
 }
 
 proptest! {
+    #![proptest_config(property::cases(256))]
+
     /// Steep, flat and one-sided functions: each change of sign once, to the rounding of time.
     #[test]
     fn times_are_exact(place in 0.01..9.99_f64, power in 0_i32..4, scale in -12..12_i32, lean in -3.0..3.0_f64) {

@@ -1,6 +1,9 @@
 //! The scenes of the figures against matrices and closed forms of rotations.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "../tensors/tests/common/property.rs"]
+mod property;
+
 use affinor::figures::{self, Arrow, Connected, Figure, Panel, Path, Role, ball};
 use affinor::group::{LieGroup, So3};
 use affinor::transport::ParallelTranslation;
@@ -60,7 +63,7 @@ fn finite(figure: &Figure) -> bool {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(property::cases(64))]
 
     /// `R^T dR/dt = spin(Omega)`, by differences of products of matrix exponentials.
     #[test]

@@ -85,7 +85,7 @@ fn laws<S: Ring>(frame: &Frame<S>, a: &Form<S>, b: &Form<S>, x: &Tensor<S>) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(common::property::cases(24))]
 
     #[test]
     fn left_invariant_forms(

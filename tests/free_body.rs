@@ -1,6 +1,9 @@
 //! The free rigid body: exact against Taylor series in 50 digits, its invariants, and steps against it.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "../tensors/tests/common/property.rs"]
+mod property;
+
 use affinor::dynamics::moser_veselov::Order;
 use affinor::dynamics::{BodyState, FreeBody, Inertia, MoserVeselov};
 use affinor::ode;
@@ -180,6 +183,8 @@ fn rate(inertia: &Inertia, y: &DVector<f64>) -> DVector<f64> {
 }
 
 proptest! {
+    #![proptest_config(property::cases(256))]
+
     #[test]
     fn short_motions_are_those_of_an_ode(
         moments in moments(), a in rotation(), momentum in vector(), attitude in rotation(), time in -3.0..3.0,
@@ -425,6 +430,8 @@ fn a_million_steps_keep_what_is_kept() {
 }
 
 proptest! {
+    #![proptest_config(property::cases(256))]
+
     #[test]
     fn steps_follow_the_motion_in_any_axes(
         moments in moments(), a in rotation(), momentum in vector(), attitude in rotation(), step in -0.02..0.02,

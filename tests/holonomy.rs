@@ -121,7 +121,7 @@ fn span_of_derivatives(connection: &Connection<Rational>, order: usize) -> usize
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(common::property::cases(24))]
 
     /// Closed under the commutator and under every `Lambda_m`, and within so(g) for Levi-Civita.
     #[test]

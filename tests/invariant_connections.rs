@@ -58,7 +58,7 @@ fn rank(algebra: &Algebra, directions: &[Vec<Rational>]) -> usize {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(common::property::cases(24))]
 
     /// All of them, and nothing else: each is invariant, and there are as many as equations allow.
     #[test]

@@ -11,7 +11,7 @@ use num_traits::{One, Zero};
 use proptest::prelude::*;
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(common::property::cases(64))]
 
     #[test]
     fn without_torsion_and_compatible(space in spaces(6)) {

@@ -10,7 +10,7 @@ use common::{spaces, tensors};
 use proptest::prelude::*;
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(32))]
+    #![proptest_config(common::property::cases(32))]
 
     #[test]
     fn along_constant_fields((space, x, y, t) in spaces(4).prop_flat_map(|space| {

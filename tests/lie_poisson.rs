@@ -38,7 +38,7 @@ fn polynomial(space: &LiePoisson, values: &[Rational]) -> Symbolic {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(common::property::cases(24))]
 
     #[test]
     fn a_poisson_bracket(algebra in algebras(4), values in vec(rationals(), 9)) {

@@ -1,6 +1,9 @@
 //! Mass properties: shapes against textbooks and each other, meshes against shapes and cubature, broken files.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "../tensors/tests/common/property.rs"]
+mod property;
+
 use affinor::Error;
 use affinor::definition::{mesh, read_mesh};
 use affinor::dynamics::{Inertia, MassProperties, Mesh};
@@ -261,6 +264,8 @@ fn tetrahedron([a, b, c, d]: [Vector3<f64>; 4]) -> Corners {
 }
 
 proptest! {
+    #![proptest_config(property::cases(256))]
+
     #[test]
     fn point_masses_by_definition(masses in masses(), point in vectors(3.0), motion in motions()) {
         let body = MassProperties::points(&masses).unwrap();
@@ -527,7 +532,7 @@ fn broken_files_say_where() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(property::cases(400))]
     /// Bytes that are changed, lost or doubled give a mesh or an error.
     #[test]
     fn damaged_files_do_no_harm(kind in 0..3, at in any::<prop::sample::Index>(), change in 0..4, byte in any::<u8>()) {

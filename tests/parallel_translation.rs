@@ -1,6 +1,9 @@
 //! Parallel translation and autoparallels on groups, against closed forms and conservation laws.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "../tensors/tests/common/property.rs"]
+mod property;
+
 use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So2, So3};
 use affinor::transport::{ParallelTranslation, TangentVector};
 use affinor::{Bracket, Canonical, Connection, Error, LieAlgebra, Metric};
@@ -89,6 +92,8 @@ fn velocity(t: f64) -> Vector3<f64> {
 }
 
 proptest! {
+    #![proptest_config(property::cases(256))]
+
     #[test]
     fn translation_on_every_group(numbers in proptest::array::uniform6(-1.5..1.5f64)) {
         let stretch = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 0.0]);

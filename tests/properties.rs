@@ -374,7 +374,7 @@ fn killing_by_nabla(space: &Space) -> usize {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(32))]
+    #![proptest_config(common::property::cases(32))]
 
     /// On random metrics the answers are those of a linear system, and witnesses do not lie.
     #[test]

@@ -409,7 +409,7 @@ fn other_groups() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(common::property::cases(24))]
 
     /// One-parameter subgroups of semisimple groups: never symmetric beyond dimension 3.
     #[test]

@@ -3,6 +3,8 @@
 //! `cargo test --test rotation_accuracy -- --ignored --nocapture` prints the table of docs/rotations.md.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "../tensors/tests/common/property.rs"]
+mod property;
 #[path = "common/rotation_peers.rs"]
 mod rotation_peers;
 
@@ -211,7 +213,7 @@ fn vectors() -> impl Strategy<Value = Vector3<f64>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(4096))]
+    #![proptest_config(property::cases(4096))]
     #[test]
     fn nothing_finite_makes_a_nan(x in vectors(), v in vectors()) {
         let g = So3.exp(&x);

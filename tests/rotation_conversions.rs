@@ -1,6 +1,9 @@
 //! Coordinates of rotations: round trips, known values, SciPy as an oracle, reported singularities.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "../tensors/tests/common/property.rs"]
+mod property;
+
 use affinor::Error;
 use affinor::group::rotation::{
     Axis, Lock, Sequence, Turns, from_gibbs, from_matrix, from_modified, from_wxyz, gibbs, matrix,
@@ -25,6 +28,8 @@ fn rotations() -> impl Strategy<Value = UnitQuaternion<f64>> {
 }
 
 proptest! {
+    #![proptest_config(property::cases(256))]
+
     #[test]
     fn matrices_and_back(g in rotations()) {
         let r = matrix(&g);

@@ -42,7 +42,7 @@ fn near(float: &Tensor<f64>, exact: &Tensor<Rational>, error: f64) -> Result<(),
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(common::property::cases(48))]
 
     #[test]
     fn floats_follow_exact_values(space in spaces(5)) {
@@ -102,7 +102,7 @@ fn zeros_agree_where_all_is_well_scaled() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(16))]
+    #![proptest_config(common::property::cases(16))]
 
     /// A metric `diag(J1, J2, ...)` with parameters, set afterwards.
     #[test]
@@ -150,7 +150,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(common::property::cases(48))]
 
     /// The torsion-free connection has no torsion in floats either: not even rounding is shown.
     #[test]

@@ -30,7 +30,7 @@ fn sum(a: &Exact, b: &Exact) -> Exact {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(common::property::cases(48))]
 
     #[test]
     fn it_has_them((space, torsion, nonmetricity) in with_both(5)) {
