@@ -128,19 +128,14 @@ fn at_centre<G: LieGroup>(group: &G, metric: &Matrix<G::Vector>) -> Option<AtCen
     let way = shares.iter().zip(&translations).fold(zero, |sum, (s, v)| sum + v.clone() * *s);
     let centre = group.exp(&way);
     let moved: Vec<G::Vector> = basis.iter().map(|e| group.adjoint(&centre, e)).collect();
-    let split = |x: &G::Vector| {
-        let translation = group.translation(x).unwrap_or_else(|| x.clone());
-        [x.clone() - translation.clone(), translation]
-    };
-    // what they share there is rounding, and translations stay what they are
-    let parts: Vec<[G::Vector; 2]> = basis.iter().map(split).collect();
     let image = |x: &G::Vector| {
         let terms = x.components().iter().zip(&moved);
         terms.fold(G::Vector::zeros(n), |sum, (share, image)| sum + image.clone() * *share)
     };
-    let images: Vec<G::Vector> = parts.iter().map(|[turn, _]| image(turn)).collect();
+    let images: Vec<G::Vector> = turns.iter().map(image).collect();
+    // what turns and translations share there is rounding, and translations stay what they are
     let inertia = DMatrix::from_fn(n, n, |i, k| {
-        form(&images[i], &images[k]) + form(&parts[i][1], &parts[k][1])
+        form(&images[i], &images[k]) + form(&translations[i], &translations[k])
     });
     let inverse = inertia.clone().try_inverse()?;
     let rows = |m: &DMatrix<f64>| {
