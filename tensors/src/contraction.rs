@@ -1,4 +1,4 @@
-//! Contraction by index letters: a signed sum of products, written as on paper, in one pass.
+//! Contraction by index letters: a sum of products of tensors, written as on paper.
 //!
 //! ```
 //! use affinor_tensors::{Down, Rational, Tensor, Up, contract};
@@ -19,33 +19,43 @@
 //! # }
 //! ```
 //!
-//! A term is an optional integer and one or two named factors; `^` opens upper and `_` lower
-//! letters, in the order of the slots. A letter stands once in every term and in the result, or
-//! twice in a term, once up and once down, and is summed. Variances are checked.
+//! A term has named factors and may begin with a rational coefficient: `1/2 a^i_j b^j_k c^k_l`.
+//! After a name, `^` begins upper and `_` lower letters, in the order of the slots. A letter occurs
+//! once in every term and once in the result, or it occurs twice in a term, once upper and once
+//! lower, and is summed. Variances are checked.
 //!
-//! Letters in brackets, `-> ^i_j[kl]`, are a promise that the sum is antisymmetric in them: only
-//! the components with `k < l` are computed, the others follow by sign.
+//! All terms of one or two factors are added in one pass. In a longer term, pairs of factors are
+//! contracted first, those that leave the fewest indices; their sums are judged by the tolerance on
+//! their own.
+//!
+//! Brackets in the result, `-> ^i_j[kl]`, declare that the sum is antisymmetric in these letters.
+//! Then only the components with `k < l` are computed; the others follow by sign. The declaration
+//! is not checked.
 
 mod arithmetic;
 mod kernel;
 mod notation;
 mod paths;
 mod rows;
+mod threads;
 
 use crate::{Ring, Tensor, TensorError, Up, Variance};
 use arithmetic::{Factor, InRing, OnIntegers, Term};
 use notation::Expression;
+use num_rational::Ratio;
 use paths::MAX_PLACES;
 #[doc(hidden)]
 pub use paths::Paths;
+use std::borrow::Cow;
 
 /// The tensor that `expression` describes, with operands found by name.
 ///
 /// # Errors
 /// [`TensorError::Notation`] when the expression is malformed or does not fit the operands;
-/// [`TensorError::Dimension`]; [`TensorError::TooLarge`] for a result whose keys exceed 64 bits, or
-/// whose last two indices take more than 2^24 values together, or for an operand of more than
-/// 2^32 - 1 components.
+/// [`TensorError::Dimension`]; [`TensorError::NotInvertible`] for the denominator of a coefficient;
+/// [`TensorError::TooLarge`] for a result whose keys exceed 64 bits, or whose last two indices take
+/// more than 2^24 values together, or for an operand of more than 2^32 - 1 components. The same
+/// limits hold for the contracted pairs of a longer term.
 pub fn contract<S: Ring>(
     expression: &str,
     operands: &[(&str, &Tensor<S>)],
@@ -53,8 +63,8 @@ pub fn contract<S: Ring>(
     contract_by(&Paths::default(), expression, operands)
 }
 
-/// [`contract`] with other sizes at which the kernel takes another path: the door by which tests
-/// enter every path with small tensors.
+/// [`contract`] with other thresholds between the paths of the kernel, so that tests can run every
+/// path with small tensors.
 ///
 /// # Errors
 /// As [`contract`], with [`Paths::places`] in place of 2^24.
@@ -79,11 +89,13 @@ pub fn contract_by<S: Ring>(
             return Err(TensorError::TooLarge { dimension, rank });
         }
     }
-    let terms = fold_mirrors(parsed.bind(operands)?, parsed.last_pair());
-    let tolerance =
-        operands.iter().map(|(_, t)| t.tolerance()).reduce(|a, b| a.weaker(b)).unwrap_or_default();
+    let products = parsed.bind(operands)?.into_iter().map(|product| product.in_pairs(paths));
+    let terms = fold_mirrors(products.collect::<Result<_, _>>()?, parsed.last_pair());
+    let chosen = Tensor::common_tolerance(operands.iter().map(|(_, tensor)| *tensor));
+    let tolerance = chosen.unwrap_or_default();
     let (dimension, rank) = (dimension.unwrap_or(0), parsed.slots().len());
-    let zero = Tensor::zero(dimension, parsed.slots())?.with_tolerance(tolerance);
+    let zero = Tensor::zero(dimension, parsed.slots())?;
+    let zero = chosen.into_iter().fold(zero, Tensor::with_tolerance);
     if (dimension as u64).saturating_pow(rank.min(2) as u32) > paths.places.min(MAX_PLACES) {
         return Err(TensorError::TooLarge { dimension, rank });
     }
@@ -101,25 +113,25 @@ pub fn indices(letters: impl IntoIterator<Item = (char, Variance)>) -> String {
     letters.into_iter().flat_map(|(letter, slot)| [mark(slot), letter]).collect()
 }
 
-/// A term with its operands: `coefficient * factors[0] * factors[1]`.
-struct Product<'a, S> {
-    coefficient: i64,
-    /// Stands for itself less the same with the last two indices of the result exchanged.
+/// A term with its operands: `coefficient * factors[0] * factors[1] * ...`.
+struct Product<'a, S: Clone> {
+    coefficient: Ratio<i64>,
+    /// The term minus its image under the exchange of the last two indices of the result.
     mirrored: bool,
-    factors: Vec<(Vec<Role>, &'a Tensor<S>)>,
+    factors: Vec<(Vec<Role>, Cow<'a, Tensor<S>>)>,
 }
 
-/// What the letter of a slot does.
+/// The role of a slot's letter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Role {
-    /// It is the index of that number of the result.
+    /// The letter is the index of the result with this number.
     Free(usize),
-    /// It is summed; equal numbers belong together.
+    /// The letter is summed; both of its slots have the same number.
     Summed(usize),
 }
 
-/// Joins terms that are each other's images under the exchange of an antisymmetric last pair.
-fn fold_mirrors<S>(terms: Vec<Product<S>>, pair: Option<(usize, usize)>) -> Vec<Product<S>> {
+/// Joins pairs of terms that are opposite images under the exchange of an antisymmetric last pair.
+fn fold_mirrors<S: Clone>(terms: Vec<Product<S>>, pair: Option<(usize, usize)>) -> Vec<Product<S>> {
     let Some((a, b)) = pair else { return terms };
     let exchange = |role: &Role| match *role {
         Role::Free(at) if at == a => Role::Free(b),
@@ -130,10 +142,11 @@ fn fold_mirrors<S>(terms: Vec<Product<S>>, pair: Option<(usize, usize)>) -> Vec<
     for term in terms {
         let image = |other: &&mut Product<S>| {
             !other.mirrored
-                && Some(other.coefficient) == term.coefficient.checked_neg()
+                && term.coefficient.numer().checked_neg() == Some(*other.coefficient.numer())
+                && term.coefficient.denom() == other.coefficient.denom()
                 && other.factors.len() == term.factors.len()
                 && other.factors.iter().zip(&term.factors).all(|(x, y)| {
-                    std::ptr::eq(x.1, y.1) && x.0.iter().map(exchange).eq(y.0.iter().copied())
+                    std::ptr::eq(&*x.1, &*y.1) && x.0.iter().map(exchange).eq(y.0.iter().copied())
                 })
         };
         match kept.iter_mut().find(image) {
@@ -145,6 +158,33 @@ fn fold_mirrors<S>(terms: Vec<Product<S>>, pair: Option<(usize, usize)>) -> Vec<
 }
 
 impl<S: Ring> Product<'_, S> {
+    /// The product with at most two factors. While there are more, the two that leave the fewest
+    /// indices are contracted.
+    fn in_pairs(mut self, paths: &Paths) -> Result<Self, TensorError> {
+        while self.factors.len() > 2 {
+            let count = self.factors.len();
+            let pairs = (0..count).flat_map(|b| (0..b).map(move |a| (a, b)));
+            let all = |(a, b): (usize, usize)| [slots(&self.factors[a]), slots(&self.factors[b])];
+            let Some((a, b)) = pairs.min_by_key(|&pair| open(&all(pair).concat()).len()) else {
+                break;
+            };
+            let [x, y] = all((a, b));
+            let joined = [&x[..], &y].concat();
+            let result = open(&joined);
+            let letter = |&(role, variance): &(Role, Variance)| {
+                let at = joined.iter().position(|(other, _)| *other == role).unwrap_or(0);
+                (char::from(b'a' + at as u8), variance)
+            };
+            let [x, y, z] = [&x, &y, &result].map(|slots| indices(slots.iter().map(letter)));
+            let (y_factor, x_factor) = (self.factors.remove(b), self.factors.remove(a));
+            let operands = [("x", &*x_factor.1), ("y", &*y_factor.1)];
+            let tensor = contract_by(paths, &format!("x{x} y{y} -> {z}"), &operands)?;
+            let roles = result.into_iter().map(|(role, _)| role).collect();
+            self.factors.push((roles, Cow::Owned(tensor)));
+        }
+        Ok(self)
+    }
+
     /// The term with its values taken as `V`.
     fn with_values<V>(&self, mut values: impl FnMut(usize, &Tensor<S>) -> Vec<V>) -> Term<'_, V> {
         let factor = |(at, (roles, tensor))| {
@@ -154,10 +194,21 @@ impl<S: Ring> Product<'_, S> {
         let factors = self
             .factors
             .iter()
-            .map(|(roles, tensor)| (roles, *tensor))
+            .map(|(roles, tensor)| (roles, &**tensor))
             .enumerate()
             .map(factor)
             .collect();
         Term { factors, mirrored: self.mirrored }
     }
+}
+
+/// The slots of a factor: their roles and variances.
+fn slots<S: Ring>((roles, tensor): &(Vec<Role>, Cow<Tensor<S>>)) -> Vec<(Role, Variance)> {
+    roles.iter().copied().zip(tensor.slots().iter().copied()).collect()
+}
+
+/// The slots that are not summed with each other.
+fn open(slots: &[(Role, Variance)]) -> Vec<(Role, Variance)> {
+    let times = |role: Role| slots.iter().filter(|(other, _)| *other == role).count();
+    slots.iter().filter(|(role, _)| times(*role) == 1).copied().collect()
 }

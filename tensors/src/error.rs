@@ -1,6 +1,6 @@
-//! What can go wrong with tensors and their index notation.
+//! Errors of tensors and of their index notation.
 
-/// An error of the tensor engine.
+/// An error of a tensor operation.
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum TensorError {
@@ -12,7 +12,7 @@ pub enum TensorError {
         /// The dimension.
         dimension: usize,
     },
-    /// A component has the wrong number of indices, or a slot does not exist.
+    /// A wrong number of indices for the rank of a tensor.
     #[error("a tensor of rank {rank} was given {given} indices")]
     Rank {
         /// The rank of the tensor.
@@ -20,7 +20,7 @@ pub enum TensorError {
         /// The number of indices given.
         given: usize,
     },
-    /// What are not different slots of the tensor.
+    /// Slots that repeat or that the tensor does not have.
     #[error("{slots:?} are not different slots, counted from 0, of a tensor of rank {rank}")]
     Slots {
         /// The slots given.
@@ -28,11 +28,17 @@ pub enum TensorError {
         /// The rank of the tensor.
         rank: usize,
     },
-    /// A number that has no inverse in the scalars.
+    /// An array or a matrix whose sides differ in length.
+    #[error("the sides must have equal lengths, not {shape:?}")]
+    NotSquare {
+        /// The lengths of the sides.
+        shape: Vec<usize>,
+    },
+    /// An integer without an inverse in the scalars.
     #[error("{0} has no inverse in the scalars")]
     NotInvertible(i64),
-    /// `dimension^rank` does not fit the 64-bit component keys, or a contraction would need too
-    /// large a table.
+    /// `dimension^rank` exceeds the 64-bit component keys, or a table of a contraction would be too
+    /// large.
     #[error("a tensor of rank {rank} in dimension {dimension} is too large")]
     TooLarge {
         /// The dimension.
@@ -43,12 +49,68 @@ pub enum TensorError {
     /// Operands of different dimensions.
     #[error("operands have dimensions {0} and {1}")]
     Dimension(usize, usize),
-    /// The contraction expression is malformed.
-    #[error("in `{expression}`: {reason}")]
+    /// A contraction that is malformed or does not fit its operands.
+    #[error("in `{expression}`: {error}")]
     Notation {
-        /// The expression.
+        /// The text of the contraction.
         expression: String,
         /// What is wrong with it.
-        reason: String,
+        error: NotationError,
     },
+}
+
+/// A mistake in the index notation of a contraction.
+#[non_exhaustive]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NotationError {
+    /// The arrow that introduces the indices of the result is missing.
+    #[error("no `->` before the result")]
+    NoArrow,
+    /// A term is empty or has only a coefficient.
+    #[error("a term has no factor")]
+    NoFactor,
+    /// A coefficient exceeds 64 bits.
+    #[error("a coefficient is too large")]
+    Coefficient,
+    /// A name is not among the operands.
+    #[error("no operand is called `{0}`")]
+    Unknown(String),
+    /// A word is neither a sign, a coefficient nor a name with indices.
+    #[error("`{0}` is not a name with indices")]
+    Word(String),
+    /// The variances in the text differ from the slots of the operand.
+    #[error("the indices of `{0}` are not those of its slots")]
+    Slots(String),
+    /// A symbol that cannot stand among indices.
+    #[error("`{symbol}` in the indices `{indices}`")]
+    Symbol {
+        /// The symbol.
+        symbol: char,
+        /// The indices.
+        indices: String,
+    },
+    /// An opening bracket is not closed.
+    #[error("`[` without `]`")]
+    Unclosed,
+    /// A closing bracket was not opened.
+    #[error("`]` without `[`")]
+    Unopened,
+    /// Brackets around indices of a factor.
+    #[error("brackets belong to the result alone")]
+    Brackets,
+    /// A letter occurs twice in the result.
+    #[error("`{0}` stands twice in the result")]
+    Twice(char),
+    /// A letter of the result is missing in a term.
+    #[error("a term lacks `{0}`")]
+    Missing(char),
+    /// A letter is upper in a term and lower in the result, or the reverse.
+    #[error("`{0}` changes its variance")]
+    Variance(char),
+    /// A summed letter is twice upper or twice lower.
+    #[error("`{0}` is summed on one level")]
+    Level(char),
+    /// A letter is neither in the result once nor summed in a pair.
+    #[error("`{0}` does not stand once or in a pair")]
+    Count(char),
 }

@@ -1,9 +1,9 @@
-//! The written form of scalars: `+ - * / ^ ( )`, integers, `p/q`, decimals, `1e-3`, names, and
-//! functions like `sin(x)`.
+//! Expressions: parsing and evaluating written scalars.
 //!
-//! Decimals are exact. `*` or a space stands between a number and a name; `2x` and `a b` are
-//! refused rather than guessed. What a name means is the caller's affair ([`Meaning`]), so one
-//! grammar serves scalars, vectors written over basis names, and complex numbers.
+//! The grammar has `+ - * / ^ ( )`, integers, quotients `p/q`, decimals, `1e-3`, names, and functions
+//! like `sin(x)`. Decimals are exact. A `*` or a space separates a number from a name; `2x` and
+//! `a b` are errors. The caller gives names and operations their meaning ([`Meaning`]), so one
+//! grammar serves scalars, vectors written in basis names, and complex numbers.
 //!
 //! ```
 //! use affinor_tensors::{Notation, Rational, expression::Expression};
@@ -26,7 +26,7 @@ pub const MAX_DEPTH: usize = 100;
 /// The largest [`Notation::size`] a value may reach.
 pub const MAX_SIZE: usize = 1 << 18;
 
-/// What is wrong with an expression, and where in its text (byte positions).
+/// An error in an expression, with its byte range in the text.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{reason}")]
 pub struct ExpressionError {
@@ -36,7 +36,7 @@ pub struct ExpressionError {
     pub reason: String,
 }
 
-/// A parsed expression, its parts knowing where they stand in the text.
+/// A parsed expression. Every part has its byte range in the text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expression {
     span: Range<usize>,
@@ -56,9 +56,9 @@ enum Node {
     Call(String, Box<Expression>),
 }
 
-/// What numbers, names and operations mean to a reader of expressions.
+/// An interpretation of expressions: the values of numbers and names, and the operations on values.
 ///
-/// Errors are reasons; [`Expression::evaluate`] adds the place.
+/// An error is the reason in words; [`Expression::evaluate`] adds the byte range.
 pub trait Meaning {
     /// The values that expressions take.
     type Value: Clone;
@@ -74,7 +74,7 @@ pub trait Meaning {
     fn negate(&self, a: Self::Value) -> Self::Value;
     /// `1 / a`.
     fn reciprocal(&self, a: Self::Value) -> Result<Self::Value, String>;
-    /// A function at an argument; there is none unless a meaning says otherwise.
+    /// The value of a function at an argument. By default no function is known.
     fn function(&self, name: &str, argument: Self::Value) -> Result<Self::Value, String> {
         let _ = argument;
         Err(format!("`{name}` is no function here"))
@@ -85,13 +85,13 @@ impl Expression {
     /// Parses a whole text.
     ///
     /// # Errors
-    /// The first place that does not fit the grammar or exceeds a limit of this module.
+    /// The first syntax error, or the first excess of a limit of this module.
     pub fn parse(text: &str) -> Result<Self, ExpressionError> {
         Self::parse_beside(text, &|_| false)
     }
 
-    /// Parses a text beside names like `e1`, which `2e1` could mean as well as twenty: a number
-    /// glued to a name that `known` recognises is refused.
+    /// Parses a text in which names like `e1` exist, so that `2e1` is ambiguous: a number directly
+    /// followed by a name for which `known` is true is an error.
     ///
     /// # Errors
     /// As [`parse`](Self::parse).
@@ -105,7 +105,7 @@ impl Expression {
         }
     }
 
-    /// Where the expression stands in its text.
+    /// The byte range of the expression in its text.
     pub fn span(&self) -> Range<usize> {
         self.span.clone()
     }
@@ -113,7 +113,7 @@ impl Expression {
     /// The value under a meaning.
     ///
     /// # Errors
-    /// Whatever the meaning refuses, at the part that it refuses.
+    /// The error of the meaning, with the byte range of the part where it occurs.
     pub fn evaluate<M: Meaning>(&self, meaning: &M) -> Result<M::Value, ExpressionError> {
         let here = |reason| ExpressionError { span: self.span(), reason };
         match &self.node {
@@ -164,13 +164,13 @@ impl Expression {
     /// The value as a scalar without parameters.
     ///
     /// # Errors
-    /// A name, a division by zero, or a value beyond the limits.
+    /// A name, a division by zero, or a value that exceeds a limit.
     pub fn evaluate_constant<S: Notation>(&self) -> Result<S, ExpressionError> {
         self.evaluate(&Scalars(|name: &str| Err(format!("`{name}` is not a number"))))
     }
 }
 
-/// By squaring.
+/// The power by repeated squaring.
 fn power<M: Meaning>(meaning: &M, mut base: M::Value, mut n: u64) -> Result<M::Value, String> {
     let mut result = meaning.number(&Rational::one())?;
     loop {
@@ -185,7 +185,7 @@ fn power<M: Meaning>(meaning: &M, mut base: M::Value, mut n: u64) -> Result<M::V
     }
 }
 
-/// Scalars, with names looked up by a function.
+/// The meaning of expressions as scalars, with names looked up by a function.
 pub struct Scalars<F>(pub F);
 
 impl<S: Notation, F: Fn(&str) -> Result<S, String>> Meaning for Scalars<F> {
@@ -212,7 +212,7 @@ impl<S: Notation, F: Fn(&str) -> Result<S, String>> Meaning for Scalars<F> {
     }
 }
 
-/// A meaning with functions: a name and an argument to a value.
+/// A meaning, extended by functions: from the name and the argument to the value.
 pub struct Functions<M, F>(pub M, pub F);
 
 impl<M, F> Meaning for Functions<M, F>
@@ -258,7 +258,7 @@ fn finite<S: Notation>(value: S) -> Result<S, String> {
     }
 }
 
-/// Whether `name` can be a name: an ASCII letter or `_`, then letters, digits and `_`.
+/// Whether the text is a valid name: an ASCII letter or `_`, then letters, digits and `_`.
 pub fn is_name(name: &str) -> bool {
     name.starts_with(begins_name) && name.chars().all(continues_name)
 }
@@ -290,7 +290,7 @@ impl Parser<'_> {
         self.at += rest.len() - rest.trim_start().len();
     }
 
-    /// The next symbol behind white space, if it is one of `symbols`, taken.
+    /// Consumes and returns the next symbol after white space, if it is one of `symbols`.
     fn take(&mut self, symbols: &[char]) -> Option<char> {
         self.skip_space();
         let symbol = self.peek().filter(|symbol| symbols.contains(symbol))?;
@@ -379,7 +379,7 @@ impl Parser<'_> {
         Ok(Expression { span, node: Node::Power(Box::new(base), exponent) })
     }
 
-    /// An integer, perhaps signed, perhaps in parentheses.
+    /// An integer with an optional sign, optionally in parentheses.
     fn exponent(&mut self) -> Result<i64, ExpressionError> {
         let parenthesis = self.take(&['(']).is_some();
         let sign = self.take(&['+', '-']);
@@ -450,7 +450,7 @@ impl Parser<'_> {
         digits.into()
     }
 
-    /// The exponent of `e-3` directly behind a number; zero where there is none.
+    /// The exponent of `e-3` directly after a number; zero if there is none.
     fn power_of_ten(&mut self) -> Result<i64, ExpressionError> {
         let rest = &self.text[self.at..];
         let Some(behind) = rest.strip_prefix(['e', 'E']) else { return Ok(0) };
@@ -503,7 +503,7 @@ impl Parser<'_> {
     }
 }
 
-/// A sum or product; a single positive part stays itself.
+/// A sum or product; a single positive part is returned unchanged.
 fn fold(
     mut parts: Vec<(bool, Expression)>,
     span: Range<usize>,

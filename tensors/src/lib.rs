@@ -1,23 +1,35 @@
 //! Sparse tensors, contraction by index letters and exact linear algebra, over any scalar.
 //!
-//! This package knows no geometry. It holds
+//! This package knows no geometry. In reading order:
 //! - [`scalar`]: the traits [`Ring`] and [`Field`], their laws, and the scalars: exact
-//!   [`Rational`]s, `f64`, [`Tracked`] floats that know their rounding, [`Symbolic`] rational
-//!   functions of parameters, and [`Jet`]s, floats with derivatives;
-//! - [`expression`]: the written form of scalars;
+//!   [`Rational`]s, `f64`, [`Tracked`] floats with a rounding error estimate, [`Symbolic`] rational
+//!   functions of parameters, and [`Jet`]s, floats with first and second derivatives;
+//! - [`expression`]: parsing and evaluating written scalars;
 //! - [`Tensor`]: sorted nonzero components with upper and lower slots;
-//! - [`contract`]: signed sums of products written by index letters, through one kernel;
-//! - [`linear`]: rank, nullspace, solutions, inverse, determinant over any field.
+//! - [`contract`]: sums of products written with index letters, computed by one kernel;
+//! - [`linear`]: rank, nullspace, solutions, inverse and determinant over any field;
+//! - [`text`]: values and linear combinations as text.
+//!
+//! # Features
+//! - `parallel` (default): contractions on several threads, by rayon;
+//! - `nalgebra`, `ndarray`: conversions of tensors to and from dense matrices and arrays;
+//! - `num-dual`: `Dual64` as a scalar. `Ratio<i64>` and `BigRational` of num-rational always are;
+//! - `serde`: tensors and scalars are serialised, and checked when they are read.
 
 pub mod contraction;
+#[cfg(any(feature = "nalgebra", feature = "ndarray"))]
+mod dense;
 mod error;
 pub mod expression;
 pub mod linear;
 mod operations;
 pub mod scalar;
+#[cfg(feature = "serde")]
+mod serial;
 mod tensor;
+pub mod text;
 
 pub use contraction::contract;
-pub use error::TensorError;
+pub use error::{NotationError, TensorError};
 pub use scalar::{Field, Jet, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance, Tracked};
-pub use tensor::{Down, Indices, Tensor, Up, Variance};
+pub use tensor::{Components, Down, Indices, Tensor, Up, Variance};

@@ -1,13 +1,13 @@
 //! Exact linear algebra over any [`Field`](crate::Field): sparse matrices and their echelon form.
 //!
 //! The same code serves rationals, rational functions and floats. Exact scalars are kept in lowest
-//! terms, so every number met on the way is a quotient of minors of the matrix and cannot blow up
-//! (E. H. Bareiss, *Math. Comp.* 22 (1968) 565-578). A float counts as zero by its own [`Sum`]
-//! and the [`Tolerance`] that the matrix carries.
+//! terms, so every intermediate number is a quotient of minors of the matrix and its size is bounded
+//! (E. H. Bareiss, *Math. Comp.* 22 (1968) 565-578). A float counts as zero by its [`Sum`] and the
+//! [`Tolerance`] of the matrix.
 //!
-//! Scalars with non-units other than zero are welcome too. Determinants are right over any
-//! commutative ring, inverses over local ones such as the dual numbers; what would need the inverse
-//! of a non-unit is refused ([`LinearError::NotInvertible`]).
+//! The scalars may have non-units other than zero. Determinants are correct over any commutative
+//! ring, inverses over local rings such as the dual numbers. An elimination that needs the inverse of
+//! a non-unit returns [`LinearError::NotInvertible`].
 
 mod echelon;
 mod elimination;
@@ -20,7 +20,7 @@ pub use echelon::Echelon;
 pub use row::Row;
 use row::{add_multiple, at, collect, finish};
 
-/// A rectangular matrix in sparse rows, without stored zeros.
+/// A rectangular matrix, stored as sparse rows without zeros.
 ///
 /// ```
 /// use affinor_tensors::{Rational, linear::Matrix};
@@ -38,7 +38,7 @@ pub struct Matrix<S> {
     tolerance: Tolerance,
 }
 
-/// A question of linear algebra that has no answer.
+/// An error of linear algebra.
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum LinearError {
@@ -60,16 +60,16 @@ pub enum LinearError {
         /// The number of columns.
         columns: usize,
     },
-    /// The shapes (rows, columns) of two terms, of two factors or of the two sides of a system do
-    /// not match.
+    /// The shapes (rows, columns) of two terms, two factors or the two sides of a system do not
+    /// match.
     #[error("shapes {}x{} and {}x{} do not match", .left.0, .left.1, .right.0, .right.1)]
     Shape {
-        /// Rows and columns of the left one.
+        /// Rows and columns of the left operand.
         left: (usize, usize),
-        /// Rows and columns of the right one.
+        /// Rows and columns of the right operand.
         right: (usize, usize),
     },
-    /// Only a square matrix has a determinant.
+    /// The determinant of a matrix that is not square.
     #[error("a {rows}x{columns} matrix is not square")]
     NotSquare {
         /// The number of rows.
@@ -77,7 +77,7 @@ pub enum LinearError {
         /// The number of columns.
         columns: usize,
     },
-    /// The candidates for a pivot are not zero, yet none is a unit. Does not happen in a field.
+    /// No candidate for a pivot is a unit, but not all are zero. Cannot occur in a field.
     #[error("no entry left in column {column} can be inverted, and they are not all zero")]
     NotInvertible {
         /// The column of the missing pivot, from 0.
@@ -86,8 +86,8 @@ pub enum LinearError {
 }
 
 impl<S: Ring> Matrix<S> {
-    /// The matrix with the given rows of `(column, value)`, in any order; entries of equal columns
-    /// are added up.
+    /// The matrix with the given rows of entries `(column, value)`, in any order. Entries in the same
+    /// column are added.
     ///
     /// # Errors
     /// [`LinearError::Column`] when an entry lies outside.
@@ -109,7 +109,7 @@ impl<S: Ring> Matrix<S> {
         Ok(matrix)
     }
 
-    /// The matrix with the given rows of all entries. No rows make the matrix 0x0.
+    /// The matrix with the given dense rows. Without rows it is 0x0.
     ///
     /// # Errors
     /// [`LinearError::Ragged`] when the rows differ in length.
@@ -162,12 +162,12 @@ impl<S: Ring> Matrix<S> {
         self.tolerance
     }
 
-    /// The entry in row `i` and column `j`, from 0; zero where nothing is stored.
+    /// The entry in row `i` and column `j`, from 0; zero if it is not stored.
     pub fn get(&self, i: usize, j: usize) -> S {
         at(self.row(i), j).cloned().unwrap_or_else(S::zero)
     }
 
-    /// The nonzero entries `(column, value)` of row `i`; none outside the matrix.
+    /// The nonzero entries `(column, value)` of row `i`; empty for a row outside the matrix.
     pub fn row(&self, i: usize) -> &[(usize, S)] {
         self.rows.get(i).map_or(&[], Vec::as_slice)
     }
@@ -198,7 +198,8 @@ impl<S: Ring> Matrix<S> {
         Matrix { columns: self.rows(), rows, tolerance: self.tolerance }
     }
 
-    /// The entries mapped into another ring, the tolerance kept; `f` is not asked for zeros.
+    /// The entries mapped into another ring, with the same tolerance. `f` must map zero to zero; it is
+    /// called for nonzero entries only.
     pub fn map<T: Ring>(&self, f: impl Fn(&S) -> T) -> Matrix<T> {
         let mapped = |row: &Row<S>| {
             let values = row.iter().map(|(j, value)| (*j, f(value)));
@@ -282,7 +283,7 @@ impl<S: PartialEq> PartialEq for Matrix<S> {
     }
 }
 
-/// One line a row, every entry shown: `[1, 0]`.
+/// One row a line, with all entries: `[1, 0]`.
 impl<S: Ring> fmt::Display for Matrix<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, row) in self.to_dense().iter().enumerate() {

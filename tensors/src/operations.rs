@@ -67,6 +67,12 @@ impl<S: Ring> Tensor<S> {
         contract(&text, &[("g", metric), ("T", self)])
     }
 
+    /// The sum with a tensor of the same shape, or the difference, by `sign`.
+    pub(crate) fn combined(&self, sign: char, other: &Self) -> Result<Self, TensorError> {
+        let own = indices(self.letters());
+        contract(&format!("a{own} {sign} b{own} -> {own}"), &[("a", self), ("b", other)])
+    }
+
     /// The letters of the slots with their variances.
     fn letters(&self) -> Vec<(char, Variance)> {
         LETTERS.chars().zip(self.slots().iter().copied()).collect()

@@ -1,16 +1,21 @@
-//! Scalars: the traits every algorithm asks for, weakest first.
+//! Scalars: the traits of coefficients, and the types that implement them.
 //!
-//! [`Ring`] is enough for brackets, torsion and curvature; [`Field`] adds division, for metrics
-//! and matrix bases. Both stand on num-traits' [`Zero`], [`One`] and the operators. Neither asks
-//! for `Copy` or an order, so big rationals and rational functions are scalars like any other.
+//! [`Ring`] serves sums of products, [`Field`] adds division. Both build on [`Zero`], [`One`] and the
+//! operators of num-traits. Neither requires `Copy` or an order, so that big rationals and rational
+//! functions are scalars too.
 //!
-//! *Zero* here always means the whole value: the dual number `0 + eps` is not zero
-//! ([`Ring::vanishes`]). The laws that every scalar must obey are functions in [`laws`].
+//! *Zero* always means the whole value: the dual number `0 + eps` is not zero
+//! ([`Ring::vanishes`]). The functions in [`laws`] test the laws that every scalar obeys; use them
+//! for a scalar of your own.
 
+#[cfg(feature = "num-dual")]
+mod dual;
 mod float;
 mod jet;
 pub mod laws;
 mod notation;
+mod operators;
+mod ratio;
 mod rational;
 mod symbolic;
 mod tracked;
@@ -22,13 +27,14 @@ use std::ops::{Add, Mul, Neg, Sub};
 pub use jet::Jet;
 pub use notation::{Kind, Notation};
 pub use rational::Rational;
+use rational::RationalSum;
 pub use symbolic::Symbolic;
 pub use tracked::Tracked;
 
-/// A commutative ring with 1, by value and by reference.
+/// A commutative ring with 1, with operators by value and by reference.
 ///
-/// Constants are free of context: `zero()`, `one()` and [`from_i64`](Ring::from_i64) combine with
-/// every other value of the type.
+/// The constants `zero()`, `one()` and [`from_i64`](Ring::from_i64) combine with every value of the
+/// type.
 pub trait Ring:
     Clone
     + PartialEq
@@ -44,32 +50,39 @@ pub trait Ring:
     + for<'a> Sub<&'a Self, Output = Self>
     + for<'a> Mul<&'a Self, Output = Self>
 {
-    /// What a sum of products is collected in.
+    /// The accumulator for sums of products.
     type Sum: Sum<Self>;
 
-    /// The integer `n` of this ring: `n` times one.
+    /// The integer `n` as an element of this ring: `n` times one.
     fn from_i64(n: i64) -> Self;
 
-    /// Whether the whole value is zero. Sparsity rests on this, not on [`Zero::is_zero`], which
-    /// some types answer by their leading part alone.
+    /// Whether the whole value is zero. Sparse storage uses this and not [`Zero::is_zero`], which
+    /// some types define by their leading part alone.
     fn vanishes(&self) -> bool;
 
-    /// Whether the value is a number: a float may be infinite or NaN. Exact values always are.
+    /// Whether the value is a finite number. Exact values always are; a float may be infinite or NaN.
     fn is_number(&self) -> bool {
         true
     }
 
-    /// Whether the value counts as zero beside another one. Exact values do so only when they
-    /// vanish; floats up to the tolerance.
+    /// Whether the value counts as zero beside the terms of its own sum, although later sums still
+    /// need it ([`Sum::kept`]). Tensors do not show such a component; only contractions use it.
+    fn is_small(&self) -> bool {
+        false
+    }
+
+    /// Whether the value counts as zero relative to another one. An exact value must vanish; a float
+    /// may be as large as the tolerance allows.
     fn negligible(&self, beside: &Self, tolerance: Tolerance) -> bool {
         let _ = (beside, tolerance);
         self.vanishes()
     }
 
-    /// The values as machine integers over one positive denominator, where they have that form.
+    /// The values as machine integers over one positive common denominator, if they have this form.
     ///
-    /// A hook for speed: long sums of products then run on machine words and come back through
-    /// [`from_quotient`](Ring::from_quotient). `None` (the default) keeps the sums in the ring.
+    /// This serves speed: sums of products are then computed in machine integers and converted back
+    /// by [`from_quotient`](Ring::from_quotient). With `None`, the default, they are computed in the
+    /// ring.
     fn clear_denominators<'a>(
         values: impl Iterator<Item = &'a Self> + Clone,
     ) -> Option<(Vec<i64>, i64)> {
@@ -77,7 +90,7 @@ pub trait Ring:
         None
     }
 
-    /// The value `numerator / denominator`; `None` where it does not exist in this ring.
+    /// The value `numerator / denominator`; `None` if it does not exist in this ring.
     fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
         (denominator == 1).then(|| Self::from_i64(numerator))
     }
@@ -88,15 +101,16 @@ pub trait Field: Ring {
     /// The multiplicative inverse; `None` exactly for non-units.
     fn recip(&self) -> Option<Self>;
 
-    /// How well the value serves as a pivot of an elimination; larger is better. Floats answer by
-    /// magnitude, exact scalars by simplicity, so that numbers stay small.
+    /// The quality of the value as a pivot of an elimination; larger is better. Floats return the
+    /// magnitude. Exact scalars prefer short values, so that numbers stay small.
     fn pivot_weight(&self) -> f64;
 }
 
-/// A sum of terms that can tell at the end whether it is zero.
+/// A sum of terms and products that decides at its end whether it is zero.
 ///
-/// Exact scalars collect in themselves ([`ExactSum`]); floats also collect the magnitude of their
-/// terms, against which the [`Tolerance`] judges; a [`Tracked`] hands its rounding on to the next sum.
+/// For exact scalars it is the value itself ([`ExactSum`]). For floats it also contains the sum of
+/// the magnitudes of the terms, to which the [`Tolerance`] is relative. A sum of [`Tracked`] floats
+/// passes its rounding error on to its result.
 pub trait Sum<S>: Clone + Send {
     /// The sum of one term.
     fn term(a: &S) -> Self;
@@ -108,6 +122,12 @@ pub trait Sum<S>: Clone + Send {
     fn add_product(&mut self, a: &S, b: &S);
     /// The value, or `None` when it counts as zero.
     fn finish(&self, tolerance: Tolerance) -> Option<S>;
+
+    /// The value for later sums: also one that counts as zero, where the scalar knows its error
+    /// ([`Ring::is_small`]). `None` when nothing is known beyond zero.
+    fn kept(&self, tolerance: Tolerance) -> Option<S> {
+        self.finish(tolerance)
+    }
 }
 
 /// The sum of an exact scalar: the value itself.
@@ -132,8 +152,11 @@ impl<S: Ring> Sum<S> for ExactSum<S> {
     }
 }
 
-/// When a float counts as zero: `|sum| <= tolerance * (sum of the |terms|)`, of the terms of one sum of products; a
-/// [`Tracked`] also when it is the rounding of earlier sums. Exact scalars ignore it.
+/// The relative tolerance for zero: a sum of float products counts as zero if
+/// `|sum| <= tolerance * (sum of the |terms|)`.
+///
+/// A [`Tracked`] also counts as zero if it consists of the rounding errors of earlier sums. Exact
+/// scalars ignore the tolerance.
 ///
 /// ```
 /// use affinor_tensors::Tolerance;

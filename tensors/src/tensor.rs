@@ -1,12 +1,16 @@
-//! Tensors: sparse, sorted, with upper and lower slots.
+//! The tensor: sparse components in the order of their indices, with upper and lower slots.
+
+mod indices;
+mod operators;
 
 use crate::linear::Row;
 use crate::{Ring, Sum, TensorError, Tolerance};
-use std::fmt;
-use std::ops::Deref;
+pub use indices::{Components, Indices};
 
 /// Whether a slot takes an upper or a lower index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Variance {
     /// An upper (contravariant) index.
     Up,
@@ -15,24 +19,32 @@ pub enum Variance {
 }
 pub use Variance::{Down, Up};
 
-/// A tensor of any rank in one dimension `n`: its nonzero components in the order of their indices.
+/// A tensor of any rank up to 8 over a space of dimension `n`: its nonzero components in the order
+/// of their indices.
 ///
-/// Slots are ordered; `c^i_jk` is stored with the slots `[Up, Down, Down]`, and the component
-/// indices are `[i, j, k]`, from 0. No zero is ever stored ([`Ring::vanishes`]).
+/// Slots are ordered: `c^i_jk` has the slots `[Up, Down, Down]`, and its component indices are
+/// `[i, j, k]`, from 0. A zero is never stored ([`Ring::vanishes`]).
 ///
 /// ```
 /// use affinor_tensors::{Down, Rational, Tensor, Up};
 /// let delta = Tensor::<Rational>::identity(3);
 /// assert_eq!(delta.slots(), [Up, Down]);
 /// assert_eq!(delta.len(), 3);
+/// assert_eq!(delta[[1, 1]], Rational::from(1));
+///
+/// let metric = Tensor::diagonal([1, 2, 3].map(Rational::from), [Down, Down]);
+/// assert_eq!((&metric * &Rational::from(2) - &metric).to_string(), "_11 = 1\n_22 = 2\n_33 = 3");
 /// ```
-#[derive(Clone, PartialEq)]
+#[derive(Clone)]
 pub struct Tensor<S> {
     dimension: usize,
     slots: Box<[Variance]>,
     keys: Vec<u64>,
     values: Vec<S>,
-    tolerance: Tolerance,
+    /// `None` where nobody chose one: the default, unless it meets another in a sum.
+    tolerance: Option<Tolerance>,
+    /// The value of every component that is not stored.
+    zero: S,
 }
 
 impl<S: Ring> Tensor<S> {
@@ -44,13 +56,17 @@ impl<S: Ring> Tensor<S> {
         let rank = slots.len();
         let fits = rank <= Indices::MAX
             && (dimension as u64).checked_pow(rank as u32).is_some_and(|n| n < u64::MAX);
-        let slots = slots.into();
-        let (keys, values, tolerance) = (vec![], vec![], Tolerance::default());
-        fits.then_some(Tensor { dimension, slots, keys, values, tolerance })
+        fits.then(|| Self::unchecked(dimension, slots))
             .ok_or(TensorError::TooLarge { dimension, rank })
     }
 
-    /// The tensor with the given components; those of equal indices are added up.
+    /// The zero tensor of a shape whose components are known to have keys.
+    fn unchecked(dimension: usize, slots: &[Variance]) -> Self {
+        let (keys, values, zero) = (vec![], vec![], S::zero());
+        Tensor { dimension, slots: slots.into(), keys, values, tolerance: None, zero }
+    }
+
+    /// The tensor with the given components, in any order. Components with equal indices are added.
     ///
     /// # Errors
     /// An index out of range, a wrong number of indices, or a tensor that is too large.
@@ -66,9 +82,9 @@ impl<S: Ring> Tensor<S> {
         Ok(zero.gather(keyed))
     }
 
-    /// The tensor whose components stand in one sparse row, each at its place in the order of
-    /// indices: `i` for a vector, `i n + j` for a matrix, `(i n + j) n + k` for rank 3. Those of
-    /// equal places are added up. The inverse of [`to_row`](Self::to_row).
+    /// The tensor whose components form one sparse row. The position of a component is `i` for a
+    /// vector, `i n + j` for a matrix, and `(i n + j) n + k` for rank 3. Components at equal
+    /// positions are added. The inverse of [`to_row`](Self::to_row).
     ///
     /// ```
     /// use affinor_tensors::{Down, Tensor};
@@ -79,17 +95,17 @@ impl<S: Ring> Tensor<S> {
     /// ```
     ///
     /// # Errors
-    /// A place that is not below `n^rank`, or a tensor that is too large.
+    /// A position that is not below `n^rank`, or a tensor that is too large.
     pub fn from_row(
         dimension: usize,
         slots: &[Variance],
         row: impl IntoIterator<Item = (usize, S)>,
     ) -> Result<Self, TensorError> {
         let zero = Self::zero(dimension, slots)?;
-        let places = (dimension as u64).pow(slots.len() as u32);
-        let keyed = row.into_iter().map(|(place, value)| match place as u64 {
-            key if key < places => Ok((key, value)),
-            _ => Err(TensorError::IndexRange { index: place, dimension: places as usize }),
+        let positions = (dimension as u64).pow(slots.len() as u32);
+        let keyed = row.into_iter().map(|(index, value)| match index as u64 {
+            key if key < positions => Ok((key, value)),
+            _ => Err(TensorError::IndexRange { index, dimension: positions as usize }),
         });
         let keyed = keyed.collect::<Result<_, _>>()?;
         Ok(zero.gather(keyed))
@@ -115,25 +131,23 @@ impl<S: Ring> Tensor<S> {
 
     /// The Kronecker delta, `delta^i_j`.
     pub fn identity(dimension: usize) -> Self {
-        let n = dimension as u64;
-        Tensor {
-            dimension,
-            slots: [Up, Down].into(),
-            keys: (0..n).map(|i| i * (n + 1)).collect(),
-            values: vec![S::one(); dimension],
-            tolerance: Tolerance::default(),
+        Self::diagonal(std::iter::repeat_n(S::one(), dimension), [Up, Down])
+    }
+
+    /// The tensor of rank 2 with these components on the diagonal and zeros elsewhere.
+    pub fn diagonal(entries: impl IntoIterator<Item = S>, slots: [Variance; 2]) -> Self {
+        let entries: Vec<S> = entries.into_iter().collect();
+        let mut tensor = Self::unchecked(entries.len(), &slots);
+        let step = entries.len() as u64 + 1;
+        for (at, value) in entries.into_iter().enumerate() {
+            tensor.push(at as u64 * step, value);
         }
+        tensor
     }
 
     /// The vector `v^i` (or covector, by `variance`) with these components.
     pub fn vector(components: &[S], variance: Variance) -> Self {
-        let mut vector = Tensor {
-            dimension: components.len(),
-            slots: [variance].into(),
-            keys: vec![],
-            values: vec![],
-            tolerance: Tolerance::default(),
-        };
+        let mut vector = Self::unchecked(components.len(), &[variance]);
         for (key, value) in components.iter().enumerate() {
             vector.push(key as u64, value.clone());
         }
@@ -143,7 +157,7 @@ impl<S: Ring> Tensor<S> {
     /// The same tensor with another tolerance for what is computed from it (floats only).
     #[must_use]
     pub fn with_tolerance(mut self, tolerance: Tolerance) -> Self {
-        self.tolerance = tolerance;
+        self.tolerance = Some(tolerance);
         self
     }
 
@@ -164,31 +178,81 @@ impl<S: Ring> Tensor<S> {
 
     /// The tolerance that sums over this tensor use.
     pub fn tolerance(&self) -> Tolerance {
-        self.tolerance
+        self.tolerance.unwrap_or_default()
+    }
+
+    /// The weakest of the tolerances that were chosen for these tensors, if any was.
+    pub(crate) fn common_tolerance<'a>(
+        tensors: impl Iterator<Item = &'a Self>,
+    ) -> Option<Tolerance> {
+        tensors.filter_map(|tensor| tensor.tolerance).reduce(|a, b| a.weaker(b))
     }
 
     /// The number of nonzero components.
     pub fn len(&self) -> usize {
-        self.keys.len()
+        self.values.iter().filter(|value| !value.is_small()).count()
     }
 
     /// Whether every component is zero.
     pub fn is_empty(&self) -> bool {
-        self.keys.is_empty()
+        self.values.iter().all(Ring::is_small)
     }
 
-    /// One component; zero when it is not stored.
+    /// The component with these indices, from 0; zero if it is not stored.
     ///
     /// # Panics
-    /// As slice indexing does: on an index out of range or a wrong number of indices.
+    /// Like slice indexing: on an index out of range or a wrong number of indices.
+    /// [`try_get`](Self::try_get) returns an error instead.
     pub fn get(&self, indices: &[usize]) -> S {
-        let key = self.key(indices).expect("indices of this tensor");
-        self.keys.binary_search(&key).map_or_else(|_| S::zero(), |at| self.values[at].clone())
+        self[indices].clone()
+    }
+
+    /// The component with these indices, from 0; zero if it is not stored.
+    ///
+    /// # Errors
+    /// [`TensorError::Rank`] for a wrong number of indices, [`TensorError::IndexRange`].
+    pub fn try_get(&self, indices: &[usize]) -> Result<&S, TensorError> {
+        let key = self.key(indices)?;
+        let found = self.keys.binary_search(&key).ok().map(|at| &self.values[at]);
+        Ok(found.filter(|value| !value.is_small()).unwrap_or(&self.zero))
     }
 
     /// The nonzero components in the order of their indices.
-    pub fn components(&self) -> impl ExactSizeIterator<Item = (Indices, &S)> {
-        self.keys.iter().map(|&key| self.indices(key)).zip(&self.values)
+    pub fn components(&self) -> Components<'_, S> {
+        self.into_iter()
+    }
+
+    /// The tensor of one rank less in which the index of `slot` has the value `index`: slot 0 of
+    /// `c^i_jk` and index 2 give `c^2_jk`.
+    ///
+    /// ```
+    /// use affinor_tensors::{Down, Tensor, Up};
+    /// let tensor = Tensor::from_fn(2, [Up, Down], |[i, j]| (10 * i + j) as f64)?;
+    /// assert_eq!(tensor.slice(0, 1)?, Tensor::vector(&[10.0, 11.0], Down));
+    /// # Ok::<(), affinor_tensors::TensorError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`TensorError::Slots`] unless the tensor has this slot; [`TensorError::IndexRange`].
+    pub fn slice(&self, slot: usize, index: usize) -> Result<Self, TensorError> {
+        let (dimension, rank) = (self.dimension, self.rank());
+        if slot >= rank {
+            return Err(TensorError::Slots { slots: vec![slot], rank });
+        }
+        if index >= dimension {
+            return Err(TensorError::IndexRange { index, dimension });
+        }
+        let slots = [&self.slots[..slot], &self.slots[slot + 1..]].concat();
+        let mut slice = Self::unchecked(dimension, &slots);
+        slice.tolerance = self.tolerance;
+        let n = dimension as u64;
+        let below = n.pow((rank - 1 - slot) as u32);
+        for (&key, value) in self.keys.iter().zip(&self.values) {
+            if key / below % n == index as u64 {
+                slice.push(key / below / n * below + key % below, value.clone());
+            }
+        }
+        Ok(slice)
     }
 
     /// The value of a tensor of rank 0.
@@ -201,11 +265,11 @@ impl<S: Ring> Tensor<S> {
         (self.rank() == 1).then(|| (0..self.dimension).map(|i| self.get(&[i])).collect())
     }
 
-    /// The nonzero components as one sparse row, each at its place in the order of indices:
-    /// [`from_row`](Self::from_row) says which.
+    /// The nonzero components as one sparse row, each at the position that
+    /// [`from_row`](Self::from_row) describes.
     pub fn to_row(&self) -> Row<S> {
-        let places = self.keys.iter().map(|&key| key as usize);
-        places.zip(self.values.iter().cloned()).collect()
+        let shown = self.keys.iter().zip(&self.values).filter(|(_, value)| !value.is_small());
+        shown.map(|(&key, value)| (key as usize, value.clone())).collect()
     }
 
     /// The components mapped into another ring, the tolerance kept.
@@ -213,15 +277,12 @@ impl<S: Ring> Tensor<S> {
         self.filter_map(|_, value| Some(f(value)))
     }
 
-    /// The components mapped by `f`, which also sees the indices; `None` is zero.
+    /// The components mapped by `f`, which also takes the indices; `None` is zero.
     pub fn filter_map<T: Ring>(&self, f: impl Fn(&[usize], &S) -> Option<T>) -> Tensor<T> {
-        let mut tensor = Tensor {
-            dimension: self.dimension,
-            slots: self.slots.clone(),
-            keys: Vec::with_capacity(self.len()),
-            values: Vec::with_capacity(self.len()),
-            tolerance: self.tolerance,
-        };
+        let mut tensor = Tensor::unchecked(self.dimension, &self.slots);
+        tensor.tolerance = self.tolerance;
+        tensor.keys.reserve(self.keys.len());
+        tensor.values.reserve(self.keys.len());
         for (&key, value) in self.keys.iter().zip(&self.values) {
             if let Some(value) = f(&self.indices(key), value) {
                 tensor.push(key, value);
@@ -251,49 +312,48 @@ impl<S: Ring> Tensor<S> {
             (order.iter().map(|&a| indices[a]).collect::<Vec<_>>(), value.clone())
         });
         let tensor = Self::from_components(self.dimension, &slots, moved)?;
-        Ok(tensor.with_tolerance(self.tolerance))
+        Ok(Tensor { tolerance: self.tolerance, ..tensor })
     }
 
-    /// Whether two slots of equal variance are symmetric (`Some(1)`), antisymmetric (`Some(-1)`),
-    /// or neither, in the components as they stand.
+    /// The symmetry of the components in two slots of equal variance: `Some(1)` if symmetric,
+    /// `Some(-1)` if antisymmetric, `None` if neither.
     pub fn pair_symmetry(&self, a: usize, b: usize) -> Option<i64> {
         if self.slots[a] != self.slots[b] || self.is_empty() {
             return None;
         }
         [-1, 1].into_iter().find(|&sign| {
-            self.components().all(|(mut indices, value)| {
-                indices.0.swap(a, b);
-                let other = self.get(&indices) * &S::from_i64(-sign);
+            self.components().all(|(indices, value)| {
+                let other = self.get(&indices.exchanged(a, b)) * &S::from_i64(-sign);
                 let mut sum = S::Sum::term(value);
                 sum.add_term(&other);
-                sum.finish(self.tolerance).is_none()
+                sum.finish(self.tolerance()).is_none()
             })
         })
     }
 
-    /// Takes over components in any order, those of equal keys added up.
+    /// Stores components given in any order; components with equal keys are added.
     fn gather(mut self, mut keyed: Vec<(u64, S)>) -> Self {
         keyed.sort_by_key(|(key, _)| *key);
         for run in keyed.chunk_by(|a, b| a.0 == b.0) {
             let mut sum = S::Sum::term(&run[0].1);
             run[1..].iter().for_each(|(_, value)| sum.add_term(value));
-            if let Some(value) = sum.finish(self.tolerance) {
+            if let Some(value) = sum.finish(self.tolerance()) {
                 self.push(run[0].0, value);
             }
         }
         self
     }
 
-    /// Appends a component behind all stored ones; zeros are dropped.
+    /// Appends a component after all stored ones; zeros are dropped.
     pub(crate) fn push(&mut self, key: u64, value: S) {
         debug_assert!(self.keys.last().is_none_or(|&last| last < key));
-        if !value.vanishes() {
+        if !value.vanishes() || value.is_small() {
             self.keys.push(key);
             self.values.push(value);
         }
     }
 
-    /// Takes over sorted, nonzero components.
+    /// Stores sorted, nonzero components.
     pub(crate) fn fill(mut self, keys: Vec<u64>, values: Vec<S>) -> Self {
         debug_assert!(keys.is_sorted_by(|a, b| a < b) && keys.len() == values.len());
         (self.keys, self.values) = (keys, values);
@@ -319,47 +379,5 @@ impl<S: Ring> Tensor<S> {
             let key = valid.then(|| key * dimension as u64 + index as u64);
             key.ok_or(TensorError::IndexRange { index, dimension })
         })
-    }
-}
-
-impl<S> Tensor<S> {
-    fn indices(&self, mut key: u64) -> Indices {
-        let n = self.dimension as u64;
-        let mut indices = Indices([0; Indices::MAX], self.slots.len());
-        for index in indices.0[..self.slots.len()].iter_mut().rev() {
-            *index = (key % n) as usize;
-            key /= n;
-        }
-        indices
-    }
-}
-
-impl<S: fmt::Debug> fmt::Debug for Tensor<S> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let indices = self.keys.iter().map(|&key| self.indices(key).to_vec());
-        let components = indices.zip(&self.values);
-        f.debug_map().entries(components).finish()
-    }
-}
-
-/// The indices of one component, from 0; a slice of `usize`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Indices([usize; Indices::MAX], usize);
-
-impl Indices {
-    /// The highest rank of a tensor.
-    pub const MAX: usize = 8;
-}
-
-impl Deref for Indices {
-    type Target = [usize];
-    fn deref(&self) -> &[usize] {
-        &self.0[..self.1]
-    }
-}
-
-impl AsRef<[usize]> for Indices {
-    fn as_ref(&self) -> &[usize] {
-        self
     }
 }

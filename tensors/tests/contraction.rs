@@ -1,15 +1,9 @@
 //! The kernel computes what the notation says, over every kind of scalar.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "common/cases.rs"]
-mod cases;
-#[path = "common/dual.rs"]
-mod dual;
-#[path = "common/oracle.rs"]
-mod oracle;
-#[path = "common/property.rs"]
-mod property;
-
+use crate::common::cases;
+use crate::common::dual;
+use crate::common::oracle;
+use crate::common::property;
 use affinor_tensors::{Down, Rational, Ring, Symbolic, Tensor, TensorError, Up, contract};
 use cases::{Case, Values, cases};
 use dual::Dual;

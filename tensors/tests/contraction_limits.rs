@@ -1,16 +1,11 @@
 //! The kernel at its limits: the edge of machine integers, threads, wide sparse tensors.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "common/oracle.rs"]
-mod oracle;
-#[path = "common/property.rs"]
-mod property;
-
+use crate::common::oracle;
+use crate::common::property;
 use affinor_tensors::{Down, Rational, Ring, Symbolic, Tensor, TensorError, Up, contract};
 use oracle::{oracle, stored};
 use proptest::collection::vec;
 use proptest::prelude::*;
-use std::time::{Duration, Instant};
 
 type Test = Result<(), TensorError>;
 
@@ -113,13 +108,12 @@ fn threads_change_nothing() -> Test {
     Ok(())
 }
 
-/// Dimension 2000 with few components: time and memory follow the components.
+/// Time and memory follow the components: a loop over all `2000^4` places would not end.
 #[test]
-fn wide_sparse_tensors_are_quick() -> Test {
+fn wide_tensors_cost_what_their_components_cost() -> Test {
     let n = 2000;
     let chain = (0..n - 2).map(|i| ([i, i + 1, i + 2], Rational::from(i as i64 % 7 + 1)));
     let c = Tensor::from_components(n, &[Up, Down, Down], chain)?;
-    let start = Instant::now();
     for text in [
         "c^i_km c^m_lj - c^i_lm c^m_kj - c^m_kl c^i_mj -> ^i_jkl",
         "c^m_il c^l_jm -> _ij",
@@ -131,8 +125,6 @@ fn wide_sparse_tensors_are_quick() -> Test {
     }
     let product = contract("c^i_jm c^m_kl -> ^i_jkl", &[("c", &c)])?;
     assert_eq!(product.get(&[3, 4, 6, 7]), c.get(&[3, 4, 5]) * &c.get(&[5, 6, 7]));
-    let took = start.elapsed();
-    assert!(took < Duration::from_secs(20), "{took:?}");
     Ok(())
 }
 

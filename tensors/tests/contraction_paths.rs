@@ -1,16 +1,10 @@
 //! Every path of the kernel computes what the notation says: tables of rows, tables of groups,
 //! bisection, one thread and two, integers and the ring, with small tensors and lowered sizes.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "common/cases.rs"]
-mod cases;
-#[path = "common/dual.rs"]
-mod dual;
-#[path = "common/oracle.rs"]
-mod oracle;
-#[path = "common/property.rs"]
-mod property;
-
+use crate::common::cases;
+use crate::common::dual;
+use crate::common::oracle;
+use crate::common::property;
 use affinor_tensors::contraction::{Paths, contract_by};
 use affinor_tensors::{Rational, Ring, Symbolic, Tensor, TensorError, contract};
 use cases::{Case, Values, cases_of_ranks};

@@ -1,9 +1,6 @@
 //! The kernel at the sizes where it takes another path: large dimensions with few components.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "common/oracle.rs"]
-mod oracle;
-
+use crate::common::oracle;
 use affinor_tensors::{Down, Rational, Tensor, TensorError, Up, Variance, contract};
 use oracle::{oracle, stored};
 use std::collections::BTreeMap;

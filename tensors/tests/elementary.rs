@@ -1,9 +1,6 @@
 //! Sines, cosines and exponentials of parameters: exact, differentiated, written and read back.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "common/property.rs"]
-mod property;
-
+use crate::common::property;
 use affinor_tensors::expression::{Expression, Functions, Scalars};
 use affinor_tensors::{Field, Notation, Ring, Symbolic};
 use proptest::prelude::*;

@@ -1,9 +1,6 @@
 //! Jets against num-dual's second derivatives, which we did not write.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "common/property.rs"]
-mod property;
-
+use crate::common::property;
 use affinor_tensors::{Field, Jet, Ring};
 use num_dual::{DualNum, HyperDual64};
 use num_traits::{One, Zero};

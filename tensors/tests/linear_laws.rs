@@ -1,11 +1,7 @@
 //! The laws of linear algebra over rationals, rational functions and floats.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "common/matrices.rs"]
-mod matrices;
-#[path = "common/property.rs"]
-mod property;
-
+use crate::common::matrices;
+use crate::common::property;
 use affinor_tensors::linear::{Echelon, Matrix, Row};
 use affinor_tensors::{Field, Notation, Rational, Ring, Symbolic};
 use matrices::{dense, from_words, same, square};

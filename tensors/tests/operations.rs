@@ -1,13 +1,8 @@
 //! Traces, symmetrisers, raising and lowering, against the same written by hand.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "common/oracle.rs"]
-mod oracle;
-#[path = "common/property.rs"]
-mod property;
-#[path = "common/tensors.rs"]
-mod tensors;
-
+use crate::common::oracle;
+use crate::common::property;
+use crate::common::tensors;
 use affinor_tensors::{Down, Rational, Tensor, TensorError, Up};
 use oracle::{oracle, stored};
 use proptest::prelude::*;

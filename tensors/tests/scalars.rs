@@ -1,19 +1,17 @@
 //! The scalars obey the laws, and rationals agree with another implementation of them.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "common/dual.rs"]
-mod dual;
-#[path = "common/property.rs"]
-mod property;
-
+use crate::common::dual;
+use crate::common::property;
 use affinor_tensors::scalar::laws;
 use affinor_tensors::{Field, Notation, Rational, Ring, Sum, Symbolic, Tolerance};
 use dual::Dual;
 use num_bigint::BigInt;
+use num_dual::Dual64;
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use proptest::prelude::*;
-use std::hash::{DefaultHasher, Hash, Hasher};
+use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher, Hash, Hasher};
+use std::ops::{Add, Div, DivAssign, Mul, SubAssign};
 
 type Test = Result<(), Box<dyn std::error::Error>>;
 
@@ -105,6 +103,40 @@ proptest! {
     }
 
     #[test]
+    fn dual_numbers_of_num_dual_obey_the_laws(
+        // num-dual's `==` compares real parts, so these differ there, also up to sign
+        parts in prop::array::uniform3((1i32..8, -64i32..64)),
+    ) {
+        let mut offset = -16;
+        let [a, b, c] = parts.map(|(re, eps)| {
+            offset += 16;
+            Dual64::new(f64::from(re + offset) / 8.0, f64::from(eps) / 8.0)
+        });
+        laws::field(&a, &b, &c, Tolerance::default())?;
+    }
+
+    #[test]
+    fn the_rationals_of_num_are_fields(
+        words in prop::array::uniform3((-999i64..=999, 1i64..=99)),
+        [(_, x), (_, y), (_, z)] in [pair(), pair(), pair()],
+    ) {
+        let exactly = Tolerance::new(0.0).unwrap();
+        let [a, b, c] = words.map(|(n, d)| Ratio::new(n, d));
+        laws::field(&a, &b, &c, exactly)?;
+        laws::field(&x, &y, &z, exactly)?;
+    }
+
+    #[test]
+    fn every_form_of_an_operator_is_the_same([a, b] in [rational(), rational()], [p, q] in [symbolic(), symbolic()]) {
+        forms(&a, &b)?;
+        forms(&p, &q)?;
+        prop_assert_eq!([&a, &b].into_iter().sum::<Rational>(), &a + &b);
+        prop_assert_eq!([p.clone(), q.clone()].into_iter().product::<Symbolic>(), &p * &q);
+        prop_assert_eq!(a.to_string().parse::<Rational>()?, a);
+        prop_assert_eq!(p.to_string().parse::<Symbolic>()?, p);
+    }
+
+    #[test]
     fn arithmetic_agrees_with_num((a, x) in pair(), (b, y) in pair()) {
         prop_assert_eq!(BigRational::from(&(a.clone() + &b)), &x + &y);
         prop_assert_eq!(BigRational::from(&(a.clone() - &b)), &x - &y);
@@ -175,6 +207,31 @@ proptest! {
     }
 }
 
+/// `a + b` and the others by value, by reference and by assignment.
+fn forms<S>(a: &S, b: &S) -> Result<(), TestCaseError>
+where
+    S: Field + Hash + Eq + Default + for<'s> DivAssign<&'s S> + for<'s> SubAssign<&'s S>,
+    for<'s> &'s S: Add<S, Output = S> + Add<Output = S> + Mul<Output = S> + Div<Output = S>,
+{
+    let sum = a.clone() + b;
+    prop_assert_eq!(&(a + b), &sum);
+    prop_assert_eq!(&(a + b.clone()), &sum);
+    prop_assert_eq!(a * b, a.clone() * b);
+    let mut back = sum.clone();
+    back -= b;
+    prop_assert_eq!(&back, a);
+    let hash = |value: &S| BuildHasherDefault::<DefaultHasher>::default().hash_one(value);
+    prop_assert_eq!(hash(&back), hash(a));
+    if !b.vanishes() {
+        let mut quotient = a * b;
+        quotient /= b;
+        prop_assert_eq!(&quotient, a);
+        prop_assert_eq!(&(a / b) * b, a.clone());
+    }
+    prop_assert!(S::default().vanishes());
+    Ok(())
+}
+
 /// Neither neighbour is closer; of two equally close floats the even one.
 fn nearest(value: &Rational, exact: &BigRational) -> Result<(), TestCaseError> {
     let float = value.to_f64();
@@ -192,6 +249,33 @@ fn nearest(value: &Rational, exact: &BigRational) -> Result<(), TestCaseError> {
             prop_assert!(own < other || (own == other && even), "{value}: {float:e}");
         }
     }
+    Ok(())
+}
+
+#[test]
+#[should_panic(expected = "the sum fits this type")]
+fn a_sum_of_word_rationals_panics_rather_than_wraps() {
+    let largest = Ratio::from_integer(i64::MAX);
+    let mut sum = <Ratio<i64> as Ring>::Sum::product(&largest, &largest);
+    sum.add_product(&-largest, &(largest - 1));
+    // the products are far beyond 64 bits, their sum is not
+    assert_eq!(sum.finish(Tolerance::default()), Some(largest));
+    sum.add_term(&largest);
+    let _: Option<Ratio<i64>> = sum.finish(Tolerance::default());
+}
+
+#[test]
+fn conversions_of_scalars() -> Test {
+    assert_eq!((Rational::from(2), Symbolic::from(2)), (2i64.into(), Rational::from(2i64).into()));
+    let half: Rational = "1/4 + 0.25".parse()?;
+    assert_eq!(ToPrimitive::to_i64(&half), None);
+    assert_eq!(ToPrimitive::to_f64(&half), Some(0.5));
+    assert_eq!(ToPrimitive::to_i64(&(&half * &Rational::from(-4))), Some(-2));
+    let large = Rational::from(i64::MAX) + Rational::from(1);
+    assert_eq!((large.to_u64(), ToPrimitive::to_i64(&large)), (Some(1 << 63), None));
+    let value: Symbolic = "(a^2 - 1)/(a - 1) + sin(b)".parse()?;
+    assert_eq!(value.to_latex(), r"a + \sin b + 1");
+    assert_eq!("1/0".parse::<Rational>().unwrap_err().to_string(), "division by zero");
     Ok(())
 }
 

@@ -1,9 +1,7 @@
 //! Rational functions of parameters, against exact values at rational points computed beside
 //! them, Euclid's algorithm in one variable, closed forms and finite differences.
 
-#[path = "common/property.rs"]
-mod property;
-
+use crate::common::property;
 use affinor_tensors::{Field, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance};
 use num_traits::{One, Zero, pow};
 use proptest::prelude::*;
@@ -102,7 +100,7 @@ fn image(polynomial: &Symbolic, name: &str, point: &[Rational; 3]) -> Vec<Ration
                 degree = e as usize;
             } else {
                 let k = NAMES.iter().position(|n| *n == own).expect("a known parameter");
-                value = value * pow(point[k].clone(), e as usize);
+                value *= pow(point[k].clone(), e as usize);
             }
         }
         image.resize(image.len().max(degree + 1), Rational::zero());

@@ -1,11 +1,8 @@
 //! Tensors hold what they were given, in order, and keep it through maps and permutations.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "common/property.rs"]
-mod property;
-#[path = "common/tensors.rs"]
-mod tensors;
-
+use crate::common::oracle::oracle;
+use crate::common::property;
+use crate::common::tensors;
 use affinor_tensors::{
     Down, Indices, Rational, Ring, Symbolic, Tensor, TensorError, Tolerance, Up, contract,
 };
@@ -80,6 +77,32 @@ fn rows_are_checked() -> Test {
 }
 
 #[test]
+fn components_are_found_by_their_indices() -> Test {
+    let t = Tensor::from_components(12, &[Up, Down, Down], [([0, 1, 11], integer(5))])?;
+    assert_eq!((&t[[0, 1, 11]], &t[[0, 0, 0]]), (&integer(5), &integer(0)));
+    assert_eq!(t.try_get(&[0, 1, 11]), Ok(&integer(5)));
+    assert_eq!(t.try_get(&[0, 1]), Err(TensorError::Rank { rank: 3, given: 2 }));
+    let range = TensorError::IndexRange { index: 12, dimension: 12 };
+    assert_eq!(t.try_get(&[0, 1, 12]), Err(range.clone()));
+    assert_eq!(t.slice(1, 12), Err(range));
+    assert_eq!(t.slice(3, 0), Err(TensorError::Slots { slots: vec![3], rank: 3 }));
+    assert_eq!(t.to_string(), "^1_2,12 = 5");
+    assert_eq!(Tensor::<Rational>::zero(2, &[Up])?.to_string(), "0");
+    assert_eq!(Tensor::from_fn(2, [], |[]| integer(7))?.to_string(), "7");
+    let mixed = Tensor::from_components(3, &[Up, Up, Down, Up], [([0, 1, 2, 0], integer(-1))])?;
+    assert_eq!(mixed.to_string(), "^12_3^1 = -1");
+    let diagonal = Tensor::diagonal([1, 0, 3].map(integer), [Down, Down]);
+    assert_eq!(stored(&diagonal), [(vec![0, 0], integer(1)), (vec![2, 2], integer(3))]);
+    Ok(())
+}
+
+#[test]
+#[should_panic(expected = "two tensors of one shape")]
+fn sums_of_different_shapes_panic() {
+    let _ = Tensor::vector(&[1.0], Up) + Tensor::vector(&[1.0], Down);
+}
+
+#[test]
 fn sizes_have_limits() {
     let zero =
         |dimension, rank| Tensor::<Rational>::zero(dimension, &vec![Down; rank]).map(|t| t.rank());
@@ -145,6 +168,43 @@ proptest! {
             prop_assert_eq!(&moved.get(&[at[2], at[0], at[1]]), value);
         }
         prop_assert_eq!(moved.permute(&[1, 2, 0])?, t);
+    }
+
+    #[test]
+    fn arithmetic(t in tensors(3, [Up, Down, Down]), u in tensors(3, [Up, Down, Down]), n in -3i64..4) {
+        let (sum, difference) = (&t + &u, &t - &u);
+        let multiple = &t * &integer(n);
+        for key in 0..27 {
+            let at = [key / 9, key / 3 % 3, key % 3];
+            prop_assert_eq!(&sum[at], &(&t[at] + &u[at]));
+            prop_assert_eq!(&difference[at], &(&t[at] - &u[at]));
+            prop_assert_eq!(&multiple[at], &(&t[at] * &integer(n)));
+            for (slot, rest) in [(0, [at[1], at[2]]), (1, [at[0], at[2]]), (2, [at[0], at[1]])] {
+                prop_assert_eq!(&t.slice(slot, at[slot])?[rest], &t[at]);
+            }
+        }
+        prop_assert_eq!(sum.clone() - u, t);
+        prop_assert_eq!(-&difference + difference, Tensor::zero(3, &[Up, Down, Down])?);
+        prop_assert_eq!((&sum).into_iter().count(), sum.len());
+    }
+
+    #[test]
+    fn products_of_several_factors(
+        a in tensors(3, [Up, Down]), b in tensors(3, [Up, Down]), c in tensors(3, [Up, Down, Down]),
+    ) {
+        let operands = [("a", &a), ("b", &b), ("c", &c)];
+        for text in [
+            "a^i_j b^j_k a^k_l -> ^i_l",
+            "c^i_jk a^j_l b^k_m - c^i_kj a^k_l b^j_m -> ^i_lm",
+            "a^i_j b^k_l c^l_km a^m_i -> _j",
+            "a^p_p b^q_q a^r_s b^s_r ->",
+            "a^i_j b^k_l a^m_n - 2 a^m_j b^i_l b^k_n -> ^ikm_jln",
+        ] {
+            let expected: Vec<_> = oracle(text, &operands).into_iter().collect();
+            prop_assert_eq!(stored(&contract(text, &operands)?), expected.clone(), "{}", text);
+            let halved = contract(&format!("1/2 {}", text.replace(" - ", " - 1/2 ")), &operands)?;
+            prop_assert_eq!(stored(&(halved * &integer(2))), expected, "{}", text);
+        }
     }
 
     #[test]

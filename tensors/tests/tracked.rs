@@ -1,10 +1,7 @@
 //! Floats that track their rounding: the values of `f64`, its verdicts within one sum of inputs,
 //! and right ones beyond.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "common/property.rs"]
-mod property;
-
+use crate::common::property;
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::scalar::laws;
 use affinor_tensors::{

@@ -1,9 +1,9 @@
-//! How sums of products are formed: in the ring itself, or on machine integers.
+//! The two arithmetics of sums of products: in the ring itself, and in machine integers.
 
 use super::{Paths, Product, Role};
 use crate::{Ring, Sum, Tolerance};
 
-/// A term before it is laid out for a run.
+/// A term with its values, before it is laid out in rows.
 pub(super) struct Term<'t, V> {
     pub factors: Vec<Factor<'t, V>>,
     pub mirrored: bool,
@@ -16,7 +16,7 @@ pub(super) struct Factor<'t, V> {
     pub values: Vec<V>,
 }
 
-/// How sums of products are formed: in the ring itself, or on machine integers.
+/// An arithmetic for sums of products.
 pub(super) trait Arithmetic<S>: Sync {
     type Value: Clone + Send + Sync;
     type Sum: Clone + Send;
@@ -29,11 +29,11 @@ pub(super) trait Arithmetic<S>: Sync {
     fn term(&self, a: &Self::Value, negative: bool) -> Self::Sum;
     /// Adds `a`, or its negative.
     fn add_term(&self, sum: &mut Self::Sum, a: &Self::Value, negative: bool);
-    /// The value of a sum, or its negative; `None` for zero.
-    fn finish(&self, sum: &Self::Sum, negative: bool) -> Option<S>;
+    /// The value of a sum; `None` for zero.
+    fn finish(&self, sum: &Self::Sum) -> Option<S>;
 }
 
-/// Sums in the ring, by its own [`Sum`].
+/// Sums in the ring, by its [`Sum`].
 pub(super) struct InRing {
     tolerance: Tolerance,
 }
@@ -46,10 +46,12 @@ impl InRing {
     /// The terms with the coefficient multiplied into the first factor.
     pub fn terms<'t, S: Ring>(products: &'t [Product<S>]) -> Vec<Term<'t, S>> {
         let term = |product: &'t Product<S>| {
-            let coefficient = S::from_i64(product.coefficient);
+            let (n, d) = (*product.coefficient.numer(), *product.coefficient.denom());
+            // the notation admits no other denominators
+            let coefficient = S::from_quotient(n, d).filter(|_| (n, d) != (1, 1));
             product.with_values(|at, tensor| {
-                let scaled = |v: &S| match at {
-                    0 if product.coefficient != 1 => v.clone() * &coefficient,
+                let scaled = |v: &S| match &coefficient {
+                    Some(coefficient) if at == 0 => v.clone() * coefficient,
                     _ => v.clone(),
                 };
                 tensor.values().iter().map(scaled).collect()
@@ -77,17 +79,16 @@ impl<S: Ring> Arithmetic<S> for InRing {
     fn add_term(&self, sum: &mut S::Sum, a: &S, negative: bool) {
         if negative { sum.add_term(&-a.clone()) } else { sum.add_term(a) }
     }
-    fn finish(&self, sum: &S::Sum, negative: bool) -> Option<S> {
-        let value = sum.finish(self.tolerance)?;
-        Some(if negative { -value } else { value })
+    fn finish(&self, sum: &S::Sum) -> Option<S> {
+        sum.kept(self.tolerance)
     }
 }
 
-/// Sums of machine integers over one denominator, which no sum of these terms can overflow.
+/// Sums of machine integers over one denominator; no sum of the given terms overflows.
 pub(super) struct OnIntegers<S> {
     denominator: i64,
-    /// The quotients of the numerators from `-kept` to `kept`, which most components repeat;
-    /// `None` for zero.
+    /// The quotients of the numerators from `-kept` to `kept`, which are most frequent; `None` for
+    /// zero.
     quotients: Vec<Option<S>>,
     kept: u32,
 }
@@ -107,18 +108,19 @@ impl<S: Ring> OnIntegers<S> {
                 .iter()
                 .map(|(_, tensor)| S::clear_denominators(tensor.values().iter()))
                 .collect::<Option<_>>()?;
-            let d = factors.iter().try_fold(1i64, |d, (_, f)| d.checked_mul(*f))?;
+            let own = *product.coefficient.denom();
+            let d = factors.iter().try_fold(own, |d, (_, f)| d.checked_mul(*f))?;
             denominator = denominator.checked_mul(d / num_integer::gcd(d, denominator))?;
             cleared.push((factors, d));
         }
         let mut bound = 0u64;
         let mut terms = Vec::new();
         for (product, (mut factors, d)) in products.iter().zip(cleared) {
-            let scale = product.coefficient.checked_mul(denominator / d)?;
+            let scale = product.coefficient.numer().checked_mul(denominator / d)?;
             for value in &mut factors.first_mut()?.0 {
                 *value = value.checked_mul(scale)?;
             }
-            // products in one component: one for each value of the summed letters
+            // the number of products in one component: one for each value of the summed letters
             let summed = product.factors.iter().flat_map(|(roles, _)| roles);
             let pairs = summed.filter(|r| matches!(r, Role::Summed(_))).count() / 2;
             let entries = factors.iter().map(|(values, _)| values.len() as u64).max()?;
@@ -164,9 +166,9 @@ impl<S: Ring> Arithmetic<S> for OnIntegers<S> {
     fn add_term(&self, sum: &mut i64, a: &i64, negative: bool) {
         *sum += if negative { -a } else { *a };
     }
-    fn finish(&self, sum: &i64, negative: bool) -> Option<S> {
-        let sum = if negative { -sum } else { *sum };
-        // compared before it becomes a place, which has 32 bits on some machines
+    fn finish(&self, sum: &i64) -> Option<S> {
+        let sum = *sum;
+        // compared before it becomes an array index, which has 32 bits on some machines
         if sum.unsigned_abs() <= self.kept.into() {
             self.quotients[(sum + i64::from(self.kept)) as usize].clone()
         } else {

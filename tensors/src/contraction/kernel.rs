@@ -1,17 +1,17 @@
 //! The kernel: sparse row products, gathered in a dense accumulator over the last two indices.
 //!
-//! The leading indices of the result are walked as nested loops that skip whatever no term can
-//! reach, so results come out sorted. In a term of two factors, the one with more leading indices
-//! is read entry by entry, and each entry meets its partner's rows of the same summed indices.
+//! Nested loops run over the leading indices of the result and skip values that no term can reach, so
+//! the results are sorted. In a term of two factors, the one with more leading indices is read
+//! entry by entry, and each entry is multiplied with the partner's row of equal summed indices.
 
 use super::Paths;
 use super::arithmetic::{Arithmetic, Term};
 use super::rows::{Entry, Laid, Place, Rows, sum};
+use super::threads;
 use crate::{Ring, Tensor};
-use rayon::prelude::*;
 use std::ops::Range;
 
-/// Runs the sum of `terms` into the shape of `result`: sorted keys and nonzero values.
+/// The sum of `terms` in the shape of `result`: sorted keys and nonzero values.
 pub(super) fn run<S: Ring, A: Arithmetic<S>>(
     arithmetic: &A,
     terms: &[Term<A::Value>],
@@ -28,9 +28,9 @@ pub(super) fn run<S: Ring, A: Arithmetic<S>>(
     let entries: usize = laid.iter().map(Laid::entries).sum();
     let blocks: Vec<(Vec<u64>, Vec<S>)> = if laid.is_empty() {
         vec![]
-    } else if outer == 0 || entries < paths.parallel_from || rayon::current_num_threads() == 1 {
+    } else if outer == 0 || entries < paths.parallel_from || threads::count() == 1 {
         let mut walk = Walk::new(&plan, arithmetic);
-        // room that is not used costs nothing, growing page by page does
+        // memory that is reserved and not used costs nothing, growing does
         let products = laid.iter().filter(|_| outer > 0).map(Laid::products);
         let room = products.fold(0, u64::saturating_add).min(paths.reserved);
         walk.keys.reserve(2 * room as usize);
@@ -44,7 +44,7 @@ pub(super) fn run<S: Ring, A: Arithmetic<S>>(
             walk.enter(0, 0, 0, first);
             (std::mem::take(&mut walk.keys), std::mem::take(&mut walk.values))
         };
-        (0..n).into_par_iter().map_init(|| Walk::new(&plan, arithmetic), block).collect()
+        threads::map(n, || Walk::new(&plan, arithmetic), block)
     };
     let (mut keys, mut values) = (Vec::new(), Vec::new());
     for (block_keys, block_values) in blocks {
@@ -59,10 +59,11 @@ pub(super) fn run<S: Ring, A: Arithmetic<S>>(
         .fold((keys, values), |(keys, values), group| spread(keys, values, n, rank, group))
 }
 
-/// What a run works on.
+/// The input of a run.
 struct Plan<'p, V> {
     n: u64,
-    /// How many leading indices are loops; the rest (at most two) are the accumulator's.
+    /// The number of leading indices, which are loops. The last ones, at most two, belong to the
+    /// accumulator.
     outer: usize,
     rank: usize,
     groups: &'p [Range<usize>],
@@ -70,23 +71,23 @@ struct Plan<'p, V> {
 }
 
 impl<V> Plan<'_, V> {
-    /// Antisymmetric runs that reach into the loops; a pair within the accumulator is spread there.
+    /// The antisymmetric groups that include leading indices.
     fn groups_across(&self) -> impl Iterator<Item = &Range<usize>> {
         self.groups.iter().filter(|group| group.start < self.outer && group.len() > 1)
     }
 
-    /// Whether the two indices of the accumulator are an antisymmetric run by themselves.
+    /// Whether the two indices of the accumulator are an antisymmetric group of their own.
     fn mirrors(&self) -> bool {
         self.groups.iter().any(|group| group.start == self.outer && group.len() == 2)
     }
 
-    /// Whether position `at` must exceed the position before it.
+    /// Whether index `at` must exceed the index before it.
     fn ascends(&self, at: usize) -> bool {
         self.groups.iter().any(|group| group.start < at && at < group.end)
     }
 }
 
-/// A term that the chosen leading indices have not emptied, with the rows they lead to.
+/// A term that is not zero for the chosen leading indices, with its current rows.
 #[derive(Clone, Copy)]
 struct Alive {
     term: usize,
@@ -94,16 +95,20 @@ struct Alive {
     partner: u64,
 }
 
-/// The walk over the leading indices, with its accumulator and its results.
+/// The loops over the leading indices, with the accumulator and the results.
 struct Walk<'w, S, A: Arithmetic<S>> {
     plan: &'w Plan<'w, A::Value>,
     arithmetic: &'w A,
-    /// The terms alive at each depth, one run behind the other.
+    /// The terms that are alive at each depth, stored one after the other.
     alive: Vec<Alive>,
     sums: Vec<A::Sum>,
-    /// A bit for each of `sums` that is filled, and the places of those.
+    /// A bit for each of `sums`, set if it is filled, and the places of the filled ones.
     filled: Vec<u64>,
     touched: Vec<Place>,
+    /// The values of one leaf, and the order in which they are stored: in each entry the place in
+    /// the accumulator, then in 32 bits twice the number of the value, plus 1 if it is negated.
+    finished: Vec<S>,
+    order: Vec<u64>,
     keys: Vec<u64>,
     values: Vec<S>,
 }
@@ -121,12 +126,14 @@ impl<'w, S: Ring, A: Arithmetic<S>> Walk<'w, S, A> {
             sums: vec![arithmetic.empty(); inner],
             filled: vec![0; inner.div_ceil(64)],
             touched: vec![],
+            finished: vec![],
+            order: vec![],
             keys: vec![],
             values: vec![],
         }
     }
 
-    /// All values of the leading index `depth`, behind the indices in `key`, for the terms in
+    /// Runs over all values of the leading index `depth`, after the indices in `key`, for the terms in
     /// `alive` from `from` on.
     fn descend(&mut self, depth: usize, key: u64, from: usize) {
         if depth == self.plan.outer {
@@ -138,7 +145,7 @@ impl<'w, S: Ring, A: Arithmetic<S>> Walk<'w, S, A> {
         }
     }
 
-    /// One value of the leading index `depth`: goes on with the terms it leaves alive.
+    /// Continues with one value of the leading index `depth` and the terms that stay alive.
     fn enter(&mut self, depth: usize, key: u64, from: usize, index: u64) {
         let step = |rows: &Rows<A::Value>, row: u64| match rows.spans[depth] {
             Some(span) => {
@@ -163,7 +170,7 @@ impl<'w, S: Ring, A: Arithmetic<S>> Walk<'w, S, A> {
         }
     }
 
-    /// All components behind fixed leading indices.
+    /// Computes all components with fixed leading indices.
     fn leaf(&mut self, key: u64, from: usize) {
         let plan = self.plan;
         let bounds = Bounds::new(plan, key);
@@ -223,34 +230,34 @@ impl<'w, S: Ring, A: Arithmetic<S>> Walk<'w, S, A> {
         }
     }
 
-    /// Moves the accumulated components, in order, behind the results so far.
+    /// Appends the accumulated components to the results, in the order of their indices.
     fn collect(&mut self, key: u64) {
         let (n, inner) = (self.plan.n, self.sums.len() as u64);
-        if self.plan.mirrors() {
-            for at in 0..self.touched.len() {
-                let [a, b] = self.touched[at];
-                self.touched.push([b, a]);
-            }
-        }
-        self.touched.sort_unstable();
         let mirrors = self.plan.mirrors();
-        for &[a, b] in &self.touched {
-            let negative = mirrors && a > b;
-            let [first, second] = if negative { [b, a] } else { [a, b] };
-            let slot = first as usize * n as usize + second as usize;
-            if let Some(value) = self.arithmetic.finish(&self.sums[slot], negative) {
-                self.keys.push(key * inner + u64::from(a) * n + u64::from(b));
-                self.values.push(value);
+        for [a, b] in self.touched.drain(..) {
+            let (a, b) = (u64::from(a), u64::from(b));
+            let slot = a * n + b;
+            self.filled[slot as usize / 64] &= !(1u64 << (slot % 64));
+            if let Some(value) = self.arithmetic.finish(&self.sums[slot as usize]) {
+                let number = (self.finished.len() as u64) << 1;
+                self.finished.push(value);
+                self.order.push((slot << 32) | number);
+                if mirrors {
+                    self.order.push(((b * n + a) << 32) | number | 1);
+                }
             }
         }
-        for [a, b] in self.touched.drain(..) {
-            let slot = a as usize * n as usize + b as usize;
-            self.filled[slot / 64] &= !(1u64 << (slot % 64));
-        }
+        self.order.sort_unstable();
+        self.keys.extend(self.order.iter().map(|entry| key * inner + (entry >> 32)));
+        self.values.extend(self.order.drain(..).map(|entry| {
+            let value = self.finished[(entry as u32 >> 1) as usize].clone();
+            if entry & 1 == 1 { -value } else { value }
+        }));
+        self.finished.clear();
     }
 }
 
-/// Which places of the accumulator an antisymmetric result needs.
+/// The places of the accumulator that an antisymmetric result needs.
 struct Bounds {
     /// The first inner index exceeds this.
     above: Option<u32>,
@@ -267,15 +274,15 @@ impl Bounds {
         }
     }
 
-    /// Whether no place with this smallest index is needed. Where the second index is not in the
-    /// antisymmetric run, the smallest says nothing.
+    /// Whether no place with this smallest index is needed. It decides only if both indices belong to
+    /// the antisymmetric group.
     #[inline(always)]
     fn beyond(&self, lowest: u32) -> bool {
         self.pair && self.above.is_some_and(|bound| lowest <= bound)
     }
 
-    /// Where a value goes, and whether with the other sign; `None` if nowhere. A mirrored one
-    /// stands for its image too.
+    /// The place of a value, and whether it is added with the opposite sign; `None` if it is not
+    /// needed. A mirrored value also represents its image.
     #[inline(always)]
     fn admit(&self, [first, second]: Place, mirrored: bool) -> Option<(Place, bool)> {
         let negative = mirrored && first > second;
@@ -286,7 +293,7 @@ impl Bounds {
     }
 }
 
-/// Every permutation of the ascending indices in `group`, with its sign, sorted.
+/// Adds all permutations of the ascending indices in `group` with their signs, sorted.
 fn spread<S: Ring>(
     keys: Vec<u64>,
     values: Vec<S>,

@@ -1,13 +1,15 @@
-//! The notation of a contraction: parsing it, and binding its names to tensors.
+//! The index notation of a contraction: parsing it, and binding its names to tensors.
 
 use super::{Product, Role};
-use crate::{Down, Ring, Tensor, TensorError, Up, Variance};
+use crate::{Down, NotationError, Rational, Ring, Tensor, TensorError, Up, Variance};
+use num_rational::Ratio;
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// A parsed contraction.
 pub(super) struct Expression<'e> {
     text: &'e str,
-    terms: Vec<(i64, Vec<Factor<'e>>)>,
+    terms: Vec<(Ratio<i64>, Vec<Factor<'e>>)>,
     letters: Vec<char>,
     slots: Vec<Variance>,
     groups: Vec<Range<usize>>,
@@ -21,33 +23,30 @@ struct Factor<'e> {
 
 impl<'e> Expression<'e> {
     pub fn parse(text: &'e str) -> Result<Self, TensorError> {
-        let fail = |reason: String| TensorError::Notation { expression: text.into(), reason };
-        let (sum, result) =
-            text.split_once("->").ok_or_else(|| fail("no `->` before the result".into()))?;
-        let (indices, groups) = indices(result.trim()).map_err(&fail)?;
+        let fail = |error| TensorError::Notation { expression: text.into(), error };
+        let (sum, result) = text.split_once("->").ok_or_else(|| fail(NotationError::NoArrow))?;
+        let (indices, groups) = indices(result.trim()).map_err(fail)?;
         let (letters, slots): (Vec<char>, _) = indices.into_iter().unzip();
         if let Some((_, letter)) =
             letters.iter().enumerate().find(|(at, l)| letters[..*at].contains(l))
         {
-            return Err(fail(format!("`{letter}` stands twice in the result")));
+            return Err(fail(NotationError::Twice(*letter)));
         }
         let is_sign = |word: &&str| matches!(*word, "+" | "-");
         let mut words = sum.split_whitespace().peekable();
         let mut terms = Vec::new();
         while terms.is_empty() || words.peek().is_some() {
-            let mut coefficient = if words.next_if(is_sign) == Some("-") { -1i64 } else { 1 };
+            let negative = words.next_if(is_sign) == Some("-");
+            let mut coefficient = Rational::from(if negative { -1 } else { 1 });
             let mut factors = Vec::new();
             while let Some(word) = words.next_if(|word| !is_sign(word)) {
-                match word.parse() {
-                    Ok(number) => {
-                        let product = coefficient.checked_mul(number);
-                        coefficient =
-                            product.ok_or_else(|| fail("a coefficient is too large".into()))?;
-                    }
-                    Err(_) => factors.push(Factor::parse(word).map_err(&fail)?),
+                match number(word) {
+                    Some(number) => coefficient *= number,
+                    None => factors.push(Factor::parse(word).map_err(fail)?),
                 }
             }
-            terms.push((coefficient, factors));
+            let words = Ratio::try_from(&coefficient);
+            terms.push((words.map_err(|_| fail(NotationError::Coefficient))?, factors));
         }
         Ok(Expression { text, terms, letters, slots, groups })
     }
@@ -57,7 +56,7 @@ impl<'e> Expression<'e> {
         &self.slots
     }
 
-    /// The runs of result letters in which the sum is promised to be antisymmetric.
+    /// The runs of result letters in which the sum is declared antisymmetric.
     pub fn antisymmetric(&self) -> &[Range<usize>] {
         &self.groups
     }
@@ -74,26 +73,29 @@ impl<'e> Expression<'e> {
         &self,
         operands: &[(&str, &'a Tensor<S>)],
     ) -> Result<Vec<Product<'a, S>>, TensorError> {
-        let fail = |reason: String| TensorError::Notation { expression: self.text.into(), reason };
+        let fail = |error| TensorError::Notation { expression: self.text.into(), error };
         let mut products = Vec::new();
         for (coefficient, factors) in &self.terms {
-            let letters = self.roles(factors).map_err(&fail)?;
+            let letters = self.roles(factors).map_err(fail)?;
+            let denominator = *coefficient.denom();
+            if S::from_quotient(1, denominator).is_none() {
+                return Err(TensorError::NotInvertible(denominator));
+            }
             let mut bound = Vec::new();
             for factor in factors {
                 let name = factor.name;
                 let (_, tensor) = operands
                     .iter()
                     .find(|(operand, _)| *operand == name)
-                    .ok_or_else(|| fail(format!("no operand is called `{name}`")))?;
+                    .ok_or_else(|| fail(NotationError::Unknown(name.into())))?;
                 if !factor.indices.iter().map(|(_, v)| v).eq(tensor.slots()) {
-                    return Err(fail(format!(
-                        "the indices of `{name}` are not those of its slots"
-                    )));
+                    return Err(fail(NotationError::Slots(name.into())));
                 }
                 let role = |(letter, _): &(char, Variance)| {
                     letters.iter().find(|(l, _)| l == letter).map(|(_, role)| *role)
                 };
-                bound.push((factor.indices.iter().filter_map(role).collect(), *tensor));
+                let roles = factor.indices.iter().filter_map(role).collect();
+                bound.push((roles, Cow::Borrowed(*tensor)));
             }
             let coefficient = *coefficient;
             products.push(Product { coefficient, mirrored: false, factors: bound });
@@ -102,9 +104,9 @@ impl<'e> Expression<'e> {
     }
 
     /// The role of every letter of a term.
-    fn roles(&self, factors: &[Factor]) -> Result<Vec<(char, Role)>, String> {
-        if !(1..=2).contains(&factors.len()) {
-            return Err("a term has one or two factors".into());
+    fn roles(&self, factors: &[Factor]) -> Result<Vec<(char, Role)>, NotationError> {
+        if factors.is_empty() {
+            return Err(NotationError::NoFactor);
         }
         let all: Vec<_> = factors.iter().flat_map(|f| f.indices.iter().copied()).collect();
         let mut roles = Vec::new();
@@ -113,42 +115,48 @@ impl<'e> Expression<'e> {
             let free = self.letters.iter().position(|&l| l == letter);
             let role = match (free, uses.as_slice()) {
                 (Some(at), [_]) if self.slots[at] == variance => Role::Free(at),
-                (Some(_), [_]) => return Err(format!("`{letter}` changes its variance")),
+                (Some(_), [_]) => return Err(NotationError::Variance(letter)),
                 (None, [a, b]) if a.1 != b.1 => Role::Summed(
                     roles.iter().position(|&(l, _)| l == letter).unwrap_or(roles.len()),
                 ),
-                (None, [_, _]) => return Err(format!("`{letter}` is summed on one level")),
-                _ => return Err(format!("`{letter}` does not stand once or in a pair")),
+                (None, [_, _]) => return Err(NotationError::Level(letter)),
+                _ => return Err(NotationError::Count(letter)),
             };
             if !roles.contains(&(letter, role)) {
                 roles.push((letter, role));
             }
         }
         match self.letters.iter().find(|&&l| !all.iter().any(|&(letter, _)| letter == l)) {
-            Some(letter) => Err(format!("a term lacks `{letter}`")),
+            Some(letter) => Err(NotationError::Missing(*letter)),
             None => Ok(roles),
         }
     }
 }
 
 impl<'e> Factor<'e> {
-    fn parse(word: &'e str) -> Result<Self, String> {
+    fn parse(word: &'e str) -> Result<Self, NotationError> {
         let (name, rest) = word.split_at(word.find(['^', '_']).unwrap_or(word.len()));
         let (indices, groups) = indices(rest)?;
         if name.is_empty() || !name.chars().all(char::is_alphanumeric) {
-            return Err(format!("`{word}` is not a name with indices"));
+            return Err(NotationError::Word(word.into()));
         }
         if !groups.is_empty() {
-            return Err("brackets belong to the result alone".into());
+            return Err(NotationError::Brackets);
         }
         Ok(Factor { name, indices })
     }
 }
 
+/// An integer or a quotient of two, as a coefficient is written.
+fn number(word: &str) -> Option<Rational> {
+    let (numerator, denominator) = word.split_once('/').unwrap_or((word, "1"));
+    Rational::new(numerator.parse().ok()?, denominator.parse().ok()?)
+}
+
 /// The letters of `^ij_k[lm]` and the positions of bracketed runs.
 type Letters = (Vec<(char, Variance)>, Vec<Range<usize>>);
 
-fn indices(text: &str) -> Result<Letters, String> {
+fn indices(text: &str) -> Result<Letters, NotationError> {
     let (mut letters, mut groups) = (Vec::new(), Vec::new());
     let (mut variance, mut open) = (None, None);
     for symbol in text.chars() {
@@ -157,13 +165,13 @@ fn indices(text: &str) -> Result<Letters, String> {
                 variance = Some(if symbol == '^' { Up } else { Down });
             }
             ('[', Some(_)) if open.is_none() => open = Some(letters.len()),
-            (']', _) => groups.push(open.take().ok_or("`]` without `[`")?..letters.len()),
+            (']', _) => groups.push(open.take().ok_or(NotationError::Unopened)?..letters.len()),
             (letter, Some(v)) if letter.is_alphabetic() => letters.push((letter, v)),
-            _ => return Err(format!("`{symbol}` in the indices `{text}`")),
+            _ => return Err(NotationError::Symbol { symbol, indices: text.into() }),
         }
     }
     if open.is_some() {
-        return Err("`[` without `]`".into());
+        return Err(NotationError::Unclosed);
     }
     Ok((letters, groups))
 }

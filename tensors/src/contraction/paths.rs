@@ -1,30 +1,31 @@
-//! The sizes at which a contraction takes another path to the same result.
+//! The thresholds between the paths of a contraction.
 
-/// The sizes at which the kernel takes another path to the same result.
+/// The thresholds at which the kernel chooses another path to the same result.
 ///
-/// The defaults serve speed and memory. Tests set other values, so that small tensors enter
-/// every path. No choice changes a result: exact values are equal, and floats are equal to the
+/// The defaults are chosen for speed and memory. Tests set other values, so that small tensors take
+/// every path. No threshold changes a result: exact values are equal, and floats are equal to the
 /// last bit, because every path adds the products of a component in the same order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Paths {
-    /// A factor with at most this many rows gets a table that says where each row begins. One with
-    /// at most this many groups of rows (equal leading indices) gets a table of the groups. In any
-    /// other factor, rows are found by bisection.
+    /// A factor with at most this many rows gets a table of the beginnings of its rows. A factor with
+    /// at most this many groups of rows (rows with equal leading indices) gets a table of the
+    /// beginnings of its groups. In other factors, rows are found by bisection.
     pub direct_rows: u64,
-    /// A table of rows or groups is joined by a bit for each row that is not empty, if the bits
-    /// take at most this many words.
+    /// A factor with such a table also gets a bit set of its nonempty rows, if this set takes at most
+    /// this many 64-bit words.
     pub marked_words: u64,
-    /// With fewer components in the operands, the sum runs on one thread.
+    /// A contraction of operands with fewer components runs on one thread.
     pub parallel_from: usize,
-    /// Room is reserved for at most this many components of the result (and doubled).
+    /// Memory is reserved for at most twice this many components of the result.
     pub reserved: u64,
-    /// The most values of the last two indices of a result together. At most 2^24, the default: a
-    /// larger number counts as that.
+    /// The largest number of places of the accumulator, which is the square of the dimension for a
+    /// result of rank 2 or more. At most 2^24, the default; larger values count as 2^24.
     pub places: u64,
-    /// Sums run on machine integers if they provably stay within this bound. At most `i64::MAX`,
-    /// the default: a larger number counts as that. With 0, all sums run in the ring.
+    /// Sums are computed in machine integers if they provably do not exceed this bound. At most
+    /// `i64::MAX`, the default; larger values count as `i64::MAX`. With 0, all sums are computed in the
+    /// ring.
     pub largest_integer: u64,
-    /// The quotients of the numerators up to this one are computed once and kept.
+    /// Quotients with a numerator of at most this magnitude are computed once and stored.
     pub kept_quotients: u32,
 }
 

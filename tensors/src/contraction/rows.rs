@@ -1,14 +1,14 @@
-//! The layout of a term: its factors in rows, so that partners find each other.
+//! The layout of a term: its factors sorted into rows by leading and summed indices.
 
 use super::arithmetic::{Factor, Term};
 use super::{Paths, Role};
 use std::ops::Range;
 
-/// A term laid out in rows: the factor that is read through, and the one that is looked up.
+/// A term laid out in rows. The driver is read entry by entry; the partner is looked up by row.
 pub(super) struct Laid<V> {
     pub driver: Rows<V>,
     pub partner: Option<Rows<V>>,
-    /// Whether the term stands for its mirror image too.
+    /// Whether the term also represents its mirror image.
     pub mirrored: bool,
 }
 
@@ -52,7 +52,7 @@ impl<V: Clone> Laid<V> {
         (!empty).then_some(Laid { driver, partner, mirrored: term.mirrored })
     }
 
-    /// How many products the term has.
+    /// The number of products of the term.
     pub fn products(&self) -> u64 {
         let Some(partner) = &self.partner else { return self.driver.entries.len() as u64 };
         let links = self.driver.links;
@@ -80,26 +80,26 @@ struct Layout<'l> {
 
 /// Entries sorted by row; a row is the leading indices followed by the shared summed ones.
 pub(super) struct Rows<V> {
-    /// For each leading position of the result: how many rows one step of it spans, if it is here.
+    /// For each leading index of the result: the number of rows per step, if this factor has the index.
     pub spans: Vec<Option<u64>>,
-    /// How many values the shared indices take together.
+    /// The number of combinations of values of the shared indices.
     pub links: u64,
     index: Index,
-    /// A bit for each row that is not empty, `links` of them padded to whole words; `None` where
-    /// these are too many.
+    /// A bit for each row, set if the row is not empty; `links` bits are padded to whole words. `None`
+    /// if these are too many.
     occupied: Option<Vec<u64>>,
     /// The row of each entry, ascending.
     rows: Vec<u64>,
     pub entries: Vec<Entry<V>>,
 }
 
-/// How the entries of a row are found. In each case the entries are sorted by row, and those of
-/// one row stand in the order of the tensor.
+/// The way to find the entries of a row. The entries are always sorted by row, and within one row
+/// in the order of the tensor.
 enum Index {
-    /// Where each row begins, and where the last one ends.
+    /// The beginning of each row, and the end of the last one.
     Rows(Vec<u32>),
-    /// Where each group begins, the `links` rows of equal leading indices, and where the last one
-    /// ends.
+    /// The beginning of each group of `links` rows with equal leading indices, and the end of the last
+    /// one.
     Groups(Vec<u32>),
     /// By bisection.
     Sorted,
@@ -107,9 +107,9 @@ enum Index {
 
 /// A component of a factor.
 pub(super) struct Entry<V> {
-    /// Its share in the indices of the accumulator.
+    /// Its contribution to the indices of the accumulator.
     pub place: Place,
-    /// The smallest of those that it holds: what an ascending run is checked by first.
+    /// The smallest accumulator index that it determines, for an early check of ascending indices.
     pub lowest: u32,
     pub value: V,
 }
@@ -199,8 +199,8 @@ impl<V: Clone> Rows<V> {
         }
     }
 
-    /// Calls `f` with the entries of both sides for every value of the shared indices that
-    /// neither side lacks, behind the leading indices `row` here and `other` there.
+    /// Calls `f` with the entries of both factors for all values of the shared indices that occur in
+    /// both, from the rows `row` here and `other` in the partner on.
     #[inline(always)]
     pub fn meet(
         &self,
@@ -263,20 +263,20 @@ pub(super) fn sum(a: Place, b: Place) -> Place {
     [a[0] + b[0], a[1] + b[1]]
 }
 
-/// Slots of one factor that are summed with each other.
+/// Pairs of slots within one factor that are summed with each other.
 fn pairs_inside(roles: &[Role]) -> Vec<(usize, usize)> {
     let twin = |a: usize| (a + 1..roles.len()).find(|&b| roles[b] == roles[a]);
     (0..roles.len()).filter_map(|a| twin(a).map(|b| (a, b))).collect()
 }
 
-/// Sorts entries by steps of `stride` rows, stably, and returns where each step begins.
+/// Sorts entries stably by steps of `stride` rows and returns the beginning of each step.
 fn sort_by_counting(entries: &mut Vec<(u64, Place, u32)>, stride: u64, steps: u64) -> Vec<u32> {
     let step = |entry: &(u64, Place, u32)| match stride {
         1 => entry.0 as usize,
         _ => (entry.0 / stride) as usize,
     };
-    // two places ahead of its own, so that after the counts are summed up, filling a step
-    // moves the begin of the next to where it belongs
+    // counted two places ahead, so that filling a step moves the beginning of the next one to its
+    // final value
     let mut starts = vec![0u32; steps as usize + 2];
     entries.iter().for_each(|entry| starts[step(entry) + 2] += 1);
     for at in 2..starts.len() {

@@ -4,10 +4,11 @@ use super::row::{add_multiple, at, collect, finish, open};
 use super::{LinearError, Row};
 use crate::{Field, Ring, Tolerance};
 
-/// A subspace by its reduced row echelon basis: every basis vector leads with a 1 (its pivot),
-/// and the others are zero there. Equal subspaces have equal bases, as long as vectors enter
-/// through [`insert`](Self::insert); after [`insert_heaviest`](Self::insert_heaviest) a pivot
-/// need not lead.
+/// A subspace, represented by its reduced row echelon basis: the first nonzero component of every
+/// basis vector is a 1 (its pivot), and the other basis vectors are zero in this column.
+///
+/// Equal subspaces have equal bases if all vectors are added by [`insert`](Self::insert). A pivot
+/// chosen by [`insert_heaviest`](Self::insert_heaviest) need not be the first nonzero component.
 ///
 /// ```
 /// use affinor_tensors::{Rational, linear::Echelon};
@@ -54,7 +55,7 @@ impl<S: Field> Echelon<S> {
         &self.rows
     }
 
-    /// Adds a vector to the span; whether it was independent of what was there.
+    /// Adds a vector to the span. Returns whether it was linearly independent of the subspace.
     ///
     /// # Errors
     /// [`LinearError::NotInvertible`] when the remainder leads with a non-unit.
@@ -65,9 +66,9 @@ impl<S: Field> Echelon<S> {
         self.insert_at(row, |remainder| remainder.first())
     }
 
-    /// As [`insert`](Self::insert), with the pivot at the weightiest component
-    /// ([`Field::pivot_weight`]) of the remainder below `columns`: floats stay accurate, and
-    /// exact numbers short. `false` where there is none.
+    /// Like [`insert`](Self::insert), but the pivot is the component of the remainder with the largest
+    /// [`Field::pivot_weight`] among the first `columns`. Floats stay accurate, exact numbers short.
+    /// Returns `false` if all these components are zero.
     ///
     /// # Errors
     /// [`LinearError::NotInvertible`] when that component is a non-unit.

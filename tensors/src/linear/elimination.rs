@@ -1,4 +1,4 @@
-//! Gaussian elimination, and what a matrix answers through it.
+//! Gaussian elimination: rank, nullspace, solutions, inverse and determinant.
 
 use super::echelon::normalised;
 use super::row::{add_multiple, finish, open};
@@ -10,7 +10,7 @@ impl<S: Field> Matrix<S> {
     /// The reduced row echelon form.
     ///
     /// # Errors
-    /// [`LinearError::NotInvertible`], here and below not in a field.
+    /// [`LinearError::NotInvertible`]; never in a field.
     pub fn echelon(&self) -> Result<Echelon<S>, LinearError> {
         let pivots = eliminate(self.rows.iter().cloned(), self.tolerance)?;
         Ok(reduced(pivots, self.tolerance))
@@ -40,11 +40,12 @@ impl<S: Field> Matrix<S> {
         Ok(self.spanned(self.echelon()?.rows().to_vec()))
     }
 
-    /// The solution of `A x = b` that is zero at every column without a pivot; `None` when there
-    /// is no solution. All others differ from it by the [`nullspace`](Self::nullspace).
+    /// The solution of `A x = b` whose components in columns without a pivot are zero; `None` if there
+    /// is no solution. All other solutions differ from it by elements of the
+    /// [`nullspace`](Self::nullspace).
     ///
     /// # Errors
-    /// [`LinearError::Shape`] unless `b` has as many components as `A` rows; else as
+    /// [`LinearError::Shape`] unless `b` has one component for each row of `A`; otherwise as
     /// [`echelon`](Self::echelon).
     pub fn solve(&self, b: &[S]) -> Result<Option<Vec<S>>, LinearError> {
         if b.len() != self.rows() {
@@ -74,9 +75,9 @@ impl<S: Field> Matrix<S> {
         Ok(Some(x))
     }
 
-    /// The inverse; `None` unless the matrix is square and its determinant a unit.
+    /// The inverse; `None` unless the matrix is square and its determinant is a unit.
     ///
-    /// Over a ring that is not local, such as Z/6, also where a column offers no unit as a pivot.
+    /// Over a ring that is not local, such as Z/6, also `None` if a column has no unit as a pivot.
     pub fn inverse(&self) -> Option<Self> {
         if self.rows() != self.columns {
             return None;
@@ -94,7 +95,7 @@ impl<S: Field> Matrix<S> {
         Some(self.spanned(echelon.rows().iter().map(right).collect()))
     }
 
-    /// The determinant, by elimination; where a column holds only non-units, without division.
+    /// The determinant: by elimination, or without division if a column has only non-units.
     ///
     /// # Errors
     /// [`LinearError::NotSquare`].
@@ -200,7 +201,7 @@ fn eliminate<S: Field>(
     Ok(pivots)
 }
 
-/// The candidate that serves best as the pivot, normalised, and the others.
+/// The best candidate for the pivot, normalised, and the other candidates.
 ///
 /// First by [`Field::pivot_weight`] (floats: partial pivoting), then the sparsest.
 fn choose<S: Field>(
@@ -224,7 +225,7 @@ fn choose<S: Field>(
     Ok((pivot, candidates))
 }
 
-/// Back substitution: from the last pivot upwards no row has to be touched twice.
+/// Back substitution, from the last pivot upwards, so that every row is reduced once.
 fn reduced<S: Field>(pivots: Vec<Pivot<S>>, tolerance: Tolerance) -> Echelon<S> {
     let mut echelon = Echelon::new().with_tolerance(tolerance);
     for pivot in pivots.into_iter().rev() {

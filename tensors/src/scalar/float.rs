@@ -1,12 +1,12 @@
-//! Floating point: `f64` with a tolerance for zero, judged within one sum of products.
+//! Floating point: `f64` with a tolerance for zero within one sum of products.
 //!
-//! What such a sum leaves of terms that cancel is an exact number to the next:
-//! [`Tracked`](super::Tracked) follows it through all stages.
+//! A remainder above the tolerance counts as exact in all later sums. The scalar
+//! [`Tracked`](super::Tracked) follows rounding errors through all stages.
 
 use super::{Field, Kind, Notation, Rational, Ring, Sum, Tolerance};
 use num_traits::One;
 
-/// A sum of floats beside the sum of the magnitudes of its terms.
+/// A sum of floats, and the sum of the magnitudes of its terms.
 #[derive(Clone, Copy, Debug)]
 pub struct FloatSum {
     value: f64,
@@ -14,22 +14,27 @@ pub struct FloatSum {
 }
 
 impl Sum<f64> for FloatSum {
+    #[inline]
     fn term(a: &f64) -> Self {
         FloatSum { value: *a, magnitude: a.abs() }
     }
+    #[inline]
     fn product(a: &f64, b: &f64) -> Self {
         Self::term(&(a * b))
     }
+    #[inline]
     fn add_term(&mut self, a: &f64) {
         self.value += a;
         self.magnitude += a.abs();
     }
+    #[inline]
     fn add_product(&mut self, a: &f64, b: &f64) {
         self.add_term(&(a * b));
     }
+    #[inline]
     fn finish(&self, tolerance: Tolerance) -> Option<f64> {
         let bound = tolerance.relative() * self.magnitude;
-        // where the magnitudes overflow they judge nothing; and a NaN is never zero
+        // magnitudes that overflow give no bound, and a NaN is never zero
         let zero = self.value == 0.0 || (self.value.abs() <= bound && bound.is_finite());
         (!zero).then_some(self.value)
     }
@@ -58,7 +63,7 @@ impl Ring for f64 {
 
 impl Field for f64 {
     fn recip(&self) -> Option<Self> {
-        // a value so small that its inverse overflows is no unit, nor is an infinite one or NaN
+        // not a unit: a value whose inverse overflows, an infinite value, NaN
         let inverse = 1.0 / self;
         (self.is_finite() && inverse.is_finite()).then_some(inverse)
     }
@@ -93,8 +98,8 @@ impl Notation for f64 {
     }
 }
 
-/// The shortest decimal that reads as a finite float. A subnormal float is that number as written;
-/// any other would lose its digits.
+/// The shortest decimal that reads as a finite float. A subnormal float stands for this decimal
+/// only, because it has too few digits for others.
 fn shortest(x: f64) -> Rational {
     let text = format!("{x:e}");
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));

@@ -1,5 +1,6 @@
-//! Numbers with their derivatives: the 2-jets of functions at a point.
+//! 2-jets: the value, gradient and Hessian of a function at a point.
 
+use super::operators::forward_operators;
 use super::{ExactSum, Field, Ring};
 use num_traits::{One, Zero};
 use std::fmt;
@@ -7,10 +8,9 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The value, gradient and Hessian of a function of coordinates at one point, in floats.
 ///
-/// Arithmetic carries them along by the rules of differentiation, so that what a closure computes
-/// is differentiated without a formula. Third derivatives are not known, and asking for one gives
-/// NaN; only where a jet is zero as far as it is known, a tensor takes it for zero. Noise of rounding
-/// is not removed.
+/// Arithmetic differentiates automatically: a closure over jets computes the derivatives of its
+/// result. Third derivatives are unknown and returned as NaN. A tensor drops a jet only if its value
+/// and all known derivatives are zero. Rounding noise is not removed.
 ///
 /// ```
 /// use affinor_tensors::Jet;
@@ -45,7 +45,7 @@ impl Jet {
         })
     }
 
-    /// Coordinate `at`, from 0, of `n`.
+    /// The coordinate function with number `at`, from 0, of `n` coordinates.
     pub fn coordinate(value: f64, at: usize, n: usize) -> Jet {
         let gradient = (0..n).map(|a| if a == at { 1.0 } else { 0.0 }).collect();
         Jet { value, derivatives: Known(Some(gradient), Some(vec![0.0; n * n])) }
@@ -84,7 +84,7 @@ impl Jet {
         Jet { value: *value, derivatives: Known(row, None) }
     }
 
-    /// `f` of the jet, from the value and the first two derivatives of `f` there.
+    /// The jet of `f(self)`, from the value and the first two derivatives of `f` at the value.
     #[must_use]
     pub fn chain(&self, [f, df, ddf]: [f64; 3]) -> Jet {
         let derivatives = match &self.derivatives {
@@ -137,7 +137,7 @@ impl Jet {
         self.chain([r, 0.5 / r, -0.25 / (r * self.value)])
     }
 
-    /// The two combined, part by part.
+    /// Combines two jets part by part.
     fn with(
         self,
         other: &Jet,
@@ -202,7 +202,7 @@ impl Mul<&Jet> for Jet {
 
 impl Div<&Jet> for Jet {
     type Output = Jet;
-    /// As floats do, by zero too.
+    /// Division by zero gives infinities and NaN, as for floats.
     fn div(self, other: &Jet) -> Jet {
         let r = other.value.recip();
         self * &other.chain([r, -r * r, 2.0 * r * r * r])
@@ -216,17 +216,8 @@ impl Neg for Jet {
     }
 }
 
-macro_rules! by_value {
-    ($($operator:ident $method:ident),*) => {$(
-        impl $operator for Jet {
-            type Output = Jet;
-            fn $method(self, other: Jet) -> Jet {
-                $operator::$method(self, &other)
-            }
-        }
-    )*};
-}
-by_value!(Add add, Sub sub, Mul mul, Div div);
+forward_operators!(Jet: Add add AddAssign add_assign, Sub sub SubAssign sub_assign,
+    Mul mul MulAssign mul_assign, Div div DivAssign div_assign);
 
 impl Zero for Jet {
     fn zero() -> Self {

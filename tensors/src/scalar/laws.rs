@@ -1,19 +1,18 @@
-//! The laws of the scalar traits, as functions that any implementation can be tested with.
+//! The laws of the scalar traits, as functions that test an implementation.
 //!
-//! Equality is judged as everywhere else: the difference of the two sides is a [`Sum`], and it must
-//! count as zero by the [`Tolerance`], relative to the terms on the way. For exact scalars
-//! that is plain equality.
+//! Two sides are equal if their difference, a [`Sum`], counts as zero by the [`Tolerance`], relative
+//! to the terms in it. For exact scalars this is plain equality.
 
 use super::{Field, Ring, Sum, Tolerance};
 use std::fmt::Debug;
 
-/// A law that does not hold, with the values that show it.
+/// A law that fails, with a counterexample.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{law} fails for {values}")]
 pub struct Broken {
     /// The law, as a formula.
     pub law: &'static str,
-    /// What shows it: the two sides of an equation, else the operands.
+    /// The counterexample: the two sides of an equation, otherwise the operands.
     pub values: String,
 }
 
@@ -102,7 +101,7 @@ fn multiplication<S: Ring>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<
     same.equal("(-a) b = -(a b)", &(-a.clone() * b), &-ab, &[(a, b)])
 }
 
-/// Zero means the whole value, and everyone agrees on it.
+/// All tests for zero agree, and mean the whole value.
 fn zero<S: Ring>(a: &S, b: &S, tolerance: Tolerance) -> Result<(), Broken> {
     holds("0 vanishes", S::zero().vanishes(), &[&S::zero()])?;
     holds("1 does not vanish", !S::one().vanishes(), &[&S::one()])?;
@@ -162,7 +161,7 @@ fn integers<S: Ring>(tolerance: Tolerance) -> Result<(), Broken> {
     Ok(())
 }
 
-/// `from_quotient(n, d)` is n / d, and brings cleared denominators back.
+/// `from_quotient(n, d)` is n / d and inverts `clear_denominators`.
 fn quotients<S: Ring>(values: &[&S], tolerance: Tolerance) -> Result<(), Broken> {
     let same = Judge(tolerance);
     let parts = [0, 1, -1, 6, -10, i64::MAX, i64::MIN];
@@ -190,11 +189,11 @@ fn quotients<S: Ring>(values: &[&S], tolerance: Tolerance) -> Result<(), Broken>
     Ok(())
 }
 
-/// What counts as equal.
+/// Equality up to a tolerance.
 struct Judge(Tolerance);
 
 impl Judge {
-    /// Whether two sides are equal relative to themselves and to the products on the way.
+    /// Whether two sides are equal, relative to themselves and to these intermediate products.
     fn equal<S: Ring>(
         &self,
         law: &'static str,
@@ -202,11 +201,12 @@ impl Judge {
         right: &S,
         products: &[(&S, &S)],
     ) -> Result<(), Broken> {
+        // the negative of `right` itself need not exist in a type of limited range
         let mut difference = S::Sum::term(left);
-        difference.add_term(&-right.clone());
+        difference.add_product(right, &-S::one());
         for (a, b) in products {
             difference.add_product(a, b);
-            difference.add_product(&-(*a).clone(), b);
+            difference.add_product(a, &-(*b).clone());
         }
         holds(law, difference.finish(self.0).is_none(), &[left, right])
     }

@@ -1,8 +1,8 @@
-//! Scalars that are read and written: numbers, parameters, text and LaTeX.
+//! Scalars with a written form: conversion from numbers and parameters, to text and LaTeX.
 
 use super::{Field, Rational};
 
-/// Which of the three scalars a table was computed in.
+/// The three kinds of scalars that tables are computed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Exact rationals.
@@ -13,13 +13,13 @@ pub enum Kind {
     Float,
 }
 
-/// A field whose values can be written down and read back; `Display` gives the plain text.
+/// A field whose values have a written form; `Display` gives the plain text.
 pub trait Notation: Field {
     /// The kind of this scalar.
     const KIND: Kind;
 
-    /// The value of a rational number; `None` where this scalar cannot hold it: beyond the range of
-    /// floats, or so near zero that they lose its digits.
+    /// The value of a rational number. `None` if a float would overflow, or lose digits because the
+    /// number is too close to zero.
     fn from_rational(value: &Rational) -> Option<Self>;
 
     /// The parameter of that name; `None` for scalars without parameters.
@@ -33,11 +33,10 @@ pub trait Notation: Field {
         vec![]
     }
 
-    /// The value of a function like `sin` at an argument.
+    /// The value of an elementary function like `sin` at an argument.
     ///
     /// # Errors
-    /// Why there is none: an unknown function, or an argument at which it is no value of this
-    /// scalar.
+    /// The reason in words: an unknown function, or an argument for which this scalar has no value.
     fn function(name: &str, argument: &Self) -> Result<Self, String> {
         let _ = argument;
         Err(format!("`{name}` is no function here"))
@@ -49,31 +48,31 @@ pub trait Notation: Field {
         Self::zero()
     }
 
-    /// The numerator as a sum of monomials in the parameters (names and powers), with rational
-    /// coefficients; the value vanishes exactly when they do. Empty for floats, which are not
-    /// polynomials.
+    /// The terms of the numerator: monomials in the parameters (names and powers) with rational
+    /// coefficients. The value vanishes exactly if there are none. Always empty for floats.
     fn numerator_terms(&self) -> Vec<(Vec<(String, u32)>, Rational)>;
 
-    /// The value as a number, free of parameters; `None` while it still depends on one.
+    /// The value as a float; `None` if it depends on a parameter.
     fn to_f64(&self) -> Option<f64>;
 
     /// The value in LaTeX's mathematics mode.
     fn latex(&self) -> String;
 
-    /// Whether the plain text starts with a minus sign: which of `x` and `-x` a table prints.
+    /// Whether the plain text begins with a minus sign. It decides whether a table prints `x` or `-x`.
     fn is_negative(&self) -> bool {
         self.to_string().starts_with('-')
     }
 
-    /// A measure of storage (bits of a number, terms of a fraction) that bounds hostile input.
+    /// The storage size: bits of a number, bits and degrees of the terms of a fraction. Limits on it
+    /// protect against hostile input.
     fn size(&self) -> usize;
 
-    /// A bound for the size of a sum.
+    /// An upper bound for the size of the sum.
     fn sum_size(&self, other: &Self) -> usize {
         self.size().saturating_add(other.size())
     }
 
-    /// A bound for the size of a product.
+    /// An upper bound for the size of the product.
     fn product_size(&self, other: &Self) -> usize {
         self.size().saturating_add(other.size())
     }

@@ -1,18 +1,20 @@
 //! Exact rationals that never overflow and never round.
 //!
-//! A value lives in two machine words while it fits and moves to big integers when it does not;
-//! every result moves back as soon as it fits again, so equal values have equal forms.
-//! Products cancel across the bar before they multiply (P. Henrici, *J. ACM* 3 (1956) 6-9).
+//! A value is stored in two machine words if it fits, otherwise in big integers. Every result is
+//! stored in words again if it fits, so equal values have equal forms. Common factors are cancelled
+//! before numerators and denominators are multiplied (P. Henrici, *J. ACM* 3 (1956) 6-9).
 
 mod sum;
 
+use super::operators::forward_operators;
 use super::{Field, Kind, Notation, Ring};
+use crate::expression::{Expression, ExpressionError};
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_rational::{BigRational, Ratio};
-use num_traits::{One, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 use std::cmp::Ordering;
 use std::fmt;
 use std::num::NonZeroI64;
@@ -51,7 +53,7 @@ impl Rational {
         (denominator != 0).then(|| Self::reduced(numerator.into(), denominator.into()))
     }
 
-    /// The integer with these decimal digits; `None` unless they are all digits.
+    /// The integer with these decimal digits; `None` if there is another character.
     pub fn from_digits(digits: &str) -> Option<Self> {
         if let Ok(small) = digits.parse::<i64>() {
             return (!digits.starts_with(['+', '-'])).then(|| small.into());
@@ -107,7 +109,7 @@ impl Rational {
         if self.is_negative() { -self } else { self }
     }
 
-    /// The square root that is not negative, where it is rational.
+    /// The nonnegative square root; `None` if it is not rational.
     ///
     /// ```
     /// use affinor_tensors::Rational;
@@ -133,7 +135,7 @@ impl Rational {
             && d > 0
         {
             // the usual case, in single words
-            let gcd = n.gcd(&d);
+            let gcd = if d == 1 { 1 } else { gcd(n.unsigned_abs(), d.unsigned_abs()) as i64 };
             return Self::coprime((n / gcd).into(), (d / gcd).into());
         }
         // both are below 2^127 in magnitude, so the gcd can carry a sign
@@ -156,7 +158,8 @@ impl Rational {
         }
     }
 
-    /// Numerator and denominator both words.
+    /// Numerator and denominator, if the value is stored in words.
+    #[inline]
     fn words(&self) -> Option<(i64, i64)> {
         match self.0 {
             Small { numerator, denominator } => Some((numerator, denominator.get())),
@@ -182,12 +185,6 @@ impl Rational {
             Some((numerator, denominator)) => Rational(Small { numerator, denominator }),
             None => Rational(Big(Box::new(value))),
         }
-    }
-}
-
-impl From<i64> for Rational {
-    fn from(n: i64) -> Self {
-        Rational(Small { numerator: n, denominator: UNIT })
     }
 }
 
@@ -270,7 +267,22 @@ impl Mul<&Rational> for Rational {
 
 /// gcd of a numerator and a (positive) denominator; at least 1.
 fn common(numerator: i64, denominator: i64) -> i128 {
-    numerator.unsigned_abs().gcd(&denominator.unsigned_abs()).into()
+    gcd(numerator.unsigned_abs(), denominator.unsigned_abs()).into()
+}
+
+/// The greatest common divisor, by J. Stein's binary algorithm with one predictable branch.
+fn gcd(a: u64, b: u64) -> u64 {
+    if a == 0 || b == 0 {
+        return a | b;
+    }
+    let shift = (a | b).trailing_zeros();
+    let (mut a, mut b) = (a >> a.trailing_zeros(), b >> b.trailing_zeros());
+    while a != b {
+        let difference = a.abs_diff(b);
+        a = a.min(b);
+        b = difference >> difference.trailing_zeros();
+    }
+    a << shift
 }
 
 impl Neg for Rational {
@@ -285,18 +297,6 @@ impl Neg for Rational {
     }
 }
 
-macro_rules! by_value {
-    ($($operator:ident $method:ident),*) => {$(
-        impl $operator for Rational {
-            type Output = Rational;
-            fn $method(self, other: Rational) -> Rational {
-                $operator::$method(self, &other)
-            }
-        }
-    )*};
-}
-by_value!(Add add, Sub sub, Mul mul, Div div);
-
 impl Div<&Rational> for Rational {
     type Output = Rational;
     /// # Panics
@@ -306,6 +306,9 @@ impl Div<&Rational> for Rational {
         self * &other.recip().expect("division by zero")
     }
 }
+
+forward_operators!(Rational: Add add AddAssign add_assign, Sub sub SubAssign sub_assign,
+    Mul mul MulAssign mul_assign, Div div DivAssign div_assign);
 
 impl Zero for Rational {
     fn zero() -> Self {
@@ -319,6 +322,28 @@ impl Zero for Rational {
 impl One for Rational {
     fn one() -> Self {
         1.into()
+    }
+}
+
+impl std::str::FromStr for Rational {
+    type Err = ExpressionError;
+
+    /// Reads an [`Expression`] of numbers: `-3/4`, `0.25`, `1e-3`.
+    fn from_str(text: &str) -> Result<Self, ExpressionError> {
+        Expression::parse(text)?.evaluate_constant()
+    }
+}
+
+/// Integers are converted exactly: `None` for a fraction, and for an integer beyond the type.
+impl ToPrimitive for Rational {
+    fn to_i64(&self) -> Option<i64> {
+        Rational::to_i64(self)
+    }
+    fn to_u64(&self) -> Option<u64> {
+        if self.is_integer() { u64::try_from(self.to_big().numerator()).ok() } else { None }
+    }
+    fn to_f64(&self) -> Option<f64> {
+        Some(Rational::to_f64(self))
     }
 }
 
@@ -361,7 +386,7 @@ impl Ring for Rational {
     type Sum = RationalSum;
 
     fn from_i64(n: i64) -> Self {
-        n.into()
+        Rational(Small { numerator: n, denominator: UNIT })
     }
     fn vanishes(&self) -> bool {
         self.is_zero()

@@ -1,9 +1,9 @@
 //! Rational functions of named parameters over the rationals, always in lowest terms.
 //!
-//! A value without parameters is a plain [`Rational`]; every other one is a quotient of coprime
-//! polynomials over exactly the parameters it depends on, in alphabetical order. Parameters are
-//! told apart by name alone, so any two values combine. Equal values have equal forms. Sines,
-//! cosines and exponentials of parameters are rational functions of further variables.
+//! A value without parameters is a [`Rational`]. Any other value is a quotient of coprime
+//! polynomials in exactly the parameters it depends on, in alphabetical order. A parameter is
+//! identified by its name, so any two values combine. Equal values have equal forms. Sines, cosines
+//! and exponentials of parameters are rational functions of additional variables.
 
 mod elementary;
 mod factors;
@@ -24,8 +24,8 @@ use writing::Markup;
 
 /// A rational function of named parameters with rational coefficients, in lowest terms.
 ///
-/// The denominator has coprime integer coefficients, the first one positive. Terms stand by total
-/// degree, then alphabetically (`J2` before `J10`), the highest first.
+/// The denominator has coprime integer coefficients, the first one positive. Terms are sorted by
+/// total degree, then alphabetically (`J2` before `J10`), the highest first.
 ///
 /// ```
 /// use affinor_tensors::{Rational, Symbolic};
@@ -48,8 +48,8 @@ enum Form {
 impl Symbolic {
     /// The parameter of that name.
     ///
-    /// Every name works; only identifiers can be read back from the text
-    /// ([`Notation::parameter`] refuses the others).
+    /// Any name is accepted here, but only identifiers can be read back from the text
+    /// ([`Notation::parameter`] refuses other names).
     pub fn parameter(name: &str) -> Self {
         Fraction::parameter(name).into()
     }
@@ -64,6 +64,14 @@ impl Symbolic {
         match &self.0 {
             Form::Constant(c) => Some(c),
             Form::Fraction(_) => None,
+        }
+    }
+
+    /// The value in LaTeX's mathematics mode: `\frac{a}{b}`.
+    pub fn to_latex(&self) -> String {
+        match &self.0 {
+            Form::Constant(c) => c.latex(),
+            Form::Fraction(f) => self.written(f, Markup::Latex),
         }
     }
 
@@ -197,10 +205,7 @@ impl Notation for Symbolic {
         self.as_constant().map(Rational::to_f64)
     }
     fn latex(&self) -> String {
-        match &self.0 {
-            Form::Constant(c) => c.latex(),
-            Form::Fraction(f) => self.written(f, Markup::Latex),
-        }
+        self.to_latex()
     }
     fn is_negative(&self) -> bool {
         match &self.0 {
@@ -243,7 +248,7 @@ impl Notation for Symbolic {
 }
 
 impl Symbolic {
-    /// Whether sines or cosines are to be written.
+    /// Whether the text contains sines or cosines.
     fn has_angles(&self) -> bool {
         self.variables().iter().any(|name| elementary::angle(name).is_some())
     }
@@ -269,7 +274,7 @@ impl Symbolic {
     }
 }
 
-/// The size of a product of two sums: every term of one meets every term of the other.
+/// The size of a product of two sums: every term of one is multiplied by every term of the other.
 fn meeting((p, terms): (usize, usize), (q, others): (usize, usize)) -> usize {
     p.saturating_mul(others).saturating_add(q.saturating_mul(terms))
 }

@@ -1,16 +1,16 @@
-//! Floating point that tracks its rounding.
+//! Floating point with a running estimate of the rounding error.
 
+use super::operators::forward_operators;
 use super::{Field, Kind, Notation, Rational, Ring, Sum, Tolerance};
 use num_traits::{One, Zero};
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// An `f64` with the error that it has come by: what it is too large by, through all stages of a
-/// computation.
+/// An `f64` with its accumulated rounding error: computed value minus exact value, to first order.
 ///
-/// A plain `f64` is judged by the terms of the last sum alone: what is left of terms that cancel
-/// enters the next sum as if it were exact. Here the rounding of every product and sum is computed,
-/// which floats can do without error, and handed on to first order:
+/// A plain `f64` is compared with the terms of the last sum only; a remainder of terms that cancel
+/// enters the next sum as if it were exact. Here the rounding error of every product and sum is
+/// computed, which floating point can do exactly, and propagated to first order:
 ///
 /// ```text
 /// a + b:  e_a + e_b + (fl(a + b) - (a + b))
@@ -18,11 +18,15 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// 1/a:    -e_a/a^2 + (fl(1/a) - 1/a)
 /// ```
 ///
-/// A value counts as zero when that of an `f64` does, `|v| <= tau (sum of the |terms|)`, or when it
-/// is its error: `|v - e| <= |v|/1024`. A value that has a correct digit is never taken for zero by
-/// its error, however ill-conditioned the computation is. The values are those of `f64`.
+/// A value `v` with error `e` counts as zero in two cases:
+/// - it consists of its error: `|v - e| <= |v|/1024`. It is then dropped. So the error never makes a
+///   value zero that has a correct digit, however ill-conditioned the computation is;
+/// - it is below the tolerance, as for an `f64`: `|v| <= tau (sum of the |terms|)`. A tensor does not
+///   show such a component, but keeps it: in the next sum it may cancel a component that is shown.
 ///
-/// The transformations without error are those of T. J. Dekker, *Numer. Math.* 18 (1971) 224-242, and
+/// The values are those of `f64`.
+///
+/// The error-free transformations are those of T. J. Dekker, *Numer. Math.* 18 (1971) 224-242, and
 /// D. E. Knuth; the first-order correction is that of P. Langlois, *BIT* 41 (2001) 515-526.
 ///
 /// ```
@@ -38,15 +42,23 @@ use std::ops::{Add, Mul, Neg, Sub};
 pub struct Tracked {
     value: f64,
     error: f64,
+    /// Whether it is below the tolerance of the sum that it comes from.
+    small: bool,
 }
 
-/// A value is its error if less than this share of it is left without.
+/// A value consists of its error if at most this share of it remains after subtracting the error.
 const LEFT: f64 = 1.0 / 1024.0;
 
 impl Tracked {
-    /// A number that is meant exactly.
+    /// An exact number.
     pub const fn new(value: f64) -> Self {
-        Tracked { value, error: 0.0 }
+        Tracked { value, error: 0.0, small: false }
+    }
+
+    /// A number that is known to be too large by `error`.
+    #[cfg(feature = "serde")]
+    pub(crate) const fn with_error(value: f64, error: f64) -> Self {
+        Tracked { value, error, small: false }
     }
 
     /// The value.
@@ -54,7 +66,7 @@ impl Tracked {
         self.value
     }
 
-    /// What the value is too large by, to first order.
+    /// The rounding error, to first order: computed value minus exact value.
     pub const fn error(self) -> f64 {
         self.error
     }
@@ -66,13 +78,13 @@ impl From<f64> for Tracked {
     }
 }
 
-/// Whether nothing is left of a value without its error. An error that is not finite says nothing.
+/// Whether a value consists of its error. False if the error is not finite.
 #[inline]
 fn is_error(value: f64, error: f64) -> bool {
     (value - error).abs() <= LEFT * value.abs()
 }
 
-/// `fl(a + b)`, and what it is too large by.
+/// `fl(a + b)` and its rounding error.
 #[inline(always)]
 fn added(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -80,14 +92,14 @@ fn added(a: f64, b: f64) -> (f64, f64) {
     (sum, (second - b) + ((sum - second) - a))
 }
 
-/// The upper half of the digits.
+/// The upper half of the binary digits.
 #[inline(always)]
 fn upper(a: f64) -> f64 {
     let shifted = 134_217_729.0 * a; // 2^27 + 1
     shifted - (shifted - a)
 }
 
-/// `fl(a b)`, and what it is too large by; not a number where the halves overflow.
+/// `fl(a b)` and its rounding error; the error is NaN if a half overflows.
 #[inline(always)]
 fn multiplied(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
@@ -96,7 +108,7 @@ fn multiplied(a: f64, b: f64) -> (f64, f64) {
     (product, ((product - a1 * b1) - a1 * b2 - a2 * b1) - a2 * b2)
 }
 
-/// A sum of values with its error, beside the sum of the magnitudes of its terms.
+/// A sum with its rounding error, and the sum of the magnitudes of its terms.
 #[derive(Clone, Copy, Debug)]
 pub struct TrackedSum {
     value: f64,
@@ -114,7 +126,20 @@ impl TrackedSum {
     }
 
     fn plain(&self) -> Tracked {
-        Tracked { value: self.value, error: self.error }
+        Tracked { value: self.value, error: self.error, small: false }
+    }
+
+    /// Whether the value counts as zero beside the terms.
+    fn is_small(&self, tolerance: Tolerance) -> bool {
+        let bound = tolerance.relative() * self.magnitude;
+        self.value == 0.0 || (self.value.abs() <= bound && bound.is_finite())
+    }
+
+    /// Whether the value is its error, or nothing.
+    fn is_nothing(&self, tolerance: Tolerance) -> bool {
+        let tolerates = tolerance.relative() > 0.0;
+        let exact = self.value == 0.0 && (self.error == 0.0 || !tolerates);
+        exact || (tolerates && self.value != 0.0 && is_error(self.value, self.error))
     }
 }
 
@@ -138,14 +163,17 @@ impl Sum<Tracked> for TrackedSum {
         self.add(Self::product(a, b));
     }
     fn finish(&self, tolerance: Tolerance) -> Option<Tracked> {
-        let bound = tolerance.relative() * self.magnitude;
-        let zero = self.value == 0.0 || (self.value.abs() <= bound && bound.is_finite());
-        let error = tolerance.relative() > 0.0 && is_error(self.value, self.error);
-        (!zero && !error).then(|| self.plain())
+        (!self.is_small(tolerance) && !self.is_nothing(tolerance)).then(|| self.plain())
+    }
+    fn kept(&self, tolerance: Tolerance) -> Option<Tracked> {
+        if self.is_nothing(tolerance) {
+            return None;
+        }
+        Some(Tracked { small: self.is_small(tolerance), ..self.plain() })
     }
 }
 
-/// Equal values; what is known of their errors does not matter.
+/// Equal values; the errors do not matter.
 impl PartialEq for Tracked {
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
@@ -177,28 +205,19 @@ impl Sub<&Tracked> for Tracked {
 impl Mul<&Tracked> for Tracked {
     type Output = Tracked;
     fn mul(self, other: &Tracked) -> Tracked {
-        TrackedSum::product(&self, other).plain()
+        Tracked { small: self.small || other.small, ..TrackedSum::product(&self, other).plain() }
     }
 }
 
 impl Neg for Tracked {
     type Output = Tracked;
     fn neg(self) -> Tracked {
-        Tracked { value: -self.value, error: -self.error }
+        Tracked { value: -self.value, error: -self.error, small: self.small }
     }
 }
 
-macro_rules! by_value {
-    ($($operator:ident $method:ident),*) => {$(
-        impl $operator for Tracked {
-            type Output = Tracked;
-            fn $method(self, other: Tracked) -> Tracked {
-                $operator::$method(self, &other)
-            }
-        }
-    )*};
-}
-by_value!(Add add, Sub sub, Mul mul);
+forward_operators!(Tracked: Add add AddAssign add_assign, Sub sub SubAssign sub_assign,
+    Mul mul MulAssign mul_assign);
 
 impl Zero for Tracked {
     fn zero() -> Self {
@@ -222,10 +241,13 @@ impl Ring for Tracked {
         // of 64 digits a float has 53
         let value = n as f64;
         let error = (value as i128 - i128::from(n)) as f64;
-        Tracked { value, error }
+        Tracked { value, error, small: false }
     }
     fn vanishes(&self) -> bool {
         self.value == 0.0
+    }
+    fn is_small(&self) -> bool {
+        self.small
     }
     fn is_number(&self) -> bool {
         self.value.is_finite()
@@ -240,7 +262,7 @@ impl Ring for Tracked {
         let (n, d) = (Self::from_i64(numerator), Self::from_i64(denominator));
         let (product, rounding) = multiplied(value, d.value);
         let residual = (product - n.value) - rounding + n.error - value * d.error;
-        Some(Tracked { value, error: residual / d.value })
+        Some(Tracked { value, error: residual / d.value, small: false })
     }
 }
 
@@ -250,7 +272,8 @@ impl Field for Tracked {
         // 1 - value self.value, and so the rounding of the division
         let (product, rounding) = multiplied(value, self.value);
         let residual = (1.0 - product) + rounding;
-        Some(Tracked { value, error: -(residual + self.error * value) * value })
+        let error = -(residual + self.error * value) * value;
+        Some(Tracked { value, error, small: false })
     }
     fn pivot_weight(&self) -> f64 {
         self.value.abs()
@@ -260,11 +283,11 @@ impl Field for Tracked {
 impl Notation for Tracked {
     const KIND: Kind = Kind::Float;
 
-    /// The nearest float, with what it is off by.
+    /// The nearest float, with its rounding error.
     fn from_rational(exact: &Rational) -> Option<Self> {
         let value = f64::from_rational(exact)?;
         let error = Rational::from_f64(value).map_or(0.0, |own| (own - exact).to_f64());
-        Some(Tracked { value, error })
+        Some(Tracked { value, error, small: false })
     }
     fn latex(&self) -> String {
         self.value.latex()
@@ -280,7 +303,7 @@ impl Notation for Tracked {
     }
 }
 
-/// As the `f64`.
+/// The value, without the error.
 impl fmt::Display for Tracked {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.value.fmt(f)

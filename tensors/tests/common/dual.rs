@@ -1,7 +1,7 @@
 //! Dual numbers as a scalar: a ring with non-units that are not zero.
 
 use affinor_tensors::{Field, Ring, Sum, Tolerance};
-use num_dual::{Dual64, DualNum};
+use num_dual::Dual64;
 use num_traits::{One, Zero};
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -69,32 +69,25 @@ impl<const W: bool> One for Dual<W> {
     }
 }
 
-/// The sums of the real and of the infinitesimal parts.
+/// The sum of the wrapped numbers.
 #[derive(Clone)]
-pub struct DualSum(<f64 as Ring>::Sum, <f64 as Ring>::Sum);
+pub struct DualSum(<Dual64 as Ring>::Sum);
 
 impl<const W: bool> Sum<Dual<W>> for DualSum {
     fn term(a: &Dual<W>) -> Self {
-        DualSum(Sum::term(&a.0.re), Sum::term(&a.0.eps))
+        DualSum(Sum::term(&a.0))
     }
     fn product(a: &Dual<W>, b: &Dual<W>) -> Self {
-        let mut sum = Self::term(&Dual::<W>::zero());
-        sum.add_product(a, b);
-        sum
+        DualSum(Sum::product(&a.0, &b.0))
     }
     fn add_term(&mut self, a: &Dual<W>) {
-        self.0.add_term(&a.0.re);
-        self.1.add_term(&a.0.eps);
+        self.0.add_term(&a.0);
     }
     fn add_product(&mut self, a: &Dual<W>, b: &Dual<W>) {
-        self.0.add_product(&a.0.re, &b.0.re);
-        self.1.add_product(&a.0.re, &b.0.eps);
-        self.1.add_product(&a.0.eps, &b.0.re);
+        self.0.add_product(&a.0, &b.0);
     }
     fn finish(&self, tolerance: Tolerance) -> Option<Dual<W>> {
-        let parts = (self.0.finish(tolerance), self.1.finish(tolerance));
-        let value = Dual::new(parts.0.unwrap_or(0.0), parts.1.unwrap_or(0.0));
-        (parts != (None, None)).then_some(value)
+        self.0.finish(tolerance).map(Dual)
     }
 }
 
@@ -104,15 +97,15 @@ impl<const W: bool> Ring for Dual<W> {
         Self::new(n as f64, 0.0)
     }
     fn vanishes(&self) -> bool {
-        self.0.re == 0.0 && (!W || self.0.eps == 0.0)
+        if W { self.0.vanishes() } else { self.0.re == 0.0 }
     }
 }
 
 impl<const W: bool> Field for Dual<W> {
     fn recip(&self) -> Option<Self> {
-        self.0.re.recip().is_finite().then(|| Dual(self.0.recip()))
+        Field::recip(&self.0).map(Dual)
     }
     fn pivot_weight(&self) -> f64 {
-        self.0.re.abs()
+        self.0.pivot_weight()
     }
 }

@@ -1,10 +1,10 @@
-//! Sums of rationals that are brought to lowest terms once, at their end.
+//! Sums of rationals that are reduced to lowest terms once, at their end.
 
 use super::Rational;
 use crate::{Sum, Tolerance};
 use num_traits::Zero;
 
-/// A sum over a denominator that is not reduced while numerator and denominator are words.
+/// A sum as an unreduced fraction, as long as its parts fit machine integers.
 #[derive(Clone, Debug)]
 pub struct RationalSum(State);
 
@@ -21,6 +21,7 @@ use State::{Reduced, Words};
 
 impl State {
     /// `a b`, not reduced; `None` where the denominator exceeds a word.
+    #[inline]
     fn product(a: &Rational, b: &Rational) -> Option<(i128, i64)> {
         let ((a, d), (b, e)) = (a.words()?, b.words()?);
         Some((i128::from(a) * i128::from(b), d.checked_mul(e)?))
@@ -37,7 +38,7 @@ impl State {
 }
 
 impl RationalSum {
-    /// Adds `n / d`; `false` where that does not fit, and nothing is added.
+    /// Adds `n / d`. If the result does not fit, adds nothing and returns `false`.
     #[inline]
     fn add_words(&mut self, n: i128, d: i64) -> bool {
         let Words { numerator, denominator } = &mut self.0 else { return false };
@@ -58,7 +59,8 @@ impl RationalSum {
         true
     }
 
-    /// Adds `n / d`, in lowest terms first if it must be.
+    /// Adds `n / d`, after reducing both to lowest terms if necessary.
+    #[inline]
     fn add(&mut self, words: Option<(i128, i64)>, value: impl FnOnce() -> Rational) {
         if words.is_some_and(|(n, d)| self.add_words(n, d)) {
             return;
@@ -72,25 +74,30 @@ impl RationalSum {
 }
 
 impl Sum<Rational> for RationalSum {
+    #[inline]
     fn term(a: &Rational) -> Self {
         RationalSum(match a.words() {
             Some((numerator, denominator)) => Words { numerator: numerator.into(), denominator },
             None => Reduced(a.clone()),
         })
     }
+    #[inline]
     fn product(a: &Rational, b: &Rational) -> Self {
         match State::product(a, b) {
             Some((numerator, denominator)) => RationalSum(Words { numerator, denominator }),
             None => Self::term(&(a.clone() * b)),
         }
     }
+    #[inline]
     fn add_term(&mut self, a: &Rational) {
         let words = a.words().map(|(n, d)| (n.into(), d));
         self.add(words, || a.clone());
     }
+    #[inline]
     fn add_product(&mut self, a: &Rational, b: &Rational) {
         self.add(State::product(a, b), || a.clone() * b);
     }
+    #[inline]
     fn finish(&self, _: Tolerance) -> Option<Rational> {
         match &self.0 {
             Words { numerator: 0, .. } => None,

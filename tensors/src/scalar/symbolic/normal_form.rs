@@ -46,7 +46,7 @@ fn by_power(polynomial: &Symbolic, variable: &str) -> Vec<Symbolic> {
     let mut coefficients = Vec::new();
     for ([at], term) in apart(polynomial, [variable]) {
         coefficients.resize(coefficients.len().max(at + 1), Symbolic::zero());
-        coefficients[at] = std::mem::replace(&mut coefficients[at], Symbolic::zero()) + &term;
+        coefficients[at] += &term;
     }
     coefficients
 }

@@ -1,8 +1,11 @@
-//! The operators of rational functions.
+//! The operators of rational functions, and their conversions.
 
 use super::{Form, Rational, Symbolic};
-use crate::scalar::Field;
+use crate::expression::{Expression, ExpressionError, Functions, Scalars};
+use crate::scalar::operators::forward_operators;
+use crate::scalar::{Field, Notation};
 use num_traits::{One, Zero};
+use std::hash::{Hash, Hasher};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 impl Add<&Symbolic> for Symbolic {
@@ -71,17 +74,8 @@ impl Neg for Symbolic {
     }
 }
 
-macro_rules! by_value {
-    ($($operator:ident $method:ident),*) => {$(
-        impl $operator for Symbolic {
-            type Output = Symbolic;
-            fn $method(self, other: Symbolic) -> Symbolic {
-                $operator::$method(self, &other)
-            }
-        }
-    )*};
-}
-by_value!(Add add, Sub sub, Mul mul, Div div);
+forward_operators!(Symbolic: Add add AddAssign add_assign, Sub sub SubAssign sub_assign,
+    Mul mul MulAssign mul_assign, Div div DivAssign div_assign);
 
 impl Zero for Symbolic {
     fn zero() -> Self {
@@ -95,5 +89,35 @@ impl Zero for Symbolic {
 impl One for Symbolic {
     fn one() -> Self {
         Symbolic::constant(Rational::one())
+    }
+}
+
+impl From<Rational> for Symbolic {
+    fn from(value: Rational) -> Self {
+        Symbolic::constant(value)
+    }
+}
+
+impl std::str::FromStr for Symbolic {
+    type Err = ExpressionError;
+
+    /// Reads an [`Expression`] over any parameters: `(a^2 - b)/(4*c)`, `sin(2*x)`.
+    fn from_str(text: &str) -> Result<Self, ExpressionError> {
+        let names = Scalars(|name: &str| Ok(Symbolic::parameter(name)));
+        Expression::parse(text)?.evaluate(&Functions(names, <Symbolic as Notation>::function))
+    }
+}
+
+/// Equal values have equal forms, so equal hashes.
+impl Hash for Symbolic {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        match &self.0 {
+            Form::Constant(c) => c.hash(state),
+            Form::Fraction(f) => {
+                f.variables.hash(state);
+                f.numerator.terms.hash(state);
+                f.denominator.terms.hash(state);
+            }
+        }
     }
 }

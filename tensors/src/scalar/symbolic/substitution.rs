@@ -1,4 +1,4 @@
-//! Values put in the place of parameters.
+//! Substitution of values for parameters, and evaluation.
 
 use super::fraction::Fraction;
 use super::polynomial::Polynomial;
@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 const DEGREE_LIMIT: u64 = 1 << 30;
 
 impl Symbolic {
-    /// The value with `values[name]` in the place of every parameter `name`, all at once; other
+    /// The value with `values[name]` substituted for every parameter `name`, simultaneously. Other
     /// parameters stay.
     ///
     /// `None` when the denominator becomes zero, or when a total degree could pass `2^30`.
@@ -73,7 +73,7 @@ fn image(f: &Polynomial, values: &[Symbolic]) -> Symbolic {
         let mut term = Symbolic::constant(c.clone());
         for (k, &e) in m.exps().iter().enumerate().filter(|(_, e)| **e > 0) {
             let factor = powers[k].entry(e).or_insert_with(|| power(&values[k], e));
-            term = term * &*factor;
+            term *= &*factor;
         }
         sum + &term
     })
@@ -86,7 +86,7 @@ fn power(value: &Symbolic, exponent: u32) -> Symbolic {
     }
 }
 
-/// No numerator or denominator on the way to the image has a larger total degree: the images of
+/// A bound for the total degrees of all intermediate numerators and denominators: the images of
 /// `N` and `D` have common denominators of degree at most the sum over the variables, a sum of
 /// two fractions at most doubles it.
 fn degree_bound(f: &Fraction, values: &[Symbolic]) -> u64 {

@@ -17,7 +17,7 @@ pub(super) fn union(a: &Variables, b: &Variables) -> Variables {
     all.into()
 }
 
-/// Alphabetical, with numbers compared by value: `J2 < J10 < K1`. Functions stand behind, by their
+/// Alphabetical, with numbers compared by value: `J2 < J10 < K1`. Functions follow, sorted by their
 /// arguments, the sine first: `z < sin(x) < cos(x) < sin(y)`.
 pub(super) fn natural(a: &str, b: &str) -> Ordering {
     let alphabetical = |a: &str, b: &str| pieces(a).cmp(pieces(b)).then_with(|| a.cmp(b));

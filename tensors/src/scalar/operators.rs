@@ -1,0 +1,65 @@
+//! The operators of a scalar in all their forms, made from the one form that computes: `a + &b`.
+
+/// Forwards operators by value, by reference and by assignment to `Scalar op &Scalar`, and adds
+/// `iter::Sum`, `iter::Product`, `Default` (zero), `From<i32>` and `From<i64>`.
+macro_rules! forward_operators {
+    ($scalar:ty: $($operator:ident $method:ident $assign:ident $assigned:ident),*) => {
+        $(
+            impl std::ops::$operator for $scalar {
+                type Output = $scalar;
+                fn $method(self, other: $scalar) -> $scalar {
+                    std::ops::$operator::$method(self, &other)
+                }
+            }
+            impl std::ops::$operator<$scalar> for &$scalar {
+                type Output = $scalar;
+                fn $method(self, other: $scalar) -> $scalar {
+                    std::ops::$operator::$method(<$scalar>::clone(self), &other)
+                }
+            }
+            impl std::ops::$operator<&$scalar> for &$scalar {
+                type Output = $scalar;
+                fn $method(self, other: &$scalar) -> $scalar {
+                    std::ops::$operator::$method(<$scalar>::clone(self), other)
+                }
+            }
+            impl std::ops::$assign<&$scalar> for $scalar {
+                fn $assigned(&mut self, other: &$scalar) {
+                    *self = std::ops::$operator::$method(std::mem::take(self), other);
+                }
+            }
+            impl std::ops::$assign for $scalar {
+                fn $assigned(&mut self, other: $scalar) {
+                    std::ops::$assign::$assigned(self, &other);
+                }
+            }
+        )*
+        impl<T: std::borrow::Borrow<$scalar>> std::iter::Sum<T> for $scalar {
+            fn sum<I: Iterator<Item = T>>(terms: I) -> $scalar {
+                terms.fold(num_traits::Zero::zero(), |sum: $scalar, term| sum + term.borrow())
+            }
+        }
+        impl<T: std::borrow::Borrow<$scalar>> std::iter::Product<T> for $scalar {
+            fn product<I: Iterator<Item = T>>(factors: I) -> $scalar {
+                factors.fold(num_traits::One::one(), |product: $scalar, x| product * x.borrow())
+            }
+        }
+        impl Default for $scalar {
+            /// Zero.
+            fn default() -> $scalar {
+                num_traits::Zero::zero()
+            }
+        }
+        impl From<i64> for $scalar {
+            fn from(n: i64) -> $scalar {
+                $crate::Ring::from_i64(n)
+            }
+        }
+        impl From<i32> for $scalar {
+            fn from(n: i32) -> $scalar {
+                $crate::Ring::from_i64(n.into())
+            }
+        }
+    };
+}
+pub(super) use forward_operators;

@@ -1,0 +1,73 @@
+//! The rationals of the crate num-rational as scalars: [`Ratio<i64>`] and [`BigRational`].
+//!
+//! Sums of products, inverses and pivots are computed by [`Rational`], so they are exact, and no
+//! newtype is needed around numbers that a program already has.
+//!
+//! `Ratio<i64>` is not the exact scalar of this package. A *result* that does not fit two 64-bit
+//! words panics in a sum of products. Its own operators, as in `a * b`, overflow like those
+//! of `i64`. Use [`Rational`] where numbers may grow.
+
+use super::{Field, Rational, RationalSum, Ring, Sum, Tolerance};
+use num_rational::{BigRational, Ratio};
+use num_traits::Zero;
+
+/// A sum of rationals of another type, collected exactly in [`Rational`].
+#[derive(Clone, Debug)]
+pub struct RatioSum(RationalSum);
+
+macro_rules! ratio_scalar {
+    ($ratio:ty) => {
+        impl Sum<$ratio> for RatioSum {
+            fn term(a: &$ratio) -> Self {
+                RatioSum(Sum::term(&a.clone().into()))
+            }
+            fn product(a: &$ratio, b: &$ratio) -> Self {
+                RatioSum(Sum::product(&a.clone().into(), &b.clone().into()))
+            }
+            fn add_term(&mut self, a: &$ratio) {
+                self.0.add_term(&a.clone().into());
+            }
+            fn add_product(&mut self, a: &$ratio, b: &$ratio) {
+                self.0.add_product(&a.clone().into(), &b.clone().into());
+            }
+            /// # Panics
+            /// When the sum does not fit the type, rather than wrap.
+            fn finish(&self, tolerance: Tolerance) -> Option<$ratio> {
+                let value = self.0.finish(tolerance)?;
+                Some(<$ratio>::try_from(&value).expect("the sum fits this type"))
+            }
+        }
+
+        impl Ring for $ratio {
+            type Sum = RatioSum;
+
+            fn from_i64(n: i64) -> Self {
+                Self::from_integer(n.into())
+            }
+            fn vanishes(&self) -> bool {
+                self.is_zero()
+            }
+            fn clear_denominators<'a>(
+                values: impl Iterator<Item = &'a Self> + Clone,
+            ) -> Option<(Vec<i64>, i64)> {
+                let values: Vec<Rational> = values.map(|value| value.clone().into()).collect();
+                Rational::clear_denominators(values.iter())
+            }
+            fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
+                Self::try_from(&Rational::new(numerator, denominator)?).ok()
+            }
+        }
+
+        impl Field for $ratio {
+            /// `None` for zero, and for an inverse that does not fit the type.
+            fn recip(&self) -> Option<Self> {
+                Self::try_from(&Field::recip(&Rational::from(self.clone()))?).ok()
+            }
+            fn pivot_weight(&self) -> f64 {
+                Rational::from(self.clone()).pivot_weight()
+            }
+        }
+    };
+}
+ratio_scalar!(Ratio<i64>);
+ratio_scalar!(BigRational);

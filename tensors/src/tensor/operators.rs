@@ -1,0 +1,124 @@
+//! Equality, indexing, text and arithmetic of tensors.
+
+use super::{Tensor, Up};
+use crate::Ring;
+use std::fmt;
+use std::ops::{Add, Index, Mul, Neg, Sub};
+
+/// Equal shapes and equal components; the tolerance does not matter.
+impl<S: PartialEq> PartialEq for Tensor<S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.dimension == other.dimension
+            && self.slots == other.slots
+            && self.keys == other.keys
+            && self.values == other.values
+    }
+}
+
+/// `tensor[&[i, j, k][..]]`, indices from 0; zero if the component is not stored.
+///
+/// Panics on an index out of range or a wrong number of indices.
+impl<S: Ring> Index<&[usize]> for Tensor<S> {
+    type Output = S;
+    fn index(&self, indices: &[usize]) -> &S {
+        self.try_get(indices).expect("indices of this tensor")
+    }
+}
+
+/// `tensor[[i, j, k]]`, indices from 0; zero if the component is not stored.
+///
+/// Panics on an index out of range or a wrong number of indices.
+impl<S: Ring, const RANK: usize> Index<[usize; RANK]> for Tensor<S> {
+    type Output = S;
+    fn index(&self, indices: [usize; RANK]) -> &S {
+        &self[&indices[..]]
+    }
+}
+
+/// One nonzero component a line, indices from 1: `^1_23 = -1/2`. From dimension 10 on, commas
+/// separate the indices: `^1_2,13 = 1`. The zero tensor is `0`.
+impl<S: Ring> fmt::Display for Tensor<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.is_empty() {
+            return f.write_str("0");
+        }
+        for (line, (indices, value)) in self.into_iter().enumerate() {
+            f.write_str(if line > 0 { "\n" } else { "" })?;
+            for (at, (slot, index)) in self.slots.iter().zip(indices.iter()).enumerate() {
+                let mark = if *slot == Up { "^" } else { "_" };
+                let mark = match at.checked_sub(1).map(|before| self.slots[before] == *slot) {
+                    Some(true) if self.dimension > 9 => ",",
+                    Some(true) => "",
+                    _ => mark,
+                };
+                write!(f, "{mark}{}", index + 1)?;
+            }
+            let space = if self.slots.is_empty() { "" } else { " = " };
+            write!(f, "{space}{value}")?;
+        }
+        Ok(())
+    }
+}
+
+impl<S: fmt::Debug> fmt::Debug for Tensor<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let indices = self.keys.iter().map(|&key| self.indices(key).to_vec());
+        let components = indices.zip(&self.values);
+        f.debug_map().entries(components).finish()
+    }
+}
+
+macro_rules! sum {
+    ($operator:ident $method:ident $sign:literal) => {
+        /// # Panics
+        /// When the tensors differ in dimension or slots.
+        impl<S: Ring> $operator for &Tensor<S> {
+            type Output = Tensor<S>;
+            fn $method(self, other: &Tensor<S>) -> Tensor<S> {
+                self.combined($sign, other).expect("two tensors of one shape")
+            }
+        }
+        impl<S: Ring> $operator<&Tensor<S>> for Tensor<S> {
+            type Output = Tensor<S>;
+            fn $method(self, other: &Tensor<S>) -> Tensor<S> {
+                $operator::$method(&self, other)
+            }
+        }
+        impl<S: Ring> $operator for Tensor<S> {
+            type Output = Tensor<S>;
+            fn $method(self, other: Tensor<S>) -> Tensor<S> {
+                $operator::$method(&self, &other)
+            }
+        }
+    };
+}
+sum!(Add add '+');
+sum!(Sub sub '-');
+
+impl<S: Ring> Mul<&S> for &Tensor<S> {
+    type Output = Tensor<S>;
+    fn mul(self, factor: &S) -> Tensor<S> {
+        self.scale(factor)
+    }
+}
+
+impl<S: Ring> Mul<&S> for Tensor<S> {
+    type Output = Tensor<S>;
+    fn mul(self, factor: &S) -> Tensor<S> {
+        self.scale(factor)
+    }
+}
+
+impl<S: Ring> Neg for &Tensor<S> {
+    type Output = Tensor<S>;
+    fn neg(self) -> Tensor<S> {
+        self.map(|value| -value.clone())
+    }
+}
+
+impl<S: Ring> Neg for Tensor<S> {
+    type Output = Tensor<S>;
+    fn neg(self) -> Tensor<S> {
+        -&self
+    }
+}

@@ -1,0 +1,55 @@
+//! Values and linear combinations as text.
+
+use std::fmt::Display;
+
+/// A linear combination as text, from its coefficients and labels: `a + 2*b - (p + q)*c`.
+///
+/// A sum as a coefficient stands in parentheses; no terms at all are `0`.
+///
+/// ```
+/// use affinor_tensors::text::combination;
+/// let terms = [("1", "a"), ("-2", "b"), ("p + q", "c")];
+/// let terms = terms.map(|(coefficient, label)| (coefficient, label.to_string()));
+/// assert_eq!(combination(terms), "a - 2*b + (p + q)*c");
+/// ```
+pub fn combination<S: Display>(terms: impl IntoIterator<Item = (S, String)>) -> String {
+    let mut text = String::new();
+    for (coefficient, label) in terms {
+        let value = written(&coefficient);
+        let compound = is_sum(&value);
+        let (sign, size) = match value.strip_prefix('-') {
+            Some(size) if !compound => (" - ", size.to_string()),
+            _ if compound => (" + ", format!("({value})")),
+            _ => (" + ", value),
+        };
+        text.push_str(match (text.is_empty(), sign) {
+            (true, " - ") => "-",
+            (true, _) => "",
+            (false, sign) => sign,
+        });
+        match size.as_str() {
+            "1" => text.push_str(&label),
+            size => text.push_str(&format!("{size}*{label}")),
+        }
+    }
+    if text.is_empty() { "0".into() } else { text }
+}
+
+/// Whether a written value is a sum of several terms.
+pub fn is_sum(value: &str) -> bool {
+    let mut depth = 0i64;
+    value.char_indices().any(|(at, c)| {
+        depth += i64::from(c == '(') - i64::from(c == ')');
+        at > 0 && depth == 0 && matches!(c, ' ' | '+')
+    })
+}
+
+/// A value in plain text; a float far from 1 with an exponent, in place of its zeros.
+pub fn written(value: &impl Display) -> String {
+    let text = value.to_string();
+    // a point stands in floats only
+    match text.parse::<f64>() {
+        Ok(x) if text.contains('.') && x != 0.0 && x.abs() < 1e-5 => format!("{x:e}"),
+        _ => text,
+    }
+}

@@ -1,0 +1,21 @@
+//! What affinor-tensors claims, a module a claim.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+mod contraction;
+mod contraction_limits;
+mod contraction_notation;
+mod contraction_paths;
+mod contraction_sizes;
+mod conversions;
+mod elementary;
+mod expression;
+mod jets;
+mod linear;
+mod linear_laws;
+mod operations;
+mod scalars;
+mod symbolic;
+mod tensor;
+mod tracked;
