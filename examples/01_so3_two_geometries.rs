@@ -21,7 +21,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         let connection = Connection::canonical(&so3, which);
         println!("{}: {}", which.name(), which.paper());
         show("torsion tau", &connection.torsion());
-        show("curvature R", &connection.curvature());
+        show("curvature R", connection.curvature());
         show("Ricci tensor", &connection.ricci());
     }
 

@@ -20,7 +20,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     constants.push((1, 2, 2, 1));
     let wrong = constants.into_iter().map(|(j, k, i, v)| (j, k, i, Rational::from(v)));
     let labels = ["r", "p", "q"].map(String::from);
-    let wrong = Bracket::from_constants(labels.into(), wrong)?;
+    let wrong = Bracket::from_constants(labels, wrong)?;
     let witness = LieAlgebra::try_from(wrong).expect_err("[p, q] = q does not fit");
     println!("{witness}");
     assert!(matches!(witness, affinor::Error::Jacobi { .. }));

@@ -4,7 +4,8 @@
 //! comes out as rational functions of a, b, c. The Ricci curvature is compared with J. Milnor,
 //! *Advances in Mathematics* 21 (1976) 293-329, theorem 4.3.
 
-use affinor::{Connection, LieAlgebra, Metric, catalogue};
+use affinor::algebra::catalogue;
+use affinor::{Connection, LieAlgebra, Metric};
 use affinor_tensors::{Down, Ring, Symbolic, Tensor};
 use std::error::Error;
 

@@ -24,7 +24,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     // the unit vectors e_r = d_r, e_t = 1/r d_t, whose bracket is computed
     let fields = [([0, 0], one()), ([1, 1], over_r)];
     let fields = Tensor::from_components(2, &[Up, Down], fields)?;
-    let labels = ["e_r", "e_t"].map(String::from).into();
+    let labels = ["e_r", "e_t"];
     let fields = Chart::new(&["r", "t"])?.fields(labels, fields)?;
     let unit = fields.frame();
     println!("unit vectors:      [e_r, e_t] = {} e_t", unit.structure().get(&[1, 0, 1]));

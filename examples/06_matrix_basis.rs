@@ -52,5 +52,5 @@ fn basis<const N: usize>(
     labels: [&str; N],
     matrices: Vec<Entries>,
 ) -> Result<MatrixBasis<Rational>, affinor::Error> {
-    MatrixBasis::new(labels.map(String::from).into(), 2, matrices, Tolerance::default())
+    MatrixBasis::new(labels, 2, matrices, Tolerance::default())
 }

@@ -1,9 +1,24 @@
-//! Lie algebras: brackets that satisfy the Jacobi identity.
+//! Lie algebras and their frames. In reading order:
+//!
+//! - [`frame`]: structure functions and derivations of frame vectors;
+//! - [`Bracket`]: antisymmetric structure constants; [`LieAlgebra`]: with the Jacobi identity;
+//! - [`BasisChange`], [`MatrixBasis`]: other bases, and structure constants from matrices;
+//! - [`roots`]: root systems and Chevalley bases; [`catalogue`]: Lie algebras by name;
+//! - [`lie_derivative`]: Lie derivatives of tensors; [`invariants`]: invariant tensors;
+//! - [`lie_poisson`]: the dual space, its Poisson bracket, Casimir functions, coadjoint orbits.
+//!
+//! The Baker-Campbell-Hausdorff series is [`LieAlgebra::bch`].
 
 mod basis;
 mod bch;
 mod bracket;
+pub mod catalogue;
+pub mod frame;
+pub mod invariants;
+pub mod lie_derivative;
+pub mod lie_poisson;
 mod matrices;
+pub mod roots;
 
 pub use basis::BasisChange;
 pub(crate) use basis::{LETTERS, indices, inverse, to_matrix};
@@ -11,15 +26,15 @@ pub use bracket::Bracket;
 pub use matrices::{Complex, MatrixBasis};
 
 use crate::Error;
-use crate::frame::{Frame, formula};
+use crate::algebra::frame::{Frame, formula};
 use affinor_tensors::{Down, Field, Ring, Tensor, Up};
-use std::sync::Arc;
+use std::fmt;
 
 /// A Lie algebra: a bracket that is antisymmetric and satisfies the Jacobi identity.
 ///
 /// ```
 /// use affinor::{Bracket, LieAlgebra};
-/// use affinor_tensors::Rational;
+/// use affinor::Rational;
 /// // the Heisenberg algebra: [x, y] = z
 /// let bracket = Bracket::from_fn(&["x", "y", "z"], |j, k| match (j, k) {
 ///     (0, 1) => vec![(2, Rational::from(1))],
@@ -29,9 +44,16 @@ use std::sync::Arc;
 /// assert!(heisenberg.killing_form().is_empty());
 /// # Ok::<(), affinor::Error>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct LieAlgebra<S> {
     frame: Frame<S>,
+}
+
+/// The nonzero brackets `[x, y] = z`, one a line.
+impl<S: Ring> fmt::Display for LieAlgebra<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.frame.write_products(f, self.structure(), "[", "]", |j, k| j < k)
+    }
 }
 
 impl<S: Ring> TryFrom<Bracket<S>> for LieAlgebra<S> {
@@ -53,7 +75,7 @@ impl<S: Ring> LieAlgebra<S> {
     }
 
     /// The names of the basis vectors.
-    pub fn labels(&self) -> &Arc<[String]> {
+    pub fn labels(&self) -> &[String] {
         self.frame.labels()
     }
 
@@ -75,7 +97,7 @@ impl<S: Ring> LieAlgebra<S> {
     /// The right-invariant frame through the same basis: structure `-c`.
     pub fn right_frame(&self) -> Frame<S> {
         let opposite = self.structure().map(|value| -value.clone());
-        Frame::invariant(self.labels().clone(), opposite).expect("the opposite of an algebra")
+        Frame::invariant(self.labels(), opposite).expect("the opposite of an algebra")
     }
 
     /// The opposite algebra, `-[x, y]`: its left-invariant frame is the right-invariant one here.
@@ -111,8 +133,8 @@ impl<S: Ring> LieAlgebra<S> {
         formula("c^m_il c^l_jm -> _ij", &[("c", self.structure())])
     }
 
-    /// The direct sum; the second basis stands behind the first. Labels that would meet get a
-    /// prime.
+    /// The direct sum, in the basis of this algebra followed by the basis of `other`. A label of
+    /// `other` that occurs before gets a prime.
     ///
     /// # Errors
     /// When the dimension of the sum is beyond the engine.
@@ -129,7 +151,7 @@ impl<S: Ring> LieAlgebra<S> {
         let both = mine.chain(theirs);
         let structure = Tensor::from_components(n + m, &[Up, Down, Down], both)?;
         // the sum of two algebras is one: nothing to check again
-        Ok(LieAlgebra { frame: Frame::invariant(labels.into(), structure)? })
+        Ok(LieAlgebra { frame: Frame::invariant(labels, structure)? })
     }
 
     /// A vector of the algebra as a tensor.
@@ -142,7 +164,7 @@ impl<S: Ring> LieAlgebra<S> {
     /// # Errors
     /// [`Error::Jacobi`] or [`Error::NotAntisymmetric`] when `f` is no homomorphism.
     pub fn map<T: Ring>(&self, f: impl Fn(&S) -> T) -> Result<LieAlgebra<T>, Error> {
-        Bracket::new(self.labels().clone(), self.structure().map(f))?.try_into()
+        Bracket::new(self.labels(), self.structure().map(f))?.try_into()
     }
 }
 
@@ -153,7 +175,7 @@ impl<S: Field> LieAlgebra<S> {
     /// [`Error::Shape`] unless `A` has the dimension of the algebra.
     pub fn change_basis(&self, change: &BasisChange<S>) -> Result<Self, Error> {
         let structure = change.apply(self.structure())?;
-        let labels = (1..=self.dimension()).map(|a| format!("e{a}")).collect();
+        let labels = (1..=self.dimension()).map(|a| format!("e{a}"));
         // covariance keeps Jacobi, and floats need not prove it twice
         Ok(LieAlgebra { frame: Frame::invariant(labels, structure)? })
     }
@@ -167,12 +189,12 @@ pub(crate) fn ad<S: Ring>(structure: &Tensor<S>, n: &[S]) -> Result<Tensor<S>, E
 
 fn vector<S: Ring>(structure: &Tensor<S>, components: &[S]) -> Result<Tensor<S>, Error> {
     let vector = Tensor::vector(components, Up).with_tolerance(structure.tolerance());
-    crate::frame::expect_slots("the vector", &vector, structure.dimension(), &[Up])?;
+    crate::algebra::frame::expect_slots("the vector", &vector, structure.dimension(), &[Up])?;
     Ok(vector)
 }
 
-/// Labels behind labels; one that would meet an earlier one gets a prime.
-pub(crate) fn join_labels(first: &[String], second: &[String]) -> Vec<String> {
+/// The labels of a direct sum: a label of `second` that occurs before gets primes.
+pub fn join_labels(first: &[String], second: &[String]) -> Vec<String> {
     let mut labels = first.to_vec();
     for label in second {
         let mut label = label.clone();

@@ -1,17 +1,15 @@
-//! The conventions of signs and indices, fixed once for everything here.
+//! The conventions of signs and index orders, fixed in this module only.
 //!
-//! Every line of [`ALL`] is shown to hold by one of the tests below. Command line, files and
-//! messages count indices from 1, Rust from 0.
+//! The tests below verify every line of [`ALL`]. The command line, files and messages count indices
+//! from 1, Rust from 0.
 //!
-//! The tests share one algebra that hides no sign and no order of indices, aff(1) with
-//! `[x, y] = y`: it is neither unimodular nor semisimple.
+//! The tests use aff(1), `[x, y] = y`. It is neither unimodular nor semisimple, so that no wrong sign
+//! or index order passes.
 //!
 //! *Bracket*: `[e_j, e_k] = c^i_jk e_i`, and `(ad_n)^i_k = c^i_jk n^j` with the upper index as row.
 //! ```
-//! # use affinor::*; use affinor_tensors::*;
-//! # fn aff() -> LieAlgebra<Rational> {
-//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
-//! # }
+//! # use affinor::*;
+//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
 //! let aff = aff(); // [x, y] = y
 //! assert_eq!(aff.structure().get(&[1, 0, 1]), 1.into()); // c^2_12 = 1
 //! let ad_x = aff.ad(&[1.into(), 0.into()])?;
@@ -21,10 +19,8 @@
 //! *Affinities*: `nabla_{e_j} e_k = Lambda^i_jk e_i`, the first lower index is the direction;
 //! `plus` is `Lambda = c`. *Torsion* (B10): `tau^i_jk = Lambda^i_jk - Lambda^i_kj - c^i_jk`.
 //! ```
-//! # use affinor::*; use affinor_tensors::*;
-//! # fn aff() -> LieAlgebra<Rational> {
-//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
-//! # }
+//! # use affinor::*;
+//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
 //! let plus = Connection::canonical(&aff(), Canonical::Plus);
 //! assert_eq!(plus.gamma().get(&[1, 0, 1]), 1.into()); // nabla_x y = y
 //! assert_eq!(plus.torsion().get(&[1, 0, 1]), 1.into()); // tau = c
@@ -32,10 +28,8 @@
 //! ```
 //! *Curvature* (B14): `R(e_k, e_l) e_j = R^i_jkl e_i`. *Ricci*: `Ric_jl = R^i_jil`.
 //! ```
-//! # use affinor::*; use affinor_tensors::*;
-//! # fn aff() -> LieAlgebra<Rational> {
-//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
-//! # }
+//! # use affinor::*;
+//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
 //! let zero = Connection::canonical(&aff(), Canonical::Zero);
 //! // R(x, y) x = -1/4 [[x, y], x] = 1/4 y
 //! assert_eq!(zero.curvature().get(&[1, 0, 0, 1]), Rational::new(1, 4).unwrap());
@@ -46,26 +40,19 @@
 //! *nabla of a tensor*: `(nabla_m T)^i_j = e_m(T^i_j) + Lambda^i_mp T^p_j - Lambda^p_mj T^i_p`,
 //! the direction is the first lower index. *Nonmetricity*: `Q_kij = (nabla_k g)_ij`.
 //! ```
-//! # use affinor::*; use affinor_tensors::*;
-//! # fn aff() -> LieAlgebra<Rational> {
-//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
-//! # }
+//! # use affinor::*;
+//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
 //! let plus = Connection::canonical(&aff(), Canonical::Plus);
-//! let labels = plus.frame().labels().clone();
-//! let one = Tensor::from_fn(2, [Down, Down], |[i, j]| i64::from(i == j).into())?;
-//! let g = Metric::new(&labels, one)?;
+//! let g = Metric::identity(2)?;
 //! assert_eq!(plus.nonmetricity(&g)?.get(&[0, 1, 1]), (-2).into()); // Q_122 = -2 g(nabla_x y, y)
 //! # Ok::<(), Error>(())
 //! ```
 //! *Sectional curvature*: `K(x,y) = g(R(x,y)y, x) / (g(x,x) g(y,y) - g(x,y)^2)`; with
 //! *Levi-Civita* by Koszul's formula aff(1) is the hyperbolic plane. *Scalar*: `S = g^jl Ric_jl`.
 //! ```
-//! # use affinor::*; use affinor_tensors::*;
-//! # fn aff() -> LieAlgebra<Rational> {
-//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
-//! # }
-//! let one = Tensor::from_fn(2, [Down, Down], |[i, j]| i64::from(i == j).into())?;
-//! let g = Metric::new(aff().labels(), one)?;
+//! # use affinor::*;
+//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
+//! let g = Metric::identity(2)?;
 //! let plane = Connection::levi_civita(aff().left_frame(), &g)?;
 //! let k = plane.sectional_curvature(&g, &[1.into(), 0.into()], &[0.into(), 1.into()])?;
 //! assert_eq!(k, Some((-1).into()));
@@ -75,18 +62,15 @@
 //! *Ricci, parts*: `symRic`, `altRic` with weight 1/2. *Einstein*: `G_jl = Ric_jl - 1/2 S g_jl`.
 //! *Kretschmann*: `Kr = R_ijkl R^ijkl`.
 //! ```
-//! # use affinor::*; use affinor_tensors::*;
-//! # fn aff() -> LieAlgebra<Rational> {
-//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
-//! # }
+//! # use affinor::*;
+//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
 //! // nabla_y y = y and nothing else: R(x,y) y = -nabla_[x,y] y = -y, so Ric(y,x) = 1
 //! let gamma = Tensor::from_components(2, &[Up, Down, Down], [([1, 1, 1], 1.into())])?;
 //! let skew = Connection::new(aff().left_frame().clone(), gamma)?;
 //! assert_eq!(skew.ricci_symmetric()?.get(&[0, 1]), Rational::new(1, 2).unwrap());
 //! assert_eq!(skew.ricci_antisymmetric()?.get(&[1, 0]), Rational::new(1, 2).unwrap());
 //! // the hyperbolic plane: R_1212 = -1 and its mirror images; G = 0 as on every surface
-//! let one = Tensor::from_fn(2, [Down, Down], |[i, j]| i64::from(i == j).into())?;
-//! let g = Metric::new(aff().labels(), one)?;
+//! let g = Metric::identity(2)?;
 //! let plane = Connection::levi_civita(aff().left_frame(), &g)?;
 //! assert_eq!(plane.kretschmann(&g)?, 4.into());
 //! assert!(plane.einstein(&g)?.is_empty());
@@ -95,17 +79,9 @@
 //! *Schouten*: `P_jl = (Ric_jl - S/(2(n-1)) g_jl)/(n-2)`. *Weyl*: `W^i_jkl = R^i_jkl - delta^i_k P_jl
 //! + delta^i_l P_jk - g_jl P^i_k + g_jk P^i_l`. *Cotton*: `C_jkl = (nabla_k P)_jl - (nabla_l P)_jk`.
 //! ```
-//! # use affinor::*; use affinor_tensors::*;
-//! // the Heisenberg group, [x, y] = z: Ric = diag(-1/2, -1/2, 1/2), S = -1/2
-//! let bracket = Bracket::from_fn(&["x", "y", "z"], |j, k| match (j, k) {
-//!     (0, 1) => vec![(2, Rational::from(1))],
-//!     _ => vec![],
-//! })?;
-//! let algebra = LieAlgebra::try_from(bracket)?;
-//! let g = Metric::new(
-//!     algebra.labels(),
-//!     Tensor::from_fn(3, [Down, Down], |[i, j]| i64::from(i == j).into())?,
-//! )?;
+//! # use affinor::*;
+//! // the Heisenberg group, [x1, y1] = z: Ric = diag(-1/2, -1/2, 1/2), S = -1/2
+//! let (algebra, g) = (algebra::catalogue::algebra::<Rational>("heisenberg(3)")?, Metric::identity(3)?);
 //! let nil = Connection::levi_civita(algebra.left_frame(), &g)?;
 //! let p = nil.schouten(&g)?;
 //! assert_eq!(p.get(&[0, 0]), Rational::new(-3, 8).unwrap());
@@ -118,19 +94,15 @@
 //! ```
 //! *Killing form*: `K_ij = c^m_il c^l_jm = tr(ad_i ad_j)`.
 //! ```
-//! # use affinor::*; use affinor_tensors::*;
-//! # fn aff() -> LieAlgebra<Rational> {
-//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
-//! # }
+//! # use affinor::*;
+//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
 //! assert_eq!(aff().killing_form().get(&[0, 0]), 1.into());
 //! ```
 //! *Right frame*: structure `-c`, and `Lambda_right = Lambda - c` for connections invariant
 //! under ad; others are refused. `g -> g^-1` exchanges the frames, and `lambda` with `1 - lambda`.
 //! ```
-//! # use affinor::*; use affinor_tensors::*;
-//! # fn aff() -> LieAlgebra<Rational> {
-//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
-//! # }
+//! # use affinor::*;
+//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
 //! let plus = Connection::canonical(&aff(), Canonical::Plus);
 //! let right = plus.in_right_frame(&aff())?;
 //! assert!(right.gamma().is_empty()); // right-invariant fields are parallel for plus
@@ -139,10 +111,8 @@
 //! ```
 //! *Change of basis*: `e'_a = A^i_a e_i`, so `c' = A^-1 c (A, A)`, `g' = A^T g A`.
 //! ```
-//! # use affinor::*; use affinor_tensors::*;
-//! # fn aff() -> LieAlgebra<Rational> {
-//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
-//! # }
+//! # use affinor::*;
+//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
 //! // e'_1 = x + 2 y, e'_2 = 3 y: columns of A
 //! let a = Tensor::from_components(
 //!     2, &[Up, Down], [([0, 0], 1), ([1, 0], 2), ([1, 1], 3)].map(|(at, v)| (at, v.into())),
@@ -154,14 +124,14 @@
 //! *Change of frame* by functions `A`: affinities follow the inhomogeneous law
 //! `Lambda' = A^-1 (Lambda(A, A) + e(A))`, structure functions its antisymmetric part (A6).
 //! ```
-//! # use affinor::*; use affinor_tensors::*;
+//! # use affinor::*;
 //! // the flat plane: e'_1 = d_x, e'_2 = x d_y, so nabla_{e'_1} e'_2 = 1/x e'_2
 //! let plane = Connection::new(
 //!     Frame::coordinates(&["x", "y"])?, Tensor::zero(2, &[Up, Down, Down])?,
 //! )?;
 //! let (x, one) = (Symbolic::parameter("x"), Symbolic::from_i64(1));
 //! let a = Tensor::from_components(2, &[Up, Down], [([0, 0], one.clone()), ([1, 1], x.clone())])?;
-//! let moved = plane.moved(["u", "v"].map(String::from).into(), &BasisChange::new(a)?)?;
+//! let moved = plane.moved(["u", "v"], &BasisChange::new(a)?)?;
 //! assert_eq!(moved.gamma().get(&[1, 0, 1]), one.clone() / &x);
 //! assert_eq!(moved.frame().structure().get(&[1, 0, 1]), one / &x);
 //! # Ok::<(), Error>(())
@@ -169,10 +139,8 @@
 //! *Transport* along the autoparallel of a constant `n`: `du/dt = -Lambda(n) u`, that is `-ad_n`
 //! for `plus`.
 //! ```
-//! # use affinor::*; use affinor_tensors::*;
-//! # fn aff() -> LieAlgebra<Rational> {
-//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
-//! # }
+//! # use affinor::*;
+//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
 //! let plus = Connection::canonical(&aff(), Canonical::Plus);
 //! let generator = plus.transport_generator(&[1.into(), 0.into()])?;
 //! assert_eq!(generator.get(&[1, 1]), (-1).into());
@@ -181,12 +149,9 @@
 //! *Contorsion* `K_ijk = (tau_ijk + tau_jik + tau_kij)/2` and *disformation*
 //! `L_ijk = (Q_ijk - Q_jki - Q_kij)/2`, the first index lowered: `Lambda = LeviCivita + K + L`.
 //! ```
-//! # use affinor::*; use affinor_tensors::*;
-//! # fn aff() -> LieAlgebra<Rational> {
-//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
-//! # }
-//! let one = Tensor::from_fn(2, [Down, Down], |[i, j]| i64::from(i == j).into())?;
-//! let g = Metric::new(aff().labels(), one)?;
+//! # use affinor::*;
+//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
+//! let g = Metric::identity(2)?;
 //! let plus = Connection::canonical(&aff(), Canonical::Plus);
 //! let at = [0, 1, 1]; // the part of nabla_y y along x: 0 for plus, 1 for Levi-Civita
 //! let levi_civita = Connection::levi_civita(aff().left_frame(), &g)?;
@@ -198,10 +163,8 @@
 //! *Lie derivative*: `L_X Y = [X, Y]`. *Forms*: `dw(x,y) = x(w(y)) - y(w(x)) - w([x,y])` and
 //! `(a ^ b)(x,y) = a(x) b(y) - a(y) b(x)`, without factorials.
 //! ```
-//! # use affinor::*; use affinor_tensors::*;
-//! # fn aff() -> LieAlgebra<Rational> {
-//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
-//! # }
+//! # use affinor::*;
+//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
 //! let aff = aff();
 //! let frame = aff.left_frame();
 //! let [x, y] = [[1, 0], [0, 1]].map(|v| Tensor::vector(&v.map(Rational::from), Up));
@@ -213,22 +176,18 @@
 //! ```
 //! *Homogeneous spaces* G/H with `g = m + h`: `R(x,y)` on `m` has the further term `-[[x,y]_h, .]`.
 //! ```
-//! # use affinor::*; use affinor_tensors::*;
+//! # use affinor::*;
 //! // [e_1, e_2] = e_3 and cyclic
-//! let so3 = Bracket::from_fn(&["e1", "e2", "e3"], |j, k| {
-//!     vec![(3 - j - k, Rational::from(if k == j + 1 { 1 } else { -1 }))]
-//! })?;
+//! let so3 = algebra::catalogue::algebra::<Rational>("so(3)")?;
 //! let h = [0, 0, 1].map(Rational::from).to_vec();
-//! let sphere = ReductivePair::orthogonal(&LieAlgebra::try_from(so3)?, &[h])?;
+//! let sphere = ReductivePair::orthogonal(&so3, &[h])?;
 //! assert_eq!(sphere.canonical().curvature().get(&[0, 1, 0, 1]), 1.into());
 //! # Ok::<(), Error>(())
 //! ```
 //! *Lie-Poisson*: `{mu_i, mu_j} = -c^k_ij mu_k` for left-invariant systems, `+` for right ones.
 //! ```
-//! # use affinor::*; use affinor_tensors::*;
-//! # fn aff() -> LieAlgebra<Rational> {
-//! #     Bracket::from_fn(&["x", "y"], |_, _| vec![(1, 1.into())]).unwrap().try_into().unwrap()
-//! # }
+//! # use affinor::*;
+//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
 //! let dual = LiePoisson::left(&aff().map(|v| Symbolic::constant(v.clone()))?)?;
 //! let [mu1, mu2] = dual.coordinates() else { unreachable!() };
 //! assert_eq!(dual.bracket(mu1, mu2)?, -mu2.clone());
@@ -241,7 +200,7 @@ pub const BRACKET: &str = "[e_j, e_k] = c^i_jk e_i";
 pub const AFFINITIES: &str = "nabla_{e_j} e_k = Lambda^i_jk e_i";
 /// Torsion.
 pub const TORSION: &str = "tau^i_jk = Lambda^i_jk - Lambda^i_kj - c^i_jk";
-/// What curvature does.
+/// The curvature as an operator.
 pub const CURVATURE: &str = "R(e_k, e_l) e_j = R^i_jkl e_i";
 /// Curvature in components.
 pub const CURVATURE_COMPONENTS: &str = "R^i_jkl = e_k(Lambda^i_lj) - e_l(Lambda^i_kj) \

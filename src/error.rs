@@ -1,34 +1,38 @@
-//! What the mathematics refuses, each with its witness.
+//! Errors of the library, each with its witness.
 
+use crate::algebra::catalogue::CatalogueError;
 use affinor_tensors::TensorError;
 use affinor_tensors::linear::LinearError;
 
-/// An error of the geometry: what failed, where, and by how much.
+/// An error of the library. It says what failed, where, and by how much.
 ///
-/// Basis vectors are named by their labels, residuals written as linear combinations of them.
+/// Basis vectors appear by their labels, residuals as linear combinations of them.
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
-    /// Shapes that do not fit together.
-    #[error("{0}")]
+    /// Tensors whose shapes do not fit, or scalars without an inverse that a formula needs.
+    #[error(transparent)]
     Tensor(#[from] TensorError),
-    /// Linear equations over scalars that are no field.
-    #[error("{0}")]
+    /// Linear equations over scalars that do not form a field.
+    #[error(transparent)]
     Linear(#[from] LinearError),
-    /// A search that is too large.
+    /// A name that does not denote one algebra of the catalogue.
+    #[error(transparent)]
+    Catalogue(#[from] CatalogueError),
+    /// A search over more candidates than its limit.
     #[error("{size} {what} are too many to search: the limit is {limit}")]
     Size {
-        /// What is counted.
+        /// The candidates, in the plural.
         what: &'static str,
-        /// How many there are.
+        /// Their number.
         size: usize,
-        /// How many there may be.
+        /// The largest number allowed.
         limit: usize,
     },
     /// A tensor of the wrong dimension or with the wrong slots.
     #[error("{what} should have {expected}, not {found}")]
     Shape {
-        /// The object.
+        /// The name of the object.
         what: &'static str,
         /// The shape it needs.
         expected: String,
@@ -45,7 +49,7 @@ pub enum Error {
         /// `[x,y] + [y,x]`.
         residual: String,
     },
-    /// A pair that is given in both orders, with values that are not opposite.
+    /// A bracket given in both orders, with values that are not opposite.
     #[error(
         "the bracket is not antisymmetric: [{x}, {y}] + [{y}, {x}] = {residual}, \
          for [{x}, {y}] = {} and [{y}, {x}] = {}",
@@ -79,11 +83,11 @@ pub enum Error {
     /// A component that is infinite or not a number.
     #[error("{what} has the component {} = {value}, which is no number", indices(.at))]
     NotFinite {
-        /// The object.
+        /// The name of the object.
         what: &'static str,
         /// The indices of the component, from 1.
         at: Vec<usize>,
-        /// What stands there.
+        /// The component.
         value: String,
     },
     /// A bracket that violates the Jacobi identity.
@@ -98,7 +102,7 @@ pub enum Error {
         y: String,
         /// The third basis vector.
         z: String,
-        /// The left side.
+        /// The value of the left side, which must vanish.
         residual: String,
     },
     /// Matrices whose span is not closed under the commutator.
@@ -127,13 +131,13 @@ pub enum Error {
         /// The difference.
         residual: String,
     },
-    /// A bilinear form with a null vector.
+    /// A degenerate bilinear form.
     #[error("the metric is degenerate: {null} is orthogonal to every vector")]
     Degenerate {
         /// A vector of the kernel.
         null: String,
     },
-    /// A tensor without a symmetry that it needs.
+    /// A tensor that lacks a required symmetry.
     #[error(
         "{what} is not {law} in the slots {} and {}: component {} is off by {residual}",
         .slots[0], .slots[1], indices(.at)
@@ -147,44 +151,44 @@ pub enum Error {
         slots: [usize; 2],
         /// The indices of a component, from 1.
         at: Vec<usize>,
-        /// The component less (or plus) the one with the two indices exchanged.
+        /// The component minus (for antisymmetry: plus) the one with the two indices exchanged.
         residual: String,
     },
-    /// A Levi-Civita connection without a metric to belong to.
+    /// A Levi-Civita connection was asked for without a metric.
     #[error("levi-civita is the connection of a metric, and none is given")]
     NoMetric,
-    /// A change of basis that cannot be inverted.
+    /// A change of basis whose matrix is singular.
     #[error("the new basis is linearly dependent")]
     SingularBasis,
-    /// Fields that are linearly dependent everywhere.
+    /// Vector fields that are linearly dependent everywhere.
     #[error("the frame is degenerate: its determinant is zero, for {relation} = 0")]
     DegenerateFrame {
         /// A vanishing combination of the fields.
         relation: String,
     },
-    /// A coordinate that is no name, or the name of two.
+    /// A name that cannot serve as a coordinate: not an identifier, or used twice.
     #[error("`{name}` is not the name of one coordinate")]
     Coordinate {
         /// The name.
         name: String,
     },
-    /// A function on a chart where a constant is needed, such as a structure constant.
+    /// A value that must be constant, such as a structure constant, and is not.
     #[error("{what} needs constants, but here {component} = {value}")]
     NotConstant {
-        /// What needs it.
+        /// The operation that needs constants.
         what: &'static str,
-        /// What is not constant.
+        /// The symbol of the value.
         component: String,
-        /// Its value.
+        /// The value.
         value: String,
     },
-    /// A point at which coordinates are singular.
+    /// A point at which the coordinates are singular.
     #[error("the coordinates are singular at this point: the invariant forms vanish on {vector}")]
     SingularPoint {
-        /// A vector that the forms take to zero.
+        /// A tangent vector on which all invariant forms vanish.
         vector: String,
     },
-    /// An exponential that is not made of functions known here.
+    /// A matrix exponential without a closed form in the functions known here.
     #[error("ad_{x} has an eigenvalue other than small integers a + ib: a root of {polynomial}")]
     Eigenvalue {
         /// The vector.
@@ -219,7 +223,7 @@ pub enum Error {
         /// Their bracket.
         bracket: String,
     },
-    /// A complement that the subalgebra does not keep.
+    /// A complement that is not invariant under the subalgebra.
     #[error("the complement m is not invariant under h: [{x}, {y}] = {bracket} is not in m")]
     NotReductive {
         /// A vector of the subalgebra.
@@ -235,10 +239,10 @@ pub enum Error {
         /// A vector of `h`.
         null: String,
     },
-    /// A tensor at the origin of a homogeneous space that belongs to no invariant field.
+    /// A tensor at the origin of a homogeneous space that is not invariant under the isotropy group.
     #[error(
-        "h does not leave {what} alone: \
-         moved by {direction}, component {} is {residual}, not 0", indices(.at)
+        "{what} must be invariant under h, but the action of {direction} gives the component \
+         {} = {residual}", indices(.at)
     )]
     NotIsotropic {
         /// The tensor.
@@ -250,7 +254,7 @@ pub enum Error {
         /// The component.
         residual: String,
     },
-    /// A direction along which the frame components of the tangent are not constant.
+    /// A direction in which no autoparallel has a constant tangent vector.
     #[error(
         "{n} is not the constant tangent of an autoparallel: \
          nabla_n n = {residual} in the left-invariant frame"
@@ -267,57 +271,38 @@ pub enum Error {
         /// A vector of the centre.
         central: String,
     },
-    /// An algebra whose lower central series does not end at 0.
+    /// An algebra that is not nilpotent.
     #[error("the algebra is not nilpotent: {component} is not zero")]
     NotNilpotent {
         /// A component that should vanish.
         component: String,
     },
-    /// A matrix that is no element of the group.
-    #[error("no element of the group: {reason}")]
-    NotInGroup {
-        /// What is wrong with it, with its witness.
+    /// A name that stands for no group.
+    #[error("no group named `{name}`: {reason}")]
+    NoGroup {
+        /// The name.
+        name: String,
+        /// Why there is none.
         reason: String,
     },
-    /// A group element without a logarithm in the algebra.
-    #[error("no logarithm: {reason}")]
-    NoLogarithm {
-        /// What stands against one, with its witness.
-        reason: String,
+    /// Elements whose mean is not found.
+    #[error("no mean: after {steps} iterations the mean logarithm still has the size {residual:e}")]
+    NoMean {
+        /// The number of iterations.
+        steps: usize,
+        /// The largest component of the mean logarithm.
+        residual: f64,
     },
-    /// Numbers that belong to no rotation.
-    #[error("no rotation: {reason}")]
-    NoRotation {
-        /// What is wrong with them, with its witness.
-        reason: String,
-    },
-    /// A matrix that is no inertia of a rigid body.
-    #[error("no inertia: {reason}")]
-    NoInertia {
-        /// What is wrong with it, with its witness.
-        reason: String,
-    },
-    /// Values that no state of a system has.
-    #[error("no state: {reason}")]
-    NoState {
-        /// What is wrong with them, with its witness.
-        reason: String,
-    },
-    /// A surface that bounds no solid.
-    #[error("no solid: {reason}")]
-    NoSolid {
-        /// What is wrong with it, with its witness.
-        reason: String,
-    },
-    /// A point that coordinates do not reach.
+    /// A value that does not exist or is not admissible: `no inertia: the mass is -1`.
     #[error("no {what}: {reason}")]
-    NoCoordinates {
-        /// The coordinates.
+    Invalid {
+        /// The object: `element of the group`, `logarithm`, `rotation`, `inertia`, `state`, `solid`
+        /// or coordinates.
         what: &'static str,
-        /// Why they fail there.
+        /// Why, with the witness.
         reason: String,
     },
-    /// A vector at which the exponential is no local chart.
+    /// A vector at which the exponential map is not locally invertible.
     #[error(
         "the tangent operator of exp is singular at {x:?}: ad_x has an eigenvalue 2 pi i k, k != 0"
     )]
@@ -325,7 +310,7 @@ pub enum Error {
         /// The components of the vector.
         x: Vec<f64>,
     },
-    /// A differential equation that cannot be solved further.
+    /// An integration that failed before its end.
     #[error("the integration stops at t = {t}: {reason}")]
     Integration {
         /// The time that was reached.
@@ -333,13 +318,13 @@ pub enum Error {
         /// Why.
         reason: String,
     },
-    /// A column that a run does not have.
+    /// A column that the trajectory does not have.
     #[error("the run has no column {name}")]
     NoColumn {
         /// Its name.
         name: String,
     },
-    /// A method of integration that is not for a problem.
+    /// An integrator that does not apply to the problem.
     #[error("the method {method} does not serve here: {reason}")]
     NoMethod {
         /// Its name.
@@ -347,21 +332,21 @@ pub enum Error {
         /// Why.
         reason: String,
     },
-    /// A saved state that cannot be written or read.
+    /// A saved state that cannot be written or restored.
     #[error("the saved state is of no use: {reason}")]
     Snapshot {
         /// Why.
         reason: String,
     },
-    /// A float that left its range.
+    /// A value that left the range of `f64`.
     #[error("{component} = {value}: the computation left the range of f64")]
     Overflow {
         /// The component.
         component: String,
-        /// What became of it.
+        /// The value.
         value: String,
     },
-    /// An operation that this frame does not support.
+    /// An operation that is not defined in this frame.
     #[error("{0}")]
     Frame(&'static str),
 }
@@ -369,49 +354,4 @@ pub enum Error {
 /// Indices as they are listed: `1,2,3`.
 fn indices(at: &[usize]) -> String {
     at.iter().map(usize::to_string).collect::<Vec<_>>().join(",")
-}
-
-/// `coefficients` as a linear combination of `labels`, zeros left out.
-pub(crate) fn combination<S: std::fmt::Display>(
-    terms: impl IntoIterator<Item = (S, String)>,
-) -> String {
-    let mut text = String::new();
-    for (coefficient, label) in terms {
-        let value = written(&coefficient);
-        let compound = is_sum(&value);
-        let (sign, size) = match value.strip_prefix('-') {
-            Some(size) if !compound => (" - ", size.to_string()),
-            _ if compound => (" + ", format!("({value})")),
-            _ => (" + ", value),
-        };
-        text.push_str(match (text.is_empty(), sign) {
-            (true, " - ") => "-",
-            (true, _) => "",
-            (false, sign) => sign,
-        });
-        match size.as_str() {
-            "1" => text.push_str(&label),
-            size => text.push_str(&format!("{size}*{label}")),
-        }
-    }
-    if text.is_empty() { "0".into() } else { text }
-}
-
-/// Whether a written value is a sum of several terms.
-pub(crate) fn is_sum(value: &str) -> bool {
-    let mut depth = 0i64;
-    value.char_indices().any(|(at, c)| {
-        depth += i64::from(c == '(') - i64::from(c == ')');
-        at > 0 && depth == 0 && matches!(c, ' ' | '+')
-    })
-}
-
-/// A value in plain text; a float far from 1 with an exponent, in place of its zeros.
-pub(crate) fn written(value: &impl std::fmt::Display) -> String {
-    let text = value.to_string();
-    // a point stands in floats only
-    match text.parse::<f64>() {
-        Ok(x) if text.contains('.') && x != 0.0 && x.abs() < 1e-5 => format!("{x:e}"),
-        _ => text,
-    }
 }

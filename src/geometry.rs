@@ -1,22 +1,59 @@
-//! Geometries: an algebra or a frame over a chart, a connection and a metric.
+//! Geometries: a frame with a connection and, optionally, a metric. In reading order:
+//!
+//! - [`connection`]: affinities and covariant derivatives; [`metric`]: metrics and their inverses;
+//! - [`metric_affine`]: nonmetricity, Levi-Civita, contorsion and disformation;
+//! - [`curvature`]: torsion, curvature, Bianchi identities, Ricci, Weyl and further tensors;
+//! - [`properties`]: parallel curvature, Einstein, bi-invariance, with witnesses; [`holonomy`];
+//! - [`chart`]: coordinates and moving frames; [`forms`]: differential forms;
+//! - [`reductive`]: homogeneous spaces G/H; [`equations`]: equations of motion;
+//! - [`Geometry`]: all of it together; [`claims`]: the statements of the paper about a geometry;
+//! - [`conditions`]: the conditions on parameters under which a tensor vanishes.
 
-mod ground;
+pub mod chart;
+pub mod claims;
+pub mod conditions;
+pub mod connection;
+pub mod curvature;
+pub mod equations;
+pub mod forms;
+mod frame_origin;
+pub mod holonomy;
+pub mod metric;
+pub mod metric_affine;
+pub mod paper;
+pub mod properties;
+pub mod reductive;
 
-pub use ground::Ground;
+pub use frame_origin::FrameOrigin;
 
-use crate::{Canonical, Connection, Error, Frame, LieAlgebra, Metric};
+use crate::Error;
+use crate::algebra::LieAlgebra;
+use crate::algebra::frame::Frame;
+use crate::geometry::connection::{Canonical, Connection};
+use crate::geometry::metric::Metric;
 use affinor_tensors::{Notation, Tensor};
+use std::fmt;
 
-/// A Lie algebra, or fields on a chart, with a connection and, perhaps, a metric, both given in
-/// that frame.
+/// A frame with a connection and, optionally, a metric, all components given in that frame.
 ///
-/// A connection is not a kind of metric, nor the other way round: M(3) and SO(3) share their
-/// algebra and differ in both ([`paper`](crate::paper)).
-#[derive(Clone, Debug)]
+/// Connection and metric are independent. M(3) and SO(3) have the same Lie algebra and differ in
+/// both ([`paper`]).
+///
+/// ```
+/// use affinor::algebra::catalogue;
+/// use affinor::{ConnectionKind, Geometry, Metric, Rational};
+/// let metric = Metric::diagonal([1, 2, 3].map(Rational::from))?;
+/// let so3 = catalogue::algebra("so(3)")?;
+/// let body = Geometry::new("so(3)", so3, ConnectionKind::LeviCivita, Some(metric))?;
+/// assert_eq!(body.to_string(), "so(3), connection levi-civita (of the metric), metric diag(1, 2, 3)");
+/// assert_eq!(body.frame_name(), "left-invariant");
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
 pub struct Geometry<S> {
     name: String,
     algebra_name: Option<String>,
-    ground: Ground<S>,
+    origin: FrameOrigin<S>,
     connection: Connection<S>,
     kind: ConnectionKind<S>,
     metric: Option<Metric<S>>,
@@ -45,16 +82,16 @@ impl<S: Notation> Geometry<S> {
     /// connection over structure functions; [`Error::Shape`].
     pub fn new(
         name: impl Into<String>,
-        ground: impl Into<Ground<S>>,
+        origin: impl Into<FrameOrigin<S>>,
         kind: ConnectionKind<S>,
         metric: Option<Metric<S>>,
     ) -> Result<Self, Error> {
-        let ground = ground.into();
-        let frame = ground.frame();
+        let origin = origin.into();
+        let frame = origin.frame();
         let canonical = |lambda: &S| {
             let what = "a connection lambda c";
-            ground.algebra_for(what)?;
-            if ground.varies(lambda) {
+            origin.algebra_for(what)?;
+            if origin.varies(lambda) {
                 let (component, value) = ("lambda".into(), lambda.to_string());
                 return Err(Error::NotConstant { what, component, value });
             }
@@ -70,18 +107,18 @@ impl<S: Notation> Geometry<S> {
             }
         };
         let (name, algebra_name, right) = (name.into(), None, false);
-        Ok(Geometry { name, algebra_name, ground, connection, kind, metric, right })
+        Ok(Geometry { name, algebra_name, origin, connection, kind, metric, right })
     }
 
     /// The same geometry with its components in the right-invariant frame: structure `-c`,
-    /// affinities `Lambda - c`. A metric that is not bi-invariant has no constant components
-    /// there, and is left out. Taken twice, it is this geometry again.
+    /// affinities `Lambda - c`. A metric that is not bi-invariant is dropped, because its components
+    /// there are not constant. Without a metric, two applications give this geometry again.
     ///
     /// # Errors
     /// [`Error::NotInvariant`] for a connection without constant components there;
     /// [`Error::Frame`] over a chart.
     pub fn in_right_frame(&self) -> Result<Self, Error> {
-        let Ground::Algebra(algebra) = &self.ground else {
+        let FrameOrigin::Algebra(algebra) = &self.origin else {
             return Err(Error::Frame(
                 "fields on a chart have no right-invariant frame beside them",
             ));
@@ -93,7 +130,7 @@ impl<S: Notation> Geometry<S> {
             kind => kind.clone(),
         };
         Ok(Geometry {
-            ground: algebra.opposite().into(),
+            origin: algebra.opposite().into(),
             connection,
             kind,
             metric: metric.cloned(),
@@ -105,7 +142,7 @@ impl<S: Notation> Geometry<S> {
     /// The name of the frame of all components: `left-invariant`, `right-invariant`, and over a
     /// chart `coordinate` or `moving`.
     pub fn frame_name(&self) -> &'static str {
-        match self.ground.fields() {
+        match self.origin.fields() {
             Some(fields) if fields.are_coordinates() => "coordinate",
             Some(_) => "moving",
             None if self.right => "right-invariant",
@@ -113,25 +150,25 @@ impl<S: Notation> Geometry<S> {
         }
     }
 
-    /// The same geometry with a name for its algebra, where that is not its own: so(3) for M(3).
+    /// The same geometry with another name for its algebra, such as so(3) for M(3).
     #[must_use]
     pub fn over(self, algebra_name: impl Into<String>) -> Self {
         Geometry { algebra_name: Some(algebra_name.into()), ..self }
     }
 
-    /// The name of its algebra.
+    /// The name of its algebra; that of the geometry unless [`over`](Self::over) gave another.
     pub fn algebra_name(&self) -> &str {
         self.algebra_name.as_deref().unwrap_or(&self.name)
     }
 
-    /// The name it goes by.
+    /// The name of the geometry.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// What it stands on.
-    pub fn ground(&self) -> &Ground<S> {
-        &self.ground
+    /// Where the frame comes from: the Lie algebra, or the fields on a chart.
+    pub fn frame_origin(&self) -> &FrameOrigin<S> {
+        &self.origin
     }
 
     /// The frame of all components.
@@ -139,9 +176,9 @@ impl<S: Notation> Geometry<S> {
         self.connection.frame()
     }
 
-    /// The Lie algebra; `None` over structure functions.
+    /// The Lie algebra of the frame; `None` if the structure functions are not constant.
     pub fn algebra(&self) -> Option<&LieAlgebra<S>> {
-        self.ground.algebra()
+        self.origin.algebra()
     }
 
     /// The connection, in the [`frame`](Self::frame).
@@ -154,21 +191,32 @@ impl<S: Notation> Geometry<S> {
         &self.kind
     }
 
-    /// The metric, if there is one.
+    /// The metric; `None` for a geometry without one.
     pub fn metric(&self) -> Option<&Metric<S>> {
         self.metric.as_ref()
     }
 
-    /// Whether the connection is that of the metric, chosen so or equal to it: torsion-free and
-    /// compatible, as `zero` is with a bi-invariant metric.
+    /// Whether the connection is the Levi-Civita connection of the metric: torsion-free and
+    /// compatible. `zero` is, with a bi-invariant metric.
     ///
     /// # Errors
-    /// [`Error::Shape`], which a valid geometry does not cause.
+    /// None for a valid geometry; [`Error::Shape`] is passed on.
     pub fn is_levi_civita(&self) -> Result<bool, Error> {
         let Some(metric) = &self.metric else { return Ok(false) };
         Ok(self.kind == ConnectionKind::LeviCivita
             || self.connection.torsion().is_empty()
                 && self.connection.nonmetricity(metric)?.is_empty())
+    }
+}
+
+/// `so(3), connection plus (left invariant canonical, (29)), metric diag(1, 2, 3)`.
+impl<S: Notation> fmt::Display for Geometry<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}, connection {}", self.name, self.kind.describe())?;
+        match &self.metric {
+            Some(metric) => write!(f, ", metric {metric}"),
+            None => Ok(()),
+        }
     }
 }
 
@@ -183,7 +231,7 @@ impl<S: Notation> ConnectionKind<S> {
         }
     }
 
-    /// The factor in `Lambda = lambda c`, where the connection is of that kind.
+    /// The factor `lambda` of a connection `Lambda = lambda c`; `None` for other connections.
     pub fn lambda(&self) -> Option<S> {
         match self {
             ConnectionKind::Canonical(which) => Some(which.lambda()),
@@ -192,7 +240,7 @@ impl<S: Notation> ConnectionKind<S> {
         }
     }
 
-    /// The name with its meaning, for the head of an output.
+    /// The name with an explanation, for the head of an output.
     pub fn describe(&self) -> String {
         match self {
             ConnectionKind::Canonical(which) => format!("{} ({})", which.name(), which.paper()),

@@ -1,45 +1,59 @@
-//! Lie groups in floats: exponential, logarithm, translations and tangent operators.
+//! Lie groups in floating point: exponential, logarithm, adjoint action, tangent operators.
 //!
-//! A group implements [`LieGroup`]. In closed form there are [`So2`], [`So3`], [`Se2`], [`Se3`],
-//! [`Se23`], [`Sl2`] and [`Heisenberg`]; any nilpotent algebra has its [`Nilpotent`] group, any
-//! algebra of matrices its [`MatrixGroup`]; [`Product`] makes one of two, as of [`So3`] and [`Translations`].
-//! [`Opposite`] makes right-invariant systems left-invariant ones.
+//! In reading order:
+//! - [`LieGroup`], the trait of every group, [`Embedded`] for embedding coordinates, [`Written`] for matrices in files;
+//! - closed forms: [`Translations`], [`So2`], [`So3`], [`Se2`], [`Se3`], [`Se23`], [`Sl2`], [`Heisenberg`];
+//! - general groups: [`MatrixGroup`], [`Nilpotent`], [`Product`], [`Opposite`] (right-invariant systems);
+//! - [`AnyGroup`], a group chosen at run time, and the [`registry`] that knows all groups by name;
+//! - [`rotation`]: quaternions, matrices, Euler angles; [`batch`]: many rotations at once;
+//! - [`fields`] and [`velocity`]: invariant vector fields, body and spatial velocity of paths;
+//! - [`transport`]: parallel translation and autoparallels of a left-invariant connection;
+//! - [`laws`]: the laws of a Lie group as checks, for groups of your own.
 //!
-//! Vectors are components in the basis of the algebra, tangent vectors at `g` components in its
-//! left-invariant frame, so that `g x` for a matrix group is the left translate of `x`.
+//! A vector is the list of its components in the basis of the algebra. A tangent vector at `g` has its components in the
+//! left-invariant frame: for a matrix group, `x` at `g` is the matrix `g x`.
 
+mod any_group;
 pub mod batch;
-pub mod coordinates;
+mod coordinates;
 mod cubic;
+mod embedded;
 pub mod fields;
-pub mod heisenberg;
+mod heisenberg;
+pub mod laws;
+pub(crate) mod least_squares;
 mod left_frame;
 mod logarithm;
-pub mod matrix_group;
+mod matrix_group;
+mod mean;
 mod membership;
-pub mod nilpotent;
-pub mod opposite;
+mod nilpotent;
+pub(crate) mod ode;
+mod opposite;
 mod polynomial;
-pub mod product;
+mod product;
+pub mod registry;
 pub mod rotation;
 mod screws;
-pub mod se2;
-pub mod se23;
-pub mod se3;
+mod se2;
+mod se23;
+mod se3;
 pub mod series;
-pub mod sl2;
-pub mod so2;
-pub mod so3;
+mod sl2;
+mod so2;
+mod so3;
 mod splitting;
-mod stored;
-pub mod stumpff;
-pub mod translations;
+mod stumpff;
+mod translations;
+pub mod transport;
 pub mod velocity;
+mod written;
 
+pub use any_group::AnyGroup;
 pub use coordinates::Coordinates;
+pub use embedded::Embedded;
 pub use heisenberg::Heisenberg;
 pub(crate) use left_frame::expect_left_frame;
-pub(crate) use logarithm::logarithm;
 pub use matrix_group::MatrixGroup;
 pub use nilpotent::Nilpotent;
 pub use opposite::Opposite;
@@ -50,23 +64,23 @@ pub use se23::{ExtendedPose, Se23};
 pub use sl2::Sl2;
 pub use so2::So2;
 pub use so3::So3;
-pub use stored::Stored;
 pub use translations::Translations;
 pub use velocity::Velocity;
+pub use written::{Block, Coordinate, Generator, Written};
 
 use crate::{Bracket, Error, LieAlgebra};
 use nalgebra::DMatrix;
 use std::fmt::Debug;
 
-/// A Lie group with its algebra, in floats.
+/// A Lie group with its algebra, in floating point.
 ///
 /// ```text
 /// T_left(x)  = sum (-ad_x)^k/(k+1)!     exp(x + dx) = exp(x) exp(T_left(x) dx + ..)
 /// T_right(x) = sum ad_x^k/(k+1)!        exp(x + dx) = exp(T_right(x) dx + ..) exp(x)
 /// ```
 ///
-/// Nine methods make a group; the tangent operators come by their series where no closed form is
-/// given. Equations (17)-(27) and, for the map `Phi = exp`, (77)-(86) of the paper.
+/// Nine methods define a group. The tangent operators are computed from their series unless the group gives closed forms.
+/// [`laws`] checks the implementation. Equations (17)-(27) and, for the map `Phi = exp`, (77)-(86) of the paper.
 ///
 /// ```
 /// use affinor::group::{Coordinates, LieGroup, So3};
@@ -83,7 +97,7 @@ use std::fmt::Debug;
 /// # Ok::<(), affinor::Error>(())
 /// ```
 pub trait LieGroup {
-    /// What an element is stored as.
+    /// The type of an element.
     type Element: Clone + Debug;
     /// Components in the basis of the algebra.
     type Vector: Coordinates;
@@ -101,7 +115,7 @@ pub trait LieGroup {
     /// A logarithm: `exp(log(g)) = g`, near the identity the one near 0.
     ///
     /// # Errors
-    /// [`Error::NoLogarithm`] for an element without one, or outside of what the group can do.
+    /// [`Error::Invalid`] for an element without one, or outside of what the group can do.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error>;
     /// `Ad_g x`, for matrices `g x g^-1`.
     fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector;
@@ -153,19 +167,19 @@ pub trait LieGroup {
         })
     }
 
-    /// `Ad*_exp(x) h`, for which some groups need no element.
+    /// `Ad*_exp(x) h`.
     fn coadjoint_exp(&self, x: &Self::Vector, h: &Self::Vector) -> Self::Vector {
         self.coadjoint(&self.exp(x), h)
     }
 
-    /// The element that is meant by one which the roundings of many products took off the group, such as a
-    /// quaternion of length 1 again. Groups whose elements are free coordinates have nothing to do.
+    /// Projects a drifted element back onto the group: a quaternion gets length 1 again. Groups whose elements are free
+    /// coordinates return it unchanged.
     fn restored(&self, g: Self::Element) -> Self::Element {
         g
     }
 
-    /// The translations `P x` in a vector: its part in an abelian ideal `V`, along a subalgebra `K` with `g = K + V`.
-    /// `None` where no such ideal is singled out.
+    /// The translational part `P x` of a vector: its projection on an abelian ideal `V` along a subalgebra `K`, `g = K + V`.
+    /// `None` if the group has no such ideal.
     ///
     /// On SE(3) `P(w, u) = (0, u)`. Integrators treat `V` linearly, so that neither the place of the origin nor a
     /// uniform motion of the frame enters the momentum about the body.
@@ -174,16 +188,105 @@ pub trait LieGroup {
         None
     }
 
+    /// The part `P* h` of a covector along [translations](Self::translation): `(P* h)(x) = h(P x)`. `None` if the group has no
+    /// translations.
+    fn along_translations(&self, h: &Self::Vector) -> Option<Self::Vector> {
+        let n = self.dimension();
+        self.translation(&Self::Vector::zeros(n))?;
+        Some(Self::Vector::from_fn(n, |i| {
+            let translation = self.translation(&self.unit(i));
+            let products =
+                translation.iter().flat_map(|x| x.components().iter().zip(h.components()));
+            products.map(|(x, h)| h * x).sum()
+        }))
+    }
+
     /// The factor `k` of `g = exp(y) k`, with `y` in the ideal of [`translation`](Self::translation) and `k` in the
-    /// group of `K`: on SE(3) the rotation. The element itself where there are no translations.
+    /// group of `K`: on SE(3) the rotation. The element itself if the group has no translations.
     fn turn(&self, g: &Self::Element) -> Self::Element {
         g.clone()
     }
 
-    /// Whether `Ad_k` is bounded for every [`turn`](Self::turn) `k`, as for rotations. Where it grows without bound, a
-    /// momentum in axes that do not turn has lost digits when it is carried back to the body.
+    /// `Ad*_(k^-1) h` for a [`turn`](Self::turn) `k`: body to spatial axes.
+    #[inline]
+    fn coadjoint_back(&self, turn: &Self::Element, h: &Self::Vector) -> Self::Vector {
+        self.coadjoint(&self.inverse(turn), h)
+    }
+
+    /// The turn `k_g^-1 k_h` from `g` to `h`, where `k_g` and `k_h` are their [`turn`](Self::turn)s.
+    #[inline]
+    fn turn_between(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
+        self.compose(&self.inverse(&self.turn(g)), &self.turn(h))
+    }
+
+    /// Whether `Ad_k` is bounded for every [`turn`](Self::turn) `k`, as for rotations. If it is not, a spatial momentum loses
+    /// digits when it is carried back to the body.
     fn has_bounded_turns(&self) -> bool {
         false
+    }
+
+    /// `g^-1 h`, the element that takes `g` to `h` from the right.
+    fn between(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
+        self.compose(&self.inverse(g), h)
+    }
+
+    /// `g exp(t log(g^-1 h))`, from `g` at `t = 0` to `h` at `t = 1` with a constant body velocity.
+    ///
+    /// ```
+    /// use affinor::group::{LieGroup, Se3};
+    /// use nalgebra::Isometry3;
+    /// // poses are isometries of nalgebra
+    /// let start = Isometry3::translation(1.0, 0.0, 0.0);
+    /// let end = Isometry3::rotation([0.0, 0.0, 1.0].into());
+    /// let middle = Se3.interpolate(&start, &end, 0.5)?;
+    /// assert!((middle.rotation.angle() - 0.5).abs() < 1e-15);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`log`](Self::log).
+    fn interpolate(
+        &self,
+        g: &Self::Element,
+        h: &Self::Element,
+        t: f64,
+    ) -> Result<Self::Element, Error> {
+        Ok(self.compose(g, &self.exp(&(self.log(&self.between(g, h))? * t))))
+    }
+
+    /// The mean of elements: the `m` with `sum log(m^-1 g_i) = 0` that the iteration from the first element finds.
+    ///
+    /// For rotations it is the Karcher mean, the point with the least sum of squared distances; elements should lie within a
+    /// half turn of each other. On other groups it is the group exponential mean, which commutes with left and right
+    /// translations. X. Pennec and V. Arsigny, in *Matrix Information Geometry* (2013) 123-166.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] without elements; those of [`log`](Self::log); [`Error::NoMean`] if the iteration does not converge.
+    fn mean(&self, elements: &[Self::Element]) -> Result<Self::Element, Error> {
+        mean::mean(self, elements)
+    }
+
+    /// The left Jacobian of exp at `x`, the matrix of [`tangent_right`](Self::tangent_right):
+    /// `exp(x + dx) = exp(J dx + ..) exp(x)`. The matrix has a fixed size if vectors have.
+    ///
+    /// The names left and right are those of J. Sola, J. Deray and D. Atchuthan, arXiv 1812.01537: the side on which
+    /// `exp(J dx)` stands. Those of the tangent operators are the frames of the result.
+    ///
+    /// ```
+    /// use affinor::group::{LieGroup, So3};
+    /// use nalgebra::{Matrix3, Vector3};
+    /// let x = Vector3::new(0.3, -0.2, 0.5);
+    /// let left: Matrix3<f64> = So3.jacobian_left(&x);
+    /// assert!((left - So3.jacobian_right(&x).transpose()).norm() < 1e-15);
+    /// ```
+    fn jacobian_left(&self, x: &Self::Vector) -> <Self::Vector as Coordinates>::Matrix {
+        Self::Vector::matrix(self.dimension(), |k| self.tangent_right(x, &self.unit(k)))
+    }
+
+    /// The right Jacobian of exp at `x`, the matrix of [`tangent_left`](Self::tangent_left):
+    /// `exp(x + dx) = exp(x) exp(J dx + ..)`.
+    fn jacobian_right(&self, x: &Self::Vector) -> <Self::Vector as Coordinates>::Matrix {
+        Self::Vector::matrix(self.dimension(), |k| self.tangent_left(x, &self.unit(k)))
     }
 
     /// The basis vector of an index, from 0.
@@ -213,7 +316,10 @@ pub trait LieGroup {
 
     /// The matrix of a linear map of the algebra, such as `|v| group.tangent_left(&x, v)`: the
     /// upper index is the row.
-    fn operator(&self, map: impl Fn(&Self::Vector) -> Self::Vector) -> DMatrix<f64> {
+    fn operator(&self, map: impl Fn(&Self::Vector) -> Self::Vector) -> DMatrix<f64>
+    where
+        Self: Sized,
+    {
         let columns: Vec<_> = self.basis().iter().map(map).collect();
         DMatrix::from_fn(self.dimension(), self.dimension(), |i, k| columns[k].components()[i])
     }

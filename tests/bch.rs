@@ -1,15 +1,12 @@
 //! The Baker-Campbell-Hausdorff series: published terms, exact groups, convergence to products of
 //! matrices.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::algebras::{algebras, by_table, catalogued};
+use crate::common::{fraction, integer, labels, rationals};
 use affinor::group::Nilpotent;
 use affinor::{Bracket, LieAlgebra};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Field, Rational, Ring};
-use common::algebras::{algebras, by_table, catalogued};
-use common::{fraction, integer, labels, rationals};
 use nalgebra::DMatrix;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -50,7 +47,7 @@ const PUBLISHED: [&[(&str, i64, i64)]; 5] = [
 ];
 
 proptest! {
-    #![proptest_config(common::property::cases(32))]
+    #![proptest_config(crate::common::property::cases(32))]
 
     #[test]
     fn published_terms(

@@ -1,18 +1,16 @@
 //! Canonical coordinates of any algebra at points in floats: constants, closed forms, curvature.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use affinor::chart::{Canonical, Chart, Side};
+use crate::common::algebras::{algebras, by_table, catalogued};
+use crate::common::{inverse, labels, metrics, transform};
+use affinor::geometry::chart::{CanonicalCoordinates, Chart, Side};
 use affinor::{BasisChange, Connection, Error, Frame, LieAlgebra, Metric};
 use affinor_tensors::{Down, Jet, Rational, Ring, Symbolic, Tensor, Up, contract};
-use common::algebras::{algebras, by_table, catalogued};
-use common::{inverse, labels, metrics, transform};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 
-const KINDS: [Canonical; 2] = [Canonical::First, Canonical::Second];
+const KINDS: [CanonicalCoordinates; 2] =
+    [CanonicalCoordinates::First, CanonicalCoordinates::Second];
 const SIDES: [Side; 2] = [Side::Left, Side::Right];
 
 fn floats(algebra: &LieAlgebra<Rational>) -> LieAlgebra<f64> {
@@ -65,7 +63,8 @@ fn rotation_vectors_by_the_formula_of_rodrigues() {
         let t = q.iter().map(|v| v * v).sum::<f64>().sqrt();
         let spin = [[0.0, -q[2], q[1]], [q[2], 0.0, -q[0]], [-q[1], q[0], 0.0]];
         let [u, v] = [(1.0 - t.cos()) / (t * t), (t - t.sin()) / (t * t * t)];
-        let forms = SIDES.map(|side| so3.canonical_forms(Canonical::First, side, &q).unwrap());
+        let forms =
+            SIDES.map(|side| so3.canonical_forms(CanonicalCoordinates::First, side, &q).unwrap());
         for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
             let square: f64 = (0..3).map(|k| spin[i][k] * spin[k][j]).sum();
             let expected = f64::from(i == j) - u * spin[i][j] + v * square;
@@ -119,19 +118,19 @@ fn exact_fields_at_points() {
 fn curvature_both_ways(
     algebra: &LieAlgebra<Rational>,
     metric: &Metric<Rational>,
-    kind: Canonical,
+    kind: CanonicalCoordinates,
     x: &[f64],
     tolerance: f64,
 ) {
     let n = algebra.dimension();
     let real = floats(algebra);
     let constants = Connection::levi_civita(algebra.left_frame(), metric).unwrap();
-    let constants = jets(&constants.curvature());
+    let constants = jets(constants.curvature());
     let g = jets(metric.components());
     let left = Frame::canonical_at_point(&real, kind, Side::Left, x).unwrap();
     let by_fields = Metric::new(left.labels(), g.clone()).unwrap();
     let by_fields = Connection::levi_civita(&left, &by_fields).unwrap();
-    close(&by_fields.curvature(), &constants, tolerance);
+    close(by_fields.curvature(), &constants, tolerance);
 
     let forms = real.canonical_forms(kind, Side::Left, x).unwrap();
     let coordinates = Frame::at_point(labels(n), x, |_, [a, i]| Jet::from_i64((a == i).into()));
@@ -142,7 +141,7 @@ fn curvature_both_ways(
     let here = Metric::new(coordinates.labels(), here).unwrap();
     let computed = Connection::levi_civita(&coordinates, &here).unwrap();
     let expected = transform(&constants, &forms, &inverse(&forms));
-    close(&computed.curvature(), &expected, tolerance);
+    close(computed.curvature(), &expected, tolerance);
 
     // the canonical connections, from the left and from the right fields
     let right = Frame::canonical_at_point(&real, kind, Side::Right, x).unwrap();
@@ -158,9 +157,9 @@ fn curvature_both_ways(
         let of_right = moved(&right, lambda.clone() - &Jet::from_i64(1), &right_forms);
         close(of_left.gamma(), of_right.gamma(), tolerance);
         let lambda = Rational::new(twice.into(), 2).unwrap();
-        let constants = jets(&Connection::family(algebra, &lambda).curvature());
+        let constants = jets(Connection::family(algebra, &lambda).curvature());
         let expected = transform(&constants, &forms, &inverse(&forms));
-        close(&of_left.curvature(), &expected, tolerance);
+        close(of_left.curvature(), &expected, tolerance);
     }
 }
 
@@ -189,9 +188,11 @@ fn eq_75_affinities_in_canonical_coordinates() {
         let (n, real) = (algebra.dimension(), floats(&algebra));
         for (q, lambda) in [0.0, 0.8].into_iter().flat_map(|q| [0.0, 0.5, 1.0].map(|l| (q, l))) {
             let x = point(n, q);
-            let left = Frame::canonical_at_point(&real, Canonical::First, Side::Left, &x).unwrap();
+            let left =
+                Frame::canonical_at_point(&real, CanonicalCoordinates::First, Side::Left, &x)
+                    .unwrap();
             let gamma = jets(algebra.structure()).scale(&Jet::constant(lambda));
-            let forms = real.canonical_forms(Canonical::First, Side::Left, &x).unwrap();
+            let forms = real.canonical_forms(CanonicalCoordinates::First, Side::Left, &x).unwrap();
             let change = BasisChange::new(forms).unwrap();
             let left = Connection::new(left, gamma).unwrap();
             let here = left.moved(labels(n), &change).unwrap();
@@ -220,7 +221,8 @@ fn eq_75_affinities_in_canonical_coordinates() {
 #[test]
 fn singular_points_are_refused() {
     let so3 = floats(&catalogued("so(3)"));
-    let first = |x: &[f64]| Frame::canonical_at_point(&so3, Canonical::First, Side::Left, x);
+    let first =
+        |x: &[f64]| Frame::canonical_at_point(&so3, CanonicalCoordinates::First, Side::Left, x);
     for turns in 1..40 {
         let t = TAU * f64::from(turns);
         for x in [[t, 0.0, 0.0], [0.6 * t, 0.0, 0.8 * t], [t / 3.0, -2.0 * t / 3.0, 2.0 * t / 3.0]]
@@ -232,11 +234,16 @@ fn singular_points_are_refused() {
     // the forms exist there, and vanish across the axis
     let refused = first(&[0.0, 0.0, TAU]).unwrap_err().to_string();
     assert!(refused.ends_with("vanish on d_1"), "{refused}");
-    let second =
-        Frame::canonical_at_point(&so3, Canonical::Second, Side::Right, &[0.3, PI / 2.0, 1.0]);
+    let second = Frame::canonical_at_point(
+        &so3,
+        CanonicalCoordinates::Second,
+        Side::Right,
+        &[0.3, PI / 2.0, 1.0],
+    );
     assert!(matches!(second, Err(Error::SingularPoint { .. })));
     let sl2 = floats(&catalogued("sl(2)"));
-    let sl2 = |x: &[f64]| Frame::canonical_at_point(&sl2, Canonical::First, Side::Left, x);
+    let sl2 =
+        |x: &[f64]| Frame::canonical_at_point(&sl2, CanonicalCoordinates::First, Side::Left, x);
     // h, e, f: eigenvalues 2 pi i at pi (e - f)
     assert!(sl2(&[0.0, 3.0, -3.0]).is_ok());
     let found = (0..3).filter(|axis| {
@@ -256,9 +263,11 @@ fn points_far_out() {
         }
     }
     let affine = floats(&catalogued("aff(1)"));
-    let far = Frame::canonical_at_point(&affine, Canonical::First, Side::Left, &[-800.0, 1.0]);
+    let far =
+        Frame::canonical_at_point(&affine, CanonicalCoordinates::First, Side::Left, &[-800.0, 1.0]);
     assert!(matches!(far, Err(Error::Overflow { .. })), "exp(800)");
-    let short = Frame::canonical_at_point(&so3, Canonical::First, Side::Left, &[0.0, 1.0]);
+    let short =
+        Frame::canonical_at_point(&so3, CanonicalCoordinates::First, Side::Left, &[0.0, 1.0]);
     assert!(matches!(short, Err(Error::Shape { .. })));
     // nothing grows but polynomials
     let heisenberg = catalogued("heisenberg(3)");
@@ -270,7 +279,7 @@ fn points_far_out() {
 }
 
 proptest! {
-    #![proptest_config(common::property::cases(24))]
+    #![proptest_config(crate::common::property::cases(24))]
 
     #[test]
     fn random_algebras_in_random_bases(

@@ -1,7 +1,7 @@
 //! The names that the catalogue reads, and those that it refuses, with their reasons.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use affinor::catalogue::{self, CatalogueError, MAX_DIMENSION};
+use affinor::algebra::catalogue;
+use affinor::algebra::catalogue::{CatalogueError, MAX_DIMENSION};
 
 /// The name in full, and ways to write it.
 const READ: &str = "\

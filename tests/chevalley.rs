@@ -1,7 +1,7 @@
 //! The root systems against Bourbaki's plates, the Chevalley bases against their axioms and
 //! against the tables GAP makes.
 
-use affinor::roots::{
+use affinor::algebra::roots::{
     CartanType, MAX_DIMENSION, RootError, RootSystem, Series, basis_names, chevalley_constants,
 };
 use std::collections::{HashMap, HashSet};

@@ -1,22 +1,18 @@
 //! Constrained systems: the heavy top on R^3 x SO(3) and on SE(3) against 30 digits, and simpler ones against closed forms.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "common/steps.rs"]
-mod steps;
-
-use affinor::dynamics::elliptic::Jacobi;
-use affinor::dynamics::euler_poincare::{Free, Torque};
-use affinor::dynamics::{
+use crate::common::steps::run;
+use affinor::group::{LieGroup, MatrixGroup, Product, Se2, Se3, So3, Translations};
+use affinor::mechanics::bodies::elliptic::Jacobi;
+use affinor::mechanics::systems::euler_poincare::{Free, Torque};
+use affinor::mechanics::{
     Adaptive, BodyState, Constrained, ConstrainedState, Constraint, EulerPoincare, FreeBody,
     GeneralisedAlpha, Inertia, Integrator,
 };
-use affinor::group::{LieGroup, MatrixGroup, Product, Se2, Se3, So3, Translations};
 use affinor::{Canonical, Connection, Error, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{
     DMatrix, DVector, Isometry3, Matrix3, UnitQuaternion, Vector2, Vector3, Vector6, dvector,
 };
-use steps::run;
 
 const MASS: f64 = 15.0;
 const GRAVITY: f64 = 9.81;
@@ -479,7 +475,7 @@ fn what_is_no_state_is_refused() {
     let zero = Vector2::zeros();
     fn reason<T: std::fmt::Debug>(result: Result<T, Error>) -> String {
         match result {
-            Err(Error::NoState { reason }) => reason,
+            Err(Error::Invalid { what: "state", reason }) => reason,
             other => panic!("{other:?}"),
         }
     }

@@ -1,11 +1,8 @@
 //! The covariant derivative is a derivation: products, contractions, and its value on tensors.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::{Space, integer, labels, spaces, tensors};
 use affinor::{Connection, Error, Frame};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up, contract};
-use common::{Space, integer, labels, spaces, tensors};
 use proptest::prelude::*;
 
 type Mixed = Tensor<Rational>;
@@ -19,7 +16,7 @@ fn with_tensors(most: usize) -> impl Strategy<Value = (Space, Mixed, Mixed)> {
 }
 
 proptest! {
-    #![proptest_config(common::property::cases(64))]
+    #![proptest_config(crate::common::property::cases(64))]
 
     /// Component by component, as the conventions write it.
     #[test]

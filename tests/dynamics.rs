@@ -1,17 +1,13 @@
 //! Euler-Poincare systems on groups: orders of the integrators, what is conserved, published states.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "common/steps.rs"]
-mod steps;
-
-use affinor::dynamics::euler_poincare::{Free, Torque};
-use affinor::dynamics::{Adaptive, CommutatorFree, EulerPoincare, Integrator, MuntheKaas, State};
-use affinor::equations::Equations;
+use crate::common::steps::run;
+use affinor::geometry::equations::Equations;
 use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So3};
+use affinor::mechanics::systems::euler_poincare::{Free, Torque};
+use affinor::mechanics::{Adaptive, CommutatorFree, EulerPoincare, Integrator, MuntheKaas, State};
 use affinor::{Canonical, Connection, Error, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3, Vector6};
-use steps::run;
 
 /// A positive definite metric that is not diagonal.
 fn full<G: LieGroup>(group: &G) -> Metric<f64> {

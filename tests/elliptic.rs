@@ -1,6 +1,6 @@
 //! Elliptic functions and integrals, against mpmath and quadrature.
 
-use affinor::dynamics::elliptic::{Jacobi, first_kind, third_kind};
+use affinor::mechanics::bodies::elliptic::{Jacobi, first_kind, third_kind};
 
 /// The stored lines of a kind.
 fn lines(kind: &str) -> impl Iterator<Item = Vec<f64>> {

@@ -1,17 +1,13 @@
 //! What an algebra has, its sum with R^k has too: the tensors are padded by zeros, in any
 //! dimension, and whatever path a size takes.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use affinor::certificate::certify;
-use affinor::definition::{Reading, Request, Space};
-use affinor::report::Quantity;
+use crate::common::algebras::{by_table, catalogued, seeds};
+use crate::common::{fraction, integer, labels, spaces, stored};
 use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra, Metric};
+use affinor_documents::certificate::certify;
+use affinor_documents::definition::{Reading, Request, Space};
+use affinor_documents::report::Quantity;
 use affinor_tensors::{Down, Kind, Notation, Rational, Tensor, Tolerance};
-use common::algebras::{by_table, catalogued, seeds};
-use common::property;
-use common::{fraction, integer, labels, spaces, stored};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 
@@ -389,7 +385,7 @@ fn certificates_of_large_sums() {
 }
 
 proptest! {
-    #![proptest_config(property::cases(40))]
+    #![proptest_config(crate::common::property::cases(40))]
 
     /// Random algebras, metrics and connections, with some dimensions more.
     #[test]

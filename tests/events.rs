@@ -1,18 +1,14 @@
 //! Events: each is found once, at its time, and the state within a step is as good as at its end.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "../tensors/tests/common/property.rs"]
-mod property;
-
-use affinor::dynamics::dense::Step;
-use affinor::dynamics::euler_poincare::Free;
-use affinor::dynamics::events::{Direction, Event, Then, Watch};
-use affinor::dynamics::moser_veselov::Order;
-use affinor::dynamics::{
+use affinor::group::{LieGroup, So3};
+use affinor::mechanics::events::{Direction, Event, Then, Watch};
+use affinor::mechanics::integrators::dense_output::Step;
+use affinor::mechanics::integrators::moser_veselov::Order;
+use affinor::mechanics::systems::euler_poincare::Free;
+use affinor::mechanics::{
     Adaptive, BodyState, EulerPoincare, FreeBody, Inertia, Integrator, MoserVeselov, MuntheKaas,
     SimoWong, State, System,
 };
-use affinor::group::{LieGroup, So3};
 use affinor::{Canonical, Connection, Error, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::Vector3;
@@ -157,7 +153,7 @@ fn what_is_no_number_is_refused() {
 }
 
 proptest! {
-    #![proptest_config(property::cases(256))]
+    #![proptest_config(crate::common::property::cases(256))]
 
     /// Steep, flat and one-sided functions: each change of sign once, to the rounding of time.
     #[test]
@@ -211,19 +207,30 @@ fn a_section_is_crossed_once_a_period() {
         found.extend(watch.advance(&step, &mut state).unwrap().into_iter().map(|c| c.state));
     }
     check(&found, 1e-12);
-    // steps of any length
-    let (adaptive, mut next) = (Adaptive::new(1e-13), 0.01);
-    let (mut state, mut found) = (start, vec![]);
-    let mut watch = Watch::new(vec![section()], &system, &state).unwrap();
-    while state.time < 10.0 * period {
-        let (before, mut end) = (state.clone(), state.clone());
-        adaptive.step(&system, &mut end, &mut next, 10.0 * period).unwrap();
-        let length = end.time - before.time;
-        let method = &MuntheKaas::DORMAND_PRINCE;
-        let step = Step { system: &system, method, start: before, length };
-        found.extend(watch.pass(&step, end, &mut state).unwrap().into_iter().map(|c| c.state));
+    let first = found[0].time;
+    let run = |end: f64, events| Adaptive::new(1e-13).run(&system, &start, end, events).unwrap();
+    let trajectory = run(10.0 * period, vec![section()]);
+    let found = trajectory.events().iter().map(|crossing| crossing.state.clone());
+    check(&found.collect::<Vec<_>>(), 1e-11);
+    // between its steps it is as good as at their ends, in both directions of time
+    for (trajectory, period) in [(trajectory, period), (run(-10.0 * period, vec![]), -period)] {
+        for k in 0..=100 {
+            let state = trajectory.at(0.1 * f64::from(k) * period).unwrap();
+            let reference = exact.at(state.time);
+            let off = (system.momentum(&state) - reference.momentum).norm();
+            let off = off.max(state.element.angle_to(&reference.attitude));
+            assert!(off < 1e-9, "{}: {off:e}", state.time);
+        }
+        assert_eq!(trajectory.at(0.0).unwrap().spatial, start.spatial);
+        assert_eq!(trajectory.at(trajectory.end().time).unwrap().time, trajectory.end().time);
+        for outside in [10.1 * period, -0.1 * period, f64::NAN] {
+            assert!(matches!(trajectory.at(outside), Err(Error::Integration { .. })));
+        }
     }
-    check(&found, 1e-11);
+    let stop = Event::new(|s: &State<So3>| system.momentum(s).y, Direction::Rising, Then::Stop);
+    let stopped = run(10.0 * period, vec![stop]);
+    assert_eq!(stopped.end().time, stopped.events()[0].state.time);
+    assert!((stopped.end().time - first).abs() < 1e-10);
 }
 
 /// States within steps have the order of the method.

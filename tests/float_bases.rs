@@ -1,12 +1,10 @@
 //! Changes of basis in floats: an algebra stays one, a metric a metric, in any basis that can be inverted.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use affinor::{BasisChange, Bracket, Form, LieAlgebra, Metric, catalogue};
+use crate::common::algebras::catalogued;
+use crate::common::{labels, metrics};
+use affinor::algebra::catalogue;
+use affinor::{BasisChange, Bracket, Form, LieAlgebra, Metric};
 use affinor_tensors::{Down, Rational, Tensor, Up};
-use common::algebras::catalogued;
-use common::{labels, metrics};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 
@@ -74,7 +72,7 @@ fn cases() -> impl Strategy<Value = (String, Vec<f64>, f64)> {
 }
 
 proptest! {
-    #![proptest_config(common::property::cases(512))]
+    #![proptest_config(crate::common::property::cases(512))]
 
     /// Antisymmetric to the last bit, and so accepted by every constructor.
     #[test]
@@ -125,7 +123,7 @@ proptest! {
         for (at, value) in moved.components() {
             prop_assert_eq!(*value, moved.get(&[at[1], at[0]]));
         }
-        prop_assert!(Metric::new(&labels(n), moved).is_ok());
+        prop_assert!(Metric::new(labels(n), moved).is_ok());
         // a form of degree 3 out of the same numbers
         let term = |[i, j, k]: [usize; 3]| {
             let x = |a: usize, i: usize| numbers[(a * n + i) % numbers.len()];

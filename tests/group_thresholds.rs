@@ -1,6 +1,5 @@
 //! Closed forms and series of the groups on both sides of every threshold between them, against
 //! the series in `ad` in exact fractions.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use affinor::group::series::{exp, phi1};
 use affinor::group::{Coordinates, LieGroup, Opposite, Se2, Se3, Se23, Sl2, So3};

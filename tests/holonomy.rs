@@ -1,15 +1,12 @@
 //! The holonomy algebra of left-invariant connections.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::algebras::{by_table, seeds};
+use crate::common::charts::{constant, heisenberg};
+use crate::common::spaces::{named, rational, symbolic};
+use crate::common::{fraction, integer, invertible, spaces};
 use affinor::{BasisChange, Canonical, Connection, LieAlgebra, Metric};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Rational, Tensor, contract};
-use common::algebras::{by_table, seeds};
-use common::charts::{constant, heisenberg};
-use common::spaces::{named, rational, symbolic};
-use common::{fraction, integer, invertible, spaces};
 use proptest::prelude::*;
 
 fn rank(connection: &Connection<Rational>) -> usize {
@@ -101,7 +98,7 @@ fn only_invariant_frames() {
 fn span_of_derivatives(connection: &Connection<Rational>, order: usize) -> usize {
     let n = connection.frame().dimension();
     let mut rows = vec![];
-    let mut tensor = connection.curvature();
+    let mut tensor = connection.curvature().clone();
     for step in 0..=order {
         // slots ^i_{m..}jkl: the matrix is (i, j), everything else tells the rows apart
         let j = 1 + step;
@@ -121,7 +118,7 @@ fn span_of_derivatives(connection: &Connection<Rational>, order: usize) -> usize
 }
 
 proptest! {
-    #![proptest_config(common::property::cases(24))]
+    #![proptest_config(crate::common::property::cases(24))]
 
     /// Closed under the commutator and under every `Lambda_m`, and within so(g) for Levi-Civita.
     #[test]

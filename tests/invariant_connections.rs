@@ -1,14 +1,11 @@
 //! The spaces of bi-invariant connections, and of those that a subalgebra leaves alone.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use affinor::invariants::invariant_tensors;
+use crate::common::algebras::{algebras, by_table, catalogued, seeds};
+use crate::common::{fraction, integer, rationals, stored};
+use affinor::algebra::invariants::invariant_tensors;
 use affinor::{Connection, Error, LieAlgebra};
 use affinor_tensors::linear::{Echelon, Matrix};
 use affinor_tensors::{Down, Rational, Tensor, Up, contract};
-use common::algebras::{algebras, by_table, catalogued, seeds};
-use common::{fraction, integer, rationals, stored};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -58,7 +55,7 @@ fn rank(algebra: &Algebra, directions: &[Vec<Rational>]) -> usize {
 }
 
 proptest! {
-    #![proptest_config(common::property::cases(24))]
+    #![proptest_config(crate::common::property::cases(24))]
 
     /// All of them, and nothing else: each is invariant, and there are as many as equations allow.
     #[test]

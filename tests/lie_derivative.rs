@@ -1,16 +1,13 @@
 //! The Lie derivative: brackets of fields, invariance, and any frame.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::charts::{Moved, affine, constant, heisenberg, special_linear};
+use crate::common::{spaces, tensors};
 use affinor::{Connection, Frame};
 use affinor_tensors::{Down, Symbolic, Tensor, Up, contract};
-use common::charts::{Moved, affine, constant, heisenberg, special_linear};
-use common::{spaces, tensors};
 use proptest::prelude::*;
 
 proptest! {
-    #![proptest_config(common::property::cases(32))]
+    #![proptest_config(crate::common::property::cases(32))]
 
     #[test]
     fn along_constant_fields((space, x, y, t) in spaces(4).prop_flat_map(|space| {
@@ -31,7 +28,7 @@ proptest! {
         prop_assert!(along(&x, space.algebra.structure()).is_empty());
         prop_assert!(along(&x, &space.algebra.killing_form()).is_empty());
         // L_x T = nabla_x T of plus
-        let plus = Connection::family(&space.algebra, &common::integer(1));
+        let plus = Connection::family(&space.algebra, &crate::common::integer(1));
         let nabla = plus.nabla(&t)?;
         let operands = [("x", &x), ("D", &nabla)];
         prop_assert_eq!(along(&x, &t), contract("x^m D^i_mjk -> ^i_jk", &operands)?);
@@ -67,8 +64,8 @@ fn any_frame() {
         assert_eq!(here, contract("a^a_b + m^a_b -> ^a_b", &sum).unwrap());
         // the same field and tensor by their components in the left frame
         let left = Moved::new(&chart, Tensor::identity(chart.dimension()));
-        let forms = common::inverse(&chart.fields);
-        let to_left = |t: &Tensor<Symbolic>| common::transform(t, &chart.fields, &forms);
+        let forms = crate::common::inverse(&chart.fields);
+        let to_left = |t: &Tensor<Symbolic>| crate::common::transform(t, &chart.fields, &forms);
         let there = left.frame().lie_derivative(&to_left(&x), &to_left(&t)).unwrap();
         assert_eq!(there, to_left(&here));
         // L_X f = X(f), and L_X X = 0

@@ -1,15 +1,15 @@
 //! What a million steps keep.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use affinor::dynamics::euler_poincare::{Free, Torque};
-use affinor::dynamics::integrators::kick::{FreeMotion, Order as KickOrder};
-use affinor::dynamics::integrators::splitting::Composition;
-use affinor::dynamics::moser_veselov::Order;
-use affinor::dynamics::{
-    BodyState, CommutatorFree, CrouchGrossman, EulerPoincare, Inertia, Integrator, Kick, Linear,
-    Magnus, MoserVeselov, MuntheKaas, Place, Projected, SimoWong, Splitting, State,
+use affinor::group::{Embedded, LieGroup, Se3, Sl2, So3};
+use affinor::mechanics::integrators::kick::{FreeMotion, Order as KickOrder};
+use affinor::mechanics::integrators::moser_veselov::Order;
+use affinor::mechanics::integrators::splitting::Composition;
+use affinor::mechanics::systems::euler_poincare::{Free, Torque};
+use affinor::mechanics::{
+    BodyState, CommutatorFree, CrouchGrossman, EulerPoincare, Inertia, Integrator, Kick,
+    KinematicState, Linear, Magnus, MoserVeselov, MuntheKaas, Projected, SimoWong, Splitting,
+    State,
 };
-use affinor::group::{LieGroup, Se3, Sl2, So3, Stored};
 use affinor::{Canonical, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3, Vector6};
@@ -143,7 +143,7 @@ fn a_body_in_a_potential() {
 /// Elements of rigid motions and of SL(2) stay on their groups.
 #[test]
 fn elements_stay_on_the_group() {
-    fn ends<G: Stored>(group: G, velocity: &G::Vector) -> [G::Element; 3] {
+    fn ends<G: Embedded>(group: G, velocity: &G::Vector) -> [G::Element; 3] {
         let n = group.dimension();
         let entry = |[i, j]: [usize; 2]| if i == j { 1.0 + 0.5 * i as f64 } else { 0.05 };
         let algebra = group.algebra().unwrap();
@@ -164,7 +164,7 @@ fn elements_stay_on_the_group() {
     for pose in ends(Se3, &Vector6::new(0.5, -0.3, 0.6, 0.4, 0.2, -0.5)) {
         assert!((pose.rotation.norm() - 1.0).abs() < 2e-15);
     }
-    let mut place = Place { time: 0.0, element: So3.identity() };
+    let mut place = KinematicState { time: 0.0, element: So3.identity() };
     let wheel = Linear { group: So3, velocity: |t: f64| Vector3::new(t.sin(), 0.3, t.cos()) };
     for _ in 0..MILLION / 10 {
         Magnus::Four.step(&wheel, &mut place, 0.01).unwrap();

@@ -1,15 +1,12 @@
 //! J. Milnor, Curvatures of left invariant metrics on Lie groups, Adv. Math. 21 (1976) 293-329: the
 //! groups of dimension 3.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::algebras::by_table;
+use crate::common::charts::constant;
+use crate::common::integer;
+use crate::common::spaces::symbolic;
 use affinor::{Connection, LieAlgebra, Metric};
 use affinor_tensors::{Down, Field, Rational, Symbolic, Tensor};
-use common::algebras::by_table;
-use common::charts::constant;
-use common::integer;
-use common::spaces::symbolic;
 use num_traits::Zero;
 use std::collections::{BTreeMap, BTreeSet};
 

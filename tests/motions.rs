@@ -1,12 +1,11 @@
 //! Motions against Taylor series in 25 digits (`references/motions.py`): bodies, tops, torques, and other groups.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use affinor::dynamics::euler_poincare::Torque;
-use affinor::dynamics::{
+use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So3};
+use affinor::mechanics::systems::euler_poincare::Torque;
+use affinor::mechanics::{
     Adaptive, BodyState, CommutatorFree, EulerPoincare, FreeBody, Inertia, Integrator, MuntheKaas,
     State,
 };
-use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So3};
 use affinor::{Canonical, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
@@ -97,7 +96,7 @@ impl<G: LieGroup> Torque<G> for Load<G> {
 }
 
 fn positive(group: &impl LieGroup, entry: impl Fn([usize; 2]) -> f64) -> Metric<f64> {
-    let labels = group.algebra().unwrap().labels().clone();
+    let labels = group.algebra().unwrap().labels().to_vec();
     let metric = Tensor::from_fn(labels.len(), [Down, Down], entry).unwrap();
     Metric::new(&labels, metric).unwrap()
 }

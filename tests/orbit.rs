@@ -1,8 +1,7 @@
 //! A satellite in a low orbit with the gravity gradient, in SI units, against a reference in 25 digits
 //! (`tests/references/orbit.py`).
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use affinor::definition::Problem;
+use affinor_documents::problem::Problem;
 
 const REFERENCE: &str = include_str!("data/orbit.json");
 

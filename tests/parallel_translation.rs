@@ -1,11 +1,7 @@
 //! Parallel translation and autoparallels on groups, against closed forms and conservation laws.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "../tensors/tests/common/property.rs"]
-mod property;
-
+use affinor::group::transport::{ParallelTranslation, TangentVector};
 use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So2, So3};
-use affinor::transport::{ParallelTranslation, TangentVector};
 use affinor::{Bracket, Canonical, Connection, Error, LieAlgebra, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3};
@@ -92,7 +88,7 @@ fn velocity(t: f64) -> Vector3<f64> {
 }
 
 proptest! {
-    #![proptest_config(property::cases(256))]
+    #![proptest_config(crate::common::property::cases(256))]
 
     #[test]
     fn translation_on_every_group(numbers in proptest::array::uniform6(-1.5..1.5f64)) {

@@ -1,17 +1,14 @@
 //! Properties with their constants and witnesses: symmetric spaces, Einstein metrics, solitons,
 //! space forms, bi-invariant and naturally reductive metrics, Killing fields.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use affinor::properties::{Property, Soliton};
+use crate::common::algebras::by_table;
+use crate::common::charts::{Chart, Moved, constant};
+use crate::common::spaces::{named, rational, symbolic};
+use crate::common::{Space, fraction, integer, spaces};
+use affinor::geometry::properties::{Property, Soliton};
 use affinor::{Connection, Error, Frame, Geometry, LieAlgebra, Metric};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Notation, Rational, Symbolic, Tensor, contract};
-use common::algebras::by_table;
-use common::charts::{Chart, Moved, constant};
-use common::spaces::{named, rational, symbolic};
-use common::{Space, fraction, integer, spaces};
 use num_traits::Zero;
 use proptest::prelude::*;
 
@@ -374,7 +371,7 @@ fn killing_by_nabla(space: &Space) -> usize {
 }
 
 proptest! {
-    #![proptest_config(common::property::cases(32))]
+    #![proptest_config(crate::common::property::cases(32))]
 
     /// On random metrics the answers are those of a linear system, and witnesses do not lie.
     #[test]

@@ -1,21 +1,18 @@
 //! The two invariant frames: what a connection is in the right one, and when it is constant there.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use affinor::equations::{Equations, Motion};
-use affinor::report::{Format, Quantity, System, Table};
+use crate::common::algebras::by_table;
+use crate::common::{Space, fraction, integer, spaces};
+use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::{Bracket, Canonical, Connection, ConnectionKind, Error, Geometry, LieAlgebra};
+use affinor_documents::report::{EquationReport, Format, Quantity, Table};
 use affinor_tensors::{Rational, Tensor, contract};
-use common::algebras::by_table;
-use common::{Space, fraction, integer, spaces};
 use num_traits::Zero;
 use proptest::prelude::*;
 
 /// The algebra of the right-invariant fields: `g -> g^-1` turns `c` into `-c`.
 fn inverted(algebra: &LieAlgebra<Rational>) -> LieAlgebra<Rational> {
     let opposite = algebra.structure().map(|value| -value.clone());
-    Bracket::new(algebra.labels().clone(), opposite).unwrap().try_into().unwrap()
+    Bracket::new(algebra.labels(), opposite).unwrap().try_into().unwrap()
 }
 
 /// Both frames know the same torsion and curvature: the tensors of a connection that is invariant
@@ -64,7 +61,7 @@ fn constant_or_refused(space: &Space, left: &Connection<Rational>) -> Result<boo
 }
 
 proptest! {
-    #![proptest_config(common::property::cases(40))]
+    #![proptest_config(crate::common::property::cases(40))]
 
     /// `Lambda_right = Lambda - c` over `-c`, which is the member `1 - lambda` of the family of
     /// the inverted group.
@@ -159,8 +156,9 @@ fn the_frame_is_named_as_it_is() {
             let other = if name.starts_with('l') { "right-invariant" } else { "left-invariant" };
             let table = Table::new(geometry, &[Quantity::Structure, Quantity::Affinities]).unwrap();
             assert_eq!((geometry.frame_name(), table.frame), (name, name));
-            let transport = Equations::new(Motion::Transport, geometry.connection(), None).unwrap();
-            let system = System::new(transport, geometry);
+            let transport =
+                Equations::new(EquationKind::Transport, geometry.connection(), None).unwrap();
+            let system = EquationReport::new(transport, geometry);
             for format in Format::ALL {
                 let [mut of_table, mut of_system] = [vec![], vec![]];
                 table.write(format, &mut of_table).unwrap();

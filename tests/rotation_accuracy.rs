@@ -1,18 +1,16 @@
 //! SO(3) to a few roundings everywhere, against values of 1000-digit arithmetic; peers beside it.
 //!
 //! `cargo test --test rotation_accuracy -- --ignored --nocapture` prints the table of docs/rotations.md.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "../tensors/tests/common/property.rs"]
-mod property;
-#[path = "common/rotation_peers.rs"]
-mod rotation_peers;
-
-use affinor::group::batch::{self, Quaternions, Vectors};
+use affinor::group::batch;
+use affinor::group::batch::{Quaternions, Vectors};
 use affinor::group::rotation::{from_matrix, matrix};
 use affinor::group::{LieGroup, So3};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
+#[path = "common/rotation_peers.rs"]
+mod rotation_peers;
+
 use rotation_peers::{PEERS, Peer};
 use std::f64::consts::{PI, TAU};
 
@@ -213,7 +211,7 @@ fn vectors() -> impl Strategy<Value = Vector3<f64>> {
 }
 
 proptest! {
-    #![proptest_config(property::cases(4096))]
+    #![proptest_config(crate::common::property::cases(4096))]
     #[test]
     fn nothing_finite_makes_a_nan(x in vectors(), v in vectors()) {
         let g = So3.exp(&x);

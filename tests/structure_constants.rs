@@ -1,13 +1,10 @@
 //! Structure constants mean the same at every door: constructors, definition files, the command line.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use affinor::definition::{Definition, InputError, Reading, Request, Space};
+use crate::common::algebras::algebras;
+use crate::common::{integer, labels};
 use affinor::{Bracket, Error};
+use affinor_documents::definition::{Definition, InputError, Reading, Request, Space};
 use affinor_tensors::{Down, Rational, Ring, Symbolic, Tensor, Tolerance, Up};
-use common::algebras::algebras;
-use common::{integer, labels};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::fmt::Display;
@@ -93,7 +90,7 @@ fn tables() -> impl Strategy<Value = (Tensor<Rational>, Vec<Constant<Rational>>)
 }
 
 proptest! {
-    #![proptest_config(common::property::cases(128))]
+    #![proptest_config(crate::common::property::cases(128))]
 
     /// Half a table, the full one, and any mixture of both, in any order of rows.
     #[test]

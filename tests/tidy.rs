@@ -5,8 +5,6 @@ use std::path::Path;
 
 /// The most lines of a source file.
 const LINES: usize = 600;
-/// Larger ones, each with its own limit.
-const LARGER: [(&str, usize); 0] = [];
 
 struct File {
     /// From the root, with `/`.
@@ -29,14 +27,6 @@ impl File {
                 assert!(!contains_word(line, word), "{}:{number}: {word}", self.path);
             }
         }
-    }
-
-    fn is_library(&self) -> bool {
-        !self.is_program()
-    }
-
-    fn is_program(&self) -> bool {
-        ["src/main.rs", "src/cli.rs"].contains(&&*self.path) || self.path.starts_with("src/cli/")
     }
 }
 
@@ -74,154 +64,50 @@ fn sources(folders: &[&str]) -> Vec<File> {
     files
 }
 
-fn library() -> Vec<File> {
-    sources(&["src", "tensors/src"])
-}
+/// The packages, from the bottom up.
+const PACKAGES: [&str; 4] = ["tensors/src", "src", "documents/src", "cli/src"];
+/// The rooms of the library, from the bottom up: each may use those before it.
+const ROOMS: [&str; 4] = ["algebra", "geometry", "group", "mechanics"];
 
 #[test]
 fn no_source_is_long() {
-    for file in library() {
-        let larger = LARGER.iter().find(|(path, _)| *path == file.path);
-        let limit = larger.map_or(LINES, |(_, limit)| *limit);
+    for file in sources(&PACKAGES) {
         let lines = file.text.lines().count();
-        assert!(lines <= limit, "{} has {lines} lines, more than {limit}", file.path);
+        assert!(lines <= LINES, "{} has {lines} lines, more than {LINES}", file.path);
     }
 }
 
 #[test]
-fn tensors_know_no_geometry() {
-    let words =
-        ["LieAlgebra", "Bracket", "Connection", "Frame", "Metric", "Geometry", "Jacobi", "affinor"];
-    for file in sources(&["tensors/src"]) {
-        file.forbid(&words);
-    }
+fn the_library_has_few_rooms() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let entries = fs::read_dir(root.join("src")).expect("the sources").count();
+    assert!(entries <= 12, "src has {entries} entries");
 }
 
-/// Who must not know whom: sources by the beginnings of their paths, then modules and types.
-const ARROWS: [(&[&str], &[&str]); 8] = [
-    (
-        &[
-            "src/frame.rs",
-            "src/algebra",
-            "src/connection",
-            "src/metric.rs",
-            "src/curvature",
-            "src/forms.rs",
-            "src/holonomy.rs",
-            "src/invariants.rs",
-            "src/lie_derivative.rs",
-            "src/lie_poisson",
-            "src/properties",
-            "src/reductive.rs",
-            "src/transport",
-            "src/any_group.rs",
-            "src/ode.rs",
-            "src/chart",
-            "src/group",
-            "src/figures",
-            "src/plot",
-            "src/dynamics",
-        ],
-        &[
-            "catalogue",
-            "geometry",
-            "definition",
-            "paper",
-            "report",
-            "claims",
-            "certificate",
-            "cli",
-            "Geometry",
-            "Definition",
-        ],
-    ),
-    (&["src/curvature", "src/holonomy.rs"], &["properties"]),
-    (&["src/group"], &["transport", "any_group", "dynamics"]),
-    (
-        &["src/roots"],
-        &[
-            "algebra",
-            "frame",
-            "connection",
-            "catalogue",
-            "definition",
-            "report",
-            "cli",
-            "Frame",
-            "LieAlgebra",
-        ],
-    ),
-    (
-        &["src/catalogue"],
-        &[
-            "connection",
-            "geometry",
-            "definition",
-            "paper",
-            "report",
-            "claims",
-            "certificate",
-            "cli",
-            "Connection",
-            "Geometry",
-        ],
-    ),
-    (&["src/geometry.rs"], &["catalogue", "definition", "report", "claims", "certificate", "cli"]),
-    (&["src/figures"], &["plot"]),
-    (&["src/definition", "src/report"], &["cli"]),
-];
-
 #[test]
-fn arrows_point_downward() {
-    for (paths, unknown) in ARROWS {
-        let files: Vec<File> = sources(&["src"])
-            .into_iter()
-            .filter(|file| paths.iter().any(|path| file.path.starts_with(path)))
-            .collect();
-        assert!(files.len() >= paths.len(), "{paths:?}");
+fn rooms_know_only_those_below() {
+    for (at, room) in ROOMS.iter().enumerate() {
+        let files = sources(&["src"]).into_iter().filter(|file| {
+            file.path == format!("src/{room}.rs") || file.path.starts_with(&format!("src/{room}/"))
+        });
+        let files: Vec<File> = files.collect();
+        assert!(files.len() > 5, "{room}");
         for file in files {
-            for name in unknown {
-                let is_type = name.starts_with(char::is_uppercase);
-                let path = if is_type { name.to_string() } else { format!("crate::{name}") };
-                file.forbid(&[&path]);
+            for above in &ROOMS[at + 1..] {
+                file.forbid(&[&format!("crate::{above}")]);
             }
         }
     }
 }
 
 #[test]
-fn definitions_and_reports_do_not_know_each_other() {
-    for file in sources(&["src/definition", "src/report"]) {
-        let other = if file.path.contains("report") { "definition" } else { "report" };
-        file.forbid(&[&format!("crate::{other}")]);
-    }
-}
-
-#[test]
-fn the_library_neither_panics_nor_prints() {
-    for file in library().iter().filter(|file| file.is_library()) {
-        file.forbid(&[
-            "unwrap()",
-            "panic!",
-            "todo!",
-            "unimplemented!",
-            "dbg!",
-            "println!",
-            "eprintln!",
-            "print!",
-            "eprint!",
-        ]);
-        if !file.path.starts_with("src/definition/") {
+fn libraries_neither_panic_nor_print() {
+    for file in sources(&["tensors/src", "src", "documents/src"]) {
+        file.forbid(&["unwrap()", "panic!", "todo!", "unimplemented!", "dbg!"]);
+        file.forbid(&["println!", "eprintln!", "print!", "eprint!"]);
+        if !file.path.starts_with("documents/") {
             file.forbid(&["std::fs", "stdin", "stdout", "std::env"]);
         }
-    }
-}
-
-#[test]
-fn only_the_program_uses_what_a_terminal_needs() {
-    for file in library().iter().filter(|file| file.is_library()) {
-        file.forbid(&["clap", "clap_complete", "indicatif", "annotate_snippets", "tempfile"]);
-        file.forbid(&["signal_hook"]);
     }
 }
 
@@ -229,7 +115,7 @@ fn only_the_program_uses_what_a_terminal_needs() {
 #[test]
 fn every_property_has_the_shared_configuration() {
     let mut blocks = 0;
-    for file in sources(&["src", "tests", "tensors/src", "tensors/tests", "benches", "examples"]) {
+    for file in sources(&["src", "tests", "tensors", "documents", "cli", "benches", "examples"]) {
         // in pieces, so that this test does not find itself
         let (block, given) = (concat!("proptest", "!"), concat!("#![proptest", "_config("));
         for (at, _) in file.text.match_indices(block) {
@@ -250,55 +136,42 @@ fn every_property_has_the_shared_configuration() {
 
 #[test]
 fn every_source_says_what_it_is() {
-    for file in library() {
+    for file in sources(&PACKAGES) {
         assert!(file.text.starts_with("//! "), "{} has no module doc", file.path);
     }
 }
 
-/// The paths named in the map: code that ends in `.rs`, with `{a,b}` spelled out.
-fn named(map: &str) -> Vec<String> {
-    let mut paths = vec![];
-    for word in
-        map.split(|c: char| c.is_whitespace() || c == '`').filter(|word| word.ends_with(".rs"))
-    {
-        match word.split_once('{').and_then(|(before, rest)| Some((before, rest.split_once('}')?)))
-        {
-            Some((before, (names, after))) => {
-                paths.extend(names.split(',').map(|name| format!("{before}{name}{after}")));
-            }
-            None => paths.push(word.to_string()),
-        }
-    }
-    paths
+fn architecture() -> String {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    fs::read_to_string(root.join("ARCHITECTURE.md")).expect("the page")
 }
 
+/// ARCHITECTURE.md is a page, names every room, and names nothing that does not exist.
 #[test]
-fn the_map_is_true() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let map = fs::read_to_string(root.join("ARCHITECTURE.md")).expect("the map");
-    assert!(map.lines().count() <= 215, "ARCHITECTURE.md has {} lines", map.lines().count());
-    let named = named(&map);
-    for file in library() {
-        assert!(named.contains(&file.path), "{} is not in ARCHITECTURE.md", file.path);
+fn the_page_on_architecture_is_true() {
+    let (page, root) = (architecture(), Path::new(env!("CARGO_MANIFEST_DIR")));
+    assert!(page.lines().count() <= 120, "ARCHITECTURE.md has {} lines", page.lines().count());
+    for room in PACKAGES.iter().map(|p| p.to_string()).chain(ROOMS.map(|r| format!("src/{r}/"))) {
+        assert!(page.contains(&room), "{room} is not in ARCHITECTURE.md");
     }
-    for path in named.iter().filter(|path| path.contains('/')) {
+    let words = page.split(|c: char| c.is_whitespace() || "`(),;".contains(c));
+    let paths = words.filter(|word| word.contains('/') && !word.contains("://"));
+    for path in paths.filter(|path| path.ends_with('/') || path.ends_with(".rs")) {
         assert!(root.join(path).exists(), "ARCHITECTURE.md names {path}, which does not exist");
     }
 }
 
 #[test]
 fn every_dependency_is_justified() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let map = fs::read_to_string(root.join("ARCHITECTURE.md")).expect("the map");
-    for manifest in ["Cargo.toml", "tensors/Cargo.toml"] {
-        let text = fs::read_to_string(root.join(manifest)).expect("a manifest");
+    let (page, root) = (architecture(), Path::new(env!("CARGO_MANIFEST_DIR")));
+    for manifest in ["", "tensors/", "documents/", "cli/", "benches/"] {
+        let manifest = format!("{manifest}Cargo.toml");
+        let text = fs::read_to_string(root.join(&manifest)).expect("a manifest");
         let table: toml::Table = text.parse().expect("a manifest is TOML");
         for section in ["dependencies", "dev-dependencies"] {
-            let Some(toml::Value::Table(names)) = table.get(section) else {
-                continue;
-            };
-            for name in names.keys().filter(|name| *name != "affinor-tensors") {
-                assert!(map.contains(&format!("**{name}**")), "{manifest}: {name}");
+            let Some(toml::Value::Table(names)) = table.get(section) else { continue };
+            for name in names.keys().filter(|name| !name.starts_with("affinor")) {
+                assert!(page.contains(&format!("**{name}**")), "{manifest}: {name}");
             }
         }
     }

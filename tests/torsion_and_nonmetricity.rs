@@ -1,14 +1,11 @@
 //! Connections with given torsion and nonmetricity: Levi-Civita, contorsion and disformation.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use affinor::connection::{contorsion, disformation};
+use crate::common::algebras::seeds;
+use crate::common::charts::{Moved, affine, constant, heisenberg, special_linear};
+use crate::common::{Space, fraction, integer, spaces, tensors};
+use affinor::geometry::metric_affine::{contorsion, disformation};
 use affinor::{Connection, Error, Metric};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up, contract};
-use common::algebras::seeds;
-use common::charts::{Moved, affine, constant, heisenberg, special_linear};
-use common::{Space, fraction, integer, spaces, tensors};
 use proptest::prelude::*;
 
 type Exact = Tensor<Rational>;
@@ -30,7 +27,7 @@ fn sum(a: &Exact, b: &Exact) -> Exact {
 }
 
 proptest! {
-    #![proptest_config(common::property::cases(48))]
+    #![proptest_config(crate::common::property::cases(48))]
 
     #[test]
     fn it_has_them((space, torsion, nonmetricity) in with_both(5)) {
@@ -181,7 +178,7 @@ fn floats() {
     let torsion = [([0, 0, 1], third), ([0, 1, 0], -(0.1 + 0.7 / 3.0))];
     let torsion = Tensor::from_components(2, &[Up, Down, Down], torsion).unwrap();
     let g = Tensor::from_components(2, &[Down, Down], [([0, 0], 1.0), ([1, 1], 2.0)]).unwrap();
-    let metric = Metric::new(&common::labels(2), g).unwrap();
+    let metric = Metric::new(crate::common::labels(2), g).unwrap();
     assert!(contorsion(&metric, &torsion).is_ok());
     let off = torsion.filter_map(|at, v| Some(if at[1] == 0 { *v } else { v * 1.001 }));
     let refused = contorsion(&metric, &off).unwrap_err().to_string();

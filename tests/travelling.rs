@@ -2,12 +2,8 @@
 //!
 //! A force field that moves with the frame makes one motion of all of these, so each is compared with the motion at
 //! the origin. None of them may cost more than the rounding of the numbers that it is written in.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "../tensors/tests/common/property.rs"]
-mod property;
-
-use affinor::definition::Problem;
+use affinor_documents::problem::Problem;
 use nalgebra::{Matrix3, Matrix6, Rotation3, Vector3, Vector6};
 use proptest::prelude::*;
 use std::fmt::Write;
@@ -339,7 +335,7 @@ fn how((method, space): (&'static str, &'static str)) -> How {
 }
 
 proptest! {
-    #![proptest_config(property::cases(24))]
+    #![proptest_config(crate::common::property::cases(24))]
 
     #[test]
     fn a_shifted_origin_changes_nothing(body in bodies(), shift in vectors(1e7), by in method()) {

@@ -1,14 +1,14 @@
 //! Changes of basis.
 
 use crate::Error;
-use crate::frame::{expect_numbers, expect_slots, formula};
+use crate::algebra::frame::{expect_numbers, expect_slots, formula};
 use affinor_tensors::contraction;
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Field, Ring, Tensor, Up};
 use std::collections::BTreeMap;
 
 /// A change of basis `e'_a = A^i_a e_i` with invertible `A`: constants, or functions over a chart.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct BasisChange<S> {
     matrix: Tensor<S>,
     inverse: Tensor<S>,

@@ -1,12 +1,12 @@
-//! The Baker-Campbell-Hausdorff series, and the series with Bernoulli numbers that it rests on.
+//! The Baker-Campbell-Hausdorff series, and the inverse tangent operator as a Bernoulli series.
 
 use super::LieAlgebra;
 use crate::Error;
-use affinor_tensors::{Field, Ring};
+use affinor_tensors::{Field, Ring, TensorError};
 
 impl<S: Field> LieAlgebra<S> {
-    /// The homogeneous parts `Z_1 .. Z_order` of `log(exp(x) exp(y)) = Z_1 + Z_2 + ..`, where `Z_n` holds
-    /// the brackets of `n` factors:
+    /// The homogeneous parts `Z_1 .. Z_order` of `log(exp(x) exp(y)) = Z_1 + Z_2 + ..`, where `Z_n` is a
+    /// combination of brackets of `n` factors:
     ///
     /// ```text
     /// Z_1 = x + y     Z_2 = [x,y]/2     Z_3 = [x,[x,y]]/12 - [y,[x,y]]/12     Z_4 = -[y,[x,[x,y]]]/24
@@ -14,18 +14,16 @@ impl<S: Field> LieAlgebra<S> {
     ///     + sum_{p >= 1, 2p <= n} B_2p/(2p)! sum_{k_1 + .. + k_2p = n} [Z_{k_1}, [.. [Z_{k_2p}, x + y]]]
     /// ```
     ///
-    /// On a nilpotent algebra the sum ends and is the product of the group; on others it converges
-    /// near zero. V. S. Varadarajan, *Lie Groups, Lie Algebras, and Their Representations* (1974),
+    /// On a nilpotent algebra the sum is finite and equals the group product. On other algebras it
+    /// converges near zero. V. S. Varadarajan, *Lie Groups, Lie Algebras, and Their Representations* (1974),
     /// Lemma 2.15.3.
     ///
     /// ```
-    /// use affinor::{Bracket, LieAlgebra};
-    /// use affinor_tensors::Rational;
-    /// let whole = |n: i64| Rational::from(n);
+    /// use affinor::Rational;
+    /// use affinor::algebra::catalogue;
     /// // the affine maps of the line: [x, y] = y
-    /// let line = Bracket::from_fn(&["x", "y"], |_, _| vec![(1, whole(1))])?;
-    /// let line = LieAlgebra::try_from(line)?;
-    /// let (x, y) = ([whole(1), whole(0)], [whole(0), whole(1)]);
+    /// let line = catalogue::algebra("aff(1)")?;
+    /// let [x, y] = [[1, 0], [0, 1]].map(|v| v.map(Rational::from));
     /// let parts: Vec<String> = line.bch(&x, &y, 6)?.iter().map(|z| z[1].to_string()).collect();
     /// // u/(1 - exp(-u)) at u = 1
     /// assert_eq!(parts, ["1", "1/2", "1/12", "0", "-1/720", "0"]);
@@ -33,7 +31,7 @@ impl<S: Field> LieAlgebra<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::Frame`] for scalars in which an integer up to the order is no unit.
+    /// [`Error::Shape`]; [`Error::Tensor`] for scalars in which an integer up to the order has no inverse.
     pub fn bch(&self, x: &[S], y: &[S], order: usize) -> Result<Vec<Vec<S>>, Error> {
         let (_, _) = (self.vector(x)?, self.vector(y)?);
         let zeta = bernoulli(order / 2)?;
@@ -109,9 +107,7 @@ fn bernoulli<S: Field>(count: usize) -> Result<Vec<S>, Error> {
 }
 
 fn inverse<S: Field>(n: i64) -> Result<S, Error> {
-    S::from_i64(n)
-        .recip()
-        .ok_or(Error::Frame("the series divides by integers that are no units here"))
+    Ok(S::from_i64(n).recip().ok_or(TensorError::NotInvertible(n))?)
 }
 
 fn scaled<S: Ring>(x: &[S], by: &S) -> Vec<S> {

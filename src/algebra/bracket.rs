@@ -1,16 +1,16 @@
-//! Brackets: antisymmetric, not yet known to satisfy the Jacobi identity.
+//! Antisymmetric brackets; the Jacobi identity is not checked.
 
 use crate::Error;
-use crate::error::combination;
-use crate::frame::{Frame, expect_numbers};
+use crate::algebra::frame::{Frame, expect_numbers};
+use affinor_tensors::text::combination;
 use affinor_tensors::{Down, Ring, Sum, Tensor, TensorError, Tolerance, Up};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
-use std::sync::Arc;
+use std::fmt;
 
-/// An antisymmetric bracket `[e_j, e_k] = c^i_jk e_i`, with the Jacobi identity unchecked: what
-/// [`LieAlgebra`](crate::LieAlgebra) is made from.
-#[derive(Clone, Debug)]
+/// An antisymmetric bracket `[e_j, e_k] = c^i_jk e_i` that may violate the Jacobi identity.
+/// [`LieAlgebra`](crate::LieAlgebra) is `TryFrom<Bracket>`.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Bracket<S> {
     frame: Frame<S>,
 }
@@ -19,42 +19,47 @@ impl<S: Ring> Bracket<S> {
     /// The bracket with the structure constants `c^i_jk`, slots `[Up, Down, Down]`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::NotAntisymmetric`] with the first pair that
-    /// is not.
-    pub fn new(labels: Arc<[String]>, structure: Tensor<S>) -> Result<Self, Error> {
+    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::NotAntisymmetric`] with the first
+    /// pair that violates it.
+    pub fn new(
+        labels: impl IntoIterator<Item: AsRef<str>>,
+        structure: Tensor<S>,
+    ) -> Result<Self, Error> {
         Ok(Bracket { frame: Frame::invariant(labels, structure)? })
     }
 
-    /// The bracket from a closure: `bracket(j, k)` lists `(i, c^i_jk)` and is asked for `j < k`
-    /// only, from 0.
+    /// The bracket from a closure: `bracket(j, k)` lists `(i, c^i_jk)`. It is called for
+    /// `j < k` only; indices count from 0.
     ///
     /// # Errors
     /// As [`from_constants`](Self::from_constants).
     pub fn from_fn(
-        labels: &[&str],
+        labels: impl IntoIterator<Item: AsRef<str>>,
         bracket: impl Fn(usize, usize) -> Vec<(usize, S)>,
     ) -> Result<Self, Error> {
+        let labels: Vec<_> = labels.into_iter().collect();
         let n = labels.len();
         let pairs = (0..n).flat_map(|j| (j + 1..n).map(move |k| (j, k)));
         let constants =
             pairs.flat_map(|(j, k)| bracket(j, k).into_iter().map(move |(i, v)| (j, k, i, v)));
-        let labels = labels.iter().map(|label| label.to_string()).collect();
         Self::from_constants(labels, constants)
     }
 
     /// The bracket with `[e_j, e_k] = ... + v e_i` for each `(j, k, i, v)`, from 0, in any order.
     ///
-    /// A pair is given in one order, of which the other follows, or in both: the full table of all
-    /// `c^i_jk` is as good as its half. Rows of definition files are read alike.
+    /// Each pair may be given in one order, or in both orders with opposite values. Definition files
+    /// follow the same rule.
     ///
     /// # Errors
-    /// An index out of range; [`Error::NotFinite`]; [`Error::GivenTwice`] for a component that stands
+    /// An index out of range; [`Error::NotFinite`]; [`Error::GivenTwice`] for a component given
     /// twice; [`Error::OrdersDisagree`] for a pair with `[x, y] + [y, x]` not zero;
     /// [`Error::NotAntisymmetric`] for `[x, x]`.
     pub fn from_constants(
-        labels: Arc<[String]>,
+        labels: impl IntoIterator<Item: AsRef<str>>,
         constants: impl IntoIterator<Item = (usize, usize, usize, S)>,
     ) -> Result<Self, Error> {
+        let labels = labels.into_iter().map(|label| label.as_ref().to_string());
+        let labels: Vec<String> = labels.collect();
         let given = sorted(&labels, constants)?;
         let pairs: Vec<&[Constant<S>]> = given.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).collect();
         let of = |j: usize, k: usize| {
@@ -87,7 +92,7 @@ impl<S: Ring> Bracket<S> {
     }
 
     /// The names of the basis vectors.
-    pub fn labels(&self) -> &Arc<[String]> {
+    pub fn labels(&self) -> &[String] {
         self.frame.labels()
     }
 
@@ -117,15 +122,29 @@ impl<S: Ring> Bracket<S> {
         })
     }
 
+    /// The same bracket with another tolerance for floats; everything computed from it inherits the
+    /// tolerance.
+    #[must_use]
+    pub fn with_tolerance(self, tolerance: Tolerance) -> Self {
+        Bracket { frame: self.frame.with_tolerance(tolerance) }
+    }
+
     pub(super) fn into_frame(self) -> Frame<S> {
         self.frame
+    }
+}
+
+/// The nonzero brackets `[x, y] = z`, one a line.
+impl<S: Ring> fmt::Display for Bracket<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.frame.write_products(f, self.structure(), "[", "]", |j, k| j < k)
     }
 }
 
 /// `(j, k, i, v)`: `[e_j, e_k] = ... + v e_i`.
 type Constant<S> = (usize, usize, usize, S);
 
-/// The constants by pair and component, each a number and given once.
+/// The constants sorted by pair and component, after the check that each is a number given once.
 fn sorted<S: Ring>(
     labels: &[String],
     constants: impl IntoIterator<Item = Constant<S>>,
@@ -154,7 +173,7 @@ fn sorted<S: Ring>(
     Ok(given)
 }
 
-/// Checks `[e_j, e_k] + [e_k, e_j] = 0`, each with its components in order.
+/// Checks `[e_j, e_k] + [e_k, e_j] = 0`.
 fn expect_opposite<S: Ring>(
     labels: &[String],
     forward: &[Constant<S>],

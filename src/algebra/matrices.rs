@@ -2,10 +2,10 @@
 
 use super::Bracket;
 use crate::Error;
-use crate::error::{combination, written};
 use affinor_tensors::linear::{Echelon, Matrix};
+use affinor_tensors::text::{combination, written};
 use affinor_tensors::{Down, Field, Tensor, Tolerance};
-use std::sync::Arc;
+use nalgebra::DMatrix;
 
 /// A complex number over a real scalar.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,16 +23,16 @@ impl<S: Field> Complex<S> {
     }
 }
 
-/// Square matrices that are linearly independent over the reals: a basis of a matrix Lie algebra,
-/// if their span is closed under the commutator.
+/// Square matrices that are linearly independent over the reals. They are a basis of a matrix Lie
+/// algebra if their span is closed under the commutator.
 ///
-/// A complex matrix `A + iB` is kept as the real `[[A, -B], [B, A]]`, which multiplies alike, so
-/// independence, closure and span are over the reals throughout.
+/// A complex matrix `A + iB` is stored as the real matrix `[[A, -B], [B, A]]`, which has the same
+/// products. So independence, closure and span are over the reals.
 #[derive(Clone, Debug)]
 pub struct MatrixBasis<S> {
-    labels: Arc<[String]>,
+    labels: Vec<String>,
     matrices: Vec<Matrix<S>>,
-    /// The largest entry of each: beside it floats count as zero.
+    /// The largest entry of each matrix: the scale against which floats count as zero.
     scales: Vec<S>,
     complex: bool,
     tolerance: Tolerance,
@@ -48,11 +48,13 @@ impl<S: Field> MatrixBasis<S> {
     /// [`Error::Shape`] for an entry outside or a wrong number of labels; [`Error::NotFinite`];
     /// [`Error::Dependent`] with a vanishing combination.
     pub fn new(
-        labels: Arc<[String]>,
+        labels: impl IntoIterator<Item: AsRef<str>>,
         size: usize,
         matrices: Vec<Vec<(usize, usize, Complex<S>)>>,
         tolerance: Tolerance,
     ) -> Result<Self, Error> {
+        let labels = labels.into_iter().map(|label| label.as_ref().to_string());
+        let labels: Vec<String> = labels.collect();
         if labels.len() != matrices.len() {
             let (expected, found) = (labels.len().to_string(), matrices.len().to_string());
             return Err(Error::Shape { what: "the number of matrices", expected, found });
@@ -82,12 +84,45 @@ impl<S: Field> MatrixBasis<S> {
         Ok(basis)
     }
 
+    /// The basis of real square matrices of nalgebra, all of one size.
+    ///
+    /// ```
+    /// use affinor::{LieAlgebra, MatrixBasis};
+    /// use nalgebra::dmatrix;
+    /// // upper triangular matrices: [x, y] = y
+    /// let (x, y) = (dmatrix![1.0, 0.0; 0.0, 0.0], dmatrix![0.0, 1.0; 0.0, 0.0]);
+    /// let algebra = LieAlgebra::try_from(MatrixBasis::from_dmatrices(["x", "y"], [&x, &y])?.bracket()?)?;
+    /// assert_eq!(algebra.to_string(), "[x, y] = y");
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), and [`Error::Shape`] for a matrix that is not square or of another size.
+    pub fn from_dmatrices<'m>(
+        labels: impl IntoIterator<Item: AsRef<str>>,
+        matrices: impl IntoIterator<Item = &'m DMatrix<S>>,
+    ) -> Result<Self, Error> {
+        let matrices: Vec<_> = matrices.into_iter().collect();
+        let size = matrices.first().map_or(0, |matrix| matrix.nrows());
+        if let Some(other) = matrices.iter().find(|matrix| matrix.shape() != (size, size)) {
+            let (expected, found) = (format!("size {size}"), format!("{:?}", other.shape()));
+            return Err(Error::Shape { what: "a matrix", expected, found });
+        }
+        let entries = |matrix: &DMatrix<S>| {
+            let places = (0..size).flat_map(|i| (0..size).map(move |j| (i, j)));
+            let entry = |(i, j)| (i, j, Complex::real(matrix[(i, j)].clone()));
+            places.map(entry).filter(|(.., value)| !value.re.vanishes()).collect()
+        };
+        let matrices = matrices.into_iter().map(entries).collect();
+        Self::new(labels, size, matrices, Tolerance::default())
+    }
+
     /// The names of the matrices.
-    pub fn labels(&self) -> &Arc<[String]> {
+    pub fn labels(&self) -> &[String] {
         &self.labels
     }
 
-    /// The matrices, complex ones in their real form of twice the size.
+    /// The matrices; complex ones in the real form of twice the size.
     pub fn matrices(&self) -> &[Matrix<S>] {
         &self.matrices
     }
@@ -130,9 +165,9 @@ impl<S: Field> MatrixBasis<S> {
                 }
             }
         }
-        let bracket = Bracket::from_constants(self.labels.clone(), constants)?;
+        let bracket = Bracket::from_constants(&self.labels, constants)?;
         let structure = bracket.structure().clone().with_tolerance(self.tolerance);
-        Bracket::new(self.labels.clone(), structure)
+        Bracket::new(&self.labels, structure)
     }
 
     /// The Frobenius product `<A, B> = Re tr(A^* B)`, slots `[Down, Down]`: equation (102).
@@ -159,7 +194,7 @@ impl<S: Field> MatrixBasis<S> {
         self.size() * self.size()
     }
 
-    /// An entry of the real form `[[A, -B], [B, A]]`, as that of `A + iB`.
+    /// An entry of the real form `[[A, -B], [B, A]]`, written as an entry of `A + iB`.
     fn entry(&self, row: usize, column: usize, value: S) -> String {
         let size = if self.complex { self.size() / 2 } else { self.size() };
         let value = match (row < size, column < size) {
@@ -170,7 +205,7 @@ impl<S: Field> MatrixBasis<S> {
         format!("{value} at row {}, column {}", row % size + 1, column % size + 1)
     }
 
-    /// The combination of matrices that a remainder beyond the entries stands for.
+    /// The linear combination of matrices that the unit columns of a remainder describe.
     fn named(&self, remainder: &[(usize, S)]) -> String {
         let entries = self.entries();
         combination(remainder.iter().map(|(column, v)| (v, self.labels[column - entries].clone())))
@@ -204,7 +239,7 @@ fn real_form<S: Field>(
     Ok(matrix.with_tolerance(tolerance))
 }
 
-/// The entries of a matrix in one row.
+/// The entries of a matrix, row behind row.
 fn flat<S: Field>(matrix: &Matrix<S>) -> impl Iterator<Item = (usize, S)> {
     let columns = matrix.columns();
     matrix.entries().map(move |(i, j, v)| (i * columns + j, v.clone()))

@@ -1,6 +1,6 @@
-//! Many rotations at once: a column for every component, on all cores.
+//! Many rotations at once: one array for every component, on all cores.
 //!
-//! The formulas are those of [`So3`]; over columns the compiler turns their loops into vector instructions.
+//! The formulas are those of [`So3`]. Over arrays of components the compiler emits vector instructions.
 
 use super::stumpff::{NEAR, near};
 use super::{LieGroup, So3, so3};
@@ -15,13 +15,14 @@ pub struct Vectors([Vec<f64>; 3]);
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Quaternions([Vec<f64>; 4]);
 
-/// Elements of one task: their columns fit a core's own cache.
+/// The number of elements of one task; their columns fit the cache of a core.
 const TASK: usize = 1024;
 
 /// Exponentials of all vectors.
 ///
 /// ```
-/// use affinor::group::batch::{self, Quaternions, Vectors};
+/// use affinor::group::batch;
+/// use affinor::group::batch::{Quaternions, Vectors};
 /// use affinor::group::{LieGroup, So3};
 /// use nalgebra::Vector3;
 /// let vectors: Vectors = (0..3000).map(|k| Vector3::new(1e-3, 2e-3, 4e-3) * f64::from(k)).collect();
@@ -101,7 +102,7 @@ pub fn compose(g: &Quaternions, h: &Quaternions, products: &mut Quaternions) {
     });
 }
 
-/// The columns of one task, cut to one length so that the loops need no checks.
+/// The columns of one task, of equal lengths, so that loops need no bounds checks.
 fn part<const N: usize>(columns: &[Vec<f64>; N], task: usize) -> [&[f64]; N] {
     let length = columns[0].len();
     let range = (task * TASK).min(length)..((task + 1) * TASK).min(length);
@@ -130,20 +131,20 @@ impl Vectors {
         Vectors(std::array::from_fn(|_| vec![0.0; count]))
     }
 
-    /// How many there are.
+    /// The number of elements.
     pub fn len(&self) -> usize {
         self.0[0].len()
     }
 
-    /// Whether there are none.
+    /// Whether there are no elements.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// One of them.
+    /// The element of an index.
     ///
     /// # Panics
-    /// If there are not so many.
+    /// If the index is out of range.
     pub fn get(&self, at: usize) -> Vector3<f64> {
         self.0.each_ref().map(|column| column[at]).into()
     }
@@ -155,25 +156,25 @@ impl Vectors {
 }
 
 impl Quaternions {
-    /// Room for results: quaternions that are zero, and so no rotations yet.
+    /// Zero quaternions, to be overwritten; they are no rotations.
     pub fn zeros(count: usize) -> Self {
         Quaternions(std::array::from_fn(|_| vec![0.0; count]))
     }
 
-    /// How many there are.
+    /// The number of elements.
     pub fn len(&self) -> usize {
         self.0[0].len()
     }
 
-    /// Whether there are none.
+    /// Whether there are no elements.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// One of them.
+    /// The element of an index.
     ///
     /// # Panics
-    /// If there are not so many.
+    /// If the index is out of range.
     pub fn get(&self, at: usize) -> UnitQuaternion<f64> {
         let [w, x, y, z] = self.0.each_ref().map(|column| column[at]);
         UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z))

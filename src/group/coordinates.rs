@@ -1,10 +1,10 @@
-//! Components of vectors, of a size known to the compiler or not.
+//! Components of vectors, of a size fixed at compile time or not.
 
-use nalgebra::{DVector, SVector};
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use std::fmt::Debug;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// Components in a basis: what nalgebra's column vectors of floats are.
+/// Components in a basis: a column vector of nalgebra, of fixed or dynamic size.
 pub trait Coordinates:
     Clone
     + Debug
@@ -14,7 +14,13 @@ pub trait Coordinates:
     + Neg<Output = Self>
     + Mul<f64, Output = Self>
 {
-    /// From a function of the index, for a dimension; a fixed size wins over it.
+    /// Square matrices that act on these vectors; their size is fixed if that of the vectors is.
+    type Matrix: Clone + Debug + PartialEq;
+
+    /// The matrix of a dimension with these columns.
+    fn matrix(dimension: usize, column: impl FnMut(usize) -> Self) -> Self::Matrix;
+
+    /// From a function of the index, for a dimension; a fixed size ignores `dimension`.
     fn from_fn(dimension: usize, component: impl FnMut(usize) -> f64) -> Self;
 
     /// The list of components.
@@ -35,20 +41,30 @@ pub trait Coordinates:
         Self::from_fn(dimension, |_| 0.0)
     }
 
-    /// The largest modulus of a component; NaN is not seen.
+    /// The largest absolute value of a component, NaN ignored.
     #[inline]
     fn largest(&self) -> f64 {
-        self.components().iter().fold(0.0, |most, x| x.abs().max(most))
+        self.components().iter().fold(0.0, |most, x| if x.abs() > most { x.abs() } else { most })
     }
 
     /// Whether no component is infinite or NaN.
     #[inline]
     fn is_finite(&self) -> bool {
-        self.components().iter().all(|x| x.is_finite())
+        // a product with zero is zero or NaN: no branch for each
+        self.components().iter().fold(0.0, |sum, x| sum + x * 0.0) == 0.0
     }
 }
 
 impl<const N: usize> Coordinates for SVector<f64, N> {
+    type Matrix = SMatrix<f64, N, N>;
+
+    #[inline]
+    fn matrix(_: usize, mut column: impl FnMut(usize) -> Self) -> Self::Matrix {
+        let mut matrix = Self::Matrix::zeros();
+        (0..N).for_each(|k| matrix.set_column(k, &column(k)));
+        matrix
+    }
+
     #[inline]
     fn from_fn(_: usize, mut component: impl FnMut(usize) -> f64) -> Self {
         SVector::from_fn(|i, _| component(i))
@@ -61,6 +77,14 @@ impl<const N: usize> Coordinates for SVector<f64, N> {
 }
 
 impl Coordinates for DVector<f64> {
+    type Matrix = DMatrix<f64>;
+
+    fn matrix(dimension: usize, column: impl FnMut(usize) -> Self) -> Self::Matrix {
+        // a matrix without columns needs its number of rows
+        let columns: Vec<_> = (0..dimension).map(column).collect();
+        DMatrix::from_fn(dimension, dimension, |i, k| columns[k][i])
+    }
+
     #[inline]
     fn from_fn(dimension: usize, mut component: impl FnMut(usize) -> f64) -> Self {
         DVector::from_fn(dimension, |i, _| component(i))

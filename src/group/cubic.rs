@@ -1,6 +1,6 @@
 //! Tangent operators in closed form, for the groups with `ad_x^3 = -z(x) ad_x`.
 
-use super::stumpff::{FAR, Stumpff, regular_inverse_tangent};
+use super::stumpff::{FAR, Stumpff, inverse_tangent};
 use super::{Coordinates, LieGroup};
 use crate::Error;
 
@@ -13,7 +13,7 @@ pub(super) fn tangent_left<G: LieGroup>(
 ) -> G::Vector {
     let at = z(x);
     if at > FAR {
-        // the mean over a turn, which is the part that x leaves alone
+        // the mean over a turn: the part that commutes with x
         let unit = x.clone() * x.largest().recip();
         let twice = group.bracket(&unit, &group.bracket(&unit, v));
         return v.clone() + twice * z(&unit).recip();
@@ -24,8 +24,8 @@ pub(super) fn tangent_left<G: LieGroup>(
 }
 
 /// `T_left(x)^-1 v = v + [x, v]/2 + d [x, [x, v]]` with `d` of
-/// [`inverse_tangent`](super::stumpff::inverse_tangent) at `z(x)`; singular at `z = (2 pi k)^2`, `k > 0`,
-/// as far as the rounding of `z` tells, whose terms have sizes that sum up to `size(x)`.
+/// [`inverse_tangent`] at `z(x)`; singular at `z = (2 pi k)^2`, `k > 0`,
+/// to the rounding of `z`, whose terms have sizes that sum to `size(x)`.
 pub(super) fn tangent_left_inverse<G: LieGroup>(
     group: &G,
     [z, size]: [fn(&G::Vector) -> f64; 2],
@@ -34,7 +34,7 @@ pub(super) fn tangent_left_inverse<G: LieGroup>(
 ) -> Result<G::Vector, Error> {
     let at = z(x);
     let singular = || Error::SingularTangent { x: x.components().to_vec() };
-    let d = regular_inverse_tangent(at, size(x)).filter(|_| at <= FAR).ok_or_else(singular)?;
+    let d = inverse_tangent(at, size(x)).filter(|_| at <= FAR).ok_or_else(singular)?;
     let once = group.bracket(x, v);
     Ok(v.clone() + once.clone() * 0.5 + group.bracket(x, &once) * d)
 }

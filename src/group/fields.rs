@@ -1,10 +1,10 @@
-//! Invariant fields of a group: their values, flows and brackets, and translated vectors.
+//! Invariant vector fields of a group: values, flows, brackets; translated vectors.
 //!
 //! Left translation keeps left components (24). Right translation by `h` takes left components `v` at `g` to
 //! `Ad_{h^-1} v` at `g h`; the right components of `v` at `g` are `Ad_g v`.
 
 use super::{Coordinates, LieGroup};
-pub use crate::chart::Side;
+pub use crate::geometry::chart::Side;
 
 /// The invariant field through a vector `x` at the identity.
 ///
@@ -18,7 +18,7 @@ pub use crate::chart::Side;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct InvariantField<V> {
-    /// Which translations keep it.
+    /// The side of the translations that leave it invariant.
     pub side: Side,
     /// Its value at the identity.
     pub vector: V,
@@ -33,7 +33,7 @@ impl<V: Coordinates> InvariantField<V> {
         }
     }
 
-    /// Where the flow takes `g` in the time `t`: a left-invariant field moves by right translations,
+    /// The flow from `g` over the time `t`: a left-invariant field moves by right translations,
     /// `g exp(t x)`, a right-invariant one by left translations, `exp(t x) g`.
     pub fn flow<G: LieGroup<Vector = V>>(&self, group: &G, g: &G::Element, t: f64) -> G::Element {
         let step = group.exp(&(self.vector.clone() * t));
@@ -43,8 +43,8 @@ impl<V: Coordinates> InvariantField<V> {
         }
     }
 
-    /// The bracket of fields, which is invariant: `[x,y]` on the left (34), `-[x,y]` on the right, and 0
-    /// for one of each side (35).
+    /// The bracket of two fields, an invariant field: `[x,y]` on the left (34), `-[x,y]` on the right, and 0
+    /// for two sides (35).
     #[must_use]
     pub fn bracket<G: LieGroup<Vector = V>>(&self, group: &G, other: &Self) -> Self {
         let bracket = group.bracket(&self.vector, &other.vector);

@@ -1,9 +1,9 @@
-//! Whether a frame is that of the left-invariant fields of a group.
+//! Whether a frame consists of the left-invariant fields of a group.
 
 use super::{Coordinates, LieGroup};
 use crate::{Error, Frame};
 
-/// Structure constants may differ from brackets by this, relatively.
+/// The relative tolerance of structure constants.
 const ROUNDING: f64 = 1e-12;
 
 /// Checks that a frame has the structure constants of the group, in its basis, and no derivations.

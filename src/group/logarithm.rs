@@ -1,7 +1,6 @@
 //! Logarithms of matrices by inverse scaling and squaring.
 //!
-//! `log(A) = 2^k log(A^(1/2^k))`, with as many square roots as bring the matrix near 1, where a Pade
-//! approximant is exact to rounding. N. J. Higham, *Functions of Matrices* (2008), chapter 11.
+//! `log(A) = 2^k log(A^(1/2^k))`: square roots bring the matrix near 1, where a Pade approximant is exact to rounding. N. J. Higham, *Functions of Matrices* (2008), chapter 11.
 
 use super::series::exp;
 use crate::Error;
@@ -11,23 +10,28 @@ use nalgebra::linalg::Schur;
 /// The approximant with [`NODES`] nodes is exact to rounding up to this norm (Higham, Table 11.1).
 const NEAR: f64 = 0.25;
 const NODES: usize = 8;
-/// Root after root halves the logarithm, at most this often; iterations of one root.
+/// The largest number of square roots, and of iterations for one root.
 const ROOTS: usize = 64;
 const STEPS: usize = 60;
-/// What the exponential of the result may be off by, relatively.
+/// The relative tolerance of the exponential of the result.
 const OFF: f64 = 1e-9;
 
 /// The principal logarithm: its eigenvalues have imaginary parts between `-pi` and `pi`.
 ///
 /// # Errors
-/// [`Error::NoLogarithm`] for an eigenvalue on the closed negative axis, and when rounding wins.
+/// [`Error::Invalid`] for an eigenvalue on the closed negative axis, and when rounding wins.
 pub(crate) fn logarithm(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
+    rooted_to(a, NEAR)
+}
+
+/// [`logarithm`], with as many square roots as bring the matrix within the distance `near` of 1.
+fn rooted_to(a: &DMatrix<f64>, near: f64) -> Result<DMatrix<f64>, Error> {
     off_the_negative_axis(a)?;
     if let Some(log) = unipotent(a) {
         return Ok(log);
     }
     let (mut root, mut squarings) = (a.clone(), 0);
-    while less_identity(&root).norm() > NEAR {
+    while less_identity(&root).norm() > near {
         if squarings == ROOTS {
             return Err(refused(format!("{ROOTS} square roots do not come near 1")));
         }
@@ -55,7 +59,7 @@ fn unipotent(a: &DMatrix<f64>) -> Option<DMatrix<f64>> {
 }
 
 fn refused(reason: String) -> Error {
-    Error::NoLogarithm { reason }
+    Error::Invalid { what: "logarithm", reason }
 }
 
 fn less_identity(a: &DMatrix<f64>) -> DMatrix<f64> {
@@ -140,4 +144,28 @@ fn nodes() -> [(f64, f64); NODES] {
         }
         (0.5 * (1.0 + t), 1.0 / ((1.0 - t * t) * slope * slope))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rotations around the distance at which roots begin, and with more roots than needed, by their angle.
+    #[test]
+    fn logarithms_with_and_without_roots() -> Result<(), Error> {
+        // |R - 1| = 2 sqrt(2) sin(angle/2)
+        let threshold = 2.0 * (NEAR / 8.0_f64.sqrt()).asin();
+        let around = [0.5, 0.99, 1.0 - 1e-9, 1.0 + 1e-9, 1.01, 2.0, 10.0];
+        for angle in around.map(|ratio| ratio * threshold) {
+            let (sin, cos) = angle.sin_cos();
+            let turn = DMatrix::from_row_slice(2, 2, &[cos, -sin, sin, cos]);
+            let exact = DMatrix::from_row_slice(2, 2, &[0.0, -angle, angle, 0.0]);
+            for near in [NEAR, 0.1 * NEAR, 1e-3] {
+                let off = (rooted_to(&turn, near)? - &exact).amax() / angle;
+                // a root loses a digit of the distance from 1 as it halves it
+                assert!(off <= 8.0 * f64::EPSILON / near.min(angle), "{angle}, {near}: {off:e}");
+            }
+        }
+        Ok(())
+    }
 }

@@ -1,18 +1,17 @@
 //! Groups of real matrices, given by a basis of their algebra.
 
-use super::LieGroup;
 use super::logarithm::logarithm;
 use super::series::exp;
 use super::splitting::translations;
+use super::written::{TOLERANCE, Written, checked, replace};
+use super::{Embedded, LieGroup};
 use crate::algebra::Complex;
-use crate::dense::to_dmatrix;
 use crate::{Bracket, Error, LieAlgebra, MatrixBasis};
 use affinor_tensors::Tolerance;
 use affinor_tensors::linear::Matrix;
 use nalgebra::{DMatrix, DVector};
-use std::sync::Arc;
 
-/// How far from the algebra a logarithm may be by rounding, relatively.
+/// The relative distance from the algebra that roundings give a logarithm.
 const OUTSIDE: f64 = 1e-9;
 
 /// The group of the exponentials of a Lie algebra of real matrices, and their products.
@@ -36,7 +35,7 @@ pub struct MatrixGroup {
     /// Takes the entries of a matrix to the coordinates of the nearest one in the algebra.
     nearest: DMatrix<f64>,
     bracket: Bracket<f64>,
-    /// The projection on the translations, where there are some.
+    /// The projection on the translations, if there are any.
     translations: Option<DMatrix<f64>>,
     /// Whether all elements are orthogonal.
     orthogonal: bool,
@@ -49,8 +48,19 @@ impl MatrixGroup {
     /// [`Error::Shape`]; [`Error::Overflow`] for an entry that is not finite; [`Error::Dependent`];
     /// [`Error::NotClosed`] with the first commutator that leaves the span.
     pub fn new(matrices: &[DMatrix<f64>]) -> Result<Self, Error> {
-        let labels = (1..=matrices.len()).map(|at| format!("e{at}")).collect();
-        Self::from_basis(&matrix_basis(labels, matrices)?)
+        Self::with_labels(matrices, (1..=matrices.len()).map(|at| format!("e{at}")))
+    }
+
+    /// The group of the span of square matrices of one size, with names for the basis vectors.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), and [`Error::Shape`] unless there are as many names as matrices.
+    pub fn with_labels(
+        matrices: &[DMatrix<f64>],
+        labels: impl IntoIterator<Item: Into<String>>,
+    ) -> Result<Self, Error> {
+        let labels: Vec<String> = labels.into_iter().map(Into::into).collect();
+        Self::from_basis(&matrix_basis(&labels, matrices)?)
     }
 
     /// The group of a basis of matrices; complex ones `A + iB` act as `[[A, -B], [B, A]]`.
@@ -74,8 +84,8 @@ impl MatrixGroup {
         Ok(MatrixGroup { basis, nearest, bracket, translations, orthogonal })
     }
 
-    /// The group `exp(ad_x)` of inner automorphisms of an algebra without a centre: near the identity any
-    /// group of the algebra is like it.
+    /// The group `exp(ad_x)` of inner automorphisms of an algebra without a centre: near the identity it is
+    /// isomorphic to any group of the algebra.
     ///
     /// # Errors
     /// [`Error::Centre`] with a central vector, which acts as 0.
@@ -83,12 +93,12 @@ impl MatrixGroup {
         Self::represented(algebra, &adjoint_matrices(algebra)?)
     }
 
-    /// A group of any algebra, near the identity: `exp(ad_x)`, on `g` alone or, where the centre acts as 0 there,
-    /// on the sum of `g` and its derivations `D`, with `[x, D] = -D x`.
+    /// A matrix group with this algebra: `exp(ad_x)` on `g` or, if the algebra has a centre, on the sum of `g` and its
+    /// derivations `D`, with `[x, D] = -D x`.
     ///
     /// # Errors
-    /// [`Error::Centre`] with a central vector that every derivation takes to 0, too;
-    /// [`Error::Size`] where the derivations of an algebra with a centre are too many to solve for.
+    /// [`Error::Centre`] with a central vector that every derivation maps to 0;
+    /// [`Error::Size`] if the algebra has a centre and its derivations are too many to solve for.
     pub fn of_algebra(algebra: &LieAlgebra<f64>) -> Result<Self, Error> {
         let ad = adjoint_matrices(algebra)?;
         match Self::represented(algebra, &ad) {
@@ -111,7 +121,7 @@ impl MatrixGroup {
     }
 
     fn represented(algebra: &LieAlgebra<f64>, matrices: &[DMatrix<f64>]) -> Result<Self, Error> {
-        match matrix_basis(algebra.labels().clone(), matrices) {
+        match matrix_basis(algebra.labels(), matrices) {
             Err(Error::Dependent { relation }) => Err(Error::Centre { central: relation }),
             basis => Self::from_basis(&basis?),
         }
@@ -128,7 +138,7 @@ impl MatrixGroup {
         &self.nearest * DVector::from_column_slice(m.as_slice())
     }
 
-    /// How far a matrix is from the algebra.
+    /// The distance of a matrix from the algebra.
     pub(super) fn outside(&self, m: &DMatrix<f64>) -> f64 {
         (self.generator(&self.coordinates(m)) - m).norm()
     }
@@ -144,10 +154,10 @@ impl MatrixGroup {
 }
 
 fn adjoint_matrices(algebra: &LieAlgebra<f64>) -> Result<Vec<DMatrix<f64>>, Error> {
-    algebra.basis().map(|x| to_dmatrix(&algebra.ad(&x)?)).collect()
+    algebra.basis().map(|x| Ok(algebra.ad(&x)?.to_dmatrix()?)).collect()
 }
 
-/// The largest dimension of an algebra whose derivations are solved for.
+/// The largest dimension of an algebra with a centre.
 const LARGEST: usize = 24;
 
 /// A basis of the derivations, `D [x, y] = [D x, y] + [x, D y]`.
@@ -175,10 +185,7 @@ fn derivations(algebra: &LieAlgebra<f64>) -> Result<Vec<DMatrix<f64>>, Error> {
 }
 
 /// Checked for shape, finite entries and independence.
-fn matrix_basis(
-    labels: Arc<[String]>,
-    matrices: &[DMatrix<f64>],
-) -> Result<MatrixBasis<f64>, Error> {
+fn matrix_basis(labels: &[String], matrices: &[DMatrix<f64>]) -> Result<MatrixBasis<f64>, Error> {
     let size = matrices.first().map_or(0, DMatrix::nrows);
     for (matrix, label) in matrices.iter().zip(labels.iter()) {
         if matrix.shape() != (size, size) {
@@ -227,8 +234,8 @@ impl LieGroup for MatrixGroup {
         exp(&self.generator(x))
     }
 
-    /// The principal logarithm of the matrix, where it lies in the algebra. Others, as of a rotation by
-    /// `pi`, are not looked for.
+    /// The principal logarithm of the matrix, if it lies in the algebra. Other logarithms, as of a rotation by `pi`, are not
+    /// computed.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         if g.shape() != (self.size(), self.size()) {
             let expected = format!("{0} rows and {0} columns", self.size());
@@ -241,7 +248,7 @@ impl LieGroup for MatrixGroup {
             return Ok(self.coordinates(&log));
         }
         let reason = format!("the principal logarithm leaves the algebra by {outside:e}");
-        Err(Error::NoLogarithm { reason })
+        Err(Error::Invalid { what: "logarithm", reason })
     }
 
     /// `g x g^-1`.
@@ -249,12 +256,12 @@ impl LieGroup for MatrixGroup {
         self.coordinates(&(g * self.generator(x) * self.inverse(g)))
     }
 
-    /// In the kernel of the Killing form, where this is abelian and a subalgebra completes it.
+    /// The part in the kernel of the Killing form, if this is abelian and has a complementary subalgebra.
     fn translation(&self, x: &Self::Vector) -> Option<Self::Vector> {
         self.translations.as_ref().map(|projection| projection * x)
     }
 
-    /// For orthogonal matrices.
+    /// True for orthogonal matrices.
     fn has_bounded_turns(&self) -> bool {
         self.orthogonal
     }
@@ -268,8 +275,48 @@ impl LieGroup for MatrixGroup {
         g.clone()
     }
 
-    /// That of the basis, with its labels: by elimination, in which zeros stay zeros.
+    /// The algebra of the basis, with its labels; zero structure constants are exact.
     fn algebra(&self) -> Result<LieAlgebra<f64>, Error> {
         LieAlgebra::try_from(self.bracket.clone())
+    }
+}
+
+/// The entries, column by column. Points near the group are not projected back.
+impl Embedded for MatrixGroup {
+    type Numbers = DVector<f64>;
+
+    fn numbers(&self, g: &Self::Element) -> DVector<f64> {
+        DVector::from_column_slice(g.as_slice())
+    }
+
+    fn from_numbers(&self, y: &DVector<f64>) -> Self::Element {
+        DMatrix::from_column_slice(self.size(), self.size(), y.as_slice())
+    }
+
+    fn rate(&self, g: &Self::Element, v: &Self::Vector) -> DVector<f64> {
+        self.numbers(&(g * self.generator(v)))
+    }
+
+    fn has_projection(&self) -> bool {
+        false
+    }
+}
+
+/// The matrix.
+impl Written for MatrixGroup {
+    /// As far as [`expect_element`](MatrixGroup::expect_element) can tell.
+    fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
+        checked(self, matrix, |m| {
+            self.expect_element(m, TOLERANCE)?;
+            Ok(m.clone())
+        })
+    }
+
+    fn entries(&self, g: &Self::Element, entries: &mut Vec<f64>) {
+        replace(entries, g.as_slice());
+    }
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        self.basis.clone()
     }
 }

@@ -1,29 +1,29 @@
-//! Whether a matrix is an element of a group that is given by its algebra alone.
+//! Membership test for groups that are given by a basis of their algebra.
 
 use super::MatrixGroup;
 use super::logarithm::logarithm;
 use crate::Error;
 use nalgebra::DMatrix;
 
-/// Powers of an element whose logarithms are looked at. The centres of the classical groups up to this size, and rotations by
-/// half and third turns, are of such an order.
+/// The largest power of an element whose logarithm is tested. It covers the orders of the centres of small classical groups,
+/// and of half and third turns.
 const POWERS: usize = 12;
 
-/// A trace of a generator that is zero but for rounding, relatively.
+/// The relative rounding of the trace of a generator.
 const ROUNDING: f64 = 1e-12;
 
 impl MatrixGroup {
-    /// Checks what an element, whose entries are known to a relative `tolerance`, has to be: invertible, with a positive
-    /// determinant, which is 1 where no generator has a trace; `Ad_g` takes the algebra to itself; and the principal logarithm
-    /// of `g` lies in the algebra, or that of a power of it: in SU(n) the logarithm itself need not.
+    /// Checks necessary conditions for an element whose entries have the relative error `tolerance`. It is invertible and has
+    /// a positive determinant, 1 if all generators are traceless. `Ad_g` maps the algebra to itself. The principal logarithm of
+    /// `g` or of a power of it lies in the algebra; in SU(n) that of `g` itself need not.
     ///
-    /// A factor that has a finite order and keeps the algebra is not seen, as of another component of the pseudo-orthogonal
-    /// matrices. Of a group that is not closed among the matrices, elements far from 1 may be refused.
+    /// The test cannot detect a factor of finite order that normalises the algebra, such as an element of another component
+    /// of the pseudo-orthogonal matrices. If the group is not closed, elements far from 1 may be refused.
     ///
     /// # Errors
-    /// [`Error::NotInGroup`] with what fails.
+    /// [`Error::Invalid`] with what fails.
     pub fn expect_element(&self, g: &DMatrix<f64>, tolerance: f64) -> Result<(), Error> {
-        let refused = |reason: String| Err(Error::NotInGroup { reason });
+        let refused = |reason: String| Err(Error::Invalid { what: "element of the group", reason });
         let Some(inverse) = g.clone().try_inverse() else {
             return refused("it is singular".into());
         };

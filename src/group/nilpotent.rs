@@ -1,17 +1,17 @@
 //! The simply connected group of a nilpotent algebra.
 
-use super::LieGroup;
 use super::series::exp;
-use crate::dense::to_dmatrix;
+use super::written::{Generator, Written, checked, column, replace};
+use super::{Embedded, LieGroup};
 use crate::{Error, LieAlgebra};
 use affinor_tensors::Field;
 use affinor_tensors::linear::Echelon;
 use nalgebra::{DMatrix, DVector};
 
 /// The simply connected group of a nilpotent algebra, in canonical coordinates of the first kind:
-/// `exp` and `log` are the identity map, and the product is the Baker-Campbell-Hausdorff series, which ends.
+/// `exp` and `log` are the identity map, and the product is the Baker-Campbell-Hausdorff series, which is finite.
 ///
-/// Over any field it is exact ([`product`](Self::product)); over floats it is a [`LieGroup`].
+/// Over any field the [`product`](Self::product) is exact; over floats the group is a [`LieGroup`].
 ///
 /// ```
 /// use affinor::group::Nilpotent;
@@ -68,7 +68,7 @@ impl<S: Field> Nilpotent<S> {
     }
 }
 
-/// The first term of the lower central series that is zero.
+/// The index of the first term of the lower central series that is zero.
 fn class<S: Field>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
     let n = algebra.dimension();
     let unit = |at: usize| (0..n).map(|i| S::from_i64(i64::from(i == at))).collect::<Vec<S>>();
@@ -82,7 +82,7 @@ fn class<S: Field>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
             }
         }
         if next.rank() == term.len() {
-            let vector = crate::error::combination(
+            let vector = affinor_tensors::text::combination(
                 next.rows()[0].iter().map(|(i, v)| (v, algebra.labels()[*i].clone())),
             );
             let component =
@@ -105,7 +105,7 @@ fn dense<S: Field>(n: usize, row: &[(usize, S)]) -> Vec<S> {
 
 impl Nilpotent<f64> {
     fn ad(&self, x: &DVector<f64>) -> DMatrix<f64> {
-        let ad = self.algebra.ad(x.as_slice()).and_then(|ad| to_dmatrix(&ad));
+        let ad = self.algebra.ad(x.as_slice()).and_then(|ad| Ok(ad.to_dmatrix()?));
         ad.expect("as many components as the algebra")
     }
 }
@@ -150,17 +150,17 @@ impl LieGroup for Nilpotent<f64> {
         self.ad(x) * y
     }
 
-    /// `Ad_g`: a homomorphism, but 1 on the centre. [`Heisenberg`](super::Heisenberg) has a faithful one.
+    /// `Ad_g`. It is not faithful, as it is 1 on the centre; [`Heisenberg`](super::Heisenberg) has a faithful matrix.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
         exp(&self.ad(g))
     }
 
-    /// That it was made of, with its labels.
+    /// The algebra of the constructor, with its labels.
     fn algebra(&self) -> Result<LieAlgebra<f64>, Error> {
         Ok(self.algebra.clone())
     }
 
-    /// The series, which ends.
+    /// The series, which is finite.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,
@@ -169,5 +169,50 @@ impl LieGroup for Nilpotent<f64> {
         let order = self.class.saturating_sub(1);
         let image = self.algebra.tangent_left_inverse(x.as_slice(), v.as_slice(), order)?;
         Ok(DVector::from_vec(image))
+    }
+}
+
+/// The canonical coordinates `x`, with the rate `T_left(x)^-1 v`.
+impl Embedded for Nilpotent<f64> {
+    type Numbers = DVector<f64>;
+
+    fn numbers(&self, g: &Self::Element) -> DVector<f64> {
+        g.clone()
+    }
+
+    fn from_numbers(&self, y: &DVector<f64>) -> Self::Element {
+        y.clone()
+    }
+
+    fn rate(&self, g: &Self::Element, v: &Self::Vector) -> DVector<f64> {
+        // the series is finite, and never singular
+        self.tangent_left_inverse(g, v).unwrap_or_else(|_| v * f64::NAN)
+    }
+}
+
+/// A column of canonical coordinates.
+impl Written for Nilpotent<f64> {
+    fn write(&self, g: &Self::Element) -> DMatrix<f64> {
+        column(g)
+    }
+
+    fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
+        checked(self, matrix, |m| Ok(DVector::from_column_slice(m.as_slice())))
+    }
+
+    fn entries(&self, g: &Self::Element, entries: &mut Vec<f64>) {
+        replace(entries, g.as_slice());
+    }
+
+    /// Nothing that does not depend on the element.
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        vec![DMatrix::zeros(0, 0); self.dimension()]
+    }
+
+    fn slopes(&self, g: &Self::Element, _: &[f64], _: &[Generator], slopes: &mut Vec<f64>) {
+        slopes.clear();
+        for i in 0..self.dimension() {
+            slopes.extend_from_slice(self.rate(g, &self.unit(i)).as_slice());
+        }
     }
 }

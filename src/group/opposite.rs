@@ -1,19 +1,19 @@
 //! The opposite of a group: the same elements, multiplied in the other order.
 
-use super::{LieGroup, Stored};
+use super::{Block, Coordinates, Embedded, Generator, LieGroup, Written};
 use crate::{Error, LieAlgebra};
 use nalgebra::DMatrix;
 
 /// The group with the product `g * h = h g`.
 ///
-/// What is left-invariant on it is right-invariant on the group: its left translations are the right ones,
+/// Its left translations are the right translations of the group, so its left-invariant systems are right-invariant ones:
 ///
 /// ```text
 /// [x, y]_opp = -[x, y]   Ad_opp(g) = Ad_(g^-1)   T_left_opp = T_right   g' = g * omega = omega g
 /// ```
 ///
 /// while `exp`, `log` and the inverse are those of the group, and `g -> g^-1` is an isomorphism of both. So
-/// [`EulerPoincare`](crate::dynamics::EulerPoincare) on it has as its velocity the spatial one, `omega = g' g^-1`, and its
+/// [`EulerPoincare`](crate::mechanics::EulerPoincare) on it has as its velocity the spatial one, `omega = g' g^-1`, and its
 /// metric is right-invariant, as that of an ideal fluid is under relabelling; with `plus` and without a torque it keeps the
 /// momentum in the body, which there is called `spatial`.
 ///
@@ -66,12 +66,12 @@ impl<G: LieGroup> LieGroup for Opposite<G> {
         self.0.bracket(y, x)
     }
 
-    /// That of the group: it reverses products.
+    /// The matrix of the group, which reverses products.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
         self.0.matrix(g)
     }
 
-    /// The opposite of that of the group, as exact as this is.
+    /// The opposite of the algebra of the group.
     fn algebra(&self) -> Result<LieAlgebra<f64>, Error> {
         Ok(self.0.algebra()?.opposite())
     }
@@ -80,7 +80,7 @@ impl<G: LieGroup> LieGroup for Opposite<G> {
         self.0.translation(x)
     }
 
-    /// That of the group: `exp(y) k = k exp(Ad_(k^-1) y)`.
+    /// The factor of the group: `exp(y) k = k exp(Ad_(k^-1) y)`.
     fn turn(&self, g: &Self::Element) -> Self::Element {
         self.0.turn(g)
     }
@@ -122,7 +122,7 @@ impl<G: LieGroup> LieGroup for Opposite<G> {
     }
 }
 
-impl<G: Stored> Stored for Opposite<G> {
+impl<G: Embedded> Embedded for Opposite<G> {
     type Numbers = G::Numbers;
 
     fn numbers(&self, g: &Self::Element) -> Self::Numbers {
@@ -138,7 +138,72 @@ impl<G: Stored> Stored for Opposite<G> {
         self.0.rate(g, &self.adjoint(g, v))
     }
 
-    fn places(&self) -> usize {
-        self.0.places()
+    fn number_count(&self) -> usize {
+        self.0.number_count()
+    }
+
+    fn is_place(&self, at: usize) -> bool {
+        self.0.is_place(at)
+    }
+
+    fn has_projection(&self) -> bool {
+        self.0.has_projection()
+    }
+}
+
+/// As elements of the group are written.
+impl<G: Written> Written for Opposite<G> {
+    fn write(&self, g: &Self::Element) -> DMatrix<f64> {
+        self.0.write(g)
+    }
+
+    fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
+        self.0.read(matrix)
+    }
+
+    fn is_angle(&self, at: usize) -> bool {
+        self.0.is_angle(at)
+    }
+
+    fn names(&self) -> &'static [&'static str] {
+        self.0.names()
+    }
+
+    fn named(&self, g: &Self::Element, k: usize) -> f64 {
+        self.0.named(g, k)
+    }
+
+    fn entries(&self, g: &Self::Element, entries: &mut Vec<f64>) {
+        self.0.entries(g, entries);
+    }
+
+    fn blocks(&self) -> Vec<Block> {
+        self.0.blocks()
+    }
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        self.0.generators()
+    }
+
+    /// The derivatives of `exp(s e_i) g` of the group: `e_i` in its left frame at `g` is `Ad_g^-1 e_i`.
+    fn slopes(
+        &self,
+        g: &Self::Element,
+        entries: &[f64],
+        generators: &[Generator],
+        slopes: &mut Vec<f64>,
+    ) {
+        self.0.slopes(g, entries, generators, slopes);
+        let left = slopes.len();
+        for i in 0..self.dimension() {
+            let turned = self.adjoint(g, &self.unit(i));
+            for at in 0..entries.len() {
+                let terms = turned.components().iter().enumerate();
+                let sum =
+                    terms.fold(0.0, |sum, (k, share)| sum + slopes[k * entries.len() + at] * share);
+                slopes.push(sum);
+            }
+        }
+        slopes.drain(..left);
     }
 }

@@ -12,7 +12,7 @@ pub(super) fn polynomial<const N: usize>(coefficients: &[f64; N], z: f64) -> f64
     (chains[0] + z * chains[1]) + square * (chains[2] + z * chains[3])
 }
 
-/// The same of eight terms by halves, where a step waits for the value.
+/// The same for eight terms, by Estrin's scheme: the shortest chain of operations.
 ///
 /// G. Estrin, *Western Joint IRE-AIEE-ACM Computer Conference* (1960) 33-40.
 #[inline(always)]

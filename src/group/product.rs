@@ -1,10 +1,10 @@
 //! Direct products of two groups.
 
-use super::{Coordinates, LieGroup};
+use super::{Block, Coordinates, Embedded, Generator, LieGroup, Written};
 use crate::{Error, LieAlgebra};
 use nalgebra::{DMatrix, DVector};
 
-/// The direct product of two groups: pairs of elements, vectors of the first and then the second.
+/// The direct product of two groups. Elements are pairs; vectors are those of the first group followed by the second.
 ///
 /// ```
 /// use affinor::group::{LieGroup, Product, So3, Translations};
@@ -113,7 +113,7 @@ impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
         self.map(y, |y| self.0.bracket(&x, y), |y| self.1.bracket(&x_second, y))
     }
 
-    /// With a block for each.
+    /// The block-diagonal matrix.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
         let blocks = [self.0.matrix(&g.0), self.1.matrix(&g.1)];
         let first = blocks[0].nrows();
@@ -125,7 +125,7 @@ impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
         matrix
     }
 
-    /// The direct sum of those of the groups, as exact as these are.
+    /// The direct sum of the algebras.
     fn algebra(&self) -> Result<LieAlgebra<f64>, Error> {
         self.0.algebra()?.direct_sum(&self.1.algebra()?)
     }
@@ -135,7 +135,7 @@ impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
         self.map(v, |v| self.0.tangent_left(&x, v), |v| self.1.tangent_left(&x_second, v))
     }
 
-    /// Singular where that of a part is.
+    /// Singular if that of one factor is.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,
@@ -145,4 +145,115 @@ impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
         let first = self.0.tangent_left_inverse(&x, &v)?;
         Ok(self.join(&first, &self.1.tangent_left_inverse(&x_second, &v_second)?))
     }
+}
+
+/// The numbers of the first element, then those of the second.
+impl<G: Embedded, H: Embedded> Embedded for Product<G, H> {
+    type Numbers = DVector<f64>;
+
+    fn numbers(&self, g: &Self::Element) -> DVector<f64> {
+        let (first, second) = (self.0.numbers(&g.0), self.1.numbers(&g.1));
+        DVector::from_vec([first.components(), second.components()].concat())
+    }
+
+    fn from_numbers(&self, y: &DVector<f64>) -> Self::Element {
+        let (first, second) = y.as_slice().split_at(self.0.number_count());
+        let first = self.0.from_numbers(&G::Numbers::from_components(first));
+        (first, self.1.from_numbers(&H::Numbers::from_components(second)))
+    }
+
+    fn rate(&self, g: &Self::Element, v: &Self::Vector) -> DVector<f64> {
+        let (v, w) = self.split(v);
+        let (first, second) = (self.0.rate(&g.0, &v), self.1.rate(&g.1, &w));
+        DVector::from_vec([first.components(), second.components()].concat())
+    }
+
+    fn number_count(&self) -> usize {
+        self.0.number_count() + self.1.number_count()
+    }
+
+    fn is_place(&self, at: usize) -> bool {
+        let first = self.0.number_count();
+        if at < first { self.0.is_place(at) } else { self.1.is_place(at - first) }
+    }
+
+    fn has_projection(&self) -> bool {
+        self.0.has_projection() && self.1.has_projection()
+    }
+}
+
+/// One column: the entries of the first element as written, row by row, then those of the second.
+impl<G: Written, H: Written> Written for Product<G, H> {
+    fn write(&self, g: &Self::Element) -> DMatrix<f64> {
+        stacked(&self.0.write(&g.0), &self.1.write(&g.1))
+    }
+
+    fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
+        let shapes =
+            [self.0.write(&self.0.identity()).shape(), self.1.write(&self.1.identity()).shape()];
+        let [first, second] = shapes.map(|(rows, columns)| rows * columns);
+        if matrix.shape() != (first + second, 1) {
+            let write = |rows, columns| format!("{rows} rows and {columns} columns");
+            let (expected, found) =
+                (write(first + second, 1), write(matrix.nrows(), matrix.ncols()));
+            return Err(Error::Shape { what: "an element", expected, found });
+        }
+        let (first, second) = matrix.as_slice().split_at(first);
+        let part = |(rows, columns), entries| DMatrix::from_row_slice(rows, columns, entries);
+        let first = self.0.read(&part(shapes[0], first))?;
+        Ok((first, self.1.read(&part(shapes[1], second))?))
+    }
+
+    fn is_angle(&self, at: usize) -> bool {
+        let first = self.0.dimension();
+        if at < first { self.0.is_angle(at) } else { self.1.is_angle(at - first) }
+    }
+
+    fn named(&self, g: &Self::Element, k: usize) -> f64 {
+        let first: usize = self.0.blocks().iter().map(|block| block.names.len()).sum();
+        if k < first { self.0.named(&g.0, k) } else { self.1.named(&g.1, k - first) }
+    }
+
+    fn blocks(&self) -> Vec<Block> {
+        [self.0.blocks(), self.1.blocks()].concat()
+    }
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        [self.0.generators(), self.1.generators()].concat()
+    }
+
+    fn slopes(
+        &self,
+        g: &Self::Element,
+        entries: &[f64],
+        generators: &[Generator],
+        slopes: &mut Vec<f64>,
+    ) {
+        let (first, second) = generators.split_at(self.0.dimension());
+        let (first, second) = (by_rows(&self.0, &g.0, first), by_rows(&self.1, &g.1, second));
+        let zeros = vec![0.0; entries.len()];
+        slopes.clear();
+        for slope in first {
+            slopes.extend(slope.iter().chain(&zeros[slope.len()..]));
+        }
+        for slope in second {
+            slopes.extend(zeros[slope.len()..].iter().chain(&slope));
+        }
+    }
+}
+
+/// The slopes of an element, each row by row.
+fn by_rows<G: Written>(group: &G, g: &G::Element, generators: &[Generator]) -> Vec<Vec<f64>> {
+    let (mut entries, mut slopes) = (vec![], vec![]);
+    group.entries(g, &mut entries);
+    group.slopes(g, &entries, generators, &mut slopes);
+    let (rows, columns) = group.write(g).shape();
+    let transposed = |slope| DMatrix::from_row_slice(columns, rows, slope).as_slice().to_vec();
+    slopes.chunks_exact(entries.len().max(1)).map(transposed).collect()
+}
+
+/// The entries of two matrices in one column, row by row.
+fn stacked(first: &DMatrix<f64>, second: &DMatrix<f64>) -> DMatrix<f64> {
+    let parts = [first.transpose(), second.transpose()];
+    DMatrix::from_vec(first.len() + second.len(), 1, parts.map(|m| m.as_slice().to_vec()).concat())
 }

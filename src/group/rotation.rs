@@ -1,10 +1,10 @@
 //! Coordinates of rotations: quaternions, matrices, Euler angles, Rodrigues parameters.
 //!
-//! Rotation vectors, the canonical coordinates of the first kind, are `exp` and `log` of
-//! [`So3`](super::So3). Every conversion passes through the unit quaternion, `w` first; where coordinates
-//! fail, the function says so.
+//! Rotation vectors, the canonical coordinates of the first kind, are converted by `exp` and `log` of
+//! [`So3`](super::So3). Every conversion passes through the unit quaternion, `w` first. Functions return an error where
+//! coordinates do not exist.
 //!
-//! | coordinates | to and from the quaternion | where they fail |
+//! | coordinates | to and from the quaternion | singular |
 //! |---|---|---|
 //! | quaternion | [`wxyz`], [`from_wxyz`] | nowhere; `q` and `-q` are one rotation |
 //! | rotation vector | [`LieGroup::log`](super::LieGroup::log), [`exp`](super::LieGroup::exp) | nowhere; at `pi` a rule chooses the sign |

@@ -1,12 +1,15 @@
 //! SE(2), the rigid motions of a plane.
 
-use super::{LieGroup, So2, Stored, cubic};
+use super::registry::Family;
+use super::so2::nearest_turn;
+use super::written::{Written, checked, replace, sparse};
+use super::{AnyGroup, Embedded, LieGroup, So2, cubic};
 use crate::Error;
 use nalgebra::{DMatrix, Isometry2, UnitComplex, Vector1, Vector2, Vector3, Vector4};
 
 /// The rigid motions of a plane, `p -> R p + t`.
 ///
-/// Vectors are the angle and the translation, `(w, u_1, u_2)`, in the basis of the catalogue's
+/// Elements are nalgebra's `Isometry2<f64>`. Vectors are the angle and the translation, `(w, u_1, u_2)`, in the basis of the catalogue's
 /// `se(2)`: `[e, p1] = p2`, `[e, p2] = -p1`.
 ///
 /// ```
@@ -19,6 +22,12 @@ use nalgebra::{DMatrix, Isometry2, UnitComplex, Vector1, Vector2, Vector3, Vecto
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Se2;
+
+pub(super) const FAMILY: Family = Family {
+    pattern: "se(2)",
+    summary: "homogeneous matrices of size 3",
+    build: |_| AnyGroup::new(Se2),
+};
 
 /// `ad_x^3 = -z ad_x`.
 fn z(x: &Vector3<f64>) -> f64 {
@@ -85,6 +94,10 @@ impl LieGroup for Se2 {
         Some(join(0.0, translation(x)))
     }
 
+    fn along_translations(&self, h: &Self::Vector) -> Option<Self::Vector> {
+        Some(join(0.0, translation(h)))
+    }
+
     fn turn(&self, g: &Self::Element) -> Self::Element {
         Isometry2::from_parts(Vector2::zeros().into(), g.rotation)
     }
@@ -118,7 +131,7 @@ impl LieGroup for Se2 {
 }
 
 /// Cosine and sine, then the translation.
-impl Stored for Se2 {
+impl Embedded for Se2 {
     type Numbers = Vector4<f64>;
 
     fn numbers(&self, g: &Self::Element) -> Vector4<f64> {
@@ -138,7 +151,38 @@ impl Stored for Se2 {
         Vector4::new(turn.x, turn.y, t.x, t.y)
     }
 
-    fn places(&self) -> usize {
-        2
+    fn is_place(&self, at: usize) -> bool {
+        at >= 2
+    }
+}
+
+/// The homogeneous matrix of size 3; angle and position by names.
+impl Written for Se2 {
+    fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
+        checked(self, matrix, |m| {
+            let translation = Vector2::new(m[(0, 2)], m[(1, 2)]);
+            Ok(Isometry2::from_parts(translation.into(), nearest_turn(m)))
+        })
+    }
+
+    fn is_angle(&self, at: usize) -> bool {
+        at == 0
+    }
+
+    fn names(&self) -> &'static [&'static str] {
+        &["angle", "x", "y"]
+    }
+
+    fn named(&self, g: &Self::Element, k: usize) -> f64 {
+        [g.rotation.angle(), g.translation.x, g.translation.y][k]
+    }
+
+    fn entries(&self, g: &Self::Element, entries: &mut Vec<f64>) {
+        replace(entries, g.to_homogeneous().as_slice());
+    }
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        let turn = sparse(3, &[(1, 0, 1.0), (0, 1, -1.0)]);
+        vec![turn, sparse(3, &[(0, 2, 1.0)]), sparse(3, &[(1, 2, 1.0)])]
     }
 }

@@ -1,14 +1,15 @@
 //! SE_2(3), attitude, velocity and position together.
 
+use super::registry::Family;
 use super::screws::{self, join, split};
-use super::{LieGroup, So3, Stored};
+use super::written::{Written, checked};
+use super::{AnyGroup, Embedded, LieGroup, So3};
 use crate::Error;
 use nalgebra::{DMatrix, SVector, UnitQuaternion, Vector3};
 
 /// The extended poses of inertial navigation: matrices `[[R, v, p], [0, 1]]` of size 5.
 ///
-/// Vectors are `(w, a, u)`: rotation, then what becomes velocity, then position; rotations act on
-/// both, and both commute. A. Barrau and S. Bonnabel, *IEEE Transactions on Automatic Control* 62
+/// Vectors are `(w, a, u)`: rotation, velocity part and position part. Rotations act on `a` and `u`, which commute. A. Barrau and S. Bonnabel, *IEEE Transactions on Automatic Control* 62
 /// (2017) 1797-1812.
 ///
 /// ```
@@ -21,6 +22,12 @@ use nalgebra::{DMatrix, SVector, UnitQuaternion, Vector3};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Se23;
 
+pub(super) const FAMILY: Family = Family {
+    pattern: "se_2(3)",
+    summary: "matrices [[R, v, p], [0, 1]] of size 5",
+    build: |_| AnyGroup::new(Se23),
+};
+
 /// An element of [`Se23`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExtendedPose {
@@ -32,10 +39,12 @@ pub struct ExtendedPose {
     pub position: Vector3<f64>,
 }
 
+#[inline(always)]
 fn parts(g: &ExtendedPose) -> (UnitQuaternion<f64>, [Vector3<f64>; 2]) {
     (g.attitude, [g.velocity, g.position])
 }
 
+#[inline(always)]
 fn whole(
     (attitude, [velocity, position]): (UnitQuaternion<f64>, [Vector3<f64>; 2]),
 ) -> ExtendedPose {
@@ -94,8 +103,23 @@ impl LieGroup for Se23 {
         Some(join(screws::translation::<2>(split(x))))
     }
 
+    #[inline]
+    fn along_translations(&self, h: &Self::Vector) -> Option<Self::Vector> {
+        Some(join(screws::translation::<2>(split(h))))
+    }
+
     fn turn(&self, g: &Self::Element) -> Self::Element {
         whole(screws::turn::<2>(parts(g)))
+    }
+
+    #[inline]
+    fn coadjoint_back(&self, turn: &Self::Element, h: &Self::Vector) -> Self::Vector {
+        join(screws::coadjoint_back::<2>(parts(turn), split(h)))
+    }
+
+    #[inline]
+    fn turn_between(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
+        whole(screws::turn_between::<2>(parts(g), parts(h)))
     }
 
     fn has_bounded_turns(&self) -> bool {
@@ -124,8 +148,8 @@ impl LieGroup for Se23 {
     }
 }
 
-/// Those of the rotation, then `v` and `p` with the rates `R a` and `R u`.
-impl Stored for Se23 {
+/// The quaternion of the rotation, then `v` and `p`, with the rates `R a` and `R u`.
+impl Embedded for Se23 {
     type Numbers = SVector<f64, 10>;
 
     fn numbers(&self, g: &Self::Element) -> SVector<f64, 10> {
@@ -137,10 +161,48 @@ impl Stored for Se23 {
     }
 
     fn rate(&self, g: &Self::Element, v: &Self::Vector) -> SVector<f64, 10> {
-        screws::rate(parts(g), split(v))
+        self.rate_near(g, &self.restored(*g), v)
     }
 
-    fn places(&self) -> usize {
-        6
+    #[inline(always)]
+    fn rate_near(
+        &self,
+        point: &Self::Element,
+        projected: &Self::Element,
+        v: &Self::Vector,
+    ) -> SVector<f64, 10> {
+        screws::rate(parts(point), parts(projected), split(v))
+    }
+
+    #[inline]
+    fn is_place(&self, at: usize) -> bool {
+        at >= 4
+    }
+}
+
+/// The matrix of size 5; quaternion, velocity and position by names.
+impl Written for Se23 {
+    fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
+        checked(self, matrix, |m| screws::read(m).map(whole))
+    }
+
+    fn is_angle(&self, at: usize) -> bool {
+        at < 3
+    }
+
+    fn names(&self) -> &'static [&'static str] {
+        &["qw", "qx", "qy", "qz", "vx", "vy", "vz", "x", "y", "z"]
+    }
+
+    fn named(&self, g: &Self::Element, k: usize) -> f64 {
+        screws::named(parts(g), k)
+    }
+
+    fn entries(&self, g: &Self::Element, entries: &mut Vec<f64>) {
+        screws::entries(parts(g), entries);
+    }
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        screws::generators::<2>()
     }
 }

@@ -1,12 +1,15 @@
 //! SE(3), the rigid motions of space.
 
+use super::registry::Family;
 use super::screws::{self, join, split};
-use super::{LieGroup, So3, Stored};
+use super::written::{Written, checked};
+use super::{AnyGroup, Embedded, LieGroup, So3};
 use crate::Error;
 use nalgebra::{DMatrix, Isometry3, SVector, UnitQuaternion, Vector3, Vector6};
 
 /// The rigid motions of space, `p -> R p + t`: body to spatial coordinates.
 ///
+/// Elements are nalgebra's `Isometry3<f64>`, a unit quaternion and a translation.
 /// Vectors are twists `(w, u)`, the angular velocity first, in the basis of the catalogue's `se(3)`:
 /// `[(w, u), (w', u')] = (w cross w', w cross u' + u cross w')`.
 ///
@@ -23,10 +26,18 @@ use nalgebra::{DMatrix, Isometry3, SVector, UnitQuaternion, Vector3, Vector6};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Se3;
 
+pub(super) const FAMILY: Family = Family {
+    pattern: "se(3)",
+    summary: "homogeneous matrices of size 4",
+    build: |_| AnyGroup::new(Se3),
+};
+
+#[inline(always)]
 fn parts(g: &Isometry3<f64>) -> (UnitQuaternion<f64>, [Vector3<f64>; 1]) {
     (g.rotation, [g.translation.vector])
 }
 
+#[inline(always)]
 fn whole((rotation, [t]): (UnitQuaternion<f64>, [Vector3<f64>; 1])) -> Isometry3<f64> {
     Isometry3::from_parts(t.into(), rotation)
 }
@@ -94,8 +105,23 @@ impl LieGroup for Se3 {
     }
 
     #[inline]
+    fn along_translations(&self, h: &Self::Vector) -> Option<Self::Vector> {
+        Some(join(screws::translation::<1>(split(h))))
+    }
+
+    #[inline]
     fn turn(&self, g: &Self::Element) -> Self::Element {
         whole(screws::turn::<1>(parts(g)))
+    }
+
+    #[inline]
+    fn coadjoint_back(&self, turn: &Self::Element, h: &Self::Vector) -> Self::Vector {
+        join(screws::coadjoint_back::<1>(parts(turn), split(h)))
+    }
+
+    #[inline]
+    fn turn_between(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
+        whole(screws::turn_between::<1>(parts(g), parts(h)))
     }
 
     fn has_bounded_turns(&self) -> bool {
@@ -129,8 +155,8 @@ impl LieGroup for Se3 {
     }
 }
 
-/// Those of the rotation, then `t` with the rate `R u`.
-impl Stored for Se3 {
+/// The quaternion of the rotation, then `t`, with the rate `R u`.
+impl Embedded for Se3 {
     type Numbers = SVector<f64, 7>;
 
     #[inline]
@@ -145,10 +171,48 @@ impl Stored for Se3 {
 
     #[inline]
     fn rate(&self, g: &Self::Element, v: &Self::Vector) -> SVector<f64, 7> {
-        screws::rate(parts(g), split(v))
+        self.rate_near(g, &self.restored(*g), v)
     }
 
-    fn places(&self) -> usize {
-        3
+    #[inline(always)]
+    fn rate_near(
+        &self,
+        point: &Self::Element,
+        projected: &Self::Element,
+        v: &Self::Vector,
+    ) -> SVector<f64, 7> {
+        screws::rate(parts(point), parts(projected), split(v))
+    }
+
+    #[inline]
+    fn is_place(&self, at: usize) -> bool {
+        at >= 4
+    }
+}
+
+/// The homogeneous matrix of size 4; quaternion and position by names.
+impl Written for Se3 {
+    fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
+        checked(self, matrix, |m| screws::read(m).map(whole))
+    }
+
+    fn is_angle(&self, at: usize) -> bool {
+        at < 3
+    }
+
+    fn names(&self) -> &'static [&'static str] {
+        &["qw", "qx", "qy", "qz", "x", "y", "z"]
+    }
+
+    fn named(&self, g: &Self::Element, k: usize) -> f64 {
+        screws::named(parts(g), k)
+    }
+
+    fn entries(&self, g: &Self::Element, entries: &mut Vec<f64>) {
+        screws::entries(parts(g), entries);
+    }
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        screws::generators::<1>()
     }
 }

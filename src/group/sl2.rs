@@ -1,7 +1,9 @@
 //! SL(2,R), the real matrices of size 2 and determinant 1.
 
+use super::registry::Family;
 use super::stumpff::Stumpff;
-use super::{LieGroup, Stored, cubic};
+use super::written::{TOLERANCE, Written, checked, replace, sparse};
+use super::{AnyGroup, Embedded, LieGroup, cubic};
 use crate::Error;
 use nalgebra::{DMatrix, Matrix2, Vector3, Vector4};
 use std::f64::consts::PI;
@@ -9,8 +11,8 @@ use std::f64::consts::PI;
 /// The real matrices of size 2 and determinant 1.
 ///
 /// Vectors `(e, f, h)` are the matrices `[[h, e], [f, -h]]`, in the basis of the catalogue's
-/// `sl(2)`: `[E, F] = H`, `[H, E] = 2 E`, `[H, F] = -2 F`. The exponential is not onto: it reaches
-/// `-1` and what has a trace above -2.
+/// `sl(2)`: `[E, F] = H`, `[H, E] = 2 E`, `[H, F] = -2 F`. The exponential is not onto: its image is
+/// `-1` and the elements with a trace above -2.
 ///
 /// ```
 /// use affinor::group::{LieGroup, Sl2};
@@ -22,7 +24,13 @@ use std::f64::consts::PI;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sl2;
 
-/// Entries beyond this have squares that overflow.
+pub(super) const FAMILY: Family = Family {
+    pattern: "sl(2)",
+    summary: "matrices of size 2 and determinant 1",
+    build: |_| AnyGroup::new(Sl2),
+};
+
+/// Above this, squares may overflow.
 const LARGE: f64 = 1e150;
 
 fn traceless(x: &Vector3<f64>) -> Matrix2<f64> {
@@ -93,7 +101,7 @@ impl LieGroup for Sl2 {
     }
 
     /// The logarithm with angles of at most `pi`; that of `-1` is the half turn `pi (F - E)`, one of
-    /// a whole orbit.
+    /// its logarithms.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         if (g + Matrix2::identity()).amax() <= 4.0 * f64::EPSILON {
             return Ok(Vector3::new(-PI, PI, 0.0));
@@ -110,7 +118,7 @@ impl LieGroup for Sl2 {
                     format!("the trace is {trace}, that of exp(x) is above -2 unless exp(x) = -1")
                 }
             };
-            return Err(Error::NoLogarithm { reason });
+            return Err(Error::Invalid { what: "logarithm", reason });
         }
         let angle = if square > 0.0 { sine.atan2(cos) } else { sine.asinh() };
         Ok(if sine == 0.0 { part } else { part * (angle / sine) })
@@ -155,8 +163,8 @@ impl LieGroup for Sl2 {
     }
 }
 
-/// The entries.
-impl Stored for Sl2 {
+/// The entries of the matrix.
+impl Embedded for Sl2 {
     type Numbers = Vector4<f64>;
 
     fn numbers(&self, g: &Self::Element) -> Vector4<f64> {
@@ -169,5 +177,29 @@ impl Stored for Sl2 {
 
     fn rate(&self, g: &Self::Element, v: &Self::Vector) -> Vector4<f64> {
         self.numbers(&(g * traceless(v)))
+    }
+}
+
+/// The matrix.
+impl Written for Sl2 {
+    fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
+        checked(self, matrix, |m| {
+            let m: Matrix2<f64> = m.fixed_view::<2, 2>(0, 0).into_owned();
+            let determinant = m.determinant();
+            if (determinant - 1.0).abs() <= TOLERANCE * (1.0 + m.norm_squared()) {
+                return Ok(m);
+            }
+            let reason = format!("its determinant is {determinant}");
+            Err(Error::Invalid { what: "element of the group", reason })
+        })
+    }
+
+    fn entries(&self, g: &Self::Element, entries: &mut Vec<f64>) {
+        replace(entries, g.as_slice());
+    }
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        let diagonal = sparse(2, &[(0, 0, 1.0), (1, 1, -1.0)]);
+        vec![sparse(2, &[(0, 1, 1.0)]), sparse(2, &[(1, 0, 1.0)]), diagonal]
     }
 }

@@ -1,6 +1,8 @@
 //! SO(2), the rotations of a plane, as complex numbers of modulus 1.
 
-use super::{LieGroup, Stored};
+use super::registry::Family;
+use super::written::{Written, checked, replace, sparse};
+use super::{AnyGroup, Embedded, LieGroup};
 use crate::Error;
 use nalgebra::{Complex, DMatrix, UnitComplex, Vector1, Vector2};
 
@@ -16,6 +18,12 @@ use nalgebra::{Complex, DMatrix, UnitComplex, Vector1, Vector2};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct So2;
+
+pub(super) const FAMILY: Family = Family {
+    pattern: "so(2)",
+    summary: "rotation matrices of size 2",
+    build: |_| AnyGroup::new(So2),
+};
 
 impl LieGroup for So2 {
     type Element = UnitComplex<f64>;
@@ -41,7 +49,7 @@ impl LieGroup for So2 {
         UnitComplex::new(x[0])
     }
 
-    /// The angle between `-pi` and `pi`; the half turn has one of the two.
+    /// The angle between `-pi` and `pi`; that of the half turn is one of the two.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         Ok(Vector1::new(g.angle()))
     }
@@ -80,7 +88,7 @@ impl LieGroup for So2 {
 }
 
 /// Cosine and sine.
-impl Stored for So2 {
+impl Embedded for So2 {
     type Numbers = Vector2<f64>;
 
     fn numbers(&self, g: &Self::Element) -> Vector2<f64> {
@@ -94,4 +102,36 @@ impl Stored for So2 {
     fn rate(&self, g: &Self::Element, v: &Self::Vector) -> Vector2<f64> {
         Vector2::new(-g.im, g.re) * v[0]
     }
+}
+
+/// The rotation matrix; the angle by name.
+impl Written for So2 {
+    fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
+        checked(self, matrix, |m| Ok(nearest_turn(m)))
+    }
+
+    fn is_angle(&self, _: usize) -> bool {
+        true
+    }
+
+    fn names(&self) -> &'static [&'static str] {
+        &["angle"]
+    }
+
+    fn named(&self, g: &Self::Element, _: usize) -> f64 {
+        g.angle()
+    }
+
+    fn entries(&self, g: &Self::Element, entries: &mut Vec<f64>) {
+        replace(entries, g.to_rotation_matrix().matrix().as_slice());
+    }
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        vec![sparse(2, &[(1, 0, 1.0), (0, 1, -1.0)])]
+    }
+}
+
+/// The rotation of a plane nearest to the upper left block.
+pub(super) fn nearest_turn(m: &DMatrix<f64>) -> UnitComplex<f64> {
+    UnitComplex::new((m[(1, 0)] - m[(0, 1)]).atan2(m[(0, 0)] + m[(1, 1)]))
 }

@@ -1,16 +1,19 @@
 //! SO(3), the rotations of space, as unit quaternions.
 
 use super::polynomial::polynomial;
+use super::registry::Family;
 use super::rotation;
-use super::stumpff::{FAR, Stumpff, first_two, regular_inverse_tangent, turning};
-use super::{LieGroup, Stored};
+use super::stumpff::{FAR, Stumpff, first_two, inverse_tangent, turning};
+use super::written::{TOLERANCE, Written, checked, replace, spins};
+use super::{AnyGroup, Embedded, LieGroup};
 use crate::Error;
 use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3, Vector4};
 
 /// The rotations of space: `R` maps body to spatial components, `Rdot = R spin(Omega)`.
 ///
-/// Elements are unit quaternions `w, x, y, z`, vectors rotation vectors in radians (the canonical
-/// coordinates of the first kind (61), (74)), and `[x, y] = x cross y`. The quaternions `q` and `-q` are one rotation.
+/// Elements are nalgebra's `UnitQuaternion<f64>`; [`rotation`] converts them from and to matrices, Euler angles and other
+/// coordinates. Vectors are rotation vectors in radians (canonical coordinates of the first kind (61), (74)), and
+/// `[x, y] = x cross y`. The quaternions `q` and `-q` are the same rotation.
 ///
 /// ```
 /// use affinor::group::{LieGroup, So3};
@@ -22,7 +25,13 @@ use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3, Vector4};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct So3;
 
-/// Squares of lengths below this are not near the end of floats.
+pub(super) const FAMILY: Family = Family {
+    pattern: "so(3)",
+    summary: "rotation matrices of size 3",
+    build: |_| AnyGroup::new(So3),
+};
+
+/// Below this, squares of lengths are far from overflow.
 const LARGE: f64 = 1e280;
 
 impl LieGroup for So3 {
@@ -38,7 +47,7 @@ impl LieGroup for So3 {
         UnitQuaternion::identity()
     }
 
-    /// The product of quaternions. It is not normalised again: its norm strays by one rounding a product.
+    /// The product of quaternions. It is not normalised: the norm drifts by one rounding a product.
     #[inline]
     fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
         g * h
@@ -49,8 +58,8 @@ impl LieGroup for So3 {
         g.inverse()
     }
 
-    /// `cos(|x|/2) + sin(|x|/2) x/|x|`, (77), to a few roundings; beyond `2 pi` as exactly as the
-    /// rounding of the angle lets it be, to `|x|` of them.
+    /// `cos(|x|/2) + sin(|x|/2) x/|x|`, (77), to a few roundings; for `|x| > 2 pi` to about `|x|` roundings, the error that
+    /// the rounding of the angle causes.
     #[inline]
     fn exp(&self, x: &Self::Vector) -> Self::Element {
         let square = x.norm_squared();
@@ -62,10 +71,10 @@ impl LieGroup for So3 {
     }
 
     /// The rotation vector of length at most `pi`, from the quaternion with `w >= 0`. At exactly `pi`
-    /// (`w = 0`) its first component that is not zero is positive. A length that strayed from 1 does no harm.
+    /// (`w = 0`) its first nonzero component is positive. The length of the quaternion has no influence.
     ///
     /// # Errors
-    /// [`Error::NoRotation`] if the quaternion is zero or not finite, which no product of rotations is.
+    /// [`Error::Invalid`] if the quaternion is zero or not finite, which no product of rotations is.
     #[inline]
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         let v = g.imag();
@@ -111,8 +120,8 @@ impl LieGroup for So3 {
         x.cross(y)
     }
 
-    /// At length 1, without a bias: the square of the length has finer roundings below 1 than above, which in a
-    /// million steps is seen.
+    /// The quaternion of length 1, without a bias: the square of the length rounds finer below 1 than above it, which a
+    /// million steps would show.
     #[inline]
     fn restored(&self, g: Self::Element) -> Self::Element {
         let q = g.into_inner();
@@ -128,14 +137,13 @@ impl LieGroup for So3 {
         DMatrix::from_column_slice(3, 3, rotation::matrix(g).as_slice())
     }
 
-    /// `c_1 v - c_2 x cross v + c_3 x (x . v)` with the Stumpff functions of `|x|^2`: the map that
-    /// stands behind (86).
+    /// `c_1 v - c_2 x cross v + c_3 x (x . v)` with the Stumpff functions of `|x|^2`: the map of (86).
     #[inline]
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         let square = x.norm_squared();
         in_range(v, |v| {
             if square > FAR {
-                // what is left is the part along x
+                // only the part along x remains
                 let unit = (x / x.amax()).normalize();
                 return unit * unit.dot(v);
             }
@@ -145,8 +153,8 @@ impl LieGroup for So3 {
     }
 
     /// `(1 - d |x|^2) v + x cross v/2 + d x (x . v)`, `d` of
-    /// [`inverse_tangent`](super::stumpff::inverse_tangent); singular at `|x| = 2 pi k`, `k > 0`, to
-    /// rounding, and refused where neighbouring floats are far from each other on that scale.
+    /// `inverse_tangent`; singular at `|x| = 2 pi k`, `k > 0`, to
+    /// rounding, and refused for lengths whose rounding is larger than that distance.
     #[inline]
     fn tangent_left_inverse(
         &self,
@@ -155,7 +163,7 @@ impl LieGroup for So3 {
     ) -> Result<Self::Vector, Error> {
         let square = x.norm_squared();
         let singular = || Error::SingularTangent { x: x.iter().copied().collect() };
-        let d = regular_inverse_tangent(square, square).filter(|_| square <= 1e30);
+        let d = inverse_tangent(square, square).filter(|_| square <= 1e30);
         let d = d.ok_or_else(singular)?;
         Ok(in_range(v, |v| v * (1.0 - d * square) + x.cross(v) * 0.5 + x * (d * x.dot(v))))
     }
@@ -191,7 +199,7 @@ impl So3 {
     }
 }
 
-/// The exponential where the square of a length is near the end of floats.
+/// The exponential for lengths whose square may overflow.
 #[inline(never)]
 fn exp_far(x: &Vector3<f64>) -> UnitQuaternion<f64> {
     let largest = x.amax();
@@ -208,7 +216,7 @@ pub(super) fn is_unit(norm: f64) -> bool {
     (norm - 1.0).abs() < 1e-8
 }
 
-/// The rotation vector over the vector part of the quaternion `x, y, z, w` of squares `|v|^2` and
+/// The ratio of the rotation vector to the vector part of the quaternion `x, y, z, w` of squares `|v|^2` and
 /// `|q|^2`, the latter [`is_unit`]: `4 atan(tan(angle/4))` over the sine, where
 /// `tan(angle/4) = |v|/(|q| + |w|)` is at most 1. So there is no case, neither at the identity nor at `pi`.
 #[inline(always)]
@@ -257,7 +265,7 @@ fn in_range(v: &Vector3<f64>, map: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Ve
 }
 
 /// `x, y, z, w` with the rate `q (0, v)/2`.
-impl Stored for So3 {
+impl Embedded for So3 {
     type Numbers = Vector4<f64>;
 
     #[inline]
@@ -275,5 +283,57 @@ impl Stored for So3 {
         let half = v * 0.5;
         let turn = half * g.w + g.imag().cross(&half);
         Vector4::new(turn.x, turn.y, turn.z, -g.imag().dot(&half))
+    }
+}
+
+/// The rotation matrix; the quaternion by names.
+impl Written for So3 {
+    fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
+        checked(self, matrix, |m| {
+            rotation::from_matrix(&m.fixed_view::<3, 3>(0, 0).into_owned(), TOLERANCE)
+        })
+    }
+
+    fn is_angle(&self, _: usize) -> bool {
+        true
+    }
+
+    fn names(&self) -> &'static [&'static str] {
+        &["qw", "qx", "qy", "qz"]
+    }
+
+    fn named(&self, q: &Self::Element, k: usize) -> f64 {
+        [q.w, q.i, q.j, q.k][k]
+    }
+
+    fn entries(&self, g: &Self::Element, entries: &mut Vec<f64>) {
+        replace(entries, rotation::matrix(g).as_slice());
+    }
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        spins(3).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The exponential for lengths near the end of floats agrees with the common one where both hold.
+    #[test]
+    fn both_exponentials_by_the_half_angle() {
+        let axis = Vector3::new(2.0, -3.0, 6.0) / 7.0;
+        for angle in [1e-140_f64, 1e-8, 0.1, 1.0, 3.0, 30.0, 1e4] {
+            let (sin, cos) = (0.5 * angle).sin_cos();
+            let expected = Quaternion::from_parts(cos, axis * sin);
+            for found in [So3.exp(&(axis * angle)), exp_far(&(axis * angle))] {
+                let off = (found.coords - expected.coords).amax();
+                assert!(off <= 2.0 * f64::EPSILON * (1.0 + angle), "{angle}: off by {off:e}");
+            }
+        }
+        // beyond the threshold an angle is noise, but the quaternion is one
+        for length in [0.9, 1.1].map(|ratio: f64| ratio * LARGE.sqrt()) {
+            assert!((So3.exp(&(axis * length)).norm() - 1.0).abs() < 1e-15);
+        }
     }
 }

@@ -1,13 +1,13 @@
-//! The translations of a group of matrices, found from its algebra.
+//! The translations of a matrix group, computed from its algebra.
 
-use crate::dense::least_squares;
+use crate::group::least_squares::least_squares;
 use affinor_tensors::Tensor;
 use nalgebra::{DMatrix, DVector};
 
-/// A number this small, relative to its terms, is their rounding.
+/// The relative rounding of a sum.
 const ROUNDING: f64 = 1e-10;
 
-/// Complements are solved for up to this many unknowns.
+/// The largest number of unknowns of a complement.
 const UNKNOWNS: usize = 400;
 
 /// The projection on the kernel `V` of the Killing form along a complementary subalgebra `K`, where `V` is abelian and there
@@ -86,7 +86,7 @@ pub(super) fn translations(structure: &Tensor<f64>) -> Option<DMatrix<f64>> {
             projection -= v * c.transpose() * f[b * q + at];
         }
     }
-    // what is meant to be 0 or 1 is
+    // entries near 0 or 1 are 0 or 1
     Some(projection.map(|x| if (x - x.round()).abs() <= ROUNDING { x.round() } else { x }))
 }
 

@@ -1,4 +1,4 @@
-//! The Stumpff functions, in which the closed forms of rotations and their kin are written.
+//! The Stumpff functions, used in the closed forms of rotations and related groups.
 
 use super::polynomial::{eight_terms, polynomial};
 
@@ -7,14 +7,8 @@ use super::polynomial::{eight_terms, polynomial};
 /// `c_0(x^2) = cos x`, `c_1(x^2) = sin x/x`, `c_0(-x^2) = cosh x`, and `c_k = 1/k! - z c_{k+2}`. For a
 /// matrix with `A^3 = -z A`, `exp(A) = 1 + c_1 A + c_2 A^2` and `sum A^k/(k+1)! = 1 + c_2 A + c_3 A^2`.
 /// K. Stumpff, *Himmelsmechanik* (1959), section V.41.
-///
-/// ```
-/// use affinor::group::stumpff::Stumpff;
-/// let c = Stumpff::at(1e-8); // where (1 - cos x)/x^2 has lost half of its digits
-/// assert_eq!(c.c2, 0.5 - 1e-8 / 24.0);
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stumpff {
+pub(super) struct Stumpff {
     /// The argument.
     pub z: f64,
     /// `cos x`.
@@ -31,17 +25,17 @@ pub struct Stumpff {
     pub c5: f64,
 }
 
-/// Beyond this square of an angle, floats are many turns apart, and `cos` and `sin` are noise: what is
-/// left of a tangent operator is its mean over a turn.
+/// Beyond this square of an angle, neighbouring floats are many turns apart and `cos` and `sin` are noise. Tangent operators
+/// become their mean over a turn.
 pub(super) const FAR: f64 = 1e40;
 
 /// Below this modulus of `z` the differences lose digits, and the series have few terms.
 const SERIES: f64 = 10.0;
 
 impl Stumpff {
-    /// All of them at `z`. They overflow where cosh does.
+    /// All functions at `z`. They overflow where cosh does.
     #[inline]
-    pub fn at(z: f64) -> Self {
+    pub(super) fn at(z: f64) -> Self {
         if z.abs() < SERIES {
             let short = z.abs() < SMALL;
             return Self::by_series(z, short);
@@ -72,17 +66,17 @@ impl Stumpff {
     }
 
     /// `c_2'(z) = c_4 - c_3/2 = (c_1/2 - c_2)/z`.
-    pub fn slope2(&self) -> f64 {
+    pub(super) fn slope2(&self) -> f64 {
         if self.z.abs() < SERIES {
             self.c4 - 0.5 * self.c3
         } else {
-            // far out the first form is a difference of near equals
+            // for large z the first form is a difference of near equals
             (0.5 * self.c1 - self.c2) / self.z
         }
     }
 
     /// `c_3'(z) = (3 c_5 - c_4)/2 = (c_2 - 3 c_3)/(2 z)`.
-    pub fn slope3(&self) -> f64 {
+    pub(super) fn slope3(&self) -> f64 {
         if self.z.abs() < SERIES {
             1.5 * self.c5 - 0.5 * self.c4
         } else {
@@ -93,14 +87,14 @@ impl Stumpff {
 
 /// `(c_0(z), c_1(z))` alone, to a rounding or two.
 #[inline]
-pub fn first_two(z: f64) -> (f64, f64) {
+pub(super) fn first_two(z: f64) -> (f64, f64) {
     if z.abs() < SMALL {
         return (eight_terms(&first(&ZEROTH), z), eight_terms(&first(&FIRST), z));
     }
     larger(z)
 }
 
-/// [`first_two`] of an angle that no step has: not to be inlined with it.
+/// [`first_two`] for angles larger than those of a step, kept out of line.
 #[inline(never)]
 fn larger(z: f64) -> (f64, f64) {
     if z.abs() < NEAR { near(z) } else { far(z) }
@@ -185,10 +179,13 @@ const FIFTH: [f64; 15] = coefficients(5);
 /// components that it is made of.
 const ROUNDINGS: f64 = 8.0;
 
-/// [`inverse_tangent`] at a `z` whose terms have sizes that sum up to `size`; `None` where that rounding
-/// no longer tells `z` from a pole, `z = (2 pi k)^2`.
+/// `d = (1 - (x/2) cot(x/2))/x^2` at `z = x^2`: `(sum A^k/(k+1)!)^-1 = 1 - A/2 + d A^2` for a matrix with `A^3 = -z A`.
+///
+/// With `w = z/4` it is `(c_2(w) - c_3(w))/(4 c_1(w))`, without a difference of near equals up to its first pole
+/// `x = 2 pi`. `size` is the sum of the sizes of the terms of `z`; `None` if their rounding does not tell `z` from a pole
+/// `z = (2 pi k)^2`.
 #[inline]
-pub(super) fn regular_inverse_tangent(z: f64, size: f64) -> Option<f64> {
+pub(super) fn inverse_tangent(z: f64, size: f64) -> Option<f64> {
     if z.abs() < SMALL {
         return Some(eight_terms(&INVERSE, z));
     }
@@ -198,7 +195,7 @@ pub(super) fn regular_inverse_tangent(z: f64, size: f64) -> Option<f64> {
     regular.then(|| (c.c2 - c.c3) / (4.0 * c.c1)).filter(|d| d.is_finite())
 }
 
-/// `|B_2k|/(2k)!` for `k = 1..=8`, Bernoulli's numbers: the first terms of [`inverse_tangent`].
+/// `|B_2k|/(2k)!` for `k = 1..=8`, Bernoulli's numbers: the first coefficients of [`inverse_tangent`].
 const INVERSE: [f64; 8] = [
     1.0 / 12.0,
     1.0 / 720.0,
@@ -209,20 +206,6 @@ const INVERSE: [f64; 8] = [
     1.0 / 74724249600.0,
     3617.0 / 10670622842880000.0,
 ];
-
-/// `(1 - (x/2) cot(x/2))/x^2` at `z = x^2`: `(sum A^k/(k+1)!)^-1 = 1 - A/2 + d A^2` where
-/// `A^3 = -z A`.
-///
-/// With `w = z/4` it is `(c_2(w) - c_3(w))/(4 c_1(w))`, without a difference of near equals up to its first pole
-/// `x = 2 pi`.
-#[inline]
-pub fn inverse_tangent(z: f64) -> f64 {
-    if z.abs() < SMALL {
-        return eight_terms(&INVERSE, z);
-    }
-    let c = Stumpff::at(0.25 * z);
-    (c.c2 - c.c3) / (4.0 * c.c1)
-}
 
 #[cfg(test)]
 mod tests {
@@ -236,7 +219,7 @@ mod tests {
         let mut sum = Rational::from(0);
         let mut i = 0;
         while i < 4 || term.clone().abs().to_f64() > 1e-30 {
-            sum = sum + &term;
+            sum += &term;
             i += 1;
             term = -(term * &z) / Rational::from((k + 2 * i - 1) * (k + 2 * i));
         }
@@ -341,7 +324,8 @@ mod tests {
         let points = around(SMALL, 4.0).chain(around(4.0 * NEAR, 2.0));
         for z in points.chain(around(4.0 * SERIES, 2.0)) {
             let expected = exact(z);
-            let off = Rational::from_f64(inverse_tangent(z)).expect("a finite number");
+            let off = Rational::from_f64(inverse_tangent(z, z.abs()).expect("no pole"))
+                .expect("a finite number");
             let off = (off - expected.clone()).to_f64().abs() / f64::EPSILON;
             let size = expected.to_f64().abs().max(z.abs().recip().min(1.0 / 12.0));
             // a rounding of the argument counts more near the pole

@@ -1,13 +1,12 @@
-//! The velocity of a path in a group, by its two images in the algebra: of the body and of space.
+//! The body and spatial velocity of a path in a group.
 
 use super::fields::{right_components, right_translate};
 use super::{Coordinates, LieGroup};
 use crate::Error;
 
-/// The images of the velocity `g'` of a path: `g' = L_g* body` (55) `= R_g* spatial` (59).
+/// The velocity `g'` of a path, translated to the identity: `g' = L_g* body` (55) `= R_g* spatial` (59).
 ///
-/// Of matrices `g^-1 g'` and `g' g^-1`; of rotations `Omega` and `omega`. One is the other translated:
-/// `spatial = Ad_g body`, (10), (57).
+/// For matrices they are `g^-1 g'` and `g' g^-1`, for rotations `Omega` and `omega`; `spatial = Ad_g body`, (10), (57).
 ///
 /// ```
 /// use affinor::group::velocity::Velocity;
@@ -39,13 +38,13 @@ const WINDOW: usize = 5;
 const MAX_STEPS: usize = 20;
 
 impl<V: Coordinates> Velocity<V> {
-    /// From the image of the body, at `g`.
+    /// From the body velocity at `g`.
     pub fn from_body<G: LieGroup<Vector = V>>(group: &G, g: &G::Element, body: V) -> Self {
         let spatial = right_components(group, g, &body);
         Velocity { body, spatial }
     }
 
-    /// From the image of space, at `g`.
+    /// From the spatial velocity at `g`.
     pub fn from_spatial<G: LieGroup<Vector = V>>(group: &G, g: &G::Element, spatial: V) -> Self {
         let body = right_translate(group, &spatial, g);
         Velocity { body, spatial }
@@ -58,11 +57,11 @@ impl<V: Coordinates> Velocity<V> {
     }
 
     /// Of a smooth path at the time `t`, by central differences of `log(g(t)^-1 g(t + s))` over `step`, its
-    /// half and its quarter, extrapolated: the error is of order 6 in `step`, beside roundings over
-    /// `step`. Steps of a hundredth to a tenth of the time in which the velocity changes serve well.
+    /// half and its quarter, extrapolated: the error is of order 6 in `step`, plus rounding errors divided by
+    /// `step`. A good step is a hundredth to a tenth of the time in which the velocity changes.
     ///
     /// # Errors
-    /// [`Error::NoLogarithm`] where the path leaves the reach of the logarithm within `step`.
+    /// [`Error::Invalid`] where the path leaves the reach of the logarithm within `step`.
     pub fn of_path<G: LieGroup<Vector = V>>(
         group: &G,
         path: impl Fn(f64) -> G::Element,
@@ -92,7 +91,7 @@ impl<V: Coordinates> Velocity<V> {
     ///
     /// # Errors
     /// [`Error::Shape`] unless there are two or more samples, as many times, and these increase;
-    /// [`Error::NoLogarithm`] and [`Error::SingularTangent`] for samples too far apart.
+    /// [`Error::Invalid`] and [`Error::SingularTangent`] for samples too far apart.
     pub fn of_samples<G: LieGroup<Vector = V>>(
         group: &G,
         times: &[f64],
@@ -151,5 +150,5 @@ fn continued<G: LieGroup>(group: &G, x: &G::Vector, g: &G::Element) -> Result<G:
         }
     }
     let reason = format!("none is found near {:?}: samples are too far apart", x.components());
-    Err(Error::NoLogarithm { reason })
+    Err(Error::Invalid { what: "logarithm", reason })
 }

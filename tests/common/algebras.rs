@@ -1,7 +1,8 @@
 //! Lie algebras: hand-given ones in random bases, two-step nilpotent and semidirect ones.
 
 use super::{integer, invertible, labels, rationals, tensors};
-use affinor::{BasisChange, Bracket, Error, LieAlgebra, catalogue};
+use affinor::algebra::catalogue;
+use affinor::{BasisChange, Bracket, Error, LieAlgebra};
 use affinor_tensors::{Down, Rational, Tensor, Up};
 use proptest::collection::vec;
 use proptest::prelude::*;

@@ -7,13 +7,20 @@ pub mod charts;
 #[path = "../../tensors/tests/common/property.rs"]
 pub mod property;
 pub mod spaces;
+pub mod steps;
 
 use affinor::{Connection, LieAlgebra, Metric};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Field, Rational, Ring, Tensor, Up, Variance};
 use proptest::collection::vec;
 use proptest::prelude::*;
-use std::sync::Arc;
+use std::path::Path;
+
+/// The folder of the workspace.
+pub fn root() -> &'static Path {
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    package.ancestors().find(|folder| folder.join("Cargo.lock").exists()).unwrap()
+}
 
 pub fn integer(n: i64) -> Rational {
     Rational::from(n)
@@ -24,7 +31,7 @@ pub fn fraction(n: i64, d: i64) -> Rational {
 }
 
 /// `e1 .. en`.
-pub fn labels(n: usize) -> Arc<[String]> {
+pub fn labels(n: usize) -> Vec<String> {
     (1..=n).map(|at| format!("e{at}")).collect()
 }
 
@@ -82,7 +89,7 @@ pub fn metrics(n: usize) -> impl Strategy<Value = Metric<Rational>> {
             let terms = (0..n).map(|k| a.get(&[k, i]) * &a.get(&[k, j]) * &integer(d[k]));
             terms.fold(integer(0), |sum, term| sum + &term)
         });
-        Metric::new(&labels(n), g.unwrap()).unwrap()
+        Metric::new(labels(n), g.unwrap()).unwrap()
     })
 }
 

@@ -1,9 +1,8 @@
 //! Spaces as a person names them: definition files and catalogue names.
 
 use affinor::Geometry;
-use affinor::definition::{Reading, Request, Space};
+use affinor_documents::definition::{Reading, Request, Space};
 use affinor_tensors::{Rational, Symbolic, Tolerance};
-use std::path::Path;
 
 fn open<S: affinor_tensors::Notation>(
     space: String,
@@ -20,7 +19,7 @@ fn open<S: affinor_tensors::Notation>(
 
 /// The path of a definition in `examples/definitions`.
 fn path(file: &str) -> String {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/definitions");
+    let folder = super::root().join("examples/definitions");
     folder.join(file).to_str().unwrap().to_string()
 }
 

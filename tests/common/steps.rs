@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "each test takes what it needs")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use affinor::dynamics::{Integrator, System};
+use affinor::mechanics::{Integrator, System};
 
 /// The state after a time, in equal steps.
 pub fn run<S: System>(

@@ -5,7 +5,7 @@ term doubled. A mutant is caught when a test fails; survivors are listed, exit s
 The formulas are strings that go through one function, so a copy of the tree is compiled once with
 that function taking its text from the environment, and the tests are run once for each mutant.
 
-    python3 tests/mutants/formulas.py [--only SUBSTRING] [--tests NAME,NAME...]
+    python3 tests/mutants/formulas.py [--only SUBSTRING] [--tests MODULE,MODULE...]
 """
 import argparse
 import itertools
@@ -33,16 +33,16 @@ FORMULA = re.compile(rf"{TERM}( [+-] {TERM})* ->[ \^_\w\[\]]*")
 # derivations write their formula for the tensor at hand, so its mutants are changes of their source
 UPPER, LOWER = " + L^{letter}_{direction}p T{summed}", " - L^p_{direction}{letter} T{summed}"
 DERIVATIONS = [
-    ("src/lie_derivative.rs", UPPER, UPPER.replace("+", "-")),
-    ("src/lie_derivative.rs", UPPER, UPPER.replace("{direction}p", "p{direction}")),
-    ("src/lie_derivative.rs", UPPER, UPPER.replace("+", "+ 2")),
-    ("src/lie_derivative.rs", LOWER, LOWER.replace("-", "+")),
-    ("src/lie_derivative.rs", LOWER, LOWER.replace("{direction}{letter}", "{letter}{direction}")),
-    ("src/lie_derivative.rs", LOWER, LOWER.replace("-", "- 2")),
-    ("src/lie_derivative.rs", "X^m d_m{result} + A", "X^m d_m{result} - A"),
-    ("src/lie_derivative.rs", "X^m d_m{result} + A", "2 X^m d_m{result} + A"),
-    ("src/connection.rs", 'format!("d_m{}', 'format!("2 d_m{}'),
-    ("src/connection.rs", 'format!("d_m{}', 'format!("-1 d_m{}'),
+    ("src/algebra/lie_derivative.rs", UPPER, UPPER.replace("+", "-")),
+    ("src/algebra/lie_derivative.rs", UPPER, UPPER.replace("{direction}p", "p{direction}")),
+    ("src/algebra/lie_derivative.rs", UPPER, UPPER.replace("+", "+ 2")),
+    ("src/algebra/lie_derivative.rs", LOWER, LOWER.replace("-", "+")),
+    ("src/algebra/lie_derivative.rs", LOWER, LOWER.replace("{direction}{letter}", "{letter}{direction}")),
+    ("src/algebra/lie_derivative.rs", LOWER, LOWER.replace("-", "- 2")),
+    ("src/algebra/lie_derivative.rs", "X^m d_m{result} + A", "X^m d_m{result} - A"),
+    ("src/algebra/lie_derivative.rs", "X^m d_m{result} + A", "2 X^m d_m{result} + A"),
+    ("src/geometry/connection.rs", 'format!("d_m{}', 'format!("2 d_m{}'),
+    ("src/geometry/connection.rs", 'format!("d_m{}', 'format!("-1 d_m{}'),
 ]
 
 
@@ -98,9 +98,8 @@ def main():
         text = contraction.read_text()
         assert text.count(HOOK) == 1, "the one function of formulas has moved"
         contraction.write_text(text.replace(HOOK, SWITCH))
-        command = ["cargo", "test", "--no-run", "--message-format=json"]
-        names = [name for name in options.tests.split(",") if name]
-        command += [part for name in names for part in ("--test", name)] or ["--tests"]
+        command = ["cargo", "test", "--tests", "--no-run", "--message-format=json"]
+        modules = [name for name in options.tests.split(",") if name]
 
         def build():
             built = subprocess.run(command, cwd=tree, stdout=subprocess.PIPE, check=True, text=True)
@@ -112,7 +111,7 @@ def main():
         quiet = dict(stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=tree)
         environment = dict(os.environ, PROPTEST_CASES="16", INSTA_UPDATE="no")
         for binary in binaries:
-            if subprocess.run([binary], env=environment, **quiet).returncode:
+            if subprocess.run([binary, *modules], env=environment, **quiet).returncode:
                 sys.exit(f"{binary} fails without a mutant")
         count, survivors, last = 0, 0, {}
 
@@ -122,7 +121,7 @@ def main():
             # whoever caught the last mutant of this file is asked first
             for binary in sorted(binaries, key=lambda binary: binary != last.get(path)):
                 try:
-                    caught = subprocess.run([binary], env=environment, timeout=120, **quiet).returncode
+                    caught = subprocess.run([binary, *modules], env=environment, timeout=120, **quiet).returncode
                 except subprocess.TimeoutExpired:
                     caught = True
                 if caught:

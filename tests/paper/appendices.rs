@@ -1,9 +1,9 @@
 //! Appendices A and B: frames, brackets, connections, torsion and curvature, (A1)-(B14).
 
-use crate::charts::groups;
 use crate::common::charts::{constant, sum};
 use crate::common::labels;
-use crate::{affine, assert_tensors, metric, se2, sl2, so3, tensor, value, values};
+use crate::paper::charts::groups;
+use crate::paper::{affine, assert_tensors, metric, se2, sl2, so3, tensor, value, values};
 use affinor::{Bracket, Canonical, Connection, Error, Frame, Metric};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up};
 
@@ -31,7 +31,7 @@ fn eq_a1_and_a2_frame_derivatives_are_quasi_derivatives() {
         }
     }
     // e_1 = a d/da on Aff(1): not the partial derivative
-    let frame = crate::charts::affine().frame();
+    let frame = crate::paper::charts::affine().frame();
     let found = directional(&frame, &values(["1", "0"]), &value("a^2"));
     assert_eq!(found, value("2*a^2"));
 }
@@ -70,7 +70,7 @@ fn eq_a10_structure_is_antisymmetric() {
 }
 
 /// Affinities of functions without a pattern, over the left frame of a group.
-fn wild(group: &crate::charts::Group) -> Connection<Symbolic> {
+fn wild(group: &crate::paper::charts::Group) -> Connection<Symbolic> {
     let n = group.n();
     let name = |at: usize| Symbolic::parameter(group.chart.names[at % n]);
     let gamma = Tensor::from_fn(n, [Up, Down, Down], |[i, j, k]| match (i + 2 * j + k) % 4 {
@@ -121,7 +121,7 @@ fn eq_b2_and_b3_nabla_of_a_vector_field() {
 #[test]
 fn eq_b4_and_b5_parallel_fields() {
     // the right-invariant field d/db = e_2/a of Aff(1) is parallel for (+)
-    let group = crate::charts::affine();
+    let group = crate::paper::charts::affine();
     let gamma = group.chart.algebra.structure().clone();
     let plus = Connection::new(group.frame(), gamma).unwrap();
     let parallel = plus.nabla(&Tensor::vector(&values(["0", "1/a"]), Up)).unwrap();
@@ -233,7 +233,7 @@ fn eq_b12_canonical_connections_in_the_coordinates_of_the_group() {
     // curvature is a tensor: R(e1,e2) e1 = -1/4 [e2, e1] = 1/4 e2, so R(d_a,d_b) d_a = 1/4 d_b/a^2
     let expected =
         tensor(2, [Up, Down, Down, Down], &[([2, 1, 1, 2], "1/4/a^2"), ([2, 1, 2, 1], "-1/4/a^2")]);
-    assert_tensors(&zero.curvature(), &expected, "curvature of (0) in coordinates");
+    assert_tensors(zero.curvature(), &expected, "curvature of (0) in coordinates");
 }
 
 #[test]
@@ -260,12 +260,12 @@ fn eq_b13_and_b14_curvature_is_the_commutator_of_covariant_derivatives() {
 #[test]
 fn eq_b14_by_hand_with_a_position_dependent_affinity() {
     // Aff(1), Lambda^1_22 = a^2 b alone: e_1 = a d/da. R^1_212 = e_1(a^2 b) - c^2_12 a^2 b = a^2 b
-    let group = crate::charts::affine();
+    let group = crate::paper::charts::affine();
     let gamma = tensor(2, [Up, Down, Down], &[([1, 2, 2], "a^2*b")]);
     let connection = Connection::new(group.frame(), gamma).unwrap();
     let expected =
         tensor(2, [Up, Down, Down, Down], &[([1, 2, 1, 2], "a^2*b"), ([1, 2, 2, 1], "-a^2*b")]);
-    assert_tensors(&connection.curvature(), &expected, "R");
+    assert_tensors(connection.curvature(), &expected, "R");
     // constants without a frame derivative, by hand: Lambda^1_12 = 2, Lambda^2_21 = 3, c^2_12 = 1
     // R^1_112 = Lambda^1_12 Lambda^2_21 = 6, R^2_212 = -Lambda^2_21 Lambda^1_12 = -6,
     // R^2_112 = -c^2_12 Lambda^2_21 = -3

@@ -1,12 +1,11 @@
 //! The canonical connections over the algebra, (38)-(40), and their table in both frames.
 
 use crate::common::labels;
-use crate::matrices::{self, represented};
-use crate::{
+use crate::paper::matrices::{self, represented};
+use crate::paper::{
     affine, algebras, assert_tensors, epsilons, float, heisenberg, minus_quarter_c_c, se2, sl2,
     so3, tensor,
 };
-use affinor::dense::to_dmatrix;
 use affinor::{Canonical, Connection, Frame, LieAlgebra};
 use affinor_tensors::{Down, Rational, Tensor, Up};
 use nalgebra::DMatrix;
@@ -58,7 +57,8 @@ fn after_38_plus_is_flat_because_of_jacobi() {
         &[([3, 1, 2], "1"), ([3, 2, 1], "-1"), ([1, 1, 3], "1"), ([1, 3, 1], "-1")],
     );
     let frame = Frame::invariant(labels(3), c.clone()).unwrap();
-    let curvature = Connection::new(frame, c).unwrap().curvature();
+    let connection = Connection::new(frame, c).unwrap();
+    let curvature = connection.curvature();
     // R(e1,e3) e2 = [e1,[e3,e2]] - [e3,[e1,e2]] - [[e1,e3],e2] = 0 - 0 - [e1,e2]
     assert_eq!(curvature.get(&[2, 1, 0, 2]), Rational::from(-1));
 }
@@ -111,7 +111,7 @@ fn eq_40_affinities_are_antisymmetric() {
         }
     }
     // those of Levi-Civita are not: (J1 - J2 + J3)/(2 J1) and (-J1 - J2 + J3)/(2 J1), J = (1,1,2)
-    let g = crate::metric(&[&["1", "0", "0"], &["0", "1", "0"], &["0", "0", "2"]]);
+    let g = crate::paper::metric(&[&["1", "0", "0"], &["0", "1", "0"], &["0", "0", "2"]]);
     let gamma = Connection::levi_civita(so3().left_frame(), &g).unwrap().gamma().clone();
     assert_eq!(gamma.get(&[0, 1, 2]), Rational::from(1));
     assert_eq!(gamma.get(&[0, 2, 1]), Rational::from(0));
@@ -120,8 +120,9 @@ fn eq_40_affinities_are_antisymmetric() {
 #[test]
 fn after_40_curvature_of_zero_is_minus_a_quarter_c_c() {
     for (name, algebra) in algebras() {
-        let found = Connection::canonical(&algebra, Canonical::Zero).curvature();
-        assert_tensors(&found, &minus_quarter_c_c(algebra.structure()), name);
+        let zero = Connection::canonical(&algebra, Canonical::Zero);
+        let found = zero.curvature();
+        assert_tensors(found, &minus_quarter_c_c(algebra.structure()), name);
     }
     // two-step nilpotent: [[X,Y],Z] = 0
     let zero = |algebra: &LieAlgebra<Rational>| Connection::canonical(algebra, Canonical::Zero);
@@ -141,7 +142,7 @@ fn after_40_curvature_of_zero_is_minus_a_quarter_c_c() {
         [([*i, *j, *k, *l], *value), ([*i, *j, *l, *k], *minus)]
     });
     let expected = tensor(3, [Up, Down, Down, Down], &both.collect::<Vec<_>>());
-    assert_tensors(&zero(&sl2()).curvature(), &expected, "sl(2)");
+    assert_tensors(zero(&sl2()).curvature(), &expected, "sl(2)");
 }
 
 #[test]
@@ -154,7 +155,7 @@ fn canonical_connections_in_both_frames() {
     ];
     for (name, algebra) in algebras() {
         let c = algebra.structure();
-        let times_c = |share: &str| c.scale(&crate::value(share));
+        let times_c = |share: &str| c.scale(&crate::paper::value(share));
         for (which, left, right, torsion) in table {
             let what = format!("{name} {which:?}");
             let in_left = Connection::canonical(&algebra, which);
@@ -169,8 +170,8 @@ fn canonical_connections_in_both_frames() {
                 Canonical::Zero => minus_quarter_c_c(c),
                 _ => Tensor::zero(c.dimension(), &[Up, Down, Down, Down]).unwrap(),
             };
-            assert_tensors(&in_left.curvature(), &curvature, &what);
-            assert_tensors(&in_right.curvature(), &curvature, &what);
+            assert_tensors(in_left.curvature(), &curvature, &what);
+            assert_tensors(in_right.curvature(), &curvature, &what);
         }
     }
 }
@@ -182,7 +183,7 @@ fn canonical_transports_from_1_to_exp_are_right_left_and_half_translations() {
         let n = &n[..algebra.dimension()];
         let transport = |which| {
             let connection = Connection::canonical(&float(&algebra), which);
-            to_dmatrix(&connection.transport_generator(n).unwrap()).unwrap().exp()
+            connection.transport_generator(n).unwrap().to_dmatrix().unwrap().exp()
         };
         // left components at p of what right translation makes of u: p^-1 (u p)
         let p = basis.combine(n).exp();

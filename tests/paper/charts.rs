@@ -2,7 +2,7 @@
 
 use crate::common::charts::{self, Chart, constant, sum};
 use crate::common::{inverse, labels};
-use crate::value;
+use crate::paper::value;
 use affinor::Frame;
 use affinor_tensors::{Down, Symbolic, Tensor, Up, contract};
 use std::sync::Arc;

@@ -4,10 +4,10 @@
 //! momenta and equations of motion.
 
 use crate::common::labels;
-use crate::on_groups::{column, equal, path, rate, same};
-use affinor::dynamics::MassProperties;
-use affinor::equations::Equations;
+use crate::paper::on_groups::{column, equal, path, rate, same};
+use affinor::geometry::equations::Equations;
 use affinor::group::{LieGroup, So3, Velocity};
+use affinor::mechanics::MassProperties;
 use affinor::{Canonical, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{DMatrix, Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3};
@@ -51,7 +51,7 @@ fn inertia(places: impl Iterator<Item = (f64, Vector3<f64>)>) -> Matrix3<f64> {
 fn metric() -> Metric<f64> {
     let j = inertia(body().into_iter());
     let components = Tensor::from_fn(3, [Down, Down], |[i, k]| j[(i, k)]).unwrap();
-    Metric::new(&labels(3), components).unwrap()
+    Metric::new(labels(3), components).unwrap()
 }
 
 /// `H = J Omega` by the library.

@@ -1,10 +1,11 @@
 //! Section 5: momenta and Euler's equations, (100), (104)-(109).
 
 use crate::common::labels;
-use crate::matrices::{self, assert_close};
-use crate::{affine, algebras, assert_tensors, epsilons, float, heisenberg, inertia, metric};
-use crate::{parameters, se2, se3, sl2, so3, symbolic, tensor, value, values};
-use affinor::dense::to_dmatrix;
+use crate::paper::matrices::{self, assert_close};
+use crate::paper::{
+    affine, algebras, assert_tensors, epsilons, float, heisenberg, inertia, metric,
+};
+use crate::paper::{parameters, se2, se3, sl2, so3, symbolic, tensor, value, values};
 use affinor::{BasisChange, Canonical, Connection, LieAlgebra, Metric};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up, contract};
 
@@ -69,7 +70,7 @@ fn eq_100_structure_and_inertia_change_basis_together() {
     // Euler's equations of the scaled basis are those of the old one: with Omega' = (w1/2, w2, w3)
     // and H' = (2 H1, H2, H3), the first of (Omega x H) doubles, the others stay
     let g = doubled.apply(inertia().components()).unwrap();
-    let g = Metric::new(&labels(3), g).unwrap();
+    let g = Metric::new(labels(3), g).unwrap();
     let omega = values(["w1/2", "w2", "w3"]);
     let found = gyroscopic(
         &Connection::canonical(&scaled, Canonical::Plus),
@@ -172,7 +173,7 @@ fn eq_104_parallel_covectors_are_constant_spatial_momenta() {
         let omega = &omega[..algebra.dimension()];
         let plus = Connection::canonical(&float(&algebra), Canonical::Plus);
         // dH_i/dt = Lambda^j_ki Omega^k H_j: minus the transposed generator of vectors
-        let generator = to_dmatrix(&plus.transport_generator(omega).unwrap()).unwrap();
+        let generator = plus.transport_generator(omega).unwrap().to_dmatrix().unwrap();
         let of_covectors = (-generator.transpose() * 1.7).exp();
         let g = (basis.combine(omega) * 1.7).exp();
         let adjoint = basis.conjugation(&matrices::inverse(&g), &g);

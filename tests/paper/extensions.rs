@@ -1,10 +1,10 @@
 //! Beyond the paper: Levi-Civita of a left-invariant metric and Milnor's Ricci curvature.
 
 use crate::common::charts::sum;
-use crate::{
+use crate::paper::{
     affine, assert_tensors, heisenberg, inertia, metric, parameters, se2, sl2, so3, symbolic,
 };
-use crate::{tensor, value, values};
+use crate::paper::{tensor, value, values};
 use affinor::{Connection, LieAlgebra, Metric};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up, contract};
 
@@ -95,6 +95,6 @@ fn antisymmetric_torsion_leaves_geodesics_alone() {
     // (+) with the bi-invariant metric has the autoparallels of Levi-Civita, torsion or not
     let two = metric::<Rational>(&[&["2", "0", "0"], &["0", "2", "0"], &["0", "0", "2"]]);
     let levi_civita = Connection::levi_civita(so3().left_frame(), &two).unwrap();
-    let zero = crate::epsilons("1/2");
+    let zero = crate::paper::epsilons("1/2");
     assert_tensors(levi_civita.gamma(), &zero, "Levi-Civita of a bi-invariant metric is (0)");
 }

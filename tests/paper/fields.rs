@@ -5,10 +5,10 @@
 //! of these algebras has a closed form.
 
 use crate::common::charts::{constant, sum};
-use crate::matrices::Basis;
-use crate::on_groups::{commutator, differ, equal, on_every_group, vectors};
-use crate::{algebras, assert_tensors, symbolic, value};
-use affinor::chart::{Canonical as Kind, Chart, Fields, Side};
+use crate::paper::matrices::Basis;
+use crate::paper::on_groups::{commutator, differ, equal, on_every_group, vectors};
+use crate::paper::{algebras, assert_tensors, symbolic, value};
+use affinor::geometry::chart::{CanonicalCoordinates as Kind, Chart, Fields, Side};
 use affinor::group::LieGroup;
 use affinor::{Canonical, Connection, Frame, LieAlgebra};
 use affinor_tensors::{Down, Symbolic, Tensor, Up, contract};
@@ -101,7 +101,7 @@ fn eq_28_bracket_of_the_algebra_is_that_of_left_extensions() {
     fn law<G: LieGroup>(name: &str, group: &G, basis: &Basis) {
         let [x, y, _] = vectors(group);
         let bracket = group.bracket(&x, &y);
-        let bracket = crate::on_groups::column(&bracket);
+        let bracket = crate::paper::on_groups::column(&bracket);
         equal(&bracket, &commutator(basis, &x, &y), name);
         differ(&bracket, &commutator(basis, &y, &x), name);
     }
@@ -208,7 +208,7 @@ fn eq_a8_constants_belong_to_invariant_frames() {
     }
     // of another frame they are functions: e_1, x1 e_2 with [e_1, e_2] = e_2 on Aff(1)
     let group = groups().find(|group| group.name == "aff(1)").unwrap();
-    let scaled = crate::tensor(2, [Up, Down], &[([1, 1], "1"), ([2, 2], "x1")]);
+    let scaled = crate::paper::tensor(2, [Up, Down], &[([1, 1], "1"), ([2, 2], "x1")]);
     let change = affinor::BasisChange::new(scaled).unwrap();
     let moved = group.frame().moved(crate::common::labels(2), &change).unwrap();
     assert_eq!(moved.structure().get(&[1, 0, 1]), value("1 + 1/x1"));

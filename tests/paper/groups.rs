@@ -1,10 +1,10 @@
 //! Section 3: groups, brackets of fields and the canonical connections on them, (28)-(37).
 
-use crate::charts::{self, Group, groups};
 use crate::common::charts::{constant, sum};
 use crate::common::{inverse, labels};
-use crate::matrices::represented;
-use crate::{assert_tensors, epsilons, sl2, so3, tensor, values};
+use crate::paper::charts::{self, Group, groups};
+use crate::paper::matrices::represented;
+use crate::paper::{assert_tensors, epsilons, sl2, so3, tensor, values};
 use affinor::algebra::Complex;
 use affinor::{Canonical, Connection, Frame, MatrixBasis};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Tolerance, Up, contract};
@@ -115,7 +115,7 @@ fn eq_31_zero_is_half_the_bracket_with_both() {
             let of_right = (0..group.n()).map(|m| group.lie(&group.right(m), &coordinates));
             let of_right: Vec<_> = of_right.collect();
             let left = group.lie(&group.left(j), &coordinates);
-            let half = crate::value::<Symbolic>("1/2");
+            let half = crate::paper::value::<Symbolic>("1/2");
             let expected: Vec<_> = (0..group.n())
                 .map(|a| {
                     let right = sum(through.iter().zip(&of_right).map(|(v, x)| v.clone() * &x[a]));

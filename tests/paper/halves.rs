@@ -2,16 +2,16 @@
 //! the paper says too much of it.
 
 use crate::common::labels;
-use crate::matrices::{self, Basis, assert_close, rodrigues};
-use crate::on_groups::{
+use crate::paper::matrices::{self, Basis, assert_close, rodrigues};
+use crate::paper::on_groups::{
     CANONICAL, column, commutator, differ, distance, equal, hat, on_every_group, path, rate, same,
     translation, vectors,
 };
 use affinor::Canonical::{Minus, Plus, Zero};
-use affinor::equations::{Equations, Motion};
+use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::group::fields::{InvariantField, Side};
+use affinor::group::transport::{ParallelTranslation, TangentVector};
 use affinor::group::{Coordinates, LieGroup, Se2, Se3, So3, Velocity};
-use affinor::transport::{ParallelTranslation, TangentVector};
 use affinor::{Canonical, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3, Vector6};
@@ -140,7 +140,7 @@ fn inertia() -> Matrix3<f64> {
 fn metric(g: &DMatrix<f64>) -> Metric<f64> {
     let n = g.nrows();
     let components = Tensor::from_fn(n, [Down, Down], |[i, j]| g[(i, j)]).unwrap();
-    Metric::new(&labels(n), components).unwrap()
+    Metric::new(labels(n), components).unwrap()
 }
 
 fn levi_civita<G: LieGroup + Clone>(group: &G, g: &DMatrix<f64>) -> ParallelTranslation<G> {
@@ -171,7 +171,7 @@ fn claim_after_71_so3_serves_with_plus_or_with_levi_civita_of_j() {
         Equations::euler_poincare(&Connection::canonical(&so3, which), &metric(&dynamic)).unwrap()
     };
     let body = levi_civita(&So3, &dynamic);
-    let geodesic = Equations::new(Motion::Autoparallel, body.connection(), None).unwrap();
+    let geodesic = Equations::new(EquationKind::Autoparallel, body.connection(), None).unwrap();
     // (108): J dOmega/dt = M - Omega x J Omega, from (+) with a torque, from Levi-Civita without
     let (omega, m) = (Vector3::new(1.0, -0.4, 0.8), Vector3::new(0.2, 0.7, -0.3));
     let inverse = j.try_inverse().unwrap();
@@ -205,7 +205,7 @@ fn claim_after_71_so3_serves_with_plus_or_with_levi_civita_of_j() {
     // the pair of the paper: (0) is Levi-Civita of 2 delta, and its geodesics never turn
     let round = levi_civita(&So3, &(DMatrix::identity(3, 3) * 2.0));
     let zero = translation(&So3, Zero);
-    crate::assert_tensors(round.connection().gamma(), zero.connection().gamma(), "(0)");
+    crate::paper::assert_tensors(round.connection().gamma(), zero.connection().gamma(), "(0)");
     let tangent = zero.autoparallel(&start, &omega, &[3.0], 1e-12).unwrap()[0].left;
     assert!((tangent - omega).norm() < 1e-12);
 }
@@ -217,7 +217,7 @@ fn claim_after_71_on_the_motions_of_a_plane() {
     let body = levi_civita(&Se2, &j);
     let plus = Connection::canonical(&Se2.algebra().unwrap(), Plus);
     let euler = Equations::euler_poincare(&plus, &metric(&j)).unwrap();
-    let geodesic = Equations::new(Motion::Autoparallel, body.connection(), None).unwrap();
+    let geodesic = Equations::new(EquationKind::Autoparallel, body.connection(), None).unwrap();
     let omega = Vector3::new(0.7, -1.0, 0.5);
     let h = &j * column(&omega);
     let expected = matrices::inverse(&j) * coadjoint(&Se2, &matrices::se2(), &omega, &h);

@@ -1,10 +1,12 @@
 //! Section 4.1: kinematics on M(3), (41)-(61), with the connection (+).
 
-use crate::matrices::{self, assert_close, rodrigues};
-use crate::{affine, assert_tensors, epsilons, float, heisenberg, parameters, sl2, so3, symbolic};
-use crate::{tensor, value, values};
-use affinor::dense::to_dmatrix;
-use affinor::{Canonical, Connection, Error, paper};
+use crate::paper::matrices::{self, assert_close, rodrigues};
+use crate::paper::{
+    affine, assert_tensors, epsilons, float, heisenberg, parameters, sl2, so3, symbolic,
+};
+use crate::paper::{tensor, value, values};
+use affinor::geometry::paper;
+use affinor::{Canonical, Connection, Error};
 use affinor_tensors::{Down, Ring, Symbolic, Up};
 use nalgebra::{DMatrix, DVector, Rotation3, Unit, Vector3};
 use std::f64::consts::PI;
@@ -16,7 +18,7 @@ const TIMES: [f64; 6] = [0.0, 0.4, -1.3, 2.0, PI, 5.5];
 /// `B(t)` of (49): parallel transport along `exp(t n)` in left components.
 fn transport(which: Canonical, n: [f64; 3], t: f64) -> DMatrix<f64> {
     let connection = Connection::canonical(&float(&so3()), which);
-    (to_dmatrix(&connection.transport_generator(&n).unwrap()).unwrap() * t).exp()
+    (connection.transport_generator(&n).unwrap().to_dmatrix().unwrap() * t).exp()
 }
 
 #[test]
@@ -40,7 +42,7 @@ fn eq_43_autoparallels_keep_constant_components() {
         }
     }
     // of Levi-Civita on diag(1,2,3) only the principal axes do
-    let g = crate::metric(&[&["1", "0", "0"], &["0", "2", "0"], &["0", "0", "3"]]);
+    let g = crate::paper::metric(&[&["1", "0", "0"], &["0", "2", "0"], &["0", "0", "3"]]);
     let body = Connection::levi_civita(so3().left_frame(), &g).unwrap();
     assert!(body.transport_generator(&values(["0", "1", "0"])).is_ok());
     // nabla_n n = J^-1 (n x J n): (0, 0, 1 * 2 - 1 * 1) / 3 for n = (1, 1, 0)

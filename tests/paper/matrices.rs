@@ -57,11 +57,11 @@ pub fn affine() -> Basis {
 /// Algebras with the matrices of their tables.
 pub fn represented() -> [(&'static str, LieAlgebra<Rational>, Basis); 5] {
     [
-        ("so(3)", crate::so3(), so3()),
-        ("sl(2)", crate::sl2(), sl2()),
-        ("se(2)", crate::se2(), se2()),
-        ("heisenberg(3)", crate::heisenberg(), heisenberg()),
-        ("aff(1)", crate::affine(), affine()),
+        ("so(3)", crate::paper::so3(), so3()),
+        ("sl(2)", crate::paper::sl2(), sl2()),
+        ("se(2)", crate::paper::se2(), se2()),
+        ("heisenberg(3)", crate::paper::heisenberg(), heisenberg()),
+        ("aff(1)", crate::paper::affine(), affine()),
     ]
 }
 

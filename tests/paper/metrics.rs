@@ -2,14 +2,15 @@
 
 use crate::common::charts::sum;
 use crate::common::labels;
-use crate::{
+use crate::paper::{
     affine, assert_tensors, epsilons, inertia, matrices, metric, parameters, se3, sl2, so3,
 };
-use crate::{symbolic, tensor, value, values};
+use crate::paper::{symbolic, tensor, value, values};
 use affinor::algebra::Complex;
-use affinor::forms::Form;
-use affinor::metric::equations;
-use affinor::{Canonical, Connection, LieAlgebra, MatrixBasis, paper};
+use affinor::geometry::conditions::conditions;
+use affinor::geometry::forms::Form;
+use affinor::geometry::paper;
+use affinor::{Canonical, Connection, LieAlgebra, MatrixBasis};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Tolerance, Up};
 
 /// The value of a covector on a vector.
@@ -27,7 +28,7 @@ fn eq_91_to_95_covectors() {
     // (91), (95): v*(u) = v^i u^j g_ij, by a loop
     let mut product = Rational::from(0);
     for (i, j) in (0..9).map(|at| (at / 3, at % 3)) {
-        product = product + &(v[i].clone() * &u[j] * &g.components().get(&[i, j]));
+        product += &(v[i].clone() * &u[j] * &g.components().get(&[i, j]));
     }
     assert_eq!(of(&covector, &u), product);
     // (93), (94): the components are the values on the basis, and the pairing is v_i u^i
@@ -37,7 +38,7 @@ fn eq_91_to_95_covectors() {
     // (92)
     for (i, e) in so3().left_frame().coframe().iter().enumerate() {
         for (j, unit) in units.iter().enumerate() {
-            assert_eq!(of(e, unit), Rational::from(crate::delta(i, j)));
+            assert_eq!(of(e, unit), Rational::from(crate::paper::delta(i, j)));
         }
     }
 }
@@ -111,7 +112,7 @@ fn after_102_the_product_is_compatible_with_zero_plus_and_minus() {
 fn claim_plus_is_incompatible_with_an_inertia_that_is_no_multiple_of_the_identity() {
     let m3 = paper::m3().unwrap();
     let q = m3.connection().nonmetricity(m3.metric().unwrap()).unwrap();
-    let mut found: Vec<String> = equations(&q).iter().map(Symbolic::to_string).collect();
+    let mut found: Vec<String> = conditions(&q).iter().map(Symbolic::to_string).collect();
     found.sort();
     assert_eq!(found, ["J11 - J33", "J12", "J13", "J22 - J33", "J23"]);
     // and a multiple is compatible
@@ -129,7 +130,7 @@ fn claim_plus_is_compatible_exactly_with_ad_invariant_metrics() {
     // sl(2): of the metrics with six free components, the multiples of 2 HH + EF + FE
     let free = metric(&[&["a", "d", "e"], &["d", "b", "f"], &["e", "f", "c"]]);
     let q = plus(&sl2()).nonmetricity(&free).unwrap();
-    let mut found: Vec<String> = equations(&q).iter().map(Symbolic::to_string).collect();
+    let mut found: Vec<String> = conditions(&q).iter().map(Symbolic::to_string).collect();
     found.sort();
     assert_eq!(found, ["a - 2*f", "b", "c", "d", "e"]);
     let killing = metric::<Rational>(&[&["8", "0", "0"], &["0", "0", "4"], &["0", "4", "0"]]);
@@ -147,7 +148,7 @@ fn claim_plus_is_compatible_exactly_with_ad_invariant_metrics() {
     // aff(1): none at all; the equations leave no metric
     let free = metric(&[&["a", "b"], &["b", "d"]]);
     let q = plus(&affine()).nonmetricity(&free).unwrap();
-    let mut found: Vec<String> = equations(&q).iter().map(Symbolic::to_string).collect();
+    let mut found: Vec<String> = conditions(&q).iter().map(Symbolic::to_string).collect();
     found.sort();
     assert_eq!(found, ["b", "d"]);
 }

@@ -2,13 +2,12 @@
 //!
 //! What the paper says of M(3) holds of the connection (+) on any group: `A = Ad_p`, `B = Ad_p^-1`.
 
-use crate::matrices::{self, Basis, assert_close};
-use crate::on_groups::{
+use crate::paper::matrices::{self, Basis, assert_close};
+use crate::paper::on_groups::{
     CANONICAL, column, commutator, differ, distance, equal, hat, on_every_group, path, rate, same,
     slope, translation, vectors,
 };
 use affinor::Canonical::{Minus, Plus, Zero};
-use affinor::dense::to_dmatrix;
 use affinor::group::fields::{InvariantField, Side};
 use affinor::group::{Coordinates, LieGroup, So3, Velocity};
 use affinor_tensors::Tensor;
@@ -144,7 +143,7 @@ fn eq_44_and_45_the_generator_is_minus_ad() {
         let on_group = translation(group, Plus);
         // (44): Lambda^i_jk n^j, the upper index is the row
         let generator = on_group.connection().transport_generator(n.components()).unwrap();
-        let generator = to_dmatrix(&generator).unwrap();
+        let generator = generator.to_dmatrix().unwrap();
         equal(&(-&generator * column(&u)), &commutator(basis, &n, &u), name);
         // (45): along exp(t n)
         let carried = |t: f64| on_group.along_subgroup(&(n.clone() * t)).unwrap() * column(&u);
@@ -263,7 +262,7 @@ fn eq_58_omega_translated_along_rays_is_parallel() {
             let field = |t: f64| column(&right.at(group, &group.exp(&(n.clone() * t))));
             let gamma = translation(group, which);
             let generator = gamma.connection().transport_along(n.components()).unwrap();
-            let nabla = slope(field, 0.4) - to_dmatrix(&generator).unwrap() * field(0.4);
+            let nabla = slope(field, 0.4) - generator.to_dmatrix().unwrap() * field(0.4);
             let zero = DVector::zeros(group.dimension());
             if lambda == 1.0 {
                 equal(&nabla, &zero, name);
@@ -343,7 +342,8 @@ fn eq_46_and_65_affinities_of_the_rotation_group() {
     for (which, share) in [(Plus, 1), (Zero, 2)] {
         let on_group = translation(&So3, which);
         let expected: Tensor<f64> =
-            crate::epsilons::<affinor_tensors::Rational>(&format!("1/{share}")).map(|v| v.to_f64());
-        crate::assert_tensors(on_group.connection().gamma(), &expected, "eps");
+            crate::paper::epsilons::<affinor_tensors::Rational>(&format!("1/{share}"))
+                .map(|v| v.to_f64());
+        crate::paper::assert_tensors(on_group.connection().gamma(), &expected, "eps");
     }
 }

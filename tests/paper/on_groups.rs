@@ -1,8 +1,8 @@
 //! The groups of the library beside matrices of their algebras, written down by hand.
 
-use crate::matrices::{self, Basis};
+use crate::paper::matrices::{self, Basis};
+use affinor::group::transport::ParallelTranslation;
 use affinor::group::{Coordinates, LieGroup, MatrixGroup};
-use affinor::transport::ParallelTranslation;
 use affinor::{Canonical, Connection};
 use nalgebra::{DMatrix, DVector};
 
@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 macro_rules! on_every_group {
     ($law:ident) => {{
         use affinor::group::{Heisenberg, Se2, Se3, Sl2, So3};
-        use $crate::{matrices, on_groups};
+        use $crate::paper::{matrices, on_groups};
         $law("SO(3)", &So3, &matrices::so3());
         $law("SE(2)", &Se2, &matrices::se2());
         $law("SE(3)", &Se3, &matrices::se3());

@@ -2,8 +2,8 @@
 
 use crate::common::algebras::{algebras as random, catalogued, seeds};
 use crate::common::{fraction, integer, labels, tensors};
-use crate::{parameters, so3, symbolic};
-use affinor::metric::equations;
+use crate::paper::{parameters, so3, symbolic};
+use affinor::geometry::conditions::conditions;
 use affinor::{Bracket, Canonical, Connection, LieAlgebra};
 use affinor_tensors::{Down, Indices, Rational, Symbolic, Tensor, Up, contract};
 use proptest::prelude::*;
@@ -140,7 +140,7 @@ proptest! {
 /// A symmetric part may still do no work for one `J`: that of its Levi-Civita connection.
 #[test]
 fn after_109_levi_civita_does_no_work_for_its_own_metric() {
-    let own = crate::metric(&[&["J1", "0", "0"], &["0", "J2", "0"], &["0", "0", "J3"]]);
+    let own = crate::paper::metric(&[&["J1", "0", "0"], &["0", "J2", "0"], &["0", "0", "J3"]]);
     let body = Connection::levi_civita(symbolic(&so3()).left_frame(), &own).unwrap();
     assert_eq!(unexplained(&body, own.components()), zero());
     assert_ne!(unexplained(&body, &inertia(3)), zero());
@@ -174,10 +174,10 @@ fn closing_claim_plus_keeps_ad_invariant_inertias_only() {
                 (0..n).map(|m| c(m, i) * &form.get(&[m, j]) + &(c(m, j) * &form.get(&[i, m])));
             terms.fold(zero(), |sum, term| sum + &term)
         });
-        crate::assert_tensors(&q, &loops.unwrap(), name);
+        crate::paper::assert_tensors(&q, &loops.unwrap(), name);
         assert!(!q.is_empty(), "{name}");
         // equations for the n (n + 1)/2 symbols
-        assert_eq!(n * (n + 1) / 2 - equations(&q).len(), invariant, "{name}");
+        assert_eq!(n * (n + 1) / 2 - conditions(&q).len(), invariant, "{name}");
         let killing = algebra.killing_form().map(|value| Symbolic::constant(value.clone()));
         assert!(plus.nabla(&killing).unwrap().is_empty(), "{name}: the Killing form");
     }

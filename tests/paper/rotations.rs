@@ -1,13 +1,14 @@
 //! Section 4.2, "SO(3)" with the connection (0), (62)-(71), and the algebras of 4.3, (84)-(90).
 
-use crate::charts::{self, spin};
 use crate::common::charts::constant;
 use crate::common::{fraction, inverse, stored};
-use crate::matrices::{self, assert_close, rodrigues};
-use crate::{assert_tensors, delta, epsilons, float, metric, sl2, so3, value, values};
+use crate::paper::charts::{self, spin};
+use crate::paper::matrices::{self, assert_close, rodrigues};
+use crate::paper::{assert_tensors, delta, epsilons, float, metric, sl2, so3, value, values};
 use affinor::algebra::Complex;
-use affinor::dense::to_dmatrix;
-use affinor::{Canonical, Connection, MatrixBasis, Metric, catalogue, paper};
+use affinor::algebra::catalogue;
+use affinor::geometry::paper;
+use affinor::{Canonical, Connection, MatrixBasis, Metric};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Tolerance, Up, contract};
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
@@ -65,7 +66,8 @@ fn eq_64_and_65_structure_and_affinities_of_so3() {
 fn after_65_the_table_of_twelve_and_69_zeros() {
     let plus = ["1212", "1313", "2121", "2323", "3131", "3232"];
     let minus = ["1221", "1331", "2112", "2332", "3113", "3223"];
-    let curvature = paper::so3().unwrap().connection().curvature();
+    let space = paper::so3().unwrap();
+    let curvature = space.connection().curvature();
     let mut zeros = 0;
     for (i, j, k, l) in (0..81).map(|at| (at / 27, at / 9 % 3, at / 3 % 3, at % 3)) {
         let name = format!("{}{}{}{}", i + 1, j + 1, k + 1, l + 1);
@@ -113,7 +115,7 @@ fn after_65_ricci_scalar_and_sectional_curvature() {
 fn eq_71_transport_by_half_of_spin_n() {
     let n = [2.0 / 7.0, 3.0 / 7.0, -6.0 / 7.0];
     let zero = Connection::canonical(&float(&so3()), Canonical::Zero);
-    let generator = to_dmatrix(&zero.transport_generator(&n).unwrap()).unwrap();
+    let generator = zero.transport_generator(&n).unwrap().to_dmatrix().unwrap();
     for t in [0.0, 0.7, -2.0, 4.0] {
         let transport = (&generator * t).exp();
         let a = matrices::inverse(&transport);
@@ -128,7 +130,7 @@ fn after_71_holonomy_of_the_closed_subgroup() {
     let n = [0.0, 0.6, -0.8];
     let around = |which| {
         let connection = Connection::canonical(&float(&so3()), which);
-        (to_dmatrix(&connection.transport_generator(&n).unwrap()).unwrap() * TAU).exp()
+        (connection.transport_generator(&n).unwrap().to_dmatrix().unwrap() * TAU).exp()
     };
     // a rotation by pi about n: 2 n n^T - 1
     let half_turn = DMatrix::from_fn(3, 3, |i, j| 2.0 * n[i] * n[j] - delta(i, j) as f64);
@@ -139,7 +141,7 @@ fn after_71_holonomy_of_the_closed_subgroup() {
 
 /// `spin(unit i)` as entries, columns of the cross product with unit vectors.
 fn spin_matrices() -> Vec<Vec<(usize, usize, Complex<Rational>)>> {
-    let entry = |i: usize, r: usize, c: usize| Rational::from(-crate::epsilon(i, r, c));
+    let entry = |i: usize, r: usize, c: usize| Rational::from(-crate::paper::epsilon(i, r, c));
     let places = || (0..3).flat_map(|r| (0..3).map(move |c| (r, c)));
     let matrix = |i| places().map(|(r, c)| (r, c, Complex::real(entry(i, r, c)))).collect();
     (0..3).map(matrix).collect()

@@ -16,7 +16,7 @@ pub enum Axis {
     Z,
 }
 
-/// Which axes the turns are about.
+/// The axes of the turns: fixed in the body or in space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Turns {
     /// The axes of the body, as the earlier turns left them: `R = R_1(a) R_2(b) R_3(c)`.
@@ -47,7 +47,7 @@ pub struct Sequence {
     turns: Turns,
 }
 
-/// Euler angles, and what is left undetermined in them.
+/// Euler angles, and their ambiguity at gimbal lock.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerAngles {
     /// In the order of the sequence. First and last in `[-pi, pi]`; the middle one in `[0, pi]` if first and last
@@ -58,7 +58,7 @@ pub struct EulerAngles {
     pub lock: Option<Lock>,
 }
 
-/// Gimbal lock, by the combination of the first and last angle that is still determined.
+/// Gimbal lock, by the combination of the first and last angle that is determined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lock {
     /// Their sum.
@@ -67,23 +67,23 @@ pub enum Lock {
     Difference,
 }
 
-/// A sine of half an angle that is nothing but rounding.
+/// The rounding of the sine of half an angle.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl Sequence {
     /// A sequence.
     ///
     /// # Errors
-    /// [`Error::NoCoordinates`] if neighbours are equal, for their turns add up.
+    /// [`Error::Invalid`] if neighbours are equal, for their turns add up.
     pub fn new(axes: [Axis; 3], turns: Turns) -> Result<Self, Error> {
         if axes[0] == axes[1] || axes[1] == axes[2] {
             let reason = format!("{axes:?} repeats an axis, so two angles act as one");
-            return Err(Error::NoCoordinates { what: "Euler angles", reason });
+            return Err(Error::Invalid { what: "Euler angles", reason });
         }
         Ok(Sequence { axes, turns })
     }
 
-    /// All 24.
+    /// All 24 sequences.
     pub fn all() -> impl Iterator<Item = Sequence> {
         let axes = [Axis::X, Axis::Y, Axis::Z];
         let triples = (0..27).map(move |n| [axes[n / 9], axes[n / 3 % 3], axes[n % 3]]);
@@ -187,7 +187,7 @@ impl FromStr for Sequence {
         let axis = |c: char| letters.find(c).map(|at| [Axis::X, Axis::Y, Axis::Z][at]);
         let axes: Option<Vec<Axis>> = text.chars().map(axis).collect();
         let axes = axes.and_then(|axes| <[Axis; 3]>::try_from(axes).ok());
-        let axes = axes.ok_or_else(|| Error::NoCoordinates {
+        let axes = axes.ok_or_else(|| Error::Invalid {
             what: "Euler angles",
             reason: format!("`{text}` is not three of XYZ (intrinsic) or of xyz (extrinsic)"),
         })?;

@@ -6,8 +6,8 @@ use nalgebra::{Matrix3, UnitQuaternion};
 
 /// The matrix `R = ((w^2 - |v|^2) 1 + 2 w spin(v) + 2 v v^T)/|q|^2`: columns are the turned basis vectors.
 ///
-/// In this form, homogeneous of degree 0, `R` is orthogonal to 4 machine epsilons even if the quaternion
-/// strayed from unit length.
+/// In this form, homogeneous of degree 0, `R` is orthogonal to 4 machine epsilons even if the length of the
+/// quaternion has drifted from 1.
 pub fn matrix(g: &UnitQuaternion<f64>) -> Matrix3<f64> {
     let [x, y, z, w] = g.coords.into();
     let [xx, yy, zz, ww] = [x * x, y * y, z * z, w * w];
@@ -40,16 +40,19 @@ pub fn matrix(g: &UnitQuaternion<f64>) -> Matrix3<f64> {
 /// ```
 ///
 /// # Errors
-/// [`Error::NoRotation`] with the defect.
+/// [`Error::Invalid`] with the defect.
 pub fn from_matrix(r: &Matrix3<f64>, tolerance: f64) -> Result<UnitQuaternion<f64>, Error> {
     let defect = (r.transpose() * r - Matrix3::identity()).abs();
     // by sum and not by max, in which NaN is lost
     if !(defect.sum().is_finite() && defect.max() <= tolerance) {
         let reason = format!("R^T R differs from 1 by {:e}", defect.max());
-        return Err(Error::NoRotation { reason });
+        return Err(Error::Invalid { what: "rotation", reason });
     }
     if r.determinant() < 0.0 {
-        return Err(Error::NoRotation { reason: "the matrix is a reflection".into() });
+        return Err(Error::Invalid {
+            what: "rotation",
+            reason: "the matrix is a reflection".into(),
+        });
     }
     let [a, b, c] = [r[(0, 0)], r[(1, 1)], r[(2, 2)]];
     let sum = |i: usize, j: usize| r[(i, j)] + r[(j, i)];

@@ -20,13 +20,13 @@ pub fn wxyz(g: &UnitQuaternion<f64>) -> [f64; 4] {
 /// ```
 ///
 /// # Errors
-/// [`Error::NoRotation`] if it is zero or not finite.
+/// [`Error::Invalid`] if it is zero or not finite.
 pub fn from_wxyz([w, x, y, z]: [f64; 4]) -> Result<UnitQuaternion<f64>, Error> {
     let q = Quaternion::new(w, x, y, z);
     let largest = q.coords.amax();
     if !(largest > 0.0 && q.coords.iter().all(|q| q.is_finite())) {
         let reason = format!("the quaternion {w}, {x}, {y}, {z} has no direction");
-        return Err(Error::NoRotation { reason });
+        return Err(Error::Invalid { what: "rotation", reason });
     }
     // denormal components need two steps
     let scaled = if largest < 1e-300 { q * 1e300 } else { q };

@@ -14,13 +14,13 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 /// ```
 ///
 /// # Errors
-/// [`Error::NoCoordinates`] at the angle `pi`, or so near to it that a component leaves the range of floats.
+/// [`Error::Invalid`] at the angle `pi`, or so near to it that a component leaves the range of floats.
 pub fn gibbs(g: &UnitQuaternion<f64>) -> Result<Vector3<f64>, Error> {
     let vector = g.imag() / g.w;
     if vector.iter().all(|c| c.is_finite()) {
         return Ok(vector);
     }
-    Err(Error::NoCoordinates { what: "Gibbs vector", reason: "the angle is pi".into() })
+    Err(Error::Invalid { what: "Gibbs vector", reason: "the angle is pi".into() })
 }
 
 /// The rotation of a vector of Gibbs: `(1 + r)/sqrt(1 + |r|^2)`.

@@ -1,0 +1,107 @@
+//! The commands of the program, one file each, and the options and outputs they share.
+
+mod arguments;
+mod check;
+mod color;
+mod compare;
+mod completions;
+mod conventions;
+mod convert;
+mod equations;
+mod failure;
+mod list;
+mod note;
+mod on_group;
+mod options;
+mod output;
+#[cfg(feature = "plot")]
+mod plot;
+mod rows;
+mod simulate;
+mod stages;
+mod table;
+mod transport;
+mod verify;
+
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use on_group::Operation;
+use std::process::ExitCode;
+
+/// Differential geometry of Lie groups, from a table of brackets.
+///
+/// A SPACE is a geometry of the paper (M3, SO3), a name of the catalogue (so3, "so(3,1)", E8,
+/// "so3+R^3") or a definition file (x.toml, x.json, or - for standard input); it is left out where
+/// --basis and --bracket define it. It may carry its connection and metric:
+/// "so3@levi-civita;metric=diag(1,2,3)".
+///
+/// Exit status: 0 success; 1 the mathematics refuses, as for brackets that violate the Jacobi
+/// identity; 2 wrong usage or unreadable input; 130, 143 stopped by a signal.
+#[derive(Parser)]
+#[command(name = "affinor", version, max_term_width = 80)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Compare two spaces side by side; by default the paper's M(3) and SO(3)
+    Compare(compare::Arguments),
+    /// Print the tensors of a space
+    Table(table::Arguments),
+    /// Check antisymmetry, Jacobi, metric and Bianchi identities
+    Check(check::Arguments),
+    /// Compare a space with a stored table (JSON or CSV)
+    Verify(verify::Arguments),
+    /// Print the equations of motion of a space
+    Equations(equations::Arguments),
+    /// Map coordinates x to the group element exp(x)
+    Exp(on_group::Arguments),
+    /// Map a group element, a matrix given row by row, to its coordinates
+    Log(on_group::Arguments),
+    /// Compute the coordinates of exp(x) exp(y); a row is x, then y
+    Compose(on_group::Arguments),
+    /// Print the matrix of Ad at exp(x)
+    Adjoint(on_group::Arguments),
+    /// Transport vectors in parallel along arcs of a group
+    Transport(transport::Arguments),
+    /// Convert rotations: vectors, quaternions, matrices, Euler angles
+    Convert(convert::Arguments),
+    /// Integrate a problem of mechanics, or an ensemble of problems
+    Simulate(simulate::Arguments),
+    /// Draw the figures of the paper, and trajectories
+    #[cfg(feature = "plot")]
+    Plot(plot::Arguments),
+    /// List the catalogue of spaces
+    List(list::Arguments),
+    /// Print the conventions of signs and indices
+    Conventions(conventions::Arguments),
+    /// Print the completions for a shell
+    Completions(completions::Arguments),
+}
+
+/// Parses the arguments, runs the command and reports its failure.
+pub fn main() -> ExitCode {
+    let matches = arguments::parse::<Cli>();
+    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    let outcome = match cli.command {
+        Command::Compare(arguments) => arguments.run(),
+        Command::Table(arguments) => arguments.run(),
+        Command::Check(arguments) => arguments.run(),
+        Command::Verify(arguments) => arguments.run(),
+        Command::Equations(arguments) => arguments.run(),
+        Command::Exp(arguments) => arguments.run(Operation::Exp),
+        Command::Log(arguments) => arguments.run(Operation::Log),
+        Command::Compose(arguments) => arguments.run(Operation::Compose),
+        Command::Adjoint(arguments) => arguments.run(Operation::Adjoint),
+        Command::Transport(arguments) => arguments.run(),
+        Command::Convert(arguments) => arguments.run(),
+        Command::Simulate(arguments) => arguments.run(),
+        #[cfg(feature = "plot")]
+        Command::Plot(arguments) => arguments.run(),
+        Command::List(arguments) => arguments.run(),
+        Command::Conventions(arguments) => arguments.run(),
+        Command::Completions(arguments) => arguments.run(&mut Cli::command()),
+    };
+    outcome.unwrap_or_else(|failure| failure.report(color::chosen(&matches)))
+}

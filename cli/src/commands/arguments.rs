@@ -1,0 +1,36 @@
+//! The arguments of the program, before clap parses them.
+
+use clap::{ArgMatches, CommandFactory};
+use std::ffi::OsString;
+
+/// Parses the arguments of the program, or ends it with their error or with the help asked for.
+pub fn parse<P: CommandFactory>() -> ArgMatches {
+    let parsed = |escaped: fn(&str) -> Option<OsString>| {
+        let arguments = std::env::args_os().map(|argument| match argument.to_str() {
+            Some(text) => escaped(text).unwrap_or_else(|| shielded(argument)),
+            None => argument,
+        });
+        P::command().try_get_matches_from(arguments)
+    };
+    parsed(|_| None).unwrap_or_else(|error| {
+        // clap repeats arguments in its messages: none may control the terminal
+        let escaped = parsed(|text| {
+            text.contains(char::is_control).then(|| text.escape_debug().to_string().into())
+        });
+        escaped.err().unwrap_or(error).exit()
+    })
+}
+
+/// A row of numbers that begins with a minus gets a space in front, so that clap does not take it for an option.
+fn shielded(argument: OsString) -> OsString {
+    let number = |text: &&str| {
+        let constant = text.starts_with("pi") || text.starts_with("tau");
+        let digit = text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        // clap accepts a single negative number as it is
+        constant || (digit && text.contains([',', ' ', '/', '*']))
+    };
+    match argument.to_str().and_then(|text| text.strip_prefix('-')).filter(number) {
+        Some(row) => format!(" -{row}").into(),
+        None => argument,
+    }
+}

@@ -1,0 +1,62 @@
+//! `affinor compare`: two spaces side by side.
+
+use super::failure::Failure;
+use super::options::Shared;
+use super::output::deliver;
+use affinor_documents::definition::{Definition, InputError, Reading, Space, Work};
+use affinor_documents::report::{ComparedSide, Comparison};
+use affinor_tensors::Notation;
+use clap::Args;
+use std::path::Path;
+use std::process::ExitCode;
+
+#[derive(Args)]
+pub struct Arguments {
+    /// Two spaces; by default the paper's M(3) and SO(3)
+    #[arg(num_args = 0..=2)]
+    pub spaces: Vec<String>,
+    #[command(flatten)]
+    pub shared: Shared,
+}
+
+impl Arguments {
+    pub fn run(&self) -> Result<ExitCode, Failure> {
+        let stages = self.shared.start()?;
+        let [left, right] = match self.spaces.as_slice() {
+            [] => ["M(3)", "SO(3)"],
+            [left, right] => [left.as_str(), right.as_str()],
+            _ => {
+                return Err(InputError::usage("compare takes two spaces, or none")
+                    .help("affinor compare M3 SO3")
+                    .into());
+            }
+        };
+        let [first, second] = self.shared.open_both([left, right])?;
+        let side = |name: &str, space: &Space| {
+            stages.begin(name);
+            self.shared.run(space, OneSide)
+        };
+        let comparison = Comparison::new(side(left, &first)?, side(right, &second)?);
+        let inputs = [&first, &second].into_iter().filter_map(|space| space.file.as_deref());
+        let inputs: Vec<&Path> = inputs.collect();
+        stages.begin_output();
+        let output = &self.shared.output;
+        let write = |out: &mut dyn std::io::Write| comparison.write(output.format, out);
+        deliver(output.file.as_deref(), &inputs, write)?;
+        Ok(ExitCode::SUCCESS)
+    }
+}
+
+struct OneSide;
+
+impl Work for OneSide {
+    type Output = ComparedSide;
+
+    fn run<S: Notation>(
+        self,
+        definition: &Definition,
+        reading: &Reading<S>,
+    ) -> Result<ComparedSide, InputError> {
+        Ok(ComparedSide::new(&definition.geometry(reading)?)?)
+    }
+}

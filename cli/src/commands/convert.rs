@@ -1,0 +1,126 @@
+//! `affinor convert`: coordinates of rotations, converted into one another.
+
+use super::failure::Failure;
+use super::note::{counted, note};
+use super::rows::{self, Expected, RowOutput, map_rows};
+use affinor::Error;
+use affinor::group::rotation;
+use affinor::group::rotation::{Lock, Sequence};
+use affinor::group::{LieGroup, So3};
+use clap::Args;
+use nalgebra::{DMatrix, Matrix3, UnitQuaternion, Vector3};
+use std::cell::Cell;
+use std::process::ExitCode;
+
+/// Orthogonality tolerance: the largest deviation of a matrix from a rotation.
+const TOLERANCE: f64 = 1e-6;
+
+#[derive(Args)]
+pub struct Arguments {
+    /// The coordinates read: vector (a rotation vector), quaternion (w,x,y,z), matrix, gibbs or
+    /// modified (Rodrigues vectors), or Euler angles such as ZYX, about axes of the body, or zyx,
+    /// about axes of space
+    #[arg(long, value_name = "KIND", value_parser = kind)]
+    pub from: Kind,
+    /// The coordinates written, one of the same
+    #[arg(long, value_name = "KIND", value_parser = kind)]
+    pub to: Kind,
+    /// Input rows, one argument each; by default the lines of standard input, as CSV or JSON
+    #[arg(value_name = "ROW", allow_negative_numbers = true)]
+    pub rows: Vec<String>,
+    /// Read and write rotation vectors and Euler angles in degrees
+    #[arg(long)]
+    pub degrees: bool,
+    #[command(flatten)]
+    pub output: RowOutput,
+}
+
+/// Coordinates of rotations.
+#[derive(Clone, Copy)]
+pub enum Kind {
+    Vector,
+    Quaternion,
+    Matrix,
+    Gibbs,
+    Modified,
+    Euler(Sequence),
+}
+
+impl Kind {
+    fn expected(self) -> Expected {
+        let (numbers, what) = match self {
+            Kind::Vector => (3, "a rotation vector"),
+            Kind::Quaternion => (4, "a quaternion"),
+            Kind::Matrix => (9, "a rotation matrix"),
+            Kind::Gibbs | Kind::Modified => (3, "a Rodrigues vector"),
+            Kind::Euler(_) => (3, "a triple of Euler angles"),
+        };
+        Expected { numbers, what: what.into() }
+    }
+
+    fn rotation(self, row: &[f64], unit: f64) -> Result<UnitQuaternion<f64>, Error> {
+        let vector = || Vector3::from_column_slice(row);
+        Ok(match self {
+            Kind::Vector => So3.exp(&(vector() * unit)),
+            Kind::Quaternion => rotation::from_wxyz([row[0], row[1], row[2], row[3]])?,
+            Kind::Matrix => rotation::from_matrix(&Matrix3::from_row_slice(row), TOLERANCE)?,
+            Kind::Gibbs => rotation::from_gibbs(&vector()),
+            Kind::Modified => rotation::from_modified(&vector()),
+            Kind::Euler(sequence) => sequence.rotation((vector() * unit).into()),
+        })
+    }
+
+    /// The coordinates, and the gimbal lock if the Euler angles have one.
+    fn written(
+        self,
+        g: &UnitQuaternion<f64>,
+        unit: f64,
+    ) -> Result<(DMatrix<f64>, Option<Lock>), Error> {
+        let vector = |x: Vector3<f64>| rows::vector(x.as_slice());
+        Ok(match self {
+            Kind::Vector => (vector(So3.log(g)? / unit), None),
+            Kind::Quaternion => (rows::vector(&rotation::wxyz(g)), None),
+            Kind::Matrix => {
+                let matrix = rotation::matrix(g);
+                (DMatrix::from_fn(3, 3, |i, j| matrix[(i, j)]), None)
+            }
+            Kind::Gibbs => (vector(rotation::gibbs(g)?), None),
+            Kind::Modified => (vector(rotation::modified(g)), None),
+            Kind::Euler(sequence) => {
+                let found = sequence.angles(g);
+                (vector(Vector3::from(found.angles) / unit), found.lock)
+            }
+        })
+    }
+}
+
+impl Arguments {
+    pub fn run(&self) -> Result<ExitCode, Failure> {
+        let unit = if self.degrees { 1f64.to_radians() } else { 1.0 };
+        let locked = Cell::new(0u64);
+        map_rows(&self.rows, &self.from.expected(), &self.output, |row| {
+            let g = self.from.rotation(row, unit)?;
+            let (row, lock) = self.to.written(&g, unit)?;
+            locked.set(locked.get() + u64::from(lock.is_some()));
+            Ok(row)
+        })?;
+        if locked.get() > 0 {
+            let rows = counted(locked.get(), "row");
+            note(&format!("gimbal lock in {rows}: the last angle is set to 0 there"));
+        }
+        Ok(ExitCode::SUCCESS)
+    }
+}
+
+fn kind(name: &str) -> Result<Kind, String> {
+    Ok(match name {
+        "vector" => Kind::Vector,
+        "quaternion" => Kind::Quaternion,
+        "matrix" => Kind::Matrix,
+        "gibbs" => Kind::Gibbs,
+        "modified" => Kind::Modified,
+        _ => Kind::Euler(name.parse().map_err(|_| {
+            "the kinds are vector, quaternion, matrix, gibbs, modified, and Euler angles such as ZYX"
+        })?),
+    })
+}

@@ -1,0 +1,107 @@
+//! Failures of a command: the error report and the exit status.
+
+use super::color::Color;
+use affinor::Error;
+use affinor_documents::definition::{InputError, Refusal};
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
+use std::io::{self, IsTerminal, Write};
+use std::ops::Range;
+use std::process::ExitCode;
+
+/// The reason why a command failed.
+pub enum Failure {
+    /// An error of the input, or of the mathematics.
+    Input(Box<InputError>),
+    /// An error of writing the results to the target named.
+    Output(io::Error, String),
+}
+
+impl From<InputError> for Failure {
+    fn from(error: InputError) -> Self {
+        Failure::Input(Box::new(error))
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        InputError::from(error).into()
+    }
+}
+
+impl Failure {
+    /// Reports the failure on standard error; its exit status. A closed pipe ends the program with success.
+    pub fn report(self, color: Color) -> ExitCode {
+        match self {
+            Failure::Output(error, _) if error.kind() == io::ErrorKind::BrokenPipe => {
+                ExitCode::SUCCESS
+            }
+            Failure::Output(error, target) => {
+                show(&InputError::usage(format!("cannot write {target}: {error}")), color);
+                ExitCode::from(2)
+            }
+            Failure::Input(error) => {
+                show(&error, color);
+                ExitCode::from(match error.refusal {
+                    Refusal::Mathematics => 1,
+                    Refusal::Usage => 2,
+                })
+            }
+        }
+    }
+}
+
+/// The widest line of a snippet.
+const WIDTH: usize = 80;
+/// The largest number of characters of a message; a witness may be a huge number.
+const LONGEST: usize = 480;
+
+fn show(error: &InputError, color: Color) {
+    let colored = match color {
+        Color::Always => true,
+        Color::Never => false,
+        Color::Auto => io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none(),
+    };
+    let renderer = if colored { Renderer::styled() } else { Renderer::plain() };
+    let (message, help) = (shortened(&error.message), error.help.as_deref().map(shortened));
+    let mut report = Group::with_title(Level::ERROR.primary_title(&message));
+    let place = error.at.as_ref().map(|place| (&place.source, place.span.clone()));
+    report = match &place {
+        Some((source, Some(span))) if !source.text.is_empty() => {
+            let (first, lines, span) = excerpt(&source.text, span.clone());
+            let snippet = Snippet::source(lines).path(&source.name).line_start(first);
+            report.element(snippet.annotation(AnnotationKind::Primary.span(span)))
+        }
+        Some((source, _)) => report.element(Origin::path(&source.name)),
+        None => report,
+    };
+    if let Some(help) = &help {
+        report = report.element(Level::HELP.message(help));
+    }
+    let text = renderer.term_width(WIDTH).render(&[report]);
+    // if standard error is closed, nobody reads it
+    let _ = writeln!(io::stderr(), "{text}");
+}
+
+/// The lines of a span: the number of the first, their text, and the span in it.
+fn excerpt(text: &str, span: Range<usize>) -> (usize, &str, Range<usize>) {
+    let (start, end) = (span.start.min(text.len()), span.end.min(text.len()));
+    let from = text[..start].rfind('\n').map_or(0, |at| at + 1);
+    let to = text[end..].find('\n').map_or(text.len(), |at| end + at);
+    let first = text[..from].matches('\n').count() + 1;
+    (first, &text[from..to], start - from..end - from)
+}
+
+/// The text with control characters escaped; the middle of a long text is left out.
+fn shortened(text: &str) -> String {
+    let escaped = |c: char| match c {
+        '\n' | '"' | '\'' | '\\' => c.to_string(),
+        c => c.escape_debug().to_string(),
+    };
+    let clean: Vec<String> = text.chars().map(escaped).collect();
+    if clean.len() <= LONGEST {
+        return clean.concat();
+    }
+    let (head, tail) = (&clean[..LONGEST / 2], &clean[clean.len() - LONGEST / 4..]);
+    let all = clean.len();
+    format!("{}...{} ({all} characters in all)", head.concat(), tail.concat())
+}

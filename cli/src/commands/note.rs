@@ -1,0 +1,34 @@
+//! Notes on standard error, beside the results.
+
+use affinor_documents::definition::Definition;
+use std::io::{self, Write};
+
+/// Prints a note on standard error.
+pub fn note(text: &str) {
+    line(&format!("note: {text}"));
+}
+
+/// Prints a line on standard error. If that is closed, nobody reads it.
+pub fn line(text: &str) {
+    let _ = writeln!(io::stderr(), "{text}");
+}
+
+/// A count and its noun, in the plural where it needs one: `1 row`, `2 rows`.
+pub fn counted(count: u64, noun: &str) -> String {
+    match count {
+        1 => format!("1 {noun}"),
+        count => format!("{count} {noun}s"),
+    }
+}
+
+/// Notes the default connection where no connection is named.
+pub fn note_default_connection(definition: &Definition) {
+    if !definition.connection_is_default() {
+        return;
+    }
+    if definition.has_metric() {
+        note("no connection given: using levi-civita, the connection of the metric");
+    } else if !definition.is_on_chart() {
+        note("no connection and no metric given: using the connection zero");
+    }
+}

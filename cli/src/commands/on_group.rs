@@ -1,0 +1,105 @@
+//! `affinor exp`, `log`, `compose`, `adjoint`: operations of the group of a space.
+
+use super::failure::Failure;
+use super::options::{Settings, SpaceOptions};
+use super::rows::{Expected, RowOutput, map_rows, vector};
+use affinor::group::{AnyGroup, LieGroup, Written};
+use clap::Args;
+use nalgebra::{DMatrix, DVector};
+use std::process::ExitCode;
+
+/// A group and its rows of input.
+#[derive(Args)]
+pub struct Arguments {
+    /// The space of the group; see `affinor --help`
+    pub space: String,
+    /// Input rows, one argument each, as in "0, pi/2, 1e-3"; by default the lines of standard input,
+    /// as CSV or JSON
+    #[arg(value_name = "ROW", allow_negative_numbers = true)]
+    pub rows: Vec<String>,
+    /// Read and write the angles of rotations in degrees
+    #[arg(long)]
+    pub degrees: bool,
+    #[command(flatten)]
+    pub settings: Settings,
+    #[command(flatten)]
+    pub output: RowOutput,
+}
+
+/// The operation on each row.
+#[derive(Clone, Copy)]
+pub enum Operation {
+    /// From coordinates to the element.
+    Exp,
+    /// From an element to its coordinates.
+    Log,
+    /// From two coordinate vectors, concatenated, to the coordinates of the product.
+    Compose,
+    /// From coordinates to the matrix of `Ad`.
+    Adjoint,
+}
+
+impl Arguments {
+    pub fn run(&self, operation: Operation) -> Result<ExitCode, Failure> {
+        let group = self.open()?;
+        let (n, shape) = (group.dimension(), group.write(&group.identity()).shape());
+        let a_vector = format!("a vector of this algebra of dimension {n}");
+        let expected = match operation {
+            Operation::Exp | Operation::Adjoint => Expected { numbers: n, what: a_vector },
+            Operation::Compose => Expected { numbers: 2 * n, what: format!("twice {a_vector}") },
+            Operation::Log => {
+                let (rows, columns) = shape;
+                let what = format!("an element of {rows} rows and {columns} columns");
+                Expected { numbers: rows * columns, what }
+            }
+        };
+        let angles = Angles::new(self.degrees, &group);
+        map_rows(&self.rows, &expected, &self.output, |row| {
+            Ok(match operation {
+                Operation::Exp => group.write(&group.exp(&angles.read(row))),
+                Operation::Adjoint => {
+                    let g = group.exp(&angles.read(row));
+                    group.operator(|v| group.adjoint(&g, v))
+                }
+                Operation::Compose => {
+                    let (x, y) = row.split_at(n);
+                    let [g, h] = [x, y].map(|x| group.exp(&angles.read(x)));
+                    vector(&angles.written(group.log(&group.compose(&g, &h))?))
+                }
+                Operation::Log => {
+                    let element = DMatrix::from_row_slice(shape.0, shape.1, row);
+                    vector(&angles.written(group.log(&group.read(&element)?)?))
+                }
+            })
+        })?;
+        Ok(ExitCode::SUCCESS)
+    }
+
+    fn open(&self) -> Result<AnyGroup, Failure> {
+        self.settings.start_threads()?;
+        let space = self.settings.open(Some(&self.space), &SpaceOptions::default())?;
+        let tolerance = self.settings.tolerance()?;
+        Ok(space.in_floats(tolerance, |definition, reading| definition.group(reading))?)
+    }
+}
+
+/// The units of the components of vectors.
+pub struct Angles(Vec<f64>);
+
+impl Angles {
+    pub fn new(degrees: bool, group: &AnyGroup) -> Self {
+        let degree = |i: usize| degrees && group.is_angle(i);
+        let unit = |i: usize| if degree(i) { 1f64.to_radians() } else { 1.0 };
+        Angles((0..group.dimension()).map(unit).collect())
+    }
+
+    /// The components with angles in radians.
+    pub fn read(&self, x: &[f64]) -> DVector<f64> {
+        DVector::from_iterator(x.len(), x.iter().zip(&self.0).map(|(x, unit)| x * unit))
+    }
+
+    /// The components with angles in these units.
+    pub fn written(&self, x: DVector<f64>) -> Vec<f64> {
+        x.iter().zip(&self.0).map(|(x, unit)| x / unit).collect()
+    }
+}

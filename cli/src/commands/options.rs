@@ -1,0 +1,173 @@
+//! The options that several commands share.
+
+use super::color::ColorOption;
+use super::failure::Failure;
+use super::note::note;
+use super::stages::Stages;
+use affinor_documents::definition::{InputError, Request, ScalarChoice, Space, Work};
+use affinor_documents::report::Format;
+use affinor_tensors::Tolerance;
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// A space defined by options, and its connection and metric.
+#[derive(Args, Default)]
+pub struct SpaceOptions {
+    /// The basis of a space without a name, as in "x y z"
+    #[arg(long, value_name = "NAMES")]
+    pub basis: Option<String>,
+    /// Brackets over --basis, separated by ; as in "[x,y]=z"; may be repeated
+    #[arg(long, value_name = "BRACKET")]
+    pub bracket: Vec<String>,
+    #[command(flatten)]
+    pub geometry: GeometryOptions,
+}
+
+/// The connection and the metric of a space.
+#[derive(Args, Clone, Default)]
+pub struct GeometryOptions {
+    /// The connection: plus, zero, minus, lambda=1/3, or levi-civita
+    #[arg(long, value_name = "NAME", allow_hyphen_values = true)]
+    pub connection: Option<String>,
+    /// The metric: identity, killing, "diag(1,2,3)", or rows "[[1,0],[0,2]]"
+    #[arg(long, value_name = "METRIC", allow_hyphen_values = true)]
+    pub metric: Option<String>,
+}
+
+/// Parameters, threads, and the tolerance of floating-point results.
+#[derive(Args)]
+pub struct Settings {
+    /// Values of parameters, as in "J1=1/2,h=-1"
+    #[arg(long, value_name = "NAME=VALUE,...")]
+    pub set: Option<String>,
+    /// Relative tolerance: a float counts as zero below T times the sum of the absolute values of
+    /// its terms [default: 64 machine epsilons]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    pub tolerance: Option<f64>,
+    /// The number of threads [default: all cores]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub threads: Option<i64>,
+}
+
+/// The settings of a computation, its scalars, and its output.
+#[derive(Args)]
+pub struct Shared {
+    #[command(flatten)]
+    pub settings: Settings,
+    /// Scalars: exact (rational numbers, or rational functions of the parameters) or float (f64)
+    #[arg(long, value_enum, default_value_t = Scalar::Exact)]
+    pub scalar: Scalar,
+    /// Print the seconds of each stage on standard error
+    #[arg(long)]
+    pub timings: bool,
+    #[command(flatten)]
+    pub output: Output,
+}
+
+/// The format and file of a table, and the colours of messages.
+#[derive(Args)]
+pub struct Output {
+    /// The format: text, markdown, latex, csv, or json
+    #[arg(long, default_value = "text", value_parser = format)]
+    pub format: Format,
+    /// Write to this file; a failed run leaves it as it was
+    #[arg(short = 'o', long = "output", value_name = "FILE")]
+    pub file: Option<PathBuf>,
+    #[command(flatten)]
+    pub color: ColorOption,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Scalar {
+    Exact,
+    Float,
+}
+
+impl Settings {
+    /// The tolerance below which a float counts as zero.
+    pub fn tolerance(&self) -> Result<Tolerance, Failure> {
+        let Some(relative) = self.tolerance else { return Ok(Tolerance::default()) };
+        Tolerance::new(relative).ok_or_else(|| {
+            let message = format!("--tolerance {relative} is not in 0 <= T < 1");
+            InputError::usage(message).help("the default is 64 machine epsilons, 1.42e-14").into()
+        })
+    }
+
+    /// Sets the number of threads for everything that follows.
+    pub fn start_threads(&self) -> Result<(), Failure> {
+        let Some(given) = self.threads else { return Ok(()) };
+        let Some(threads) = usize::try_from(given).ok().filter(|n| (1..=1024).contains(n)) else {
+            let message = format!("--threads {given} is not between 1 and 1024");
+            return Err(InputError::usage(message).into());
+        };
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+        pool.map_err(|error| InputError::usage(format!("cannot start threads: {error}")).into())
+    }
+
+    /// Opens a space, and notes its new parameters.
+    pub fn open(&self, space: Option<&str>, options: &SpaceOptions) -> Result<Space, Failure> {
+        let space = Space::open(&Request {
+            space: space.map(str::to_string),
+            basis: options.basis.clone(),
+            brackets: options.bracket.clone(),
+            connection: options.geometry.connection.clone(),
+            metric: options.geometry.metric.clone(),
+            set: self.set.clone(),
+        })?;
+        note_parameters(&space);
+        Ok(space)
+    }
+}
+
+impl Shared {
+    /// Begins a command with its first stage, the input.
+    pub fn start(&self) -> Result<Stages, Failure> {
+        self.settings.start_threads()?;
+        let stages = Stages::new(self.timings);
+        stages.begin("input");
+        Ok(stages)
+    }
+
+    /// Runs work over the scalars of a space.
+    pub fn run<W: Work>(&self, space: &Space, work: W) -> Result<W::Output, Failure> {
+        let scalar = match self.scalar {
+            Scalar::Exact => ScalarChoice::Exact,
+            Scalar::Float => ScalarChoice::Float,
+        };
+        Ok(space.run(scalar, self.settings.tolerance()?, work)?)
+    }
+
+    /// Opens a space, and notes its new parameters.
+    pub fn open(&self, space: Option<&str>, options: &SpaceOptions) -> Result<Space, Failure> {
+        self.settings.open(space, options)
+    }
+
+    /// Opens two spaces; `--set` sets a parameter in each of the spaces that has it.
+    pub fn open_both(&self, names: [&str; 2]) -> Result<[Space; 2], Failure> {
+        let open =
+            |name: &str| Space::open(&Request { space: Some(name.into()), ..Request::default() });
+        let mut spaces = [open(names[0])?, open(names[1])?];
+        if let Some(text) = &self.settings.set {
+            let parameters = spaces.each_ref().map(|space| space.definition.parameters());
+            for (space, others) in spaces.iter_mut().zip(parameters.iter().rev()) {
+                space.set(text, others)?;
+            }
+        }
+        spaces.iter().for_each(note_parameters);
+        Ok(spaces)
+    }
+}
+
+/// Notes the parameters that stand on the command line alone.
+fn note_parameters(space: &Space) {
+    if !space.introduced.is_empty() {
+        note(&format!("taken as parameters: {}", space.introduced.join(", ")));
+    }
+}
+
+fn format(name: &str) -> Result<Format, String> {
+    Format::from_name(name).ok_or_else(|| {
+        let all: Vec<&str> = Format::ALL.into_iter().map(Format::name).collect();
+        format!("the formats are {}", all.join(", "))
+    })
+}

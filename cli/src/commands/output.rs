@@ -1,0 +1,100 @@
+//! Output of results: standard output, or a file that is replaced once all is written.
+
+use super::failure::Failure;
+use affinor_documents::definition::InputError;
+use std::fs;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
+
+/// Runs `write` on standard output or into `file`.
+///
+/// A regular file is written beside its place and renamed, so a failed run leaves the old one; a
+/// device or a pipe is written as it is. `inputs` are files that must not be overwritten.
+pub fn deliver(
+    file: Option<&Path>,
+    inputs: &[&Path],
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), Failure> {
+    let Some(path) = file else {
+        let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+        let done = write(&mut out).and_then(|()| out.flush());
+        return done.map_err(|error| Failure::Output(error, "standard output".into()));
+    };
+    let (shown, target) = expect_other(path, inputs)?;
+    let special = fs::metadata(&target).is_ok_and(|meta| !meta.is_file() && !meta.is_dir());
+    let done = if special {
+        fs::File::create(&target).and_then(|file| {
+            let mut out = BufWriter::new(file);
+            write(&mut out).and_then(|()| out.flush())
+        })
+    } else {
+        replace(&target, write)
+    };
+    done.map_err(|error| Failure::Output(error, shown))
+}
+
+/// Refuses, before any work, a file that cannot be written: one of `inputs`, a folder, or a file in a folder
+/// without write permission.
+pub fn expect_place(path: &Path, inputs: &[&Path]) -> Result<(), Failure> {
+    let (shown, target) = expect_other(path, inputs)?;
+    if fs::metadata(&target).is_ok_and(|meta| !meta.is_file() && !meta.is_dir()) {
+        return Ok(());
+    }
+    // deleted at once
+    temporary(&target).map(drop).map_err(|error| Failure::Output(error, shown))
+}
+
+/// A path as shown, and the file behind it, which must not be one of `inputs`.
+fn expect_other(path: &Path, inputs: &[&Path]) -> Result<(String, PathBuf), Failure> {
+    let shown = path.display().to_string().escape_debug().to_string();
+    if inputs.iter().any(|input| is_same(input, path)) {
+        let message = format!("{shown} is the input; writing there would lose it");
+        return Err(InputError::usage(message).help("give -o another name").into());
+    }
+    Ok((shown, resolved(path)))
+}
+
+/// Whether two paths name the same file.
+pub fn is_same(a: &Path, b: &Path) -> bool {
+    resolved(a) == resolved(b)
+}
+
+/// The absolute path, with symbolic links followed.
+fn resolved(path: &Path) -> PathBuf {
+    let target = fs::canonicalize(path).or_else(|_| std::path::absolute(path));
+    target.unwrap_or_else(|_| path.to_path_buf())
+}
+
+fn replace(target: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let mut out = BufWriter::with_capacity(1 << 16, temporary(target)?);
+    write(&mut out)?;
+    let temporary = out.into_inner().map_err(|error| error.into_error())?;
+    temporary.persist(target).map_err(|error| error.error)?;
+    Ok(())
+}
+
+/// A temporary file in the folder of the target.
+fn temporary(target: &Path) -> io::Result<NamedTempFile> {
+    let folder = match target.parent() {
+        Some(parent) if parent != Path::new("") => parent,
+        _ => Path::new("."),
+    };
+    if target.is_dir() {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".affinor-");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // the permissions of the file it replaces, or else those of the umask
+        let mode = fs::metadata(target).map_or(0o666, |meta| meta.permissions().mode());
+        builder.permissions(fs::Permissions::from_mode(mode));
+    }
+    // here, so that the message does not name the temporary file
+    if !fs::metadata(folder)?.is_dir() {
+        return Err(io::ErrorKind::NotADirectory.into());
+    }
+    builder.tempfile_in(folder)
+}

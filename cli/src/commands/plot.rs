@@ -1,0 +1,312 @@
+//! `affinor plot`: figures of the paper and of trajectories, as SVG or PNG.
+
+mod convergence;
+mod run;
+
+use super::color::ColorOption;
+use super::failure::Failure;
+use super::note::line;
+use super::output::deliver;
+use super::rows::{Expected, read};
+use affinor::group::So3;
+use affinor::group::transport::ParallelTranslation;
+use affinor::{ConnectionKind, Error};
+use affinor_cli::figures;
+use affinor_cli::figures::diagram::Diagram;
+use affinor_cli::figures::{Connected, Figure, Path};
+use affinor_cli::plot;
+use affinor_cli::plot::{MAX_WIDTH, Picture, View};
+use affinor_documents::definition::{InputError, Request, Space};
+use affinor_tensors::Tolerance;
+use clap::{Args, Subcommand};
+use convergence::Comparison;
+use nalgebra::Vector3;
+use run::Trajectory;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+#[derive(Args)]
+pub struct Arguments {
+    #[command(subcommand)]
+    figure: Kind,
+}
+
+#[derive(Subcommand)]
+enum Kind {
+    /// Angular velocity w of a motion, and its images Omega and omega at the identity
+    #[command(visible_alias = "figure2")]
+    Images {
+        #[command(flatten)]
+        motion: PathOptions,
+        #[command(flatten)]
+        scene: Scene,
+    },
+    /// Angular velocity, transported to the identity by connections
+    #[command(visible_alias = "figure3")]
+    Transport {
+        #[command(flatten)]
+        connections: Connections,
+        #[command(flatten)]
+        motion: PathOptions,
+        #[command(flatten)]
+        scene: Scene,
+    },
+    /// Autoparallels through the identity, in canonical coordinates
+    #[command(visible_alias = "figure4")]
+    Autoparallels {
+        /// The tangent of the autoparallel to be highlighted, and its length, as a rotation vector
+        #[arg(long, value_name = "X", default_value = "0.9, 1.9, 1.3", allow_hyphen_values = true)]
+        axis: String,
+        #[command(flatten)]
+        connections: Connections,
+        #[command(flatten)]
+        scene: Scene,
+    },
+    /// Motion as a curve in the group, and as the rotating body
+    #[command(visible_alias = "figure5")]
+    Motion {
+        #[command(flatten)]
+        motion: PathOptions,
+        #[command(flatten)]
+        scene: Scene,
+    },
+    /// Left-invariant frame along a motion, and the frames that connections transport
+    #[command(visible_alias = "figure6")]
+    Frames {
+        #[command(flatten)]
+        connections: Connections,
+        #[command(flatten)]
+        motion: PathOptions,
+        #[command(flatten)]
+        scene: Scene,
+    },
+    /// Problem of mechanics: body axes on the unit sphere in space
+    Attitude {
+        #[command(flatten)]
+        trajectory: Trajectory,
+        #[command(flatten)]
+        scene: Scene,
+    },
+    /// Problem of mechanics: body momentum on its sphere, and the energy ellipsoid
+    Momentum {
+        #[command(flatten)]
+        trajectory: Trajectory,
+        #[command(flatten)]
+        scene: Scene,
+    },
+    /// Problem of mechanics: drift of the conserved quantities over time
+    Drift {
+        #[command(flatten)]
+        trajectory: Trajectory,
+        #[command(flatten)]
+        image: Image,
+    },
+    /// Problem of mechanics: error of several methods over step size and computing time
+    Convergence {
+        #[command(flatten)]
+        comparison: Comparison,
+        #[command(flatten)]
+        image: Image,
+    },
+}
+
+/// A motion of the body, and a time.
+#[derive(Args)]
+struct PathOptions {
+    /// A factor of the motion exp(t X1) exp(t X2) ..., 0 <= t <= 1, as a rotation vector; may be
+    /// repeated [default: two factors, a steady precession]
+    #[arg(long = "factor", value_name = "X", allow_hyphen_values = true)]
+    factors: Vec<String>,
+    /// The time of the velocity and the frame that are drawn
+    #[arg(long, value_name = "T", default_value_t = 0.7, allow_negative_numbers = true)]
+    at: f64,
+}
+
+/// Connections on the rotation group, one panel each.
+#[derive(Args)]
+struct Connections {
+    /// The connection of a panel: plus, zero, minus, lambda=1/3, or levi-civita; may be repeated
+    #[arg(long = "connection", value_name = "NAME", allow_hyphen_values = true)]
+    names: Vec<String>,
+    /// The metric of levi-civita: identity, "diag(1,2,3)", or rows "[[1,0,0],..]"
+    #[arg(long, value_name = "METRIC", allow_hyphen_values = true)]
+    metric: Option<String>,
+}
+
+/// The direction of view, and the image.
+#[derive(Args)]
+struct Scene {
+    /// The direction of view: azimuth and elevation in degrees
+    #[arg(long, value_name = "A,E", default_value = "28, 20", allow_hyphen_values = true)]
+    view: String,
+    #[command(flatten)]
+    image: Image,
+}
+
+/// The file and width of an image, and the colours of messages.
+#[derive(Args)]
+struct Image {
+    #[cfg_attr(
+        feature = "png",
+        doc = "Write to this file, .svg or .png, instead of SVG on standard output"
+    )]
+    #[cfg_attr(not(feature = "png"), doc = "Write to this file, .svg, instead of standard output")]
+    #[arg(short = 'o', long = "output", value_name = "FILE")]
+    file: Option<PathBuf>,
+    /// The width in pixels
+    #[arg(long, value_name = "PIXELS", default_value_t = 800)]
+    width: u32,
+    #[command(flatten)]
+    color: ColorOption,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<ExitCode, Failure> {
+        match self.figure {
+            Kind::Images { motion, scene } => scene.print(&motion.figure(figures::images)?),
+            Kind::Motion { motion, scene } => scene.print(&motion.figure(figures::motion)?),
+            Kind::Transport { connections, motion, scene } => {
+                let both = connections.or(&["plus", "zero"])?;
+                scene.print(&motion.figure(|path, t| figures::transport(&both, path, t))?)
+            }
+            Kind::Frames { connections, motion, scene } => {
+                let all = connections.or(&[])?;
+                scene.print(&motion.figure(|path, t| figures::frames(&all, path, t))?)
+            }
+            Kind::Autoparallels { axis, connections, scene } => {
+                let axis = vector("--axis", &axis)?;
+                scene.print(&figures::autoparallels(&connections.or(&["plus"])?, &axis)?)
+            }
+            Kind::Attitude { trajectory, scene } => scene.print(&trajectory.attitude()?),
+            Kind::Momentum { trajectory, scene } => scene.print(&trajectory.momentum()?),
+            Kind::Drift { trajectory, image } => image.print_diagram(&trajectory.drift()?),
+            Kind::Convergence { comparison, image } => {
+                let (name, trials) = comparison.trials()?;
+                for trials in &trials {
+                    let orders = trials.orders().map(|order| format!(" {order:.2}"));
+                    let orders: String = orders.collect();
+                    let none = if orders.is_empty() { " none" } else { "" };
+                    line(&format!("{}: observed orders:{none}{orders}", trials.method));
+                }
+                image.print_diagram(&convergence::diagram(&name, &trials))
+            }
+        }
+    }
+}
+
+impl PathOptions {
+    fn figure(
+        &self,
+        figure: impl Fn(&Path, f64) -> Result<Figure, Error>,
+    ) -> Result<Figure, Failure> {
+        if !(0.0..=1.0).contains(&self.at) {
+            let message = format!("--at {} is not in 0 <= T <= 1", self.at);
+            return Err(InputError::usage(message).into());
+        }
+        let given = self.factors.iter().map(|factor| vector("--factor", factor));
+        let mut factors = given.collect::<Result<Vec<_>, _>>()?;
+        if factors.is_empty() {
+            // a steady precession
+            factors = vec![Vector3::new(0.7, -2.2, 2.8), Vector3::new(2.3, 2.6, -0.2)];
+        }
+        Ok(figure(&Path { factors }, self.at)?)
+    }
+}
+
+impl Connections {
+    /// The connections given, or the default ones.
+    fn or(&self, default: &[&str]) -> Result<Vec<Connected>, Failure> {
+        let names: Vec<&str> = match self.names.as_slice() {
+            [] => default.to_vec(),
+            given => given.iter().map(String::as_str).collect(),
+        };
+        names.into_iter().map(|name| self.open(name)).collect()
+    }
+
+    fn open(&self, name: &str) -> Result<Connected, Failure> {
+        let space = Space::open(&Request {
+            space: Some("so3".into()),
+            connection: Some(name.into()),
+            metric: self.metric.clone(),
+            ..Request::default()
+        })?;
+        let geometry = space
+            .in_floats(Tolerance::default(), |definition, reading| definition.geometry(reading))?;
+        let of_paper = match geometry.kind().name() {
+            "plus" => "M(3): ",
+            "zero" => "SO(3): ",
+            _ => "",
+        };
+        let kind = match geometry.kind() {
+            ConnectionKind::Family(lambda) => format!("lambda = {lambda}"),
+            kind => kind.name().into(),
+        };
+        let name = format!("{of_paper}connection {kind}");
+        let translation = ParallelTranslation::new(So3, geometry.connection().clone())?;
+        Ok(Connected { name, translation })
+    }
+}
+
+impl Scene {
+    fn print(&self, figure: &Figure) -> Result<ExitCode, Failure> {
+        let expected = Expected { numbers: 2, what: "azimuth and elevation".into() };
+        let [azimuth, elevation] = read("--view", &self.view, &expected)?[..] else {
+            return Err(InputError::usage("--view: azimuth and elevation are two numbers").into());
+        };
+        self.image.print(&plot::draw(figure, &View { azimuth, elevation }))
+    }
+}
+
+impl Image {
+    fn print_diagram(&self, diagram: &Diagram) -> Result<ExitCode, Failure> {
+        self.print(&plot::diagram(diagram))
+    }
+
+    fn print(&self, picture: &Picture) -> Result<ExitCode, Failure> {
+        let encode = self.encoder()?;
+        if !(1..=MAX_WIDTH).contains(&self.width) {
+            let message = format!("--width {} is not between 1 and {MAX_WIDTH}", self.width);
+            return Err(InputError::usage(message).into());
+        }
+        let bytes = encode(picture, self.width)?;
+        deliver(self.file.as_deref(), &[], |out| out.write_all(&bytes))?;
+        Ok(ExitCode::SUCCESS)
+    }
+
+    /// The encoder of the file, by its ending.
+    fn encoder(&self) -> Result<Encoder, Failure> {
+        let Some(file) = &self.file else { return Ok(svg) };
+        let ending = file.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        match ending.as_deref() {
+            Some("svg") => Ok(svg),
+            #[cfg(feature = "png")]
+            Some("png") => Ok(png),
+            #[cfg(not(feature = "png"))]
+            Some("png") => {
+                let help = "write .svg, or build it with `cargo install --path cli --features png`";
+                Err(InputError::usage("this program was built without PNG").help(help).into())
+            }
+            _ => {
+                let message = format!("{} ends in neither .svg nor .png", file.display());
+                Err(InputError::usage(message).help("the ending selects the format").into())
+            }
+        }
+    }
+}
+
+/// A picture of a width in pixels, as the bytes of a file.
+type Encoder = fn(&Picture, u32) -> Result<Vec<u8>, Failure>;
+
+fn svg(picture: &Picture, width: u32) -> Result<Vec<u8>, Failure> {
+    Ok(plot::svg(picture, width).into_bytes())
+}
+
+#[cfg(feature = "png")]
+fn png(picture: &Picture, width: u32) -> Result<Vec<u8>, Failure> {
+    Ok(plot::png(picture, width).map_err(|error| InputError::usage(error.to_string()))?)
+}
+
+fn vector(option: &str, text: &str) -> Result<Vector3<f64>, Failure> {
+    let expected = Expected { numbers: 3, what: "a rotation vector".into() };
+    Ok(Vector3::from_column_slice(&read(option, text, &expected)?))
+}

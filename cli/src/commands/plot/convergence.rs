@@ -1,0 +1,174 @@
+//! Convergence of methods: error at the end time over step size and computing time.
+
+use super::super::failure::Failure;
+use super::super::stages::Stages;
+use affinor::mechanics::motions::Method;
+use affinor_cli::figures::diagram::{Diagram, Graph, Line, Scale};
+use affinor_documents::definition::InputError;
+use affinor_documents::problem::{Problem, Ready};
+use clap::Args;
+use std::time::Instant;
+
+/// Larger errors are left out: they do not show the order of a method.
+const USEFUL: f64 = 1.0;
+
+/// One run of a method.
+pub struct Trial {
+    /// The step size; with step-size control, the mean.
+    pub step: f64,
+    /// The largest difference from the reference, over the columns at the end time.
+    pub error: f64,
+    /// The computing time in seconds, the least of three runs.
+    pub seconds: f64,
+}
+
+/// Runs of a method with decreasing step sizes.
+pub struct Trials {
+    pub method: Method,
+    trials: Vec<Trial>,
+}
+
+impl Trials {
+    /// The observed order between consecutive runs.
+    pub fn orders(&self) -> impl Iterator<Item = f64> {
+        let pair = |pair: &[Trial]| {
+            (pair[0].error / pair[1].error).ln() / (pair[0].step / pair[1].step).ln()
+        };
+        self.trials.windows(2).map(pair)
+    }
+}
+
+/// A problem of mechanics, and the methods to compare on it.
+#[derive(Args)]
+pub struct Comparison {
+    /// The problem, a TOML file
+    #[arg(value_name = "FILE")]
+    problem: String,
+    /// The methods to compare, separated by commas
+    #[arg(long, value_name = "NAMES", default_value = "rkmk4,cf4,cg3")]
+    methods: String,
+    /// The largest step size [default: a sixteenth of the time span]
+    #[arg(long, value_name = "H")]
+    step: Option<f64>,
+    /// The number of times that the step size is halved
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..=30))]
+    halvings: u32,
+}
+
+impl Comparison {
+    /// The name of the problem, and the runs of each method.
+    pub fn trials(&self) -> Result<(String, Vec<Trials>), Failure> {
+        let problem = Problem::read(&self.problem)?;
+        let method = |name: &str| {
+            Method::from_name(name.trim()).ok_or_else(|| {
+                let all = Method::ALL.map(Method::name).join(", ");
+                let message = format!("--methods: there is no method `{}`", name.escape_debug());
+                Failure::from(InputError::usage(message).help(format!("the methods are {all}")))
+            })
+        };
+        let methods = self.methods.split(',').map(method).collect::<Result<Vec<_>, _>>()?;
+        let times = problem.times(0)?;
+        let whole = times[times.len() - 1] - times[0];
+        let step = self.step.unwrap_or(whole.abs() / 16.0);
+        if !(step > 0.0 && step.is_finite()) {
+            return Err(InputError::usage(format!("--step {step} is not positive")).into());
+        }
+        let stages = Stages::new(false);
+        let mut count = 0;
+        let found = trials(&problem, &methods, step, self.halvings, || {
+            count += 1;
+            stages.begin(&format!("run {count}"));
+        })?;
+        Ok((problem.name, found))
+    }
+}
+
+/// Runs of each method with the step halved `halvings` times. The reference is the exact motion if there is one, and
+/// otherwise a run with step-size control to a tolerance of 1e-13. `each` is called before every run.
+fn trials(
+    problem: &Problem,
+    methods: &[Method],
+    step: f64,
+    halvings: u32,
+    mut each: impl FnMut(),
+) -> Result<Vec<Trials>, InputError> {
+    let problem = problem.to_the_end();
+    let exact = end(&problem.with_method(Method::Exact, None, 1e-13));
+    let (reference, ..) = match exact {
+        Ok(found) => found,
+        Err(_) => end(&reference(&problem, step, halvings))?,
+    };
+    let mut all = Vec::new();
+    for &method in methods {
+        let mut trials = Vec::new();
+        for halving in 0..=halvings {
+            let step = step * 0.5_f64.powi(halving as i32);
+            let run = if method.has_steps() {
+                problem.with_method(method, Some(step), 1e-13)
+            } else {
+                let digits = 2.0 + 10.0 * f64::from(halving) / f64::from(halvings.max(1));
+                problem.with_method(method, None, 10.0_f64.powf(-digits))
+            };
+            each();
+            let (found, step, seconds) = match end(&run) {
+                Ok(found) => found,
+                // the step may be too large for the method
+                Err(_) if halving < halvings => continue,
+                Err(error) => return Err(error),
+            };
+            let off = found.iter().zip(&reference).map(|(a, b)| (a - b).abs());
+            let error = off.fold(0.0, |most, off| if off <= most { most } else { off });
+            if error <= USEFUL {
+                trials.push(Trial { step, error, seconds });
+            }
+        }
+        all.push(Trials { method, trials });
+    }
+    Ok(all)
+}
+
+/// A problem whose solution is more accurate than all others.
+fn reference(problem: &Problem, step: f64, halvings: u32) -> Problem {
+    let fine = step * 0.5_f64.powi(halvings as i32 + 2);
+    match problem.own_class() {
+        Some(method) => problem.with_method(method, Some(fine), 1e-13),
+        None => problem.with_method(Method::to(1e-13), None, 1e-13),
+    }
+}
+
+/// The last row without the time, the mean step size, and the computing time in seconds.
+fn end(problem: &Problem) -> Result<(Vec<f64>, f64, f64), InputError> {
+    let mut seconds = f64::INFINITY;
+    let mut ready = problem.motion(0)?;
+    let (first, last) = (ready.times[0], ready.times[ready.times.len() - 1]);
+    for _ in 0..3 {
+        ready = problem.motion(0)?;
+        let begun = Instant::now();
+        while !ready.motion.step(last)? {}
+        seconds = seconds.min(begun.elapsed().as_secs_f64());
+    }
+    let Ready { motion, columns, .. } = ready;
+    let row = motion.row().into_iter().zip(&columns);
+    let row = row.filter(|(_, column)| column.name != "t").map(|(value, _)| value);
+    let whole = (last - first).abs();
+    Ok((row.collect(), whole / motion.steps().max(1) as f64, seconds))
+}
+
+/// The error over the step size, and over the computing time.
+pub fn diagram(name: &str, trials: &[Trials]) -> Diagram {
+    let lines = |x: fn(&Trial) -> f64| -> Vec<Line> {
+        let line = |trials: &Trials| Line {
+            caption: trials.method.name().into(),
+            points: trials.trials.iter().map(|trial| [x(trial), trial.error]).collect(),
+            marked: true,
+        };
+        trials.iter().map(line).collect()
+    };
+    let y = Scale::logarithmic("error at the end time");
+    let over = |label: &str, lines| Graph { x: Scale::logarithmic(label), y: y.clone(), lines };
+    let graphs = vec![
+        over("step size", lines(|trial| trial.step)),
+        over("computing time / s", lines(|trial| trial.seconds)),
+    ];
+    Diagram { title: format!("{name}: error over step size and computing time"), graphs }
+}

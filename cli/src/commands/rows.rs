@@ -1,0 +1,187 @@
+//! Rows of numbers, read from arguments or from lines of standard input, and written as text, CSV or JSON lines.
+
+use super::color::ColorOption;
+use super::failure::Failure;
+use super::note::note;
+use super::output::deliver;
+use affinor_documents::definition::{InputError, Source, numbers};
+use clap::{Args, ValueEnum};
+use nalgebra::DMatrix;
+use std::io::{self, BufRead, Write};
+use std::path::PathBuf;
+
+/// The format and file of rows, and the colours of messages.
+#[derive(Args)]
+pub struct RowOutput {
+    /// The format of the rows
+    #[arg(long, value_enum, default_value_t = RowFormat::Text)]
+    format: RowFormat,
+    /// Write to this file; a failed run leaves it as it was
+    #[arg(short = 'o', long = "output", value_name = "FILE")]
+    file: Option<PathBuf>,
+    #[command(flatten)]
+    color: ColorOption,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum RowFormat {
+    Text,
+    Csv,
+    Json,
+}
+
+/// A vector as a matrix of one row.
+pub fn vector(values: &[f64]) -> DMatrix<f64> {
+    DMatrix::from_row_slice(1, values.len(), values)
+}
+
+/// The length and the meaning of an input row.
+pub struct Expected {
+    pub numbers: usize,
+    pub what: String,
+}
+
+/// Maps each row of the arguments, or of standard input if there are none, and writes the results.
+///
+/// A first line without any number is the header of a table, and is skipped.
+pub fn map_rows(
+    arguments: &[String],
+    expected: &Expected,
+    output: &RowOutput,
+    mut map: impl FnMut(&[f64]) -> Result<DMatrix<f64>, Failure>,
+) -> Result<(), Failure> {
+    write_rows(output, |write| {
+        let mut each = |name: &str, row: &str| write(map(&read(name, row, expected)?)?);
+        if !arguments.is_empty() {
+            return arguments.iter().try_for_each(|row| each("VECTOR", row));
+        }
+        lines(|number, line| {
+            if number == 1 && is_header(line) {
+                note("the first line has no numbers; it is skipped as the header of a table");
+                return Ok(());
+            }
+            each(&format!("<standard input>, line {number}"), line)
+        })
+    })
+}
+
+/// Writes each matrix as soon as `rows` passes it on.
+pub fn write_rows(
+    output: &RowOutput,
+    rows: impl FnOnce(&mut dyn FnMut(DMatrix<f64>) -> Result<(), Failure>) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let write: fn(&mut dyn Write, &DMatrix<f64>) -> io::Result<()> = match output.format {
+        RowFormat::Text => text,
+        RowFormat::Csv => csv,
+        RowFormat::Json => json,
+    };
+    let mut refused = None;
+    let done = deliver(output.file.as_deref(), &[], |out| {
+        let mut each = |values: DMatrix<f64>| {
+            finite(&values)?;
+            write(out, &values).map_err(|error| Failure::Output(error, String::new()))
+        };
+        match rows(&mut each) {
+            Ok(()) => Ok(()),
+            Err(Failure::Output(error, _)) => Err(error),
+            Err(refusal) => {
+                refused = Some(refusal);
+                Err(io::ErrorKind::InvalidData.into())
+            }
+        }
+    });
+    // a refused row is an error of the input, not of the output
+    refused.map_or(done, Err)
+}
+
+fn finite(values: &DMatrix<f64>) -> Result<(), Failure> {
+    match values.iter().position(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(at) => {
+            let (row, column) = (at % values.nrows() + 1, at / values.nrows() + 1);
+            let value = values[at];
+            let message = format!("row {row}, column {column} of the result is {value}");
+            Err(InputError::mathematics(message).help("the input is too large for floats").into())
+        }
+    }
+}
+
+fn is_header(line: &str) -> bool {
+    let mut words = line.split([',', ';', ' ', '\t']);
+    numbers(&Source::new("", line)).is_err() && words.all(|word| word.parse::<f64>().is_err())
+}
+
+/// Calls `each` with the number and text of every line of standard input that is neither empty nor a comment.
+fn lines(mut each: impl FnMut(usize, &str) -> Result<(), Failure>) -> Result<(), Failure> {
+    for (at, line) in io::stdin().lock().lines().enumerate() {
+        let line = line.map_err(|error| {
+            let message = format!("cannot read standard input, line {}: {error}", at + 1);
+            Failure::from(InputError::usage(message))
+        })?;
+        let text = line.trim();
+        if !text.is_empty() && !text.starts_with('#') {
+            each(at + 1, text)?;
+        }
+    }
+    Ok(())
+}
+
+/// The numbers of one row.
+pub fn read(name: &str, line: &str, expected: &Expected) -> Result<Vec<f64>, Failure> {
+    let source = Source::new(name, line);
+    let row = numbers(&source)?;
+    if row.len() == expected.numbers {
+        return Ok(row);
+    }
+    let (found, Expected { numbers, what }) = (row.len(), expected);
+    let message = format!("{name}: {what} has {numbers} numbers, not {found}");
+    Err(InputError::usage(message).help(format!("it reads `{}`", line.escape_debug())).into())
+}
+
+/// Twelve digits: a vector on one line, a matrix in aligned rows and an empty line.
+fn text(out: &mut dyn Write, values: &DMatrix<f64>) -> io::Result<()> {
+    let cells = cells(values, briefly);
+    let width = cells.iter().map(String::len).max().unwrap_or(0);
+    for line in cells.chunks(values.ncols().max(1)) {
+        if values.nrows() == 1 {
+            writeln!(out, "{}", line.join(" "))?;
+        } else {
+            let line: Vec<String> = line.iter().map(|cell| format!("{cell:>width$}")).collect();
+            writeln!(out, "{}", line.join("  "))?;
+        }
+    }
+    if values.nrows() > 1 { writeln!(out) } else { Ok(()) }
+}
+
+/// All numbers on one line, a matrix row by row.
+fn csv(out: &mut dyn Write, values: &DMatrix<f64>) -> io::Result<()> {
+    writeln!(out, "{}", cells(values, exactly).join(","))
+}
+
+/// An array on one line; a matrix is an array of its rows.
+fn json(out: &mut dyn Write, values: &DMatrix<f64>) -> io::Result<()> {
+    let cells = cells(values, exactly);
+    let lines = cells.chunks(values.ncols().max(1)).map(|line| format!("[{}]", line.join(",")));
+    let lines: Vec<String> = lines.collect();
+    match lines.as_slice() {
+        [line] if values.nrows() == 1 => writeln!(out, "{line}"),
+        lines => writeln!(out, "[{}]", lines.join(",")),
+    }
+}
+
+/// The entries, row by row.
+fn cells(values: &DMatrix<f64>, write: fn(f64) -> String) -> Vec<String> {
+    let rows = values.row_iter();
+    rows.flat_map(|row| row.iter().map(|value| write(*value)).collect::<Vec<_>>()).collect()
+}
+
+/// The shortest digits that read back to the same number, without negative zero and without a final `.0`.
+fn exactly(value: f64) -> String {
+    let written = format!("{:?}", value + 0.0);
+    written.strip_suffix(".0").map(str::to_string).unwrap_or(written)
+}
+
+/// At most twelve significant digits.
+fn briefly(value: f64) -> String {
+    exactly(format!("{value:.11e}").parse().unwrap_or(value))
+}

@@ -1,0 +1,322 @@
+//! `affinor simulate`: integration of a problem of mechanics, or of an ensemble.
+
+mod checkpoint;
+mod progress;
+mod signals;
+mod spool;
+mod summary;
+
+use super::color::ColorOption;
+use super::failure::Failure;
+use super::note::{counted, line, note};
+use super::output::{deliver, expect_place};
+use affinor_documents::definition::InputError;
+use affinor_documents::problem::{Column, Problem, Ready};
+use affinor_documents::rows::{Head, RunFormat};
+use checkpoint::{Checkpoint, Plan, Store};
+use clap::Args;
+use progress::Progress;
+use rayon::prelude::*;
+use signals::{Signal, Signals};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Instant;
+
+/// The number of members of an ensemble whose rows are computed before they are stored.
+const CHUNK: u64 = 128;
+
+/// A problem of mechanics, and the output of its trajectory.
+#[derive(Args)]
+pub struct Arguments {
+    /// The problem, a TOML file; - for standard input
+    #[arg(value_name = "FILE")]
+    pub problem: String,
+    /// New values of parameters of the problem, as in "m=15,g=9.81"
+    #[arg(long, value_name = "NAME=VALUE,..", allow_hyphen_values = true)]
+    pub set: Option<String>,
+    /// Integrate every member of the ensemble of the problem, in parallel
+    #[arg(long)]
+    pub ensemble: bool,
+    #[cfg_attr(
+        feature = "parquet",
+        doc = "The format: csv, json or parquet [default: by the ending of the output file, or csv]"
+    )]
+    #[cfg_attr(
+        not(feature = "parquet"),
+        doc = "The format: csv or json [default: by the ending of the output file, or csv]"
+    )]
+    #[arg(long, value_name = "FORMAT", value_parser = format)]
+    pub format: Option<RunFormat>,
+    /// Write the rows to this file instead of standard output
+    #[arg(short = 'o', long = "output", value_name = "FILE")]
+    pub file: Option<PathBuf>,
+    /// Save the state of the run to this file at intervals
+    #[arg(long, value_name = "FILE")]
+    pub checkpoint: Option<PathBuf>,
+    /// Resume from the checkpoint, if there is one
+    #[arg(long, requires = "checkpoint")]
+    pub resume: bool,
+    /// The interval between checkpoints
+    #[arg(long, value_name = "SECONDS", default_value_t = 5.0)]
+    pub checkpoint_every: f64,
+    /// The number of threads of an ensemble, without effect on its results [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    #[command(flatten)]
+    pub color: ColorOption,
+}
+
+fn format(name: &str) -> Result<RunFormat, String> {
+    RunFormat::from_name(name).ok_or_else(|| {
+        if name == PARQUET {
+            return format!("{WITHOUT_PARQUET}; {WITH_PARQUET}");
+        }
+        let all: Vec<&str> = RunFormat::ALL.iter().map(|format| format.name()).collect();
+        format!("the formats are {}", all.join(", "))
+    })
+}
+
+/// The format that is a feature of the build.
+const PARQUET: &str = "parquet";
+const WITHOUT_PARQUET: &str = "this program was built without Parquet";
+const WITH_PARQUET: &str =
+    "choose csv or json, or build it with `cargo install --path cli --features parquet`";
+
+impl Arguments {
+    pub fn run(&self) -> Result<ExitCode, Failure> {
+        let mut problem = Problem::read(&self.problem)?;
+        if let Some(set) = &self.set {
+            problem.set(set)?;
+        }
+        let format = self.format()?;
+        let begun = Instant::now();
+        let files = std::iter::once(&self.problem).chain(problem.files());
+        let inputs: Vec<&Path> = files.map(Path::new).collect();
+        if let Some(file) = &self.file {
+            expect_place(file, &inputs)?;
+        }
+        let members = match (self.ensemble, problem.members()) {
+            (false, _) => None,
+            (true, Some(size)) => Some(size),
+            (true, None) => {
+                let error = InputError::usage("the problem defines no ensemble");
+                return Err(error.help("add a table [ensemble] with `grid` or `random`").into());
+            }
+        };
+        let plan = Plan::of(self, &problem)?;
+        let ready = problem.motion(0)?;
+        note_method(&problem, &ready, if self.ensemble { "member 1: " } else { "" });
+        let front = members.map_or(vec![], |_| [vec!["member"], problem.varied()].concat());
+        let columns = ready.columns.clone();
+        let head = head(&problem, ready.method.name(), &front, &columns);
+        let mut store = plan.begin(head.columns.len())?;
+        let signals = Signals::hear();
+        let signals = signals
+            .map_err(|error| InputError::usage(format!("cannot listen to signals: {error}")))?;
+        let end = match members {
+            Some(size) => self.members(&problem, size, &mut store, &signals)?,
+            None => one(&problem, ready, &mut store, &signals)?,
+        };
+        if !matches!(end, End::Signal(_)) {
+            signals.let_through();
+        }
+        let mut target = self.file.clone();
+        if !matches!(end, End::Reached)
+            && let Some(file) = &mut target
+        {
+            *file = partial(file);
+        }
+        let spool = &mut store.spool;
+        deliver(target.as_deref(), &inputs, |out| format.write(&head, &mut spool.rows()?, out))?;
+        let rows = counted(spool.count(), "row");
+        let kept = match &target {
+            Some(file) => format!("wrote {rows} up to this time to {}", file.display()),
+            None => format!("wrote {rows} up to this time"),
+        };
+        match end {
+            End::Reached => {}
+            End::Error(error) => {
+                return Err(match error.help {
+                    Some(help) => InputError { help: Some(format!("{help}; {kept}")), ..error },
+                    None => error.help(kept),
+                }
+                .into());
+            }
+            End::Signal(signal) => {
+                let resume =
+                    if self.checkpoint.is_some() { "; --resume continues the run" } else { "" };
+                line(&format!("interrupted; {kept}{resume}"));
+                return Ok(signal.status());
+            }
+        }
+        if !self.ensemble {
+            summary::show(&head, &columns, spool).map_err(spool::failed)?;
+        }
+        line(&format!("{rows} in {:.3} s", begun.elapsed().as_secs_f64()));
+        store.finished();
+        Ok(ExitCode::SUCCESS)
+    }
+
+    /// The format of the rows: of `--format`, or by the ending of the file, or CSV.
+    fn format(&self) -> Result<RunFormat, Failure> {
+        let ending = self.file.as_ref().and_then(|file| file.extension());
+        let ending = ending.map(|ending| ending.to_string_lossy().to_lowercase());
+        let ending = ending.as_deref().unwrap_or_default();
+        match self.format.or(RunFormat::from_name(ending)) {
+            None if ending == PARQUET => {
+                Err(InputError::usage(WITHOUT_PARQUET).help(WITH_PARQUET).into())
+            }
+            format => Ok(format.unwrap_or(RunFormat::Csv)),
+        }
+    }
+
+    /// Integrates all members of an ensemble and stores their rows in order.
+    fn members(
+        &self,
+        problem: &Problem,
+        size: u64,
+        store: &mut Store,
+        signals: &Signals,
+    ) -> Result<End, Failure> {
+        let threads = self.threads.map_or(0, usize::from);
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool =
+            pool.map_err(|error| InputError::usage(format!("cannot start threads: {error}")))?;
+        let mut done = store.resumed().map_or(0, |checkpoint| checkpoint.done);
+        let progress = Progress::from(done as f64 / size as f64);
+        while done < size {
+            let chunk: Vec<u64> = (done..size.min(done + CHUNK)).collect();
+            let found: Vec<_> = pool.install(|| {
+                chunk.par_iter().map(|member| all_rows(problem, *member, signals)).collect()
+            });
+            let mut interrupted = None;
+            for (member, (rows, end)) in chunk.iter().zip(found) {
+                match end {
+                    End::Signal(signal) if interrupted.is_none() => {
+                        // the members from here on are computed again, though their rows are written
+                        store.save(*member, None)?;
+                        interrupted = Some(signal);
+                    }
+                    End::Error(error) => {
+                        store.stop(format!("member {}: {}", member + 1, error.message));
+                    }
+                    _ => {}
+                }
+                for row in rows {
+                    store.spool.push(&row).map_err(spool::failed)?;
+                }
+            }
+            if let Some(signal) = interrupted {
+                return Ok(End::Signal(signal));
+            }
+            done += chunk.len() as u64;
+            progress.reach(done as f64 / size as f64);
+            if store.is_due() {
+                store.save(done, None)?;
+            }
+        }
+        let stopped = store.stopped().map(InputError::mathematics);
+        Ok(stopped.map_or(End::Reached, End::Error))
+    }
+}
+
+/// The end of a run.
+enum End {
+    /// At its end time, or at a terminal event.
+    Reached,
+    /// By an error.
+    Error(InputError),
+    /// By a signal.
+    Signal(Signal),
+}
+
+/// Integrates one motion and stores its rows.
+fn one(
+    problem: &Problem,
+    ready: Ready,
+    store: &mut Store,
+    signals: &Signals,
+) -> Result<End, Failure> {
+    let mut walk = problem.walk(ready);
+    if let Some(Checkpoint { done, snapshot: Some(snapshot), .. }) = store.resumed() {
+        walk.restore(*done as usize, snapshot)?;
+    }
+    let progress = Progress::from(walk.share());
+    loop {
+        if let Some(signal) = signals.arrived() {
+            store.save(walk.position() as u64, Some(walk.save()?))?;
+            return Ok(End::Signal(signal));
+        }
+        let step = match walk.step() {
+            Ok(step) => step,
+            Err(error) => return Ok(End::Error(error.into())),
+        };
+        for row in &step.rows {
+            store.spool.push(row).map_err(spool::failed)?;
+        }
+        for (event, time) in &step.events {
+            progress.beside(|| line(&format!("{event} at t = {time}")));
+        }
+        progress.reach(walk.share());
+        if step.done {
+            return Ok(End::Reached);
+        }
+        if store.is_due() {
+            store.save(walk.position() as u64, Some(walk.save()?))?;
+        }
+    }
+}
+
+/// Integrates a member of an ensemble: its rows and its end.
+fn all_rows(problem: &Problem, member: u64, signals: &Signals) -> (Vec<Vec<f64>>, End) {
+    if let Some(signal) = signals.arrived() {
+        return (vec![], End::Signal(signal));
+    }
+    let mut walk = match problem.motion(member) {
+        Ok(ready) => problem.walk(ready),
+        Err(error) => return (vec![], End::Error(error)),
+    };
+    let mut front = vec![(member + 1) as f64];
+    front.extend(problem.variation(member));
+    let mut rows = Vec::new();
+    loop {
+        if let Some(signal) = signals.arrived() {
+            return (rows, End::Signal(signal));
+        }
+        match walk.step() {
+            Ok(step) => {
+                rows.extend(step.rows.iter().map(|row| [&front[..], row].concat()));
+                if step.done {
+                    return (rows, End::Reached);
+                }
+            }
+            Err(error) => return (rows, End::Error(error.into())),
+        }
+    }
+}
+
+/// Notes the peculiarities of the problem, and the method if it was chosen automatically.
+fn note_method(problem: &Problem, ready: &Ready, member: &str) {
+    ready.notes.iter().for_each(|text| note(&format!("{member}{text}")));
+    if problem.method().is_none() {
+        let method = ready.method;
+        note(&format!("method {method}: {}", method.why()));
+    }
+}
+
+fn head(problem: &Problem, method: &str, front: &[&str], columns: &[Column]) -> Head {
+    let front = front.iter().copied();
+    let names = front.chain(columns.iter().map(|column| column.name.as_str()));
+    let columns = names.map(String::from).collect();
+    Head { name: problem.name.clone(), method: method.into(), columns }
+}
+
+/// The file for an incomplete run: `run.partial.csv` for `run.csv`; a device or a pipe keeps its name.
+fn partial(file: &Path) -> PathBuf {
+    if fs::metadata(file).is_ok_and(|meta| !meta.is_file()) {
+        return file.to_path_buf();
+    }
+    let ending = file.extension().map(|ending| ending.to_string_lossy().into_owned());
+    file.with_extension(ending.map_or("partial".into(), |ending| format!("partial.{ending}")))
+}

@@ -1,0 +1,69 @@
+//! A progress bar on a terminal: the share of the motion computed, and the time remaining.
+
+use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use std::fmt::Write;
+use std::time::Duration;
+
+/// The length of the bar, in counts.
+const WHOLE: f64 = 1e6;
+
+/// The share of the motion that is computed, up to 1.
+pub struct Progress(ProgressBar);
+
+impl Progress {
+    /// A bar for a run that begins at the share `begun`, above 0 if it resumes a checkpoint.
+    pub fn from(begun: f64) -> Self {
+        let target = ProgressDrawTarget::stderr_with_hz(8);
+        let bar = ProgressBar::with_draw_target(Some(WHOLE as u64), target);
+        let rest = move |state: &ProgressState, out: &mut dyn Write| {
+            let _ = match remaining(state.elapsed(), begun, state.pos() as f64 / WHOLE) {
+                Some(time) => write!(out, "about {:#} remaining", HumanDuration(time)),
+                None => out.write_str("starting"),
+            };
+        };
+        let template = "{bar:40} {percent}% {elapsed} ({rest})";
+        if let Ok(style) = ProgressStyle::with_template(template) {
+            bar.set_style(style.with_key("rest", rest));
+        }
+        bar.enable_steady_tick(Duration::from_millis(250));
+        Progress(bar)
+    }
+
+    /// Moves the bar to a share of the motion.
+    pub fn reach(&self, share: f64) {
+        self.0.set_position((share * WHOLE) as u64);
+    }
+
+    /// Hides the bar while something else is written to the terminal.
+    pub fn beside(&self, write: impl FnOnce()) {
+        self.0.suspend(write);
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}
+
+/// The time for the rest at the mean pace of this run; none before it has made progress.
+fn remaining(elapsed: Duration, begun: f64, reached: f64) -> Option<Duration> {
+    let seconds = elapsed.as_secs_f64() * (1.0 - reached) / (reached - begun);
+    Duration::try_from_secs_f64(seconds).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_remaining_time_is_proportional_to_the_remaining_share() {
+        let seconds = Duration::from_secs;
+        assert_eq!(remaining(seconds(10), 0.0, 0.25), Some(seconds(30)));
+        // the share computed before the checkpoint took none of its time
+        assert_eq!(remaining(seconds(10), 0.5, 0.75), Some(seconds(10)));
+        for reached in [0.0, f64::NAN] {
+            assert_eq!(remaining(seconds(10), 0.0, reached), None);
+        }
+    }
+}

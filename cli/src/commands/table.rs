@@ -1,0 +1,147 @@
+//! `affinor table`: the tensors of one space.
+
+use super::failure::Failure;
+use super::note::{note, note_default_connection};
+use super::options::{Shared, SpaceOptions};
+use super::output::deliver;
+use super::stages::Stages;
+use affinor_documents::definition::{Definition, InputError, Reading, Work};
+use affinor_documents::report::{Quantity, Table};
+use affinor_tensors::Notation;
+use clap::{Args, ValueEnum};
+use std::path::Path;
+use std::process::ExitCode;
+
+#[derive(Args)]
+pub struct Arguments {
+    /// The space; see `affinor --help`
+    pub space: Option<String>,
+    #[command(flatten)]
+    pub options: SpaceOptions,
+    #[command(flatten)]
+    pub selection: Selection,
+    #[command(flatten)]
+    pub shared: Shared,
+}
+
+/// The tensors shown, and their components.
+#[derive(Args)]
+pub struct Selection {
+    /// Tensors to show, separated by commas: structure, affinities, torsion, curvature, ricci,
+    /// scalar_curvature, metric, inverse_metric, nonmetricity, killing, or all for these;
+    /// nabla_torsion, nabla_curvature, ricci_symmetric, ricci_antisymmetric, einstein, schouten,
+    /// weyl, cotton, kretschmann, or derived for these
+    #[arg(long, value_name = "TENSORS", value_parser = quantities)]
+    pub show: Option<Quantities>,
+    /// Show one component of each set that is equal by symmetry
+    #[arg(long)]
+    pub independent: bool,
+    /// The invariant frame of the components
+    #[arg(long, value_enum, default_value_t = Frame::Left)]
+    pub frame: Frame,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Frame {
+    Left,
+    Right,
+}
+
+/// A list of tensors.
+#[derive(Clone)]
+pub struct Quantities(pub Vec<Quantity>);
+
+impl Arguments {
+    pub fn run(&self) -> Result<ExitCode, Failure> {
+        let stages = self.shared.start()?;
+        let space = self.shared.open(self.space.as_deref(), &self.options)?;
+        note_default_connection(&space.definition);
+        let quantities = self.selection.quantities();
+        let input = space.file.as_deref();
+        let write = Write { arguments: self, input, quantities, stages: &stages };
+        self.shared.run(&space, write)?
+    }
+}
+
+impl Selection {
+    /// The tensors chosen; by default all basic ones but the inverse metric and the Killing form.
+    pub fn quantities(&self) -> Vec<Quantity> {
+        let default =
+            |quantity: &Quantity| !matches!(quantity, Quantity::InverseMetric | Quantity::Killing);
+        match &self.show {
+            Some(Quantities(chosen)) => chosen.clone(),
+            None => Quantity::BASIC.iter().copied().filter(default).collect(),
+        }
+    }
+
+    /// The table of a definition.
+    pub fn table<S: Notation>(
+        &self,
+        definition: &Definition,
+        reading: &Reading<S>,
+        quantities: &[Quantity],
+        stages: &Stages,
+    ) -> Result<Table<S>, InputError> {
+        stages.begin("jacobi");
+        let ground = definition.ground(reading)?;
+        stages.begin("connection");
+        let mut geometry = definition.geometry_over(ground, reading)?;
+        if self.frame == Frame::Right {
+            geometry = geometry.in_right_frame()?;
+        }
+        let mut table = Table::in_stages(&geometry, quantities, &|name| stages.begin(name))?;
+        table.independent = self.independent;
+        table.finite()?;
+        Ok(table)
+    }
+}
+
+struct Write<'a> {
+    arguments: &'a Arguments,
+    input: Option<&'a Path>,
+    quantities: Vec<Quantity>,
+    stages: &'a Stages,
+}
+
+impl Work for Write<'_> {
+    type Output = Result<ExitCode, Failure>;
+
+    fn run<S: Notation>(
+        self,
+        definition: &Definition,
+        reading: &Reading<S>,
+    ) -> Result<Self::Output, InputError> {
+        let Arguments { selection, shared, .. } = self.arguments;
+        let table = selection.table(definition, reading, &self.quantities, self.stages)?;
+        let absent = |quantity: &&Quantity| table.tensors.iter().all(|e| e.quantity != **quantity);
+        let absent: Vec<&str> = self.quantities.iter().filter(absent).map(|q| q.key()).collect();
+        if !absent.is_empty() && selection.frame == Frame::Right && definition.has_metric() {
+            let why = "the metric has no constant components in the right-invariant frame";
+            note(&format!("not shown: {}; {why}", absent.join(", ")));
+        } else if !absent.is_empty() && selection.show.is_some() {
+            note(&format!("not defined for this space: {}", absent.join(", ")));
+        }
+        self.stages.begin_output();
+        let inputs: Vec<&Path> = self.input.into_iter().collect();
+        let output = &shared.output;
+        let done = deliver(output.file.as_deref(), &inputs, |out| table.write(output.format, out));
+        Ok(done.map(|()| ExitCode::SUCCESS))
+    }
+}
+
+fn quantities(text: &str) -> Result<Quantities, String> {
+    let mut chosen = Vec::new();
+    for key in text.split(',').map(str::trim) {
+        match (key, Quantity::from_key(key)) {
+            ("all", _) => chosen.extend(Quantity::BASIC),
+            ("derived", _) => chosen.extend(Quantity::DERIVED),
+            (_, Some(quantity)) => chosen.push(quantity),
+            (_, None) => {
+                let keys: Vec<&str> = Quantity::ALL.into_iter().map(Quantity::key).collect();
+                let known = format!("{}, all, derived", keys.join(", "));
+                return Err(format!("`{}` is not one of {known}", key.escape_debug()));
+            }
+        }
+    }
+    Ok(Quantities(chosen))
+}

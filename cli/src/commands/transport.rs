@@ -1,0 +1,64 @@
+//! `affinor transport`: parallel translation along arcs of a group.
+
+use super::failure::Failure;
+use super::note::note_default_connection;
+use super::on_group::Angles;
+use super::options::{GeometryOptions, Settings, SpaceOptions};
+use super::rows::{Expected, RowOutput, map_rows, read, vector, write_rows};
+use affinor::group::LieGroup;
+use affinor::group::transport::ParallelTranslation;
+use clap::Args;
+use nalgebra::DVector;
+use std::process::ExitCode;
+
+#[derive(Args)]
+pub struct Arguments {
+    /// The space of the group; see `affinor --help`
+    pub space: String,
+    /// Vectors at the start in the left-invariant frame, one argument each, or - for the lines of
+    /// standard input; by default the matrix of the transport is printed
+    #[arg(value_name = "VECTOR", allow_negative_numbers = true)]
+    pub vectors: Vec<String>,
+    /// The coordinates x of an arc exp(s x), 0 <= s <= 1; repeat the option for consecutive arcs
+    #[arg(long, value_name = "X", allow_negative_numbers = true, required = true)]
+    pub along: Vec<String>,
+    /// Read the angles of the arcs in degrees
+    #[arg(long)]
+    pub degrees: bool,
+    #[command(flatten)]
+    pub geometry: GeometryOptions,
+    #[command(flatten)]
+    pub settings: Settings,
+    #[command(flatten)]
+    pub output: RowOutput,
+}
+
+impl Arguments {
+    pub fn run(&self) -> Result<ExitCode, Failure> {
+        self.settings.start_threads()?;
+        let options = SpaceOptions { geometry: self.geometry.clone(), ..SpaceOptions::default() };
+        let space = self.settings.open(Some(&self.space), &options)?;
+        note_default_connection(&space.definition);
+        let (group, connection) =
+            space.in_floats(self.settings.tolerance()?, |definition, reading| {
+                let geometry = definition.geometry(reading)?;
+                Ok((definition.group(reading)?, geometry.connection().clone()))
+            })?;
+        let n = group.dimension();
+        let what = format!("a vector of this algebra of dimension {n}");
+        let expected = Expected { numbers: n, what };
+        let angles = Angles::new(self.degrees, &group);
+        let arcs = self.along.iter().map(|x| Ok(angles.read(&read("--along", x, &expected)?)));
+        let arcs = arcs.collect::<Result<Vec<_>, Failure>>()?;
+        let carried = ParallelTranslation::new(group, connection)?.along_arcs(&arcs)?;
+        if self.vectors.is_empty() {
+            write_rows(&self.output, |write| write(carried))?;
+            return Ok(ExitCode::SUCCESS);
+        }
+        let given: &[String] = if self.vectors == ["-"] { &[] } else { &self.vectors };
+        map_rows(given, &expected, &self.output, |u| {
+            Ok(vector((&carried * DVector::from_column_slice(u)).as_slice()))
+        })?;
+        Ok(ExitCode::SUCCESS)
+    }
+}

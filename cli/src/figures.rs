@@ -1,0 +1,153 @@
+//! Figures of the paper and of trajectories, as curves, arrows and points in space; `plot` draws them.
+//!
+//! A rotation is drawn at its canonical coordinates (61), (74): its rotation vector, in the ball of radius `pi`.
+//! Opposite points of the sphere are one rotation.
+
+mod autoparallels;
+pub mod ball;
+pub mod diagram;
+mod frames;
+mod images;
+mod motion;
+mod path;
+pub mod run;
+mod transport;
+
+pub use autoparallels::autoparallels;
+pub use frames::frames;
+pub use images::images;
+pub use motion::motion;
+pub use path::Path;
+pub use transport::transport;
+
+use affinor::group::So3;
+use affinor::group::transport::ParallelTranslation;
+use nalgebra::Vector3;
+
+/// A connection on the rotation group, and its name.
+pub struct Connected {
+    /// The name, which is the title of its panel.
+    pub name: String,
+    /// Parallel translation by the connection.
+    pub translation: ParallelTranslation<So3>,
+}
+
+/// Panels side by side.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    /// The title.
+    pub title: String,
+    /// The panels, from left to right.
+    pub panels: Vec<Panel>,
+}
+
+/// The contents of one ball.
+#[derive(Clone, Debug)]
+pub struct Panel {
+    /// The title; may be empty.
+    pub title: String,
+    /// The radius of the ball.
+    pub radius: f64,
+    /// The symbols of the three axes.
+    pub axes: [&'static str; 3],
+    /// The curves.
+    pub curves: Vec<Curve>,
+    /// The arrows.
+    pub arrows: Vec<Arrow>,
+    /// The points.
+    pub marks: Vec<Mark>,
+}
+
+/// A line through points.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    /// Its role, which determines the stroke.
+    pub role: Role,
+    /// Its symbol; may be empty.
+    pub label: String,
+    /// Its caption in the legend; may be empty.
+    pub caption: String,
+    /// The vertices, in order.
+    pub points: Vec<Vector3<f64>>,
+}
+
+/// A vector from a point.
+#[derive(Clone, Debug)]
+pub struct Arrow {
+    /// Its role, which determines the stroke.
+    pub role: Role,
+    /// Its symbol; may be empty.
+    pub label: String,
+    /// Its caption in the legend; may be empty.
+    pub caption: String,
+    /// The foot and the tip.
+    pub ends: [Vector3<f64>; 2],
+}
+
+/// A point.
+#[derive(Clone, Debug)]
+pub struct Mark {
+    /// Its symbol; may be empty.
+    pub label: String,
+    /// Its caption in the legend; may be empty.
+    pub caption: String,
+    /// Its position.
+    pub at: Vector3<f64>,
+}
+
+/// The role of a curve or an arrow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// A motion.
+    Motion,
+    /// The highlighted autoparallel.
+    Autoparallel,
+    /// One of several autoparallels.
+    Ray,
+    /// An auxiliary line.
+    Guide,
+    /// The projection of a curve to the plane of the first two axes.
+    Shadow,
+    /// The tangent of an autoparallel.
+    Direction,
+    /// The tangent of a motion.
+    Velocity,
+    /// The left translate of the velocity to the identity.
+    Left,
+    /// The right translate of the velocity to the identity.
+    Right,
+    /// The velocity, transported to the identity by a connection.
+    Carried,
+    /// The transported velocity at intermediate points.
+    Trace,
+    /// One of the three vectors of a frame.
+    Frame(usize),
+}
+
+impl Panel {
+    /// The ball of rotation vectors, with the identity.
+    fn ball(title: impl Into<String>) -> Self {
+        let e = Mark::new("e", "e, the identity", Vector3::zeros());
+        let axes = ["Ψ¹", "Ψ²", "Ψ³"];
+        let title = title.into();
+        Panel { title, radius: ball::RADIUS, axes, curves: vec![], arrows: vec![], marks: vec![e] }
+    }
+
+    fn curve(&mut self, role: Role, [label, caption]: [&str; 2], pieces: Vec<Vec<Vector3<f64>>>) {
+        // only the first piece has the symbol
+        for (i, points) in pieces.into_iter().enumerate() {
+            let label = if i == 0 { label.into() } else { String::new() };
+            self.curves.push(Curve { role, label, caption: caption.into(), points });
+        }
+    }
+
+    fn arrow(&mut self, role: Role, [label, caption]: [&str; 2], ends: [Vector3<f64>; 2]) {
+        self.arrows.push(Arrow { role, label: label.into(), caption: caption.into(), ends });
+    }
+}
+
+impl Mark {
+    fn new(label: &str, caption: &str, at: Vector3<f64>) -> Self {
+        Mark { label: label.into(), caption: caption.into(), at }
+    }
+}

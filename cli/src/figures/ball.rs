@@ -1,0 +1,51 @@
+//! Elements, tangent vectors and curves in the ball of rotation vectors.
+
+use affinor::Error;
+use affinor::group::{LieGroup, So3};
+use nalgebra::{UnitQuaternion, Vector3};
+use std::f64::consts::PI;
+
+/// The radius of the ball: the largest angle of a rotation.
+pub const RADIUS: f64 = PI;
+
+/// The tangent vector at `x` with the components `u` in the left-invariant frame, as an arrow `scale` times as long as
+/// `dx = T_left(x)^-1 u`.
+///
+/// # Errors
+/// [`Error::SingularTangent`] far outside the ball.
+pub fn arrow(x: &Vector3<f64>, u: &Vector3<f64>, scale: f64) -> Result<[Vector3<f64>; 2], Error> {
+    Ok([*x, x + So3.tangent_left_inverse(x, u)? * scale])
+}
+
+/// The curve through closely spaced elements, in pieces: where it leaves the ball, the next piece begins at the opposite
+/// point of the sphere.
+///
+/// # Errors
+/// [`Error::Invalid`], never for rotations.
+pub fn curve(elements: &[UnitQuaternion<f64>]) -> Result<Vec<Vec<Vector3<f64>>>, Error> {
+    let mut pieces: Vec<Vec<Vector3<f64>>> = vec![];
+    for g in elements {
+        let inside = So3.log(g)?;
+        let Some(piece) = pieces.last_mut() else {
+            pieces.push(vec![inside]);
+            continue;
+        };
+        let before = piece.last().copied().unwrap_or_default();
+        let onward = So3.log_near(g, &before)?;
+        if onward.norm() <= RADIUS * (1.0 + 1e-12) {
+            piece.push(onward);
+            continue;
+        }
+        let exit = onto_sphere(&before, &onward);
+        piece.push(exit);
+        pieces.push(vec![-exit, inside]);
+    }
+    Ok(pieces)
+}
+
+/// The point of the sphere between a point inside and a point outside.
+fn onto_sphere(inside: &Vector3<f64>, outside: &Vector3<f64>) -> Vector3<f64> {
+    let (near, far) = (inside.norm(), outside.norm());
+    let share = ((RADIUS - near) / (far - near)).clamp(0.0, 1.0);
+    inside.lerp(outside, share).normalize() * RADIUS
+}

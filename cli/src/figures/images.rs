@@ -1,0 +1,73 @@
+//! The velocity of a motion and its two images at the identity: figure 2.
+
+use super::{Figure, Mark, Panel, Path, Role, ball};
+use affinor::Error;
+use affinor::group::{LieGroup, So3, Velocity};
+use nalgebra::Vector3;
+
+/// The number of intervals on the curve of a motion.
+pub(super) const SAMPLES: u32 = 600;
+/// The length of the longest velocity in a figure.
+const LONGEST: f64 = 1.5;
+
+/// The motion, its angular velocity `w` at the point `p` of time `t`, and the images of `w` at the identity: `Omega` by
+/// left translation (55), `omega = A Omega` by right translation (57), (59). The autoparallel from `e` to `p` has the
+/// tangents `n` and `n_p`.
+///
+/// # Errors
+/// None for rotations.
+pub fn images(path: &Path, t: f64) -> Result<Figure, Error> {
+    let mut panel = Panel::ball("");
+    let p = with_motion(&mut panel, path, t)?;
+    let Moment { x, velocity, scale } = p;
+    let identity = Vector3::zeros();
+    if let Some(n) = x.try_normalize(0.0) {
+        panel.arrow(
+            Role::Direction,
+            ["n", "tangents of η at e and p"],
+            ball::arrow(&identity, &n, 0.8)?,
+        );
+        panel.arrow(Role::Direction, ["nₚ", "tangents of η at e and p"], ball::arrow(&x, &n, 0.8)?);
+    }
+    let left = ["Ω", "Ω, left translate: w = Lₚ∗ Ω"];
+    panel.arrow(Role::Left, left, ball::arrow(&identity, &velocity.body, scale)?);
+    let right = ["ω", "ω, right translate: w = Rₚ∗ ω"];
+    panel.arrow(Role::Right, right, ball::arrow(&identity, &velocity.spatial, scale)?);
+    Ok(Figure {
+        title: "The angular velocity w and its images Ω and ω".into(),
+        panels: vec![panel],
+    })
+}
+
+/// A motion at one time.
+pub(super) struct Moment {
+    /// The rotation vector.
+    pub x: Vector3<f64>,
+    /// The images `Omega` and `omega` of `w`.
+    pub velocity: Velocity<Vector3<f64>>,
+    /// The factor by which velocities are drawn longer.
+    pub scale: f64,
+}
+
+/// Adds to a panel the motion, its point and velocity at the time `t`, and the autoparallel to that point.
+pub(super) fn with_motion(panel: &mut Panel, path: &Path, t: f64) -> Result<Moment, Error> {
+    let p = path.element(t);
+    let (x, velocity) = (So3.log(&p)?, Velocity::from_body(&So3, &p, path.velocity(t)));
+    let curve = ball::curve(&path.sampled(1.0, SAMPLES))?;
+    let onto_plane = |x: &Vector3<f64>| Vector3::new(x.x, x.y, 0.0);
+    let shadow = curve.iter().map(|piece| piece.iter().map(onto_plane).collect()).collect();
+    panel.curve(Role::Motion, ["γ", "γ(t), motion"], curve);
+    panel.curve(Role::Shadow, ["", "projection to the plane Ψ³ = 0"], shadow);
+    let ray = vec![vec![Vector3::zeros(), x]];
+    panel.curve(Role::Autoparallel, ["η", "η, autoparallel from e to p"], ray);
+    panel.curve(Role::Guide, ["", ""], vec![vec![x, onto_plane(&x)]]);
+    panel.marks.push(Mark::new("p", &format!("p = γ({t})"), x));
+    let drawn = So3.tangent_left_inverse(&x, &velocity.body)?.norm();
+    let scale = if drawn > 0.0 { LONGEST / drawn } else { 1.0 };
+    panel.arrow(
+        Role::Velocity,
+        ["w", "w, tangent of γ at p"],
+        ball::arrow(&x, &velocity.body, scale)?,
+    );
+    Ok(Moment { x, velocity, scale })
+}

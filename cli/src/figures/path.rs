@@ -1,0 +1,34 @@
+//! Motions of a body: products of uniform rotations.
+
+use affinor::group::{LieGroup, So3};
+use nalgebra::{UnitQuaternion, Vector3};
+
+/// The motion `g(t) = exp(t x_1) exp(t x_2) ..` from the identity, `0 <= t <= 1`.
+///
+/// Two factors are a steady precession: about `x_1` in space, and `x_2` in the body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Path {
+    /// The rotation vectors `x_1, x_2, ..`, from space to body.
+    pub factors: Vec<Vector3<f64>>,
+}
+
+impl Path {
+    /// `g(t)`.
+    pub fn element(&self, t: f64) -> UnitQuaternion<f64> {
+        let factors = self.factors.iter().map(|x| So3.exp(&(x * t)));
+        factors.fold(So3.identity(), |g, h| So3.compose(&g, &h))
+    }
+
+    /// `Omega(t) = g^-1 g'`, the angular velocity in the body: `Ad_h^-1 Omega + x` for each factor
+    /// `h = exp(t x)`.
+    pub fn velocity(&self, t: f64) -> Vector3<f64> {
+        let carry =
+            |omega: Vector3<f64>, x: &Vector3<f64>| So3.adjoint(&So3.exp(&(x * -t)), &omega) + x;
+        self.factors.iter().fold(Vector3::zeros(), carry)
+    }
+
+    /// The elements at `n + 1` times from 0 to `end`, both included.
+    pub fn sampled(&self, end: f64, n: u32) -> Vec<UnitQuaternion<f64>> {
+        (0..=n).map(|i| self.element(end * f64::from(i) / f64::from(n))).collect()
+    }
+}

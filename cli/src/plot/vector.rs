@@ -1,0 +1,102 @@
+//! Pictures as SVG.
+
+use super::{Anchor, Ink, Picture, Point, Shape, style};
+use std::fmt::Write;
+use svg::node::element::{Circle, Polygon, Polyline, Rectangle, Text, Title};
+use svg::{Document, Node};
+
+/// The picture as SVG, `width` pixels wide. Text stays text; the viewer needs the DejaVu fonts for exact widths.
+pub fn svg(picture: &Picture, width: u32) -> String {
+    let document = Document::new()
+        .set("viewBox", (0, 0, short(picture.width), short(picture.height)))
+        .set("width", width)
+        .set("height", picture.pixel_height(width))
+        .set("role", "img")
+        .add(Title::new(&picture.title))
+        .add(
+            Rectangle::new()
+                .set("width", "100%")
+                .set("height", "100%")
+                .set("fill", hex(style::WHITE)),
+        );
+    let document = picture.shapes.iter().fold(document, add);
+    format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{document}\n")
+}
+
+fn add(document: Document, shape: &Shape) -> Document {
+    match shape {
+        Shape::Line { points, stroke } => {
+            let mut line = Polyline::new()
+                .set("points", written(points))
+                .set("fill", "none")
+                .set("stroke-width", stroke.width)
+                .set("stroke-linejoin", "round");
+            if !stroke.dash.is_empty() {
+                let dash: Vec<String> = stroke.dash.iter().map(f64::to_string).collect();
+                line = line.set("stroke-dasharray", dash.join(" "));
+            }
+            document.add(painted(line, "stroke", stroke.ink))
+        }
+        Shape::Area { points, ink } => {
+            document.add(painted(Polygon::new().set("points", written(points)), "fill", *ink))
+        }
+        Shape::Disc { at, radius, ink } => {
+            let circle = Circle::new().set("cx", short(at[0])).set("cy", short(at[1]));
+            document.add(painted(circle.set("r", *radius), "fill", *ink))
+        }
+        Shape::Text { at: [x, y], text, font } => {
+            let (x, y) = (short(*x), short(*y));
+            let mut node = Text::new(text.as_str()).set("x", x).set("y", y);
+            node.assign("font-size", short(font.size));
+            if font.symbol {
+                node = node
+                    .set("font-family", "DejaVu Serif, DejaVu Sans, Georgia, serif")
+                    .set("font-style", "italic")
+                    .set("stroke", hex(style::WHITE))
+                    .set("stroke-width", style::EDGE)
+                    .set("stroke-linejoin", "round")
+                    .set("paint-order", "stroke");
+            } else {
+                node = node.set("font-family", "DejaVu Sans, Verdana, sans-serif");
+            }
+            match font.anchor {
+                Anchor::Start => {}
+                Anchor::Middle => node.assign("text-anchor", "middle"),
+                Anchor::End => node.assign("text-anchor", "end"),
+            }
+            if font.turned {
+                node.assign("transform", format!("rotate(-90 {x} {y})"));
+            }
+            document.add(painted(node, "fill", font.ink))
+        }
+    }
+}
+
+/// The node with its `fill` or `stroke` in a colour.
+fn painted<N: Node>(mut node: N, what: &str, ink: Ink) -> N {
+    node.assign(what, hex(ink));
+    if ink.opacity < 1.0 {
+        node.assign(format!("{what}-opacity"), ink.opacity);
+    }
+    node
+}
+
+fn hex(ink: Ink) -> String {
+    let [red, green, blue] = ink.rgb;
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+fn written(points: &[Point]) -> String {
+    let mut text = String::new();
+    for point in points {
+        let gap = if text.is_empty() { "" } else { " " };
+        // writing to a string cannot fail
+        let _ = write!(text, "{gap}{},{}", short(point[0]), short(point[1]));
+    }
+    text
+}
+
+/// Rounded to hundredths of the unit of the picture.
+fn short(x: f64) -> f64 {
+    (x * 100.0).round() / 100.0 + 0.0
+}

@@ -1,0 +1,43 @@
+//! Orthographic projection along a direction of view.
+
+use super::Point;
+use nalgebra::Vector3;
+
+/// The direction of the eye, in degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// The angle from the first axis towards the second.
+    pub azimuth: f64,
+    /// The angle above the plane of both.
+    pub elevation: f64,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        View { azimuth: 28.0, elevation: 20.0 }
+    }
+}
+
+impl View {
+    /// The point of the picture, right and down, before scaling.
+    pub(super) fn flat(&self, x: &Vector3<f64>) -> Point {
+        let [_, right, up] = self.axes();
+        [x.dot(&right), -x.dot(&up)]
+    }
+
+    /// The coordinate towards the eye.
+    pub(super) fn depth(&self, x: &Vector3<f64>) -> f64 {
+        x.dot(&self.axes()[0])
+    }
+
+    /// The unit vectors towards the eye, right and up.
+    pub(super) fn axes(&self) -> [Vector3<f64>; 3] {
+        let (sin_a, cos_a) = self.azimuth.to_radians().sin_cos();
+        let (sin_e, cos_e) = self.elevation.to_radians().sin_cos();
+        [
+            Vector3::new(cos_e * cos_a, cos_e * sin_a, sin_e),
+            Vector3::new(-sin_a, cos_a, 0.0),
+            Vector3::new(-sin_e * cos_a, -sin_e * sin_a, cos_e),
+        ]
+    }
+}

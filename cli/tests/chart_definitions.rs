@@ -1,0 +1,240 @@
+//! Definition files over charts: published curvatures, the same group given twice, every format,
+//! and tables that are read back.
+
+use crate::program::run;
+use affinor::Geometry;
+use affinor_documents::definition::{Definition, Reading};
+use affinor_tensors::expression::{Expression, Functions, Scalars};
+use affinor_tensors::{Notation, Symbolic, Tensor, Tolerance, contract};
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+
+fn folder() -> PathBuf {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("examples/definitions")
+}
+
+fn of(definition: &Definition) -> Geometry<Symbolic> {
+    let convert = |value: &Symbolic| Some(value.clone());
+    definition.geometry(&Reading { convert: &convert, tolerance: Tolerance::default() }).unwrap()
+}
+
+fn geometry(file: &str) -> Geometry<Symbolic> {
+    of(&Definition::read(folder().join(file).to_str().unwrap()).unwrap())
+}
+
+fn parsed(text: &str) -> Geometry<Symbolic> {
+    of(&Definition::parse("a.toml", text).unwrap())
+}
+
+fn value(text: &str) -> Symbolic {
+    let names = Scalars(|name: &str| Ok(Symbolic::parameter(name)));
+    let expression = Expression::parse(text).unwrap();
+    expression.evaluate(&Functions(names, <Symbolic as Notation>::function)).unwrap()
+}
+
+/// `R_ijkl` and `g_ik g_jl - g_il g_jk`.
+fn lowered(geometry: &Geometry<Symbolic>) -> [Tensor<Symbolic>; 2] {
+    let g = geometry.metric().unwrap().components();
+    let r = geometry.connection().curvature();
+    [
+        contract("g_im R^m_jkl -> _ijkl", &[("g", g), ("R", r)]).unwrap(),
+        contract("g_ik g_jl - g_il g_jk -> _ijkl", &[("g", g)]).unwrap(),
+    ]
+}
+
+/// `R_ijkl R^ijkl`.
+fn kretschmann(geometry: &Geometry<Symbolic>) -> Symbolic {
+    let [r, _] = lowered(geometry);
+    let inverse = geometry.metric().unwrap().inverse();
+    let raised = (0..4).fold(r.clone(), |r, slot| r.raise(slot, inverse).unwrap());
+    let square = contract("R_ijkl U^ijkl ->", &[("R", &r), ("U", &raised)]).unwrap();
+    square.to_scalar().unwrap()
+}
+
+#[test]
+fn spaces_of_constant_curvature() {
+    for (file, k) in [
+        ("sphere.toml", "1/a^2"),
+        ("hyperbolic_plane.toml", "-1"),
+        ("poincare_half_space.toml", "-1"),
+    ] {
+        let geometry = geometry(file);
+        let [r, constant] = lowered(&geometry);
+        assert_eq!(r, constant.scale(&value(k)), "{file}");
+        assert!(geometry.connection().torsion().is_empty());
+    }
+}
+
+/// C. W. Misner, K. S. Thorne, J. A. Wheeler, *Gravitation* (1973): (31.7) with box 14.5 for
+/// orthonormal fields.
+#[test]
+fn the_field_of_a_mass_is_empty_and_curved() {
+    let geometry = geometry("schwarzschild.toml");
+    assert!(geometry.connection().ricci().is_empty());
+    let [r, _] = lowered(&geometry);
+    assert_eq!(kretschmann(&geometry), value("48*M^2/r^6"));
+    // R_trtr = -2M/r^3 in unit vectors, and g_tt g_rr = -1
+    assert_eq!(r.get(&[0, 1, 0, 1]), value("-2*M/r^3"));
+    let gamma = geometry.connection().gamma();
+    assert_eq!(gamma.get(&[1, 0, 0]), value("M*(r - 2*M)/r^3"));
+    assert_eq!(gamma.get(&[1, 1, 1]), value("-M/(r*(r - 2*M))"));
+    assert_eq!(gamma.get(&[1, 2, 2]), value("2*M - r"));
+    assert_eq!(gamma.get(&[2, 3, 3]), value("-sin(theta)*cos(theta)"));
+}
+
+/// R. C. Henry, *Astrophys. J.* 535 (2000) 350: with `c = cos(theta)` and `x = r^2 + a^2 c^2`,
+/// `R_ijkl R^ijkl = 48 M^2 (r^2 - a^2 c^2)(x^2 - 16 r^2 a^2 c^2)/x^6`.
+#[test]
+fn a_rotating_mass() {
+    let geometry = geometry("kerr.toml");
+    assert!(geometry.connection().ricci().is_empty());
+    let x = "(r^2 + a^2*cos(theta)^2)";
+    let ac = "a^2*cos(theta)^2";
+    let expected = format!("48*M^2*(r^2 - {ac})*({x}^2 - 16*r^2*{ac})/{x}^6");
+    assert_eq!(kretschmann(&geometry), value(&expected));
+}
+
+/// Spherical coordinates of flat space, and their unit vectors: M. R. Spiegel, *Vector Analysis*
+/// (1959), chapter 7; hyperbolic functions through `exp`: geodesic polar coordinates.
+#[test]
+fn flat_and_hyperbolic_space_in_polar_coordinates() {
+    let flat = parsed(
+        "metric = 'diag(1, r^2, r^2*sin(theta)^2)'\nchart.coordinates = ['r', 'theta', 'phi']",
+    );
+    assert!(flat.connection().curvature().is_empty());
+    let unit = parsed(
+        "metric = 'identity'\nchart.coordinates = ['r', 'theta', 'phi']\n\
+         frame = {a = 'd_r', b = '1/r*d_theta', c = '1/(r*sin(theta))*d_phi'}",
+    );
+    assert!(unit.connection().curvature().is_empty());
+    assert_eq!(unit.frame().structure().get(&[2, 1, 2]), value("-cot(theta)/r"));
+    let hyperbolic = parsed("metric = 'diag(1, sinh(r)^2)'\nchart.coordinates = ['r', 'phi']");
+    let [r, constant] = lowered(&hyperbolic);
+    assert_eq!(r, constant.map(|v| -v.clone()));
+    // without a metric: the flat connection of the unit vectors has torsion, and no curvature
+    let parallel = parsed(
+        "chart.coordinates = ['r', 'phi']\nframe = {a = 'd_r', b = '1/r*d_phi'}\naffinities = ''",
+    );
+    assert!(parallel.connection().curvature().is_empty());
+    assert_eq!(parallel.connection().torsion().get(&[1, 0, 1]), value("1/r"));
+}
+
+/// The fields stand in their order, however they are called.
+#[test]
+fn the_order_of_the_fields_is_that_of_the_file() {
+    let toml =
+        "metric = 'diag(1, 2)'\n[chart]\ncoordinates = ['x', 'y']\n[frame]\nz = 'd_y'\nb = 'x*d_x'";
+    let json = r#"{"metric": {"components": ["diag(1, 2)"]}, "chart": {"coordinates": ["x", "y"]},
+        "frame": {"z": "d_y", "b": "x*d_x"}}"#
+        .replace("[\"diag(1, 2)\"]", "\"diag(1, 2)\"");
+    for text in [toml, &json] {
+        let geometry = parsed(text);
+        assert_eq!(geometry.frame().labels()[..], ["z", "b"]);
+        let fields = geometry.frame_origin().fields().unwrap();
+        assert_eq!(fields.written(), ["d_y", "x*d_x"]);
+        assert!(geometry.algebra().is_some(), "[d_y, x d_x] = 0");
+    }
+}
+
+/// The rotation group in its charts, against its brackets.
+#[test]
+fn charts_of_the_rotation_group_are_so3() {
+    let temporary = TempDir::new().unwrap();
+    let path = |file: &str| folder().join(file).to_str().unwrap().to_string();
+    let euler = path("euler_angles.toml");
+    let charts = [&euler, &path("gibbs_vector.toml"), &path("rotation_vector.toml")];
+    let show = "structure,affinities,torsion,curvature,ricci,killing";
+    for connection in ["plus", "zero", "minus", "lambda=1/3"] {
+        for format in ["json", "csv"] {
+            let table =
+                ["table", "so3", "--connection", connection, "--show", show, "--format", format];
+            let stored = run(temporary.path(), &[&table[..], &["-o", "so3"]].concat(), b"");
+            assert_eq!(stored.status, 0, "{}", stored.err);
+            for chart in charts {
+                let verify = ["verify", chart, "so3", "--connection", connection];
+                let outcome = run(temporary.path(), &verify, b"");
+                assert_eq!(outcome.status, 0, "{}", outcome.out);
+            }
+        }
+    }
+    let compare = ["compare", &euler, "so3@plus", "--format", "csv"];
+    let outcome = run(temporary.path(), &compare, b"");
+    assert_eq!(outcome.status, 0, "{}", outcome.err);
+    assert!(outcome.out.contains("no: Lambda^1_23 - c^1_23 = -1/2,yes"), "{}", outcome.out);
+}
+
+#[test]
+fn tables_are_written_in_every_format_and_read_back() {
+    let temporary = TempDir::new().unwrap();
+    let path = |file: &str| folder().join(file).to_str().unwrap().to_string();
+    for file in ["sphere.toml", "schwarzschild.toml", "euler_angles.toml"] {
+        for format in ["json", "csv"] {
+            let table = ["table", &path(file), "--show", "all", "--format", format, "-o", "stored"];
+            assert_eq!(run(temporary.path(), &table, b"").status, 0);
+            let outcome = run(temporary.path(), &["verify", &path(file), "stored"], b"");
+            assert_eq!(outcome.status, 0, "{}", outcome.out);
+            let stored = std::fs::read_to_string(temporary.path().join("stored")).unwrap();
+            // the head of the table of Euler angles has it, but no component
+            let wrong = stored.replace("cos(theta)/sin(theta)", "sin(theta)/cos(theta)");
+            std::fs::write(temporary.path().join("stored"), &wrong).unwrap();
+            let outcome = run(temporary.path(), &["verify", &path(file), "stored"], b"");
+            assert_eq!(outcome.status, i32::from(!file.starts_with("euler")), "{}", outcome.out);
+        }
+    }
+    let table = |format| {
+        let sphere = path("sphere.toml");
+        let show = "affinities,metric,killing";
+        run(temporary.path(), &["table", &sphere, "--format", format, "--show", show], b"").out
+    };
+    let latex = table("latex");
+    assert!(latex.contains(r"&= -\sin \theta \cos \theta"), "{latex}");
+    assert!(latex.contains(r"= \frac{\cos \theta}{\sin \theta}"), "{latex}");
+    assert!(latex.contains(r"&= a^{2} \sin^{2} \theta"), "{latex}");
+    let markdown = table("markdown");
+    assert!(markdown.contains("| `Lambda^1_22` | `-sin(theta)*cos(theta)` |"), "{markdown}");
+    assert!(markdown.contains("- coordinates: theta, phi"), "{markdown}");
+    // coordinate fields commute, so there is an algebra, and its Killing form is zero
+    assert!(table("text").contains("K_ij = 0"));
+    let half_plane = path("hyperbolic_plane.toml");
+    let text = run(temporary.path(), &["table", &half_plane, "--show", "structure"], b"").out;
+    assert!(text.contains("fields       e1 = y*d_x, e2 = y*d_y"), "{text}");
+    assert!(text.contains("Structure functions (A6): 2 nonzero components"), "{text}");
+}
+
+#[test]
+fn values_and_checks() {
+    let temporary = TempDir::new().unwrap();
+    let path = |file: &str| folder().join(file).to_str().unwrap().to_string();
+    let sphere = path("sphere.toml");
+    let show = ["--show", "scalar_curvature", "--format", "csv"];
+    for (more, scalar) in [
+        (vec!["--set", "a=2"], "1/2"),
+        (vec!["--metric", "diag(1, cos(phi)^2)"], "0"),
+        (vec!["--metric", "diag(exp(2*theta), exp(2*theta))"], "0"),
+    ] {
+        let arguments = [&["table", &sphere][..], &show, &more].concat();
+        let outcome = run(temporary.path(), &arguments, b"");
+        let expected =
+            if scalar == "0" { String::new() } else { format!("scalar_curvature,,,,,{scalar}\n") };
+        assert_eq!(outcome.out, format!("tensor,i,j,k,l,value\n{expected}"), "{}", outcome.err);
+    }
+    for (definition, status, says) in [
+        (
+            "metric = 'diag(1, x)'\nchart.coordinates = ['x', 'y']",
+            0,
+            "symmetric and non-degenerate",
+        ),
+        ("metric = 'diag(1, 0)'\nchart.coordinates = ['x', 'y']", 1, "d_y is orthogonal to every"),
+        (
+            "chart.coordinates = ['x']\nframe.u = '(cosh(x)^2 - sinh(x)^2 - 1)*d_x'",
+            1,
+            "determinant",
+        ),
+        ("chart.coordinates = ['x']", 1, "levi-civita is the connection of a metric"),
+    ] {
+        let outcome =
+            run(temporary.path(), &["check", "-", "--format", "json"], definition.as_bytes());
+        assert_eq!(outcome.status, status, "{}{}", outcome.out, outcome.err);
+        assert!(outcome.out.contains(says), "{}", outcome.out);
+    }
+}

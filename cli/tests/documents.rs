@@ -1,0 +1,243 @@
+//! The documents say what the program does: quoted outputs, formats, limits and translations.
+//!
+//! A fenced block `console` holds commands behind `$ ` and exactly what they print on standard
+//! output. `UPDATE_DOCUMENTS=1 cargo test --test documents` writes what they print now.
+
+use affinor::{Bracket, Connection, LieAlgebra, Metric};
+use affinor_tensors::{Down, Rational, Tensor, expression};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+const DOCUMENTS: [&str; 5] =
+    ["README.md", "docs/formats.md", "docs/motion.md", "docs/translation.md", "docs/paper.md"];
+
+fn root() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+}
+
+/// What `affinor ARGUMENTS` prints on standard output; double quotes hold words together.
+fn output(command: &str) -> Result<String, Box<dyn std::error::Error>> {
+    let arguments = command.strip_prefix("affinor ").ok_or("not a command of affinor")?;
+    let mut words = vec![];
+    for (at, piece) in arguments.split('"').enumerate() {
+        match at % 2 {
+            0 => words.extend(piece.split_whitespace()),
+            _ => words.push(piece),
+        }
+    }
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_affinor")).args(words).current_dir(root()).output()?;
+    if output.status.code() == Some(2) {
+        return Err(format!("{command}: {}", String::from_utf8_lossy(&output.stderr)).into());
+    }
+    Ok(String::from_utf8(output.stdout)?)
+}
+
+/// The document with every quoted output as it is now.
+fn refreshed(document: &str) -> Result<String, Box<dyn std::error::Error>> {
+    let (mut fresh, mut lines) = (String::new(), document.lines());
+    while let Some(line) = lines.next() {
+        fresh += &format!("{line}\n");
+        if line != "```console" {
+            continue;
+        }
+        let block: Vec<&str> = lines.by_ref().take_while(|line| *line != "```").collect();
+        for line in block {
+            if let Some(command) = line.strip_prefix("$ ") {
+                fresh += &format!("{line}\n{}", output(command)?);
+            }
+        }
+        fresh += "```\n";
+    }
+    Ok(fresh)
+}
+
+#[test]
+fn quoted_outputs_are_what_the_program_prints() -> Outcome {
+    for name in DOCUMENTS {
+        let path = root().join(name);
+        let document = std::fs::read_to_string(&path)?;
+        assert!(document.contains("```console\n$ affinor "), "{name} quotes nothing");
+        let fresh = refreshed(&document)?;
+        if std::env::var_os("UPDATE_DOCUMENTS").is_some() {
+            std::fs::write(&path, fresh)?;
+        } else {
+            let differing = fresh.lines().zip(document.lines()).find(|(now, quoted)| now != quoted);
+            assert_eq!(differing, None, "{name}: (now, quoted)");
+            assert_eq!(fresh, document, "{name}");
+        }
+    }
+    Ok(())
+}
+
+/// The targets of the links in a document that are neither addresses nor anchors.
+fn links(document: &str) -> impl Iterator<Item = &str> {
+    let targets = document.split("](").skip(1).filter_map(|rest| rest.split_once(')'));
+    targets
+        .map(|(target, _)| target)
+        .filter(|target| !target.contains("://") && !target.starts_with('#'))
+}
+
+#[test]
+fn links_lead_somewhere() -> Outcome {
+    let all = ["ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/speed.md"];
+    let all = all.into_iter().chain(DOCUMENTS);
+    for name in all {
+        let path = root().join(name);
+        let folder = path.parent().map(PathBuf::from).unwrap_or_default();
+        for target in links(&std::fs::read_to_string(&path)?) {
+            assert!(folder.join(target).exists(), "{name}: {target}");
+        }
+    }
+    Ok(())
+}
+
+/// Every key that stands anywhere in `value`, but for names that are data.
+fn keys<'v>(value: &'v Value, found: &mut Vec<&'v str>) {
+    match value {
+        Value::Object(object) => {
+            for (key, inner) in object {
+                found.push(key);
+                if key != "conventions" {
+                    keys(inner, found);
+                }
+            }
+        }
+        Value::Array(items) => items.iter().for_each(|item| keys(item, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn formats_names_every_key_of_every_schema() -> Outcome {
+    let formats = std::fs::read_to_string(root().join("docs/formats.md"))?;
+    let stored = tempfile::Builder::new().suffix(".json").tempfile()?;
+    let path = stored.path().to_str().ok_or("a path that is no text")?.to_string();
+    std::fs::write(
+        &path,
+        output("affinor table so3@zero --show torsion,curvature --format json")?,
+    )?;
+    let commands = [
+        (
+            "affinor.table/1",
+            "affinor table so3 --metric \"diag(a,b,c)\" --show all --independent".into(),
+        ),
+        ("affinor.table/1", "affinor table so3@zero --scalar float".into()),
+        ("affinor.table/1", "affinor table examples/definitions/sphere.toml".into()),
+        ("affinor.compare/1", "affinor compare M3 so3@zero".into()),
+        (
+            "affinor.check/1",
+            "affinor check --basis \"x y z\" --bracket \"[x,y]=z; [y,z]=y\"".into(),
+        ),
+        ("affinor.verify/1", format!("affinor verify so3@plus \"{path}\"")),
+        (
+            "affinor.equations/1",
+            "affinor equations so3 --metric \"diag(a,b,c)\" --connection zero".into(),
+        ),
+        (
+            "affinor.equations/1",
+            "affinor equations examples/definitions/sphere.toml --motion autoparallel".into(),
+        ),
+        ("affinor.list/1", "affinor list".into()),
+        ("affinor.conventions/1", "affinor conventions".into()),
+    ];
+    for (schema, command) in commands {
+        let all: Value = serde_json::from_str(&output(&format!("{command} --format json"))?)?;
+        assert_eq!(all["schema"], schema, "{command}");
+        assert!(formats.contains(&format!("## {schema}\n")), "{schema} has no section");
+        let mut found = vec![];
+        keys(&all, &mut found);
+        for key in found {
+            let named = [format!("`{key}`"), format!("\"{key}\"")];
+            assert!(named.iter().any(|name| formats.contains(name)), "{schema}: {key}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn the_readme_states_the_limits() -> Outcome {
+    let readme = std::fs::read_to_string(root().join("README.md"))?;
+    let readme = readme.split_whitespace().collect::<Vec<_>>().join(" ");
+    let stated = [
+        format!("at most {} dimensions", affinor::algebra::catalogue::MAX_DIMENSION),
+        format!("at most {} indices", affinor_tensors::Indices::MAX),
+        format!("at most {} digits", expression::MAX_DIGITS),
+        format!("exponent is at most {}", expression::MAX_EXPONENT),
+        format!("nest at most {} deep", expression::MAX_DEPTH),
+        format!("Rust {}", env!("CARGO_PKG_RUST_VERSION")),
+    ];
+    for limit in stated {
+        assert!(readme.contains(&limit), "{limit}");
+    }
+    Ok(())
+}
+
+/// aff(1), `[x, y] = y`, with orthonormal x and y.
+fn hyperbolic_plane() -> Result<(LieAlgebra<Rational>, Connection<Rational>), affinor::Error> {
+    let bracket = Bracket::from_fn(&["x", "y"], |_, _| vec![(1, Rational::from(1))])?;
+    let algebra = LieAlgebra::try_from(bracket)?;
+    let identity = Tensor::from_fn(2, [Down, Down], |[i, j]| Rational::from(i64::from(i == j)))?;
+    let metric = Metric::new(algebra.labels(), identity)?;
+    let connection = Connection::levi_civita(algebra.left_frame(), &metric)?;
+    Ok((algebra, connection))
+}
+
+const PLANE: [usize; 2] = [0, 1];
+
+#[test]
+fn mtw_13_23_is_ours_with_the_direction_last() -> Outcome {
+    let (algebra, connection) = hyperbolic_plane()?;
+    // c_abm = c_ab^n g_nm, the metric being the identity
+    let c = |a, b, m| algebra.structure().get(&[m, a, b]);
+    let half = Rational::new(1, 2).ok_or("1/2")?;
+    for (m, b, d) in triples() {
+        let gamma = (c(m, b, d) + &c(m, d, b) - &c(b, d, m)) * &half;
+        assert_eq!(gamma, connection.gamma().get(&[m, d, b]), "Gamma_{m}{b}{d}");
+    }
+    Ok(())
+}
+
+#[test]
+fn the_curvature_of_sage_is_ours_and_that_of_geomstats_its_negative() -> Outcome {
+    let (algebra, connection) = hyperbolic_plane()?;
+    let curvature = connection.curvature();
+    let zero = || Rational::from(0);
+    let c = |i, j, k| algebra.structure().get(&[i, j, k]);
+    // Sage: gam[k,i,j] with the direction last
+    let gam = |k, i, j| connection.gamma().get(&[k, j, i]);
+    // geomstats: nabla(x, y), the direction first, by components
+    let nabla = |x: &[Rational; 2], y: &[Rational; 2]| {
+        PLANE.map(|i| {
+            let terms = PLANE.into_iter().flat_map(|j| PLANE.map(|k| (j, k)));
+            terms.fold(zero(), |sum, (j, k)| {
+                sum + &(connection.gamma().get(&[i, j, k]) * &x[j] * &y[k])
+            })
+        })
+    };
+    let e = |j: usize| PLANE.map(|i| Rational::from(i64::from(i == j)));
+    for (j, k, l) in triples() {
+        let bracket = PLANE.map(|i| c(i, k, l));
+        let (kl, lk) = (nabla(&e(k), &nabla(&e(l), &e(j))), nabla(&e(l), &nabla(&e(k), &e(j))));
+        let geomstats = nabla(&bracket, &e(j));
+        for i in PLANE {
+            let sage = PLANE.into_iter().fold(zero(), |sum, m| {
+                sum + &(gam(i, m, k) * &gam(m, j, l))
+                    - &(gam(i, m, l) * &gam(m, j, k))
+                    - &(gam(i, j, m) * &c(m, k, l))
+            });
+            let ours = curvature.get(&[i, j, k, l]);
+            assert_eq!(sage, ours);
+            assert_eq!(geomstats[i].clone() - &kl[i] + &lk[i], -ours);
+        }
+    }
+    assert!(!curvature.is_empty());
+    Ok(())
+}
+
+fn triples() -> impl Iterator<Item = (usize, usize, usize)> {
+    PLANE.into_iter().flat_map(|a| PLANE.into_iter().flat_map(move |b| PLANE.map(|c| (a, b, c))))
+}

@@ -1,0 +1,397 @@
+//! Equations of motion against formulas written down otherwise: Euler's, Kirchhoff's, geodesics;
+//! and the generated code against the library.
+
+use crate::common::algebras::seeds;
+use crate::common::{integer, spaces};
+use affinor::geometry::equations::{EquationKind, Equations, Variable};
+use affinor::{Canonical, Connection, ConnectionKind, Geometry, LieAlgebra, Metric};
+use affinor_documents::report::{EquationReport, Format, Language};
+use affinor_tensors::{Down, Notation, Rational, Symbolic, Tensor};
+use proptest::prelude::*;
+use std::path::Path;
+use std::process::Command;
+
+type Vector<S> = [S; 3];
+
+fn cross<S: Notation>(a: &Vector<S>, b: &Vector<S>) -> Vector<S> {
+    let minor = |i: usize, j: usize| a[i].clone() * &b[j] - &(a[j].clone() * &b[i]);
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
+fn seed(name: &str) -> LieAlgebra<Rational> {
+    seeds().into_iter().find(|(other, _)| *other == name).unwrap().1
+}
+
+fn metric<S: Notation>(algebra: &LieAlgebra<S>, rows: &[Vec<S>]) -> Metric<S> {
+    let n = algebra.dimension();
+    let tensor = Tensor::from_fn(n, [Down, Down], |[i, j]| rows[i][j].clone()).unwrap();
+    Metric::new(algebra.labels(), tensor).unwrap()
+}
+
+/// `J v` for a symmetric matrix.
+fn times<S: Notation>(matrix: &[Vec<S>], vector: &[S]) -> Vec<S> {
+    let row =
+        |row: &Vec<S>| row.iter().zip(vector).fold(S::zero(), |sum, (a, b)| sum + &(a.clone() * b));
+    matrix.iter().map(row).collect()
+}
+
+/// (108) with every moment and product of inertia a symbol: `J dOmega/dt + Omega x J Omega = M`.
+#[test]
+fn eq_108_with_a_full_symbolic_inertia() {
+    let so3 = seed("so(3)").map(|v| Symbolic::constant(v.clone())).unwrap();
+    let symbol = |name: String| Symbolic::parameter(&name);
+    let inertia: Vec<Vec<Symbolic>> = (1..4)
+        .map(|i: usize| (1..4).map(|j| symbol(format!("J{}{}", i.min(j), i.max(j)))).collect())
+        .collect();
+    let plus = Connection::canonical(&so3, Canonical::Plus);
+    let equations = Equations::euler_poincare(&plus, &metric(&so3, &inertia)).unwrap();
+    let vector = |letter: &str| [1, 2, 3].map(|i| symbol(format!("{letter}{i}")));
+    let (omega, torque) = (vector("w"), vector("m"));
+    let momentum: Vector<Symbolic> = times(&inertia, &omega).try_into().unwrap();
+    let gyroscopic = cross(&omega, &momentum);
+    let rate = equations.rate(&omega, &torque).unwrap();
+    let left = times(&inertia, &rate);
+    for i in 0..3 {
+        assert_eq!(left[i].clone() + &gyroscopic[i], torque[i]);
+    }
+}
+
+/// Kirchhoff's equations of a body in a fluid (Lamb, Hydrodynamics, 124): `dP/dt = P x Omega + F`,
+/// `dL/dt = L x Omega + P x V + N` with `(L, P)` the momenta of `(Omega, V)`.
+#[test]
+fn kirchhoff_on_se3() {
+    let se3 = seed("se(3)");
+    let entry = |i: usize, j: usize| {
+        let (i, j) = (i.min(j) as i64, i.max(j) as i64);
+        integer(if i == j { 20 + 3 * i } else { (2 * i + 3 * j) % 7 - 3 })
+    };
+    let matrix: Vec<Vec<Rational>> =
+        (0..6).map(|i| (0..6).map(|j| entry(i, j)).collect()).collect();
+    let plus = Connection::canonical(&se3, Canonical::Plus);
+    let equations = Equations::euler_poincare(&plus, &metric(&se3, &matrix)).unwrap();
+    let state = [2, -1, 3, 5, -4, 1].map(integer);
+    let wrench = [1, 0, -2, 3, 1, 1].map(integer);
+    let split = |v: &[Rational]| -> [Vector<Rational>; 2] {
+        [v[..3].to_vec().try_into().unwrap(), v[3..].to_vec().try_into().unwrap()]
+    };
+    let ([omega, velocity], [l, p]) = (split(&state), split(&times(&matrix, &state)));
+    let rates = times(&matrix, &equations.rate(&state, &wrench).unwrap());
+    let (turned, carried, swept) = (cross(&l, &omega), cross(&p, &velocity), cross(&p, &omega));
+    for i in 0..3 {
+        assert_eq!(rates[i], turned[i].clone() + &carried[i] + &wrench[i], "dL/dt");
+        assert_eq!(rates[i + 3], swept[i].clone() + &wrench[i + 3], "dP/dt");
+    }
+}
+
+proptest! {
+    #![proptest_config(crate::common::property::cases(48))]
+
+    /// Geodesics of a left-invariant metric: the Levi-Civita connection gives the Euler-Poincare
+    /// equations in both of its ways, and `zero` half of the quadratic terms.
+    #[test]
+    fn geodesics_are_euler_poincare(space in spaces(5)) {
+        let (algebra, metric) = (&space.algebra, &space.metric);
+        let motion = |connection: &Connection<Rational>| {
+            Equations::euler_poincare(connection, metric).unwrap().solved()
+        };
+        let plus = motion(&Connection::canonical(algebra, Canonical::Plus));
+        let levi_civita = space.levi_civita();
+        prop_assert_eq!(motion(&levi_civita).rows(), plus.rows());
+        let geodesics = Equations::new(EquationKind::Autoparallel, &levi_civita, None).unwrap();
+        let free = |rows: Vec<affinor::geometry::equations::Row<Rational>>| rows.into_iter().map(|mut row| {
+            row.right.retain(|(_, product)| !matches!(product[..], [Variable::Force(_)]));
+            row
+        }).collect::<Vec<_>>();
+        prop_assert_eq!(geodesics.rows(), free(plus.rows()));
+        let zero = motion(&Connection::canonical(algebra, Canonical::Zero));
+        let halves = free(plus.rows()).into_iter().map(|mut row| {
+            row.right.iter_mut().for_each(|(v, _)| *v = v.clone() / &integer(2));
+            row
+        });
+        prop_assert_eq!(free(zero.rows()), halves.collect::<Vec<_>>());
+    }
+
+    /// (B5) and (B7) by plain sums: the direction is the first lower index.
+    #[test]
+    fn parallel_vectors_by_plain_sums(space in spaces(4), seed in 1..50i64) {
+        let n = space.dimension();
+        let numbers = |k: i64| (0..n as i64).map(move |i| integer((seed + k) * (i + 2) % 11 - 5));
+        let (u, w): (Vec<_>, Vec<_>) = (numbers(1).collect(), numbers(7).collect());
+        for connection in space.connections() {
+            let expected = |w: &[Rational], u: &[Rational]| {
+                let term = |i, j: usize, k: usize| {
+                    connection.gamma().get(&[i, j, k]) * &w[j] * &u[k]
+                };
+                let sum = |i| {
+                    let pairs = (0..n).flat_map(|j| (0..n).map(move |k| (j, k)));
+                    pairs.fold(integer(0), |sum, (j, k)| sum - &term(i, j, k))
+                };
+                (0..n).map(sum).collect::<Vec<_>>()
+            };
+            let transport = Equations::new(EquationKind::Transport, &connection, None).unwrap();
+            prop_assert_eq!(transport.rate(&u, &w).unwrap(), expected(&w, &u));
+            let geodesic = Equations::new(EquationKind::Autoparallel, &connection, None).unwrap();
+            prop_assert_eq!(geodesic.rate(&u, &[]).unwrap(), expected(&u, &u));
+        }
+    }
+
+    /// The rows say what `rate` computes, for every motion and connection.
+    #[test]
+    fn rows_are_the_rates(space in spaces(4), seed in 1..50i64) {
+        let n = space.dimension();
+        let numbers = |k: i64| (0..n as i64).map(move |i| integer((seed + k) * (i + 2) % 11 - 5));
+        let (state, other): (Vec<_>, Vec<_>) = (numbers(1).collect(), numbers(7).collect());
+        for motion in EquationKind::ALL {
+            for connection in space.connections() {
+                let system = Equations::new(motion, &connection, Some(&space.metric)).unwrap();
+                let beside = if motion == EquationKind::Autoparallel { &[][..] } else { &other[..] };
+                let rates = system.rate(&state, beside).unwrap();
+                for row in system.rows() {
+                    let value = |v: &Variable| match *v {
+                        Variable::State(j) => &state[j],
+                        Variable::Along(j) | Variable::Force(j) => &beside[j],
+                    };
+                    let left = row.left.iter().fold(integer(0), |sum, (a, j)| {
+                        sum + &(a.clone() * &rates[*j])
+                    });
+                    let right = row.right.iter().fold(integer(0), |sum, (a, product)| {
+                        sum + &product.iter().fold(a.clone(), |term, v| term * value(v))
+                    });
+                    prop_assert_eq!(left, right);
+                }
+            }
+        }
+    }
+}
+
+/// A family with awkward parameter names (reserved words) and a full metric.
+fn awkward() -> Geometry<Symbolic> {
+    let [a, b] = ["lambda", "int"].map(Symbolic::parameter);
+    let bracket = affinor::Bracket::from_fn(&["x", "y", "z"], |j, k| match (j, k) {
+        (0, 2) => {
+            vec![
+                (0, a.clone()),
+                (1, Symbolic::from_rational(&crate::common::fraction(-2, 3)).unwrap()),
+            ]
+        }
+        (1, 2) => vec![(1, b.clone())],
+        _ => vec![],
+    });
+    let algebra = LieAlgebra::try_from(bracket.unwrap()).unwrap();
+    let constant = |n: i64| Symbolic::from_rational(&integer(n)).unwrap();
+    let rows = vec![
+        vec![constant(4) + &(a.clone() * &a), b.clone(), constant(1)],
+        vec![b, constant(5), constant(-1)],
+        vec![constant(1), constant(-1), a],
+    ];
+    let metric = metric(&algebra, &rows);
+    let plus = ConnectionKind::Canonical(Canonical::Plus);
+    Geometry::new("awkward", algebra, plus, Some(metric)).unwrap()
+}
+
+/// Compiles `source` with a main program that prints the rates, runs it, and reads them; `None`
+/// where the machine lacks the compiler.
+fn run(folder: &Path, language: Language, source: &str, call: &str, n: usize) -> Option<Vec<f64>> {
+    let file = |name: &str| folder.join(name);
+    let (program, mut compile) = match language {
+        Language::Rust => {
+            let main =
+                format!("{source}\nfn main() {{ for x in {call} {{ println!(\"{{x:e}}\"); }} }}\n");
+            std::fs::write(file("main.rs"), main).unwrap();
+            let mut rustc = Command::new("rustc");
+            rustc.arg("main.rs").args(["-o", "rust", "-D", "warnings"]);
+            (file("rust"), Some(rustc))
+        }
+        Language::C => {
+            let main = format!(
+                "#include <stdio.h>\n{source}\nint main(void) {{ double x[{n}]; {call} \
+                 for (int i = 0; i < {n}; i++) printf(\"%.17e\\n\", x[i]); return 0; }}\n"
+            );
+            std::fs::write(file("main.c"), main).unwrap();
+            let mut cc = Command::new("cc");
+            cc.args(["-std=c99", "-Wall", "-Werror", "main.c", "-o", "c", "-lm"]);
+            (file("c"), Some(cc))
+        }
+        Language::Python => {
+            let main = format!("{source}\nfor x in {call}:\n    print(repr(float(x)))\n");
+            std::fs::write(file("main.py"), main).unwrap();
+            ("python3".into(), None)
+        }
+    };
+    if let Some(compiler) = &mut compile {
+        let output = compiler.current_dir(folder).output().ok()?;
+        assert!(output.status.success(), "{}\n{source}", String::from_utf8_lossy(&output.stderr));
+    }
+    let mut command = Command::new(program);
+    if language == Language::Python {
+        command.arg("main.py");
+    }
+    let output = command.current_dir(folder).output().ok()?;
+    assert!(output.status.success(), "{}\n{source}", String::from_utf8_lossy(&output.stderr));
+    let lines = String::from_utf8(output.stdout).unwrap();
+    Some(lines.lines().map(|line| line.parse().unwrap()).collect())
+}
+
+#[test]
+fn generated_code_gives_the_same_numbers() {
+    let folder = tempfile::tempdir().unwrap();
+    let geometry = awkward();
+    let values = [("int", 1.75), ("lambda", 2.5)];
+    let (state, other) = ([0.3, -1.1, 0.7], [0.2, 0.5, -0.9]);
+    for motion in EquationKind::ALL {
+        let equations = Equations::new(motion, geometry.connection(), geometry.metric()).unwrap();
+        let constant = |x: f64| Symbolic::constant(Rational::from_f64(x).unwrap());
+        let beside: &[f64] = if motion == EquationKind::Autoparallel { &[] } else { &other };
+        let exact = equations
+            .rate(&state.map(constant), &beside.iter().map(|x| constant(*x)).collect::<Vec<_>>());
+        let set = values.map(|(name, x)| (name.to_string(), constant(x))).into();
+        let expected: Vec<f64> = exact
+            .unwrap()
+            .iter()
+            .map(|rate| rate.substitute(&set).unwrap().to_f64().unwrap())
+            .collect();
+        let system = EquationReport::new(equations, &geometry);
+        for language in Language::ALL {
+            let code = system.code(language).unwrap();
+            let list = |v: &[f64]| v.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
+            let open = match language {
+                Language::Rust => ["&[", "]"],
+                Language::C => ["(const double[]){", "}"],
+                Language::Python => ["[", "]"],
+            };
+            let mut arguments = vec![format!("{}{}{}", open[0], list(&state), open[1])];
+            if !beside.is_empty() {
+                arguments.push(format!("{}{}{}", open[0], list(beside), open[1]));
+            }
+            let used = values.iter().filter(|(name, _)| code.contains(&format!("p_{name}")));
+            arguments.extend(used.map(|(_, x)| x.to_string()));
+            let function = motion.name().replace('-', "_");
+            if language == Language::C {
+                arguments.push("x".into());
+            }
+            let end = if language == Language::C { ";" } else { "" };
+            let call = format!("{function}({}){end}", arguments.join(", "));
+            let Some(rates) = run(folder.path(), language, &code, &call, 3) else {
+                assert!(std::env::var_os("CI").is_none(), "{} is not installed", language.name());
+                continue;
+            };
+            assert_eq!(rates.len(), expected.len());
+            for (rate, expected) in rates.iter().zip(&expected) {
+                assert!((rate - expected).abs() <= 1e-12 * (1.0 + expected.abs()), "{code}");
+            }
+        }
+    }
+}
+
+/// What `affinor equations` prints.
+fn printed(arguments: &[&str]) -> String {
+    let program = env!("CARGO_BIN_EXE_affinor");
+    let output = Command::new(program).arg("equations").args(arguments).output().unwrap();
+    assert!(output.status.success(), "{arguments:?}: {output:?}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// Great circles: `theta'' = sin theta cos theta phi'^2`, `phi'' = -2 cot theta theta' phi'`.
+#[test]
+fn geodesics_of_the_sphere_in_coordinates() {
+    let sphere = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/definitions/sphere.toml");
+    let folder = tempfile::tempdir().unwrap();
+    let (theta, v) = (0.7f64, [0.4, -1.2]);
+    let expected =
+        [v[0], v[1], theta.sin() * theta.cos() * v[1] * v[1], -2.0 / theta.tan() * v[0] * v[1]];
+    for (language, call) in [
+        (Language::Rust, "autoparallel(&[0.7, 0.3], &[0.4, -1.2])"),
+        (Language::C, "autoparallel((const double[]){0.7, 0.3}, (const double[]){0.4, -1.2}, x);"),
+        (Language::Python, "autoparallel([0.7, 0.3], [0.4, -1.2])"),
+    ] {
+        let code = printed(&[sphere, "--motion", "autoparallel", "--code", language.name()]);
+        let Some(rates) = run(folder.path(), language, &code, call, 4) else {
+            eprintln!("{} is not installed: not tested", language.name());
+            continue;
+        };
+        for (rate, expected) in rates.iter().zip(expected) {
+            assert!((rate - expected).abs() < 1e-14, "{rates:?}\n{code}");
+        }
+    }
+}
+
+#[test]
+fn rows_of_a_csv_are_named_by_coordinate_or_number() {
+    let sphere = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/definitions/sphere.toml");
+    let csv = printed(&[sphere, "--motion", "autoparallel", "--format", "csv"]);
+    let names: Vec<_> = csv.lines().map(|line| line.split(',').next().unwrap()).collect();
+    assert_eq!(names, ["equation", "theta", "phi", "1", "1", "2", "2"], "{csv}");
+}
+
+/// The kinematics of Euler angles z-x-z (Goldstein, Classical Mechanics, 4-87, solved for the
+/// rates), and the refusal where the metric varies.
+#[test]
+fn kinematics_of_euler_angles() {
+    let path = |name: &str| {
+        format!("{}/examples/definitions/{name}", concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+    };
+    let angles = path("euler_angles.toml");
+    let text = printed(&[&angles, "--metric", "diag(1,2,3)", "--connection", "plus"]);
+    for line in [
+        "dphi/dt = sin(psi)/sin(theta)*Omega1 + cos(psi)/sin(theta)*Omega2\n",
+        "dtheta/dt = cos(psi)*Omega1 - sin(psi)*Omega2\n",
+        "dOmega1/dt = -Omega2*Omega3 + M1\n",
+    ] {
+        assert!(text.contains(line), "{text}");
+    }
+    let orbits = ["--motion", "autoparallel", "--format", "latex"];
+    let orbits = printed(&[&[path("schwarzschild.toml").as_str()], &orbits[..]].concat());
+    let sine = "- \\sin^{2} \\theta \\left(2 M - r\\right) \\, (v^{4})^2";
+    assert!(orbits.contains(sine), "{orbits}");
+    let program = env!("CARGO_BIN_EXE_affinor");
+    let output = Command::new(program).args(["equations", &path("sphere.toml")]).output().unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        String::from_utf8_lossy(&output.stderr).contains("need a metric with constant components")
+    );
+}
+
+/// In a moving frame the Euler-Poincare equations are Boltzmann's and Hamel's, with structure
+/// functions; another connection does not give them.
+#[test]
+fn moving_frames_tell_other_connections_apart() {
+    let folder = tempfile::tempdir().unwrap();
+    let frame = "[chart]\ncoordinates = ['theta', 'phi']\n[frame]\ne1 = 'd_theta'\n\
+                 e2 = '1/sin(theta)*d_phi'\n[metric]\ncomponents = 'identity'\n[connection]\n";
+    for (connection, title) in [
+        ("kind = 'levi-civita'", "Euler-Poincare equations of"),
+        ("affinities = 'nabla[e1, e2] = e1'", "DH/Dt = M (not the Euler-Poincare equations) of"),
+    ] {
+        let path = folder.path().join("sphere.toml");
+        std::fs::write(&path, format!("name = 'sphere'\n{frame}{connection}\n")).unwrap();
+        let text = printed(&[path.to_str().unwrap()]);
+        assert!(text.starts_with(title), "{text}");
+    }
+}
+
+#[test]
+fn names_do_not_meet_parameters() {
+    let so3 = seed("so(3)").map(|v| Symbolic::constant(v.clone())).unwrap();
+    let symbols = ["M1", "Omega2", "c"].map(Symbolic::parameter);
+    let rows: Vec<Vec<Symbolic>> = (0..3)
+        .map(|i| (0..3).map(|j| if i == j { symbols[i].clone() } else { zero() }).collect())
+        .collect();
+    let inertia = metric(&so3, &rows);
+    let plus = ConnectionKind::Canonical(Canonical::Plus);
+    let geometry = Geometry::new("so(3)", so3, plus, Some(inertia)).unwrap();
+    let equations =
+        Equations::euler_poincare(geometry.connection(), geometry.metric().unwrap()).unwrap();
+    let mut text = Vec::new();
+    let system = EquationReport::new(equations, &geometry);
+    system.write(Format::Text, &mut text).unwrap();
+    let text = String::from_utf8(text).unwrap();
+    assert!(text.contains("M1*dOmega_1/dt = (Omega2 - c)*Omega_2*Omega_3 + M_1"), "{text}");
+    let mut latex = Vec::new();
+    system.write(Format::Latex, &mut latex).unwrap();
+    let latex = String::from_utf8(latex).unwrap();
+    assert!(latex.contains("\\mathit{M\\_}_{1}"), "{latex}");
+}
+
+fn zero() -> Symbolic {
+    num_traits::Zero::zero()
+}

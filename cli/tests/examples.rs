@@ -1,0 +1,146 @@
+//! The examples run, and every definition beside them passes `affinor check`.
+
+use affinor_documents::definition::{
+    Definition, InputError, Reading, Request, ScalarChoice, Space, Work,
+};
+use affinor_tensors::{Notation, Tolerance};
+use std::path::Path;
+use std::process::Command;
+
+#[path = "../../examples/01_so3_two_geometries.rs"]
+mod so3_two_geometries;
+
+#[path = "../../examples/02_any_bracket.rs"]
+mod any_bracket;
+
+#[path = "../../examples/03_levi_civita_of_a_metric.rs"]
+mod levi_civita_of_a_metric;
+
+#[path = "../../examples/04_moving_frames.rs"]
+mod moving_frames;
+
+#[path = "../../examples/05_definition_from_gap.rs"]
+#[allow(dead_code, reason = "its main takes the arguments of the test run for its own")]
+mod definition_from_gap;
+
+#[path = "../../examples/06_matrix_basis.rs"]
+mod matrix_basis;
+
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+#[test]
+fn one_group_two_geometries() -> Outcome {
+    so3_two_geometries::main()
+}
+
+#[test]
+fn any_bracket() -> Outcome {
+    any_bracket::main()
+}
+
+#[test]
+fn levi_civita_of_a_metric() -> Outcome {
+    levi_civita_of_a_metric::main()
+}
+
+#[test]
+fn moving_frames() -> Outcome {
+    moving_frames::main()
+}
+
+#[test]
+fn matrix_basis() -> Outcome {
+    matrix_basis::main()
+}
+
+struct Dimension;
+
+impl Work for Dimension {
+    type Output = (usize, usize);
+
+    /// The dimension, and the number of structure constants; Jacobi is checked on the way.
+    fn run<S: Notation>(
+        self,
+        definition: &Definition,
+        reading: &Reading<S>,
+    ) -> Result<(usize, usize), InputError> {
+        let algebra = definition.algebra(reading)?;
+        Ok((algebra.dimension(), algebra.structure().len()))
+    }
+}
+
+#[test]
+fn a_table_of_gap_becomes_a_definition() -> Outcome {
+    let text = definition_from_gap::definition("E8", 248, definition_from_gap::E8)?;
+    let file = tempfile::Builder::new().suffix(".toml").tempfile()?;
+    std::fs::write(file.path(), text)?;
+    let space = file.path().to_str().ok_or("a path that is no text")?.to_string();
+    let space = Space::open(&Request { space: Some(space), ..Request::default() })?;
+    let found = space.run(ScalarChoice::Exact, Tolerance::default(), Dimension)?;
+    assert_eq!(found, (248, 2 * 8347));
+    assert!(definition_from_gap::definition("short", 2, "1 2 1").is_err());
+    Ok(())
+}
+
+#[test]
+fn every_definition_passes_check() -> Outcome {
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("examples/definitions");
+    let mut checked = 0;
+    for entry in std::fs::read_dir(folder)? {
+        let path = entry?.path();
+        let output =
+            Command::new(env!("CARGO_BIN_EXE_affinor")).arg("check").arg(&path).output()?;
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{}: {message}", path.display());
+        checked += 1;
+    }
+    assert!(checked >= 15, "{checked} definitions");
+    Ok(())
+}
+
+/// The Killing form of so(3).
+const KILLING: &str = "killing,1,1,,,-2\nkilling,2,2,,,-2\nkilling,3,3,,,-2\n";
+
+/// The Killing form of so(4) in the basis of `jensen_so4.toml`.
+const JENSEN: &str = "killing,1,1,,,-4\nkilling,2,2,,,-4\nkilling,3,3,,,-4\n\
+                      killing,4,4,,,-4\nkilling,5,5,,,-4\nkilling,6,6,,,-4\n";
+
+#[test]
+fn the_definitions_say_what_they_claim() -> Outcome {
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("examples/definitions");
+    let expected = [
+        ("aff1_hyperbolic.toml", "scalar_curvature", "scalar_curvature,,,,,-2\n"),
+        ("affinities.toml", "torsion", ""),
+        ("so3.toml", "killing", "killing,1,1,,,-2\nkilling,2,2,,,-2\nkilling,3,3,,,-2\n"),
+        (
+            "structure_constants.json",
+            "killing",
+            "killing,1,1,,,-2\nkilling,2,2,,,-2\nkilling,3,3,,,-2\n",
+        ),
+        ("su2_complex.toml", "killing", "killing,1,1,,,-2\nkilling,2,2,,,-2\nkilling,3,3,,,-2\n"),
+        ("sl2_matrices.toml", "killing", "killing,1,2,,,4\nkilling,2,1,,,4\nkilling,3,3,,,8\n"),
+        ("heisenberg.toml", "ricci", "ricci,1,1,,,-1/2\nricci,2,2,,,-1/2\nricci,3,3,,,1/2\n"),
+        ("bianchi_vi_h.toml", "killing", "killing,3,3,,,h^2 + 1\n"),
+        ("hyperbolic_space.toml", "weyl,kretschmann", "kretschmann,,,,,24\n"),
+        ("complex_hyperbolic_plane.toml", "cotton", ""),
+        ("jensen_so4.toml", "killing", JENSEN),
+        ("milnor_nonunimodular.toml", "ricci_antisymmetric", ""),
+        ("sphere.toml", "scalar_curvature", "scalar_curvature,,,,,2/a^2\n"),
+        ("hyperbolic_plane.toml", "scalar_curvature", "scalar_curvature,,,,,-2\n"),
+        ("poincare_half_space.toml", "scalar_curvature", "scalar_curvature,,,,,-6\n"),
+        ("schwarzschild.toml", "ricci", ""),
+        ("kerr.toml", "ricci", ""),
+        ("gibbs_vector.toml", "killing", KILLING),
+        ("rotation_vector.toml", "killing", KILLING),
+        ("euler_angles.toml", "ricci", "ricci,1,1,,,1/2\nricci,2,2,,,1/2\nricci,3,3,,,1/2\n"),
+    ];
+    for (file, show, rows) in expected {
+        let output = Command::new(env!("CARGO_BIN_EXE_affinor"))
+            .args(["table", "--format", "csv", "--show", show])
+            .arg(folder.join(file))
+            .output()?;
+        let text = String::from_utf8(output.stdout)?;
+        assert_eq!(text, format!("tensor,i,j,k,l,value\n{rows}"), "{file}");
+    }
+    Ok(())
+}

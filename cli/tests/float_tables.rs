@@ -1,0 +1,126 @@
+//! Tables and certificates in floats, as the program prints them: no noise where theory has zero.
+
+use crate::program::{run, stdout};
+use std::path::Path;
+
+const METRIC: &str = "[[0.1,1/3,2],[1/3,1/3,2],[2,2,0]]";
+
+fn table(space: &str, metric: &str, scalar: &str, show: &str) -> String {
+    stdout(
+        Path::new("."),
+        &[
+            "table", space, "--metric", metric, "--scalar", scalar, "--show", show, "--format",
+            "csv",
+        ],
+    )
+}
+
+/// The rows of a CSV table without their values.
+fn places(csv: &str) -> Vec<&str> {
+    csv.lines().map(|line| line.rsplit_once(',').unwrap().0).collect()
+}
+
+#[test]
+fn what_vanishes_by_dimension_or_theory_is_not_listed() {
+    let zero = "torsion,nonmetricity,ricci_antisymmetric,weyl,nabla_torsion";
+    for metric in [METRIC, "diag(0.1,0.7,1.3)", "[[1e-3,1e-2,0],[1e-2,0.7,0.1],[0,0.1,1e3]]"] {
+        for space in ["sl2", "so3", "se2", "bianchi(VI,h=-1/3)"] {
+            let csv = table(space, metric, "float", zero);
+            assert_eq!(csv, "tensor,i,j,k,l,value\n", "{space} {metric}");
+        }
+    }
+}
+
+#[test]
+fn float_tables_list_what_exact_ones_do() {
+    for space in ["sl2", "so3", "heisenberg(3)", "bianchi(VI,h=-1/3)", "bianchi(IX)"] {
+        for metric in [METRIC, "[[2,0.3,0],[0.3,1/7,0],[0,0,-1]]", "killing"] {
+            if metric == "killing" && !["sl2", "so3"].contains(&space) {
+                continue;
+            }
+            let [exact, float] =
+                ["exact", "float"].map(|scalar| table(space, metric, scalar, "all"));
+            assert_eq!(places(&float), places(&exact), "{space} {metric}");
+        }
+    }
+}
+
+#[test]
+fn certificates_hold_in_floats() {
+    for space in ["sl2", "so3", "se3", "so(3,1)", "heisenberg(5)", "A2"] {
+        let n: usize = match space {
+            "se3" | "so(3,1)" => 6,
+            "heisenberg(5)" => 5,
+            "A2" => 8,
+            _ => 3,
+        };
+        let rows = (0..n).map(|i| {
+            let entry = |j: usize| match i.abs_diff(j) {
+                0 => format!("{}/3", i + 1),
+                1 => "0.1".to_string(),
+                _ => "0".to_string(),
+            };
+            format!("[{}]", (0..n).map(entry).collect::<Vec<_>>().join(","))
+        });
+        let metric = format!("[{}]", rows.collect::<Vec<_>>().join(","));
+        let arguments = ["check", space, "--metric", &metric, "--scalar", "float"];
+        let outcome = run(Path::new("."), &arguments, b"");
+        assert_eq!(outcome.status, 0, "{space}: {}{}", outcome.out, outcome.err);
+    }
+}
+
+/// A component below the tolerance still cancels one that is above it.
+#[test]
+fn certificates_hold_over_many_scales() {
+    for exponent in 0..=9 {
+        for digit in [1, 3] {
+            let metric = format!("diag(1,1,1,1,1,1,{digit}e-{exponent},1)");
+            let arguments = ["check", "sl(3)", "--connection", "levi-civita", "--metric", &metric];
+            let outcome =
+                run(Path::new("."), &[&arguments[..], &["--scalar", "float"]].concat(), b"");
+            assert_eq!(outcome.status, 0, "{metric}: {}", outcome.out);
+        }
+    }
+}
+
+/// `table - --scalar float` of affinities without brackets.
+fn of_affinities(dimension: usize, affinities: &str, options: &[&str]) -> String {
+    let file = format!(
+        "dimension = {dimension}\nbrackets = \"\"\naffinities = \"\"\"\n{affinities}\"\"\"\n"
+    );
+    let arguments = [&["table", "-", "--scalar", "float", "--format", "csv"], options].concat();
+    let outcome = run(Path::new("."), &arguments, file.as_bytes());
+    assert_eq!(outcome.status, 0, "{}", outcome.err);
+    outcome.out
+}
+
+/// `R^1_413 = 1e16 - 1e16 + 1` is not shown, and cancels `R^2_423 = -1` in the Ricci tensor.
+#[test]
+fn a_component_that_is_not_shown_enters_the_next_sum() {
+    let affinities = "nabla[e1, e5] = 100000000*e1\n\
+                      nabla[e3, e4] = 100000000*e5 - 100000000*e6 + e7 - e8\n\
+                      nabla[e1, e6] = 100000000*e1\n\
+                      nabla[e1, e7] = e1\n\
+                      nabla[e2, e8] = e2\n";
+    let csv = of_affinities(8, affinities, &["--show", "curvature,ricci"]);
+    assert!(csv.contains("\ncurvature,2,4,2,3,-1\n"), "{csv}");
+    assert!(!csv.contains("\ncurvature,1,4,1,3,"), "{csv}");
+    assert!(!csv.contains("\nricci,4,3,"), "{csv}");
+}
+
+/// A tolerance holds in all stages: here `R^1_212 = 1e-15` of terms of size 1.
+#[test]
+fn a_smaller_tolerance_is_kept_to() {
+    let affinities = "nabla[e1, e1] = e1\n\
+                      nabla[e2, e2] = e1\n\
+                      nabla[e2, e1] = e1\n\
+                      nabla[e1, e2] = (1 - 1e-15)*e1\n";
+    let show = ["--show", "torsion,curvature"];
+    let shown = |tolerance: &[&str]| {
+        let csv = of_affinities(2, affinities, &[&show[..], tolerance].concat());
+        csv.lines().map(|line| line.split(',').next().unwrap().to_string()).collect::<Vec<_>>()
+    };
+    assert_eq!(shown(&[]), ["tensor"]);
+    let all = ["tensor", "torsion", "torsion", "curvature", "curvature"];
+    assert_eq!(shown(&["--tolerance", "1e-17"]), all);
+}

@@ -1,0 +1,177 @@
+//! `exp`, `log`, `compose`, `adjoint`, `transport` and `convert`, through the program.
+
+use crate::program::run;
+use std::path::Path;
+
+/// Standard output, of a run that succeeds.
+fn output(arguments: &[&str], input: &str) -> String {
+    let outcome =
+        run(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")), arguments, input.as_bytes());
+    assert_eq!(outcome.status, 0, "{arguments:?}: {}", outcome.err);
+    outcome.out
+}
+
+/// The numbers of the output.
+fn numbers(arguments: &[&str], input: &str) -> Vec<f64> {
+    let text = output(arguments, input);
+    let apart = |c: char| c.is_whitespace() || ",[]".contains(c);
+    let words = text.split(apart).filter(|word| !word.is_empty());
+    words.map(|word| word.parse().unwrap_or_else(|_| panic!("{word}"))).collect()
+}
+
+fn near(found: &[f64], expected: &[f64]) {
+    assert_eq!(found.len(), expected.len(), "{found:?}");
+    for (a, b) in found.iter().zip(expected) {
+        // text has twelve digits
+        assert!((a - b).abs() < 1e-11 * (1.0 + b.abs()), "{found:?} and not {expected:?}");
+    }
+}
+
+/// Exit status and message of a run that fails.
+fn refusal(arguments: &[&str], input: &str) -> (i32, String) {
+    let outcome =
+        run(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")), arguments, input.as_bytes());
+    (outcome.status, outcome.err)
+}
+
+#[test]
+fn a_quarter_turn() {
+    let turn = [0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+    near(&numbers(&["exp", "so3", "0,0,pi/2"], ""), &turn);
+    near(&numbers(&["exp", "so3", "--degrees", "[0, 0, 90]", "--format", "csv"], ""), &turn);
+    near(&numbers(&["log", "so3", "0,-1,0, 1,0,0, 0,0,1", "--degrees"], ""), &[0.0, 0.0, 90.0]);
+    // a third of a turn about the diagonal
+    let third = std::f64::consts::TAU / 3.0 / 3f64.sqrt();
+    near(&numbers(&["compose", "so3", "0,0,pi/2, pi/2,0,0"], ""), &[third; 3]);
+}
+
+/// `Ad` of a translation `t` takes `(w, v)` to `(w, v + t x w)`.
+#[test]
+fn adjoint_of_a_translation() {
+    let ad = numbers(&["adjoint", "se3", "0,0,0,1,2,3", "--format", "json"], "");
+    let column: Vec<f64> = (0..6).map(|i| ad[6 * i]).collect();
+    // (1,2,3) x (1,0,0) = (0,3,-2)
+    near(&column, &[1.0, 0.0, 0.0, 0.0, 3.0, -2.0]);
+}
+
+/// Rows in, rows out: heads and remarks are skipped, both notations are read.
+#[test]
+fn rows_of_standard_input() {
+    let input = "x,y,z\n0,0,0\n\n# a remark\n[0, 0, 3.141592653589793]\n-1e-3;0;0\n";
+    let back = output(&["exp", "so3", "--format", "csv"], input);
+    let vectors = output(&["log", "so3", "--format", "json"], &back);
+    let lines: Vec<&str> = vectors.lines().collect();
+    assert_eq!(lines.len(), 3);
+    assert_eq!(lines[0], "[0,0,0]");
+    assert_eq!(lines[1], "[0,0,3.141592653589793]");
+    // small angles keep their digits but for roundings
+    let small: f64 =
+        lines[2].trim_start_matches('[').split(',').next().unwrap_or("").parse().expect("x");
+    assert!((small + 1e-3).abs() < 1e-18 && lines[2].ends_with(",0,0]"), "{}", lines[2]);
+}
+
+/// Where no name says which group it is: unipotent matrices, brackets of a nilpotent algebra, ad.
+#[test]
+fn groups_of_any_algebra() {
+    near(
+        &numbers(&["exp", "heisenberg3", "1,2,3"], ""),
+        &[1.0, 1.0, 4.0, 0.0, 1.0, 2.0, 0.0, 0.0, 1.0],
+    );
+    near(&numbers(&["compose", "heisenberg3", "1,0,0, 0,1,0"], ""), &[1.0, 1.0, 0.5]);
+    // by brackets alone: elements are columns of coordinates
+    let file = "examples/definitions/heisenberg.toml";
+    near(&numbers(&["exp", file, "1,2,3"], ""), &[1.0, 2.0, 3.0]);
+    // a centre beside the brackets, and one among them
+    near(&numbers(&["compose", "so3+R^1", "0,0,1,2, 0,0,1,3"], ""), &[0.0, 0.0, 2.0, 5.0]);
+    // brackets alone, with a centre and too many derivations to solve for
+    let (code, message) =
+        refusal(&["exp", "-", "1"], "dimension = 25\nbrackets = '[e1,e2] = e2'\n");
+    assert_eq!(code, 1);
+    assert!(message.contains("centre") && message.contains("by matrices"), "{message}");
+    // a column for each factor, in the order of the sum
+    let row = numbers(&["exp", "R^2+so2+heisenberg3", "--degrees", "1,2, 90, 1,2,3"], "");
+    near(&row, &[1.0, 2.0, 0.0, -1.0, 1.0, 0.0, 1.0, 1.0, 4.0, 0.0, 1.0, 2.0, 0.0, 0.0, 1.0]);
+    let element: Vec<String> = row.iter().map(f64::to_string).collect();
+    let back = ["log", "R^2+so2+heisenberg3", "--degrees", &element.join(",")];
+    near(&numbers(&back, ""), &[1.0, 2.0, 90.0, 1.0, 2.0, 3.0]);
+    let adjoint = numbers(&["adjoint", "se3+se3", "0,0,0,1,2,3, 0,0,0,0,0,0"], "");
+    assert_eq!(adjoint.len(), 144);
+    assert_eq!(numbers(&["exp", "se_2(3)", "0,0,0,1,2,3,4,5,6"], "").len(), 25);
+    let product = ["compose", "so3+heisenberg3", "0,0,1,1,0,0, 0,0,1,0,1,0"];
+    near(&numbers(&product, ""), &[0.0, 0.0, 2.0, 1.0, 1.0, 0.5]);
+}
+
+#[test]
+fn translation_around_a_closed_subgroup() {
+    let identity = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
+    near(&numbers(&["transport", "so3@plus", "--along", "0,0,2*pi"], ""), &identity);
+    let half_turn = [-1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0];
+    near(&numbers(&["transport", "SO3", "--along", "0,0,360", "--degrees"], ""), &half_turn);
+    // in two halves, and a vector given on standard input
+    let halves = ["transport", "SO3", "--along", "0,0,pi", "--along", "0,0,pi", "-"];
+    near(&numbers(&halves, "1,2,3\n"), &[-1.0, -2.0, 3.0]);
+    // back along the same arc
+    let back = ["transport", "so3@levi-civita;metric=diag(1,2,4)", "--along", "1,2,3", "--along"];
+    near(&numbers(&[&back[..], &["-1,-2,-3", "-1,0.5,2"]].concat(), ""), &[-1.0, 0.5, 2.0]);
+}
+
+#[test]
+fn conversions() {
+    let quaternion = numbers(&["convert", "--from", "vector", "--to", "quaternion", "0,0,pi"], "");
+    near(&quaternion, &[0.0, 0.0, 0.0, 1.0]);
+    let angles = ["convert", "--from", "ZYX", "--to", "matrix", "--degrees", "90,0,0"];
+    near(&numbers(&angles, ""), &[0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
+    let locked = ["convert", "--from", "vector", "--to", "ZYX", "--degrees", "0,90,0"];
+    let outcome = run(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")), &locked, b"");
+    assert_eq!(outcome.out.trim(), "0 90 0");
+    assert!(outcome.err.contains("gimbal lock in 1 row:"), "{}", outcome.err);
+}
+
+/// Bad rows say where they are, with status 2 for the writing and 1 for the mathematics.
+#[test]
+fn what_is_refused() {
+    let cases: [(&[&str], &str, i32, &str); 12] = [
+        (&["exp", "so3", "1,2"], "", 2, "has 3 numbers, not 2"),
+        (&["exp", "so3", "1,2,x"], "", 2, "names are pi and tau"),
+        (&["exp", "so3", "1,2,1/0"], "", 2, "divides by zero"),
+        (&["exp", "so3", "1,2,1e999"], "", 2, "beyond the range"),
+        (&["exp", "so3", "1,2,nan"], "", 2, "no number"),
+        (&["exp", "so3"], "1,2,3\n4,5\n", 2, "<standard input>, line 2"),
+        (&["exp", "so3", "1,2,3", "--format", "latex"], "", 2, "text, csv, json"),
+        (&["log", "so3", "1,0,0,0,1,0,0,0,2"], "", 1, "R^T R differs from 1"),
+        (&["log", "so3", "-1,0,0,0,1,0,0,0,1"], "", 1, "reflection"),
+        (&["log", "sl2", "-2,0,0,-0.5"], "", 1, "trace is -2.5"),
+        (&["convert", "--from", "vector", "--to", "XXY", "1,2,3"], "", 2, "the kinds are"),
+        (&["exp", "examples/definitions/sphere.toml", "1,2"], "", 2, "chart"),
+    ];
+    for (arguments, input, code, part) in cases {
+        let (found, message) = refusal(arguments, input);
+        assert_eq!(found, code, "{arguments:?}: {message}");
+        assert!(message.contains(part), "{arguments:?}: {message}");
+    }
+    // a number in the first line makes it a row, and a bad one
+    let (code, message) = refusal(&["exp", "so3"], "1,2,x\n1,2,3\n");
+    assert_eq!((code, message.contains("names are pi")), (2, true), "{message}");
+    let (code, message) = refusal(&["transport", "SO3", "--along", "1e100,1,2", "1,2,3"], "");
+    assert_eq!((code, message.contains("turns too often")), (1, true), "{message}");
+    let (code, message) = refusal(&["exp", "sl2", "1,1,800"], "");
+    assert_eq!(
+        (code, message.contains("row 1, column 1 of the result is inf")),
+        (1, true),
+        "{message}"
+    );
+    let outcome = run(
+        Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")),
+        &["exp", "so3"],
+        b"1,2,3\n\xff\n",
+    );
+    assert_eq!(outcome.status, 2);
+    assert!(outcome.err.contains("cannot read standard input, line 2"), "{}", outcome.err);
+    // what stood before the bad row is written
+    let outcome = run(
+        Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")),
+        &["log", "so2"],
+        b"0,-1,1,0\nx\n",
+    );
+    assert_eq!((outcome.status, outcome.out.lines().count()), (2, 1));
+}

@@ -1,0 +1,27 @@
+//! What the program does, a module a claim.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+#[path = "../../tests/common/mod.rs"]
+mod common;
+mod program;
+
+mod bad_input;
+mod chart_definitions;
+mod cli;
+mod compare;
+mod documents;
+mod e8;
+mod equations;
+mod examples;
+#[cfg(feature = "plot")]
+mod figures;
+mod float_tables;
+mod group_commands;
+mod paper_page;
+#[cfg(feature = "plot")]
+mod plot;
+mod range_of_floats;
+#[cfg(unix)]
+mod simulate;
+mod snapshots;
+mod verify;

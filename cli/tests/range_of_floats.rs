@@ -1,0 +1,125 @@
+//! Exact numbers that floats do not hold are refused where they would be written as floats.
+
+use affinor_tensors::{Field, Notation, Rational, Ring};
+use num_traits::pow;
+use std::fs;
+
+fn power_of_ten(exponent: i32) -> Rational {
+    let power = pow(Rational::from(10), exponent.unsigned_abs() as usize);
+    if exponent < 0 { power.recip().unwrap() } else { power }
+}
+
+/// Kept to a rounding, or refused: above the largest float, and below the smallest normal one unless
+/// the number is the shortest decimal of a float.
+#[test]
+fn conversion_keeps_the_digits_or_refuses() {
+    for exponent in -420..=420 {
+        for digits in [1, 3, 17, 123_456_789_012_345_678_i64] {
+            for sign in [1, -1] {
+                let number = power_of_ten(exponent) * &Rational::from(sign * digits);
+                let text = format!("{}e{exponent}", sign * digits);
+                let nearest: f64 = text.parse().unwrap();
+                match f64::from_rational(&number) {
+                    Some(x) => assert_eq!(x, nearest, "{text}"),
+                    None => assert!(!nearest.is_normal(), "{text}"),
+                }
+                let lost = nearest.is_subnormal() && digits > 1 << 50;
+                if nearest == 0.0 || nearest.is_infinite() || lost {
+                    assert_eq!(f64::from_rational(&number), None, "{text}");
+                }
+            }
+        }
+    }
+    assert_eq!(f64::from_rational(&Rational::from(0)), Some(0.0));
+    // every subnormal float is read back as it is written
+    for bits in [1, 2, 3, 77, 1 << 30, (1 << 52) - 1] {
+        let x = f64::from_bits(bits);
+        let text = format!("{x:e}");
+        let (mantissa, exponent) = text.split_once('e').unwrap();
+        let behind = mantissa.split_once('.').map_or(0, |(_, behind)| behind.len() as i32);
+        let digits: i64 = mantissa.replace('.', "").parse().unwrap();
+        let exact =
+            power_of_ten(exponent.parse::<i32>().unwrap() - behind) * &Rational::from(digits);
+        assert_eq!(f64::from_rational(&exact), Some(x), "{text}");
+    }
+    assert!(Rational::from(0).vanishes());
+}
+
+/// What stands for a number too large, too small, and one that keeps too few digits.
+const BEYOND: [&str; 4] = ["1e400", "1e-400", "-1e309", "1.2345678901e-318"];
+
+/// Refused by every command that computes or writes floats, with status 2 and nothing on standard output.
+#[test]
+fn every_command_refuses_what_floats_do_not_hold() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str], input: &str| {
+        crate::program::run(folder.path(), arguments, input.as_bytes())
+    };
+    for number in BEYOND {
+        let metric = format!("diag({number},1,1)");
+        let problem = format!(
+            "space = \"so(3)\"\nmetric = \"diag(1, 2, 3)\"\n[initial]\nvelocity = [\"{number}\", 1, 1]\n\
+             [integration]\nmethod = \"rkmk4\"\nstep = 0.1\nend = 1\n"
+        );
+        fs::write(folder.path().join("top.toml"), problem).unwrap();
+        let row = format!("{number} 0 0");
+        let with = |pre: &[&str]| {
+            let mut all: Vec<String> = pre.iter().map(|word| word.to_string()).collect();
+            all.extend(["--metric".to_string(), metric.clone()]);
+            all
+        };
+        let mut cases: Vec<(Vec<String>, &str)> = vec![
+            (with(&["table", "so3", "--scalar", "float"]), ""),
+            (with(&["check", "so3", "--scalar", "float"]), ""),
+            (with(&["equations", "so3", "--scalar", "float"]), ""),
+        ];
+        for language in ["c", "python", "rust"] {
+            cases.push((with(&["equations", "so3", "--code", language]), ""));
+            cases.push((with(&["equations", "so3", "--scalar", "float", "--code", language]), ""));
+        }
+        let plain = |words: &[&str]| words.iter().map(|word| word.to_string()).collect::<Vec<_>>();
+        for command in ["exp", "adjoint"] {
+            cases.push((plain(&[command, "so3"]), &row));
+        }
+        cases.push((plain(&["simulate", "top.toml"]), ""));
+        for (arguments, input) in cases {
+            let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+            let outcome = run(&arguments, input);
+            assert_eq!(outcome.status, 2, "{arguments:?}: {outcome:?}");
+            assert_eq!(outcome.out, "", "{arguments:?}");
+            for wrong in ["inf", "NaN", "panicked"] {
+                assert!(!outcome.err.contains(wrong), "{arguments:?}: {}", outcome.err);
+            }
+        }
+    }
+    // computed values that leave the range are no names of parameters either
+    let large = ["equations", "so3", "--scalar", "float", "--metric", "diag(1e200,1e-200,1)"];
+    for rest in [&["--solved"][..], &["--code", "c"], &["--code", "python"], &["--code", "rust"]] {
+        let arguments = [&large[..], rest].concat();
+        let outcome = run(&arguments, "");
+        assert!(!outcome.out.contains("inf") && !outcome.out.contains("nan"), "{}", outcome.out);
+    }
+    // exact output has no range
+    let exact = run(&["equations", "so3", "--metric", "diag(1e400,1,1)"], "");
+    assert_eq!(exact.status, 0, "{}", exact.err);
+}
+
+/// Rows of floats: what is written as a float is read as one, and zero is zero.
+#[test]
+fn small_numbers_in_rows() {
+    let folder = tempfile::tempdir().unwrap();
+    // the rows of a matrix: [[1, x, z + x y/2], [0, 1, y], [0, 0, 1]]
+    for (row, expected) in [
+        ("0 -0.0 0e5", "1,0,0,0,1,0,0,0,1\n"),
+        ("5e-324 -2.5e-310 0", "1,5e-324,0,0,1,-2.5e-310,0,0,1\n"),
+        ("1/4 1e-200*1e-100 0", "1,0.25,1.25e-301,0,1,1e-300,0,0,1\n"),
+    ] {
+        let arguments = ["exp", "heisenberg(3)", "--format", "csv"];
+        let outcome = crate::program::run(folder.path(), &arguments, row.as_bytes());
+        assert_eq!(outcome.out, expected, "{row}: {}", outcome.err);
+    }
+    for row in ["1e-200*1e-200 0 0", "1/1e308 0 0", "0 0 1e-325", "0 1e308*10 0"] {
+        let outcome = crate::program::run(folder.path(), &["exp", "heisenberg(3)"], row.as_bytes());
+        assert_eq!((outcome.status, outcome.out.as_str()), (2, ""), "{row}: {}", outcome.err);
+    }
+}

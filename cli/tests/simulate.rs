@@ -1,0 +1,69 @@
+//! `affinor simulate`: what is written, and what happens when something goes wrong.
+#![cfg(unix)]
+
+mod checkpoints;
+mod events;
+mod forces;
+mod running;
+mod signals;
+mod stops;
+mod written;
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+use tempfile::{TempDir, tempdir};
+
+/// A spinning top that takes a while.
+const TOP: &str = r#"
+space = "so3"
+metric = "diag(1, 2, 3)"
+[initial]
+velocity = [1, "w", 0.2]
+[parameters]
+w = 0.1
+[forces]
+potential = "g33 + g12*g23"
+body = ["-0.001*Omega1", "0.01*sin(t)", 0]
+[integrator]
+tolerance = 1e-12
+[output]
+end = 400
+every = 0.25
+[ensemble]
+samples = 40
+seed = 5
+random = { w = "normal(0, 0.1)" }
+"#;
+
+fn folder(problem: &str) -> TempDir {
+    let folder = tempdir().unwrap();
+    fs::write(folder.path().join("top.toml"), problem).unwrap();
+    folder
+}
+
+fn simulate(folder: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_affinor"));
+    command.current_dir(folder).args(["simulate", "top.toml"]);
+    command
+}
+
+fn done(command: &mut Command) -> Output {
+    let output = command.output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    output
+}
+
+fn refused(command: &mut Command, status: i32) -> String {
+    let output = command.output().unwrap();
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(status), "{message}");
+    message
+}
+
+/// The first column of what is written.
+fn times(folder: &Path) -> Vec<f64> {
+    let output = done(&mut simulate(folder));
+    let text = String::from_utf8(output.stdout).unwrap();
+    text.lines().skip(1).map(|line| line.split(',').next().unwrap().parse().unwrap()).collect()
+}

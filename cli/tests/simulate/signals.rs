@@ -1,0 +1,96 @@
+//! Signals: exit status, rows and checkpoints of interrupted runs.
+
+use super::running::{interrupted, saved, saved_rows, send};
+use super::{TOP, done, folder, simulate};
+use crate::program::wait;
+use std::fs;
+use std::io::{BufRead, BufReader, Read};
+use std::process::{Child, Stdio};
+use std::thread;
+
+/// A signal ends a run, also between two rows, and loses none of them.
+#[test]
+fn a_signal_leaves_rows_and_a_checkpoint() {
+    for (signal, status) in [("INT", 130), ("TERM", 143)] {
+        let folder = folder(TOP);
+        let folder = folder.path();
+        done(simulate(folder).args(["-o", "whole.csv"]));
+        let mut run = simulate(folder);
+        run.args(["--checkpoint", "c", "--checkpoint-every", "0", "-o", "rows.csv"]);
+        let begun = || saved_rows(folder) > 3;
+        let (found, message) = interrupted(&mut run, signal, begun);
+        assert_eq!(found, status, "{message}");
+        assert!(message.contains("up to this time to rows.partial.csv"), "{message}");
+        let whole = fs::read_to_string(folder.join("whole.csv")).unwrap();
+        let part = fs::read_to_string(folder.join("rows.partial.csv")).unwrap();
+        assert!(part.lines().count() > 3 && part.len() < whole.len(), "{message}");
+        assert!(whole.starts_with(&part));
+        done(simulate(folder).args(["--checkpoint", "c", "--resume", "-o", "rows.csv"]));
+        assert!(whole == fs::read_to_string(folder.join("rows.csv")).unwrap());
+    }
+    // between two rows that are far apart, to standard output
+    let far = folder(&TOP.replace("end = 400", "end = 1e6").replace("0.25", "1e6"));
+    let mut run = simulate(far.path());
+    run.args(["--checkpoint", "c", "--checkpoint-every", "0"]).stdout(Stdio::null());
+    let (status, message) =
+        interrupted(&mut run, "INT", || !saved(far.path())["snapshot"].is_null());
+    assert_eq!(status, 130, "{message}");
+    assert!(message.contains("wrote 1 row up to this time"), "{message}");
+}
+
+#[test]
+fn a_signal_keeps_the_members_that_are_done() {
+    let problem = TOP.replace("samples = 40", "samples = 300").replace("end = 400", "end = 10");
+    let folder = folder(&problem);
+    let folder = folder.path();
+    let ensemble = ["--ensemble", "--checkpoint", "c", "--checkpoint-every", "0"];
+    done(simulate(folder).args(["--ensemble", "-o", "whole.csv"]));
+    let mut run = simulate(folder);
+    let (status, message) =
+        interrupted(run.args(ensemble).args(["-o", "rows.csv"]), "TERM", || saved_rows(folder) > 0);
+    assert_eq!(status, 143, "{message}");
+    let part = fs::read_to_string(folder.join("rows.partial.csv")).unwrap();
+    assert!(part.lines().count() > 128 * 41, "{message}");
+    done(simulate(folder).args(ensemble).args(["--resume", "-o", "rows.csv"]));
+    assert!(
+        fs::read(folder.join("whole.csv")).unwrap() == fs::read(folder.join("rows.csv")).unwrap()
+    );
+}
+
+/// The first byte on standard output. Nobody reads the others, so that a long run cannot end.
+fn first_byte(child: &mut Child) {
+    child.stdout.as_mut().unwrap().read_exact(&mut [0]).unwrap();
+}
+
+#[test]
+fn a_second_signal_kills() {
+    let problem = TOP.replace("0.25", "0.001").replace("end = 400", "end = 1000");
+    let folder = folder(&format!("{problem}[events]\nflip = \"Omega2\"\n"));
+    let mut run = simulate(folder.path());
+    let mut child = run.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut messages = BufReader::new(child.stderr.take().unwrap()).lines();
+    // two events lie a thousand rows apart, more than a pipe holds
+    let mut flip = || assert!(messages.any(|line| line.unwrap().starts_with("flip at t = ")));
+    flip();
+    flip();
+    send("INT", &child);
+    first_byte(&mut child);
+    assert!(child.try_wait().unwrap().is_none());
+    // signals that follow the first at once belong to it
+    while child.try_wait().unwrap().is_none() {
+        send("INT", &child);
+        thread::yield_now();
+    }
+    assert_eq!(wait(&mut child), 130);
+}
+
+/// A computed run that only waits for its reader is killed by the first signal.
+#[test]
+fn a_signal_kills_what_is_written_out() {
+    let folder = folder(&TOP.replace("0.25", "0.0005").replace("end = 400", "end = 5"));
+    let mut run = simulate(folder.path());
+    let mut child = run.stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
+    first_byte(&mut child);
+    send("TERM", &child);
+    assert_eq!(wait(&mut child), 143);
+}

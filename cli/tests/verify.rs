@@ -1,0 +1,201 @@
+//! `affinor verify`: what was stored agrees, and what was changed is found and named.
+
+use crate::program::{run, stdout};
+use serde_json::{Value, json};
+use std::fs;
+use tempfile::TempDir;
+
+#[test]
+fn a_stored_table_verifies() {
+    let folder = TempDir::new().unwrap();
+    for space in [
+        "so3",
+        "M3",
+        "SO3",
+        "sl3@plus",
+        "bianchi(VI,h=h)@lambda=t",
+        "so3@levi-civita;metric=diag(1,2,3)",
+    ] {
+        for format in ["json", "csv"] {
+            let file = format!("stored.{format}");
+            let table = ["table", space, "--format", format, "-o", &file];
+            assert_eq!(run(folder.path(), &table, b"").status, 0, "{space}");
+            let outcome = run(folder.path(), &["verify", space, &file], b"");
+            assert_eq!(outcome.status, 0, "{space} {format}: {}{}", outcome.out, outcome.err);
+            assert!(
+                outcome.out.starts_with("the stored table agrees: structure, "),
+                "{}",
+                outcome.out
+            );
+        }
+    }
+    for format in ["json", "csv"] {
+        let space = ["so3@levi-civita;metric=diag(1,2,3)", "--scalar", "float"];
+        let file = format!("float.{format}");
+        let table = [&["table"], &space[..], &["--format", format, "-o", &file]].concat();
+        assert_eq!(run(folder.path(), &table, b"").status, 0);
+        let verify = [&["verify"], &space[..], &[&file]].concat();
+        assert_eq!(run(folder.path(), &verify, b"").status, 0, "{format}");
+        // against the exact values, floats included that are no fractions of few digits
+        let exact =
+            ["table", "so3@levi-civita;metric=diag(1,2,3)", "--format", format, "-o", &file];
+        assert_eq!(run(folder.path(), &exact, b"").status, 0);
+        assert_eq!(run(folder.path(), &verify, b"").status, 0, "{format}");
+    }
+}
+
+#[test]
+fn a_changed_component_is_named() {
+    let folder = TempDir::new().unwrap();
+    for (format, change, component, stored, computed) in [
+        ("csv", ("curvature,1,2,1,2,1/4", "curvature,1,2,1,2,1/5"), "R^1_212", "1/5", "1/4"),
+        ("csv", ("curvature,1,2,1,2,1/4", "curvature,1,2,1,2,-1/4"), "R^1_212", "-1/4", "1/4"),
+        ("csv", ("curvature,1,2,1,2,1/4\n", ""), "R^1_212", "0", "1/4"),
+        ("csv", ("ricci,1,1,,,1/2", "ricci,1,1,,,1/2\nricci,1,2,,,7"), "Ric_12", "7", "0"),
+        ("json", ("[[1,1],\"1/2\"]", "[[1,1],\"1/3\"]"), "Ric_11", "1/3", "1/2"),
+    ] {
+        let text = stdout(folder.path(), &["table", "SO3", "--format", format]);
+        assert!(text.contains(change.0), "{}", change.0);
+        let file = format!("changed.{format}");
+        fs::write(folder.path().join(&file), text.replacen(change.0, change.1, 1)).unwrap();
+        let outcome = run(folder.path(), &["verify", "SO3", &file, "--format", "json"], b"");
+        assert_eq!(outcome.status, 1, "{}", outcome.err);
+        let found: Value = serde_json::from_str(&outcome.out).unwrap();
+        assert_eq!((&found["schema"], &found["ok"]), (&json!("affinor.verify/1"), &json!(false)));
+        let first = json!([{"component": component, "stored": stored, "computed": computed}]);
+        assert_eq!((&found["differences"], &found["first"]), (&json!(1), &first));
+        let text = run(folder.path(), &["verify", "SO3", &file], b"");
+        assert_eq!(text.status, 1);
+        assert!(text.out.contains(component), "{}", text.out);
+    }
+}
+
+#[test]
+fn a_table_of_another_dimension_does_not_verify() {
+    let folder = TempDir::new().unwrap();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    for format in ["json", "csv"] {
+        let (file, structure) = (format!("sl3.{format}"), ["--show", "structure", "-o"]);
+        let table = [&["table", "sl3", "--format", format][..], &structure, &[&file]].concat();
+        assert_eq!(run(folder.path(), &table, b"").status, 0);
+    }
+    let huge = usize::MAX.to_string();
+    write("beyond.csv", "tensor,i,j,k,l,value\nricci,1,4,,,1\n");
+    write("huge.csv", &format!("tensor,i,j,k,l,value\nricci,2,{huge},,,1\n"));
+    let json = "{\"schema\": \"affinor.table/1\", \"tensors\": {\"ricci\": {\"components\": [[[2, 4], \"1\"]]}}}";
+    write("beyond.json", json);
+    for (file, other) in [
+        ("sl3.json", "8"),
+        ("sl3.csv", "at least 8"),
+        ("beyond.json", "at least 4"),
+        ("beyond.csv", "at least 4"),
+        ("huge.csv", &*format!("at least {huge}")),
+    ] {
+        let outcome = run(folder.path(), &["verify", "so3", file], b"");
+        assert_eq!(outcome.status, 1, "{}", outcome.err);
+        let message = format!("{file}: the stored dimension is {other}, the computed one 3");
+        assert!(outcome.err.contains(&message), "{}", outcome.err);
+    }
+}
+
+#[test]
+fn what_is_verified_is_named() {
+    let folder = TempDir::new().unwrap();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    let verify = |arguments: &[&str]| run(folder.path(), &[&["verify"], arguments].concat(), b"");
+    write(
+        "structure.csv",
+        &stdout(folder.path(), &["table", "so3@zero", "--show", "structure", "--format", "csv"]),
+    );
+    write(
+        "killing.json",
+        &stdout(folder.path(), &["table", "so3", "--show", "killing", "--format", "json"]),
+    );
+    let all = verify(&["so3@plus", "structure.csv"]);
+    assert_eq!((all.status, &*all.out), (0, "the stored table agrees: structure\n"));
+    // CSV has no rows for a zero tensor, so a chosen one that is absent is zero
+    let chosen = verify(&["so3@plus", "structure.csv", "--show", "structure,torsion"]);
+    assert_eq!(chosen.status, 1);
+    assert!(chosen.out.starts_with("6 components differ"), "{}", chosen.out);
+    let absent = verify(&["so3@plus", "killing.json", "--show", "torsion"]);
+    assert_eq!(absent.status, 2);
+    assert!(absent.err.contains("killing.json: torsion is not stored"), "{}", absent.err);
+    write("none.json", "{\"schema\": \"affinor.table/1\", \"tensors\": {}}");
+    let none = verify(&["so3@plus", "none.json"]);
+    assert_eq!(none.status, 2);
+    assert!(none.err.contains("there is no tensor in it"), "{}", none.err);
+    write("twice.csv", "tensor,i,j,k,l,value\nricci,1,1,,,1/4\nricci,1,1,,,1/4\n");
+    let twice = verify(&["so3@zero", "twice.csv"]);
+    assert_eq!(twice.status, 2);
+    assert!(twice.err.contains("ricci: the component [1, 1] is stored twice"), "{}", twice.err);
+}
+
+#[test]
+fn a_stored_table_of_another_kind_is_remarked_upon() {
+    let folder = TempDir::new().unwrap();
+    for (option, remark) in [
+        (&["--independent"][..], "stored are independent components only"),
+        (&["--frame", "right"], "stored in the right-invariant frame, computed in the left"),
+        (&["--scalar", "float"], "stored in floats, computed exactly"),
+    ] {
+        let table = [&["table", "so3@zero", "--format", "json", "-o", "a.json"], option].concat();
+        assert_eq!(run(folder.path(), &table, b"").status, 0);
+        let bare = run(folder.path(), &["verify", "so3@zero", "a.json"], b"");
+        assert!(bare.err.contains(remark), "{}", bare.err);
+        assert!(bare.err.contains(&format!(": see {}", option.join(" "))), "{}", bare.err);
+        let alike = [&["verify", "so3@zero", "a.json"], option].concat();
+        let alike = run(folder.path(), &alike, b"");
+        assert_eq!((alike.status, &*alike.err), (0, ""), "{}", alike.out);
+    }
+}
+
+#[test]
+fn the_other_sign_convention_does_not_verify() {
+    let folder = TempDir::new().unwrap();
+    let text =
+        stdout(folder.path(), &["table", "sl3@zero", "--show", "curvature", "--format", "csv"]);
+    let swapped: Vec<String> = text
+        .lines()
+        .map(|line| match line.rsplit_once(',') {
+            Some((at, value)) if at.starts_with("curvature") => {
+                let other = value.strip_prefix('-').map_or(format!("-{value}"), str::to_string);
+                format!("{at},{other}")
+            }
+            _ => line.to_string(),
+        })
+        .collect();
+    let count = swapped.len() - 1;
+    fs::write(folder.path().join("swapped.csv"), swapped.join("\n")).unwrap();
+    let outcome = run(folder.path(), &["verify", "sl3@zero", "swapped.csv"], b"");
+    assert_eq!(outcome.status, 1);
+    let head = format!("{count} components differ; the first 20");
+    assert!(outcome.out.starts_with(&head), "{}", outcome.out);
+    // the stored connection is another one: a note
+    let json =
+        stdout(folder.path(), &["table", "sl3@zero", "--show", "structure", "--format", "json"]);
+    fs::write(folder.path().join("zero.json"), json).unwrap();
+    let other = run(folder.path(), &["verify", "sl3@plus", "zero.json"], b"");
+    assert_eq!(
+        (other.status, other.err.as_str()),
+        (0, "note: the stored connection is zero, the computed one plus\n")
+    );
+}
+
+/// Stored and read back, with five indices.
+#[test]
+fn derived_tensors_are_verified() {
+    let folder = TempDir::new().unwrap();
+    let space = "heisenberg3@levi-civita;metric=diag(1,2,3)";
+    for format in ["csv", "json"] {
+        let table = ["table", space, "--show", "derived", "--format", format, "-o", "stored"];
+        assert_eq!(run(folder.path(), &table, b"").status, 0);
+        let stored = fs::read_to_string(folder.path().join("stored")).unwrap();
+        assert!(format == "json" || stored.starts_with("tensor,i,j,k,l,m,value\n"), "{stored}");
+        let agrees = run(folder.path(), &["verify", space, "stored"], b"");
+        assert_eq!(agrees.status, 0, "{}{}", agrees.out, agrees.err);
+        let other = "heisenberg3@levi-civita;metric=diag(1,2,4)";
+        let differs = run(folder.path(), &["verify", other, "stored"], b"");
+        assert_eq!(differs.status, 1);
+        assert!(differs.out.contains("(nabla R)^"), "{}", differs.out);
+    }
+}

@@ -1,0 +1,159 @@
+//! Certificates: checks of a definition, each with a witness if it fails.
+
+use crate::definition::{Definition, InputError, Reading, Refusal};
+use affinor::geometry::conditions::conditions;
+use affinor::{Connection, ConnectionKind, FrameOrigin, LieAlgebra};
+use affinor_tensors::text::written;
+use affinor_tensors::{Indices, Notation, Tensor};
+
+/// One check of a certificate.
+#[derive(Clone, Debug)]
+pub struct Check {
+    /// What is checked.
+    pub name: &'static str,
+    /// Whether it holds.
+    pub ok: bool,
+    /// The statement that holds, or the failure with its residual.
+    pub detail: String,
+    /// Where it fails.
+    pub witness: Option<Witness>,
+}
+
+/// Indices, from 1, at which an identity fails, and the residual by its upper index.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Witness {
+    /// The lower indices, from 1.
+    pub indices: Vec<usize>,
+    /// The nonzero components of the residual there.
+    pub residual: Vec<(usize, String)>,
+}
+
+/// Checks a definition: antisymmetry, Jacobi, the metric, and the identities of the connection.
+///
+/// A failed check ends the certificate if the later checks depend on it. `stage` is called with the name of each
+/// computation before it starts. For floats use [`Tracked`](affinor_tensors::Tracked), which bounds the rounding error;
+/// an `f64` may fail the identities by rounding alone.
+///
+/// # Errors
+/// Input that cannot be read as this scalar. Failures of the mathematics are checks, not errors.
+pub fn certify<S: Notation>(
+    definition: &Definition,
+    reading: &Reading<S>,
+    stage: &dyn Fn(&str),
+) -> Result<Vec<Check>, InputError> {
+    let mut checks = Vec::new();
+    let Some(ground) = ground(definition, reading, stage, &mut checks)? else { return Ok(checks) };
+    match passed("metric", definition.metric(&ground, reading), &mut checks)? {
+        None => return Ok(checks),
+        Some(None) => {}
+        Some(Some(_)) => checks.push(held("metric", "symmetric and non-degenerate")),
+    }
+    let geometry = definition.geometry_over(ground, reading);
+    let Some(geometry) = passed("connection", geometry, &mut checks)? else { return Ok(checks) };
+    let connection = geometry.connection();
+    if let (ConnectionKind::LeviCivita, Some(metric)) = (geometry.kind(), geometry.metric()) {
+        stage("levi-civita");
+        checks.push(vanishing("torsion_free", "tau = 0", &connection.torsion()));
+        let nonmetricity = connection.nonmetricity(metric)?;
+        checks.push(vanishing("metric_compatible", "nabla g = 0", &nonmetricity));
+    }
+    checks.extend(bianchi(connection, stage));
+    Ok(checks)
+}
+
+/// Checks the algebra or the fields of a geometry; `None` if a check fails.
+fn ground<S: Notation>(
+    definition: &Definition,
+    reading: &Reading<S>,
+    stage: &dyn Fn(&str),
+    checks: &mut Vec<Check>,
+) -> Result<Option<FrameOrigin<S>>, InputError> {
+    if definition.is_on_chart() {
+        stage("frame");
+        let ground = passed("frame", definition.ground(reading), checks)?;
+        let Some(ground) = ground else { return Ok(None) };
+        checks.push(held("frame", "the fields are independent: their determinant is not zero"));
+        let residual = ground.frame().jacobi();
+        checks.push(vanishing("jacobi", "[[x,y],z] + cyclic = 0 for all fields", &residual));
+        return Ok(Some(ground));
+    }
+    stage("antisymmetry");
+    let name = if definition.is_by_matrices() { "closure" } else { "antisymmetry" };
+    let Some(bracket) = passed(name, definition.bracket(reading), checks)? else {
+        if let Some(check) = checks.last_mut() {
+            check.witness = definition.antisymmetry_witness().map(|((j, k), sum)| Witness {
+                indices: vec![j + 1, k + 1],
+                residual: sum.iter().map(|(i, value)| (i + 1, value.to_string())).collect(),
+            });
+        }
+        return Ok(None);
+    };
+    if definition.is_by_matrices() {
+        checks.push(held("closure", "the commutators stay in the real span of the matrices"));
+    }
+    checks.push(held("antisymmetry", "[x,y] = -[y,x] for all basis vectors"));
+    stage("jacobi");
+    let residual = bracket.jacobi();
+    let mut jacobi = vanishing("jacobi", "[[x,y],z] + cyclic = 0 for all triples", &residual);
+    if !jacobi.ok {
+        if let Some(violation) = bracket.jacobi_violation() {
+            jacobi.detail = violation.to_string();
+        }
+        if S::KIND == affinor_tensors::Kind::Symbolic {
+            let conditions =
+                conditions(&residual).iter().map(|e| format!("{e} = 0")).collect::<Vec<_>>();
+            jacobi.detail += &format!("; Jacobi holds if {}", conditions.join(", "));
+        }
+        checks.push(jacobi);
+        return Ok(None);
+    }
+    checks.push(jacobi);
+    // the identity was checked above
+    Ok(Some(LieAlgebra::try_from(bracket)?.into()))
+}
+
+fn bianchi<S: Notation>(connection: &Connection<S>, stage: &dyn Fn(&str)) -> [Check; 2] {
+    stage("bianchi_first");
+    let first = connection.bianchi_first();
+    stage("bianchi_second");
+    let second = connection.bianchi_second();
+    [
+        vanishing("bianchi_first", "R, torsion and nabla torsion fit together", &first),
+        vanishing("bianchi_second", "nabla R, torsion and R fit together", &second),
+    ]
+}
+
+fn held(name: &'static str, detail: &str) -> Check {
+    Check { name, ok: true, detail: detail.into(), witness: None }
+}
+
+/// The value of a step; a refusal of the mathematics becomes a failed check and `None`.
+fn passed<T>(
+    name: &'static str,
+    step: Result<T, InputError>,
+    checks: &mut Vec<Check>,
+) -> Result<Option<T>, InputError> {
+    match step {
+        Ok(value) => Ok(Some(value)),
+        Err(error) if error.refusal == Refusal::Mathematics => {
+            checks.push(Check { name, ok: false, detail: error.message, witness: None });
+            Ok(None)
+        }
+        Err(error) => Err(error),
+    }
+}
+
+/// The check that a residual with one upper index, in front, is zero.
+fn vanishing<S: Notation>(name: &'static str, detail: &str, residual: &Tensor<S>) -> Check {
+    let upper = usize::from(residual.slots().first() == Some(&affinor_tensors::Up));
+    let lower = |at: &Indices| at[upper..].to_vec();
+    let Some(place) = residual.components().map(|(at, _)| lower(&at)).min() else {
+        return held(name, detail);
+    };
+    let here = residual.components().filter(|(at, _)| lower(at) == place);
+    let residual: Vec<(usize, String)> =
+        here.map(|(at, value)| (if upper == 1 { at[0] + 1 } else { 0 }, written(value))).collect();
+    let indices: Vec<usize> = place.iter().map(|i| i + 1).collect();
+    let detail = format!("not zero at {indices:?}: {residual:?}");
+    Check { name, ok: false, detail, witness: Some(Witness { indices, residual }) }
+}

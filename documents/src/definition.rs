@@ -1,0 +1,433 @@
+//! Definitions of spaces, on the command line and in files, read into geometries.
+//!
+//! A SPACE is a geometry of the paper, a catalogue name, a sum of names, a file, or brackets given inline ([`Space`]).
+//! Each becomes a [`Definition`], exact and symbolic, which is then converted to the scalar of the computation
+//! ([`Reading`]). Files are TOML or JSON with the same keys.
+//!
+//! In reading order: `source` and `input` have places and errors; `file` parses a file, `written` its values;
+//! `document` has the keys of a definition, `notation` its expressions; `space` has the SPACE of a command.
+
+mod chart;
+pub(crate) mod document;
+mod entry;
+pub(crate) mod file;
+mod group;
+pub(crate) mod input;
+mod json;
+mod literal;
+mod mesh;
+pub(crate) mod notation;
+pub(crate) mod numbers;
+mod setting;
+pub(crate) mod source;
+mod space;
+pub(crate) mod written;
+
+pub use file::{fingerprint, read_rows};
+pub use input::{InputError, Refusal};
+pub use mesh::{mesh, read_mesh};
+pub use numbers::numbers;
+pub use source::{Place, Source};
+pub use space::{Request, ScalarChoice, Space, Work};
+
+use affinor::algebra::Complex;
+use affinor::algebra::catalogue::MAX_DIMENSION;
+use affinor::geometry::{ConnectionKind, FrameOrigin, Geometry};
+use affinor::{Bracket, Canonical, Error, LieAlgebra, MatrixBasis, Metric};
+use affinor_tensors::{Down, Notation, Ring, Symbolic, Tensor, Tolerance, Up};
+use chart::OnChart;
+use num_traits::Zero;
+use std::collections::BTreeMap;
+
+/// A space as it is defined: an algebra, or fields on a chart, and optionally a connection and a metric.
+///
+/// Its values are exact and may depend on parameters. They are checked when they are read over a scalar.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// The name.
+    pub name: String,
+    /// The name of its algebra, if that differs from its own: so(3) for M(3).
+    algebra_name: Option<String>,
+    /// The names of the basis vectors.
+    pub labels: Vec<String>,
+    origin: Origin,
+    metric: Option<MetricChoice>,
+    connection: Option<(ConnectionChoice, Place)>,
+    /// Parameters that were declared, whether or not a value depends on them.
+    declared: Vec<String>,
+    /// The file; `None` for brackets on the command line.
+    source: Option<Source>,
+}
+
+/// The definition of the bracket.
+#[derive(Clone, Debug)]
+enum Origin {
+    /// Brackets as given, by ordered pair (from 0).
+    Brackets(Pairs),
+    /// A matrix basis: entries (row, column, value) of each matrix.
+    Matrices(usize, Vec<MatrixEntries>),
+    /// Fields on a chart.
+    Chart(OnChart),
+}
+
+/// Right sides by ordered pair.
+type Pairs = BTreeMap<(usize, usize), Given>;
+
+/// Two basis vectors, in order, from 0.
+type Pair = (usize, usize);
+
+type MatrixEntries = Vec<(usize, usize, Complex<Symbolic>)>;
+
+/// The right side of a given bracket, and its place.
+#[derive(Clone, Debug)]
+struct Given {
+    value: BTreeMap<usize, Symbolic>,
+    place: Place,
+}
+
+/// A metric as it is defined.
+#[derive(Clone, Debug)]
+enum MetricChoice {
+    Identity,
+    Killing(Place),
+    Components(Vec<([usize; 2], Symbolic)>, Option<Place>),
+}
+
+/// A connection as it is defined.
+#[derive(Clone, Debug)]
+enum ConnectionChoice {
+    Canonical(Canonical),
+    Family(Symbolic),
+    LeviCivita,
+    Affinities(Pairs),
+}
+
+/// The conversion of values to the scalar of a computation.
+pub struct Reading<'r, S> {
+    /// Converts a value; `None` if the scalar cannot represent it.
+    pub convert: &'r dyn Fn(&Symbolic) -> Option<S>,
+    /// The tolerance below which a float counts as zero.
+    pub tolerance: Tolerance,
+}
+
+impl<S: Notation> Reading<'_, S> {
+    fn value(&self, value: &Symbolic) -> Result<S, InputError> {
+        (self.convert)(value).ok_or_else(|| {
+            let shown = input::shown(&value.to_string());
+            InputError::usage(format!("the value {shown} has no counterpart in this scalar"))
+                .help("set every parameter with --set, and keep floats within 1e308, and at 1e-307 or more unless 0")
+        })
+    }
+
+    fn value_at(&self, value: &Symbolic, place: &Place) -> Result<S, InputError> {
+        self.value(value).map_err(|error| error.or_at(place))
+    }
+}
+
+impl Definition {
+    /// The dimension.
+    pub fn dimension(&self) -> usize {
+        self.labels.len()
+    }
+
+    /// The parameters that some value depends on, sorted.
+    pub fn parameters(&self) -> Vec<String> {
+        let mut names = Vec::new();
+        self.each_value(&mut |value| names.extend(value.parameters()));
+        let coordinates = self.coordinates();
+        names.retain(|name| !coordinates.contains(name));
+        names.sort();
+        names.dedup();
+        names
+    }
+
+    /// The coordinates of the chart, of which values may be functions; none without a chart.
+    pub fn coordinates(&self) -> &[String] {
+        match &self.origin {
+            Origin::Chart(chart) => &chart.coordinates,
+            _ => &[],
+        }
+    }
+
+    /// Whether the components are functions on a chart.
+    pub fn is_on_chart(&self) -> bool {
+        matches!(self.origin, Origin::Chart(_))
+    }
+
+    /// Whether a metric was given.
+    pub fn has_metric(&self) -> bool {
+        self.metric.is_some()
+    }
+
+    /// The bracket, antisymmetric but not checked for Jacobi.
+    ///
+    /// # Errors
+    /// A refusal of the mathematics, with its witness: `[y,x]` that is not `-[x,y]`, `[x,x]` that is not zero, matrices
+    /// that are dependent or not closed under commutators.
+    pub fn bracket<S: Notation>(&self, reading: &Reading<S>) -> Result<Bracket<S>, InputError> {
+        let bracket = match &self.origin {
+            Origin::Brackets(given) => {
+                self.antisymmetric(given)?;
+                let mut constants = Vec::new();
+                for (&(j, k), right) in given {
+                    for (i, value) in &right.value {
+                        constants.push((j, k, *i, reading.value_at(value, &right.place)?));
+                    }
+                }
+                Bracket::from_constants(&self.labels, constants)?.with_tolerance(reading.tolerance)
+            }
+            Origin::Matrices(..) => {
+                self.matrix_basis(reading)?.bracket().map_err(|error| self.refused(error))?
+            }
+            Origin::Chart(_) => return Err(InputError::usage("a chart has no table of brackets")),
+        };
+        Ok(bracket)
+    }
+
+    /// The Lie algebra; the Jacobi identity is checked.
+    ///
+    /// # Errors
+    /// As [`bracket`](Self::bracket), and the triple that violates Jacobi.
+    pub fn algebra<S: Notation>(&self, reading: &Reading<S>) -> Result<LieAlgebra<S>, InputError> {
+        LieAlgebra::try_from(self.bracket(reading)?).map_err(|error| self.refused(error))
+    }
+
+    /// The [`algebra`](Self::algebra), or the fields on a chart.
+    ///
+    /// # Errors
+    /// As [`algebra`](Self::algebra); fields that are dependent everywhere.
+    pub fn ground<S: Notation>(&self, reading: &Reading<S>) -> Result<FrameOrigin<S>, InputError> {
+        match &self.origin {
+            Origin::Chart(chart) => Ok(chart.fields(&self.labels, reading)?.into()),
+            _ => Ok(self.algebra(reading)?.into()),
+        }
+    }
+
+    /// The metric in the frame of the geometry, if one is given.
+    ///
+    /// # Errors
+    /// A form that is not symmetric, or degenerate; the Killing form over structure functions.
+    pub fn metric<S: Notation>(
+        &self,
+        ground: &FrameOrigin<S>,
+        reading: &Reading<S>,
+    ) -> Result<Option<Metric<S>>, InputError> {
+        let n = self.dimension();
+        let slots = [Down, Down];
+        let (components, place) = match &self.metric {
+            None => return Ok(None),
+            Some(MetricChoice::Identity) => {
+                let ones = (0..n).map(|i| ([i, i], S::one()));
+                (Tensor::from_components(n, &slots, ones)?, None)
+            }
+            Some(MetricChoice::Killing(place)) => {
+                let algebra = ground.algebra_for("a Killing form");
+                let algebra = algebra.map_err(|error| InputError::from(error).at(place))?;
+                (algebra.killing_form(), Some(place))
+            }
+            Some(MetricChoice::Components(entries, place)) => {
+                let mut values = Vec::new();
+                for (at, value) in entries {
+                    let value = reading.value(value);
+                    values.push((*at, value.map_err(|error| error.or_at_some(place.as_ref()))?));
+                }
+                (Tensor::from_components(n, &slots, values)?, place.as_ref())
+            }
+        };
+        let components = components.with_tolerance(reading.tolerance);
+        let metric = Metric::new(ground.frame().labels(), components);
+        metric.map(Some).map_err(|error| InputError::from(error).or_at_some(place))
+    }
+
+    /// The geometry. Without a connection it takes levi-civita if there is a metric, else zero. Over a chart the default
+    /// is levi-civita, which needs a metric.
+    ///
+    /// # Errors
+    /// As [`ground`](Self::ground) and [`metric`](Self::metric).
+    pub fn geometry<S: Notation>(&self, reading: &Reading<S>) -> Result<Geometry<S>, InputError> {
+        self.geometry_over(self.ground(reading)?, reading)
+    }
+
+    /// The geometry over an algebra or fields that are already computed ([`ground`](Self::ground)).
+    ///
+    /// # Errors
+    /// As [`metric`](Self::metric).
+    pub fn geometry_over<S: Notation>(
+        &self,
+        ground: FrameOrigin<S>,
+        reading: &Reading<S>,
+    ) -> Result<Geometry<S>, InputError> {
+        let metric = self.metric(&ground, reading)?;
+        let (choice, place) = match &self.connection {
+            Some((choice, place)) => (Some(choice), Some(place)),
+            None => (None, None),
+        };
+        let kind = match choice {
+            None if metric.is_some() || self.is_on_chart() => ConnectionKind::LeviCivita,
+            None => ConnectionKind::Canonical(Canonical::Zero),
+            Some(ConnectionChoice::Canonical(which)) => ConnectionKind::Canonical(*which),
+            Some(ConnectionChoice::Family(lambda)) => {
+                let value = reading.value(lambda);
+                ConnectionKind::Family(value.map_err(|error| error.or_at_some(place))?)
+            }
+            Some(ConnectionChoice::LeviCivita) => ConnectionKind::LeviCivita,
+            Some(ConnectionChoice::Affinities(given)) => {
+                let mut components = Vec::new();
+                for (&(j, k), right) in given {
+                    for (i, value) in &right.value {
+                        components.push(([*i, j, k], reading.value_at(value, &right.place)?));
+                    }
+                }
+                let gamma =
+                    Tensor::from_components(self.dimension(), &[Up, Down, Down], components)?;
+                ConnectionKind::Affinities(gamma.with_tolerance(reading.tolerance))
+            }
+        };
+        let geometry = Geometry::new(self.name.clone(), ground, kind, metric)
+            .map_err(|error| InputError::from(error).or_at_some(place))?;
+        Ok(match &self.algebra_name {
+            Some(name) => geometry.over(name),
+            None => geometry,
+        })
+    }
+
+    /// Whether the connection is left to the default.
+    pub fn connection_is_default(&self) -> bool {
+        self.connection.is_none()
+    }
+
+    /// Replaces the connection by a canonical one.
+    pub fn set_canonical(&mut self, which: Canonical) {
+        let place = Place::within(Source::new(which.name(), ""));
+        self.connection = Some((ConnectionChoice::Canonical(which), place));
+    }
+
+    /// Whether the algebra is given by matrices.
+    pub fn is_by_matrices(&self) -> bool {
+        matches!(self.origin, Origin::Matrices(..))
+    }
+
+    /// The first pair of given brackets (from 0) that is not antisymmetric, with the components of
+    /// `[x,y] + [y,x]`.
+    pub fn antisymmetry_witness(&self) -> Option<((usize, usize), BTreeMap<usize, Symbolic>)> {
+        let Origin::Brackets(given) = &self.origin else { return None };
+        self.asymmetry(given).map(|(pair, sum, _)| (pair, sum))
+    }
+
+    /// Checks that `[x,x] = 0`, and that `[y,x] = -[x,y]` where both are given.
+    fn antisymmetric(&self, given: &Pairs) -> Result<(), InputError> {
+        let Some(((j, k), sum, place)) = self.asymmetry(given) else { return Ok(()) };
+        let written = |value: &BTreeMap<usize, Symbolic>| {
+            let terms = value.iter().filter(|(_, value)| !value.vanishes());
+            let named = terms.map(|(i, value)| (value, self.labels[*i].clone()));
+            affinor_tensors::text::combination(named)
+        };
+        let [x, y] = [j, k].map(|at| self.labels[at].clone());
+        let error = match (given.get(&(j, k)), given.get(&(k, j))) {
+            (Some(forward), Some(backward)) if j != k => {
+                let values = Box::new([forward, backward].map(|given| written(&given.value)));
+                Error::OrdersDisagree { x, y, values, residual: written(&sum) }
+            }
+            _ => Error::NotAntisymmetric { x, y, residual: written(&sum) },
+        };
+        Err(InputError::from(error).at(&place))
+    }
+
+    /// The first pair with `[x,y] + [y,x]` not zero, that sum, and its place.
+    fn asymmetry(&self, given: &Pairs) -> Option<(Pair, BTreeMap<usize, Symbolic>, Place)> {
+        given.iter().find_map(|(&(j, k), right)| {
+            let other = given.get(&(k, j));
+            if j > k || (j < k && other.is_none()) {
+                return None;
+            }
+            let mut sum = right.value.clone();
+            for (i, value) in other.iter().flat_map(|given| &given.value) {
+                let entry = sum.entry(*i).or_insert_with(Symbolic::zero);
+                *entry = entry.clone() + value;
+            }
+            sum.retain(|_, value| !value.vanishes());
+            let place = other.map_or(&right.place, |other| &other.place);
+            (!sum.is_empty()).then(|| ((j, k), sum, place.clone()))
+        })
+    }
+
+    fn matrix_basis<S: Notation>(
+        &self,
+        reading: &Reading<S>,
+    ) -> Result<MatrixBasis<S>, InputError> {
+        let Origin::Matrices(size, matrices) = &self.origin else {
+            return Err(InputError::usage("this algebra is not given by matrices"));
+        };
+        let mut read = Vec::new();
+        for entries in matrices {
+            let mut values = Vec::new();
+            for (row, column, value) in entries {
+                let (re, im) = (reading.value(&value.re)?, reading.value(&value.im)?);
+                values.push((*row, *column, Complex { re, im }));
+            }
+            read.push(values);
+        }
+        MatrixBasis::new(&self.labels, *size, read, reading.tolerance)
+            .map_err(|error| self.refused(error))
+    }
+
+    /// A refusal of the mathematics, at the first given bracket that it names, or else in the whole source.
+    fn refused(&self, error: Error) -> InputError {
+        let whole = self.source.clone().map(Place::within);
+        let bracket = match (&error, &self.origin) {
+            (Error::Jacobi { x, y, z, .. }, Origin::Brackets(given)) => {
+                let index = |label: &String| self.labels.iter().position(|other| other == label);
+                let pairs =
+                    [(x, y), (y, z), (z, x)].into_iter().flat_map(|(x, y)| [(x, y), (y, x)]);
+                let mut pairs = pairs.filter_map(|(x, y)| Some((index(x)?, index(y)?)));
+                pairs.find_map(|pair| given.get(&pair)).map(|given| given.place.clone())
+            }
+            _ => None,
+        };
+        InputError::from(error).or_at_some(bracket.or(whole).as_ref())
+    }
+
+    fn each_value(&self, f: &mut dyn FnMut(&Symbolic)) {
+        // one traversal serves both: this one visits a copy
+        self.clone().each_value_mut(&mut |value| f(value));
+    }
+
+    fn each_value_mut(&mut self, f: &mut dyn FnMut(&mut Symbolic)) {
+        let brackets = |given: &mut Pairs, f: &mut dyn FnMut(&mut Symbolic)| {
+            given.values_mut().flat_map(|right| right.value.values_mut()).for_each(f);
+        };
+        match &mut self.origin {
+            Origin::Brackets(given) => brackets(given, f),
+            Origin::Matrices(_, matrices) => {
+                for (_, _, value) in matrices.iter_mut().flatten() {
+                    f(&mut value.re);
+                    f(&mut value.im);
+                }
+            }
+            Origin::Chart(chart) => {
+                let values = chart.fields.iter_mut().flat_map(|field| field.value.values_mut());
+                values.for_each(&mut *f);
+            }
+        }
+        if let Some(MetricChoice::Components(entries, _)) = &mut self.metric {
+            entries.iter_mut().for_each(|(_, value)| f(value));
+        }
+        match &mut self.connection {
+            Some((ConnectionChoice::Family(lambda), _)) => f(lambda),
+            Some((ConnectionChoice::Affinities(given), _)) => brackets(given, f),
+            _ => {}
+        }
+    }
+}
+
+/// Refuses a dimension of zero or beyond the engine.
+fn check_dimension<N>(dimension: N) -> Result<usize, InputError>
+where
+    N: TryInto<usize> + std::fmt::Display + Copy,
+{
+    let fits = dimension.try_into().ok().filter(|n| (1..=MAX_DIMENSION).contains(n));
+    fits.ok_or_else(|| {
+        let message = format!("the dimension {dimension} is not between 1 and {MAX_DIMENSION}");
+        InputError::usage(message)
+    })
+}

@@ -1,0 +1,373 @@
+//! The keys of a definition file, read into a definition.
+
+use super::chart::OnChart;
+use super::input::{InputError, shown};
+use super::notation::{
+    Names, basis, check_name, connection, lines, metric, metric_rows, statement,
+};
+use super::source::{Place, Source};
+use super::written::{
+    Block, Cell, ChartText, ConnectionText, FieldsText, MatrixRows, MetricText, Row, Text,
+};
+use super::{
+    ConnectionChoice, Definition, Given, MatrixEntries, MetricChoice, Origin, Pairs,
+    check_dimension,
+};
+use affinor::geometry::chart::field_of;
+use affinor_tensors::{Ring, Symbolic};
+use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The keys of a file. Unknown and duplicate ones are refused.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Document {
+    name: Option<String>,
+    basis: Option<Vec<Text>>,
+    dimension: Option<i64>,
+    #[serde(default)]
+    parameters: Vec<Text>,
+    brackets: Option<Block>,
+    structure_constants: Option<Vec<Row>>,
+    matrices: Option<Vec<MatrixRows>>,
+    chart: Option<ChartText>,
+    frame: Option<FieldsText>,
+    metric: Option<MetricText>,
+    connection: Option<ConnectionText>,
+    affinities: Option<Block>,
+}
+
+impl Document {
+    /// The definition.
+    ///
+    /// # Errors
+    /// The first value that is refused, with its place.
+    pub fn define(&self, source: &Source) -> Result<Definition, InputError> {
+        let labels = self.labels(source)?;
+        let place = |at: usize| {
+            let (_, text): &(String, Option<&Text>) = &labels[at];
+            text.map_or_else(|| Place::within(source.clone()), |text| source.at(text))
+        };
+        let names: Vec<&str> = labels.iter().map(|(label, _)| &**label).collect();
+        let indices = basis(&names, &place)?;
+        let labels: Vec<String> = labels.iter().map(|(label, _)| label.clone()).collect();
+        let parameters = self.declared(&indices, source)?;
+        let coordinates: Vec<String> =
+            self.coordinates().iter().map(|name| name.to_string()).collect();
+        let declared = parameters.iter().cloned().collect();
+        let (parameters, coordinates) = (Some(&parameters), &coordinates);
+        let names = Names { labels: &indices, parameters, coordinates };
+        // scalars contain no basis vectors
+        let none = BTreeMap::new();
+        let scalars = Names { labels: &none, parameters, coordinates };
+        let origin = match (&self.brackets, &self.structure_constants, &self.matrices) {
+            (None, None, None) if self.chart.is_some() => self.fields(&names, source)?,
+            _ if self.chart.is_some() => {
+                let message = "a chart defines the brackets by its fields: give no others";
+                return Err(InputError::usage(message).at(&source.key("chart")));
+            }
+            (Some(block), None, None) => Origin::Brackets(block.statements("", &names, source)?),
+            (None, Some(rows), None) => {
+                Origin::Brackets(structure_constants(rows, labels.len(), &scalars, source)?)
+            }
+            (None, None, Some(matrices)) => matrix_basis(matrices, &labels, &scalars, source)?,
+            (None, None, None) => {
+                return Err(InputError::usage(format!("{} defines no bracket", source.name))
+                    .help("give one of brackets, structure_constants, matrices, chart"));
+            }
+            _ => {
+                let message = format!("{} defines its bracket more than once", source.name);
+                return Err(InputError::usage(message)
+                    .help("give exactly one of brackets, structure_constants, matrices"));
+            }
+        };
+        let metric = self.metric.as_ref().map(|text| text.read(labels.len(), &scalars, source));
+        let metric = metric.transpose()?;
+        let table = self.connection.as_ref();
+        let kind = table.and_then(|table| table.kind.as_ref());
+        let within = table.and_then(|table| table.affinities.as_ref());
+        let affinities = source.key(match within {
+            Some(_) => "connection.affinities",
+            None => "affinities",
+        });
+        let connection = match (kind, within.or(self.affinities.as_ref())) {
+            (None, None) if table.is_some() => {
+                let error = InputError::usage("the connection has neither kind nor affinities");
+                return Err(error.at(&source.key("connection")));
+            }
+            (None, None) => None,
+            (Some(text), None) => {
+                let source = source.excerpt(text);
+                Some(connection(source.content(), &scalars, &source)?)
+            }
+            (None, Some(block)) if within.is_none() || self.affinities.is_none() => {
+                let given = block.statements("nabla", &names, source)?;
+                Some((ConnectionChoice::Affinities(given), affinities))
+            }
+            _ => {
+                let message = "a definition has a connection or affinities, not both";
+                return Err(InputError::usage(message).at(&affinities));
+            }
+        };
+        let stem = || source.name.rsplit('/').next().unwrap_or("").to_string();
+        let name = self.name.clone().unwrap_or_else(stem);
+        let algebra_name = None;
+        Ok(Definition {
+            name,
+            algebra_name,
+            labels,
+            origin,
+            metric,
+            connection,
+            declared,
+            source: Some(source.clone()),
+        })
+    }
+
+    /// The names of the coordinates; none without a chart.
+    fn coordinates(&self) -> &[Text] {
+        self.chart.as_ref().map_or(&[], |chart| &chart.coordinates)
+    }
+
+    /// The parameters and coordinates. None may have the name of something else.
+    fn declared(
+        &self,
+        labels: &BTreeMap<String, usize>,
+        source: &Source,
+    ) -> Result<BTreeSet<String>, InputError> {
+        let fields: Vec<_> = self.coordinates().iter().map(|name| field_of(name)).collect();
+        let mut parameters = BTreeSet::new();
+        let coordinates = self.coordinates().iter().map(|text| (text, "coordinate"));
+        for (name, what) in coordinates.chain(self.parameters.iter().map(|t| (t, "parameter"))) {
+            let place = source.at(name);
+            check_name(name).map_err(|error| error.at(&place))?;
+            let known = labels.contains_key(&**name) || fields.contains(&name.content);
+            let taken = known || !parameters.insert(name.to_string());
+            if taken || (&**name == "i" && self.matrices.is_some()) {
+                let message = format!("the {what} `{}` is already the name of something", &**name);
+                return Err(InputError::usage(message).at(&place));
+            }
+        }
+        Ok(parameters)
+    }
+
+    /// The fields of `frame` in terms of the coordinate fields; without `frame` the coordinate fields.
+    fn fields(&self, names: &Names, source: &Source) -> Result<Origin, InputError> {
+        let coordinates = names.coordinates;
+        let labels = coordinates.iter().zip(0..).map(|(name, at)| (field_of(name), at)).collect();
+        let names = Names { labels: &labels, ..*names };
+        let place = source.key(if self.frame.is_some() { "frame" } else { "chart" });
+        let fields = match &self.frame {
+            None => {
+                let unit = |a| BTreeMap::from([(a, Symbolic::from_i64(1))]);
+                let fields = (0..coordinates.len()).map(|a| (unit(a), place.clone()));
+                fields.map(|(value, place)| Given { value, place }).collect()
+            }
+            Some(FieldsText(fields)) => {
+                let (found, n) = (fields.len(), coordinates.len());
+                if found != n {
+                    let message = format!("the frame has {found} fields for {n} coordinates");
+                    return Err(InputError::usage(message).at(&place));
+                }
+                let field = |(_, field): &(Text, Text)| {
+                    let excerpt = source.excerpt(field);
+                    let value = names.vector(excerpt.content(), &excerpt)?;
+                    Ok(Given { value, place: source.at(field) })
+                };
+                fields.iter().map(field).collect::<Result<_, InputError>>()?
+            }
+        };
+        Ok(Origin::Chart(OnChart { coordinates: coordinates.to_vec(), fields, place }))
+    }
+
+    /// The basis from `basis`, `dimension`, or the names or the number of the matrices. Names that the file has come with
+    /// their texts.
+    fn labels(&self, source: &Source) -> Result<Vec<(String, Option<&Text>)>, InputError> {
+        fn named(text: &Text) -> (String, Option<&Text>) {
+            (text.to_string(), Some(text))
+        }
+        let numbered = |at: usize| (format!("e{}", at + 1), None);
+        if let Some(ChartText { coordinates }) = &self.chart {
+            if self.basis.is_some() || self.dimension.is_some() {
+                let message = "the basis of a chart is its frame: give no other";
+                return Err(InputError::usage(message).at(&source.key("chart")));
+            }
+            for (at, name) in coordinates.iter().enumerate() {
+                if coordinates[..at].iter().any(|other| other.content == name.content) {
+                    let message = format!("the coordinate `{}` is named twice", shown(name));
+                    return Err(InputError::usage(message).at(&source.at(name)));
+                }
+                check_name(name).map_err(|error| error.at(&source.at(name)))?;
+            }
+            return Ok(match &self.frame {
+                Some(FieldsText(fields)) => fields.iter().map(|(name, _)| named(name)).collect(),
+                None => coordinates.iter().map(|name| (field_of(name), Some(name))).collect(),
+            });
+        }
+        if self.frame.is_some() {
+            let error = InputError::usage("a frame needs a chart");
+            let help = "give its coordinates: [chart] coordinates = [\"x\", \"y\"]";
+            return Err(error.at(&source.key("frame")).help(help));
+        }
+        match (&self.basis, self.dimension, &self.matrices) {
+            (Some(basis), None, _) => Ok(basis.iter().map(named).collect()),
+            (None, Some(dimension), _) => {
+                let n = check_dimension(dimension)
+                    .map_err(|error| error.at(&source.key("dimension")))?;
+                Ok((0..n).map(numbered).collect())
+            }
+            (None, None, Some(matrices)) => {
+                let names = matrices.iter().map(|matrix| matrix.name.as_ref()).enumerate();
+                Ok(names.map(|(at, name)| name.map_or_else(|| numbered(at), named)).collect())
+            }
+            (Some(_), Some(_), _) => {
+                let place = source.key("dimension");
+                Err(InputError::usage("give either basis or dimension, not both").at(&place))
+            }
+            (None, None, None) => Err(InputError::usage(format!("{} has no basis", source.name))
+                .help("give basis = [\"x\", \"y\", ...] or dimension = 3")),
+        }
+    }
+}
+
+/// The right sides by ordered pair, from rows `[i, j, k, "v"]`.
+fn structure_constants(
+    rows: &[Row],
+    dimension: usize,
+    names: &Names,
+    source: &Source,
+) -> Result<Pairs, InputError> {
+    let mut given = Pairs::new();
+    for (at, Row([i, j, k], Cell(text))) in rows.iter().enumerate() {
+        let source = source.excerpt(text);
+        let place = source.whole(source.content());
+        let refuse = |reason: String| {
+            let row = format!("[{i}, {j}, {k}, \"{}\"]", shown(text));
+            let message = format!("structure_constants, entry {}, {row}: {reason}", at + 1);
+            InputError::usage(message).at(&place)
+        };
+        let index = |index: &i64| {
+            let below = index.checked_sub(1).and_then(|index| usize::try_from(index).ok());
+            below
+                .filter(|index| *index < dimension)
+                .ok_or_else(|| refuse(format!("the index {index} is not in 1..{dimension}")))
+        };
+        let (i, j, k) = (index(i)?, index(j)?, index(k)?);
+        let value = names.scalar(source.content(), &source).map_err(|error| {
+            let message = refuse(error.message.clone()).message;
+            InputError { message, ..error }.or_at(&place)
+        })?;
+        let pair = given
+            .entry((i, j))
+            .or_insert_with(|| Given { value: BTreeMap::new(), place: place.clone() });
+        match pair.value.entry(k) {
+            Entry::Vacant(free) => drop(free.insert(value)),
+            Entry::Occupied(_) => return Err(refuse("this component is given twice".into())),
+        }
+    }
+    Ok(given)
+}
+
+fn matrix_basis(
+    matrices: &[MatrixRows],
+    labels: &[String],
+    names: &Names,
+    source: &Source,
+) -> Result<Origin, InputError> {
+    let key = source.key("matrices");
+    let refuse = |at: &Place, message: String| Err(InputError::usage(message).at(at));
+    if matrices.len() != labels.len() {
+        let (found, n) = (matrices.len(), labels.len());
+        return refuse(&key, format!("{found} matrices for {n} basis vectors"));
+    }
+    let size = matrices.first().map_or(0, |m| m.rows.len());
+    let mut read: Vec<MatrixEntries> = Vec::new();
+    for (matrix, label) in matrices.iter().zip(labels) {
+        let first = matrix.rows.iter().flatten().next();
+        let place = &first.map_or_else(|| key.clone(), |Cell(text)| source.at(text));
+        if let Some(name) = &matrix.name
+            && **name != **label
+        {
+            let (name, place) = (shown(name), source.at(name));
+            return refuse(&place, format!("the matrix of `{label}` is named `{name}`"));
+        }
+        let widths = matrix.rows.iter().map(Vec::len);
+        if size == 0 || matrix.rows.len() != size || widths.clone().any(|width| width != size) {
+            let (rows, widths) = (matrix.rows.len(), widths.collect::<BTreeSet<_>>());
+            let widths: Vec<_> = widths.iter().map(usize::to_string).collect();
+            let form = format!("{rows} rows of {} entries", widths.join(" or "));
+            let square = format!("not {0} x {0}", size.max(1));
+            return refuse(place, format!("the matrix of `{label}` has {form}, {square}"));
+        }
+        let mut entries = Vec::new();
+        for (i, row) in matrix.rows.iter().enumerate() {
+            for (j, Cell(text)) in row.iter().enumerate() {
+                let source = source.excerpt(text);
+                let value = names.complex(source.content(), &source)?;
+                if !(value.re.vanishes() && value.im.vanishes()) {
+                    entries.push((i, j, value));
+                }
+            }
+        }
+        read.push(entries);
+    }
+    Ok(Origin::Matrices(size, read))
+}
+
+impl MetricText {
+    /// The metric that is written.
+    ///
+    /// # Errors
+    /// As [`metric`].
+    pub(super) fn read(
+        &self,
+        dimension: usize,
+        names: &Names,
+        source: &Source,
+    ) -> Result<MetricChoice, InputError> {
+        match self {
+            MetricText::Word(text) => {
+                let source = source.excerpt(text);
+                metric(source.content(), dimension, names, &source)
+            }
+            MetricText::Rows(rows) => {
+                let entry = |Cell(text): &Cell| {
+                    let source = source.excerpt(text);
+                    names.scalar(source.content(), &source)
+                };
+                metric_rows(rows, dimension, entry, source.key("metric"))
+            }
+        }
+    }
+}
+
+impl Block {
+    fn statements(&self, head: &str, names: &Names, source: &Source) -> Result<Pairs, InputError> {
+        let mut all = Pairs::new();
+        for block in &self.0 {
+            let source = source.excerpt(block);
+            for line in lines(source.content()) {
+                let (pair, given) = statement(line, head, names, &source)?;
+                add(&mut all, pair, given)?;
+            }
+        }
+        Ok(all)
+    }
+}
+
+/// Adds a statement. A pair that is given twice must have the same value.
+pub(super) fn add(all: &mut Pairs, pair: (usize, usize), given: Given) -> Result<(), InputError> {
+    match all.entry(pair) {
+        Entry::Vacant(free) => drop(free.insert(given)),
+        Entry::Occupied(other) if other.get().value == given.value => {}
+        Entry::Occupied(other) => {
+            let error = InputError::usage("this pair is given a second, different value");
+            let error = error.at(&given.place);
+            return Err(match other.get().place.text() {
+                Some(first) => error.help(format!("the first is `{}`", shown(first))),
+                None => error,
+            });
+        }
+    }
+    Ok(())
+}

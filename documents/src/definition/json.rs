@@ -1,0 +1,123 @@
+//! JSON as a table of the TOML parser, with the place of every key and value.
+
+use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
+use serde_json::value::{RawValue, Value};
+use std::borrow::Cow;
+use std::fmt;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeArray, DeTable, DeValue};
+
+/// What is wrong, and where.
+type Refused = (String, Range<usize>);
+
+/// The table that an object of JSON holds. A key with the value `null` counts as absent.
+///
+/// # Errors
+/// A syntax error, too deep nesting, a key that is given twice, `null` in a list.
+pub(super) fn table(text: &str) -> Result<Spanned<DeTable<'_>>, Refused> {
+    // raw values are read without limits of numbers and nesting, and with vaguer messages
+    serde_json::from_str::<Value>(text).map_err(|error| refused(&error, text, 0))?;
+    let json = Json(text);
+    let raw: &RawValue = json.parse_from(text, 0)?;
+    let span = json.span(raw);
+    match json.value(raw)?.map(Spanned::into_inner) {
+        Some(DeValue::Table(table)) => Ok(Spanned::new(span, table)),
+        _ => Err(("a JSON definition is an object of keys, {...}".into(), span)),
+    }
+}
+
+/// The whole text.
+#[derive(Clone, Copy)]
+struct Json<'t>(&'t str);
+
+impl<'t> Json<'t> {
+    fn span(self, raw: &RawValue) -> Range<usize> {
+        let start = raw.get().as_ptr() as usize - self.0.as_ptr() as usize;
+        start..start + raw.get().len()
+    }
+
+    /// The value; nothing for `null`.
+    fn value(self, raw: &'t RawValue) -> Result<Option<Spanned<DeValue<'t>>>, Refused> {
+        let (span, written) = (self.span(raw), raw.get());
+        let value = match written.as_bytes().first() {
+            Some(b'{') => {
+                let Entries(entries) = self.parse(raw)?;
+                let mut table = DeTable::new();
+                for (key, value) in entries {
+                    let place = self.span(key);
+                    let key: String = self.parse(key)?;
+                    if table.contains_key(key.as_str()) {
+                        return Err((format!("duplicate field `{key}`"), place));
+                    }
+                    if let Some(value) = self.value(value)? {
+                        table.insert(Spanned::new(place, Cow::Owned(key)), value);
+                    }
+                }
+                DeValue::Table(table)
+            }
+            Some(b'[') => {
+                let mut array = DeArray::new();
+                for item in self.parse::<Vec<&RawValue>>(raw)? {
+                    let value = self.value(item)?;
+                    let null = || ("invalid type: null, expected a value".into(), self.span(item));
+                    array.push(value.ok_or_else(null)?);
+                }
+                DeValue::Array(array)
+            }
+            Some(b'"') => DeValue::String(Cow::Owned(self.parse(raw)?)),
+            Some(b't' | b'f') => DeValue::Boolean(self.parse(raw)?),
+            Some(b'n') => return Ok(None),
+            // every number of JSON is one of TOML
+            _ => {
+                let number = DeValue::parse(written);
+                number.map_err(|error| (error.message().into(), span.clone()))?.into_inner()
+            }
+        };
+        Ok(Some(Spanned::new(span, value)))
+    }
+
+    fn parse<T: Deserialize<'t>>(self, raw: &'t RawValue) -> Result<T, Refused> {
+        self.parse_from(raw.get(), self.span(raw).start)
+    }
+
+    fn parse_from<T: Deserialize<'t>>(self, part: &'t str, start: usize) -> Result<T, Refused> {
+        serde_json::from_str(part).map_err(|error| refused(&error, self.0, start))
+    }
+}
+
+/// An error in the part of `text` from `start` on. Columns of JSON errors count bytes.
+fn refused(error: &serde_json::Error, text: &str, start: usize) -> Refused {
+    let lines = text[start..].split_inclusive('\n').take(error.line().saturating_sub(1));
+    let before: usize = lines.map(str::len).sum();
+    let mut at = (start + before + error.column().saturating_sub(1)).min(text.len());
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    (error.to_string(), at..at)
+}
+
+/// The keys and values of an object, in their order.
+struct Entries<'t>(Vec<(&'t RawValue, &'t RawValue)>);
+
+impl<'de> Deserialize<'de> for Entries<'de> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Each;
+        impl<'de> Visitor<'de> for Each {
+            type Value = Entries<'de>;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("an object")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+                let mut entries = Vec::new();
+                while let Some(entry) = map.next_entry()? {
+                    entries.push(entry);
+                }
+                Ok(Entries(entries))
+            }
+        }
+        deserializer.deserialize_map(Each)
+    }
+}

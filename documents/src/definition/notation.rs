@@ -1,0 +1,441 @@
+//! Expressions of definitions: linear combinations like `h*e2 + 1/2 e1`, complex entries, metrics, connections.
+
+use super::input::{InputError, shown};
+use super::source::{Place, Source};
+use super::{ConnectionChoice, Given, MetricChoice};
+use affinor::Canonical;
+use affinor::algebra::Complex;
+use affinor_tensors::expression::{
+    Expression, ExpressionError, Functions, Meaning, Scalars, is_name,
+};
+use affinor_tensors::{Field, Notation, Rational, Ring, Symbolic};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The names that an expression may use.
+pub(crate) struct Names<'n> {
+    pub labels: &'n BTreeMap<String, usize>,
+    /// The declared parameters; with `None` every unknown name is a parameter.
+    pub parameters: Option<&'n BTreeSet<String>>,
+    /// The coordinates, which may be arguments of functions like `sin`. They are also declared as parameters.
+    pub coordinates: &'n [String],
+}
+
+impl Names<'_> {
+    /// Parses `text`, a piece of `source`, and evaluates it.
+    pub fn read<M: Meaning>(
+        &self,
+        text: &str,
+        source: &Source,
+        meaning: &M,
+    ) -> Result<M::Value, InputError> {
+        let known = |name: &str| self.labels.contains_key(name);
+        Expression::parse_beside(text, &known)
+            .and_then(|expression| expression.evaluate(meaning))
+            .map_err(|ExpressionError { span, reason }| {
+                let place = source.find(text, span.clone());
+                let error = InputError::usage(reason).at(&place);
+                match text.get(span) {
+                    Some(name) if self.parameters.is_some() && self.is_unknown(name) => error
+                        .help(format!("declare a parameter: parameters = [\"{}\"]", shown(name))),
+                    _ => error,
+                }
+            })
+    }
+
+    /// Whether a name is neither declared nor a basis vector.
+    fn is_unknown(&self, name: &str) -> bool {
+        let declared = self.parameters.is_some_and(|declared| declared.contains(name));
+        is_name(name) && !declared && !is_no_number(name) && !self.labels.contains_key(name)
+    }
+
+    /// A scalar.
+    pub fn scalar(&self, text: &str, source: &Source) -> Result<Symbolic, InputError> {
+        let scalars = Scalars(|name: &str| self.parameter(name));
+        let function = |name: &str, argument: &Symbolic| self.function(name, argument);
+        self.read(text, source, &Functions(scalars, function))
+    }
+
+    /// A function of coordinates, or the square root of a square.
+    fn function(&self, name: &str, argument: &Symbolic) -> Result<Symbolic, String> {
+        if name == "sqrt" {
+            let root = argument.as_constant().and_then(Rational::sqrt).map(Symbolic::constant);
+            return root.ok_or_else(|| {
+                format!("the square root of {argument} is not rational; exact values are")
+            });
+        }
+        if self.coordinates.is_empty() {
+            return Err(format!("`{}` is no function here: only a chart has some", shown(name)));
+        }
+        let others = argument.parameters();
+        match others.iter().find(|other| !self.coordinates.contains(*other)) {
+            Some(other) => Err(format!("{} takes coordinates, and `{other}` is none", shown(name))),
+            None => Symbolic::function(name, argument),
+        }
+    }
+
+    /// A linear combination of basis vectors.
+    pub fn vector(
+        &self,
+        text: &str,
+        source: &Source,
+    ) -> Result<BTreeMap<usize, Symbolic>, InputError> {
+        let element = self.read(text, source, &Elements { names: self })?;
+        if element.scalar.vanishes() {
+            return Ok(element.vector);
+        }
+        let message = format!("the part {} has no basis vector", element.scalar);
+        Err(InputError::usage(message)
+            .at(&source.whole(text.trim()))
+            .help("a bracket is a sum of multiples of basis vectors"))
+    }
+
+    /// A complex number; `i` is the imaginary unit.
+    pub fn complex(&self, text: &str, source: &Source) -> Result<Complex<Symbolic>, InputError> {
+        self.read(text, source, &ComplexNumbers { names: self })
+    }
+
+    /// The basis, for messages.
+    fn basis(&self) -> String {
+        const SHOWN: usize = 12;
+        let mut labels: Vec<_> = self.labels.iter().map(|(label, at)| (*at, label)).collect();
+        labels.sort_unstable();
+        let first: Vec<_> = labels.iter().take(SHOWN).map(|(_, label)| label.as_str()).collect();
+        let more = if labels.len() > SHOWN { ", ..." } else { "" };
+        format!("the basis is {}{more}", first.join(", "))
+    }
+
+    fn parameter(&self, name: &str) -> Result<Symbolic, String> {
+        if is_no_number(name) {
+            return Err(format!("`{name}` is not a number"));
+        }
+        match self.parameters {
+            Some(declared) if !declared.contains(name) => {
+                let name = shown(name);
+                let known = if self.coordinates.is_empty() { "" } else { "coordinate nor a " };
+                Err(format!(
+                    "`{name}` is neither a basis vector here nor a {known}declared parameter"
+                ))
+            }
+            _ => Ok(Symbolic::parameter(name)),
+        }
+    }
+}
+
+/// Whether a name means infinity or not-a-number.
+fn is_no_number(name: &str) -> bool {
+    ["nan", "inf", "infinity"].contains(&name.to_ascii_lowercase().as_str())
+}
+
+/// One statement `head[x, y] = right side`.
+pub(super) fn statement(
+    line: &str,
+    head: &str,
+    names: &Names,
+    source: &Source,
+) -> Result<((usize, usize), Given), InputError> {
+    let form = format!("{head}[x, y] = ...");
+    let refuse =
+        |at: &Place, reason: &str| InputError::usage(reason).at(at).help(format!("write {form}"));
+    let line = line.trim();
+    let whole = source.whole(line);
+    let rest = line.strip_prefix(head).map(str::trim_start);
+    let inside = rest.and_then(|rest| rest.strip_prefix('['));
+    let Some((pair, right)) = inside.and_then(|inside| inside.split_once(']')) else {
+        return Err(refuse(&whole, "this is not a bracket statement"));
+    };
+    let Some((x, y)) = pair.split_once(',').filter(|(_, y)| !y.contains(',')) else {
+        let reason = "a bracket has two basis vectors, separated by a comma";
+        return Err(refuse(&source.whole(pair), reason));
+    };
+    let Some(right) = right.trim_start().strip_prefix('=') else {
+        return Err(refuse(&whole, "`=` is missing after the bracket"));
+    };
+    let vector = |name: &str| {
+        let trimmed = name.trim();
+        names.labels.get(trimmed).copied().ok_or_else(|| {
+            let place = source.whole(if trimmed.is_empty() { name } else { trimmed });
+            InputError::usage(format!("`{}` is not a basis vector", shown(trimmed)))
+                .at(&place)
+                .help(names.basis())
+        })
+    };
+    let pair = (vector(x)?, vector(y)?);
+    let value = names.vector(right, source)?;
+    Ok((pair, Given { value, place: whole }))
+}
+
+/// The statements of a block, one a line or separated by `;`, without comments and blank lines.
+pub(super) fn lines(block: &str) -> impl Iterator<Item = &str> {
+    block
+        .lines()
+        .map(|line| line.split('#').next().unwrap_or(""))
+        .flat_map(|line| line.split(';'))
+        .filter(|line| !line.trim().is_empty())
+}
+
+/// A metric as written: `identity`, `killing`, `diag(...)`, or rows `[[...], ...]`.
+pub(super) fn metric(
+    text: &str,
+    dimension: usize,
+    names: &Names,
+    source: &Source,
+) -> Result<MetricChoice, InputError> {
+    let trimmed = text.trim();
+    let place = source.whole(trimmed);
+    match trimmed {
+        "identity" => return Ok(MetricChoice::Identity),
+        "killing" => return Ok(MetricChoice::Killing(place)),
+        _ => {}
+    }
+    if let Some(inside) = enclosed(trimmed, "diag(", ')') {
+        let entries = split(inside);
+        if entries.len() != dimension {
+            let found = entries.len();
+            let message = format!("diag has {found} entries, the dimension is {dimension}");
+            return Err(InputError::usage(message).at(&place));
+        }
+        let mut components = Vec::new();
+        for (i, entry) in entries.iter().enumerate() {
+            components.push(([i, i], names.scalar(entry, source)?));
+        }
+        return Ok(MetricChoice::Components(components, Some(place)));
+    }
+    if let Some(inside) = enclosed(trimmed, "[", ']') {
+        let mut rows = Vec::new();
+        for row in split(inside) {
+            let Some(row) = enclosed(row.trim(), "[", ']') else {
+                let at = source.whole(row.trim());
+                return Err(InputError::usage("a row of the metric is `[a, b, ...]`").at(&at));
+            };
+            rows.push(split(row));
+        }
+        return metric_rows(&rows, dimension, |entry| names.scalar(entry, source), place);
+    }
+    Err(InputError::usage(format!("`{}` is not a metric", shown(trimmed)))
+        .at(&place)
+        .help("identity, killing, diag(a, b, ...), or [[a, b], [b, c]]"))
+}
+
+/// A metric from its rows; `read` gives the value of an entry.
+pub(super) fn metric_rows<T>(
+    rows: &[Vec<T>],
+    dimension: usize,
+    read: impl Fn(&T) -> Result<Symbolic, InputError>,
+    place: Place,
+) -> Result<MetricChoice, InputError> {
+    let square = rows.len() == dimension && rows.iter().all(|row| row.len() == dimension);
+    if !square {
+        let widths: BTreeSet<usize> = rows.iter().map(Vec::len).collect();
+        let widths: Vec<String> = widths.iter().map(usize::to_string).collect();
+        let message = format!(
+            "the metric has {} rows of {} entries, the dimension is {dimension}",
+            rows.len(),
+            widths.join(" or ")
+        );
+        return Err(InputError::usage(message).at(&place));
+    }
+    let mut components = Vec::new();
+    for (i, row) in rows.iter().enumerate() {
+        for (j, entry) in row.iter().enumerate() {
+            components.push(([i, j], read(entry)?));
+        }
+    }
+    Ok(MetricChoice::Components(components, Some(place)))
+}
+
+/// The text between `open` at the start and `close` at the end.
+fn enclosed<'t>(text: &'t str, open: &str, close: char) -> Option<&'t str> {
+    text.strip_prefix(open)?.strip_suffix(close)
+}
+
+/// The parts between commas outside parentheses and brackets.
+pub(super) fn split(text: &str) -> Vec<&str> {
+    let (mut depth, mut start, mut parts) = (0i64, 0, Vec::new());
+    for (at, symbol) in text.char_indices() {
+        match symbol {
+            '(' | '[' => depth += 1,
+            ')' | ']' => depth -= 1,
+            ',' if depth == 0 => {
+                parts.push(&text[start..at]);
+                start = at + 1;
+            }
+            _ => {}
+        }
+    }
+    parts.push(&text[start..]);
+    parts
+}
+
+/// The numbers of basis vectors by their names, which are distinct; `place` is that of a label.
+pub(super) fn basis(
+    labels: &[&str],
+    place: &dyn Fn(usize) -> Place,
+) -> Result<BTreeMap<String, usize>, InputError> {
+    super::check_dimension(labels.len())?;
+    let mut indices = BTreeMap::new();
+    for (at, label) in labels.iter().enumerate() {
+        check_name(label).map_err(|error| error.at(&place(at)))?;
+        if indices.insert(label.to_string(), at).is_some() {
+            let message = format!("the basis vector `{label}` is named twice");
+            return Err(InputError::usage(message).at(&place(at)));
+        }
+    }
+    Ok(indices)
+}
+
+/// Refuses a text that is no name.
+pub(crate) fn check_name(name: &str) -> Result<(), InputError> {
+    if is_name(name) && name.len() <= 64 {
+        return Ok(());
+    }
+    Err(InputError::usage(format!("`{}` is not a name", shown(name)))
+        .help("a name is an ASCII letter or _, then letters, digits and _, at most 64 in all"))
+}
+
+/// Sums of a vector and a scalar, as they arise within a right side.
+struct Elements<'n> {
+    names: &'n Names<'n>,
+}
+
+#[derive(Clone)]
+struct Element {
+    scalar: Symbolic,
+    vector: BTreeMap<usize, Symbolic>,
+}
+
+impl Element {
+    fn map(&self, f: impl Fn(&Symbolic) -> Result<Symbolic, String>) -> Result<Self, String> {
+        let vector = self.vector.iter().map(|(i, value)| Ok((*i, f(value)?)));
+        Ok(Element { scalar: f(&self.scalar)?, vector: vector.collect::<Result<_, String>>()? })
+    }
+}
+
+/// The arithmetic of scalars, with its limits.
+fn scalars() -> impl Meaning<Value = Symbolic> {
+    Scalars(|name: &str| -> Result<Symbolic, String> { Err(name.into()) })
+}
+
+impl Meaning for Elements<'_> {
+    type Value = Element;
+    fn number(&self, number: &Rational) -> Result<Element, String> {
+        Ok(Element { scalar: Symbolic::constant(number.clone()), vector: BTreeMap::new() })
+    }
+    fn name(&self, name: &str) -> Result<Element, String> {
+        match self.names.labels.get(name) {
+            Some(at) => Ok(Element {
+                scalar: Symbolic::from_i64(0),
+                vector: [(*at, Symbolic::from_i64(1))].into(),
+            }),
+            None => Ok(Element { scalar: self.names.parameter(name)?, vector: BTreeMap::new() }),
+        }
+    }
+    fn add(&self, a: Element, b: Element) -> Result<Element, String> {
+        let mut sum = a;
+        sum.scalar = scalars().add(sum.scalar, b.scalar)?;
+        for (i, value) in b.vector {
+            let value = match sum.vector.remove(&i) {
+                Some(other) => scalars().add(other, value)?,
+                None => value,
+            };
+            if !value.vanishes() {
+                sum.vector.insert(i, value);
+            }
+        }
+        Ok(sum)
+    }
+    fn multiply(&self, a: Element, b: Element) -> Result<Element, String> {
+        let (factor, element) = match (a.vector.is_empty(), b.vector.is_empty()) {
+            (true, _) => (a.scalar, b),
+            (_, true) => (b.scalar, a),
+            _ => return Err("the product of two basis vectors is not defined here".into()),
+        };
+        let mut product = element.map(|value| scalars().multiply(value.clone(), factor.clone()))?;
+        product.vector.retain(|_, value| !value.vanishes());
+        Ok(product)
+    }
+    fn negate(&self, a: Element) -> Element {
+        let vector = a.vector.into_iter().map(|(i, value)| (i, -value)).collect();
+        Element { scalar: -a.scalar, vector }
+    }
+    fn reciprocal(&self, a: Element) -> Result<Element, String> {
+        if !a.vector.is_empty() {
+            return Err("a basis vector cannot divide".into());
+        }
+        Ok(Element { scalar: scalars().reciprocal(a.scalar)?, vector: BTreeMap::new() })
+    }
+    fn function(&self, name: &str, argument: Element) -> Result<Element, String> {
+        if !argument.vector.is_empty() {
+            return Err("a basis vector is no argument".into());
+        }
+        Ok(Element {
+            scalar: self.names.function(name, &argument.scalar)?,
+            vector: BTreeMap::new(),
+        })
+    }
+}
+
+/// Complex numbers over the scalars.
+struct ComplexNumbers<'n> {
+    names: &'n Names<'n>,
+}
+
+impl Meaning for ComplexNumbers<'_> {
+    type Value = Complex<Symbolic>;
+    fn number(&self, number: &Rational) -> Result<Self::Value, String> {
+        Ok(Complex::real(Symbolic::constant(number.clone())))
+    }
+    fn name(&self, name: &str) -> Result<Self::Value, String> {
+        match name {
+            "i" => Ok(Complex { re: Symbolic::from_i64(0), im: Symbolic::from_i64(1) }),
+            _ => self.names.parameter(name).map(Complex::real),
+        }
+    }
+    fn add(&self, a: Self::Value, b: Self::Value) -> Result<Self::Value, String> {
+        let s = scalars();
+        Ok(Complex { re: s.add(a.re, b.re)?, im: s.add(a.im, b.im)? })
+    }
+    fn multiply(&self, a: Self::Value, b: Self::Value) -> Result<Self::Value, String> {
+        let s = scalars();
+        let product = |x: &Symbolic, y: &Symbolic| s.multiply(x.clone(), y.clone());
+        let re = s.add(product(&a.re, &b.re)?, -product(&a.im, &b.im)?)?;
+        let im = s.add(product(&a.re, &b.im)?, product(&a.im, &b.re)?)?;
+        Ok(Complex { re, im })
+    }
+    fn negate(&self, a: Self::Value) -> Self::Value {
+        Complex { re: -a.re, im: -a.im }
+    }
+    fn reciprocal(&self, a: Self::Value) -> Result<Self::Value, String> {
+        let s = scalars();
+        let square = |x: &Symbolic| s.multiply(x.clone(), x.clone());
+        let norm = s.add(square(&a.re)?, square(&a.im)?)?;
+        let factor = norm.recip().ok_or("division by zero")?;
+        let conjugate = Complex { re: a.re, im: -a.im };
+        self.multiply(conjugate, Complex::real(factor))
+    }
+}
+
+/// A connection by name, and its place.
+pub(super) fn connection(
+    text: &str,
+    names: &Names,
+    source: &Source,
+) -> Result<(ConnectionChoice, Place), InputError> {
+    let trimmed = text.trim();
+    let family =
+        trimmed.strip_prefix("lambda").and_then(|rest| rest.trim_start().strip_prefix('='));
+    let place = source.whole(trimmed);
+    let choice = match (trimmed, family) {
+        ("plus", _) => ConnectionChoice::Canonical(Canonical::Plus),
+        ("zero", _) => ConnectionChoice::Canonical(Canonical::Zero),
+        ("minus", _) => ConnectionChoice::Canonical(Canonical::Minus),
+        ("levi-civita", _) => ConnectionChoice::LeviCivita,
+        (_, Some(value)) => ConnectionChoice::Family(names.scalar(value, source)?),
+        _ => {
+            let message = format!("`{}` is not a connection", shown(trimmed));
+            return Err(InputError::usage(message)
+                .at(&place)
+                .help("plus, zero, minus, lambda=1/3, or levi-civita"));
+        }
+    };
+    Ok((choice, place))
+}

@@ -1,0 +1,96 @@
+//! Values for the parameters of a definition.
+
+use super::Definition;
+use super::input::{InputError, shown};
+use super::notation::{Names, check_name, split};
+use super::source::Source;
+use affinor_tensors::{Notation, Symbolic};
+use std::collections::BTreeMap;
+
+/// The largest size of a value after its parameters are replaced.
+const MAX_SIZE: f64 = (1u64 << 22) as f64;
+
+impl Definition {
+    /// Replaces parameters by values, all at once.
+    ///
+    /// # Errors
+    /// A name that is no parameter here, a denominator that becomes zero, or a value that grows
+    /// beyond all bounds.
+    pub fn set(&mut self, values: &BTreeMap<String, Symbolic>) -> Result<(), InputError> {
+        let mut parameters = self.parameters();
+        parameters.extend(self.declared.iter().cloned());
+        if let Some(fixed) = values.keys().find(|name| self.coordinates().contains(*name)) {
+            let message = format!("`{}` is a coordinate, not a parameter", shown(fixed));
+            return Err(InputError::usage(message).help("set parameters only"));
+        }
+        if let Some(unknown) = values.keys().find(|name| !parameters.contains(name)) {
+            let known = match parameters.as_slice() {
+                [] => "there are none".into(),
+                some => format!("the parameters are {}", some.join(", ")),
+            };
+            let message = format!("`{}` is no parameter here", shown(unknown));
+            return Err(InputError::usage(message).help(known));
+        }
+        let mut failed = None;
+        self.each_value_mut(&mut |value| {
+            if failed.is_some() {
+            } else if growth(value, values) > MAX_SIZE {
+                let message = format!("setting parameters in {value} makes it too large");
+                failed = Some(InputError::usage(message));
+            } else if let Some(substituted) = value.substitute(values) {
+                *value = substituted;
+            } else {
+                let message = format!("the denominator of {value} becomes zero");
+                failed = Some(InputError::mathematics(message));
+            }
+        });
+        failed.map_or(Ok(()), Err)
+    }
+}
+
+/// An upper bound for the size of `value` after `values` replace its parameters: no monomials are equal, none cancel.
+fn growth(value: &Symbolic, values: &BTreeMap<String, Symbolic>) -> f64 {
+    let part = |part: Symbolic| {
+        let terms = part.numerator_terms();
+        let images = terms.iter().map(|(powers, _)| {
+            let given = powers.iter().filter_map(|(name, power)| Some((values.get(name)?, power)));
+            let image = given.fold((1.0, 0.0), |(terms, size), (value, power)| {
+                let power = f64::from(*power);
+                (terms * terms_of_power(value, power), size + power * value.size() as f64)
+            });
+            image.0 * image.1
+        });
+        images.sum::<f64>()
+    };
+    part(value.numerator()) + part(value.denominator())
+}
+
+/// The largest number of terms of the power of a value: `C(t + e - 1, e)` for `t` terms.
+fn terms_of_power(value: &Symbolic, exponent: f64) -> f64 {
+    let count = |part: Symbolic| part.numerator_terms().len();
+    let terms = count(value.numerator()).max(count(value.denominator()));
+    (1..terms).fold(1.0, |product, t| product * (exponent + t as f64) / t as f64)
+}
+
+/// `name=value,...` as substitutions.
+pub(super) fn settings(
+    source: &Source,
+    names: &Names,
+) -> Result<BTreeMap<String, Symbolic>, InputError> {
+    let mut values = BTreeMap::new();
+    for part in split(&source.text) {
+        let place = source.whole(part);
+        let Some((name, value)) = part.split_once('=') else {
+            let error = InputError::usage("a setting is name=value").at(&place);
+            return Err(error.help("separate several by commas, as in --set \"J1=1/2,h=-1\""));
+        };
+        let name = name.trim();
+        check_name(name).map_err(|error| error.at(&source.whole(name)))?;
+        let value = names.scalar(value, source)?;
+        if values.insert(name.to_string(), value).is_some() {
+            let error = InputError::usage(format!("the parameter `{name}` is set twice"));
+            return Err(error.at(&place));
+        }
+    }
+    Ok(values)
+}

@@ -1,0 +1,362 @@
+//! A SPACE of the command line, with the options that complete it.
+
+use super::document;
+use super::input::{InputError, shown};
+use super::notation::{self, Names, basis, lines, metric, statement};
+use super::setting::settings;
+use super::source::Source;
+use super::written::{MetricText, Text};
+use super::{Definition, Origin, Reading};
+use affinor::algebra::catalogue::CatalogueError;
+use affinor::geometry::paper;
+use affinor_tensors::{Notation, Rational, Symbolic, Tolerance, Tracked};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// The arguments of the command line that define a space.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// The SPACE, perhaps with `@connection;metric=...`.
+    pub space: Option<String>,
+    /// The basis names of inline brackets.
+    pub basis: Option<String>,
+    /// Inline brackets.
+    pub brackets: Vec<String>,
+    /// `--connection`.
+    pub connection: Option<String>,
+    /// `--metric`.
+    pub metric: Option<String>,
+    /// `--set`, as `name=value,...`.
+    pub set: Option<String>,
+}
+
+/// Which scalar to compute in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum ScalarChoice {
+    /// Rationals, or rational functions where parameters are left.
+    #[default]
+    Exact,
+    /// `f64`, with its rounding followed ([`Tracked`]).
+    Float,
+}
+
+/// A space that is read.
+#[derive(Clone, Debug)]
+pub struct Space {
+    /// Its definition.
+    pub definition: Definition,
+    /// The parameters that the command line introduced.
+    pub introduced: Vec<String>,
+    /// The file it was read from.
+    pub file: Option<PathBuf>,
+}
+
+/// A computation over the scalar that a space needs.
+pub trait Work {
+    /// The result.
+    type Output;
+    /// Runs the computation.
+    ///
+    /// # Errors
+    /// Whatever the computation refuses.
+    fn run<S: Notation>(
+        self,
+        definition: &Definition,
+        reading: &Reading<S>,
+    ) -> Result<Self::Output, InputError>;
+}
+
+impl Space {
+    /// Reads a request.
+    ///
+    /// # Errors
+    /// A name that is unknown or ambiguous, a file that cannot be read, a value that is refused: with the place.
+    pub fn open(request: &Request) -> Result<Self, InputError> {
+        let (name, modifiers) = match &request.space {
+            Some(space) => split_space(space)?,
+            None => (None, Modifiers::default()),
+        };
+        let definition = match (&name, &request.basis, request.brackets.is_empty()) {
+            (Some(name), None, true) => find(name)?,
+            (None, Some(labels), _) => inline(labels, &request.brackets)?,
+            (Some(_), _, _) => {
+                return Err(InputError::usage("give a SPACE or --basis and --bracket, not both"));
+            }
+            (None, None, _) => {
+                return Err(InputError::usage("no SPACE is given")
+                    .help("name one (so3, E8, file.toml), or give --basis and --bracket"));
+            }
+        };
+        let file = name.as_ref().filter(|name| is_path(name)).map(|name| match name.as_str() {
+            // a path for messages and comparisons, where the system has it
+            "-" => PathBuf::from("/dev/stdin"),
+            path => PathBuf::from(path),
+        });
+        let declared = if name.is_some() { definition.parameters() } else { vec![] };
+        Self::completed(definition, &modifiers, request, &declared, file)
+    }
+
+    /// The space of a definition, with the metric and the connection of a request.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn of(definition: Definition, request: &Request) -> Result<Self, InputError> {
+        let declared = definition.parameters();
+        Self::completed(definition, &Modifiers::default(), request, &declared, None)
+    }
+
+    fn completed(
+        mut definition: Definition,
+        modifiers: &Modifiers,
+        request: &Request,
+        declared: &[String],
+        file: Option<PathBuf>,
+    ) -> Result<Self, InputError> {
+        let (none, coordinates) = (BTreeMap::new(), definition.coordinates().to_vec());
+        let open = Names { labels: &none, parameters: None, coordinates: &coordinates };
+        let given = [(&modifiers.metric, "@metric"), (&request.metric, "--metric")];
+        for (text, origin) in given {
+            if let Some(text) = text {
+                let (source, n) = (Source::new(origin, text), definition.dimension());
+                definition.metric = Some(metric(&source.text, n, &open, &source)?);
+            }
+        }
+        let given = [(&modifiers.connection, "@connection"), (&request.connection, "--connection")];
+        for (text, origin) in given {
+            if let Some(text) = text {
+                let source = Source::new(origin, text);
+                definition.connection = Some(notation::connection(&source.text, &open, &source)?);
+            }
+        }
+        let mut space = Space { definition, introduced: vec![], file };
+        space.introduce(declared);
+        if let Some(text) = &request.set {
+            space.set(text, &[])?;
+        }
+        Ok(space)
+    }
+
+    /// The space with the metric and the connection of a file, unless these are left out.
+    ///
+    /// # Errors
+    /// A metric or a connection that is refused, with its place.
+    pub(crate) fn completed_by(
+        mut self,
+        metric: Option<&MetricText>,
+        connection: Option<&Text>,
+        source: &Source,
+    ) -> Result<Self, InputError> {
+        let (none, coordinates) = (BTreeMap::new(), self.definition.coordinates().to_vec());
+        let open = Names { labels: &none, parameters: None, coordinates: &coordinates };
+        if let Some(text) = metric {
+            self.definition.metric = Some(text.read(self.definition.dimension(), &open, source)?);
+        }
+        if let Some(text) = connection {
+            let source = source.excerpt(text);
+            let choice = notation::connection(source.content(), &open, &source)?;
+            self.definition.connection = Some(choice);
+        }
+        Ok(self)
+    }
+
+    /// Replaces parameters by values, `name=value,...`. Names that are parameters of `others` only are ignored.
+    ///
+    /// # Errors
+    /// As [`Definition::set`].
+    pub fn set(&mut self, text: &str, others: &[String]) -> Result<(), InputError> {
+        let (none, coordinates) = (BTreeMap::new(), self.definition.coordinates().to_vec());
+        let open = Names { labels: &none, parameters: None, coordinates: &coordinates };
+        let source = Source::new("--set", text);
+        let before = self.definition.parameters();
+        let mut values = settings(&source, &open)?;
+        values.retain(|name, _| before.contains(name) || !others.contains(name));
+        let set = self.definition.set(&values);
+        set.map_err(|error| error.or_at(&source.whole(&source.text)))?;
+        self.introduce(&before);
+        Ok(())
+    }
+
+    /// Records the parameters that are new.
+    fn introduce(&mut self, before: &[String]) {
+        let now = self.definition.parameters();
+        self.introduced.extend(now.into_iter().filter(|name| !before.contains(name)));
+    }
+
+    /// Runs `work` over rationals if the definition has no parameters, over rational functions if it has, and over floats
+    /// on request.
+    ///
+    /// # Errors
+    /// Floats with parameters that have no value; whatever the work refuses.
+    pub fn run<W: Work>(
+        &self,
+        choice: ScalarChoice,
+        tolerance: Tolerance,
+        work: W,
+    ) -> Result<W::Output, InputError> {
+        let parameters = self.definition.parameters();
+        match choice {
+            ScalarChoice::Float => self
+                .in_floats::<Tracked, _>(tolerance, |definition, reading| {
+                    work.run(definition, reading)
+                }),
+            ScalarChoice::Exact if parameters.is_empty() && !self.definition.is_on_chart() => {
+                let convert = |value: &Symbolic| value.as_constant().cloned();
+                work.run::<Rational>(&self.definition, &Reading { convert: &convert, tolerance })
+            }
+            ScalarChoice::Exact => {
+                let convert = |value: &Symbolic| Some(value.clone());
+                work.run::<Symbolic>(&self.definition, &Reading { convert: &convert, tolerance })
+            }
+        }
+    }
+
+    /// Runs `work` in floats: `f64`, or [`Tracked`], which bounds the rounding error of every value.
+    ///
+    /// # Errors
+    /// A chart, whose functions are exact; parameters without values; whatever the work refuses.
+    pub fn in_floats<S: Notation, R>(
+        &self,
+        tolerance: Tolerance,
+        work: impl FnOnce(&Definition, &Reading<S>) -> Result<R, InputError>,
+    ) -> Result<R, InputError> {
+        if self.definition.is_on_chart() {
+            let message = "functions on a chart are differentiated, so they are exact";
+            return Err(InputError::usage(message).help("leave --scalar float away"));
+        }
+        let parameters = self.definition.parameters();
+        if !parameters.is_empty() {
+            let message = format!("floats need numbers for {}", parameters.join(", "));
+            let help = "set them, as in --set \"J1=1/2,h=-1\"";
+            return Err(InputError::usage(message).help(help));
+        }
+        let convert = |value: &Symbolic| value.as_constant().and_then(S::from_rational);
+        work(&self.definition, &Reading { convert: &convert, tolerance })
+    }
+}
+
+/// The connection and the metric after `@`.
+#[derive(Default)]
+struct Modifiers {
+    connection: Option<String>,
+    metric: Option<String>,
+}
+
+/// The parts of `NAME@connection;metric=...`.
+fn split_space(space: &str) -> Result<(Option<String>, Modifiers), InputError> {
+    let mut modifiers = Modifiers::default();
+    if is_path(space) && Path::new(space).is_file() {
+        return Ok((Some(space.to_string()), modifiers));
+    }
+    let source = Source::new("SPACE", space);
+    let space = &*source.text;
+    let (name, behind) = match space.rsplit_once('@') {
+        Some((name, behind)) => (name, behind),
+        None => match space.split_once(';') {
+            Some((name, behind)) => (name, behind),
+            None => (space, ""),
+        },
+    };
+    for part in behind.split(';').map(str::trim).filter(|part| !part.is_empty()) {
+        let (place, value) = match part.split_once('=') {
+            Some((key, value)) if key.trim() == "metric" => (&mut modifiers.metric, value),
+            _ => (&mut modifiers.connection, part),
+        };
+        if place.replace(value.trim().to_string()).is_some() {
+            return Err(
+                InputError::usage("a connection or metric is named twice").at(&source.whole(part))
+            );
+        }
+    }
+    Ok((Some(name.trim().to_string()), modifiers))
+}
+
+/// A geometry of the paper, a file, or a sum of catalogue names.
+fn find(name: &str) -> Result<Definition, InputError> {
+    let compact: String = name.chars().filter(|c| !c.is_whitespace()).collect();
+    match compact.as_str() {
+        "M(3)" | "M3" => return Definition::of_paper(&paper::m3()?, Symbolic::clone),
+        "SO(3)" | "SO3" => {
+            let exact = |value: &Rational| Symbolic::constant(value.clone());
+            return Definition::of_paper(&paper::so3()?, exact);
+        }
+        _ => {}
+    }
+    if is_path(name) {
+        return Definition::read(name);
+    }
+    let source = Source::new("SPACE", name);
+    let mut sum: Option<Definition> = None;
+    for part in affinor::group::registry::summands(&source.text) {
+        let definition = entry(part, &source)?;
+        sum = Some(match sum {
+            None => definition,
+            Some(sum) => sum.direct_sum(definition)?,
+        });
+    }
+    sum.ok_or_else(|| InputError::usage("no SPACE is named"))
+}
+
+/// A catalogue entry by its name, a piece of `source`.
+fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
+    const NAMES: &str = "`affinor list` shows the names; a file ends in .toml or .json";
+    let name = part.trim();
+    if name.is_empty() {
+        let error = InputError::usage("the name of an algebra is missing here");
+        return Err(error.at(&source.whole(part)).help(NAMES));
+    }
+    let error = match affinor::algebra::catalogue::find(name) {
+        Ok(entry) => return Ok(Definition::from_entry(entry)),
+        Err(error) => error,
+    };
+    let span = match &error {
+        CatalogueError::Malformed { span, .. } => span.clone(),
+        CatalogueError::Value { source, .. } => source.span.clone(),
+        _ => 0..name.len(),
+    };
+    let refused = InputError::usage(error.to_string()).at(&source.find(name, span));
+    let foreign: String = name.chars().filter(|c| !c.is_ascii()).collect();
+    Err(match error {
+        _ if !foreign.is_empty() => {
+            refused.help(format!("names are ASCII; this is not: {}", shown(&foreign)))
+        }
+        CatalogueError::Unknown { .. } => refused.help(NAMES),
+        _ => refused,
+    })
+}
+
+/// Whether a SPACE is a path: `-`, an ending of a file, or a `/` outside parentheses.
+fn is_path(name: &str) -> bool {
+    let mut depth = 0i64;
+    let slash = name.chars().any(|c| {
+        depth += i64::from(c == '(') - i64::from(c == ')');
+        c == '/' && depth == 0
+    });
+    name == "-" || name.ends_with(".toml") || name.ends_with(".json") || slash
+}
+
+/// Brackets given on the command line.
+fn inline(labels: &str, brackets: &[String]) -> Result<Definition, InputError> {
+    let source = Source::new("--basis", labels);
+    let labels = source.text.split([' ', ',', '\t', '\n']);
+    let labels: Vec<&str> = labels.filter(|label| !label.is_empty()).collect();
+    let indices = basis(&labels, &|at| source.whole(labels[at]))?;
+    let names = Names { labels: &indices, parameters: None, coordinates: &[] };
+    let mut given = BTreeMap::new();
+    for block in brackets {
+        let source = Source::new("--bracket", block);
+        for line in lines(&source.text) {
+            let (pair, right) = statement(line, "", &names, &source)?;
+            document::add(&mut given, pair, right)?;
+        }
+    }
+    Ok(Definition {
+        name: "inline algebra".into(),
+        algebra_name: None,
+        labels: labels.into_iter().map(str::to_string).collect(),
+        origin: Origin::Brackets(given),
+        metric: None,
+        connection: None,
+        declared: vec![],
+        source: None,
+    })
+}

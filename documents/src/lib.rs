@@ -1,0 +1,16 @@
+//! Documents of [`affinor`]: the files and names that describe spaces and motions, and the reports about them.
+//!
+//! In reading order:
+//! - [`definition`]: spaces, on the command line and in TOML or JSON files;
+//! - [`problem`]: problems of motion in such files, and the motions that they start;
+//! - [`certificate`]: checks of a definition, each with its witness;
+//! - [`report`]: tables of tensors, comparisons and equations in every format;
+//! - [`rows`]: the rows of trajectories as CSV, JSON and, with the feature `parquet`, Parquet.
+//!
+//! The program `affinor` is built on this package.
+
+pub mod certificate;
+pub mod definition;
+pub mod problem;
+pub mod report;
+pub mod rows;

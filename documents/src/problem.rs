@@ -1,0 +1,315 @@
+//! Problems of motion: files that are read into motions.
+//!
+//! A problem has a class: Euler-Poincare equations, with or without constraints, Lie-Poisson equations, a given velocity,
+//! or an isospectral flow of matrices. Around the class are the parameters, the integration, the output and, perhaps, an
+//! ensemble that varies parameters. Every number may be a formula in the parameters.
+//!
+//! In reading order: `keys` of a file are read by a `reader` into one file for each class, and these into a
+//! [`Problem`]. It starts motions ([`Ready`]), which a [`Walk`] integrates.
+
+mod body;
+mod constrained;
+mod dynamics;
+mod ensemble;
+mod euler_poincare;
+mod given_velocity;
+mod initial;
+mod integration;
+mod keys;
+mod lie_poisson;
+mod matrix_flow;
+mod member;
+mod on_group;
+mod output;
+mod reader;
+mod ready;
+mod walk;
+
+pub use ready::{Column, Ready};
+pub use walk::{Progress, Walk};
+
+use crate::definition::file;
+use crate::definition::input::{InputError, shown};
+use crate::definition::numbers::numbers_in;
+use crate::definition::source::Source;
+use affinor::mechanics::Magnus;
+use affinor::mechanics::motions::Method;
+use constrained::Constrained;
+use ensemble::Ensemble;
+use euler_poincare::EulerPoincare;
+use given_velocity::GivenVelocity;
+use integration::Integration;
+use keys::Keys;
+use lie_poisson::LiePoisson;
+use matrix_flow::MatrixFlow;
+use member::{Member, values_of};
+use output::{Output, expect_distinct};
+use reader::{Reader, Value};
+use std::path::Path;
+
+/// A problem of motion.
+#[derive(Clone, Debug)]
+pub struct Problem {
+    /// The name.
+    pub name: String,
+    source: Source,
+    /// The paths of the other files that it names.
+    files: Vec<String>,
+    parameters: Vec<Parameter>,
+    /// Values that replace those of the file.
+    settings: Vec<(String, f64)>,
+    class: Class,
+    integration: Integration,
+    output: Output,
+    ensemble: Option<Ensemble>,
+}
+
+#[derive(Clone, Debug)]
+struct Parameter {
+    name: String,
+    /// A formula in the parameters before it; none for a parameter that only the ensemble brings in.
+    value: Option<Value>,
+}
+
+/// The classes of problems.
+#[derive(Clone, Debug)]
+enum Class {
+    EulerPoincare(Box<EulerPoincare>),
+    Constrained(Box<Constrained>),
+    LiePoisson(Box<LiePoisson>),
+    GivenVelocity(Box<GivenVelocity>),
+    MatrixFlow(Box<MatrixFlow>),
+}
+
+impl Class {
+    fn read(keys: &Keys, reader: &Reader) -> Result<Self, InputError> {
+        Ok(if let Some(flow) = &keys.flow {
+            Class::MatrixFlow(MatrixFlow::read(flow, reader)?.into())
+        } else if let Some(given) = &keys.given {
+            Class::GivenVelocity(GivenVelocity::read(given, keys, reader)?.into())
+        } else if let Some(hamiltonian) = &keys.hamiltonian {
+            Class::LiePoisson(LiePoisson::read(hamiltonian, keys, reader)?.into())
+        } else if keys.constraints.is_some() {
+            Class::Constrained(Constrained::read(keys, reader)?.into())
+        } else {
+            Class::EulerPoincare(EulerPoincare::read(keys, reader)?.into())
+        })
+    }
+
+    fn motion(&self, member: &Member) -> Result<Ready, InputError> {
+        match self {
+            Class::EulerPoincare(class) => class.motion(member),
+            Class::Constrained(class) => class.motion(member),
+            Class::LiePoisson(class) => class.motion(member),
+            Class::GivenVelocity(class) => class.motion(member),
+            Class::MatrixFlow(class) => class.motion(member),
+        }
+    }
+}
+
+impl Problem {
+    /// Reads a problem from a file, or from standard input for `-`.
+    ///
+    /// # Errors
+    /// A file that cannot be read, parsed or understood, with the place.
+    pub fn read(path: &str) -> Result<Self, InputError> {
+        Self::of_source(&file::read(path)?, Path::new(path).parent().unwrap_or(Path::new("")))
+    }
+
+    /// Reads a problem from the text of a file; paths in it are relative to the current folder.
+    ///
+    /// ```
+    /// use affinor_documents::problem::Problem;
+    /// let text = r#"
+    /// space = "so3"
+    /// metric = "diag(0.6, 0.8, 1)"
+    /// initial.momentum = [1.8, 0.4, -0.9]
+    /// output = { end = 1, every = 0.5 }
+    /// "#;
+    /// let problem = Problem::parse("body.toml", text)?;
+    /// let mut ready = problem.motion(0)?;
+    /// while !ready.motion.step(1.0)? {}
+    /// assert_eq!(ready.method.name(), "exact");
+    /// let energy = ready.columns.iter().position(|column| column.name == "energy").unwrap();
+    /// assert!((ready.motion.row()[energy] - 3.205).abs() < 1e-14);
+    /// # Ok::<(), affinor_documents::definition::InputError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
+        Self::of_source(&Source::new(name.escape_debug().to_string(), text), Path::new(""))
+    }
+
+    /// Reads a problem whose file lies in a folder.
+    fn of_source(source: &Source, folder: &Path) -> Result<Self, InputError> {
+        let content = "a problem has a space, its metric, initial values and an output";
+        let (keys, source): (Keys, Source) = file::keys(source, content)?;
+        let mut reader = Reader::new(&source, folder);
+        let mut values = Vec::new();
+        for (name, number) in keys.parameters.iter().flat_map(|table| &table.0) {
+            values.push(Some(reader.value(number)?));
+            reader.declare(name)?;
+        }
+        let ensemble = keys.ensemble.as_ref();
+        let ensemble = ensemble.map(|keys| Ensemble::read(keys, &mut reader)).transpose()?;
+        let values = values.into_iter().chain(std::iter::repeat(None));
+        let parameters = reader.names.iter().cloned().zip(values);
+        let stem = Path::new(&source.name).file_stem();
+        let stem = stem.map_or(source.name.clone(), |stem| stem.to_string_lossy().into_owned());
+        Ok(Problem {
+            name: keys.name.clone().unwrap_or(stem),
+            parameters: parameters.map(|(name, value)| Parameter { name, value }).collect(),
+            settings: vec![],
+            integration: Integration::read(&keys.integrator, &reader)?,
+            output: Output::read(&keys, &reader)?,
+            class: Class::read(&keys, &reader)?,
+            ensemble,
+            files: reader.into_files(),
+            source,
+        })
+    }
+
+    /// Gives parameters other values, `name=value,...`. Parameters that depend on them follow, and an ensemble no longer
+    /// varies them.
+    ///
+    /// # Errors
+    /// A name that is no parameter; a value that is no number.
+    pub fn set(&mut self, text: &str) -> Result<(), InputError> {
+        let source = Source::new("--set", text);
+        for part in source.text.split(',').filter(|part| !part.trim().is_empty()) {
+            let Some((name, value)) = part.split_once('=') else {
+                let error = InputError::usage("a setting is name=value");
+                return Err(error.at(&source.whole(part)));
+            };
+            let trimmed = name.trim();
+            let known: Vec<&str> = self.parameters.iter().map(|known| &*known.name).collect();
+            if !known.contains(&trimmed) {
+                let message = format!("`{}` is no parameter here", shown(trimmed));
+                let help = match known.as_slice() {
+                    [] => "there are none".into(),
+                    known => format!("the parameters are {}", known.join(", ")),
+                };
+                return Err(InputError::usage(message).at(&source.whole(name)).help(help));
+            }
+            let [value] = numbers_in(value, &source)?[..] else {
+                let error = InputError::usage("a parameter has one value");
+                return Err(error.at(&source.whole(part)));
+            };
+            self.settings.retain(|(other, _)| other != trimmed);
+            self.settings.push((trimmed.into(), value));
+            if let Some(ensemble) = &mut self.ensemble {
+                ensemble.leave_out(trimmed);
+            }
+        }
+        Ok(())
+    }
+
+    /// The values of the parameters for a member of the ensemble, from 0.
+    fn values(&self, member: u64) -> Result<Vec<(String, f64)>, InputError> {
+        let varied = self.varied().into_iter().zip(self.variation(member));
+        let mut given: Vec<(&str, f64)> = varied.collect();
+        given.extend(self.settings.iter().map(|(name, value)| (&**name, *value)));
+        let mut values = Vec::with_capacity(self.parameters.len());
+        for Parameter { name, value } in &self.parameters {
+            let own = given.iter().find(|(other, _)| other == name);
+            values.push(match (own, value) {
+                (Some((_, number)), _) => *number,
+                (None, Some(value)) => value.at(&values)?,
+                (None, None) => f64::NAN,
+            });
+        }
+        let names = self.parameters.iter().map(|parameter| parameter.name.clone());
+        Ok(names.zip(values).collect())
+    }
+
+    /// The method of integration that the file names.
+    pub fn method(&self) -> Option<Method> {
+        self.integration.method
+    }
+
+    /// The times of the rows of a member of the ensemble, from 0; the first is the initial time.
+    ///
+    /// # Errors
+    /// Times that neither increase nor decrease, or are too many; a formula without a value.
+    pub fn times(&self, member: u64) -> Result<Vec<f64>, InputError> {
+        self.output.times.at(&self.source, &values_of(&self.values(member)?))
+    }
+
+    /// The same problem with another method, with steps of this length, or with this relative tolerance.
+    #[must_use]
+    pub fn with_method(&self, method: Method, step: Option<f64>, tolerance: f64) -> Self {
+        let integration = self.integration.with_method(method, step, tolerance, &self.source);
+        Problem { integration, ..self.clone() }
+    }
+
+    /// The same problem with other columns, by their names in a file, and no named quantities.
+    #[must_use]
+    pub fn with_columns(&self, names: &[&str]) -> Self {
+        Problem { output: self.output.with_columns(names, &self.source), ..self.clone() }
+    }
+
+    /// The same problem with a row at the end only.
+    #[must_use]
+    pub fn to_the_end(&self) -> Self {
+        let mut problem = self.clone();
+        problem.output.times = self.output.times.to_the_end();
+        problem
+    }
+
+    /// The most accurate method of a class that has no step-size control.
+    pub fn own_class(&self) -> Option<Method> {
+        match &self.class {
+            Class::MatrixFlow(_) => Some(Method::ComposedIsospectral),
+            Class::GivenVelocity(_) => Some(Method::Magnus(Magnus::Six)),
+            Class::EulerPoincare(_) | Class::Constrained(_) | Class::LiePoisson(_) => None,
+        }
+    }
+
+    /// The text of the file.
+    pub fn text(&self) -> &str {
+        &self.source.text
+    }
+
+    /// The paths of the other files that it names: tables, meshes, the definition of its space.
+    pub fn files(&self) -> &[String] {
+        &self.files
+    }
+
+    /// The number of members of the ensemble; none without one.
+    pub fn members(&self) -> Option<u64> {
+        self.ensemble.as_ref().and_then(Ensemble::checked_size)
+    }
+
+    /// The names of the parameters that the ensemble varies.
+    pub fn varied(&self) -> Vec<&str> {
+        self.ensemble.iter().flat_map(|ensemble| ensemble.names()).collect()
+    }
+
+    /// The values of the parameters that the ensemble varies, for a member from 0.
+    pub fn variation(&self, member: u64) -> Vec<f64> {
+        self.ensemble.as_ref().map_or(vec![], |ensemble| ensemble.values(member))
+    }
+
+    /// The motion; of an ensemble that of a member, from 0.
+    ///
+    /// # Errors
+    /// A refusal of the mathematics, such as a degenerate metric; a method that is not for this class.
+    pub fn motion(&self, member: u64) -> Result<Ready, InputError> {
+        let parameters = self.values(member)?;
+        let times = self.output.times.at(&self.source, &values_of(&parameters))?;
+        let (source, integration, output) = (&self.source, &self.integration, &self.output);
+        let ready =
+            self.class.motion(&Member { source, parameters, times, integration, output })?;
+        integration.expect_no_ignored_keys(ready.method, source)?;
+        let of_ensemble =
+            self.ensemble.as_ref().map_or(vec![], |_| [vec!["member"], self.varied()].concat());
+        expect_distinct(&ready.columns, &of_ensemble, source)?;
+        Ok(ready)
+    }
+
+    /// A walk of a motion of this problem through its times and events.
+    pub fn walk(&self, ready: Ready) -> Walk {
+        Walk::new(ready, self.output.stop.clone(), self.output.section.clone())
+    }
+}

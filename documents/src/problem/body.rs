@@ -1,0 +1,322 @@
+//! Bodies by their parts: simple shapes, meshes, masses at points, holes.
+
+use super::keys::{InertiaKeys, PartKeys};
+use super::reader::{Reader, Value};
+use crate::definition::input::{InputError, shown};
+use crate::definition::read_mesh;
+use crate::definition::source::Place;
+use crate::definition::written::{Number, PointText};
+use affinor::Metric;
+use affinor::mechanics::motions::SimulationGroup;
+use affinor::mechanics::{Inertia, MassProperties};
+use affinor_tensors::{Down, Tensor};
+use nalgebra::{Isometry3, Matrix3, Vector3};
+
+/// The shapes, with the keys of their sizes.
+const SHAPES: &str = "box (edges), ball (radius), ellipsoid (half_axes), cylinder (radius, height), \
+                      rod (length), points (points)";
+
+/// A body whose numbers are formulas.
+#[derive(Clone, Debug)]
+pub(super) struct Body {
+    about: Option<About>,
+    content: Content,
+    place: Place,
+}
+
+#[derive(Clone, Debug)]
+enum About {
+    Centre,
+    Point(Vec<Value>),
+}
+
+#[derive(Clone, Debug)]
+enum Content {
+    Parts(Vec<Part>),
+    /// Rows of the inertia itself.
+    Matrix(Vec<Vec<Value>>),
+}
+
+#[derive(Clone, Debug)]
+struct Part {
+    shape: Shape,
+    amount: Amount,
+    at: Option<Vec<Value>>,
+    turn: Option<Vec<Value>>,
+    hole: bool,
+    place: Place,
+}
+
+#[derive(Clone, Debug)]
+enum Shape {
+    Cuboid(Vec<Value>),
+    Ellipsoid(Vec<Value>),
+    Ball(Value),
+    Cylinder(Value, Value),
+    Rod(Value),
+    Points(Vec<Vec<Value>>),
+    /// At density 1.
+    Solid(MassProperties),
+}
+
+#[derive(Clone, Debug)]
+enum Amount {
+    Mass(Value),
+    Density(Value),
+    /// That of the points.
+    Own,
+}
+
+impl Body {
+    /// Reads a body, and its meshes.
+    pub fn read(keys: &InertiaKeys, reader: &Reader) -> Result<Self, InputError> {
+        let place = reader.source.key("inertia");
+        let content = match (&keys.parts, &keys.moments, &keys.matrix) {
+            (Some(parts), None, None) => {
+                let parts = parts.iter().map(|part| part.read(reader));
+                Content::Parts(parts.collect::<Result<_, _>>()?)
+            }
+            (None, Some(moments), None) => {
+                let moments = reader.values(moments)?;
+                let zero = Value::constant(reader.source, 0.0);
+                let rows = (0..moments.len()).map(|i| {
+                    let mut row = vec![zero.clone(); moments.len()];
+                    row[i] = moments[i].clone();
+                    row
+                });
+                Content::Matrix(rows.collect())
+            }
+            (None, None, Some(rows)) => Content::Matrix(reader.rows(rows)?),
+            _ => {
+                let error = InputError::usage("an inertia needs exactly one of its keys");
+                return Err(error.at(&place).help("give one of parts, moments, matrix"));
+            }
+        };
+        let about = match &keys.about {
+            None => None,
+            Some(PointText::Numbers(point)) => Some(About::Point(reader.values(point)?)),
+            Some(PointText::Word(word)) if &**word == "centre" => Some(About::Centre),
+            Some(PointText::Word(word)) => {
+                let message = format!("`{}` is no point", shown(word));
+                let help = "a point is \"centre\" or [x, y, z]";
+                return Err(InputError::usage(message).at(&reader.source.at(word)).help(help));
+            }
+        };
+        if about.is_some() && matches!(content, Content::Matrix(_)) {
+            let error = InputError::usage("a point goes with parts").at(&place);
+            return Err(error.help("moments and matrix are about the point that stays"));
+        }
+        Ok(Body { about, content, place })
+    }
+}
+
+impl PartKeys {
+    fn read(&self, reader: &Reader) -> Result<Part, InputError> {
+        let name = self.shape.as_ref().or(self.mesh.as_ref());
+        let place = name.map(|name| reader.source.at(name));
+        let place = place.unwrap_or_else(|| reader.source.key("inertia.parts"));
+        let refused = |message: String| Err(InputError::usage(message).at(&place));
+        let mut used = vec![];
+        let shape = match (&self.shape, &self.mesh) {
+            (Some(shape), None) => {
+                used.extend(match &**shape {
+                    "box" => &["edges"][..],
+                    "ball" => &["radius"],
+                    "ellipsoid" => &["half_axes"],
+                    "cylinder" => &["radius", "height"],
+                    "rod" => &["length"],
+                    "points" => &["points"],
+                    _ => {
+                        let message = format!("`{}` is no shape", shown(shape));
+                        let error = InputError::usage(message).at(&place);
+                        return Err(error.help(format!("the shapes are {SHAPES}")));
+                    }
+                });
+                self.shape(shape, reader)?
+            }
+            (None, Some(file)) => {
+                let mesh = read_mesh(&reader.file(file));
+                let mesh = mesh.map_err(|error| error.or_at(&place))?;
+                Some(Shape::Solid(mesh.mass_properties()))
+            }
+            _ => return refused("a part has a shape or a mesh".into()),
+        };
+        let sizes = [
+            ("edges", self.edges.is_some()),
+            ("half_axes", self.half_axes.is_some()),
+            ("radius", self.radius.is_some()),
+            ("height", self.height.is_some()),
+            ("length", self.length.is_some()),
+            ("points", self.points.is_some()),
+        ];
+        let (Some(shape), true) = (shape, sizes.iter().all(|(key, is)| *is == used.contains(key)))
+        else {
+            let sizes = if used.is_empty() { "no sizes".into() } else { used.join(", ") };
+            return refused(format!("the part has {sizes}"));
+        };
+        let amount = match (&self.mass, &self.density, &shape) {
+            (None, None, Shape::Points(_)) => Amount::Own,
+            (Some(mass), None, shape) if !matches!(shape, Shape::Points(_)) => {
+                Amount::Mass(reader.value(mass)?)
+            }
+            (None, Some(density), shape) if !matches!(shape, Shape::Points(_)) => {
+                Amount::Density(reader.value(density)?)
+            }
+            _ => return refused("a part has a mass or a density; points have their own".into()),
+        };
+        let (at, turn) = (reader.optional_values(&self.at)?, reader.optional_values(&self.turn)?);
+        Ok(Part { shape, amount, at, turn, hole: self.hole, place })
+    }
+
+    /// The shape of that name, unless one of its sizes is missing.
+    fn shape(&self, name: &str, reader: &Reader) -> Result<Option<Shape>, InputError> {
+        let value = |number: &Option<Number>| reader.optional(number);
+        let list = |list: &Option<Vec<Number>>| reader.optional_values(list);
+        Ok(match name {
+            "box" => list(&self.edges)?.map(Shape::Cuboid),
+            "ellipsoid" => list(&self.half_axes)?.map(Shape::Ellipsoid),
+            "ball" => value(&self.radius)?.map(Shape::Ball),
+            "rod" => value(&self.length)?.map(Shape::Rod),
+            "cylinder" => {
+                let both = value(&self.radius)?.zip(value(&self.height)?);
+                both.map(|(radius, height)| Shape::Cylinder(radius, height))
+            }
+            _ => match &self.points {
+                None => None,
+                Some(points) => Some(Shape::Points(reader.rows(points)?)),
+            },
+        })
+    }
+}
+
+/// Parameters that a body adds: its mass, and its centre from the point that stays.
+type Names = Vec<(String, f64)>;
+
+impl Body {
+    /// The metric on so(3) or se(3), and the parameters `mass`, `centre1`, `centre2`, `centre3`.
+    pub fn metric<G: SimulationGroup>(
+        &self,
+        group: &G,
+        labels: &[String],
+        values: &[f64],
+    ) -> Result<(Metric<f64>, Names), InputError> {
+        let refused = |message: &str| Err(InputError::usage(message).at(&self.place));
+        let turns = group.names().first() == Some(&"qw") && !G::RIGHT;
+        let whole = match (turns, labels.len()) {
+            (true, 3) => false,
+            (true, 6) => true,
+            _ => return refused("an inertia is that of bodies: so(3) and se(3), left-invariant"),
+        };
+        let on_rotations = |matrix: &Matrix3<f64>| {
+            Metric::new(labels, Tensor::from_fn(3, [Down, Down], |[i, j]| matrix[(i, j)])?)
+        };
+        let parts = match &self.content {
+            Content::Matrix(_) if whole => {
+                return refused("on se(3) a body has a mass and a centre: give its parts");
+            }
+            Content::Matrix(rows) => {
+                let rows = rows.iter().map(|row| three("a row of the inertia", row, values));
+                let rows: Vec<Vector3<f64>> = rows.collect::<Result<_, _>>()?;
+                let &[a, b, c] = rows.as_slice() else {
+                    return refused(&format!("{} rows are no inertia, which has 3", rows.len()));
+                };
+                let matrix = Matrix3::from_columns(&[a, b, c]).transpose();
+                let inertia = Inertia::new(&matrix).and_then(|inertia| inertia.expect_masses());
+                inertia.map_err(|error| InputError::from(error).at(&self.place))?;
+                return Ok((on_rotations(&matrix)?, vec![]));
+            }
+            Content::Parts(parts) => parts,
+        };
+        let body = self.joined(parts, values)?;
+        let point = match &self.about {
+            Some(_) if whole => {
+                return refused("on se(3) a body is about its origin: leave `about` out");
+            }
+            Some(About::Point(point)) => three("the point", point, values)?,
+            None if whole => Vector3::zeros(),
+            None | Some(About::Centre) => *body.centre(),
+        };
+        let metric = match whole {
+            true => {
+                body.metric().and_then(|metric| Metric::new(labels, metric.components().clone()))
+            }
+            false => body
+                .inertia_about(&point)
+                .and_then(|_| on_rotations(&body.inertia_matrix_about(&point))),
+        };
+        let metric = metric.map_err(|error| InputError::from(error).at(&self.place))?;
+        let centre = body.centre() - point;
+        let mut names = vec![("mass".to_string(), body.mass())];
+        names.extend((0..3).map(|i| (format!("centre{}", i + 1), centre[i])));
+        Ok((metric, names))
+    }
+
+    /// All parts, then without the holes.
+    fn joined(&self, parts: &[Part], values: &[f64]) -> Result<MassProperties, InputError> {
+        let (holes, solids): (Vec<&Part>, Vec<&Part>) = parts.iter().partition(|part| part.hole);
+        let mut body: Option<MassProperties> = None;
+        for part in solids {
+            let part = part.masses(values)?;
+            body = Some(body.map_or(part, |body| body + part));
+        }
+        let Some(mut body) = body else {
+            let error = InputError::usage("the body has no part but holes");
+            return Err(error.at(&self.place));
+        };
+        for hole in holes {
+            let left = body.without(&hole.masses(values)?);
+            body = left.map_err(|error| InputError::from(error).at(&hole.place))?;
+        }
+        Ok(body)
+    }
+}
+
+impl Part {
+    fn masses(&self, values: &[f64]) -> Result<MassProperties, InputError> {
+        let refused = |error| InputError::from(error).at(&self.place);
+        let shape = match &self.shape {
+            Shape::Cuboid(edges) => MassProperties::cuboid(&three("a box", edges, values)?),
+            Shape::Ellipsoid(axes) => {
+                MassProperties::ellipsoid(&three("an ellipsoid", axes, values)?)
+            }
+            Shape::Ball(radius) => MassProperties::ball(radius.at(values)?),
+            Shape::Cylinder(radius, height) => {
+                MassProperties::cylinder(radius.at(values)?, height.at(values)?)
+            }
+            Shape::Rod(length) => MassProperties::rod(length.at(values)?),
+            Shape::Points(points) => {
+                let mut masses = vec![];
+                for point in points {
+                    let [mass, place @ ..] = point.as_slice() else {
+                        let error = InputError::usage("a point is [mass, x, y, z]");
+                        return Err(error.at(&self.place));
+                    };
+                    masses.push((mass.at(values)?, three("the place of a point", place, values)?));
+                }
+                MassProperties::points(&masses)
+            }
+            Shape::Solid(solid) => Ok(*solid),
+        };
+        let shape = shape.map_err(refused)?;
+        let part = match &self.amount {
+            Amount::Own => Ok(shape),
+            Amount::Mass(mass) => shape.of_mass(mass.at(values)?),
+            Amount::Density(density) => shape.of_density(density.at(values)?),
+        };
+        let vector = |what: &str, list: &Option<Vec<Value>>| match list {
+            Some(list) => three(what, list, values),
+            None => Ok(Vector3::zeros()),
+        };
+        let motion = Isometry3::new(vector("`at`", &self.at)?, vector("`turn`", &self.turn)?);
+        Ok(part.map_err(refused)?.moved(&motion))
+    }
+}
+
+fn three(what: &str, list: &[Value], values: &[f64]) -> Result<Vector3<f64>, InputError> {
+    if list.len() != 3 {
+        let message = format!("{what} has {} components instead of 3", list.len());
+        let place = list.first().map(Value::place);
+        return Err(InputError::usage(message).or_at_some(place.as_ref()));
+    }
+    Ok(Vector3::from_vec(Value::all(list, values)?))
+}

@@ -1,0 +1,80 @@
+//! Problems of Euler-Poincare equations with holonomic constraints.
+
+use super::dynamics::{Dynamics, System};
+use super::keys::Keys;
+use super::member::{Member, values_of};
+use super::on_group::{GroupClass, Start};
+use super::reader::{Reader, Written};
+use super::ready::{Column, Ready};
+use crate::definition::InputError;
+use affinor::Metric;
+use affinor::group::Coordinates;
+use affinor::mechanics;
+use affinor::mechanics::motions::{Equations, Method, SimulationGroup, on_constraints};
+
+/// Equations of motion with Lagrange multipliers.
+#[derive(Clone, Debug)]
+pub(super) struct Constrained {
+    dynamics: Dynamics,
+    /// Formulas of the entries of the element, each of which must vanish.
+    constraints: Vec<Written>,
+}
+
+impl Constrained {
+    pub fn read(keys: &Keys, reader: &Reader) -> Result<Self, InputError> {
+        let constraints: Vec<_> = keys.constraints.iter().flatten().collect();
+        reader.refuse_empty("constraints", constraints.is_empty())?;
+        let constraints = constraints.into_iter().map(|text| reader.written(text)).collect();
+        Ok(Constrained { dynamics: Dynamics::read(keys, reader)?, constraints })
+    }
+
+    pub fn motion(&self, member: &Member) -> Result<Ready, InputError> {
+        self.dynamics.on_group.motion(self, member)
+    }
+}
+
+impl GroupClass for Constrained {
+    fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
+        let member = start.member;
+        let System { energy, inertia, parameters, forces, rows, element, momentum, notes } =
+            self.dynamics.system(&group, start)?;
+        if let Some(method) = member.method().filter(|m| *m != Method::GeneralisedAlpha) {
+            let message = format!("the method {method} is not for constraints");
+            return Err(InputError::mathematics(message)
+                .help("the method for constraints is generalised-alpha"));
+        }
+        let step = member.needed_step("a system with constraints")?;
+        let mut equations = Equations::new(group.clone(), values_of(&parameters));
+        for written in &self.constraints {
+            let added = equations.add(written.text(), forces.names());
+            let entries = forces.names().entries();
+            let help = format!("a constraint is a formula of the entries {entries} and parameters");
+            added.map_err(|error| written.refused(error, help))?;
+        }
+        let mut columns = rows.columns;
+        let visible = columns.len();
+        let multipliers = (1..=self.constraints.len()).map(|a| format!("lambda{a}"));
+        columns.extend(multipliers.map(|name| Column::new(name, false)));
+        columns.push(Column::new("violation", true));
+        let velocity = velocity_of(&energy.metric, &momentum)?;
+        let system = mechanics::Constrained::new(
+            group,
+            &energy.connection,
+            &energy.metric,
+            forces,
+            equations,
+        )?;
+        let initial = (member.times[0], element, velocity);
+        let motion = on_constraints(system, initial, step, rows.formulas, visible)?;
+        let motion = (motion, Method::GeneralisedAlpha);
+        let ready = Ready::new(motion, &member.times, columns, rows.events);
+        Ok(Ready { inertia: Some(inertia), notes, ..ready })
+    }
+}
+
+/// The velocity `J^-1 H` of a momentum.
+fn velocity_of<V: Coordinates>(metric: &Metric<f64>, h: &V) -> Result<V, InputError> {
+    let (inverse, h) =
+        (metric.inverse().to_dmatrix().map_err(affinor::Error::from)?, h.components());
+    Ok(V::from_fn(h.len(), |i| (0..h.len()).map(|j| inverse[(i, j)] * h[j]).sum()))
+}

@@ -1,0 +1,248 @@
+//! Equations of motion of a kinetic energy and of forces, with or without constraints.
+
+use super::body::Body;
+use super::initial::InitialMomentum;
+use super::keys::{ForceKeys, Keys};
+use super::on_group::{OnGroup, Start};
+use super::output::RowFormulas;
+use super::reader::{Reader, Written};
+use crate::definition::file;
+use crate::definition::input::{InputError, shown};
+use crate::definition::source::Place;
+use affinor::mechanics::motions::{Forces, Side, SimulationGroup, Table, is_plus};
+use affinor::{Canonical, Connection, Error, Metric};
+use affinor_tensors::Symbolic;
+use nalgebra::DMatrix;
+use std::borrow::Cow;
+use std::sync::OnceLock;
+
+/// A group with the metric of a kinetic energy, a connection, forces, and an initial velocity or momentum.
+#[derive(Clone, Debug)]
+pub(super) struct Dynamics {
+    pub on_group: OnGroup,
+    /// The body that moves, instead of a metric.
+    body: Option<Body>,
+    names_connection: bool,
+    initial: InitialMomentum,
+    forces: ForceFormulas,
+    casimirs: Vec<Symbolic>,
+    /// The kinetic energy of all members of an ensemble, if it depends on no parameter.
+    shared: OnceLock<KineticEnergy>,
+}
+
+/// The metric of a kinetic energy, and the connection of the equations of motion.
+#[derive(Clone, Debug)]
+pub(super) struct KineticEnergy {
+    pub metric: Metric<f64>,
+    pub connection: Connection<f64>,
+    /// The names that a body adds, with their values.
+    of_body: Vec<(String, f64)>,
+}
+
+/// The equations of one motion, and its initial condition.
+pub(super) struct System<'d, G: SimulationGroup> {
+    pub energy: Cow<'d, KineticEnergy>,
+    /// The matrix of the metric.
+    pub inertia: DMatrix<f64>,
+    /// The parameters, those of a body included, with their values.
+    pub parameters: Vec<(String, f64)>,
+    pub forces: Forces<G>,
+    pub rows: RowFormulas,
+    pub element: G::Element,
+    pub momentum: G::Vector,
+    pub notes: Vec<String>,
+}
+
+impl Dynamics {
+    pub fn read(keys: &Keys, reader: &Reader) -> Result<Self, InputError> {
+        if keys.metric.is_some() && keys.inertia.is_some() {
+            let error = InputError::usage("the metric is given twice");
+            let error = error.at(&reader.source.key("inertia"));
+            return Err(error.help("give one of metric, inertia"));
+        }
+        let forces = ForceFormulas::read(&keys.forces, reader)?;
+        let body = keys.inertia.as_ref().map(|keys| Body::read(keys, reader)).transpose()?;
+        let initial = InitialMomentum::read(&keys.initial, reader)?;
+        let on_group = OnGroup::read(keys, reader)?;
+        Ok(Dynamics {
+            body,
+            names_connection: keys.connection.is_some(),
+            initial,
+            forces,
+            casimirs: on_group.casimirs(),
+            on_group,
+            shared: OnceLock::new(),
+        })
+    }
+
+    fn energy<G: SimulationGroup>(
+        &self,
+        group: &G,
+        start: &Start,
+    ) -> Result<KineticEnergy, InputError> {
+        let ground = start.definition.ground(start.reading)?;
+        let (metric, of_body) = match &self.body {
+            Some(body) => {
+                let labels = group.algebra()?.labels().to_vec();
+                let (metric, names) = body.metric(group, &labels, &start.member.values())?;
+                (Some(metric), names)
+            }
+            None => (start.definition.metric(&ground, start.reading)?, vec![]),
+        };
+        let metric = metric.ok_or_else(|| {
+            let error = InputError::mathematics("a motion needs the metric of its kinetic energy");
+            error.help("give metric = \"diag(..)\", or rows; on so(3) and se(3) also [inertia]")
+        })?;
+        let connection = if start.definition.connection_is_default() {
+            Connection::canonical(&group.algebra()?, Canonical::Plus)
+        } else if G::RIGHT {
+            let message = "right-invariant equations have the connection plus of their own frame";
+            return Err(InputError::usage(message).help("name no connection"));
+        } else {
+            start.definition.geometry_over(ground, start.reading)?.connection().clone()
+        };
+        Ok(KineticEnergy { metric, connection, of_body })
+    }
+
+    /// The equations and the initial condition of one motion.
+    ///
+    /// # Errors
+    /// A metric that is missing or degenerate; a formula, a list or a name that is refused, at its place.
+    pub fn system<G: SimulationGroup>(
+        &self,
+        group: &G,
+        start: &Start,
+    ) -> Result<System<'_, G>, InputError> {
+        let (member, values) = (start.member, start.member.values());
+        let energy = match self.shared.get() {
+            Some(energy) => Cow::Borrowed(energy),
+            None => Cow::Owned(self.energy(group, start)?),
+        };
+        let is_new = self.shared.get().is_none() && self.body.is_none();
+        if is_new && self.on_group.definition().parameters().is_empty() {
+            // another thread may have set the same value in the meantime
+            let _ = self.shared.set(energy.clone().into_owned());
+        }
+        let inertia = energy.metric.components().to_dmatrix().map_err(affinor::Error::from)?;
+        let mut notes = notes(group, &inertia);
+        if !self.names_connection && !is_plus(&energy.connection) {
+            let own = "the connection of the space is not plus, so the equations are not those of Euler and Poincare";
+            notes.push(own.into());
+        }
+        start.expect_new_names(group, &energy.of_body)?;
+        let parameters = [&member.parameters[..], &energy.of_body].concat();
+        let mut forces = Forces::none(group.clone(), inertia.clone(), parameters.clone());
+        self.forces.apply(&mut forces, start.definition.dimension())?;
+        // forces change the coadjoint orbit
+        let casimirs = if forces.is_empty() { &self.casimirs[..] } else { &[] };
+        let rows = member.output.formulas(forces.names(), &|_| true, casimirs, member.source)?;
+        let element = self.on_group.element().at(group, &values)?;
+        let momentum = self.initial.at(group, &element, forces.observables(), &values)?;
+        Ok(System { energy, inertia, parameters, forces, rows, element, momentum, notes })
+    }
+}
+
+/// The table `[forces]`.
+#[derive(Clone, Debug)]
+struct ForceFormulas {
+    /// The components in the body frame and in space.
+    components: [(Side, Vec<Written>); 2],
+    potential: Option<Written>,
+    table: Option<(Side, Table)>,
+    place: Place,
+}
+
+impl ForceFormulas {
+    fn read(keys: &ForceKeys, reader: &Reader) -> Result<Self, InputError> {
+        let source = reader.source;
+        let components = [("body", Side::Body, &keys.body), ("space", Side::Space, &keys.space)];
+        for (key, _, list) in components {
+            let is_empty = list.as_ref().is_some_and(Vec::is_empty);
+            reader.refuse_empty(&format!("forces.{key}"), is_empty)?;
+        }
+        let components = components.map(|(_, side, list)| {
+            (side, list.iter().flatten().map(|number| reader.written(&number.0)).collect())
+        });
+        let side = match keys.table_in.as_deref() {
+            None | Some("body") => Side::Body,
+            Some("space") => Side::Space,
+            Some(other) => {
+                let message = format!("`{}` is neither body nor space", shown(other));
+                return Err(InputError::usage(message).at(&source.key("forces.table_in")));
+            }
+        };
+        let table = match &keys.table {
+            Some(name) => {
+                let place = source.at(name);
+                let rows = file::read_rows(&reader.file(name));
+                let (_, rows) = rows.map_err(|error| error.or_at(&place))?;
+                let refused = |error: Error| InputError::usage(error.to_string()).at(&place);
+                Some((side, Table::new(rows).map_err(refused)?))
+            }
+            None if keys.table_in.is_some() => {
+                let error = InputError::usage("there is no table");
+                let error = error.at(&source.key("forces.table_in"));
+                return Err(error.help("give table = \"FILE.csv\""));
+            }
+            None => None,
+        };
+        let potential = keys.potential.as_ref().map(|text| reader.written(text));
+        Ok(ForceFormulas { components, potential, table, place: source.key("forces") })
+    }
+
+    /// Adds the forces to those of a motion on a group of this dimension.
+    fn apply<G: SimulationGroup>(
+        &self,
+        forces: &mut Forces<G>,
+        dimension: usize,
+    ) -> Result<(), InputError> {
+        let refused = |what: &str, found: usize, place: &Place| {
+            let message = format!("{what} has {found} components, the dimension is {dimension}");
+            Err(InputError::usage(message).at(place).or_near(&self.place))
+        };
+        for (_, components) in &self.components {
+            if let Some(first) = components.first()
+                && components.len() != dimension
+            {
+                return refused("the force", components.len(), &first.place());
+            }
+        }
+        if let Some((_, table)) = &self.table
+            && table.width() != dimension
+        {
+            let place = self.place.source.key("forces.table");
+            return refused("the table", table.width(), &place);
+        }
+        for (side, components) in &self.components {
+            for (index, written) in components.iter().enumerate() {
+                let added = forces.add(*side, index, written.text());
+                let help = || format!("the names here are {}", forces.names().all());
+                added.map_err(|error| written.refused(error, help()))?;
+            }
+        }
+        if let Some(potential) = &self.potential {
+            let entries = forces.names().entries();
+            let help =
+                format!("a potential is a formula of t, the entries {entries} and parameters");
+            let set = forces.set_potential(potential.text());
+            set.map_err(|error| potential.refused(error, help))?;
+        }
+        if let Some((side, table)) = &self.table {
+            forces.set_table(*side, table.clone());
+        }
+        Ok(())
+    }
+}
+
+/// Warnings about a metric that no rigid body has.
+fn notes<G: SimulationGroup>(group: &G, inertia: &DMatrix<f64>) -> Vec<String> {
+    let eigenvalues = inertia.symmetric_eigenvalues();
+    if eigenvalues.max() < 0.0 {
+        return vec!["the metric is negative: so is the kinetic energy".into()];
+    }
+    if eigenvalues.min() <= 0.0 {
+        return vec!["the metric is indefinite: no energy bounds the velocity".into()];
+    }
+    let Some(Ok(body)) = group.body(inertia) else { return vec![] };
+    body.expect_masses().err().iter().map(Error::to_string).collect()
+}

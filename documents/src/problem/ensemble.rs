@@ -1,0 +1,168 @@
+//! Ensembles: parameters over a grid and at random.
+
+use super::keys::EnsembleKeys;
+use super::reader::{Reader, Written};
+use crate::definition::input::{InputError, shown};
+use crate::definition::numbers::numbers_in;
+use crate::definition::written::Text;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::StandardNormal;
+
+/// The largest number of members.
+const MAX_MEMBERS: u64 = 1_000_000_000;
+/// The largest number of values of one parameter of a grid.
+const MAX_POINTS: u32 = 1_000_000;
+
+/// The parameters that the members of an ensemble vary: every point of a grid, with random samples at each.
+#[derive(Clone, Debug)]
+pub(super) struct Ensemble {
+    /// Values by name; the last name runs fastest.
+    grid: Vec<(String, Vec<f64>)>,
+    /// Distributions by name.
+    random: Vec<(String, Distribution)>,
+    /// Samples at each point of the grid.
+    samples: u64,
+    seed: u64,
+}
+
+/// A distribution of random numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Distribution {
+    /// Between two bounds.
+    Uniform(f64, f64),
+    /// By mean and standard deviation.
+    Normal(f64, f64),
+}
+
+impl Ensemble {
+    /// Reads an ensemble, and declares the parameters that it brings in.
+    pub fn read(keys: &EnsembleKeys, reader: &mut Reader) -> Result<Self, InputError> {
+        let source = reader.source;
+        let all: Vec<_> = keys.grid.iter().chain(&keys.random).flat_map(|table| &table.0).collect();
+        reader.refuse_empty("ensemble", all.is_empty() && keys.samples.is_none())?;
+        let (mut grid, mut random) = (vec![], vec![]);
+        for (name, text) in keys.grid.iter().flat_map(|table| &table.0) {
+            grid.push((name.to_string(), points(text, reader)?));
+        }
+        for (name, text) in keys.random.iter().flat_map(|table| &table.0) {
+            random.push((name.to_string(), distribution(text, reader)?));
+        }
+        for (at, (name, _)) in all.iter().enumerate() {
+            if all[..at].iter().any(|(other, _)| other.content == name.content) {
+                let message = format!("`{}` is varied twice", shown(name));
+                return Err(InputError::usage(message).at(&source.at(name)));
+            }
+            if !reader.names.contains(&name.content) {
+                reader.declare(name)?;
+            }
+        }
+        let (samples, seed) = (keys.samples.unwrap_or(1), keys.seed.unwrap_or(0));
+        let ensemble = Ensemble { grid, random, samples, seed };
+        if ensemble.checked_size().is_none() {
+            let message = format!("an ensemble has between 1 and {MAX_MEMBERS} members");
+            return Err(InputError::usage(message).at(&source.key("ensemble")));
+        }
+        Ok(ensemble)
+    }
+
+    /// The number of members, if it is within the limits.
+    pub fn checked_size(&self) -> Option<u64> {
+        let points = self.grid.iter().map(|(_, values)| values.len() as u64);
+        let size = points.chain([self.samples]).try_fold(1u64, |n, m| n.checked_mul(m))?;
+        (1..=MAX_MEMBERS).contains(&size).then_some(size)
+    }
+
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        let grid = self.grid.iter().map(|(name, _)| name.as_str());
+        grid.chain(self.random.iter().map(|(name, _)| name.as_str()))
+    }
+
+    /// Removes a parameter from those that vary.
+    pub fn leave_out(&mut self, name: &str) {
+        self.grid.retain(|(other, _)| other != name);
+        self.random.retain(|(other, _)| other != name);
+    }
+
+    /// The values of a member, in the order of the names. They depend only on the seed and on the number of the member.
+    pub fn values(&self, member: u64) -> Vec<f64> {
+        let mut point = member / self.samples;
+        let mut values = Vec::new();
+        for (_, grid) in self.grid.iter().rev() {
+            let n = grid.len() as u64;
+            values.push(grid[(point % n) as usize]);
+            point /= n;
+        }
+        values.reverse();
+        let mut numbers = ChaCha8Rng::seed_from_u64(self.seed);
+        numbers.set_stream(member);
+        for (_, distribution) in &self.random {
+            values.push(match *distribution {
+                Distribution::Uniform(low, high) => low + (high - low) * numbers.random::<f64>(),
+                Distribution::Normal(mean, deviation) => {
+                    mean + deviation * numbers.sample::<f64, _>(StandardNormal)
+                }
+            });
+        }
+        values
+    }
+}
+
+/// `from .. to in n`, or a list of values.
+fn points(text: &Text, reader: &Reader) -> Result<Vec<f64>, InputError> {
+    let written = reader.written(text);
+    let refused = |message: String| Err(InputError::usage(message).at(&written.place()));
+    let range = written.text().split_once("..").and_then(|(from, rest)| {
+        let (to, count) = rest.split_once(" in ")?;
+        Some((from, to, count.trim().parse::<u32>().ok()?))
+    });
+    match range {
+        Some((_, _, count)) if count > MAX_POINTS => {
+            refused(format!("{count} points are too many, the limit is {MAX_POINTS}"))
+        }
+        Some((from, to, count)) if count > 0 => {
+            let [from, to] = [numbers(from, &written)?, numbers(to, &written)?].map(|[x]| x);
+            let last = f64::from(count.max(2) - 1);
+            Ok((0..count).map(|k| from + (to - from) * (f64::from(k) / last)).collect())
+        }
+        Some(_) => refused("a grid has at least one point".into()),
+        None => {
+            let all = numbers_in(written.text(), written.source())?;
+            if all.is_empty() {
+                return refused("a grid is \"0 .. 1 in 11\", or a list of numbers".into());
+            }
+            Ok(all)
+        }
+    }
+}
+
+/// `normal(mean, deviation)` or `uniform(from, to)`.
+fn distribution(text: &Text, reader: &Reader) -> Result<Distribution, InputError> {
+    let written = reader.written(text);
+    let inside = |name: &str| {
+        let rest = written.text().trim().strip_prefix(name)?.trim().strip_prefix('(')?;
+        rest.strip_suffix(')')
+    };
+    let refused = |message: String| Err(InputError::usage(message).at(&written.place()));
+    if let Some(inside) = inside("normal") {
+        let [mean, deviation] = numbers(inside, &written)?;
+        if deviation < 0.0 {
+            return refused(format!("a deviation is not negative, as {deviation} is"));
+        }
+        return Ok(Distribution::Normal(mean, deviation));
+    }
+    if let Some(inside) = inside("uniform") {
+        let [low, high] = numbers(inside, &written)?;
+        return Ok(Distribution::Uniform(low, high));
+    }
+    refused("this is neither normal(mean, deviation) nor uniform(from, to)".into())
+}
+
+/// A fixed count of numbers in a piece of a text.
+fn numbers<const N: usize>(text: &str, written: &Written) -> Result<[f64; N], InputError> {
+    let found = numbers_in(text, written.source())?;
+    <[f64; N]>::try_from(found).map_err(|found| {
+        let message = format!("{} numbers stand here instead of {N}", found.len());
+        InputError::usage(message).at(&written.place())
+    })
+}

@@ -1,0 +1,85 @@
+//! Problems of kinematics: a velocity that is given over time.
+
+use super::keys::{GivenKeys, Keys, OF_DYNAMICS};
+use super::member::Member;
+use super::on_group::{GroupClass, OnGroup, Start};
+use super::reader::{Reader, Written};
+use super::ready::Ready;
+use crate::definition::InputError;
+use affinor::mechanics::integrators::Magnus;
+use affinor::mechanics::motions::quantities::Quantity;
+use affinor::mechanics::motions::{Method, Observables, Side, SimulationGroup, on_given};
+
+/// The element that moves with a given velocity.
+#[derive(Clone, Debug)]
+pub(super) struct GivenVelocity {
+    on_group: OnGroup,
+    side: Side,
+    /// The components of the velocity, as formulas in `t` and the parameters.
+    velocity: Vec<Written>,
+}
+
+impl GivenVelocity {
+    pub fn read(given: &GivenKeys, keys: &Keys, reader: &Reader) -> Result<Self, InputError> {
+        reader.refuse("a velocity given over time", &OF_DYNAMICS)?;
+        let (side, list) = match (&given.velocity, &given.space_velocity) {
+            (Some(list), None) => (Side::Body, list),
+            (None, Some(list)) => (Side::Space, list),
+            _ => {
+                let error = InputError::usage("give one of velocity, space_velocity");
+                return Err(error.at(&reader.source.key("given")));
+            }
+        };
+        let velocity = list.iter().map(|number| reader.written(&number.0)).collect();
+        Ok(GivenVelocity { on_group: OnGroup::read(keys, reader)?, side, velocity })
+    }
+
+    pub fn motion(&self, member: &Member) -> Result<Ready, InputError> {
+        self.on_group.motion(self, member)
+    }
+}
+
+impl GroupClass for GivenVelocity {
+    fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
+        let (n, member, values) = (group.dimension(), start.member, start.member.values());
+        if (self.side == Side::Space) != G::RIGHT {
+            let message =
+                "a given velocity is in the body frame; with invariance = \"right\" it is in space";
+            let place = self.velocity.first().map(Written::place);
+            return Err(InputError::usage(message).or_at_some(place.as_ref()));
+        }
+        if self.velocity.len() != n {
+            let found = self.velocity.len();
+            let message = format!("the velocity has {found} components, the dimension is {n}");
+            return Err(InputError::usage(message).at(&member.source.key("given")));
+        }
+        let method = member.method().unwrap_or(Method::Magnus(Magnus::Six));
+        let Method::Magnus(magnus) = method else {
+            let message = format!("the method {method} is not for a velocity over time");
+            return Err(InputError::mathematics(message)
+                .help("the methods for a velocity over time are magnus4 and magnus6"));
+        };
+        let step = member.needed_step("a velocity over time")?;
+        start.expect_new_names(&group, &[])?;
+        let observables = Observables::new(group.clone(), None, member.parameters.clone());
+        let names = observables.names();
+        let mut velocity = affinor::mechanics::motions::GivenVelocity::new(values.clone());
+        for formula in &self.velocity {
+            let added = velocity.add(formula.text(), names);
+            let help = "the velocity is a formula of t and the parameters";
+            added.map_err(|error| formula.refused(error, help))?;
+        }
+        // there is no inertia
+        let kinematic = |quantity: Quantity| {
+            use Quantity::{Energy, Kinetic, Momentum, OtherMomentum, Potential, Power};
+            !matches!(
+                quantity,
+                Momentum(_) | OtherMomentum(_) | Kinetic | Potential | Energy | Power
+            )
+        };
+        let rows = member.output.formulas(names, &kinematic, &[], member.source)?;
+        let initial = (member.times[0], self.on_group.element().at(&group, &values)?);
+        let motion = on_given(group, velocity, initial, (magnus, step), rows.formulas, observables);
+        Ok(Ready::new((motion, method), &member.times, rows.columns, rows.events))
+    }
+}

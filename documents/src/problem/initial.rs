@@ -1,0 +1,166 @@
+//! Initial conditions on a group: an element, and a velocity or a momentum.
+
+use super::keys::InitialKeys;
+use super::reader::{Reader, Value};
+use crate::definition::InputError;
+use crate::definition::source::Place;
+use affinor::group::{Coordinates, rotation};
+use affinor::mechanics::motions::{Observables, Side, SimulationGroup};
+use nalgebra::DMatrix;
+
+/// The initial element of the group.
+#[derive(Clone, Debug)]
+pub(super) enum InitialElement {
+    Identity,
+    /// Canonical coordinates `x` of `exp(x)`.
+    Coordinates(Vec<Value>, Place),
+    /// The rows of its matrix.
+    Rows(Vec<Vec<Value>>, Place),
+    /// A quaternion `w, x, y, z`, and the position of the body.
+    Pose(Vec<Value>, Vec<Value>, Place),
+}
+
+impl InitialElement {
+    pub fn read(keys: &InitialKeys, reader: &Reader) -> Result<Self, InputError> {
+        let source = reader.source;
+        let element = match (&keys.element, &keys.coordinates, &keys.quaternion) {
+            (None, None, None) => Self::Identity,
+            (Some(rows), None, None) => {
+                Self::Rows(reader.rows(rows)?, source.key("initial.element"))
+            }
+            (None, Some(x), None) => {
+                Self::Coordinates(reader.values(x)?, source.key("initial.coordinates"))
+            }
+            (None, None, Some(q)) => {
+                let position = keys.position.as_deref().unwrap_or(&[]);
+                let (q, position) = (reader.values(q)?, reader.values(position)?);
+                Self::Pose(q, position, source.key("initial.quaternion"))
+            }
+            _ => {
+                let message = "the element is given more than once";
+                let help = "give one of element, coordinates, quaternion";
+                return Err(InputError::usage(message).at(&source.key("initial")).help(help));
+            }
+        };
+        if keys.position.is_some() && keys.quaternion.is_none() {
+            let message = "a position stands beside a quaternion";
+            return Err(InputError::usage(message).at(&source.key("initial.position")));
+        }
+        Ok(element)
+    }
+
+    /// The element at these values of the parameters.
+    ///
+    /// # Errors
+    /// Numbers that are no element of the group.
+    pub fn at<G: SimulationGroup>(
+        &self,
+        group: &G,
+        values: &[f64],
+    ) -> Result<G::Element, InputError> {
+        let (matrix, place) = match self {
+            Self::Identity => return Ok(group.identity()),
+            Self::Coordinates(x, place) => {
+                let x = Value::vector("coordinates", x, group.dimension(), values, place)?;
+                return Ok(group.exp(&G::Vector::from_components(&x)));
+            }
+            Self::Rows(rows, place) => {
+                let width = rows.first().map_or(0, Vec::len);
+                if rows.iter().any(|row| row.len() != width) {
+                    let error = InputError::usage("the rows of the element have different lengths");
+                    return Err(error.at(place));
+                }
+                let mut entries = Vec::new();
+                for row in rows {
+                    entries.extend(Value::all(row, values)?);
+                }
+                (DMatrix::from_row_slice(rows.len(), width, &entries), place)
+            }
+            Self::Pose(quaternion, position, place) => {
+                let mut matrix = group.write(&group.identity());
+                let (size, along) = (matrix.shape(), position.len());
+                let of_rotations = group.names().first() == Some(&"qw");
+                if !(of_rotations && matches!((size, along), ((3, 3), 0) | ((4, 4), 0 | 3))) {
+                    let message = "a quaternion is for so(3), and with a position for se(3)";
+                    return Err(InputError::usage(message).at(place));
+                }
+                let Ok(q) = <[f64; 4]>::try_from(Value::all(quaternion, values)?) else {
+                    let message = "a quaternion is four numbers w, x, y, z";
+                    return Err(InputError::usage(message).at(place));
+                };
+                let rotation = rotation::from_wxyz(q);
+                let rotation = rotation.map_err(|error| InputError::from(error).at(place))?;
+                matrix.view_mut((0, 0), (3, 3)).copy_from(&rotation::matrix(&rotation));
+                for (i, value) in Value::all(position, values)?.into_iter().enumerate() {
+                    matrix[(i, 3)] = value;
+                }
+                (matrix, place)
+            }
+        };
+        group.read(&matrix).map_err(|error| InputError::from(error).at(place))
+    }
+}
+
+/// The initial velocity or momentum.
+#[derive(Clone, Debug)]
+pub(super) struct InitialMomentum {
+    is_velocity: bool,
+    side: Side,
+    values: Vec<Value>,
+    place: Place,
+}
+
+impl InitialMomentum {
+    pub fn read(keys: &InitialKeys, reader: &Reader) -> Result<Self, InputError> {
+        let source = reader.source;
+        let given = [
+            ("velocity", true, Side::Body, &keys.velocity),
+            ("space_velocity", true, Side::Space, &keys.space_velocity),
+            ("momentum", false, Side::Body, &keys.momentum),
+            ("space_momentum", false, Side::Space, &keys.space_momentum),
+        ];
+        let mut given = given.into_iter().filter_map(|(key, is_velocity, side, list)| {
+            Some((key, is_velocity, side, list.as_ref()?))
+        });
+        let refused = |message: &str| {
+            let error = InputError::usage(message).at(&source.key("initial"));
+            Err(error.help("give one of velocity, momentum, space_velocity, space_momentum"))
+        };
+        match (given.next(), given.next()) {
+            (Some((key, is_velocity, side, list)), None) => {
+                let (values, place) = (reader.values(list)?, source.key(&format!("initial.{key}")));
+                Ok(InitialMomentum { is_velocity, side, values, place })
+            }
+            (None, _) => refused("there is no velocity at the start"),
+            (Some(_), Some(_)) => refused("the velocity is given more than once"),
+        }
+    }
+
+    /// Whether it is a momentum, not a velocity.
+    pub fn is_momentum(&self) -> bool {
+        !self.is_velocity
+    }
+
+    /// The momentum in the frame of the equations.
+    ///
+    /// # Errors
+    /// A list that has not as many components as the algebra has dimensions.
+    pub fn at<G: SimulationGroup>(
+        &self,
+        group: &G,
+        g: &G::Element,
+        observables: &Observables<G>,
+        values: &[f64],
+    ) -> Result<G::Vector, InputError> {
+        let what = if self.is_velocity { "velocity" } else { "momentum" };
+        let list = Value::vector(what, &self.values, group.dimension(), values, &self.place)?;
+        let vector = G::Vector::from_components(&list);
+        let own = self.side == if G::RIGHT { Side::Space } else { Side::Body };
+        Ok(match (self.is_velocity, own) {
+            (true, true) => observables.momentum(&vector),
+            (true, false) => observables.momentum(&group.adjoint(&group.inverse(g), &vector)),
+            (false, true) => vector,
+            (false, false) => group.coadjoint(g, &vector),
+        })
+    }
+}

@@ -1,0 +1,73 @@
+//! Problems of Lie-Poisson equations: a Hamiltonian function of the momentum.
+
+use super::initial::InitialMomentum;
+use super::keys::Keys;
+use super::member::Member;
+use super::on_group::{GroupClass, OnGroup, Start};
+use super::reader::{Reader, Written};
+use super::ready::Ready;
+use crate::definition::InputError;
+use crate::definition::written::Text;
+use affinor::mechanics::motions::{Hamiltonian, Observables, SimulationGroup, on_hamiltonian};
+use affinor_tensors::Symbolic;
+
+/// A motion on coadjoint orbits.
+#[derive(Clone, Debug)]
+pub(super) struct LiePoisson {
+    on_group: OnGroup,
+    hamiltonian: Written,
+    initial: InitialMomentum,
+    casimirs: Vec<Symbolic>,
+}
+
+impl LiePoisson {
+    pub fn read(hamiltonian: &Text, keys: &Keys, reader: &Reader) -> Result<Self, InputError> {
+        let hamiltonian = reader.written(hamiltonian);
+        let refused = |message: &str| Err(InputError::usage(message).at(&hamiltonian.place()));
+        let forces = &keys.forces;
+        let forced = forces.body.is_some() || forces.space.is_some() || forces.table.is_some();
+        if forced || forces.potential.is_some() || keys.constraints.is_some() {
+            return refused("a Hamiltonian allows no forces and no constraints");
+        }
+        let initial = InitialMomentum::read(&keys.initial, reader)?;
+        let on_group = OnGroup::read(keys, reader)?;
+        if keys.inertia.is_some() || on_group.definition().has_metric() {
+            return refused("a Hamiltonian replaces the metric: give one of them");
+        }
+        if !on_group.definition().connection_is_default() {
+            return refused("a Hamiltonian gives Lie-Poisson equations, which have no connection");
+        }
+        if !initial.is_momentum() {
+            return refused("a Hamiltonian needs an initial momentum, not a velocity");
+        }
+        let casimirs = on_group.casimirs();
+        Ok(LiePoisson { on_group, hamiltonian, initial, casimirs })
+    }
+
+    pub fn motion(&self, member: &Member) -> Result<Ready, InputError> {
+        self.on_group.motion(self, member)
+    }
+}
+
+impl GroupClass for LiePoisson {
+    fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
+        let (n, member, values) = (group.dimension(), start.member, start.member.values());
+        let observables = Observables::new(group.clone(), None, member.parameters.clone());
+        let names = observables.names();
+        start.expect_new_names(&group, &[])?;
+        let hamiltonian =
+            Hamiltonian::read(self.hamiltonian.text(), &observables).map_err(|error| {
+                let momentum = names.momentum();
+                let help =
+                    format!("it is a formula of {momentum}1..{momentum}{n} and the parameters");
+                self.hamiltonian.refused(error, help)
+            })?;
+        let rows = member.output.formulas(names, &|_| true, &self.casimirs, member.source)?;
+        let element = self.on_group.element().at(&group, &values)?;
+        let momentum = self.initial.at(&group, &element, &observables, &values)?;
+        let integration = (member.method(), member.step()?, member.control()?);
+        let initial = (member.times[0], element, momentum);
+        let motion = on_hamiltonian(observables, hamiltonian, initial, integration, rows.formulas)?;
+        Ok(Ready::new(motion, &member.times, rows.columns, rows.events))
+    }
+}

@@ -1,0 +1,187 @@
+//! Problems on a Lie group: the group, its initial element, and the start of a motion on it.
+
+use super::initial::InitialElement;
+use super::keys::Keys;
+use super::member::Member;
+use super::reader::Reader;
+use super::ready::Ready;
+use crate::definition::input::{InputError, shown};
+use crate::definition::source::Place;
+use crate::definition::written::MetricText;
+use crate::definition::{Definition, Reading, Request, Space};
+use affinor::group::{Opposite, Se2, Se3, Sl2, So2, So3};
+use affinor::mechanics::motions::SimulationGroup;
+use affinor::mechanics::motions::quantities::Names;
+use affinor::{LieAlgebra, LiePoisson};
+use affinor_tensors::{Rational, Symbolic, Tolerance};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+/// Casimir functions are computed of algebras up to this dimension, up to the second degree.
+const CASIMIRS: usize = 6;
+
+/// The group of a problem.
+#[derive(Clone, Debug)]
+pub(super) struct OnGroup {
+    space: Space,
+    metric_place: Place,
+    /// Whether the equations are right-invariant.
+    right: bool,
+    element: InitialElement,
+}
+
+/// A class of problems on a group.
+pub(super) trait GroupClass {
+    /// A motion that is ready to start.
+    ///
+    /// # Errors
+    /// Whatever the class refuses.
+    fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError>;
+}
+
+/// The start of a motion on a group.
+pub(super) struct Start<'s> {
+    pub on_group: &'s OnGroup,
+    pub member: &'s Member<'s>,
+    /// The definition of the space, its parameters replaced by their values.
+    pub definition: &'s Definition,
+    pub reading: &'s Reading<'s, f64>,
+}
+
+impl OnGroup {
+    pub fn read(keys: &Keys, reader: &Reader) -> Result<Self, InputError> {
+        let source = reader.source;
+        let right = match keys.invariance.as_deref() {
+            None | Some("left") => false,
+            Some("right") => true,
+            Some(other) => {
+                let message = format!("`{}` is neither left nor right", shown(other));
+                return Err(InputError::usage(message).at(&source.key("invariance")));
+            }
+        };
+        let element = InitialElement::read(&keys.initial, reader)?;
+        let space = match (&keys.space, &keys.definition) {
+            (Some(name), None) => {
+                let is_file = name.ends_with(".toml") || name.ends_with(".json");
+                let space = if is_file { reader.file(name) } else { name.to_string() };
+                let space = Space::open(&Request { space: Some(space), ..Request::default() });
+                let place = source.at(name);
+                space.map_err(|error| error.moved("SPACE", &place).or_at(&place))?
+            }
+            (None, Some(definition)) => {
+                let definition = definition.define(&source.table("definition"))?;
+                Space::of(definition, &Request::default())?
+            }
+            (None, None) => {
+                let error = InputError::usage("the problem names no space");
+                return Err(error.help("give space = \"so3\", a file, or a table [definition]"));
+            }
+            (Some(_), Some(_)) => {
+                let error = InputError::usage("the space is named and defined as well");
+                let error = error.at(&source.key("space"));
+                return Err(error.help("give one of space, definition"));
+            }
+        };
+        let space = space.completed_by(keys.metric.as_ref(), keys.connection.as_ref(), source)?;
+        let metric_place = match &keys.metric {
+            Some(MetricText::Word(text)) => source.at(text),
+            _ => source.key("metric"),
+        };
+        Ok(OnGroup { space, metric_place, right, element })
+    }
+
+    /// The definition of the space.
+    pub fn definition(&self) -> &Definition {
+        &self.space.definition
+    }
+
+    /// The initial element.
+    pub fn element(&self) -> &InitialElement {
+        &self.element
+    }
+
+    /// The motion of a class of problems on this group.
+    ///
+    /// # Errors
+    /// A parameter of the space without a value; whatever the group or the class refuses.
+    pub fn motion(&self, class: &impl GroupClass, member: &Member) -> Result<Ready, InputError> {
+        let mut values = BTreeMap::new();
+        for name in self.space.definition.parameters() {
+            let Some((_, value)) = member.parameters.iter().find(|(own, _)| *own == name) else {
+                let message = format!("`{}` has no value", shown(&name));
+                let help = "give it one in a table [parameters]";
+                return Err(InputError::usage(message).at(&self.metric_place).help(help));
+            };
+            let exact = Rational::from_f64(*value).ok_or_else(|| {
+                InputError::usage(format!("`{}` is {value}", shown(&name))).at(&self.metric_place)
+            })?;
+            values.insert(name, Symbolic::constant(exact));
+        }
+        let mut space = Cow::Borrowed(&self.space);
+        if !values.is_empty() {
+            let set = space.to_mut().definition.set(&values);
+            set.map_err(|error| error.or_at(&self.metric_place))?;
+        }
+        space.in_floats(Tolerance::default(), |definition, reading| {
+            let start = Start { on_group: self, member, definition, reading };
+            let group = definition.group(reading)?;
+            // with its own type, a group in closed form needs no allocation in a step
+            macro_rules! with_its_type {
+                ($($Group:ty)*) => {
+                    $(if let Some(group) = group.downcast_ref::<$Group>() {
+                        return start.motion(class, *group);
+                    })*
+                };
+            }
+            with_its_type!(So2 So3 Se2 Se3 Sl2);
+            start.motion(class, group)
+        })
+    }
+
+    /// The Casimir functions of the algebra up to the second degree, if it is small and without parameters: polynomials
+    /// in the components `mu1`, `mu2`, ... of the momentum.
+    pub fn casimirs(&self) -> Vec<Symbolic> {
+        if self.definition().dimension() > CASIMIRS || self.definition().is_on_chart() {
+            return vec![];
+        }
+        let convert = |value: &Symbolic| Some(value.clone());
+        let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
+        let algebra: Result<LieAlgebra<Symbolic>, _> = self.definition().algebra(&reading);
+        let dual = algebra.ok().and_then(|algebra| LiePoisson::left(&algebra).ok());
+        dual.and_then(|dual| dual.casimir_generators(2).ok()).unwrap_or_default()
+    }
+}
+
+impl Start<'_> {
+    /// The motion on a group, or on its opposite for right-invariant equations.
+    fn motion<G: SimulationGroup>(
+        &self,
+        class: &impl GroupClass,
+        group: G,
+    ) -> Result<Ready, InputError> {
+        match self.on_group.right {
+            true => class.motion(Opposite(group), self),
+            false => class.motion(group, self),
+        }
+    }
+
+    /// Checks that no parameter has the name of a quantity of the motion, or of the body.
+    ///
+    /// # Errors
+    /// The first such parameter, at its place.
+    pub fn expect_new_names<G: SimulationGroup>(
+        &self,
+        group: &G,
+        of_body: &[(String, f64)],
+    ) -> Result<(), InputError> {
+        let names = Names::new(group, of_body.iter().map(|(name, _)| name.clone()).collect());
+        match self.member.parameters.iter().find(|(name, _)| names.find(name).is_some()) {
+            None => Ok(()),
+            Some((name, _)) => {
+                let error = InputError::usage(format!("`{name}` has a meaning already"));
+                let place = self.member.source.key(&format!("parameters.{name}"));
+                Err(error.at(&place).help(format!("take another name than {}", names.all())))
+            }
+        }
+    }
+}

@@ -1,0 +1,213 @@
+//! Numbers and formulas of a problem, read with the parameters that are declared so far.
+
+use crate::definition::input::{InputError, shown};
+use crate::definition::notation::check_name;
+use crate::definition::source::{Place, Source};
+use crate::definition::written::{Number, Text, TextsText};
+use affinor::mechanics::formula::Formula;
+use affinor_tensors::expression::ExpressionError;
+use std::cell::RefCell;
+use std::path::Path;
+
+/// Names of numbers, which no parameter takes.
+const NUMBERS: [&str; 2] = ["pi", "tau"];
+
+/// A formula as it is written, with its place.
+#[derive(Clone, Debug)]
+pub(super) struct Written {
+    /// The file; its excerpt is the formula, unless that does not come from a file.
+    source: Source,
+    /// The formula, if it does not come from a file.
+    own: Option<String>,
+}
+
+impl Written {
+    /// A formula that stands in no file; messages name `source`.
+    pub fn beside(source: &Source, text: impl Into<String>) -> Self {
+        Written { source: source.clone(), own: Some(text.into()) }
+    }
+
+    pub fn text(&self) -> &str {
+        self.own.as_deref().unwrap_or(self.source.content())
+    }
+
+    pub fn place(&self) -> Place {
+        self.source.whole(self.text())
+    }
+
+    /// The formula as a source, the pieces of which have places.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// An error in the formula, at its place.
+    pub fn refused(&self, error: ExpressionError, help: impl Into<String>) -> InputError {
+        let place = self.source.find(self.text(), error.span);
+        InputError::usage(error.reason).at(&place).help(help)
+    }
+}
+
+/// A number as a formula in the parameters.
+#[derive(Clone, Debug)]
+pub(super) struct Value {
+    formula: Formula,
+    written: Written,
+}
+
+impl Value {
+    /// A constant that stands in no file.
+    pub fn constant(source: &Source, number: f64) -> Self {
+        let written = Written::beside(source, number.to_string());
+        Value { formula: Formula::number(number), written }
+    }
+
+    pub fn place(&self) -> Place {
+        self.written.place()
+    }
+
+    /// The number at these values of the parameters.
+    pub fn at(&self, parameters: &[f64]) -> Result<f64, InputError> {
+        let value = self.formula.value(parameters);
+        if value.is_finite() {
+            return Ok(value);
+        }
+        let message = format!("`{}` is {value}", shown(self.written.text()));
+        Err(InputError::mathematics(message).at(&self.place()))
+    }
+
+    /// The number, which must be positive.
+    pub fn positive(&self, parameters: &[f64]) -> Result<f64, InputError> {
+        let value = self.at(parameters)?;
+        if value > 0.0 {
+            return Ok(value);
+        }
+        Err(InputError::usage(format!("{value} is not above zero")).at(&self.place()))
+    }
+
+    /// The numbers of a list.
+    pub fn all(list: &[Value], parameters: &[f64]) -> Result<Vec<f64>, InputError> {
+        list.iter().map(|value| value.at(parameters)).collect()
+    }
+
+    /// The numbers of a list that must have as many components as the algebra has dimensions; `what` names the list.
+    pub fn vector(
+        what: &str,
+        list: &[Value],
+        dimension: usize,
+        parameters: &[f64],
+        place: &Place,
+    ) -> Result<Vec<f64>, InputError> {
+        if list.len() != dimension {
+            let found = list.len();
+            let message = format!("{what} has {found} components, the dimension is {dimension}");
+            return Err(InputError::usage(message).at(place));
+        }
+        Value::all(list, parameters)
+    }
+}
+
+/// Reads formulas in the parameters that are declared so far.
+pub(super) struct Reader<'s> {
+    pub source: &'s Source,
+    /// The parameters.
+    pub names: Vec<String>,
+    folder: &'s Path,
+    files: RefCell<Vec<String>>,
+}
+
+impl<'s> Reader<'s> {
+    /// A reader of a file; `folder` is that of the file.
+    pub fn new(source: &'s Source, folder: &'s Path) -> Self {
+        Reader { source, names: vec![], folder, files: RefCell::default() }
+    }
+
+    /// The path of another file that the problem names.
+    pub fn file(&self, name: &str) -> String {
+        let path = self.folder.join(name).to_string_lossy().into_owned();
+        self.files.borrow_mut().push(path.clone());
+        path
+    }
+
+    /// The paths of all other files, once everything is read.
+    pub fn into_files(self) -> Vec<String> {
+        self.files.into_inner()
+    }
+
+    pub fn written(&self, text: &Text) -> Written {
+        Written { source: self.source.excerpt(text), own: None }
+    }
+
+    pub fn value(&self, Number(text): &Number) -> Result<Value, InputError> {
+        let written = self.written(text);
+        let names = &self.names;
+        let formula =
+            Formula::parse(written.text(), &mut |name| names.iter().position(|own| own == name));
+        let help = || match names.as_slice() {
+            [] => "there are no parameters, only pi and tau".to_string(),
+            names => format!("the parameters are {}", names.join(", ")),
+        };
+        let formula = formula.map_err(|error| written.refused(error, help()))?;
+        Ok(Value { formula, written })
+    }
+
+    pub fn values(&self, list: &[Number]) -> Result<Vec<Value>, InputError> {
+        list.iter().map(|number| self.value(number)).collect()
+    }
+
+    pub fn rows(&self, rows: &[Vec<Number>]) -> Result<Vec<Vec<Value>>, InputError> {
+        rows.iter().map(|row| self.values(row)).collect()
+    }
+
+    pub fn optional(&self, number: &Option<Number>) -> Result<Option<Value>, InputError> {
+        number.as_ref().map(|number| self.value(number)).transpose()
+    }
+
+    pub fn optional_values(
+        &self,
+        list: &Option<Vec<Number>>,
+    ) -> Result<Option<Vec<Value>>, InputError> {
+        list.as_ref().map(|list| self.values(list)).transpose()
+    }
+
+    /// Formulas by their names.
+    pub fn formulas(
+        &self,
+        table: &Option<TextsText>,
+    ) -> Result<Vec<(String, Written)>, InputError> {
+        let named = table.iter().flat_map(|table| &table.0).map(|(name, text)| {
+            check_name(name).map_err(|error| error.at(&self.source.at(name)))?;
+            Ok((name.to_string(), self.written(text)))
+        });
+        named.collect()
+    }
+
+    /// Declares a parameter.
+    pub fn declare(&mut self, name: &Text) -> Result<(), InputError> {
+        let place = self.source.at(name);
+        check_name(name).map_err(|error| error.at(&place))?;
+        if NUMBERS.contains(&&**name) || self.names.contains(&name.content) {
+            let message = format!("`{}` has a meaning already", &**name);
+            return Err(InputError::usage(message).at(&place).help("take another name"));
+        }
+        self.names.push(name.to_string());
+        Ok(())
+    }
+
+    /// Refuses keys that a class of problems ignores, by their dotted paths; `what` names the class.
+    pub fn refuse(&self, what: &str, keys: &[&str]) -> Result<(), InputError> {
+        let Some(path) = keys.iter().find(|path| self.source.has_key(path)) else { return Ok(()) };
+        let key = path.rsplit('.').next().unwrap_or(path);
+        let error = InputError::usage(format!("{what} has no `{key}`"));
+        Err(error.at(&self.source.key(path)).help("leave the key out"))
+    }
+
+    /// Refuses a key with nothing in it.
+    pub fn refuse_empty(&self, path: &str, is_empty: bool) -> Result<(), InputError> {
+        if !is_empty {
+            return Ok(());
+        }
+        let key = path.rsplit('.').next().unwrap_or(path);
+        let error = InputError::usage(format!("`{key}` is empty"));
+        Err(error.at(&self.source.key(path)).help("leave the key out"))
+    }
+}

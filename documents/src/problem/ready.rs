@@ -1,0 +1,53 @@
+//! A motion that is ready to start, and the columns of its rows.
+
+use affinor::mechanics::motions::{Method, Motion};
+use nalgebra::DMatrix;
+
+/// A motion that is ready to start.
+pub struct Ready {
+    /// The motion.
+    pub motion: Box<dyn Motion>,
+    /// Its method of integration.
+    pub method: Method,
+    /// The times of its rows; the first is the initial time.
+    pub times: Vec<f64>,
+    /// The columns of its rows.
+    pub columns: Vec<Column>,
+    /// The names of its events; in a row, their values follow those of the columns.
+    pub events: Vec<String>,
+    /// The matrix of the metric, for equations of motion with a kinetic energy.
+    pub inertia: Option<DMatrix<f64>>,
+    /// Warnings about the problem.
+    pub notes: Vec<String>,
+}
+
+impl Ready {
+    /// A motion without a metric and without warnings.
+    pub(super) fn new(
+        (motion, method): (Box<dyn Motion>, Method),
+        times: &[f64],
+        columns: Vec<Column>,
+        events: Vec<String>,
+    ) -> Self {
+        let times = times.to_vec();
+        Ready { motion, method, times, columns, events, inertia: None, notes: vec![] }
+    }
+}
+
+/// A column of the rows of a motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// Its name.
+    pub name: String,
+    /// The formula of a named quantity or of a Casimir function.
+    pub formula: Option<String>,
+    /// Whether it is expected to be conserved, so that its change is reported.
+    pub watched: bool,
+}
+
+impl Column {
+    /// A column without a formula.
+    pub fn new(name: impl Into<String>, watched: bool) -> Self {
+        Column { name: name.into(), formula: None, watched }
+    }
+}

@@ -1,0 +1,233 @@
+//! Tables of tensors, comparisons and equations, written in several formats.
+//!
+//! In reading order: [`Quantity`] names the tensors, [`Table`] computes them, and one module for each format writes them;
+//! [`Comparison`] sets two geometries side by side; [`EquationReport`] writes equations of motion, also as source code;
+//! [`StoredTable`] compares a table with a stored one; [`Grid`] serves everything else.
+
+mod code;
+mod comparison;
+mod components;
+mod csv;
+mod equations;
+mod grid;
+mod head;
+mod json;
+mod latex;
+mod markdown;
+mod quantity;
+mod stored;
+mod text;
+
+pub use code::Language;
+pub use comparison::{ComparedSide, Comparison};
+pub use components::{GROUPED, Group, groups, independent};
+pub use equations::EquationReport;
+pub use grid::{Cell, Grid};
+pub use quantity::Quantity;
+pub use stored::{Difference, StoredTable};
+
+use affinor::{Error, Geometry};
+use affinor_tensors::{Kind, Notation, Tensor, Tolerance};
+use std::borrow::Cow;
+use std::io::{self, BufWriter, Write};
+
+/// The tensors of one geometry, ready to be printed.
+///
+/// ```
+/// use affinor_documents::report::{Format, Quantity, Table};
+/// use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra};
+/// use affinor_tensors::Rational;
+/// let rotations = Bracket::from_fn(&["e1", "e2", "e3"], |j, k| match (j, k) {
+///     (0, 1) => vec![(2, Rational::from(1))],
+///     (0, 2) => vec![(1, Rational::from(-1))],
+///     _ => vec![(0, Rational::from(1))],
+/// })?;
+/// let algebra = LieAlgebra::try_from(rotations)?;
+/// let zero = ConnectionKind::Canonical(Canonical::Zero);
+/// let geometry = Geometry::new("so(3)", algebra, zero, None)?;
+/// let table = Table::new(&geometry, &[Quantity::Ricci])?;
+/// let mut csv = Vec::new();
+/// table.write(Format::Csv, &mut csv)?;
+/// assert!(csv.starts_with(b"tensor,i,j,k,l,value\nricci,1,1,,,1/2\n"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Table<S> {
+    /// The name of the space.
+    pub name: String,
+    /// The name of its algebra; that of the space unless another is known.
+    pub algebra: String,
+    /// The names of the basis vectors.
+    pub labels: Vec<String>,
+    /// The parameters that the components depend on, sorted.
+    pub parameters: Vec<String>,
+    /// The short name of the connection.
+    pub connection: String,
+    /// The connection in words, for a head line.
+    pub connection_words: String,
+    /// The factor of a connection `Lambda = lambda c`.
+    pub lambda: Option<S>,
+    /// The frame of the components: `left-invariant`, `right-invariant`, `coordinate` or `moving`.
+    pub frame: &'static str,
+    /// The chart, where the components are functions on one.
+    pub chart: Option<OnChart>,
+    /// The tolerance below which a float counts as zero.
+    pub tolerance: Tolerance,
+    /// Whether only one component of each set that is equal by symmetry is listed.
+    pub independent: bool,
+    /// The tensors, in the order in which they are shown.
+    pub tensors: Vec<TableEntry<S>>,
+}
+
+/// Coordinates, and the fields of a frame over them, as they are written.
+#[derive(Clone, Debug)]
+pub struct OnChart {
+    /// The names of the coordinates.
+    pub coordinates: Vec<String>,
+    /// The fields, `1/sin(theta)*d_phi`, in the order of the labels.
+    pub fields: Vec<String>,
+}
+
+/// A tensor with its name.
+#[derive(Clone, Debug)]
+pub struct TableEntry<S> {
+    /// Which tensor.
+    pub quantity: Quantity,
+    /// Its nonzero components.
+    pub tensor: Tensor<S>,
+}
+
+impl<S: Notation> Table<S> {
+    /// The table of a geometry in its frame, with the quantities that apply.
+    ///
+    /// # Errors
+    /// As [`Quantity::of`].
+    pub fn new(geometry: &Geometry<S>, quantities: &[Quantity]) -> Result<Self, Error> {
+        Self::in_stages(geometry, quantities, &|_| ())
+    }
+
+    /// As [`new`](Self::new); `stage` is called with the name of each tensor before it is computed.
+    ///
+    /// # Errors
+    /// As [`Quantity::of`].
+    pub fn in_stages(
+        geometry: &Geometry<S>,
+        quantities: &[Quantity],
+        stage: &dyn Fn(&str),
+    ) -> Result<Self, Error> {
+        let mut tensors = Vec::new();
+        for &quantity in quantities {
+            stage(quantity.key());
+            if let Some(tensor) = quantity.of(geometry)? {
+                tensors.push(TableEntry { quantity, tensor });
+            }
+        }
+        let shown = tensors.iter().flat_map(|entry| entry.tensor.components());
+        let mut parameters: Vec<String> = shown.flat_map(|(_, value)| value.parameters()).collect();
+        parameters.sort();
+        parameters.dedup();
+        Ok(Table {
+            name: geometry.name().into(),
+            algebra: geometry.algebra_name().into(),
+            labels: geometry.frame().labels().to_vec(),
+            parameters,
+            connection: geometry.kind().name().into(),
+            connection_words: geometry.kind().describe(),
+            lambda: geometry.kind().lambda(),
+            frame: geometry.frame_name(),
+            chart: geometry.frame_origin().fields().map(|fields| OnChart {
+                coordinates: fields.chart().coordinates().to_vec(),
+                fields: fields.written(),
+            }),
+            tolerance: geometry.frame().structure().tolerance(),
+            independent: false,
+            tensors,
+        })
+    }
+
+    /// Checks that floats have stayed within their range.
+    ///
+    /// # Errors
+    /// [`Error::Overflow`] with the first component that is infinite or not a number.
+    pub fn finite(&self) -> Result<(), Error> {
+        for TableEntry { quantity, tensor } in &self.tensors {
+            let wild = |value: &S| value.to_f64().is_some_and(|x| !x.is_finite());
+            if S::KIND == Kind::Float
+                && let Some((at, value)) = tensor.components().find(|(_, value)| wild(value))
+            {
+                let component = text::component(*quantity, tensor, &at);
+                return Err(Error::Overflow { component, value: value.to_string() });
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes the table in one of the formats.
+    ///
+    /// # Errors
+    /// An error of `out`; for JSON also [`io::ErrorKind::InvalidData`] if a float is infinite or not a number.
+    pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        let mut out = BufWriter::with_capacity(1 << 16, out);
+        match format {
+            Format::Text => text::write(self, &mut out),
+            Format::Markdown => markdown::write(self, &mut out),
+            Format::Latex => latex::write(self, &mut out),
+            Format::Csv => csv::write(self, &mut out),
+            Format::Json => json::write(self, &mut out),
+        }?;
+        out.flush()
+    }
+
+    /// The heading of a tensor: structure constants may be functions on a chart.
+    fn title(&self, quantity: Quantity) -> &'static str {
+        match quantity {
+            Quantity::Structure if self.chart.is_some() => "Structure functions (A6)",
+            _ => quantity.title(),
+        }
+    }
+
+    /// The components of an entry that are printed: all, or only the independent ones.
+    fn shown<'a>(&self, entry: &'a TableEntry<S>) -> Cow<'a, Tensor<S>> {
+        match self.independent {
+            true => Cow::Owned(independent(&entry.tensor)),
+            false => Cow::Borrowed(&entry.tensor),
+        }
+    }
+}
+
+/// The format of a report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Plain text of at most 80 columns.
+    Text,
+    /// Headings and tables as GitHub renders them.
+    Markdown,
+    /// A fragment that needs amsmath.
+    Latex,
+    /// One row for every component.
+    Csv,
+    /// One object, schema `affinor.table/1` (`docs/table.schema.json`).
+    Json,
+}
+
+impl Format {
+    /// All formats.
+    pub const ALL: [Format; 5] =
+        [Format::Text, Format::Markdown, Format::Latex, Format::Csv, Format::Json];
+
+    /// The name in options.
+    pub fn name(self) -> &'static str {
+        match self {
+            Format::Text => "text",
+            Format::Markdown => "markdown",
+            Format::Latex => "latex",
+            Format::Csv => "csv",
+            Format::Json => "json",
+        }
+    }
+
+    /// The format of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.name() == name)
+    }
+}

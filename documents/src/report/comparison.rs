@@ -1,0 +1,263 @@
+//! Two geometries side by side.
+
+use super::components::groups;
+use super::grid::{Cell, Grid};
+use super::{Format, Quantity, latex, text};
+use affinor::geometry::claims::{Claim, Residual, Verdict};
+use affinor::geometry::conditions::conditions;
+use affinor::{ConnectionKind, Error, Geometry, LieAlgebra};
+use affinor_tensors::contract;
+use affinor_tensors::text::combination;
+use affinor_tensors::{Notation, Tensor};
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+/// Tensors with more components than this are not listed; only their number is shown.
+const LISTED: usize = 24;
+/// A basis with more vectors than this is shown by its first and its last vector.
+const LABELLED: usize = 12;
+
+/// One side of a comparison: a geometry, ready to be printed.
+#[derive(Clone, Debug)]
+pub struct ComparedSide {
+    name: String,
+    connection: String,
+    rows: Vec<(&'static str, Cell)>,
+    verdicts: Vec<(Claim, Verdict)>,
+}
+
+/// Two geometries side by side.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    sides: [ComparedSide; 2],
+}
+
+impl ComparedSide {
+    /// Computes one side.
+    ///
+    /// # Errors
+    /// [`Error::NotConstant`]: claims are about structure constants.
+    pub fn new<S: Notation>(geometry: &Geometry<S>) -> Result<Self, Error> {
+        let kind = geometry.kind();
+        let algebra = geometry.frame_origin().algebra_for("a comparison")?;
+        let basis = basis(algebra.labels());
+        let mut rows = vec![("basis", basis.into()), ("connection", kind.describe().into())];
+        let shown = [
+            ("structure constants", Quantity::Structure),
+            ("affinities", Quantity::Affinities),
+            ("torsion (B10)", Quantity::Torsion),
+            ("curvature (B14)", Quantity::Curvature),
+            ("metric", Quantity::Metric),
+        ];
+        for (title, quantity) in shown {
+            let tensor = quantity.of(geometry)?;
+            rows.push((title, tensor.map_or("none".into(), |tensor| listed(quantity, &tensor))));
+        }
+        rows.push(("compatibility", compatibility(geometry)?));
+        rows.push(("transport along n", transport(geometry, algebra)));
+        let verdict = |claim: Claim| Ok((claim, claim.verdict(geometry)?));
+        let verdicts = Claim::ALL.into_iter().map(verdict).collect::<Result<_, Error>>()?;
+        let connection = match kind {
+            ConnectionKind::Family(lambda) => format!("lambda={lambda}"),
+            _ => kind.name().into(),
+        };
+        Ok(ComparedSide { name: geometry.name().into(), connection, rows, verdicts })
+    }
+}
+
+impl Comparison {
+    /// The comparison of two sides. Sides of one name are distinguished by their connections, or else by numbers.
+    pub fn new(mut left: ComparedSide, mut right: ComparedSide) -> Self {
+        if left.name == right.name {
+            for side in [&mut left, &mut right] {
+                side.name = format!("{}@{}", side.name, side.connection);
+            }
+        }
+        if left.name == right.name {
+            left.name += " (1)";
+            right.name += " (2)";
+        }
+        Comparison { sides: [left, right] }
+    }
+
+    /// Writes the comparison in one of the formats. JSON has the schema `affinor.compare/1`; CSV is one table.
+    ///
+    /// # Errors
+    /// What `out` reports.
+    pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        match format {
+            Format::Json => {
+                serde_json::to_writer_pretty(&mut *out, &self.json())?;
+                writeln!(out)
+            }
+            Format::Csv => self.one_grid().write(format, out),
+            _ => {
+                self.tensors().write(format, out)?;
+                writeln!(out)?;
+                self.claims().write(format, out)
+            }
+        }
+    }
+
+    fn tensors(&self) -> Grid {
+        let [left, right] = &self.sides;
+        let rows = left.rows.iter().zip(&right.rows);
+        let rows = rows.map(|((title, a), (_, b))| vec![(*title).into(), a.clone(), b.clone()]);
+        Grid {
+            title: format!("{} and {}", left.name, right.name),
+            header: vec![String::new(), left.name.clone(), right.name.clone()],
+            rows: rows.collect(),
+        }
+    }
+
+    fn claims(&self) -> Grid {
+        let [left, right] = &self.sides;
+        let verdicts = left.verdicts.iter().zip(&right.verdicts);
+        let rows = verdicts.map(|((claim, a), (_, b))| {
+            let words = format!("{} {}", claim.equation(), claim.statement());
+            let about = match claim.about() {
+                [one] => *one,
+                _ => "both",
+            };
+            vec![words.into(), about.into(), written(a), written(b)]
+        });
+        Grid {
+            title: "Claims of the paper, and where they hold".into(),
+            header: vec!["claim".into(), "about".into(), left.name.clone(), right.name.clone()],
+            rows: rows.collect(),
+        }
+    }
+
+    /// Tensors and claims under one header.
+    fn one_grid(&self) -> Grid {
+        let Grid { title, rows, .. } = self.tensors();
+        let with_about = |mut row: Vec<Cell>| {
+            row.insert(1, "".into());
+            row
+        };
+        let Grid { mut header, rows: claims, .. } = self.claims();
+        header[0] = "row".into();
+        Grid { title, header, rows: rows.into_iter().map(with_about).chain(claims).collect() }
+    }
+
+    fn json(&self) -> Value {
+        let [left, right] = &self.sides;
+        let rows = left
+            .rows
+            .iter()
+            .zip(&right.rows)
+            .map(|((title, a), (_, b))| json!({ "title": title, "cells": [a.text, b.text] }));
+        let verdict = |verdict: &Verdict| match verdict {
+            Verdict::Holds => json!({ "holds": true }),
+            Verdict::Fails(residual) => json!({ "holds": false, "residual": residual.text }),
+            Verdict::NotApplicable(reason) => json!({ "holds": null, "reason": reason }),
+        };
+        let claims = left.verdicts.iter().zip(&right.verdicts).map(|((claim, a), (_, b))| {
+            json!({
+                "equation": claim.equation(),
+                "statement": claim.statement(),
+                "about": claim.about(),
+                "verdicts": [verdict(a), verdict(b)],
+            })
+        });
+        json!({
+            "schema": "affinor.compare/1",
+            "spaces": [left.name, right.name],
+            "rows": rows.collect::<Vec<_>>(),
+            "claims": claims.collect::<Vec<_>>(),
+        })
+    }
+}
+
+fn written(verdict: &Verdict) -> Cell {
+    match verdict {
+        Verdict::Holds => "yes".into(),
+        Verdict::Fails(Residual { text, latex }) => Cell {
+            text: vec![format!("no: {text}")],
+            latex: latex.as_ref().map(|latex| vec![format!("no: {latex}")]),
+        },
+        Verdict::NotApplicable(reason) => format!("({reason})").into(),
+    }
+}
+
+/// The names of the basis vectors, or the first, the last and their number.
+fn basis(labels: &[String]) -> String {
+    match labels {
+        [first, .., last] if labels.len() > LABELLED => {
+            format!("{first}, .., {last} ({} vectors)", labels.len())
+        }
+        _ => labels.join(", "),
+    }
+}
+
+/// The components of a tensor in groups, or their number.
+fn listed<S: Notation>(quantity: Quantity, tensor: &Tensor<S>) -> Cell {
+    if tensor.is_empty() {
+        return "0".into();
+    }
+    if tensor.len() > LISTED {
+        return format!("{} nonzero components, listed by `affinor table`", tensor.len()).into();
+    }
+    let groups = groups(tensor);
+    let text = groups
+        .iter()
+        .map(|group| text::equation(group, |at| text::component(quantity, tensor, at)).join(" "));
+    let latex = groups.iter().map(|group| latex::equation(quantity, tensor, group));
+    // paragraphs, so that each has a hanging indent of its own
+    let latex = latex.collect::<Vec<_>>().join(" \\par ");
+    Cell { text: text.collect(), latex: Some(vec![latex]) }
+}
+
+/// Whether the connection preserves the metric, or the conditions on the parameters.
+fn compatibility<S: Notation>(geometry: &Geometry<S>) -> Result<Cell, Error> {
+    let Some(metric) = geometry.metric() else {
+        return Ok("no metric".into());
+    };
+    let nonmetricity = geometry.connection().nonmetricity(metric)?;
+    if nonmetricity.is_empty() {
+        return Ok(both("nabla g = 0", "$\\nabla g = 0$"));
+    }
+    let conditions = conditions(&nonmetricity);
+    let possible = !conditions.is_empty() && conditions.iter().all(|e| !e.parameters().is_empty());
+    if possible {
+        let text: Vec<String> = conditions.iter().map(|e| format!("{e} = 0")).collect();
+        let latex: Vec<String> =
+            conditions.iter().map(|e| format!("${} = 0$", e.latex())).collect();
+        return Ok(Cell {
+            text: vec!["nabla g = 0 only if".into(), text.join(", ")],
+            latex: Some(vec!["$\\nabla g = 0$ only if".into(), latex.join(", ")]),
+        });
+    }
+    let count = format!("{} nonzero components", nonmetricity.len());
+    Ok(both(&format!("nabla g has {count}"), &format!("$\\nabla g$ has {count}")))
+}
+
+/// The generator of transport along an autoparallel, as a multiple of `ad_n` where it is one.
+fn transport<S: Notation>(geometry: &Geometry<S>, algebra: &LieAlgebra<S>) -> Cell {
+    let (c, gamma) = (algebra.structure(), geometry.connection().gamma());
+    let generator = |text: &str, latex: &str| {
+        both(&format!("du/dt = G u, {text}"), &format!("$\\dot u = G u$, {latex}"))
+    };
+    if gamma.is_empty() {
+        return generator("G = 0", "$G = 0$");
+    }
+    let share = c.components().next().and_then(|(at, value)| {
+        let share = gamma.get(&at) * &value.recip()?;
+        let operands = [("L", gamma), ("c", &c.scale(&share))];
+        contract("L^i_jk - c^i_jk -> ^i_jk", &operands).ok()?.is_empty().then_some(-share)
+    });
+    match share {
+        Some(share) => {
+            let times = |value, ad: &str| combination([(value, ad.to_string())]).replace('*', " ");
+            let text = times(share.to_string(), "ad_n");
+            let latex = times(share.latex(), "\\mathrm{ad}_n");
+            generator(&format!("G = {text}"), &format!("$G = {latex}$"))
+        }
+        None => generator("no multiple of ad_n", "no multiple of $\\mathrm{ad}_n$"),
+    }
+}
+
+/// One line as plain text and as LaTeX.
+fn both(text: &str, latex: &str) -> Cell {
+    Cell { text: vec![text.into()], latex: Some(vec![latex.into()]) }
+}

@@ -1,0 +1,158 @@
+//! Components grouped by value, and independent components.
+
+use affinor_tensors::{Kind, Notation, Ring, Tensor, Variance};
+use std::collections::HashMap;
+use std::fmt::Write;
+
+/// Tensors with more nonzero components than this are listed one per line, not in groups.
+pub const GROUPED: usize = 60;
+
+/// Components that are equal up to sign.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group<S> {
+    /// The common value. It begins with a minus sign only if every member does.
+    pub value: S,
+    /// The indices, from 0, and whether the component is minus the value.
+    pub members: Vec<(Vec<usize>, bool)>,
+}
+
+/// The nonzero components grouped by value up to sign, in the order of first appearance.
+///
+/// The members stand in the order of their indices. Where the tensor is antisymmetric in two slots,
+/// a component and its mirror image stand side by side, the positive one first, as in
+/// `R^1_212 = -R^1_221 = ... = R^2_121 = -R^2_112 = ... = 1/4`.
+pub fn groups<S: Notation>(tensor: &Tensor<S>) -> Vec<Group<S>> {
+    let mut groups: Vec<Group<S>> = Vec::new();
+    let mut places = HashMap::new();
+    for (at, value) in mirrored(tensor) {
+        let negative = value.is_negative();
+        let size = if negative { -value } else { value };
+        let place = *places.entry(size.to_string()).or_insert(groups.len());
+        if place == groups.len() {
+            groups.push(Group { value: size, members: Vec::new() });
+        }
+        groups[place].members.push((at, negative));
+    }
+    for group in &mut groups {
+        if group.members.iter().all(|(_, negative)| *negative) {
+            group.value = -group.value.clone();
+            group.members.iter_mut().for_each(|(_, negative)| *negative = false);
+        }
+    }
+    groups
+}
+
+/// One component for each set that is equal, up to sign, by the symmetries of the tensor.
+///
+/// Slots are symmetric or antisymmetric as [`Tensor::pair_symmetry`] finds them; of each set the
+/// component with rising indices is kept: `k < l` for a curvature, `i <= j` for a metric.
+pub fn independent<S: Notation>(tensor: &Tensor<S>) -> Tensor<S> {
+    let classes = classes(tensor);
+    let rising =
+        |at: &[usize]| classes.iter().all(|class| class.iter().is_sorted_by_key(|&slot| at[slot]));
+    tensor.filter_map(|at, value| rising(at).then(|| value.clone()))
+}
+
+/// A statement about the components that are not printed, if there are any.
+pub(super) fn others<S: Ring>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<&'static str> {
+    let all = (tensor.dimension() as u64).pow(tensor.rank() as u32);
+    match (tensor.len() as u64 == all, shown.len() == tensor.len()) {
+        (true, true) => None,
+        (false, true) => Some("all others are zero"),
+        (true, false) => Some("all others follow by symmetry"),
+        (false, false) => Some("all others follow by symmetry or are zero"),
+    }
+}
+
+/// `12 nonzero components, 6 shown`; nothing for a tensor of rank 0.
+pub(super) fn count<S: Ring>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<String> {
+    let components = if tensor.len() == 1 { "component" } else { "components" };
+    let all = format!("{} nonzero {components}", tensor.len());
+    let less = shown.len() < tensor.len();
+    let text = if less { format!("{all}, {} shown", shown.len()) } else { all };
+    (tensor.rank() > 0).then_some(text)
+}
+
+/// [`count`] and [`others`] as a sentence.
+pub(super) fn summary<S: Ring>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<String> {
+    let count = count(tensor, shown)?;
+    Some(match others(tensor, shown) {
+        Some(others) => format!("{count}; {others}."),
+        None => format!("{count}."),
+    })
+}
+
+/// Indices in runs of one variance: `^1`, `_212`. Beyond dimension 9 commas stand between them.
+pub(super) fn scripts(
+    dimension: usize,
+    slots: &[Variance],
+    indices: impl Iterator<Item = String>,
+) -> Vec<(Variance, String)> {
+    let mut runs: Vec<(Variance, String)> = Vec::new();
+    for (&slot, index) in slots.iter().zip(indices) {
+        match runs.last_mut() {
+            Some((variance, run)) if *variance == slot => {
+                run.push_str(if dimension > 9 { "," } else { "" });
+                run.push_str(&index);
+            }
+            _ => runs.push((slot, index)),
+        }
+    }
+    runs
+}
+
+/// Appends the value in plain text; very small and very large floats have an exponent.
+pub(super) fn append<S: Notation>(text: &mut String, value: &S) {
+    let extreme = |x: &f64| S::KIND == Kind::Float && !(1e-5..1e16).contains(&x.abs());
+    let written = match value.to_f64().filter(extreme) {
+        Some(x) if x != 0.0 && x.is_finite() => write!(text, "{x:e}"),
+        _ => write!(text, "{value}"),
+    };
+    written.expect("a string takes every text");
+}
+
+/// The value in plain text.
+pub(super) fn plain<S: Notation>(value: &S) -> String {
+    let mut text = String::new();
+    append(&mut text, value);
+    text
+}
+
+/// The components in order, but mirror images in an antisymmetric pair of slots side by side.
+fn mirrored<S: Notation>(tensor: &Tensor<S>) -> Vec<(Vec<usize>, S)> {
+    let rank = tensor.rank();
+    let mut pairs = (0..rank).rev().flat_map(|b| (0..b).rev().map(move |a| (a, b)));
+    let pair = pairs.find(|&(a, b)| tensor.pair_symmetry(a, b) == Some(-1));
+    let mut listed = Vec::with_capacity(tensor.len());
+    for (at, value) in tensor.components() {
+        let here = (at.to_vec(), value.clone());
+        match pair {
+            None => listed.push(here),
+            Some((a, b)) if at[a] < at[b] => {
+                let mut mirror = at.to_vec();
+                mirror.swap(a, b);
+                let there = (mirror.clone(), tensor.get(&mirror));
+                listed.extend(if value.is_negative() { [there, here] } else { [here, there] });
+            }
+            Some(_) => {}
+        }
+    }
+    listed
+}
+
+/// The slots in classes that are symmetric, or antisymmetric, pair by pair.
+fn classes<S: Ring>(tensor: &Tensor<S>) -> Vec<Vec<usize>> {
+    let mut classes: Vec<Vec<usize>> = Vec::new();
+    for slot in 0..tensor.rank() {
+        let joins = |class: &Vec<usize>| {
+            let mut signs = class.iter().map(|&other| tensor.pair_symmetry(other, slot));
+            let first = signs.next().flatten();
+            first.is_some() && signs.all(|sign| sign == first)
+        };
+        match classes.iter().position(joins) {
+            Some(class) => classes[class].push(slot),
+            None => classes.push(vec![slot]),
+        }
+    }
+    classes
+}

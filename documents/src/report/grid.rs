@@ -1,0 +1,126 @@
+//! Grids of short cells, for reports that are not tables of tensors.
+
+use super::Format;
+use super::latex::escape;
+use comfy_table::presets::UTF8_BORDERS_ONLY;
+use comfy_table::{ContentArrangement, Table};
+use std::io::{self, Write};
+
+/// The columns of a terminal line.
+const WIDTH: u16 = 80;
+
+/// A grid: a title, a header, and rows of cells; a cell may have several lines.
+#[derive(Clone, Debug, Default)]
+pub struct Grid {
+    /// The heading.
+    pub title: String,
+    /// One heading for each column.
+    pub header: Vec<String>,
+    /// The rows, as wide as the header.
+    pub rows: Vec<Vec<Cell>>,
+}
+
+/// A cell as plain text and as LaTeX.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Cell {
+    /// Lines of plain text.
+    pub text: Vec<String>,
+    /// The same lines in LaTeX, where they differ from the escaped text.
+    pub latex: Option<Vec<String>>,
+}
+
+impl From<&str> for Cell {
+    fn from(text: &str) -> Self {
+        Cell { text: text.lines().map(str::to_string).collect(), latex: None }
+    }
+}
+
+impl From<String> for Cell {
+    fn from(text: String) -> Self {
+        text.as_str().into()
+    }
+}
+
+impl Grid {
+    /// Writes the grid in one of the formats except JSON, whose keys depend on the report.
+    ///
+    /// # Errors
+    /// An error of `out`; [`io::ErrorKind::Unsupported`] for JSON.
+    pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        match format {
+            Format::Text => self.text(out),
+            Format::Markdown => self.markdown(out),
+            Format::Latex => self.latex(out),
+            Format::Csv => self.csv(out),
+            Format::Json => Err(io::ErrorKind::Unsupported.into()),
+        }
+    }
+
+    fn text(&self, out: &mut dyn Write) -> io::Result<()> {
+        let mut table = Table::new();
+        table.load_style(UTF8_BORDERS_ONLY);
+        table.set_content_arrangement(ContentArrangement::Dynamic).set_width(WIDTH);
+        table.set_header(&self.header);
+        for row in &self.rows {
+            table.add_row(row.iter().map(|cell| cell.text.join("\n")));
+        }
+        writeln!(out, "{}\n{table}", self.title)
+    }
+
+    fn markdown(&self, out: &mut dyn Write) -> io::Result<()> {
+        let escape = |text: &str| {
+            let mut escaped = String::new();
+            for c in text.chars() {
+                if matches!(c, '|' | '*' | '_' | '`' | '<' | '>' | '[' | ']' | '\\' | '^') {
+                    escaped.push('\\');
+                }
+                escaped.push(c);
+            }
+            escaped
+        };
+        writeln!(out, "## {}\n", escape(&self.title))?;
+        let line = |cells: Vec<String>| format!("| {} |", cells.join(" | "));
+        writeln!(out, "{}", line(self.header.iter().map(|text| escape(text)).collect()))?;
+        writeln!(out, "{}", line(vec!["---".into(); self.header.len()]))?;
+        for row in &self.rows {
+            let cell = |cell: &Cell| {
+                cell.text.iter().map(|text| escape(text)).collect::<Vec<_>>().join("<br>")
+            };
+            writeln!(out, "{}", line(row.iter().map(cell).collect()))?;
+        }
+        Ok(())
+    }
+
+    fn latex(&self, out: &mut dyn Write) -> io::Result<()> {
+        let columns = self.header.len().max(1);
+        let share = 0.92 / columns as f64;
+        let column = format!(">{{\\raggedright\\arraybackslash}}p{{{share:.2}\\textwidth}}");
+        writeln!(out, "% A fragment: it needs \\usepackage{{amsmath,array,longtable}}.")?;
+        writeln!(out, "\\section*{{{}}}", escape(&self.title))?;
+        writeln!(out, "\\begin{{longtable}}{{@{{}}{}@{{}}}}", column.repeat(columns))?;
+        let header: Vec<String> = self.header.iter().map(|text| escape(text)).collect();
+        writeln!(out, "\\hline\n{} \\\\\n\\hline\\endhead", header.join(" & "))?;
+        for row in &self.rows {
+            let cell = |cell: &Cell| match &cell.latex {
+                Some(lines) => lines.join(" \\newline "),
+                None => cell
+                    .text
+                    .iter()
+                    .map(|text| escape(text))
+                    .collect::<Vec<_>>()
+                    .join(" \\newline "),
+            };
+            writeln!(out, "{} \\\\", row.iter().map(cell).collect::<Vec<_>>().join(" & "))?;
+        }
+        writeln!(out, "\\hline\n\\end{{longtable}}")
+    }
+
+    fn csv(&self, out: &mut dyn Write) -> io::Result<()> {
+        let mut writer = csv::Writer::from_writer(out);
+        writer.write_record(&self.header)?;
+        for row in &self.rows {
+            writer.write_record(row.iter().map(|cell| cell.text.join("; ")))?;
+        }
+        writer.flush()
+    }
+}

@@ -1,0 +1,79 @@
+//! The head of a table: the space, its connection and its scalar.
+
+use super::{OnChart, Table};
+use affinor::conventions;
+use affinor_tensors::{Kind, Notation};
+
+/// The conventions in brief.
+pub(super) fn conventions() -> String {
+    [conventions::BRACKET, conventions::AFFINITIES, conventions::CURVATURE].join("; ")
+}
+
+impl<S: Notation> Table<S> {
+    /// The lines of the head except the basis and the conventions, each with its title.
+    pub(super) fn head(&self) -> Vec<(&'static str, String)> {
+        let mut lines = vec![
+            ("dimension", self.labels.len().to_string()),
+            ("frame", self.frame.into()),
+            ("connection", printable(&self.connection_line())),
+            ("scalar", self.scalar_line()),
+        ];
+        if let Some(OnChart { coordinates, fields }) = &self.chart {
+            let equal = self.labels.iter().zip(fields).map(|(e, field)| format!("{e} = {field}"));
+            lines.insert(1, ("coordinates", coordinates.join(", ")));
+            if self.frame == "moving" {
+                lines.insert(3, ("fields", equal.collect::<Vec<_>>().join(", ")));
+            }
+        }
+        if self.independent {
+            lines.push(("components", "one of each set that is equal by symmetry".into()));
+        }
+        lines
+    }
+
+    /// The tolerance of zero, for floats.
+    pub(super) fn zero_line(&self) -> Option<String> {
+        let tolerance = self.tolerance.relative();
+        (S::KIND == Kind::Float).then(|| {
+            format!("|v| <= {tolerance:.3e} times the sum of the absolute values of its terms")
+        })
+    }
+
+    fn connection_line(&self) -> String {
+        match &self.lambda {
+            Some(lambda) if self.connection != "lambda" => {
+                format!("{}, lambda = {lambda}", self.connection_words)
+            }
+            _ => self.connection_words.clone(),
+        }
+    }
+
+    fn scalar_line(&self) -> String {
+        match (S::KIND, self.zero_line()) {
+            (_, Some(zero)) => format!("float; a component v is zero when {zero}"),
+            (Kind::Symbolic, _) if !self.parameters.is_empty() => {
+                format!("symbolic in {}", printable(&self.parameters.join(", ")))
+            }
+            (Kind::Symbolic, _) => "symbolic, though no parameter is left in it".into(),
+            (kind, _) => kind_name(kind).into(),
+        }
+    }
+}
+
+/// The name of a scalar in JSON and in heads.
+pub(super) fn kind_name(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Exact => "exact",
+        Kind::Symbolic => "symbolic",
+        Kind::Float => "float",
+    }
+}
+
+/// A name with its control characters escaped.
+pub(super) fn printable(name: &str) -> String {
+    let mut text = String::with_capacity(name.len());
+    for c in name.chars() {
+        if c.is_control() { text.extend(c.escape_default()) } else { text.push(c) }
+    }
+    text
+}

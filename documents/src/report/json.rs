@@ -1,0 +1,119 @@
+//! JSON, schema `affinor.table/1`: one object, one component a line.
+
+use super::components::append;
+use super::head::kind_name;
+use super::{OnChart, Quantity, Table, TableEntry};
+use affinor_tensors::{Kind, Notation, Up};
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+/// The name of the schema.
+const SCHEMA: &str = "affinor.table/1";
+
+pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
+    let algebra = json!({
+        "name": table.algebra,
+        "dimension": table.labels.len(),
+        "basis": table.labels,
+        "parameters": table.parameters,
+    });
+    let mut connection = json!({ "name": table.connection });
+    if let Some(lambda) = &table.lambda {
+        connection["lambda"] = serde_json::from_slice(&scalar(lambda)?)?;
+    }
+    let head = [
+        ("schema", SCHEMA.into()),
+        ("name", table.name.as_str().into()),
+        ("algebra", algebra),
+        ("connection", connection),
+        ("scalar", kind_name(S::KIND).into()),
+    ];
+    writeln!(out, "{{")?;
+    for (key, value) in head {
+        writeln!(out, "  \"{key}\": {value},")?;
+    }
+    if let Some(OnChart { coordinates, fields }) = &table.chart {
+        writeln!(out, "  \"chart\": {},", json!({ "coordinates": coordinates, "fields": fields }))?;
+    }
+    write!(out, "  \"conventions\": {{")?;
+    for (position, (key, text)) in conventions(table).into_iter().enumerate() {
+        out.write_all(if position == 0 { b"\n" } else { b",\n" })?;
+        write!(out, "    \"{key}\": {}", Value::from(text))?;
+    }
+    write!(out, "\n  }},\n  \"tensors\": {{")?;
+    for (position, entry) in table.tensors.iter().enumerate() {
+        out.write_all(if position == 0 { b"\n" } else { b",\n" })?;
+        tensor(table, entry, out)?;
+    }
+    writeln!(out, "\n  }}\n}}")
+}
+
+/// Writes one tensor directly, because a tree of a million components takes much memory.
+fn tensor<S: Notation>(
+    table: &Table<S>,
+    entry: &TableEntry<S>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let (quantity, shown) = (entry.quantity, table.shown(entry));
+    let slots = shown.slots().iter().map(|slot| if *slot == Up { "up" } else { "down" });
+    let slots: Value = slots.collect();
+    let (key, symbol) = (quantity.key(), quantity.symbol());
+    write!(
+        out,
+        "    \"{key}\": {{\"symbol\": \"{symbol}\", \"indices\": {slots}, \"components\": ["
+    )?;
+    let numbers: Vec<String> = (1..=shown.dimension()).map(|index| index.to_string()).collect();
+    let mut line = Vec::new();
+    let mut text = String::new();
+    for (position, (at, value)) in shown.components().enumerate() {
+        line.clear();
+        line.extend_from_slice(if position == 0 { b"\n      [[" } else { b",\n      [[" });
+        for (slot, &index) in at.iter().enumerate() {
+            line.extend_from_slice(if slot == 0 { b"" } else { b"," });
+            line.extend_from_slice(numbers[index].as_bytes());
+        }
+        line.extend_from_slice(b"],");
+        append_scalar(&mut line, &mut text, value)?;
+        line.push(b']');
+        out.write_all(&line)?;
+    }
+    out.write_all(if shown.is_empty() { b"]}" } else { b"\n    ]}" })
+}
+
+/// The formulas of the basic quantities and of all tensors that are shown.
+fn conventions<S: Notation>(table: &Table<S>) -> Vec<(&'static str, String)> {
+    let mut conventions = vec![("indices", "from 1".into())];
+    conventions.push(("frame", table.frame.into()));
+    conventions.extend(table.zero_line().map(|zero| ("zero", zero)));
+    if table.independent {
+        conventions.push(("components", "one of each set that is equal by symmetry".into()));
+    }
+    let shown = |quantity: &Quantity| {
+        Quantity::BASIC.contains(quantity)
+            || table.tensors.iter().any(|entry| entry.quantity == *quantity)
+    };
+    let formulas = Quantity::ALL.into_iter().filter(shown);
+    conventions.extend(formulas.map(|quantity| (quantity.key(), quantity.definition())));
+    conventions
+}
+
+/// A value as JSON: exact and symbolic ones are strings, floats are numbers.
+fn scalar<S: Notation>(value: &S) -> io::Result<Vec<u8>> {
+    let mut json = Vec::new();
+    append_scalar(&mut json, &mut String::new(), value)?;
+    Ok(json)
+}
+
+/// Appends a value; `text` is a buffer.
+fn append_scalar<S: Notation>(json: &mut Vec<u8>, text: &mut String, value: &S) -> io::Result<()> {
+    if S::KIND == Kind::Float {
+        let number = value.to_f64().filter(|x| x.is_finite()).ok_or_else(|| {
+            let message = format!("the value {value} is not finite, which JSON cannot say");
+            io::Error::new(io::ErrorKind::InvalidData, message)
+        })?;
+        return Ok(serde_json::to_writer(json, &number)?);
+    }
+    text.clear();
+    append(text, value);
+    Ok(serde_json::to_writer(json, text.as_str())?)
+}

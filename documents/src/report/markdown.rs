@@ -1,0 +1,60 @@
+//! Markdown as GitHub renders it: a heading and a table for every tensor.
+
+use super::components::{GROUPED, groups, plain, summary};
+use super::head::{conventions, printable};
+use super::text::{component, general};
+use super::{Table, TableEntry};
+use affinor_tensors::Notation;
+use std::io::{self, Write};
+
+pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "# {}\n", escape(&printable(&table.name)))?;
+    let labels: Vec<String> = table.labels.iter().map(|label| printable(label)).collect();
+    let mut lines = table.head();
+    lines.insert(1, ("basis", labels.join(", ")));
+    for (title, line) in lines {
+        writeln!(out, "- {title}: {}", escape(&line))?;
+    }
+    writeln!(out, "- conventions: `{}`", conventions().replace("; ", "`, `"))?;
+    table.tensors.iter().try_for_each(|entry| tensor(table, entry, out))
+}
+
+fn tensor<S: Notation>(
+    table: &Table<S>,
+    entry: &TableEntry<S>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let shown = table.shown(entry);
+    let name = |at: &[usize]| component(entry.quantity, &shown, at);
+    writeln!(out, "\n## {}\n", table.title(entry.quantity))?;
+    if shown.is_empty() {
+        return writeln!(out, "`{} = 0`", general(entry.quantity, &shown));
+    }
+    writeln!(out, "| component | value |\n| --- | --- |")?;
+    if shown.len() <= GROUPED {
+        for group in groups(&shown) {
+            let members = group.members.iter().map(|(at, negative)| {
+                format!("`{}{}`", if *negative { "-" } else { "" }, name(at))
+            });
+            let members: Vec<String> = members.collect();
+            writeln!(out, "| {} | `{}` |", members.join(" = "), plain(&group.value))?;
+        }
+    } else {
+        for (at, value) in shown.components() {
+            writeln!(out, "| `{}` | `{}` |", name(&at), plain(value))?;
+        }
+    }
+    summary(&entry.tensor, &shown).map_or(Ok(()), |summary| writeln!(out, "\n{summary}"))
+}
+
+/// Text in which no character is markup.
+fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        if "\\`*_[]<>#|^~$&".contains(c) {
+            escaped.push('\\');
+        }
+        escaped.push(c);
+    }
+    escaped
+}

@@ -1,0 +1,147 @@
+//! Plain text: groups of components as the paper prints them, in at most 80 columns.
+
+use super::components::{GROUPED, Group, count, groups, others, plain, scripts};
+use super::head::{conventions, printable};
+use super::{Quantity, Table, TableEntry};
+use affinor_tensors::{Notation, Tensor, Up, Variance};
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use unicode_width::UnicodeWidthStr;
+
+/// The columns of a line.
+const WIDTH: usize = 80;
+/// The columns of the titles in the head.
+const TITLE: usize = 13;
+
+pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
+    fill(out, "", &[printable(&table.name)])?;
+    let labels: Vec<String> = table.labels.iter().map(|label| printable(label)).collect();
+    let basis = ("basis", labels.join(", "));
+    let mut lines = table.head();
+    lines.insert(1, basis);
+    lines.push(("conventions", conventions()));
+    for (title, line) in lines {
+        fill(out, &format!("  {title:TITLE$}"), &[line])?;
+    }
+    for entry in &table.tensors {
+        writeln!(out)?;
+        tensor(table, entry, &labels, out)?;
+    }
+    Ok(())
+}
+
+/// `R^1_212`
+pub(super) fn component<S: Notation>(
+    quantity: Quantity,
+    tensor: &Tensor<S>,
+    indices: &[usize],
+) -> String {
+    let numbers = indices.iter().map(|index| (index + 1).to_string());
+    join(quantity, scripts(tensor.dimension(), tensor.slots(), numbers))
+}
+
+/// `R^i_jkl`
+pub(super) fn general<S: Notation>(quantity: Quantity, tensor: &Tensor<S>) -> String {
+    join(quantity, scripts(0, tensor.slots(), quantity.letters().chars().map(String::from)))
+}
+
+fn tensor<S: Notation>(
+    table: &Table<S>,
+    entry: &TableEntry<S>,
+    labels: &[String],
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let (quantity, title) = (entry.quantity, table.title(entry.quantity));
+    let shown = table.shown(entry);
+    if shown.is_empty() {
+        writeln!(out, "{title}")?;
+        return writeln!(out, "  {} = 0", general(quantity, &shown));
+    }
+    let grouped = shown.len() <= GROUPED;
+    let style = if grouped { "" } else { ", one per line" };
+    match count(&entry.tensor, &shown) {
+        Some(count) => writeln!(out, "{title}: {count}{style}")?,
+        None => writeln!(out, "{title}")?,
+    }
+    if grouped {
+        if quantity == Quantity::Structure && labels.len() == shown.dimension() {
+            brackets(&entry.tensor, labels, out)?;
+        }
+        for group in groups(&shown) {
+            let pieces = equation(&group, |at| component(quantity, &shown, at));
+            fill(out, "  ", &pieces)?;
+        }
+    } else {
+        for (at, value) in shown.components() {
+            let name = component(quantity, &shown, &at);
+            fill(out, "  ", &[name, format!("= {}", plain(value))])?;
+        }
+    }
+    others(&entry.tensor, &shown).map_or(Ok(()), |others| writeln!(out, "  {others}"))
+}
+
+/// The brackets of the basis vectors, `[e1, e2] = e3`.
+fn brackets<S: Notation>(
+    structure: &Tensor<S>,
+    labels: &[String],
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let mut brackets: BTreeMap<_, Vec<_>> = BTreeMap::new();
+    for (at, value) in structure.components().filter(|(at, _)| at[1] < at[2]) {
+        brackets.entry((at[1], at[2])).or_default().push((plain(value), labels[at[0]].clone()));
+    }
+    for ((j, k), terms) in brackets {
+        let left = format!("[{}, {}] =", labels[j], labels[k]);
+        fill(out, "  ", &[left, affinor_tensors::text::combination(terms)])?;
+    }
+    Ok(())
+}
+
+/// The pieces `R^1_212`, `= -R^1_221`, ..., `= 1/4`; a line may break between them.
+pub(super) fn equation<S: Notation>(
+    group: &Group<S>,
+    name: impl Fn(&[usize]) -> String,
+) -> Vec<String> {
+    let members = group.members.iter().enumerate().map(|(position, (at, negative))| {
+        let equals = if position == 0 { "" } else { "= " };
+        format!("{equals}{}{}", if *negative { "-" } else { "" }, name(at))
+    });
+    members.chain([format!("= {}", plain(&group.value))]).collect()
+}
+
+/// The symbol with its indices, `^` before upper and `_` before lower ones.
+fn join(quantity: Quantity, scripts: Vec<(Variance, String)>) -> String {
+    scripts.into_iter().fold(quantity.symbol().into(), |text, (variance, indices)| {
+        text + if variance == Up { "^" } else { "_" } + &indices
+    })
+}
+
+/// Writes pieces with spaces between them, in lines of at most [`WIDTH`] columns. The first line begins with `start`; the
+/// others are indented by its width and two more. A piece wider than a line is broken at its spaces, a word is not.
+pub(super) fn fill(out: &mut dyn Write, start: &str, pieces: &[String]) -> io::Result<()> {
+    let indent = " ".repeat(start.width() + if start.trim().is_empty() { 2 } else { 0 });
+    let mut line = start.to_string();
+    let mut fresh = true;
+    let mut put = |word: &str| {
+        let space = usize::from(!fresh);
+        if !fresh && line.width() + space + word.width() > WIDTH {
+            writeln!(out, "{line}")?;
+            line.clone_from(&indent);
+            fresh = true;
+        }
+        if !fresh {
+            line.push(' ');
+        }
+        line.push_str(word);
+        fresh = false;
+        io::Result::Ok(())
+    };
+    for piece in pieces {
+        if indent.len() + piece.width() > WIDTH {
+            piece.split(' ').try_for_each(&mut put)?;
+        } else {
+            put(piece)?;
+        }
+    }
+    writeln!(out, "{line}")
+}

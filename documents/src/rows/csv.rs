@@ -1,0 +1,20 @@
+//! Runs as CSV: numbers in the fewest digits that read back as the same float.
+
+use super::{Head, Rows};
+use std::fmt::Write as _;
+use std::io::{self, Write};
+
+pub(super) fn write(head: &Head, rows: &mut Rows, out: &mut dyn Write) -> io::Result<()> {
+    let mut out = csv::Writer::from_writer(out);
+    out.write_record(&head.columns)?;
+    let mut text = String::new();
+    for row in rows {
+        for value in row? {
+            text.clear();
+            write!(text, "{value:?}").map_err(io::Error::other)?;
+            out.write_field(text.strip_suffix(".0").unwrap_or(&text))?;
+        }
+        out.write_record(None::<&[u8]>)?;
+    }
+    out.flush()
+}

@@ -1,0 +1,274 @@
+//! The catalogue: Lie algebras by name.
+//!
+//! [`algebra`] turns a name such as `so(3,1)`, `E8` or `bianchi(VI,h=-1/2)` into a Lie algebra over
+//! any scalar. [`find`] returns the [`Entry`] behind it: labels, structure constants and, for matrix
+//! algebras, the matrices. [`families`] lists all families with their bases.
+//!
+//! Families of matrices are written down as matrices and their constants computed
+//! ([`MatrixBasis::bracket`]), the simple complex types come from their roots
+//! ([`chevalley_constants`](crate::algebra::roots::chevalley_constants)), and the Bianchi types from their
+//! symmetric matrix and vector.
+//!
+//! Parentheses may be omitted if the name stays unambiguous: `so3` is so(3). `so31` is refused, because
+//! so(31) and so(3,1) both exist.
+//!
+//! The brackets of `bianchi(VI,h=..)` and `bianchi(VII,h=..)` are rational in the parameter `h`. The `h_EM = a^2 / (n^2 n^3)` of Ellis and MacCallum (*Commun. Math. Phys.* 12
+//! (1969) 108-141) is `-((1+h)/(1-h))^2` in VI and `h^2` in VII: their VI_0 is `h = -1`, their VII_0
+//! is `h = 0`, and in VI the values `h = 0` and `h = 1` give III and V.
+
+mod abelian;
+mod affine;
+mod bianchi;
+mod error;
+mod euclidean;
+mod heisenberg;
+mod linear;
+mod name;
+mod orthogonal;
+mod simple;
+mod symplectic;
+mod unitary;
+
+pub use error::CatalogueError;
+
+use crate::Error;
+use crate::algebra::{Bracket, Complex, LieAlgebra, MatrixBasis};
+use affinor_tensors::{Notation, Rational, Ring, Symbolic, Tolerance};
+use name::Argument;
+
+/// The largest dimension of an algebra of the catalogue.
+pub const MAX_DIMENSION: usize = crate::algebra::roots::MAX_DIMENSION;
+
+/// The Lie algebra of that name over the scalar `S`.
+///
+/// ```
+/// use affinor::algebra::catalogue;
+/// use affinor::Rational;
+/// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+/// assert_eq!(so3.to_string(), "[e1, e2] = e3\n[e1, e3] = -e2\n[e2, e3] = e1");
+/// # Ok::<(), affinor::Error>(())
+/// ```
+///
+/// # Errors
+/// [`CatalogueError`] as [`find`]; [`CatalogueError::Parameter`] where a structure constant is no
+/// value of `S`: it depends on a parameter, or is out of range.
+pub fn algebra<S: Notation>(name: &str) -> Result<LieAlgebra<S>, Error> {
+    let entry = find(name)?;
+    let value = |value: &Symbolic| {
+        let refused =
+            || CatalogueError::Parameter { name: entry.name.clone(), value: value.to_string() };
+        Ok(polynomial(value).ok_or_else(refused)?)
+    };
+    entry.bracket::<S, Error>(value)?.try_into()
+}
+
+/// A polynomial in the parameters over another scalar; `None` where `S` lacks one of them.
+fn polynomial<S: Notation>(value: &Symbolic) -> Option<S> {
+    value.terms().into_iter().try_fold(S::zero(), |sum, (powers, coefficient)| {
+        let mut powers = powers.into_iter();
+        let term = powers.try_fold(S::from_rational(&coefficient)?, |term, (name, power)| {
+            Some(term * &num_traits::pow(S::parameter(&name)?, power as usize))
+        });
+        Some(sum + &term?)
+    })
+}
+
+/// The entry of that name: labels and structure constants.
+///
+/// ```
+/// use affinor::LieAlgebra;
+/// use affinor::algebra::catalogue;
+/// use affinor::Rational;
+/// use std::error::Error;
+/// let entry = catalogue::find("so3")?;
+/// assert_eq!((entry.name.as_str(), entry.dimension()), ("so(3)", 3));
+///
+/// // [e1, e2] = e3
+/// let bracket = entry.bracket::<Rational, Box<dyn Error>>(|value| {
+///     Ok(value.as_constant().cloned().ok_or("a parameter")?)
+/// })?;
+/// assert_eq!(bracket.structure().get(&[2, 0, 1]).to_string(), "1");
+/// assert!(LieAlgebra::try_from(bracket).is_ok());
+/// # Ok::<(), Box<dyn Error>>(())
+/// ```
+///
+/// # Errors
+/// [`CatalogueError`], with similar or possible names.
+pub fn find(name: &str) -> Result<Entry, CatalogueError> {
+    Ok(name::resolve(name)?.build())
+}
+
+/// All families, in the order in which they are listed.
+pub fn families() -> &'static [Family] {
+    FAMILIES
+}
+
+static FAMILIES: &[Family] = &[
+    abelian::FAMILY,
+    orthogonal::DEFINITE,
+    orthogonal::INDEFINITE,
+    unitary::FAMILY,
+    linear::SPECIAL,
+    linear::GENERAL,
+    symplectic::FAMILY,
+    euclidean::FAMILY,
+    euclidean::EXTENDED,
+    heisenberg::FAMILY,
+    affine::FAMILY,
+    bianchi::FAMILY,
+    simple::A,
+    simple::B,
+    simple::C,
+    simple::D,
+    simple::E,
+    simple::F,
+    simple::G,
+];
+
+/// An algebra of the catalogue: a name, a basis and its structure constants.
+#[non_exhaustive]
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// The name in full, `so(3)` for `so3`; [`find`] reads it back.
+    pub name: String,
+    /// The names of the basis vectors.
+    pub labels: Vec<String>,
+    /// The structure constants `(j, k, i, v)`, `[e_j, e_k] = .. + v e_i`, from 0, with `j < k`, no
+    /// zeros, and sorted.
+    pub constants: Vec<(usize, usize, usize, Symbolic)>,
+    /// The parameters of the constants, in alphabetical order.
+    pub parameters: Vec<String>,
+    /// For a matrix algebra: the matrices from which the constants were computed.
+    pub matrices: Option<MatrixBasis<Rational>>,
+}
+
+impl Entry {
+    /// The dimension.
+    pub fn dimension(&self) -> usize {
+        self.labels.len()
+    }
+
+    /// The bracket whose constants are the values of `value_of`.
+    ///
+    /// # Errors
+    /// The first error of `value_of`.
+    pub fn bracket<S: Ring, E: From<Error>>(
+        &self,
+        value_of: impl Fn(&Symbolic) -> Result<S, E>,
+    ) -> Result<Bracket<S>, E> {
+        let constants = self.constants.iter();
+        let constants = constants.map(|(j, k, i, value)| Ok((*j, *k, *i, value_of(value)?)));
+        let constants = constants.collect::<Result<Vec<_>, E>>()?;
+        Ok(Bracket::from_constants(&self.labels, constants)?)
+    }
+
+    fn new(
+        name: String,
+        labels: Vec<String>,
+        constants: impl IntoIterator<Item = (usize, usize, usize, Symbolic)>,
+    ) -> Self {
+        let nonzero = constants.into_iter().filter(|(.., value)| !value.vanishes());
+        let mut constants: Vec<_> = nonzero.collect();
+        constants.sort_unstable_by_key(|&(j, k, i, _)| (j, k, i));
+        let values = constants.iter().map(|(.., value)| value);
+        let mut parameters: Vec<_> = values.flat_map(Symbolic::parameters).collect();
+        parameters.sort();
+        parameters.dedup();
+        Entry { name, labels, constants, parameters, matrices: None }
+    }
+
+    /// The algebra of `size` x `size` matrices given by their nonzero entries, from 0.
+    fn of_matrices(
+        name: String,
+        labels: Vec<String>,
+        size: usize,
+        matrices: Vec<Vec<(usize, usize, Complex<Rational>)>>,
+    ) -> Self {
+        let matrices = MatrixBasis::new(labels, size, matrices, Tolerance::default())
+            .expect("every family of matrices is linearly independent");
+        let bracket = matrices.bracket().expect("every family of matrices is closed");
+        let components = bracket.structure().components();
+        let constants = components
+            .filter(|(at, _)| at[1] < at[2])
+            .map(|(at, value)| (at[1], at[2], at[0], Symbolic::constant(value.clone())));
+        let entry = Self::new(name, matrices.labels().to_vec(), constants);
+        Entry { matrices: Some(matrices), ..entry }
+    }
+
+    /// [`of_matrices`](Self::of_matrices) with integer entries.
+    fn of_integer_matrices(
+        name: String,
+        labels: Vec<String>,
+        size: usize,
+        matrices: impl IntoIterator<Item = Vec<(usize, usize, i64)>>,
+    ) -> Self {
+        let real = |(i, j, v): (usize, usize, i64)| (i, j, Complex::real(Rational::from(v)));
+        let matrices = matrices.into_iter();
+        let matrices = matrices.map(|entries| entries.into_iter().map(real).collect());
+        Self::of_matrices(name, labels, size, matrices.collect())
+    }
+}
+
+/// A family of the catalogue.
+#[derive(Clone, Copy, Debug)]
+pub struct Family {
+    /// The pattern of its names, such as `so(p,q)`.
+    pub pattern: &'static str,
+    /// The condition on the arguments, such as `p, q >= 1`.
+    pub needs: &'static str,
+    /// A description, with the basis in order.
+    pub summary: &'static str,
+    /// One of its names.
+    pub example: &'static str,
+    /// The word with which its names begin.
+    head: &'static str,
+    reader: Reader,
+}
+
+/// The parser of the arguments of a family.
+#[derive(Clone, Copy, Debug)]
+enum Reader {
+    /// `count` integers. `dimension` is the dimension of the algebra, saturated, and `None` for
+    /// arguments without an algebra.
+    Integers {
+        count: usize,
+        dimension: fn(&[usize]) -> Option<usize>,
+        build: fn(String, &[usize]) -> Entry,
+    },
+    /// Arguments that may be words; the first argument of the reader is the whole name.
+    Words(fn(&str, &[Argument]) -> Result<Entry, CatalogueError>),
+}
+
+impl Family {
+    /// The name with these arguments, in the form of the pattern.
+    fn name(&self, arguments: &str) -> String {
+        let head = self.head;
+        match self.pattern[head.len()..].chars().next() {
+            Some('(') => format!("{head}({arguments})"),
+            Some('^') => format!("{head}^{arguments}"),
+            _ => format!("{head}{arguments}"),
+        }
+    }
+}
+
+/// `e1 .. en` for the letter `e`.
+fn numbered(letter: &str, n: usize) -> Vec<String> {
+    (1..=n).map(|i| format!("{letter}{i}")).collect()
+}
+
+/// `E12` for the letter `E` and the place (0, 1) in matrices of size `n`; `E1_12` where an index
+/// can have two digits.
+fn at(letter: &str, (i, j): (usize, usize), n: usize) -> String {
+    let between = if n < 10 { "" } else { "_" };
+    format!("{letter}{}{between}{}", i + 1, j + 1)
+}
+
+/// The pairs `i < j` below `n`, in lexicographic order.
+fn pairs(n: usize) -> impl DoubleEndedIterator<Item = (usize, usize)> {
+    (0..n).flat_map(move |i| (i + 1..n).map(move |j| (i, j)))
+}
+
+/// How many [`pairs`] there are, saturated.
+fn pair_count(n: usize) -> usize {
+    n.saturating_mul(n.saturating_sub(1)) / 2
+}

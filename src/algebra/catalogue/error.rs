@@ -1,0 +1,92 @@
+//! Errors of names that do not denote one algebra of the catalogue.
+
+use crate::algebra::roots::MAX_DIMENSION;
+use affinor_tensors::expression::ExpressionError;
+use std::ops::Range;
+
+/// A name that does not denote one algebra of the catalogue.
+#[non_exhaustive]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum CatalogueError {
+    /// A name that begins like no family.
+    #[error("there is no algebra named `{}`{}", .name.escape_debug(), suggestion(.nearest))]
+    Unknown {
+        /// The name.
+        name: String,
+        /// Similar names of the catalogue.
+        nearest: Vec<String>,
+    },
+    /// A short form that can be read in several ways.
+    #[error(
+        "`{}` can be read as {}: write the parentheses",
+        .name.escape_debug(), .readings.join(" or ")
+    )]
+    Ambiguous {
+        /// The name.
+        name: String,
+        /// All readings, written in full.
+        readings: Vec<String>,
+    },
+    /// A name without the arguments that its family needs.
+    #[error(
+        "`{}` needs arguments: write for instance {}",
+        .name.escape_debug(), .candidates.join(" or ")
+    )]
+    Incomplete {
+        /// The name.
+        name: String,
+        /// An example of every family that begins so.
+        candidates: Vec<String>,
+    },
+    /// Arguments for which the family has no algebra.
+    #[error("there is no `{}` in the catalogue: {rule}", .name.escape_debug())]
+    NoSuchAlgebra {
+        /// The name.
+        name: String,
+        /// The condition on the arguments.
+        rule: String,
+    },
+    /// The algebra exists, but its dimension exceeds [`MAX_DIMENSION`].
+    #[error("the dimension of `{}` exceeds the limit of {MAX_DIMENSION}", .name.escape_debug())]
+    TooLarge {
+        /// The name.
+        name: String,
+    },
+    /// Parentheses that do not match.
+    #[error("`{}`: {reason}", .name.escape_debug())]
+    Malformed {
+        /// The name.
+        name: String,
+        /// The offending part of the name (byte positions).
+        span: Range<usize>,
+        /// The error.
+        reason: &'static str,
+    },
+    /// A structure constant that the scalar cannot hold.
+    #[error(
+        "`{}` has the structure constant {value}, which these scalars cannot hold: \
+         give the value of its parameter, or use symbolic scalars",
+        .name.escape_debug()
+    )]
+    Parameter {
+        /// The name in full.
+        name: String,
+        /// The structure constant.
+        value: String,
+    },
+    /// A parameter whose value is not an expression.
+    #[error("`{}`: {source}", .name.escape_debug())]
+    Value {
+        /// The name.
+        name: String,
+        /// The error; its span counts bytes of the name.
+        source: ExpressionError,
+    },
+}
+
+fn suggestion(nearest: &[String]) -> String {
+    match nearest {
+        [] => String::new(),
+        names => format!("; the nearest is {}", names.join(" or ")),
+    }
+}

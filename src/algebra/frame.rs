@@ -1,0 +1,311 @@
+//! Frames: structure functions and derivations.
+
+use crate::Error;
+use affinor_tensors::text::combination;
+use affinor_tensors::{Down, Ring, Sum, Symbolic, Tensor, Tolerance, Up, Variance, contract};
+use std::collections::BTreeMap;
+use std::fmt;
+use std::sync::Arc;
+
+/// A frame `e_1..e_n`: its structure functions `[e_j, e_k] = c^i_jk e_i` and its derivations
+/// `f -> e_k(f)`.
+///
+/// The left-invariant frame of a Lie algebra (constant `c`, zero derivations on constants), the
+/// right-invariant one (the opposite algebra), a moving or coordinate frame, and the tangent space of
+/// a homogeneous space ([`ReductivePair`](crate::ReductivePair)) are all frames. So every formula of
+/// the differential geometry is written once.
+#[derive(Clone)]
+pub struct Frame<S> {
+    labels: Arc<[String]>,
+    structure: Tensor<S>,
+    derivations: Option<Derivations<S>>,
+    isotropy: Option<Tensor<S>>,
+}
+
+/// `f -> e_k(f)`, with `k` from 0.
+pub type Derivations<S> = Arc<dyn Fn(usize, &S) -> S + Send + Sync>;
+
+impl<S: Ring> Frame<S> {
+    /// An invariant frame: constant structure `c^i_jk`, components without derivatives.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless `structure` has the slots `^i_jk` in the dimension of the labels;
+    /// [`Error::NotFinite`]; [`Error::NotAntisymmetric`].
+    pub fn invariant(
+        labels: impl IntoIterator<Item: AsRef<str>>,
+        structure: Tensor<S>,
+    ) -> Result<Self, Error> {
+        let labels = labels.into_iter().map(|label| label.as_ref().to_string()).collect();
+        let frame = Frame { labels, structure, derivations: None, isotropy: None };
+        expect_slots("the structure", &frame.structure, frame.labels.len(), &[Up, Down, Down])?;
+        expect_numbers("the structure", &frame.structure)?;
+        let symmetric = contract("c^i_jk + c^i_kj -> ^i_jk", &[("c", &frame.structure)])?;
+        match symmetric.components().next() {
+            None => Ok(frame),
+            Some((at, _)) => {
+                let [_, j, k] = [at[0], at[1], at[2]];
+                let residual = (0..frame.labels.len()).map(|i| symmetric.get(&[i, j, k]));
+                Err(Error::NotAntisymmetric {
+                    x: frame.labels[j].clone(),
+                    y: frame.labels[k].clone(),
+                    residual: frame.write(residual),
+                })
+            }
+        }
+    }
+
+    /// A frame whose vectors differentiate the scalars: `derivations(k, f) = e_k(f)`.
+    ///
+    /// # Errors
+    /// As [`invariant`](Self::invariant).
+    pub fn moving(
+        labels: impl IntoIterator<Item: AsRef<str>>,
+        structure: Tensor<S>,
+        derivations: Derivations<S>,
+    ) -> Result<Self, Error> {
+        let frame = Self::invariant(labels, structure)?;
+        Ok(Frame { derivations: Some(derivations), ..frame })
+    }
+
+    /// The coordinate frame of partial derivatives: zero structure (A9).
+    ///
+    /// # Errors
+    /// When the dimension is beyond the engine.
+    pub(crate) fn holonomic(labels: &[String], partial: Derivations<S>) -> Result<Self, Error> {
+        let structure = Tensor::zero(labels.len(), &[Up, Down, Down])?;
+        Self::moving(labels, structure, partial)
+    }
+
+    /// A frame of other vectors, with their structure, isotropy and derivations. `derive` is used
+    /// only if this frame has derivations.
+    pub(crate) fn with_vectors(
+        &self,
+        labels: impl IntoIterator<Item: AsRef<str>>,
+        structure: Tensor<S>,
+        isotropy: Tensor<S>,
+        derive: Derivations<S>,
+    ) -> Result<Self, Error> {
+        let derivations = self.derivations.as_ref().map(|_| derive);
+        Ok(Frame { derivations, ..Self::reductive(labels, structure, isotropy)? })
+    }
+
+    /// The frame of the tangent space `m` of a reductive homogeneous space: its structure is
+    /// `[e_j, e_k]_m`, its isotropy `[[e_k, e_l]_h, e_j] = h^i_jkl e_i`. Without isotropy it is that
+    /// of a group.
+    pub(crate) fn reductive(
+        labels: impl IntoIterator<Item: AsRef<str>>,
+        structure: Tensor<S>,
+        isotropy: Tensor<S>,
+    ) -> Result<Self, Error> {
+        let frame = Self::invariant(labels, structure)?;
+        expect_slots("the isotropy", &isotropy, frame.dimension(), &[Up, Down, Down, Down])?;
+        Ok(Frame { isotropy: (!isotropy.is_empty()).then_some(isotropy), ..frame })
+    }
+
+    /// The dimension.
+    pub fn dimension(&self) -> usize {
+        self.labels.len()
+    }
+
+    /// The names of the frame vectors.
+    pub fn labels(&self) -> &[String] {
+        &self.labels
+    }
+
+    /// The structure functions `c^i_jk`, slots `[Up, Down, Down]`.
+    pub fn structure(&self) -> &Tensor<S> {
+        &self.structure
+    }
+
+    /// The isotropy `h^i_jkl` of a homogeneous space, slots `[Up, Down, Down, Down]`:
+    /// `[[e_k, e_l]_h, e_j] = h^i_jkl e_i`, which enters the curvature with a minus sign. Zero for any
+    /// other frame.
+    ///
+    /// # Errors
+    /// When the dimension is beyond the engine.
+    pub fn isotropy(&self) -> Result<Tensor<S>, Error> {
+        match &self.isotropy {
+            Some(isotropy) => Ok(isotropy.clone()),
+            None => Ok(Tensor::zero(self.dimension(), &[Up, Down, Down, Down])?),
+        }
+    }
+
+    /// Whether the frame is an invariant frame of a group: no derivations and no isotropy.
+    pub fn is_invariant(&self) -> bool {
+        self.derivations.is_none() && self.isotropy.is_none()
+    }
+
+    /// The frame derivatives `e_k(T)` of all components, `k` a new first slot `_k`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ; when the result is beyond the engine.
+    pub fn derivative(&self, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
+        expect_slots("the tensor", tensor, self.dimension(), tensor.slots())?;
+        let slots: Vec<Variance> = [&[Down], tensor.slots()].concat();
+        let mut terms = Vec::new();
+        if let Some(derive) = &self.derivations {
+            for (indices, value) in tensor.components() {
+                for k in 0..self.dimension() {
+                    let indices: Vec<usize> = [&[k], &indices[..]].concat();
+                    terms.push((indices, derive(k, value)));
+                }
+            }
+        }
+        let derivative = Tensor::from_components(self.dimension(), &slots, terms)?;
+        Ok(derivative.with_tolerance(tensor.tolerance()))
+    }
+
+    /// The derivative `e_k(f)` of one function, `k` from 0.
+    pub fn derive(&self, k: usize, f: &S) -> S {
+        self.derivations.as_ref().map_or_else(S::zero, |derive| derive(k, f))
+    }
+
+    /// The Jacobi residual, slots `^i_jkl`: `[[e_j,e_k],e_l] + [[e_k,e_l],e_j] + [[e_l,e_j],e_k]`,
+    /// where `[[e_j,e_k],e_l] = c^m_jk c^i_ml e_i - e_l(c^i_jk) e_i`. Zero for fields on a
+    /// manifold.
+    pub fn jacobi(&self) -> Tensor<S> {
+        let derivative = self.derivative(&self.structure).expect("the structure of this frame");
+        // the second term is written [[e_j,e_l],e_k] with its sign, so that it mirrors the first
+        formula(
+            "c^m_jk c^i_ml - c^m_jl c^i_mk + c^m_kl c^i_mj \
+             - d_l^i_jk + d_k^i_jl - d_j^i_kl -> ^i_[jkl]",
+            &[("c", &self.structure), ("d", &derivative)],
+        )
+    }
+
+    /// The same frame with another tolerance for floats.
+    pub(crate) fn with_tolerance(self, tolerance: Tolerance) -> Self {
+        Frame { structure: self.structure.with_tolerance(tolerance), ..self }
+    }
+
+    /// Writes `{open}x, y{close} = z` for each product `e_j e_k = T^i_jk e_i` that is not zero and
+    /// has indices that are `wanted`, one a line.
+    pub(crate) fn write_products(
+        &self,
+        f: &mut fmt::Formatter<'_>,
+        products: &Tensor<S>,
+        open: &str,
+        close: &str,
+        wanted: impl Fn(usize, usize) -> bool,
+    ) -> fmt::Result {
+        let mut lines = BTreeMap::<_, Vec<_>>::new();
+        for (at, value) in products.components().filter(|(at, _)| wanted(at[1], at[2])) {
+            let term = (value.clone(), self.labels[at[0]].clone());
+            lines.entry((at[1], at[2])).or_default().push(term);
+        }
+        for (line, ((j, k), terms)) in lines.into_iter().enumerate() {
+            let (x, y) = (&self.labels[j], &self.labels[k]);
+            let end = if line == 0 { "" } else { "\n" };
+            write!(f, "{end}{open}{x}, {y}{close} = {}", combination(terms))?;
+        }
+        Ok(())
+    }
+
+    /// Components as a linear combination of the frame vectors.
+    pub(crate) fn write(&self, components: impl IntoIterator<Item = S>) -> String {
+        let named = components.into_iter().zip(self.labels.iter().cloned());
+        combination(named.filter(|(value, _)| !value.vanishes()))
+    }
+}
+
+impl Frame<Symbolic> {
+    /// The frame `d/dx^1 .. d/dx^n` of coordinates that are parameters of the scalars: zero
+    /// structure (A9), and partial derivatives.
+    ///
+    /// # Errors
+    /// When the dimension is beyond the engine.
+    pub fn coordinates(names: impl IntoIterator<Item: AsRef<str>>) -> Result<Self, Error> {
+        let names: Arc<[String]> =
+            names.into_iter().map(|name| name.as_ref().to_string()).collect();
+        let variables = names.clone();
+        Self::holonomic(&names, Arc::new(move |k, f| f.derivative(&variables[k])))
+    }
+}
+
+/// Equal labels, structure and isotropy, and the same derivations: closures are compared by
+/// identity.
+impl<S: PartialEq> PartialEq for Frame<S> {
+    fn eq(&self, other: &Self) -> bool {
+        let derivations = match (&self.derivations, &other.derivations) {
+            (None, None) => true,
+            (Some(mine), Some(theirs)) => Arc::ptr_eq(mine, theirs),
+            _ => false,
+        };
+        derivations
+            && self.labels == other.labels
+            && self.structure == other.structure
+            && self.isotropy == other.isotropy
+    }
+}
+
+impl<S: fmt::Debug> fmt::Debug for Frame<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Frame")
+            .field("labels", &self.labels)
+            .field("structure", &self.structure)
+            .field("derivations", &self.derivations.is_some())
+            .field("isotropy", &self.isotropy)
+            .finish()
+    }
+}
+
+/// Checks dimension and slots.
+pub(crate) fn expect_slots<S: Ring>(
+    what: &'static str,
+    tensor: &Tensor<S>,
+    dimension: usize,
+    slots: &[Variance],
+) -> Result<(), Error> {
+    if tensor.dimension() == dimension && tensor.slots() == slots {
+        return Ok(());
+    }
+    let shape = |n, slots: &[Variance]| format!("dimension {n} and slots {slots:?}");
+    Err(Error::Shape {
+        what,
+        expected: shape(dimension, slots),
+        found: shape(tensor.dimension(), tensor.slots()),
+    })
+}
+
+/// Checks that no component is infinite or NaN, which comparisons do not detect.
+pub(crate) fn expect_numbers<S: Ring>(what: &'static str, tensor: &Tensor<S>) -> Result<(), Error> {
+    match tensor.components().find(|(_, value)| !value.is_number()) {
+        None => Ok(()),
+        Some((at, value)) => {
+            let at = at.iter().map(|index| index + 1).collect();
+            Err(Error::NotFinite { what, at, value: value.to_string() })
+        }
+    }
+}
+
+/// Checks that two slots are symmetric (`sign` 1) or antisymmetric (-1), and hold numbers.
+pub(crate) fn expect_symmetry<S: Ring>(
+    what: &'static str,
+    tensor: &Tensor<S>,
+    [a, b]: [usize; 2],
+    sign: i64,
+) -> Result<(), Error> {
+    expect_numbers(what, tensor)?;
+    for (at, value) in tensor.components() {
+        let mut exchanged = at.to_vec();
+        exchanged.swap(a, b);
+        let mut sum = S::Sum::term(value);
+        sum.add_product(&S::from_i64(-sign), &tensor.get(&exchanged));
+        if let Some(residual) = sum.finish(tensor.tolerance()) {
+            return Err(Error::Symmetry {
+                what,
+                law: if sign > 0 { "symmetric" } else { "antisymmetric" },
+                slots: [a + 1, b + 1],
+                at: at.iter().map(|index| index + 1).collect(),
+                residual: residual.to_string(),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Evaluates a contraction formula of this package. It cannot fail: the formula is well formed, and
+/// constructors have checked the slots of the operands.
+pub(crate) fn formula<S: Ring>(text: &str, operands: &[(&str, &Tensor<S>)]) -> Tensor<S> {
+    contract(text, operands).expect("a formula over tensors of one frame")
+}

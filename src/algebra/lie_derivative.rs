@@ -1,0 +1,87 @@
+//! Derivations of tensors, Lie derivatives and brackets of vector fields.
+
+use crate::Error;
+use crate::algebra::frame::{Frame, expect_slots, formula};
+use crate::algebra::{LETTERS, indices};
+use affinor_tensors::{Down, Ring, Tensor, Up, Variance, contract};
+
+/// The derivation `e_k -> L^i_{direction}k e_i` of `T` in the notation of contractions: a term
+/// `+ L^a_p T^p..` for each upper slot, and `- L^p_a T_p..` for each lower one.
+pub(crate) fn derivation<S: Ring>(direction: &str, tensor: &Tensor<S>) -> String {
+    let letters = &LETTERS[..tensor.rank()];
+    let slots = letters.chars().zip(tensor.slots());
+    let term = |(letter, slot): (char, &Variance)| {
+        let summed = indices(&letters.replace(letter, "p"), tensor);
+        match slot {
+            Up => format!(" + L^{letter}_{direction}p T{summed}"),
+            Down => format!(" - L^p_{direction}{letter} T{summed}"),
+        }
+    };
+    slots.map(term).collect()
+}
+
+/// The action of an endomorphism `A^i_j` on a tensor of any type, as a derivation:
+/// `(A T)^i_j = A^i_p T^p_j - A^p_j T^i_p`.
+///
+/// # Errors
+/// [`Error::Shape`] unless `A` has the slots `^i_j` in the dimension of the tensor.
+pub fn act<S: Ring>(endomorphism: &Tensor<S>, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
+    expect_slots("the endomorphism", endomorphism, tensor.dimension(), &[Up, Down])?;
+    if tensor.rank() == 0 {
+        return Ok(Tensor::zero(tensor.dimension(), &[])?);
+    }
+    let result = indices(&LETTERS[..tensor.rank()], tensor);
+    let sum = derivation("", tensor);
+    Ok(contract(&format!("{sum} -> {result}"), &[("L", endomorphism), ("T", tensor)])?)
+}
+
+impl<S: Ring> Frame<S> {
+    /// The bracket of two fields, given like the result by components in this frame:
+    /// `[X, Y]^i = X^j e_j(Y^i) - Y^j e_j(X^i) + c^i_jk X^j Y^k` (32), (A6).
+    ///
+    /// ```
+    /// use affinor::Frame;
+    /// use affinor::{Ring, Symbolic};
+    /// let plane = Frame::coordinates(&["x", "y"])?;
+    /// let [x, y, zero] = [Symbolic::parameter("x"), Symbolic::parameter("y"), Symbolic::from_i64(0)];
+    /// let rotation = [-y, x.clone()];
+    /// let shift = [Symbolic::from_i64(1), zero.clone()];
+    /// assert_eq!(plane.bracket(&shift, &rotation)?, [zero, Symbolic::from_i64(1)]);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless both have as many components as the frame.
+    pub fn bracket(&self, x: &[S], y: &[S]) -> Result<Vec<S>, Error> {
+        let field = |v: &[S]| Tensor::vector(v, Up).with_tolerance(self.structure().tolerance());
+        let bracket = self.lie_derivative(&field(x), &field(y))?;
+        Ok(bracket.to_vector().expect("a tensor of rank 1"))
+    }
+
+    /// The Lie derivative along the field `X^i`, of a tensor of any type:
+    ///
+    /// ```text
+    /// (L_X T)^i_j = X^m e_m(T^i_j) + A^i_p T^p_j - A^p_j T^i_p,    A^i_j = X^m c^i_mj - e_j(X^i)
+    /// ```
+    ///
+    /// so `L_X Y = [X, Y]` (A7). In the left-invariant frame of an algebra and with constant
+    /// components, `A = ad_X`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`]; when the derivative of the tensor is beyond the engine.
+    pub fn lie_derivative(
+        &self,
+        field: &Tensor<S>,
+        tensor: &Tensor<S>,
+    ) -> Result<Tensor<S>, Error> {
+        expect_slots("the field", field, self.dimension(), &[Up])?;
+        let d = self.derivative(field)?;
+        let operands = [("c", self.structure()), ("X", field), ("d", &d)];
+        let endomorphism = formula("X^m c^i_mj - d_j^i -> ^i_j", &operands);
+        let acted = act(&endomorphism, tensor)?;
+        let result = indices(&LETTERS[..tensor.rank()], tensor);
+        let text = format!("X^m d_m{result} + A{result} -> {result}");
+        let derivative = self.derivative(tensor)?;
+        Ok(contract(&text, &[("X", field), ("d", &derivative), ("A", &acted)])?)
+    }
+}

@@ -1,0 +1,125 @@
+//! Charts: coordinates, and frames of functions over them.
+//!
+//! A coordinate frame has no structure functions (A9), and (B14) with partial derivatives is (B12).
+//! Any other frame is the product of a coordinate frame and a matrix of functions ([`Frame::moved`]).
+//! Its structure functions are the brackets of its fields (A6), and affinities transform by the
+//! inhomogeneous law
+//! ([`Connection::moved`](crate::Connection::moved)).
+
+mod canonical;
+mod canonical_at_point;
+mod eigenvalues;
+mod exponential;
+mod fields;
+mod invariant_fields;
+mod moved;
+mod point;
+mod series;
+
+pub use canonical::{CanonicalCoordinates, Side};
+pub use fields::Fields;
+
+use crate::Error;
+use crate::algebra::frame::{Frame, expect_slots};
+use crate::algebra::{BasisChange, to_matrix};
+use affinor_tensors::expression::is_name;
+use affinor_tensors::text::combination;
+use affinor_tensors::{Down, Notation, Tensor, Up};
+use std::sync::Arc;
+
+/// Named coordinates. Functions of them are scalars with the coordinates as parameters;
+/// [`Symbolic`](affinor_tensors::Symbolic) knows their sines, cosines and exponentials.
+///
+/// ```
+/// use affinor::{Connection, Metric};
+/// use affinor::geometry::chart::Chart;
+/// use affinor::{Down, Notation, Ring, Symbolic, Tensor};
+/// // the sphere of radius 1: g = d theta^2 + sin(theta)^2 d phi^2
+/// let chart = Chart::new(&["theta", "phi"])?;
+/// let sine = Symbolic::function("sin", &Symbolic::parameter("theta"))?;
+/// let g = [([0, 0], Symbolic::from_i64(1)), ([1, 1], sine.clone() * &sine)];
+/// let frame = chart.coordinate_frame::<Symbolic>()?;
+/// let metric = Metric::new(frame.labels(), Tensor::from_components(2, &[Down, Down], g)?)?;
+/// let connection = Connection::levi_civita(&frame, &metric)?;
+/// assert_eq!(connection.gamma().get(&[0, 1, 1]).to_string(), "-sin(theta)*cos(theta)");
+/// assert_eq!(connection.scalar_curvature(&metric)?, Symbolic::from_i64(2));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Chart {
+    coordinates: Arc<[String]>,
+}
+
+impl Chart {
+    /// The chart with these coordinates.
+    ///
+    /// # Errors
+    /// [`Error::Coordinate`] unless they are different identifiers.
+    pub fn new(coordinates: impl IntoIterator<Item: AsRef<str>>) -> Result<Self, Error> {
+        let coordinates: Arc<[String]> =
+            coordinates.into_iter().map(|name| name.as_ref().to_string()).collect();
+        for (at, name) in coordinates.iter().enumerate() {
+            if !is_name(name) || coordinates[..at].contains(name) {
+                return Err(Error::Coordinate { name: name.clone() });
+            }
+        }
+        Ok(Chart { coordinates })
+    }
+
+    /// The names of the coordinates.
+    pub fn coordinates(&self) -> &[String] {
+        &self.coordinates
+    }
+
+    /// The dimension.
+    pub fn dimension(&self) -> usize {
+        self.coordinates.len()
+    }
+
+    /// The names of the coordinate fields: `d_x` for `x`.
+    pub fn labels(&self) -> Vec<String> {
+        self.coordinates.iter().map(|name| field_of(name)).collect()
+    }
+
+    /// The frame of the coordinate fields: zero structure (A9), and partial derivatives.
+    ///
+    /// # Errors
+    /// When the dimension is beyond the engine.
+    pub fn coordinate_frame<S: Notation>(&self) -> Result<Frame<S>, Error> {
+        let names = self.coordinates.clone();
+        Frame::holonomic(&self.labels(), Arc::new(move |k, f: &S| f.derivative(&names[k])))
+    }
+
+    /// The frame of the fields `e_i = e_i^a d/dx^a`, from the components `e^a_i`, slots
+    /// `[Up, Down]`: column `i` is the field `e_i`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`]; [`Error::DegenerateFrame`] for fields that are dependent everywhere.
+    pub fn fields<S: Notation>(
+        &self,
+        labels: impl IntoIterator<Item: AsRef<str>>,
+        components: Tensor<S>,
+    ) -> Result<Fields<S>, Error> {
+        let labels: Vec<_> = labels.into_iter().collect();
+        expect_slots("the fields", &components, self.dimension(), &[Up, Down])?;
+        let change = BasisChange::new(components.clone()).map_err(|error| match error {
+            Error::SingularBasis => {
+                let kernel = to_matrix(&components).nullspace().ok();
+                let relation = kernel.filter(|kernel| kernel.rows() > 0).map(|kernel| {
+                    combination(
+                        kernel.row(0).iter().map(|(i, v)| (v, labels[*i].as_ref().to_string())),
+                    )
+                });
+                Error::DegenerateFrame { relation: relation.unwrap_or_default() }
+            }
+            error => error,
+        })?;
+        let frame = self.coordinate_frame()?.moved(labels, &change)?;
+        Ok(Fields::new(self.clone(), change, frame))
+    }
+}
+
+/// The name of the field `d/dx` of the coordinate `x`.
+pub fn field_of(coordinate: &str) -> String {
+    format!("d_{coordinate}")
+}

@@ -1,0 +1,114 @@
+//! Invariant forms and fields of any Lie algebra in canonical coordinates, at a point in floats.
+
+use super::canonical::invariant_forms;
+use super::series::{Scaling, series};
+use super::{CanonicalCoordinates, Side};
+use crate::Error;
+use crate::algebra::frame::Frame;
+use crate::algebra::{LieAlgebra, to_matrix};
+use affinor_tensors::linear::Matrix;
+use affinor_tensors::text::combination;
+use affinor_tensors::{Jet, Tensor, Tolerance};
+
+impl LieAlgebra<f64> {
+    /// The invariant forms `f^i = f^i_a dx^a` dual to the fields of
+    /// [`Frame::canonical_at_point`]: `g^-1 dg` (left) or `dg g^-1` (right), slots `[Up, Down]`.
+    /// For the first kind this is `T_left(x)` or `T_right(x)`. They exist also where
+    /// the coordinates are singular.
+    ///
+    /// # Errors
+    /// [`Error::Shape`]; [`Error::Overflow`] for points too far from the identity.
+    pub fn canonical_forms(
+        &self,
+        kind: CanonicalCoordinates,
+        side: Side,
+        point: &[f64],
+    ) -> Result<Tensor<Jet>, Error> {
+        let n = point.len();
+        let coordinate = |(a, value): (usize, &f64)| Jet::coordinate(*value, a, n);
+        let x: Vec<Jet> = point.iter().enumerate().map(coordinate).collect();
+        let structure = self.structure().map(|value| Jet::constant(*value));
+        let forms = invariant_forms(&structure, &x, kind, side, |function, ad, _| {
+            let scaling = Scaling::of(&ad.map(Jet::value))?;
+            series(function, &side.signed(ad), &scaling)
+        })?;
+        finite("f", &forms)?;
+        Ok(forms)
+    }
+}
+
+impl Frame<Jet> {
+    /// The invariant fields of any algebra at a point in canonical coordinates, with their
+    /// derivatives. [`Chart::invariant_fields`](crate::Chart::invariant_fields) has the closed form,
+    /// where there is one. The series in `ad` are summed near zero and then squared repeatedly.
+    ///
+    /// ```
+    /// use affinor::geometry::chart::{CanonicalCoordinates, Side};
+    /// use affinor::Frame;
+    /// use affinor::algebra::catalogue;
+    /// // so(3) in rotation vectors
+    /// let so3 = catalogue::algebra("so(3)")?;
+    /// let frame = Frame::canonical_at_point(&so3, CanonicalCoordinates::First, Side::Left, &[0.3, 2.0, -1.0])?;
+    /// assert!((frame.structure().get(&[2, 0, 1]).value() - 1.0).abs() < 1e-14);
+    /// // the coordinates are singular at a full turn
+    /// let turn = [std::f64::consts::TAU, 0.0, 0.0];
+    /// assert!(Frame::canonical_at_point(&so3, CanonicalCoordinates::First, Side::Left, &turn).is_err());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Shape`]; [`Error::SingularPoint`] where the coordinates are singular up to
+    /// rounding; [`Error::Overflow`] for points too far from the identity: numbers out of range, or
+    /// eigenvalues of `ad_x` beyond `2^20`.
+    pub fn canonical_at_point(
+        algebra: &LieAlgebra<f64>,
+        kind: CanonicalCoordinates,
+        side: Side,
+        point: &[f64],
+    ) -> Result<Self, Error> {
+        let forms = algebra.canonical_forms(kind, side, point)?;
+        if let Some(vector) = kernel(algebra, kind, side, point)? {
+            return Err(Error::SingularPoint { vector });
+        }
+        let fields = to_matrix(&forms).inverse().ok_or(Error::SingularBasis)?;
+        let frame = Frame::at_point(algebra.labels(), point, |_, [a, i]| fields.get(a, i))?;
+        finite("c", frame.structure())?;
+        Ok(frame)
+    }
+}
+
+/// A vector on which all forms vanish up to rounding. It is computed in `f64` with a tolerance, not
+/// in jets.
+fn kernel(
+    algebra: &LieAlgebra<f64>,
+    kind: CanonicalCoordinates,
+    side: Side,
+    point: &[f64],
+) -> Result<Option<String>, Error> {
+    let tolerance = std::cell::Cell::new(Tolerance::default());
+    let forms = invariant_forms(
+        algebra.structure(),
+        point,
+        kind,
+        side,
+        |function, ad: &Matrix<f64>, _| {
+            let scaling = Scaling::of(ad)?;
+            tolerance.set(tolerance.get().weaker(scaling.tolerance));
+            series(function, &side.signed(ad), &scaling)
+        },
+    )?;
+    let kernel = to_matrix(&forms).with_tolerance(tolerance.get()).nullspace()?;
+    let vector = || kernel.row(0).iter().map(|(a, value)| (*value, format!("d_{}", a + 1)));
+    Ok((kernel.rows() > 0).then(|| combination(vector())))
+}
+
+fn finite(name: &str, tensor: &Tensor<Jet>) -> Result<(), Error> {
+    match tensor.components().find(|(_, value)| !value.is_finite()) {
+        None => Ok(()),
+        Some((at, value)) => {
+            let at: Vec<_> = at.iter().map(|index| (index + 1).to_string()).collect();
+            let component = format!("{name}^{}_{}", at[0], at[1..].concat());
+            Err(Error::Overflow { component, value: format!("{value} or its derivatives") })
+        }
+    }
+}

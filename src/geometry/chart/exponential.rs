@@ -1,0 +1,96 @@
+//! `exp` of a matrix and its integral, in closed form.
+//!
+//! With a polynomial `mu` of degree `d` that annihilates `M`, `exp(sM)` is `sum f_j(s) M^j`,
+//! `j < d`, where the `f_j` solve `mu(d/ds) f = 0` and the `i`-th derivative of `f_j` at 0 is 1 for
+//! `i = j < d` and 0 for other `i < d`. The solutions are spanned by `s^p e^(as) cos(bs)` and
+//! `s^p e^(as) sin(bs)` for the roots `a + ib` of `mu`: I. E. Leonard, *SIAM Review* 38 (1996)
+//! 507-512. Here `a` and `b` are linear forms of the coordinates.
+
+use super::canonical::{Entire, Side};
+use super::eigenvalues::{Eigenvalue, eigenvalues, multiplied, refusal};
+use crate::Error;
+use affinor_tensors::linear::Matrix;
+use affinor_tensors::{Notation, Ring, Symbolic};
+use num_traits::{One, Zero};
+
+/// A function of `-ad_x` (left) or `ad_x` (right), for coordinates `x` along `labels`.
+pub(super) fn closed_form(
+    function: Entire,
+    side: Side,
+    ad_x: &Matrix<Symbolic>,
+    coordinates: &[String],
+    labels: &[String],
+) -> Result<Matrix<Symbolic>, Error> {
+    let x: Vec<Symbolic> = coordinates.iter().map(|name| Symbolic::parameter(name)).collect();
+    let found = eigenvalues(ad_x, coordinates, labels)?;
+    let mut roots: Vec<Eigenvalue> = match side {
+        Side::Left => found.into_iter().map(Eigenvalue::opposite).collect(),
+        Side::Right => found,
+    };
+    let mu = roots.iter().fold(vec![Symbolic::one()], |mu, root| {
+        let factor = root.factor(&x);
+        (0..root.multiplicity).fold(mu, |mu, _| multiplied(&mu, &factor))
+    });
+    let m = side.signed(ad_x);
+    let mut powers = vec![Matrix::identity(m.rows())];
+    for _ in 1..mu.len() {
+        powers.push(m.mul(&powers[powers.len() - 1])?);
+    }
+    let at_m = |coefficients: &[Symbolic]| {
+        let zero = Matrix::zero(m.rows(), m.rows());
+        powers
+            .iter()
+            .zip(coefficients)
+            .try_fold(zero, |sum, (power, f)| sum.add(&power.map(|value| value.clone() * f)))
+    };
+    // the roots were found at sample points: this proves them for all x
+    if at_m(&mu)?.entries().next().is_some() {
+        return Err(refusal("x", &mu));
+    }
+    // with f the remainder of e^z by z mu, (f - 1)/z is that of the integral by mu
+    let skipped = match function {
+        Entire::Exponential => 0,
+        Entire::Integral => {
+            match roots.iter_mut().find(|root| root.is_zero()) {
+                Some(root) => root.multiplicity += 1,
+                None => roots.push(Eigenvalue::zero(x.len())),
+            }
+            1
+        }
+    };
+    let remainder = remainder(&roots, &x).ok_or_else(|| refusal("x", &mu))?;
+    Ok(at_m(&remainder[skipped..])?)
+}
+
+/// The remainder of `e^z` by the polynomial with these roots: the `f_j` at `s = 1`; `None` for a
+/// form without a known exponential.
+fn remainder(roots: &[Eigenvalue], x: &[Symbolic]) -> Option<Vec<Symbolic>> {
+    let parts = |root: &Eigenvalue| if root.at(x)[1].vanishes() { 1 } else { 2 };
+    let degree = roots.iter().map(|root| root.multiplicity * parts(root)).sum();
+    let (mut derivatives, mut values) = (Vec::new(), Vec::new());
+    for root in roots {
+        let [a, b] = root.at(x);
+        let mut growth = Symbolic::function("exp", &a).ok()?;
+        let waves = ["cos", "sin"].map(|wave| Symbolic::function(wave, &b));
+        // of s^p/p! e^((a+ib)s) at 0: real and imaginary parts
+        let mut before = vec![[Symbolic::zero(), Symbolic::zero()]; degree];
+        for p in 0..root.multiplicity {
+            let first = if p == 0 { Symbolic::one() } else { Symbolic::zero() };
+            let mut own = vec![[first, Symbolic::zero()]];
+            for i in 1..degree {
+                let ([re, im], [more_re, more_im]) = (own[i - 1].clone(), &before[i - 1]);
+                let next_re = a.clone() * &re - &(b.clone() * &im) + more_re;
+                let next_im = a.clone() * &im + &(b.clone() * &re) + more_im;
+                own.push([next_re, next_im]);
+            }
+            for (part, wave) in waves.iter().enumerate().take(parts(root)) {
+                derivatives.push(own.iter().map(|pair| pair[part].clone()).collect());
+                values.push(wave.clone().ok()? * &growth);
+            }
+            growth /= &Symbolic::from_i64(p as i64 + 1);
+            before = own;
+        }
+    }
+    let inverse = Matrix::from_dense(&derivatives).expect("as many derivatives of each").inverse();
+    Some(inverse.expect("independent solutions").apply(&values).expect("as many values"))
+}

@@ -1,0 +1,34 @@
+//! Conditions on the parameters under which a tensor vanishes.
+
+use affinor_tensors::linear::Matrix;
+use affinor_tensors::{Notation, Rational, Tensor};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The polynomials in the parameters whose common zeros make all components of the tensor vanish.
+///
+/// They are a basis of the linear span of the numerators, reduced over their monomials. For the
+/// nonmetricity of M(3) they say that `J` is a multiple of the identity. For a tensor of numbers the
+/// result is empty or the constant 1.
+pub fn conditions<S: Notation>(tensor: &Tensor<S>) -> Vec<S> {
+    let polynomials: Vec<_> = tensor.components().map(|(_, v)| v.numerator_terms()).collect();
+    let monomials: BTreeSet<_> = polynomials.iter().flatten().map(|(m, _)| m.clone()).collect();
+    let columns: BTreeMap<_, _> = monomials.iter().zip(0..).collect();
+    let rows = polynomials.iter().map(|terms| terms.iter().map(|(m, v)| (columns[m], v.clone())));
+    let space = Matrix::from_rows(columns.len(), rows).ok().and_then(|m| m.echelon().ok());
+    let monomials: Vec<S> = monomials
+        .iter()
+        .map(|powers| {
+            let factors = powers.iter().filter_map(|(name, power)| {
+                S::parameter(name).map(|parameter| num_traits::pow(parameter, *power as usize))
+            });
+            factors.fold(S::one(), |product, factor| product * &factor)
+        })
+        .collect();
+    let polynomial = |row: &[(usize, Rational)]| {
+        row.iter().fold(S::zero(), |sum, (at, coefficient)| {
+            let coefficient = S::from_rational(coefficient).unwrap_or_else(S::zero);
+            sum + &(monomials[*at].clone() * &coefficient)
+        })
+    };
+    space.iter().flat_map(|space| space.rows().iter().map(|row| polynomial(row))).collect()
+}

@@ -1,0 +1,99 @@
+//! Connections: affinities over a frame.
+
+mod canonical;
+mod invariant;
+mod right_frame;
+
+pub use canonical::Canonical;
+
+use crate::Error;
+use crate::algebra::frame::{Frame, expect_numbers, expect_slots};
+use crate::algebra::lie_derivative::derivation;
+use crate::algebra::{LETTERS, indices};
+use affinor_tensors::{Down, Ring, Tensor, Up};
+use std::fmt;
+use std::sync::{Arc, OnceLock};
+
+/// A connection by its affinities in a frame: `nabla_{e_j} e_k = Lambda^i_jk e_i` (B1).
+///
+/// The first lower index is the direction, the second the differentiated vector. Torsion and
+/// curvature are in [`curvature`](crate::geometry::curvature), what needs a metric too in
+/// [`metric_affine`](crate::geometry::metric_affine).
+#[derive(Clone, Debug)]
+pub struct Connection<S> {
+    frame: Frame<S>,
+    gamma: Tensor<S>,
+    /// Computed when first asked for, by [`curvature`](Self::curvature); clones share it.
+    pub(super) curvature: Arc<OnceLock<Tensor<S>>>,
+}
+
+impl<S: PartialEq> PartialEq for Connection<S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.frame == other.frame && self.gamma == other.gamma
+    }
+}
+
+/// The nonzero covariant derivatives `nabla[x, y] = z` of the frame vectors, one a line.
+impl<S: Ring> fmt::Display for Connection<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.frame.write_products(f, &self.gamma, "nabla[", "]", |_, _| true)
+    }
+}
+
+impl<S: Ring> Connection<S> {
+    /// The connection with the affinities `Lambda^i_jk`, slots `[Up, Down, Down]`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`]; [`Error::NotFinite`].
+    pub fn new(frame: Frame<S>, gamma: Tensor<S>) -> Result<Self, Error> {
+        expect_slots("the affinities", &gamma, frame.dimension(), &[Up, Down, Down])?;
+        expect_numbers("the affinities", &gamma)?;
+        Ok(Self::unchecked(frame, gamma))
+    }
+
+    fn unchecked(frame: Frame<S>, gamma: Tensor<S>) -> Self {
+        Connection { frame, gamma, curvature: Arc::default() }
+    }
+
+    /// The frame of the affinities.
+    pub fn frame(&self) -> &Frame<S> {
+        &self.frame
+    }
+
+    /// The affinities `Lambda^i_jk`.
+    pub fn gamma(&self) -> &Tensor<S> {
+        &self.gamma
+    }
+
+    /// The covariant derivative of a tensor of any type,
+    /// `(nabla_m T)^i_j = e_m(T^i_j) + Lambda^i_mp T^p_j - Lambda^p_mj T^i_p`; the direction `m`
+    /// is the first lower index of the result. Over the frame of a homogeneous space the tensor must
+    /// be invariant.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ; when the result is beyond the engine.
+    pub fn nabla(&self, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
+        let derivative = self.frame.derivative(tensor)?;
+        let letters = &LETTERS[..tensor.rank()];
+        let sum = format!("d_m{}{}", indices(letters, tensor), derivation("m", tensor));
+        let at = tensor.slots().iter().position(|slot| *slot == Down).unwrap_or(tensor.rank());
+        let before = indices(&letters[..at], tensor);
+        // nabla T has the symmetries of T; an antisymmetric last pair is computed once
+        let pair = tensor.rank().checked_sub(2).filter(|&pair| {
+            pair >= at
+                && tensor.slots()[pair..] == [Down, Down]
+                && tensor.pair_symmetry(pair, pair + 1) == Some(-1)
+        });
+        let mut behind = String::new();
+        for (position, (letter, slot)) in letters.chars().zip(tensor.slots()).enumerate().skip(at) {
+            let opens = Some(position) == pair;
+            match (opens, pair.is_some_and(|pair| position == pair + 1)) {
+                (true, _) => behind += &format!("_[{letter}"),
+                (_, true) => behind += &format!("{letter}]"),
+                _ => behind += &format!("{}{letter}", if *slot == Up { "^" } else { "_" }),
+            }
+        }
+        let operands = [("d", &derivative), ("L", &self.gamma), ("T", tensor)];
+        Ok(affinor_tensors::contract(&format!("{sum} -> {before}_m{behind}"), &operands)?)
+    }
+}

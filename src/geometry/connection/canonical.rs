@@ -1,0 +1,76 @@
+//! The canonical connections of a Lie group and their family `Lambda = lambda c`.
+
+use super::Connection;
+use crate::algebra::LieAlgebra;
+use crate::algebra::frame::Frame;
+use affinor_tensors::{Field, Ring};
+
+/// The three canonical (Cartan-Schouten) connections.
+///
+/// The paper names them by the opposite invariance, so outputs print both names. All three
+/// connections are bi-invariant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Canonical {
+    /// `lambda = 1`, equation (29), the paper's "left invariant canonical": M(3). Right-invariant
+    /// fields are parallel.
+    Plus,
+    /// `lambda = 1/2`, equation (31), the paper's "symmetric": SO(3).
+    Zero,
+    /// `lambda = 0`, equation (30), the paper's "right invariant canonical". Left-invariant fields
+    /// are parallel.
+    Minus,
+}
+
+impl<S: Ring> Connection<S> {
+    /// The connection `nabla_X Y = lambda [X, Y]` on left-invariant fields: `Lambda = lambda c`.
+    pub fn family(algebra: &LieAlgebra<S>, lambda: &S) -> Self {
+        Self::over(algebra.left_frame(), lambda)
+    }
+
+    /// `Lambda = lambda c` over the structure of any frame.
+    pub fn over(frame: &Frame<S>, lambda: &S) -> Self {
+        Connection::unchecked(frame.clone(), frame.structure().scale(lambda))
+    }
+}
+
+impl<S: Field> Connection<S> {
+    /// A canonical connection.
+    ///
+    /// # Panics
+    /// Only for [`Canonical::Zero`] over a field of characteristic 2, which none of ours is.
+    pub fn canonical(algebra: &LieAlgebra<S>, which: Canonical) -> Self {
+        Self::family(algebra, &which.lambda())
+    }
+}
+
+impl Canonical {
+    /// The factor in `Lambda = lambda c`.
+    ///
+    /// # Panics
+    /// As [`Connection::canonical`].
+    pub fn lambda<S: Field>(self) -> S {
+        match self {
+            Canonical::Plus => S::one(),
+            Canonical::Zero => S::from_i64(2).recip().expect("2 is a unit"),
+            Canonical::Minus => S::zero(),
+        }
+    }
+
+    /// The short name: `plus`, `zero`, `minus`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Canonical::Plus => "plus",
+            Canonical::Zero => "zero",
+            Canonical::Minus => "minus",
+        }
+    }
+
+    /// The paper's words and equation.
+    pub fn paper(self) -> &'static str {
+        match self {
+            Canonical::Plus => "left invariant canonical, (29)",
+            Canonical::Zero => "symmetric, (31)",
+            Canonical::Minus => "right invariant canonical, (30)",
+        }
+    }
+}

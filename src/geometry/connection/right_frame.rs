@@ -1,0 +1,51 @@
+//! Bi-invariant connections in the right-invariant frame.
+
+use super::Connection;
+use crate::Error;
+use crate::algebra::LieAlgebra;
+use affinor_tensors::{Ring, Tensor};
+
+impl<S: Ring> Connection<S> {
+    /// The action of `ad_{e_m}` on the affinities, slots `^i_mjk`:
+    /// `(L_m Lambda)^i_jk = c^i_mp Lambda^p_jk - c^p_mj Lambda^i_pk - c^p_mk Lambda^i_jp`. It is the
+    /// covariant derivative by `plus`.
+    ///
+    /// Zero exactly when the connection is bi-invariant; all such connections are
+    /// [`bi_invariant`](Self::bi_invariant).
+    ///
+    /// # Errors
+    /// [`Error::Frame`] in a frame that is not invariant.
+    pub fn ad_variation(&self) -> Result<Tensor<S>, Error> {
+        if !self.frame.is_invariant() {
+            return Err(Error::Frame("invariance under ad is defined in an invariant frame only"));
+        }
+        Connection::over(&self.frame, &S::one()).nabla(&self.gamma)
+    }
+
+    /// The same connection in the right-invariant frame through the same basis:
+    /// `Lambda_right = Lambda - c`, over the structure `-c`.
+    ///
+    /// # Errors
+    /// [`Error::NotInvariant`] with a component of [`ad_variation`](Self::ad_variation) unless
+    /// that vanishes: then the components in the right-invariant frame are not constant. [`Error::Frame`]
+    /// when the connection is not in the left-invariant frame of `algebra`.
+    pub fn in_right_frame(&self, algebra: &LieAlgebra<S>) -> Result<Self, Error> {
+        if self.frame.structure() != algebra.structure() {
+            return Err(Error::Frame(
+                "the connection is not in the left-invariant frame of this algebra",
+            ));
+        }
+        if let Some((at, residual)) = self.ad_variation()?.components().next() {
+            return Err(Error::NotInvariant {
+                direction: self.frame.labels()[at[1]].clone(),
+                i: at[0] + 1,
+                j: at[2] + 1,
+                k: at[3] + 1,
+                residual: residual.to_string(),
+            });
+        }
+        let operands = [("L", &self.gamma), ("c", algebra.structure())];
+        let gamma = affinor_tensors::contract("L^i_jk - c^i_jk -> ^i_jk", &operands)?;
+        Connection::new(algebra.right_frame(), gamma)
+    }
+}

@@ -1,0 +1,106 @@
+//! Torsion, curvature and the tensors derived from them, with the Bianchi identities.
+//!
+//! A connection computes its curvature once; all tensors here share it.
+
+mod conformal;
+mod derivative;
+mod kretschmann;
+mod ricci;
+mod sectional;
+
+use crate::algebra::frame::formula;
+use crate::geometry::connection::Connection;
+use affinor_tensors::{Ring, Tensor};
+
+impl<S: Ring> Connection<S> {
+    /// The torsion (B10), slots `^i_jk`: `tau^i_jk = Lambda^i_jk - Lambda^i_kj - c^i_jk`.
+    pub fn torsion(&self) -> Tensor<S> {
+        formula(
+            "L^i_jk - L^i_kj - c^i_jk -> ^i_[jk]",
+            &[("L", self.gamma()), ("c", self.frame().structure())],
+        )
+    }
+
+    /// The curvature (B14), slots `^i_jkl`, `R(e_k, e_l) e_j = R^i_jkl e_i`:
+    ///
+    /// ```text
+    /// R^i_jkl = e_k(Lambda^i_lj) - e_l(Lambda^i_kj)
+    ///         + Lambda^i_km Lambda^m_lj - Lambda^i_lm Lambda^m_kj - c^m_kl Lambda^i_mj
+    /// ```
+    ///
+    /// Over the frame of a homogeneous space the isotropy `h^i_jkl` is subtracted.
+    ///
+    /// It is computed on the first call and stored.
+    pub fn curvature(&self) -> &Tensor<S> {
+        let cell = &self.curvature;
+        // not `get_or_init(compute)`: a thread of the pool that waits within `compute` may take up
+        // work that asks for this curvature
+        cell.get().unwrap_or_else(|| {
+            let curvature = self.compute_curvature();
+            cell.get_or_init(|| curvature)
+        })
+    }
+
+    fn compute_curvature(&self) -> Tensor<S> {
+        let derivative =
+            self.frame().derivative(self.gamma()).expect("the affinities belong to the frame");
+        let isotropy = self.frame().isotropy().expect("of the rank of the derivative");
+        formula(
+            "d_k^i_lj - d_l^i_kj + L^i_km L^m_lj - L^i_lm L^m_kj - c^m_kl L^i_mj - h^i_jkl -> ^i_j[kl]",
+            &[
+                ("d", &derivative),
+                ("L", self.gamma()),
+                ("c", self.frame().structure()),
+                ("h", &isotropy),
+            ],
+        )
+    }
+
+    /// The Ricci tensor, slots `_jl`: `Ric_jl = R^i_jil`. It need not be symmetric.
+    pub fn ricci(&self) -> Tensor<S> {
+        formula("R^i_jil -> _jl", &[("R", self.curvature())])
+    }
+
+    /// The residual of the first Bianchi identity with torsion, slots `^i_jkl`: the cyclic sum
+    /// over `j, k, l` of `R^i_jkl - tau^m_kl tau^i_mj - (nabla_k tau)^i_lj`. Zero for every
+    /// connection over a frame whose structure satisfies the Jacobi identity.
+    pub fn bianchi_first(&self) -> Tensor<S> {
+        let (torsion, nabla) = (self.torsion(), self.nabla_torsion());
+        formula(
+            "R^i_jkl + R^i_klj + R^i_ljk \
+             - t^m_kl t^i_mj - t^m_lj t^i_mk - t^m_jk t^i_ml \
+             - D^i_klj - D^i_ljk - D^i_jkl -> ^i_[jkl]",
+            &[("R", self.curvature()), ("t", &torsion), ("D", &nabla)],
+        )
+    }
+
+    /// The residual of the second Bianchi identity with torsion, slots `^i_jmkl`: the cyclic sum
+    /// over `m, k, l` of `(nabla_m R)^i_jkl + tau^p_mk R^i_jpl`. Zero as the first.
+    ///
+    /// The affinities between the lower indices `m, k, l` of `nabla R` cancel against those in the
+    /// torsion, whatever the connection. What is left is the exterior covariant derivative of the
+    /// curvature form, and is what is computed: the cyclic sum of
+    ///
+    /// ```text
+    /// e_m(R^i_jkl) + Lambda^i_mp R^p_jkl - Lambda^p_mj R^i_pkl - c^p_mk R^i_jpl
+    /// ```
+    pub fn bianchi_second(&self) -> Tensor<S> {
+        let curvature = self.curvature();
+        let derivative =
+            self.frame().derivative(curvature).expect("the curvature belongs to the frame");
+        // the kernel loops over the leading indices, so only over m < k < l
+        let residual = formula(
+            "d_m^i_jkl + d_k^i_jlm + d_l^i_jmk \
+             + L^i_mp R^p_jkl + L^i_kp R^p_jlm + L^i_lp R^p_jmk \
+             - L^p_mj R^i_pkl - L^p_kj R^i_plm - L^p_lj R^i_pmk \
+             - c^p_mk R^i_jpl - c^p_kl R^i_jpm - c^p_lm R^i_jpk -> _[mkl]^i_j",
+            &[
+                ("d", &derivative),
+                ("L", self.gamma()),
+                ("R", curvature),
+                ("c", self.frame().structure()),
+            ],
+        );
+        residual.permute(&[3, 4, 0, 1, 2]).expect("an order of the slots")
+    }
+}

@@ -1,0 +1,257 @@
+//! Equations of motion of vectors and covectors along a curve, from a connection.
+//!
+//! All are quadratic: the rate of a vector is bilinear in the vector and the velocity. The
+//! coefficients are constants in an invariant frame, and functions of the position in a moving frame.
+
+use crate::Error;
+use crate::algebra::frame::{expect_slots, formula};
+use crate::geometry::connection::Connection;
+use crate::geometry::metric::Metric;
+use affinor_tensors::{Down, Field, Ring, Tensor, Up};
+
+/// The kind of equations of motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EquationKind {
+    /// `DH/Dt = M` for the covector `H = g(Omega, .)` (104): for the connection `plus` the
+    /// Euler-Poincare equations (106), (108) of a left-invariant system.
+    EulerPoincare,
+    /// `nabla_v v = 0` (B7): the velocity of an autoparallel.
+    Autoparallel,
+    /// `nabla_w u = 0` (B5): a vector transported along a curve of velocity `w`.
+    Transport,
+}
+
+impl EquationKind {
+    /// All kinds.
+    pub const ALL: [EquationKind; 3] =
+        [EquationKind::EulerPoincare, EquationKind::Autoparallel, EquationKind::Transport];
+
+    /// The name in options and JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            EquationKind::EulerPoincare => "euler-poincare",
+            EquationKind::Autoparallel => "autoparallel",
+            EquationKind::Transport => "transport",
+        }
+    }
+
+    /// The kind of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+
+    /// The statement of the equations, in the notation of the paper.
+    pub fn statement(self) -> &'static str {
+        match self {
+            EquationKind::EulerPoincare => {
+                "DH/Dt = M (104): g_ij dOmega^j/dt = Lambda^j_ki Omega^k H_j + M_i, \
+                 H_j = g_jm Omega^m"
+            }
+            EquationKind::Autoparallel => "nabla_v v = 0 (B7): dv^i/dt = -Lambda^i_jk v^j v^k",
+            EquationKind::Transport => "nabla_w u = 0 (B5): du^i/dt = -Lambda^i_jk w^j u^k",
+        }
+    }
+}
+
+/// The equations `a_ij dx^j/dt = q_ijk y^j x^k + f_ij M_j`. `y` is `x`, except for
+/// [`EquationKind::Transport`], where it is the velocity `w` of the curve.
+///
+/// ```
+/// use affinor::algebra::catalogue;
+/// use affinor::geometry::equations::Equations;
+/// use affinor::{Canonical, Connection, Metric, Rational};
+/// let so3 = catalogue::algebra("so(3)")?;
+/// let inertia = Metric::diagonal([1, 2, 3].map(Rational::from))?;
+/// let plus = Connection::canonical(&so3, Canonical::Plus);
+/// let euler = Equations::euler_poincare(&plus, &inertia)?;
+/// // Euler's equations: J1 dOmega1/dt = (J2 - J3) Omega2 Omega3
+/// let [omega, free] = [[0, 1, 1].map(Rational::from), [0, 0, 0].map(Rational::from)];
+/// assert_eq!(euler.rate(&omega, &free)?, [-1, 0, 0].map(Rational::from));
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Equations<S> {
+    kind: EquationKind,
+    left: Tensor<S>,
+    inverse: Tensor<S>,
+    quadratic: Tensor<S>,
+    force: Option<Tensor<S>>,
+}
+
+impl<S: Field> Equations<S> {
+    /// The equations of a kind.
+    ///
+    /// # Errors
+    /// [`Error::NoMetric`] for Euler-Poincare without a metric; as
+    /// [`euler_poincare`](Self::euler_poincare).
+    pub fn new(
+        kind: EquationKind,
+        connection: &Connection<S>,
+        metric: Option<&Metric<S>>,
+    ) -> Result<Self, Error> {
+        match kind {
+            EquationKind::EulerPoincare => {
+                Self::euler_poincare(connection, metric.ok_or(Error::NoMetric)?)
+            }
+            EquationKind::Autoparallel | EquationKind::Transport => {
+                Ok(Self::parallel(kind, connection))
+            }
+        }
+    }
+
+    /// `DH/Dt = M` (104), written out:
+    /// `g_ij dOmega^j/dt = Lambda^j_ki Omega^k g_jm Omega^m + M_i` (106).
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ; [`Error::Frame`] for a metric with components
+    /// that are not constant.
+    pub fn euler_poincare(connection: &Connection<S>, metric: &Metric<S>) -> Result<Self, Error> {
+        let n = connection.frame().dimension();
+        expect_slots("the metric", metric.components(), n, &[Down, Down])?;
+        if !connection.frame().derivative(metric.components())?.is_empty() {
+            return Err(Error::Frame(
+                "Euler-Poincare equations need a metric with constant components",
+            ));
+        }
+        let operands = [("L", connection.gamma()), ("g", metric.components())];
+        Ok(Equations {
+            kind: EquationKind::EulerPoincare,
+            left: metric.components().clone(),
+            inverse: metric.inverse().clone(),
+            quadratic: formula("L^j_ki g_jm -> _ikm", &operands),
+            force: Some(Tensor::identity(n).permute(&[1, 0])?),
+        })
+    }
+
+    /// `nabla_w u = 0`, or `nabla_v v = 0`: `dx^i/dt = -Lambda^i_jk y^j x^k`.
+    fn parallel(kind: EquationKind, connection: &Connection<S>) -> Self {
+        let identity = Tensor::identity(connection.frame().dimension());
+        Equations {
+            kind,
+            left: identity.clone(),
+            inverse: identity,
+            quadratic: formula("-1 L^i_jk -> ^i_jk", &[("L", connection.gamma())]),
+            force: None,
+        }
+    }
+
+    /// The same equations solved for the rates, `dx^i/dt = h^il (q_ljk y^j x^k + M_l)`.
+    #[must_use]
+    pub fn solved(&self) -> Self {
+        // equations solved for the rates have an upper index
+        if self.force.is_none() || self.quadratic.slots()[0] == Up {
+            return self.clone();
+        }
+        let operands = [("h", &self.inverse), ("q", &self.quadratic)];
+        let identity = Tensor::identity(self.dimension());
+        Equations {
+            kind: self.kind,
+            left: identity.clone(),
+            quadratic: formula("h^il q_ljk -> ^i_jk", &operands),
+            force: Some(self.inverse.clone()),
+            inverse: identity,
+        }
+    }
+
+    /// The rates `dx/dt`. `other` is the external covector `M` (Euler-Poincare), the velocity `w` of
+    /// the curve (transport), or empty (autoparallel).
+    ///
+    /// # Errors
+    /// [`Error::Shape`] for vectors of another length.
+    pub fn rate(&self, state: &[S], other: &[S]) -> Result<Vec<S>, Error> {
+        let n = self.dimension();
+        let x = Tensor::vector(state, Up);
+        expect_slots("the state", &x, n, &[Up])?;
+        let expected = if self.kind == EquationKind::Autoparallel { 0 } else { n };
+        if other.len() != expected {
+            let [expected, found] = [expected, other.len()].map(|n| format!("{n} components"));
+            return Err(Error::Shape {
+                what: "the external covector or the velocity of the curve",
+                expected,
+                found,
+            });
+        }
+        let y = if self.kind == EquationKind::Transport {
+            Tensor::vector(other, Up)
+        } else {
+            x.clone()
+        };
+        let mut system = self.solved();
+        let moved = formula("q^i_jk y^j -> ^i_k", &[("q", &system.quadratic), ("y", &y)]);
+        let moved = formula("q^i_k x^k -> ^i", &[("q", &moved), ("x", &x)]);
+        let rate = match system.force.take() {
+            None => moved,
+            Some(force) => {
+                let given = Tensor::vector(other, Down);
+                formula("r^i + f^ij m_j -> ^i", &[("r", &moved), ("f", &force), ("m", &given)])
+            }
+        };
+        Ok(rate.to_vector().unwrap_or_default())
+    }
+}
+
+/// A variable of the equations: its role and its index, from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Variable {
+    /// The velocity `w` of the curve along which a vector is transported.
+    Along(usize),
+    /// The unknown `x`.
+    State(usize),
+    /// The external covector `M`.
+    Force(usize),
+}
+
+/// One equation: coefficients of the rates, and of products of the variables.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row<S> {
+    /// `a_j` for each rate `dx^j/dt`, with `j` from 0.
+    pub left: Vec<(S, usize)>,
+    /// The coefficient of each product and its factors; a square lists its variable twice.
+    pub right: Vec<(S, Vec<Variable>)>,
+}
+
+impl<S: Ring> Equations<S> {
+    /// The kind of the equations.
+    pub fn kind(&self) -> EquationKind {
+        self.kind
+    }
+
+    /// The number of equations.
+    pub fn dimension(&self) -> usize {
+        self.left.dimension()
+    }
+
+    /// The inverse of the matrix before the rates.
+    pub fn inverse(&self) -> &Tensor<S> {
+        &self.inverse
+    }
+
+    /// The equations one by one, with equal products collected.
+    pub fn rows(&self) -> Vec<Row<S>> {
+        let n = self.dimension();
+        let mut rows = vec![Row { left: vec![], right: vec![] }; n];
+        for (at, value) in self.left.components() {
+            rows[at[0]].left.push((value.clone(), at[1]));
+        }
+        let square = self.kind != EquationKind::Transport;
+        let collected = if square { collect(&self.quadratic) } else { self.quadratic.clone() };
+        for (at, value) in collected.components() {
+            let first = if square { Variable::State(at[1]) } else { Variable::Along(at[1]) };
+            rows[at[0]].right.push((value.clone(), vec![first, Variable::State(at[2])]));
+        }
+        for (at, value) in self.force.iter().flat_map(Tensor::components) {
+            rows[at[0]].right.push((value.clone(), vec![Variable::Force(at[1])]));
+        }
+        rows
+    }
+}
+
+/// `q_ijk x^j x^k` with each product once: `q_ijk + q_ikj` for `j < k`, `q_ijj` for squares.
+fn collect<S: Ring>(quadratic: &Tensor<S>) -> Tensor<S> {
+    let first = if quadratic.slots()[0] == Up { "^i" } else { "_i" };
+    let both = formula(&format!("q{first}_jk + q{first}_kj -> {first}_jk"), &[("q", quadratic)]);
+    let products = both.filter_map(|at, value| (at[1] < at[2]).then(|| value.clone()));
+    let squares = quadratic.filter_map(|at, value| (at[1] == at[2]).then(|| value.clone()));
+    let text = format!("p{first}_jk + s{first}_jk -> {first}_jk");
+    formula(&text, &[("p", &products), ("s", &squares)])
+}

@@ -1,0 +1,100 @@
+//! The holonomy algebra of a left-invariant connection.
+
+use crate::Error;
+use crate::algebra::frame::formula;
+use crate::geometry::connection::Connection;
+use affinor_tensors::linear::{Echelon, Row};
+use affinor_tensors::{Down, Field, Indices, Ring, Tensor, Up};
+
+/// The Lie algebra of the holonomy group: a subalgebra of gl(n) with a reduced basis.
+#[derive(Clone, Debug)]
+pub struct Holonomy<S> {
+    dimension: usize,
+    /// Matrices as rows of `n n` entries.
+    span: Echelon<S>,
+}
+
+impl<S: Field> Connection<S> {
+    /// The holonomy algebra of a connection with constant components in an invariant frame: the
+    /// smallest space of matrices `A^i_j` that contains all `R(e_k, e_l)` and with `A` also the
+    /// `[Lambda_m, A]`, where `(Lambda_m)^i_j = Lambda^i_mj`.
+    ///
+    /// K. Nomizu, *Amer. J. Math.* 76 (1954) 33-65; Kobayashi and Nomizu, *Foundations II*, section
+    /// X.4: the space so spanned is closed under the commutator. With parameters it is the
+    /// algebra for generic values. Over floats its dimension depends on the tolerance.
+    ///
+    /// # Errors
+    /// [`Error::Frame`] in a frame that is not invariant; [`Error::Linear`] over a ring that is not a
+    /// field.
+    ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Connection, Metric, Rational};
+    /// // the Heisenberg group with a left-invariant metric has the holonomy group SO(3)
+    /// let algebra = catalogue::algebra::<Rational>("heisenberg(3)")?;
+    /// let metric = Metric::identity(3)?;
+    /// let levi_civita = Connection::levi_civita(algebra.left_frame(), &metric)?;
+    /// assert_eq!(levi_civita.holonomy()?.rank(), 3);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    pub fn holonomy(&self) -> Result<Holonomy<S>, Error> {
+        if !self.frame().is_invariant() {
+            return Err(Error::Frame("the holonomy algebra needs an invariant frame"));
+        }
+        let n = self.frame().dimension();
+        let tolerance = self.gamma().tolerance();
+        let mut span = Echelon::new().with_tolerance(tolerance);
+        // R(e_k, e_l) is the matrix of slots 0 and 1, apart by slots 2 and 3
+        let mut open = matrices(self.curvature(), [0, 1], &[2, 3])?;
+        while let Some(matrix) = open.pop() {
+            if !span.insert(matrix.to_row())? {
+                continue;
+            }
+            let moved = formula(
+                "L^i_mp A^p_j - A^i_p L^p_mj -> ^i_mj",
+                &[("L", self.gamma()), ("A", &matrix)],
+            );
+            open.extend(matrices(&moved, [0, 2], &[1])?);
+        }
+        Ok(Holonomy { dimension: n, span })
+    }
+}
+
+impl<S: Field> Holonomy<S> {
+    /// The dimension of the algebra.
+    pub fn rank(&self) -> usize {
+        self.span.rank()
+    }
+
+    /// The reduced basis: matrices `A^i_j`, slots `[Up, Down]`.
+    ///
+    /// # Errors
+    /// When the dimension is beyond the engine, which that of a connection is not.
+    pub fn basis(&self) -> Result<Vec<Tensor<S>>, Error> {
+        let matrix =
+            |row: &Row<S>| Ok(Tensor::from_row(self.dimension, &[Up, Down], row.iter().cloned())?);
+        self.span.rows().iter().map(matrix).collect()
+    }
+
+    /// Whether a matrix `A^i_j`, slots `[Up, Down]`, lies in the algebra.
+    pub fn contains(&self, matrix: &Tensor<S>) -> bool {
+        let fits = matrix.slots() == [Up, Down] && matrix.dimension() == self.dimension;
+        fits && self.span.contains(matrix.to_row())
+    }
+}
+
+/// The nonzero matrices in the two slots `of`, one for each value of the other slots.
+fn matrices<S: Ring>(
+    tensor: &Tensor<S>,
+    of: [usize; 2],
+    apart: &[usize],
+) -> Result<Vec<Tensor<S>>, Error> {
+    let key = |at: &Indices| apart.iter().map(|&slot| at[slot]).collect::<Vec<_>>();
+    let mut entries = std::collections::BTreeMap::<_, Vec<_>>::new();
+    for (at, value) in tensor.components() {
+        entries.entry(key(&at)).or_default().push((of.map(|slot| at[slot]), value.clone()));
+    }
+    let matrix = |entries| Tensor::from_components(tensor.dimension(), &[Up, Down], entries);
+    let matrices = entries.into_values().map(|entries: Vec<([usize; 2], S)>| matrix(entries));
+    Ok(matrices.collect::<Result<_, _>>()?)
+}

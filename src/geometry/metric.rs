@@ -1,0 +1,153 @@
+//! Metrics: symmetric, non-degenerate bilinear forms.
+
+use crate::Error;
+use crate::algebra::frame::{expect_numbers, expect_slots, formula};
+use crate::algebra::{LieAlgebra, inverse, to_matrix};
+use affinor_tensors::text::{combination, written};
+use affinor_tensors::{Down, Field, Tensor, Up};
+use std::fmt;
+
+/// A metric `g_ij` with its inverse `g^ij`; of any signature.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Metric<S> {
+    components: Tensor<S>,
+    inverse: Tensor<S>,
+}
+
+/// As definitions write it: `diag(1, 2, 3)`, or rows `[[2, 1], [1, 2]]`.
+impl<S: Field> fmt::Display for Metric<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (g, n) = (&self.components, self.components.dimension());
+        let list = |values: Vec<String>| values.join(", ");
+        if g.components().all(|(at, _)| at[0] == at[1]) {
+            return write!(
+                f,
+                "diag({})",
+                list((0..n).map(|i| g.get(&[i, i]).to_string()).collect())
+            );
+        }
+        let row = |i: usize| list((0..n).map(|j| g.get(&[i, j]).to_string()).collect());
+        write!(f, "[{}]", list((0..n).map(|i| format!("[{}]", row(i))).collect()))
+    }
+}
+
+impl<S: Field> Metric<S> {
+    /// The metric with these components, slots `[Down, Down]`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::NotSymmetric`]; [`Error::Degenerate`] with a
+    /// vector of the kernel.
+    pub fn new(
+        labels: impl IntoIterator<Item: AsRef<str>>,
+        components: Tensor<S>,
+    ) -> Result<Self, Error> {
+        let labels: Vec<_> = labels.into_iter().collect();
+        let label = |i: usize| labels[i].as_ref().to_string();
+        expect_slots("the metric", &components, labels.len(), &[Down, Down])?;
+        expect_numbers("the metric", &components)?;
+        let skew = formula("g_ij - g_ji -> _ij", &[("g", &components)]);
+        if let Some((at, residual)) = skew.components().next() {
+            return Err(Error::NotSymmetric {
+                x: label(at[0]),
+                y: label(at[1]),
+                residual: written(residual),
+            });
+        }
+        let tolerance = components.tolerance();
+        let Some(entries) = inverse(&components) else {
+            let kernel = to_matrix(&components).nullspace().ok();
+            let null = kernel.map(|kernel| {
+                let row = if kernel.rows() > 0 { kernel.row(0) } else { &[] };
+                combination(row.iter().map(|(i, v)| (v, label(*i))))
+            });
+            return Err(Error::Degenerate { null: null.unwrap_or_default() });
+        };
+        // symmetric to the last bit, also in floats
+        let upper = entries.into_iter().filter(|([i, j], _)| i <= j);
+        let both = upper.flat_map(|([i, j], v)| {
+            let mirrored = (i < j).then(|| ([j, i], v.clone()));
+            [Some(([i, j], v)), mirrored].into_iter().flatten()
+        });
+        let inverse = Tensor::from_components(labels.len(), &[Up, Up], both)?;
+        Ok(Metric { components, inverse: inverse.with_tolerance(tolerance) })
+    }
+
+    /// The metric `diag(values)`. A message calls the basis vectors `e1 ..`.
+    ///
+    /// ```
+    /// use affinor::{Metric, Rational};
+    /// let inertia = Metric::diagonal([1, 2, 3].map(Rational::from))?;
+    /// assert_eq!(inertia.inverse().get(&[1, 1]).to_string(), "1/2");
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::Degenerate`] for a value without an inverse.
+    pub fn diagonal(values: impl IntoIterator<Item = S>) -> Result<Self, Error> {
+        let entries = values.into_iter().enumerate().map(|(i, value)| ([i, i], value));
+        let entries: Vec<_> = entries.collect();
+        let labels = (1..=entries.len()).map(|i| format!("e{i}"));
+        let components = Tensor::from_components(entries.len(), &[Down, Down], entries)?;
+        Self::new(labels, components)
+    }
+
+    /// The metric of an orthonormal basis, `g_ij = delta_ij`.
+    ///
+    /// # Errors
+    /// When the dimension is beyond the engine.
+    pub fn identity(dimension: usize) -> Result<Self, Error> {
+        Self::diagonal(vec![S::one(); dimension])
+    }
+
+    /// The components `g_ij`.
+    pub fn components(&self) -> &Tensor<S> {
+        &self.components
+    }
+
+    /// The inverse `g^ij`.
+    pub fn inverse(&self) -> &Tensor<S> {
+        &self.inverse
+    }
+
+    /// The trace `g^jl t_jl` of a bilinear form with the slots `_jl`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless the form has these slots and the dimension of the metric.
+    pub fn trace(&self, form: &Tensor<S>) -> Result<S, Error> {
+        expect_slots("the form", form, self.components.dimension(), &[Down, Down])?;
+        let trace = formula("g^jl t_jl ->", &[("g", &self.inverse), ("t", form)]);
+        Ok(trace.to_scalar().expect("a tensor of rank 0"))
+    }
+
+    /// The variation of the metric under `ad_{e_k}`, slots `_kij`: `g_mj c^m_ki + g_im c^m_kj`. It
+    /// vanishes for a bi-invariant metric.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ.
+    pub fn ad_variation(&self, algebra: &LieAlgebra<S>) -> Result<Tensor<S>, Error> {
+        self.expect_dimension(algebra.dimension())?;
+        let operands = [("g", &self.components), ("c", algebra.structure())];
+        Ok(formula("g_mj c^m_ki + g_im c^m_kj -> _kij", &operands))
+    }
+
+    /// Whether the metric is bi-invariant: `g([z,x],y) + g(x,[z,y]) = 0`.
+    pub fn is_bi_invariant(&self, algebra: &LieAlgebra<S>) -> bool {
+        self.ad_variation(algebra).is_ok_and(|variation| variation.is_empty())
+    }
+
+    /// Checks that the metric is one of this dimension.
+    pub(crate) fn expect_dimension(&self, dimension: usize) -> Result<(), Error> {
+        expect_slots("the metric", &self.components, dimension, &[Down, Down])
+    }
+
+    /// The covector `v_i = g_ij v^j` (97).
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless `v` has as many components as the metric has rows.
+    pub fn lower(&self, v: &[S]) -> Result<Vec<S>, Error> {
+        let v = Tensor::vector(v, Up);
+        expect_slots("the vector", &v, self.components.dimension(), &[Up])?;
+        let lowered = formula("g_ij v^j -> _i", &[("g", &self.components), ("v", &v)]);
+        Ok(lowered.to_vector().expect("a tensor of rank 1"))
+    }
+}

@@ -1,0 +1,135 @@
+//! Properties of connections and metrics. Each holds, possibly with a value such as a constant, or
+//! fails with a nonzero component as witness.
+//!
+//! Of a connection: [`parallel_torsion`](Connection::parallel_torsion),
+//! [`parallel_curvature`](Connection::parallel_curvature),
+//! [`locally_symmetric`](Connection::locally_symmetric). With a metric:
+//! [`einstein_constant`](Connection::einstein_constant),
+//! [`constant_curvature`](Connection::constant_curvature). Of a left-invariant metric:
+//! [`bi_invariant`](crate::Metric::bi_invariant),
+//! [`naturally_reductive`](crate::Metric::naturally_reductive),
+//! [`ricci_soliton`](crate::Metric::ricci_soliton), and its left-invariant
+//! [`killing_fields`](crate::Metric::killing_fields).
+
+mod einstein;
+mod isometries;
+mod soliton;
+
+pub use soliton::Soliton;
+
+use crate::geometry::connection::Connection;
+use affinor_tensors::{Ring, Tensor};
+use std::fmt;
+
+/// Whether a property holds.
+///
+/// ```
+/// use affinor::geometry::properties::Property;
+/// use affinor::algebra::catalogue;
+/// use affinor::{Connection, Metric, Rational};
+/// // the Heisenberg group with an orthonormal basis
+/// let algebra = catalogue::algebra::<Rational>("heisenberg(3)")?;
+/// let metric = Metric::identity(3)?;
+/// let levi_civita = Connection::levi_civita(algebra.left_frame(), &metric)?;
+/// let Property::Fails(witness) = levi_civita.einstein_constant(&metric)? else { unreachable!() };
+/// assert_eq!(witness.to_string(), "Ric_jl - (-1/2) g_jl = 1 at j = 3, l = 3");
+/// // yet it is a nilsoliton: Ric = -3/2 + diag(1, 1, 2)
+/// let soliton = metric.ricci_soliton(&algebra)?.holds().expect("a nilsoliton");
+/// assert_eq!(soliton.constant, Rational::new(-3, 2).expect("2 is not 0"));
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub enum Property<S, T = ()> {
+    /// It holds, with the value that belongs to it, such as a constant or a derivation.
+    Holds(T),
+    /// It fails, with a witness.
+    Fails(Witness<S>),
+}
+
+/// A nonzero component of a tensor that must vanish for a property to hold.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Witness<S> {
+    /// The formula of the tensor, such as `Ric_jl - (1/2) g_jl`.
+    pub equation: String,
+    /// The free letters of the equation, in the order of the indices.
+    pub letters: &'static str,
+    /// The values of the letters, from 0.
+    pub indices: Vec<usize>,
+    /// The component.
+    pub residual: S,
+}
+
+impl<S, T> Property<S, T> {
+    /// The value of a property that holds; `None` if it fails.
+    pub fn holds(self) -> Option<T> {
+        match self {
+            Property::Holds(value) => Some(value),
+            Property::Fails(_) => None,
+        }
+    }
+
+    /// The witness of a property that fails; `None` if it holds.
+    pub fn witness(self) -> Option<Witness<S>> {
+        match self {
+            Property::Holds(_) => None,
+            Property::Fails(witness) => Some(witness),
+        }
+    }
+
+    /// The property with another value.
+    fn with<U>(self, value: impl FnOnce(T) -> U) -> Property<S, U> {
+        match self {
+            Property::Holds(held) => Property::Holds(value(held)),
+            Property::Fails(witness) => Property::Fails(witness),
+        }
+    }
+}
+
+/// `Ric_jl - (1/2) g_jl = 3 at j = 1, l = 1`
+impl<S: fmt::Display> fmt::Display for Witness<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = {}", self.equation, self.residual)?;
+        for (position, (letter, index)) in self.letters.chars().zip(&self.indices).enumerate() {
+            let before = if position == 0 { " at" } else { "," };
+            write!(f, "{before} {letter} = {}", index + 1)?;
+        }
+        Ok(())
+    }
+}
+
+impl<S: Ring> Connection<S> {
+    /// Whether the torsion is parallel, `nabla tau = 0`.
+    pub fn parallel_torsion(&self) -> Property<S> {
+        vanishing(&self.nabla_torsion(), "(nabla_m tau)^i_jk".into(), "imjk")
+    }
+
+    /// Whether the curvature is parallel, `nabla R = 0`. With parallel torsion the space is then
+    /// locally a reductive homogeneous one with its canonical connection: Kobayashi and Nomizu,
+    /// *Foundations II*, section X.2.
+    pub fn parallel_curvature(&self) -> Property<S> {
+        vanishing(&self.nabla_curvature(), "(nabla_m R)^i_jkl".into(), "imjkl")
+    }
+
+    /// Whether the geodesic reflections are affine maps near their centres: `tau = 0` and
+    /// `nabla R = 0`.
+    pub fn locally_symmetric(&self) -> Property<S> {
+        match vanishing(&self.torsion(), "tau^i_jk".into(), "ijk") {
+            Property::Holds(()) => self.parallel_curvature(),
+            fails => fails,
+        }
+    }
+}
+
+/// Whether a tensor is zero. `equation` is its formula, and `letters` are the index letters of its
+/// slots.
+fn vanishing<S: Ring>(tensor: &Tensor<S>, equation: String, letters: &'static str) -> Property<S> {
+    match tensor.components().next() {
+        None => Property::Holds(()),
+        Some((at, residual)) => Property::Fails(Witness {
+            equation,
+            letters,
+            indices: at.to_vec(),
+            residual: residual.clone(),
+        }),
+    }
+}

@@ -1,0 +1,63 @@
+//! Einstein metrics and spaces of constant curvature.
+
+use super::{Property, vanishing};
+use crate::Error;
+use crate::algebra::frame::{Frame, formula};
+use crate::geometry::connection::Connection;
+use crate::geometry::metric::Metric;
+use affinor_tensors::{Field, Tensor, contraction};
+
+impl<S: Field> Connection<S> {
+    /// Whether the Ricci tensor is a constant multiple of the metric, `Ric = c g`, and the
+    /// constant. Of a Levi-Civita connection: whether the metric is Einstein.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ.
+    pub fn einstein_constant(&self, metric: &Metric<S>) -> Result<Property<S, S>, Error> {
+        metric.expect_dimension(self.frame().dimension())?;
+        let equation = |c: &S| format!("Ric_jl - ({c}) g_jl");
+        let found = ratio(&self.ricci(), metric.components(), equation, "jl");
+        constant(self.frame(), found)
+    }
+
+    /// Whether the curvature is that of a space form, and the constant `K`:
+    /// `R^i_jkl = K (delta^i_k g_jl - delta^i_l g_jk)`. In dimension 1, where every `K`
+    /// fits, it is 0.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ.
+    pub fn constant_curvature(&self, metric: &Metric<S>) -> Result<Property<S, S>, Error> {
+        metric.expect_dimension(self.frame().dimension())?;
+        let unit = formula(
+            "d^i_k g_jl - d^i_l g_jk -> ^i_j[kl]",
+            &[("d", &Tensor::identity(self.frame().dimension())), ("g", metric.components())],
+        );
+        let equation = |k: &S| format!("R^i_jkl - ({k}) (delta^i_k g_jl - delta^i_l g_jk)");
+        constant(self.frame(), ratio(self.curvature(), &unit, equation, "ijkl"))
+    }
+}
+
+/// Whether `a = c b`, and the factor `c`; 0 if both vanish.
+pub(super) fn ratio<S: Field>(
+    a: &Tensor<S>,
+    b: &Tensor<S>,
+    equation: impl Fn(&S) -> String,
+    letters: &'static str,
+) -> Property<S, S> {
+    let pivots = b.components().filter_map(|(at, value)| Some((at, value, value.recip()?)));
+    // the first component with the best pivot
+    let best = pivots.min_by(|x, y| y.1.pivot_weight().total_cmp(&x.1.pivot_weight()));
+    let c = best.map_or_else(S::zero, |(at, _, inverse)| a.get(&at) * &inverse);
+    let slots = contraction::indices(letters.chars().zip(a.slots().iter().copied()));
+    let scaled = b.scale(&c);
+    let residual = formula(&format!("a{slots} - b{slots} -> {slots}"), &[("a", a), ("b", &scaled)]);
+    vanishing(&residual, equation(&c), letters).with(|()| c)
+}
+
+/// Whether the factor is constant; in a moving frame it can be a function.
+fn constant<S: Field>(frame: &Frame<S>, found: Property<S, S>) -> Result<Property<S, S>, Error> {
+    let Property::Holds(c) = found else { return Ok(found) };
+    let value = Tensor::from_components(frame.dimension(), &[], [([], c.clone())])?;
+    let gradient = frame.derivative(&value)?;
+    Ok(vanishing(&gradient, format!("e_k({c})"), "k").with(|()| c))
+}

@@ -1,0 +1,155 @@
+//! Right translations that are isometries of a left-invariant metric: Killing fields, bi-invariance,
+//! natural reductivity.
+
+use super::{Property, Witness, vanishing};
+use crate::Error;
+use crate::algebra::LieAlgebra;
+use crate::algebra::frame::formula;
+use crate::geometry::metric::Metric;
+use affinor_tensors::linear::{Echelon, Matrix};
+use affinor_tensors::{Down, Field, Tensor, Up};
+
+impl<S: Field> Metric<S> {
+    /// The left-invariant fields `x^k e_k` whose flows, right translations, are isometries: a
+    /// reduced basis of the solutions of `x^k (g_mj c^m_ki + g_im c^m_kj) = 0`, so that `ad_x` is
+    /// skew. They form a subalgebra, all of the algebra for a bi-invariant metric. (The
+    /// right-invariant fields are Killing fields of every left-invariant metric.)
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ. [`Error::Linear`] over a ring that is
+    /// not a field.
+    pub fn killing_fields(&self, algebra: &LieAlgebra<S>) -> Result<Vec<Vec<S>>, Error> {
+        let (n, variation) = (algebra.dimension(), self.ad_variation(algebra)?);
+        let mut rows = vec![Vec::new(); n * n];
+        for (at, value) in variation.components() {
+            rows[at[1] * n + at[2]].push((at[0], value.clone()));
+        }
+        let equations = Matrix::from_rows(n, rows)?;
+        let equations = equations.with_tolerance(variation.tolerance());
+        let solutions = equations.nullspace().and_then(|fields| fields.row_space());
+        Ok(solutions?.to_dense())
+    }
+
+    /// Whether the metric is bi-invariant: `g([z,x],y) + g(x,[z,y]) = 0`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ.
+    pub fn bi_invariant(&self, algebra: &LieAlgebra<S>) -> Result<Property<S>, Error> {
+        let equation = "g_mj c^m_ki + g_im c^m_kj".into();
+        Ok(vanishing(&self.ad_variation(algebra)?, equation, "kij"))
+    }
+
+    /// Whether the metric is naturally reductive with respect to `G x K`, where `G` moves the group
+    /// by left translations and `K` by the right ones that are isometries, whose algebra `k` is
+    /// that of the [`killing_fields`](Self::killing_fields). By `G` alone a metric is naturally
+    /// reductive exactly where it is bi-invariant.
+    ///
+    /// The isotropy algebra is the diagonal of `k`. Its complements are `{(x + phi(x), phi(x))}` for
+    /// linear maps `phi` of the algebra into `k`. The test looks for one that is invariant under the
+    /// isotropy group and satisfies `g([x,y]_m, z) + g(y, [x,z]_m) = 0`:
+    ///
+    /// ```text
+    /// phi([a,x]) = [a, phi(x)]                                            for a in k
+    /// g([x,y],z) + g(y,[x,z]) + g([x,phi(y)],z) + g(y,[x,phi(z)]) = 0
+    /// ```
+    ///
+    /// These equations are linear in `phi^i_j`, slots `[Up, Down]`, which comes with the property.
+    /// The witness is the first equation of the second kind that contradicts the equations before it.
+    /// A group can be naturally reductive by isometries other than translations; the Heisenberg group
+    /// is. On a compact simple group the test finds all naturally reductive left-invariant metrics: J. E. D'Atri and W. Ziller,
+    /// *Mem. Amer. Math. Soc.* 215 (1979).
+    ///
+    /// # Errors
+    /// As [`killing_fields`](Self::killing_fields).
+    pub fn naturally_reductive(
+        &self,
+        algebra: &LieAlgebra<S>,
+    ) -> Result<Property<S, Tensor<S>>, Error> {
+        let n = algebra.dimension();
+        let (g, c) = (self.components(), algebra.structure());
+        let variation = self.ad_variation(algebra)?;
+        if variation.is_empty() {
+            // bi-invariant: phi = 0 is a solution
+            return Ok(Property::Holds(Tensor::zero(n, &[Up, Down])?));
+        }
+        let fields = self.killing_fields(algebra)?;
+        // k^i_a, the fields in columns, and brackets with them
+        let entries = fields.iter().enumerate().flat_map(|(a, field)| {
+            field.iter().enumerate().map(move |(i, value)| ([i, a], value.clone()))
+        });
+        let k = Tensor::from_components(n, &[Up, Down], entries)?;
+        let by = formula("c^i_jm k^m_a -> ^i_ja", &[("c", c), ("k", &k)]);
+        let within = formula("b^i_ma k^m_b -> ^i_ba", &[("b", &by), ("k", &k)]);
+        let lowered = formula("g_im b^m_ja -> _ija", &[("g", g), ("b", &by)]);
+
+        // phi(e_i) = phi^a_i k_a: the unknown phi^a_i stands in column a n + i
+        let ranks = 0..fields.len();
+        let unknown = |a: usize, i: usize| a * n + i;
+        let mut system = LinearSystem::new(fields.len() * n, variation.tolerance());
+        for [b, i, q] in triples(fields.len(), n, n) {
+            let image = ranks.clone().flat_map(|a| (0..n).map(move |m| (a, m)));
+            let image =
+                image.map(|(a, m)| (unknown(a, m), -(by.get(&[m, i, b]) * &k.get(&[q, a]))));
+            let bracket = ranks.clone().map(|a| (unknown(a, i), -within.get(&[q, b, a])));
+            // homogeneous equations do not contradict each other
+            system.add(image.chain(bracket).collect(), S::zero())?;
+        }
+        for [z, i, j] in triples(n, n, n) {
+            let first = ranks.clone().map(|a| (unknown(a, i), lowered.get(&[j, z, a])));
+            let second = ranks.clone().map(|a| (unknown(a, j), lowered.get(&[i, z, a])));
+            let constant = variation.get(&[z, i, j]);
+            if let Some(residual) = system.add(first.chain(second).collect(), constant)? {
+                let equation = "g([e_k,e_i],e_j) + g(e_i,[e_k,e_j]) + g([e_k,phi(e_i)],e_j) \
+                                + g(e_i,[e_k,phi(e_j)])";
+                return Ok(Property::Fails(Witness {
+                    equation: equation.into(),
+                    letters: "kij",
+                    indices: vec![z, i, j],
+                    residual,
+                }));
+            }
+        }
+        let phi = Tensor::from_row(n, &[Up, Down], system.solution())?;
+        Ok(Property::Holds(formula("k^i_a p^a_j -> ^i_j", &[("k", &k), ("p", &phi)])))
+    }
+}
+
+/// Linear equations `sum of coefficient * unknown + constant = 0`, in order.
+struct LinearSystem<S> {
+    unknowns: usize,
+    /// The constants stand in the column behind the unknowns.
+    span: Echelon<S>,
+}
+
+impl<S: Field> LinearSystem<S> {
+    fn new(unknowns: usize, tolerance: affinor_tensors::Tolerance) -> Self {
+        LinearSystem { unknowns, span: Echelon::new().with_tolerance(tolerance) }
+    }
+
+    /// Adds an equation. If it contradicts the equations before it, returns the remaining constant.
+    fn add(&mut self, mut row: Vec<(usize, S)>, constant: S) -> Result<Option<S>, Error> {
+        row.push((self.unknowns, constant));
+        let remainder = self.span.reduce(row);
+        match remainder.first() {
+            Some((at, residual)) if *at == self.unknowns => Ok(Some(residual.clone())),
+            _ => {
+                self.span.insert(remainder)?;
+                Ok(None)
+            }
+        }
+    }
+
+    /// The solution in which every unknown without a pivot is 0; nonzero values by column.
+    fn solution(&self) -> impl Iterator<Item = (usize, S)> {
+        let value = |(pivot, row): (&usize, &Vec<(usize, S)>)| {
+            let (at, constant) = row.last()?;
+            (*at == self.unknowns).then(|| (*pivot, -constant.clone()))
+        };
+        self.span.pivots().iter().zip(self.span.rows()).filter_map(value)
+    }
+}
+
+fn triples(first: usize, second: usize, third: usize) -> impl Iterator<Item = [usize; 3]> {
+    let pairs = move |a| (0..second).flat_map(move |b| (0..third).map(move |c| [a, b, c]));
+    (0..first).flat_map(pairs)
+}

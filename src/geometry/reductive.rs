@@ -1,0 +1,224 @@
+//! Reductive homogeneous spaces G/H: their canonical connections, and invariant ones.
+
+use crate::Error;
+use crate::algebra::frame::{Frame, expect_slots, formula};
+use crate::algebra::invariants::invariant_tensors;
+use crate::algebra::lie_derivative::act;
+use crate::algebra::{BasisChange, LieAlgebra};
+use crate::geometry::connection::Connection;
+use crate::geometry::metric::Metric;
+use affinor_tensors::linear::Matrix;
+use affinor_tensors::{Down, Field, Ring, Tensor, TensorError, Up, Variance};
+
+/// An algebra `g = m + h` with a subalgebra `h` and a complement `[h, m]` within `m`: the
+/// homogeneous space G/H seen from its origin, where `m` is the tangent space.
+///
+/// An invariant connection on G/H is an `h`-invariant bilinear map `Lambda^i_jk` on `m`. Its torsion
+/// and curvature are (K. Nomizu, *Amer. J. Math.* 76 (1954) 33-65)
+///
+/// ```text
+/// T(x,y)  = Lambda(x) y - Lambda(y) x - [x,y]_m
+/// R(x,y)z = Lambda(x) Lambda(y) z - Lambda(y) Lambda(x) z - Lambda([x,y]_m) z - [[x,y]_h, z]
+/// ```
+///
+/// These are (B10) and (B14) over [`frame`](Self::frame). So such a connection is a [`Connection`],
+/// with `nabla` of invariant tensors, Ricci, the Bianchi identities and scalar curvature.
+///
+/// ```
+/// use affinor::algebra::catalogue;
+/// use affinor::{Rational, ReductivePair};
+/// let so3 = catalogue::algebra("so(3)")?;
+/// // rotations about the third axis: the sphere
+/// let h = [0, 0, 1].map(Rational::from).to_vec();
+/// let sphere = ReductivePair::orthogonal(&so3, &[h])?;
+/// assert!(sphere.is_symmetric());
+/// // R^1_212
+/// assert_eq!(sphere.canonical().curvature().get(&[0, 1, 0, 1]), 1.into());
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReductivePair<S> {
+    algebra: LieAlgebra<S>,
+    frame: Frame<S>,
+    /// `ad_x` on `m` for the basis of `h`, slots `^i_j`.
+    isotropy: Vec<Tensor<S>>,
+}
+
+impl<S: Field> ReductivePair<S> {
+    /// The pair with these bases of `h` and `m`, by their components in the basis of `algebra`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`]; [`Error::SingularBasis`] unless both together are a basis;
+    /// [`Error::NotSubalgebra`] and [`Error::NotReductive`] with the first bracket that escapes.
+    pub fn new(algebra: &LieAlgebra<S>, h: &[Vec<S>], m: &[Vec<S>]) -> Result<Self, Error> {
+        let (n, r) = (algebra.dimension(), m.len());
+        let basis: Vec<_> = m.iter().chain(h).collect();
+        if basis.len() != n {
+            let (expected, found) = (format!("{n} vectors"), format!("{} vectors", basis.len()));
+            return Err(Error::Shape { what: "the bases of m and h", expected, found });
+        }
+        let basis = basis.into_iter().map(|x| algebra.vector(x)).collect::<Result<Vec<_>, _>>()?;
+        let columns = basis.iter().enumerate();
+        let entries = columns
+            .flat_map(|(a, x)| x.components().map(move |(i, value)| ([i[0], a], value.clone())));
+        let change = Tensor::from_components(n, &[Up, Down], entries)?;
+        let change = change.with_tolerance(algebra.structure().tolerance());
+        let adapted = algebra.change_basis(&BasisChange::new(change)?)?;
+        let c = adapted.structure();
+        // the constants c^i_jk whose indices lie in h where `of_h` is true, and in m elsewhere
+        let part = |of_h: [bool; 3]| {
+            c.filter_map(|at, value| at.iter().map(|i| *i >= r).eq(of_h).then(|| value.clone()))
+        };
+        let escaped = |of_h| {
+            let at = part(of_h).components().next().map(|(at, _)| at)?;
+            let vector = |k: usize| basis[k].to_vector().unwrap_or_default();
+            let (x, y) = (vector(at[1]), vector(at[2]));
+            let bracket = algebra.bracket(&x, &y).unwrap_or_default();
+            Some([x, y, bracket].map(|v| algebra.left_frame().write(v)))
+        };
+        if let Some([x, y, bracket]) = escaped([false, true, true]) {
+            return Err(Error::NotSubalgebra { x, y, bracket });
+        }
+        if let Some([x, y, bracket]) = escaped([true, true, false]) {
+            return Err(Error::NotReductive { x, y, bracket });
+        }
+        // v(x, y) = [x, y]_h
+        let vertical = part([true, false, false]);
+        let curving = formula("v^a_kl c^i_aj -> ^i_j[kl]", &[("v", &vertical), ("c", c)]);
+        let labels = &adapted.labels()[..r];
+        let frame = Frame::reductive(labels, restricted(c, r)?, restricted(&curving, r)?)?;
+        let acting = part([false, true, false]);
+        let isotropy = (r..n).map(|a| {
+            let ad = acting.components().filter(|(at, _)| at[1] == a);
+            let ad = ad.map(|(at, value)| ([at[0], at[2]], value.clone()));
+            Ok(Tensor::from_components(r, &[Up, Down], ad)?.with_tolerance(c.tolerance()))
+        });
+        let isotropy = isotropy.collect::<Result<_, Error>>()?;
+        Ok(ReductivePair { algebra: adapted, frame, isotropy })
+    }
+
+    /// The pair with the complement of `h` that is orthogonal under the Killing form.
+    ///
+    /// # Errors
+    /// [`Error::DegenerateOnSubalgebra`] if the Killing form is degenerate on `h`: the orthogonal
+    /// complement does not exist, though others may. Otherwise as [`new`](Self::new).
+    pub fn orthogonal(algebra: &LieAlgebra<S>, h: &[Vec<S>]) -> Result<Self, Error> {
+        let killing = algebra.killing_form();
+        let rows = h.iter().map(|x| {
+            let x = algebra.vector(x)?;
+            let row = formula("K_ij x^i -> _j", &[("K", &killing), ("x", &x)]);
+            Ok(row.components().map(|(j, value)| (j[0], value.clone())).collect())
+        });
+        let rows = rows.collect::<Result<Vec<Vec<_>>, Error>>()?;
+        let tolerance = killing.tolerance();
+        let products = Matrix::from_rows(algebra.dimension(), rows)?.with_tolerance(tolerance);
+        let vectors = Matrix::from_dense(h)?.with_tolerance(tolerance);
+        if !h.is_empty() {
+            // K restricted to h
+            let null = products.mul(&vectors.transpose())?.nullspace()?;
+            if null.rows() > 0 {
+                let x = vectors.transpose().apply(&null.to_dense()[0])?;
+                return Err(Error::DegenerateOnSubalgebra { null: algebra.left_frame().write(x) });
+            }
+        }
+        Self::new(algebra, h, &products.nullspace()?.to_dense())
+    }
+
+    /// The second canonical connection, `Lambda = 0`: invariant tensors are parallel, and
+    /// `T(x,y) = -[x,y]_m`, `R(x,y)z = -[[x,y]_h, z]`.
+    pub fn canonical(&self) -> Connection<S> {
+        Connection::over(&self.frame, &S::zero())
+    }
+
+    /// The first canonical connection, the natural one without torsion: `Lambda(x) y = [x,y]_m / 2`.
+    /// It has the geodesics of [`canonical`](Self::canonical).
+    ///
+    /// # Errors
+    /// [`Error::Tensor`] where 2 has no inverse.
+    pub fn natural(&self) -> Result<Connection<S>, Error> {
+        let half = S::from_i64(2).recip().ok_or(TensorError::NotInvertible(2))?;
+        Ok(Connection::over(&self.frame, &half))
+    }
+
+    /// The invariant connection with the affinities `Lambda^i_jk` on `m`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`]; [`Error::NotIsotropic`] unless they are invariant under `h`.
+    pub fn connection(&self, gamma: Tensor<S>) -> Result<Connection<S>, Error> {
+        let connection = Connection::new(self.frame.clone(), gamma)?;
+        self.expect_invariant("the affinities", connection.gamma())?;
+        Ok(connection)
+    }
+
+    /// The Levi-Civita connection of an invariant metric `g_ij` on `m`:
+    /// `Lambda(x) y = [x,y]_m / 2 + U(x,y)`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`]; [`Error::NotIsotropic`] unless it is invariant under `h`.
+    pub fn levi_civita(&self, metric: &Metric<S>) -> Result<Connection<S>, Error> {
+        let slots = [Down, Down];
+        expect_slots("the metric", metric.components(), self.dimension(), &slots)?;
+        self.expect_invariant("the metric", metric.components())?;
+        Connection::levi_civita(&self.frame, metric)
+    }
+
+    /// A basis of the `h`-invariant tensors on `m`: the invariant tensor fields of G/H.
+    /// With the slots `^i_jk` these are its invariant connections (H.-C. Wang, *Nagoya Math. J.* 13
+    /// (1958) 1-19), for connected H.
+    ///
+    /// # Errors
+    /// As [`invariant_tensors`].
+    pub fn invariant_tensors(&self, slots: &[Variance]) -> Result<Vec<Tensor<S>>, Error> {
+        invariant_tensors(self.dimension(), slots, &self.isotropy)
+    }
+
+    fn expect_invariant(&self, what: &'static str, tensor: &Tensor<S>) -> Result<(), Error> {
+        for (a, endomorphism) in self.isotropy.iter().enumerate() {
+            if let Some((at, residual)) = act(endomorphism, tensor)?.components().next() {
+                return Err(Error::NotIsotropic {
+                    what,
+                    direction: self.algebra.labels()[self.dimension() + a].clone(),
+                    at: at.iter().map(|index| index + 1).collect(),
+                    residual: residual.to_string(),
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<S: Ring> ReductivePair<S> {
+    /// The algebra in the basis adapted to the pair: `e1..` that of `m`, then that of `h`.
+    pub fn algebra(&self) -> &LieAlgebra<S> {
+        &self.algebra
+    }
+
+    /// The frame of `m`: structure `[e_j, e_k]_m`, and `[[e_k, e_l]_h, .]` in every curvature.
+    pub fn frame(&self) -> &Frame<S> {
+        &self.frame
+    }
+
+    /// The dimension of G/H.
+    pub fn dimension(&self) -> usize {
+        self.frame.dimension()
+    }
+
+    /// The isotropy representation: `ad_x` on `m`, slots `^i_j`, for the basis of `h`.
+    pub fn isotropy(&self) -> &[Tensor<S>] {
+        &self.isotropy
+    }
+
+    /// Whether `[m, m]` lies in `h`. The two canonical connections then coincide, without torsion and
+    /// with parallel curvature.
+    pub fn is_symmetric(&self) -> bool {
+        self.frame.structure().is_empty()
+    }
+}
+
+/// The components with all indices below `r`, as a tensor in that dimension.
+fn restricted<S: Ring>(tensor: &Tensor<S>, r: usize) -> Result<Tensor<S>, Error> {
+    let inside = tensor.components().filter(|(at, _)| at.iter().all(|index| *index < r));
+    let inside = inside.map(|(at, value)| (at, value.clone()));
+    let result = Tensor::from_components(r, tensor.slots(), inside)?;
+    Ok(result.with_tolerance(tensor.tolerance()))
+}

@@ -1,0 +1,45 @@
+//! Means of elements.
+
+use super::{Coordinates, LieGroup};
+use crate::Error;
+
+/// The largest number of iterations.
+const MAX_STEPS: usize = 100;
+
+/// A step of this size, beside the largest logarithm of the first iteration, is rounding.
+const ROUNDING: f64 = 1e-14;
+
+/// `m <- m exp(sum log(m^-1 g_i)/n)` until the step is rounding.
+pub(super) fn mean<G: LieGroup + ?Sized>(
+    group: &G,
+    elements: &[G::Element],
+) -> Result<G::Element, Error> {
+    let Some(first) = elements.first() else {
+        let (expected, found) = ("at least one".into(), "none".into());
+        return Err(Error::Shape { what: "elements of a mean", expected, found });
+    };
+    let mut mean = first.clone();
+    let (mut spread, mut before) = (0.0_f64, f64::INFINITY);
+    for step in 0..MAX_STEPS {
+        let mut sum = G::Vector::zeros(group.dimension());
+        for g in elements {
+            let log = group.log(&group.between(&mean, g))?;
+            if step == 0 {
+                spread = spread.max(log.largest());
+            }
+            sum = sum + log;
+        }
+        let correction = sum * (1.0 / elements.len() as f64);
+        if !correction.is_finite() {
+            return Err(Error::NoMean { steps: step + 1, residual: f64::NAN });
+        }
+        let size = correction.largest();
+        mean = group.restored(group.compose(&mean, &group.exp(&correction)));
+        // roundings of the logarithms stay, however many steps there are
+        if size <= ROUNDING * spread || (size <= 1e6 * ROUNDING * spread && size >= before) {
+            return Ok(mean);
+        }
+        before = size;
+    }
+    Err(Error::NoMean { steps: MAX_STEPS, residual: before })
+}

@@ -1,0 +1,124 @@
+//! The registry of groups: a group for every name of the catalogue of algebras.
+//!
+//! [`find`] reads a name such as `se(3)`, `heisenberg(5)` or `so3+R^3`. Groups in closed form stand in the list of
+//! [`families`]; every group file has its own entry. Other algebras get a group from their matrices or, near the
+//! identity, from their brackets. A sum of algebras gets the direct product of the groups, with the basis of the sum.
+//!
+//! | algebra | an element as written ([`Written::write`](super::Written::write)) |
+//! |---|---|
+//! | in the list | a matrix, or a column for `R^n` |
+//! | given by matrices, as `so(4)` or `gl(2)` | the matrix; of complex matrices `A + iB` the real `[[A, -B], [B, A]]` |
+//! | nilpotent, given by brackets | a column of canonical coordinates of the first kind |
+//! | any other given by brackets | the matrix of `exp(ad_x)`, extended by derivations if there is a centre |
+//! | a sum | one column: the entries of each factor as above, row by row, factor after factor |
+//!
+//! So an element of `se3+se3` has 32 numbers, two 4 x 4 matrices; one of `so3+R^3` has 9 + 3. In formulas of motions the
+//! names of factor `k` end in `_k`, as in `x_2`, `qw_1` and `g11_2`.
+
+use super::matrix_group::MatrixGroup;
+use super::nilpotent::Nilpotent;
+use super::{AnyGroup, heisenberg, se2, se3, se23, sl2, so2, so3, translations};
+use crate::algebra::catalogue;
+use crate::{Error, LieAlgebra};
+use affinor_tensors::linear::Matrix;
+use affinor_tensors::{Rational, Symbolic};
+use nalgebra::DMatrix;
+
+/// A family of groups in closed form.
+#[derive(Clone, Copy, Debug)]
+pub struct Family {
+    /// The name in the catalogue of algebras, with `n` for a number.
+    pub pattern: &'static str,
+    /// How elements are written.
+    pub summary: &'static str,
+    /// The group of a number.
+    pub(super) build: fn(usize) -> AnyGroup,
+}
+
+/// The groups in closed form.
+pub fn families() -> &'static [Family] {
+    FAMILIES
+}
+
+static FAMILIES: &[Family] = &[
+    translations::FAMILY,
+    so2::FAMILY,
+    so3::FAMILY,
+    se2::FAMILY,
+    se3::FAMILY,
+    se23::FAMILY,
+    sl2::FAMILY,
+    heisenberg::FAMILY,
+];
+
+/// The group of a name of the catalogue, or of names joined by `+`.
+///
+/// ```
+/// use affinor::group::{LieGroup, registry};
+/// for (name, dimension) in [("so3+R^3", 6), ("heisenberg(5)", 5), ("se_2(3)", 9), ("su(3)", 8)] {
+///     assert_eq!(registry::find(name)?.dimension(), dimension);
+/// }
+/// # Ok::<(), affinor::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::NoGroup`] for an unknown name or one with parameters; those of [`of_algebra`].
+pub fn find(name: &str) -> Result<AnyGroup, Error> {
+    let mut factors = summands(name).into_iter().map(factor);
+    let first = factors.next().unwrap_or_else(|| factor(name))?;
+    factors.try_fold(first, |product, next| Ok(product.product(&next?)))
+}
+
+/// A group of an algebra that is given by its brackets: simply connected if the algebra is nilpotent, else a group of
+/// matrices near the identity.
+///
+/// # Errors
+/// As [`MatrixGroup::of_algebra`].
+pub fn of_algebra(algebra: &LieAlgebra<f64>) -> Result<AnyGroup, Error> {
+    match Nilpotent::new(algebra.clone()) {
+        Ok(group) => Ok(AnyGroup::new(group)),
+        Err(Error::NotNilpotent { .. }) => MatrixGroup::of_algebra(algebra).map(AnyGroup::new),
+        Err(error) => Err(error),
+    }
+}
+
+/// The parts of a sum: `+` inside parentheses joins nothing.
+pub fn summands(name: &str) -> Vec<&str> {
+    let mut depth = 0_i64;
+    let joins = |symbol: char| {
+        depth += i64::from(symbol == '(') - i64::from(symbol == ')');
+        symbol == '+' && depth == 0
+    };
+    name.split(joins).collect()
+}
+
+fn factor(name: &str) -> Result<AnyGroup, Error> {
+    let refused = |reason: String| Error::NoGroup { name: name.trim().into(), reason };
+    let entry = catalogue::find(name.trim()).map_err(|error| refused(error.to_string()))?;
+    let closed = |family: &Family| Some((family.build)(argument(family.pattern, &entry.name)?));
+    if let Some(group) = FAMILIES.iter().find_map(closed) {
+        return Ok(group);
+    }
+    if let Some(matrices) = &entry.matrices {
+        let dense = |m: &Matrix<Rational>| {
+            DMatrix::from_fn(m.rows(), m.columns(), |i, j| m.get(i, j).to_f64())
+        };
+        let matrices: Vec<_> = matrices.matrices().iter().map(dense).collect();
+        return MatrixGroup::with_labels(&matrices, &entry.labels).map(AnyGroup::new);
+    }
+    let number = |value: &Symbolic| match value.as_constant() {
+        Some(value) => Ok(value.to_f64()),
+        None => Err(refused(format!("its structure constants contain {value}"))),
+    };
+    of_algebra(&LieAlgebra::try_from(entry.bracket(number)?)?)
+}
+
+/// The number that stands in a name for the `n` of a pattern, 0 for a pattern without one.
+fn argument(pattern: &str, name: &str) -> Option<usize> {
+    let (before, behind) = match (pattern.strip_suffix("n)"), pattern.strip_suffix("^n")) {
+        (Some(before), _) => (before, ")"),
+        (None, Some(_)) => (&pattern[..pattern.len() - 1], ""),
+        (None, None) => return (name == pattern).then_some(0),
+    };
+    name.strip_prefix(before)?.strip_suffix(behind)?.parse().ok()
+}

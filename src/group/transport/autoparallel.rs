@@ -1,0 +1,142 @@
+//! Autoparallels of a connection on a group; of Levi-Civita, its geodesics.
+
+use super::ParallelTranslation;
+use crate::Error;
+use crate::group::ode;
+use crate::group::{Coordinates, LieGroup};
+use nalgebra::{DMatrix, DVector};
+
+/// The largest number of charts between two times.
+const MAX_CHARTS: f64 = 1e5;
+/// The largest number of Newton steps between two points.
+const MAX_STEPS: usize = 50;
+
+/// A tangent vector of a group with its base point.
+#[derive(Clone, Debug)]
+pub struct TangentVector<G: LieGroup> {
+    /// The element of the group.
+    pub base: G::Element,
+    /// The vector there, in left components.
+    pub left: G::Vector,
+}
+
+impl<G: LieGroup> ParallelTranslation<G> {
+    /// The autoparallel (B7) through `start` with the tangent `n` (left components) at time 0: its
+    /// tangent at each of the times.
+    ///
+    /// `dn/dt = -Lambda_n n`, and `g' = g n` in coordinates `g = g_0 exp(x)`, `dx/dt = T_left(x)^-1 n`,
+    /// with a new chart before `x` is large. So elements stay on the group.
+    ///
+    /// # Errors
+    /// [`Error::Integration`]: an autoparallel may leave every bound in finite time.
+    pub fn autoparallel(
+        &self,
+        start: &G::Element,
+        n: &G::Vector,
+        times: &[f64],
+        tolerance: f64,
+    ) -> Result<Vec<TangentVector<G>>, Error> {
+        let (mut t, mut g, mut n) = (0.0, start.clone(), n.clone());
+        let mut values = Vec::with_capacity(times.len());
+        for &end in times {
+            while t != end {
+                let next = self.next_chart(t, end, &n)?;
+                let (x, tangent) = self.in_chart(&n, t, next, tolerance)?;
+                (g, n, t) = (self.group().compose(&g, &self.group().exp(&x)), tangent, next);
+            }
+            values.push(TangentVector { base: g.clone(), left: n.clone() });
+        }
+        Ok(values)
+    }
+
+    /// The tangent at `from` of an autoparallel that is at `to` at time 1, in left components, and
+    /// so the logarithm for `plus`, `zero` and `minus`.
+    ///
+    /// Newton's method on the end point, from the logarithm; there may be others.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for `from^-1 to`; [`Error::Integration`] where no autoparallel is
+    /// found.
+    pub fn autoparallel_between(
+        &self,
+        from: &G::Element,
+        to: &G::Element,
+        tolerance: f64,
+    ) -> Result<G::Vector, Error> {
+        let group = self.group();
+        let there = group.inverse(to);
+        // a smaller tolerance, for differences of end points
+        let fine = (1e-3 * tolerance).clamp(1e-14, 1e-9);
+        let miss = |n: &G::Vector| -> Result<DVector<f64>, Error> {
+            let end = self.autoparallel(from, n, &[1.0], fine)?;
+            let x = group.log(&group.compose(&there, &end[0].base))?;
+            Ok(DVector::from_column_slice(x.components()))
+        };
+        let mut n = group.log(&group.compose(&group.inverse(from), to))?;
+        let mut residual = miss(&n)?;
+        for _ in 0..MAX_STEPS {
+            if residual.amax() <= tolerance {
+                return Ok(n);
+            }
+            let h = 1e-5 * (1.0 + DVector::from_column_slice(n.components()).amax());
+            let mut jacobian = DMatrix::zeros(group.dimension(), group.dimension());
+            for (k, e) in group.basis().iter().enumerate() {
+                let (ahead, behind) =
+                    (miss(&(n.clone() + e.clone() * h))?, miss(&(n.clone() - e.clone() * h))?);
+                jacobian.set_column(k, &((ahead - behind) / (2.0 * h)));
+            }
+            let Some(step) = jacobian.lu().solve(&residual) else { break };
+            let step = G::Vector::from_components(step.as_slice());
+            // a step that does not reduce the residual is halved
+            let better = (0..20).find_map(|halvings| {
+                let next = n.clone() - step.clone() * 0.5f64.powi(halvings);
+                let missed = miss(&next).ok()?;
+                (missed.norm() < residual.norm()).then_some((next, missed))
+            });
+            let Some((next, missed)) = better else { break };
+            (n, residual) = (next, missed);
+        }
+        let reason = format!("no autoparallel found: the nearest misses by {:e}", residual.amax());
+        Err(Error::Integration { t: 1.0, reason })
+    }
+
+    /// The time at which the chart around the current point ends.
+    fn next_chart(&self, t: f64, end: f64, n: &G::Vector) -> Result<f64, Error> {
+        let ad = self.group().operator(|v| self.group().bracket(n, v));
+        let reach = 0.5 / ad.norm().max(f64::MIN_POSITIVE);
+        if (end - t).abs() <= reach {
+            return Ok(end);
+        }
+        if (end - t).abs() < MAX_CHARTS * reach {
+            return Ok(t + reach.copysign(end - t));
+        }
+        Err(Error::Integration { t, reason: format!("it turns too fast to reach {end}") })
+    }
+
+    /// The coordinates and the tangent at `end` of the autoparallel that starts at `t` from the
+    /// origin of the chart.
+    fn in_chart(
+        &self,
+        n: &G::Vector,
+        t: f64,
+        end: f64,
+        tolerance: f64,
+    ) -> Result<(G::Vector, G::Vector), Error> {
+        let d = self.group().dimension();
+        let f = |_: f64, y: &DVector<f64>| {
+            let slopes = || -> Result<DVector<f64>, Error> {
+                let x = G::Vector::from_components(&y.as_slice()[..d]);
+                let n = G::Vector::from_components(&y.as_slice()[d..]);
+                let position = self.group().tangent_left_inverse(&x, &n)?;
+                let tangent = self.generator(&n)? * DVector::from_column_slice(n.components());
+                let both = position.components().iter().chain(tangent.iter()).copied();
+                Ok(DVector::from_iterator(2 * d, both))
+            };
+            slopes().unwrap_or_else(|_| DVector::repeat(2 * d, f64::NAN))
+        };
+        let y0 = std::iter::repeat_n(0.0, d).chain(n.components().iter().copied());
+        let y = ode::solve(f, t, DVector::from_iterator(2 * d, y0), &[end], tolerance)?;
+        let (x, n) = y[0].as_slice().split_at(d);
+        Ok((G::Vector::from_components(x), G::Vector::from_components(n)))
+    }
+}

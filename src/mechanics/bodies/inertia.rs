@@ -1,0 +1,163 @@
+//! The inertia of a rigid body, and its state.
+
+use crate::Error;
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+
+/// The tolerance of symmetry, relative to the largest entry.
+const SYMMETRIC: f64 = 1e-12;
+/// The relative tolerance of the triangle inequality: flat bodies have equality.
+const FLAT: f64 = 1e-12;
+
+/// Attitude and momentum of a rigid body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyState {
+    /// From body to space components.
+    pub attitude: UnitQuaternion<f64>,
+    /// The angular momentum `H = J Omega` (103), in body components.
+    pub momentum: Vector3<f64>,
+}
+
+impl BodyState {
+    /// The spatial angular momentum `R H`, which a free body conserves.
+    pub fn space_momentum(&self) -> Vector3<f64> {
+        self.attitude * self.momentum
+    }
+}
+
+/// A symmetric, positive definite inertia with its principal axes.
+///
+/// ```
+/// use affinor::mechanics::Inertia;
+/// use nalgebra::{Matrix3, Vector3};
+/// let inertia = Inertia::new(&Matrix3::new(2.0, 1.0, 0.0, 1.0, 2.0, 0.0, 0.0, 0.0, 2.5))?;
+/// let mut moments: Vec<f64> = inertia.moments().iter().copied().collect();
+/// moments.sort_by(f64::total_cmp);
+/// assert!((moments[0] - 1.0).abs() < 1e-15 && (moments[2] - 3.0).abs() < 1e-15);
+/// assert!(inertia.is_of_a_body());
+/// assert!(!Inertia::diagonal(&Vector3::new(1.0, 1.0, 3.0))?.is_of_a_body());
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inertia {
+    moments: Vector3<f64>,
+    /// Columns are principal axes in body components; a rotation.
+    axes: Matrix3<f64>,
+}
+
+impl Inertia {
+    /// The inertia of principal moments, in the axes of the body.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for a moment that is not positive and finite.
+    pub fn diagonal(moments: &Vector3<f64>) -> Result<Self, Error> {
+        Self::principal(*moments, Matrix3::identity())
+    }
+
+    /// The inertia of a matrix, with its principal axes. A diagonal matrix keeps its axes and their order.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for a matrix that is not symmetric, to 12 digits, or not positive definite.
+    pub fn new(matrix: &Matrix3<f64>) -> Result<Self, Error> {
+        let size = matrix.amax();
+        if let Some(off) = asymmetry(matrix) {
+            let reason = format!("the matrix is off symmetric by {off}");
+            return Err(Error::Invalid { what: "inertia", reason });
+        }
+        let scaled = matrix / size;
+        let symmetric = (scaled + scaled.transpose()) * 0.5;
+        let diagonal = Matrix3::from_diagonal(&symmetric.diagonal());
+        if symmetric == diagonal || size == 0.0 {
+            return Self::diagonal(&matrix.diagonal());
+        }
+        let eigen = symmetric.symmetric_eigen();
+        let mut axes = eigen.eigenvectors;
+        if axes.determinant() < 0.0 {
+            axes.column_mut(0).neg_mut();
+        }
+        Self::principal(eigen.eigenvalues * size, axes)
+    }
+
+    fn principal(moments: Vector3<f64>, axes: Matrix3<f64>) -> Result<Self, Error> {
+        // its reciprocal must be finite as well
+        match moments.iter().find(|moment| !(moment.is_normal() && **moment > 0.0)) {
+            Some(moment) => {
+                let reason = format!("{moment} is a principal moment");
+                Err(Error::Invalid { what: "inertia", reason })
+            }
+            None => Ok(Inertia { moments, axes }),
+        }
+    }
+
+    /// The principal moments, in the order of the [`axes`](Self::axes).
+    pub fn moments(&self) -> &Vector3<f64> {
+        &self.moments
+    }
+
+    /// The principal axes: columns of a rotation matrix, in body components.
+    pub fn axes(&self) -> &Matrix3<f64> {
+        &self.axes
+    }
+
+    /// `A diag(J_1, J_2, J_3) A^T`, the matrix in body components.
+    pub fn matrix(&self) -> Matrix3<f64> {
+        self.axes * Matrix3::from_diagonal(&self.moments) * self.axes.transpose()
+    }
+
+    /// The inertia of the same body with its principal axes as those of the body.
+    #[must_use]
+    pub fn in_principal_axes(&self) -> Self {
+        Inertia { moments: self.moments, axes: Matrix3::identity() }
+    }
+
+    /// Whether it is that of positive masses: no moment is larger than the sum of the others. Motions do not require this.
+    pub fn is_of_a_body(&self) -> bool {
+        self.expect_masses().is_ok()
+    }
+
+    /// Checks that it is that of positive masses, to 12 digits: `J_1 <= J_2 + J_3` and cyclic.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] with the moments.
+    pub fn expect_masses(&self) -> Result<(), Error> {
+        expect_masses(&self.moments, self.moments.max())
+    }
+
+    /// `H = J Omega` (103).
+    pub fn momentum(&self, velocity: &Vector3<f64>) -> Vector3<f64> {
+        self.axes * (self.axes.tr_mul(velocity)).component_mul(&self.moments)
+    }
+
+    /// `Omega = J^-1 H`.
+    pub fn velocity(&self, momentum: &Vector3<f64>) -> Vector3<f64> {
+        self.axes * (self.axes.tr_mul(momentum)).component_div(&self.moments)
+    }
+
+    /// The kinetic energy `H . J^-1 H/2`.
+    pub fn energy(&self, momentum: &Vector3<f64>) -> f64 {
+        0.5 * momentum.dot(&self.velocity(momentum))
+    }
+}
+
+/// The asymmetry of a matrix, if it exceeds rounding; NaN for an entry that is not finite.
+pub(super) fn asymmetry(matrix: &Matrix3<f64>) -> Option<f64> {
+    if !matrix.iter().all(|entry| entry.is_finite()) {
+        return Some(f64::NAN);
+    }
+    let off = (matrix - matrix.transpose()).amax();
+    (off > SYMMETRIC * matrix.amax()).then_some(off)
+}
+
+/// Checks the triangle inequality of principal moments, to the rounding of numbers of a size.
+///
+/// # Errors
+/// [`Error::Invalid`].
+pub(super) fn expect_masses(moments: &Vector3<f64>, size: f64) -> Result<(), Error> {
+    let mut ordered: [f64; 3] = (*moments).into();
+    ordered.sort_by(f64::total_cmp);
+    let [a, b, c] = ordered;
+    if (c - b) - a <= FLAT * size {
+        return Ok(());
+    }
+    let reason = format!("moments {a}, {b}, {c}: no masses have them, as {c} > {a} + {b}");
+    Err(Error::Invalid { what: "inertia", reason })
+}

@@ -1,0 +1,82 @@
+//! Bodies of simple shapes, with density 1, and point masses.
+
+use super::{MassProperties, positive};
+use crate::Error;
+use nalgebra::{Matrix3, Vector3};
+use std::f64::consts::PI;
+
+/// Shapes are centred at the origin, with axes along those of the coordinates.
+impl MassProperties {
+    /// Masses at points.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for a mass that is not positive, and without masses; [`Error::Overflow`].
+    pub fn points(masses: &[(f64, Vector3<f64>)]) -> Result<Self, Error> {
+        let point = |(mass, place): &(f64, Vector3<f64>)| {
+            Self::of_moments(positive("a mass", *mass)?, *place, Matrix3::zeros())
+        };
+        let Some((first, others)) = masses.split_first() else {
+            return Err(Error::Invalid { what: "inertia", reason: "there are no masses".into() });
+        };
+        let body = others
+            .iter()
+            .try_fold(point(first)?, |body, other| Ok::<_, Error>(body + point(other)?))?;
+        Self::of_moments(body.mass, body.centre, body.second)
+    }
+
+    /// A box of three edges: `S = m diag(a^2, b^2, c^2)/12`.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for a length that is not positive; [`Error::Overflow`].
+    pub fn cuboid(edges: &Vector3<f64>) -> Result<Self, Error> {
+        Self::shape(edges, 1.0, &(edges.component_mul(edges) / 12.0))
+    }
+
+    /// An ellipsoid of three half axes: `S = m diag(a^2, b^2, c^2)/5`.
+    ///
+    /// # Errors
+    /// As [`cuboid`](Self::cuboid).
+    pub fn ellipsoid(half_axes: &Vector3<f64>) -> Result<Self, Error> {
+        Self::shape(half_axes, 4.0 / 3.0 * PI, &(half_axes.component_mul(half_axes) / 5.0))
+    }
+
+    /// A ball.
+    ///
+    /// # Errors
+    /// As [`cuboid`](Self::cuboid).
+    pub fn ball(radius: f64) -> Result<Self, Error> {
+        Self::ellipsoid(&Vector3::repeat(radius))
+    }
+
+    /// A cylinder about the third axis: `S = m diag(r^2/4, r^2/4, h^2/12)`.
+    ///
+    /// # Errors
+    /// As [`cuboid`](Self::cuboid).
+    pub fn cylinder(radius: f64, height: f64) -> Result<Self, Error> {
+        let across = radius * radius / 4.0;
+        let squares = Vector3::new(across, across, height * height / 12.0);
+        Self::shape(&Vector3::new(radius, radius, height), PI, &squares)
+    }
+
+    /// A thin rod along the third axis, of density 1 by length: `S = m diag(0, 0, l^2/12)`.
+    ///
+    /// # Errors
+    /// As [`cuboid`](Self::cuboid).
+    pub fn rod(length: f64) -> Result<Self, Error> {
+        let squares = Vector3::new(0.0, 0.0, length * length / 12.0);
+        Self::shape(&Vector3::new(1.0, 1.0, length), 1.0, &squares)
+    }
+
+    /// The shape with the volume `factor` times the product of the lengths, and the mean squares of its coordinates.
+    fn shape(lengths: &Vector3<f64>, factor: f64, squares: &Vector3<f64>) -> Result<Self, Error> {
+        for length in lengths.iter() {
+            positive("a length", *length)?;
+        }
+        let mass = factor * lengths.product();
+        if mass == 0.0 {
+            let reason = "the volume is below the range of floats".into();
+            return Err(Error::Invalid { what: "inertia", reason });
+        }
+        Self::of_moments(mass, Vector3::zeros(), Matrix3::from_diagonal(&(squares * mass)))
+    }
+}

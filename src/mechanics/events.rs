@@ -1,0 +1,264 @@
+//! Events: times at which a function of the state changes its sign.
+
+use super::integrators::dense_output::Step;
+use super::{Integrator, System};
+use crate::Error;
+
+/// The sign changes that count as events, as time increases.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Direction {
+    /// From negative to positive.
+    Rising,
+    /// From positive to negative.
+    Falling,
+    /// Either.
+    #[default]
+    Both,
+}
+
+/// Whether an event ends the run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Then {
+    /// The run goes on.
+    #[default]
+    GoOn,
+    /// The run ends at the event: a terminal event.
+    Stop,
+}
+
+/// An event function of the state, with the sign changes that count.
+pub struct Event<'a, T> {
+    function: Box<dyn Fn(&T) -> f64 + 'a>,
+    direction: Direction,
+    then: Then,
+}
+
+impl<'a, T> Event<'a, T> {
+    /// The event that a function of the state changes its sign.
+    pub fn new(function: impl Fn(&T) -> f64 + 'a, direction: Direction, then: Then) -> Self {
+        Event { function: Box::new(function), direction, then }
+    }
+
+    fn is_meant(&self, rising: bool) -> bool {
+        match self.direction {
+            Direction::Rising => rising,
+            Direction::Falling => !rising,
+            Direction::Both => true,
+        }
+    }
+
+    fn value(&self, time: f64, state: &T) -> Result<f64, Error> {
+        expect_number(time, (self.function)(state))
+    }
+}
+
+/// An event that happened.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Crossing<T> {
+    /// Its number among the watched events, from 0.
+    pub event: usize,
+    /// The state at the event: the first, to the rounding of time, after the sign change.
+    pub state: T,
+    /// Whether the run ends here.
+    pub then: Then,
+}
+
+/// Finds events along a run, each once, in the step where the sign changes.
+///
+/// Sign changes at poles and at angle wraps are ignored: there the values grow towards the change on both sides. A jump
+/// between constant values is an event.
+///
+/// A zero at the end of a step belongs to that step and not to the next. A run that starts at a zero has not crossed it. Two
+/// sign changes within one step are missed, so steps must be shorter than the time between events.
+///
+/// ```
+/// use affinor::mechanics::events::{Direction, Event, Then, Watch};
+/// use affinor::mechanics::{Integrator, Linear, Magnus, KinematicState};
+/// use affinor::mechanics::integrators::dense_output::Step;
+/// use affinor::group::{LieGroup, So3};
+/// use nalgebra::Vector3;
+/// // a wheel that is turned faster and faster, by t^2/2: the first half turn
+/// let wheel = Linear { group: So3, velocity: |t: f64| Vector3::x() * t };
+/// let mut place = KinematicState { time: 0.0, element: So3.identity() };
+/// let up = |at: &KinematicState<So3>| (at.element * Vector3::y()).z;
+/// let half = Event::new(up, Direction::Falling, Then::Stop);
+/// let mut watch = Watch::new(vec![half], &wheel, &place)?;
+/// loop {
+///     let step = Step { system: &wheel, method: &Magnus::Four, start: place.clone(), length: 0.1 };
+///     if watch.advance(&step, &mut place)?.iter().any(|crossing| crossing.then == Then::Stop) {
+///         break;
+///     }
+/// }
+/// assert!((place.time - std::f64::consts::TAU.sqrt()).abs() < 1e-14);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+pub struct Watch<'a, T> {
+    events: Vec<Event<'a, T>>,
+    /// The values of the functions at the present state.
+    values: Vec<f64>,
+    /// Their values at the end of a step.
+    next: Vec<f64>,
+}
+
+impl<'a, T: Clone> Watch<'a, T> {
+    /// Watches events from a state on.
+    ///
+    /// # Errors
+    /// [`Error::Integration`] for a function that is not a number.
+    pub fn new<S: System<State = T>>(
+        events: Vec<Event<'a, T>>,
+        system: &S,
+        start: &T,
+    ) -> Result<Self, Error> {
+        let [values, next] = [0, 1].map(|_| Vec::with_capacity(events.len()));
+        let mut watch = Watch { events, values, next };
+        watch.evaluate(system, start)?;
+        std::mem::swap(&mut watch.values, &mut watch.next);
+        Ok(watch)
+    }
+
+    /// Makes a step, which must start at the end of the last one. `state` becomes the end of the step, or the state at the first
+    /// event that stops the run. Returns the events in the order of the run; one that stops it is the last.
+    ///
+    /// # Errors
+    /// Those of the method, and [`Error::Integration`] for a function that is not a number. `state` is then unchanged.
+    pub fn advance<S: System<State = T>, I: Integrator<S>>(
+        &mut self,
+        step: &Step<S, I>,
+        state: &mut T,
+    ) -> Result<Vec<Crossing<T>>, Error> {
+        self.pass(step, step.after(step.length)?, state)
+    }
+
+    /// The same for a step whose end is known, such as that of an adaptive method.
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance).
+    pub fn pass<S: System<State = T>, I: Integrator<S>>(
+        &mut self,
+        step: &Step<S, I>,
+        end: T,
+        state: &mut T,
+    ) -> Result<Vec<Crossing<T>>, Error> {
+        self.evaluate(step.system, &end)?;
+        let start = step.system.time(&step.start);
+        let found = changes_of_sign(
+            [&self.values, &self.next],
+            (start, step.length),
+            |event, rising| self.events[event].is_meant(rising),
+            |event, elapsed| {
+                let state = step.after(elapsed)?;
+                self.events[event].value(step.system.time(&state), &state)
+            },
+        )?;
+        let mut crossings = vec![];
+        for (elapsed, event) in found {
+            let then = self.events[event].then;
+            let last = elapsed == step.length;
+            let there = if last { end.clone() } else { step.after(elapsed)? };
+            crossings.push(Crossing { event, state: there.clone(), then });
+            if then == Then::Stop {
+                self.evaluate(step.system, &there)?;
+                std::mem::swap(&mut self.values, &mut self.next);
+                *state = there;
+                return Ok(crossings);
+            }
+        }
+        std::mem::swap(&mut self.values, &mut self.next);
+        *state = end;
+        Ok(crossings)
+    }
+
+    /// Evaluates the functions at a state.
+    fn evaluate<S: System<State = T>>(&mut self, system: &S, state: &T) -> Result<(), Error> {
+        self.next.clear();
+        for event in &self.events {
+            self.next.push(event.value(system.time(state), state)?);
+        }
+        Ok(())
+    }
+}
+
+/// The sign changes of functions in a step from a time, of a length that is negative backwards: the time since the start and
+/// the number of the function, in the order of the run.
+///
+/// The functions have the values `before` and `after` at its ends, and those of `value` within. A function that starts at zero
+/// has not crossed it. Changes of a sense that is not `wanted` (is it rising with time?) are left out.
+pub(crate) fn changes_of_sign(
+    [before, after]: [&[f64]; 2],
+    (start, length): (f64, f64),
+    wanted: impl Fn(usize, bool) -> bool,
+    mut value: impl FnMut(usize, f64) -> Result<f64, Error>,
+) -> Result<Vec<(f64, usize)>, Error> {
+    let mut found = vec![];
+    for (event, (&before, &after)) in before.iter().zip(after).enumerate() {
+        let crossed = before != 0.0 && (after == 0.0 || (before < 0.0) != (after < 0.0));
+        if crossed && wanted(event, (before < 0.0) == (length > 0.0)) {
+            let value = |elapsed| value(event, elapsed);
+            let elapsed = change_of_sign(value, start, length, [before, after])?;
+            found.extend(elapsed.map(|elapsed| (elapsed, event)));
+        }
+    }
+    found.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+    Ok(found)
+}
+
+/// Checks the value of an event function.
+///
+/// # Errors
+/// [`Error::Integration`] if it is not a number.
+pub(crate) fn expect_number(time: f64, value: f64) -> Result<f64, Error> {
+    if value.is_nan() {
+        let reason = "the function of an event is not a number".into();
+        return Err(Error::Integration { t: time, reason });
+    }
+    Ok(value)
+}
+
+/// The first point after a sign change of a function between 0 and `end`, to the rounding of the times `start + x`. The function
+/// has the values `ends` at 0 and `end`. `None` at a pole or an angle wrap, where its values grow towards the sign change.
+///
+/// The ITP method of I. F. D. Oliveira and R. H. C. Takahashi, *ACM Trans. Math. Softw.* 47 (2021) 5: as fast as the secant
+/// method, with at most one evaluation more than bisection.
+fn change_of_sign(
+    mut value: impl FnMut(f64) -> Result<f64, Error>,
+    start: f64,
+    end: f64,
+    ends: [f64; 2],
+) -> Result<Option<f64>, Error> {
+    let [mut before, mut behind] = ends;
+    let resolution = f64::EPSILON * start.abs().max((start + end).abs());
+    let (mut a, mut b) = (0.0, end);
+    if behind == 0.0 {
+        return Ok(Some(end));
+    }
+    // the width of the bracket of bisection, one step earlier
+    let mut allowed = resolution * 2.0 * (end.abs() / resolution).max(1.0).log2().ceil().exp2();
+    while (b - a).abs() > resolution {
+        let middle = a + 0.5 * (b - a);
+        if middle == a || middle == b {
+            break;
+        }
+        let secant = (behind * a - before * b) / (behind - before);
+        // towards the middle, so that both ends of the bracket move
+        let nudge = 0.2 * (b - a).powi(2) / end.abs();
+        let towards = (middle - secant).signum();
+        let nudged =
+            if nudge <= (middle - secant).abs() { secant + towards * nudge } else { middle };
+        let radius = 0.5 * (allowed - (b - a).abs()).max(0.0);
+        let inside = (nudged - middle).abs() <= radius;
+        let mut at = if inside { nudged } else { middle - towards * radius };
+        if !(at.is_finite() && at != a && at != b) {
+            at = middle;
+        }
+        match value(at)? {
+            0.0 => return Ok(Some(at)),
+            y if (y < 0.0) == (behind < 0.0) => (b, behind) = (at, y),
+            y => (a, before) = (at, y),
+        }
+        allowed *= 0.5;
+    }
+    let grown = |at: f64, end: f64| at.abs() >= end.abs();
+    let grows = grown(before, ends[0]) && grown(behind, ends[1]) && [before, behind] != ends;
+    Ok((!grows).then_some(b))
+}

@@ -1,0 +1,34 @@
+//! Methods of order 4 from symmetric ones of order 2.
+
+use super::Integrator;
+use crate::Error;
+use crate::mechanics::systems::System;
+
+/// Five steps of a symmetric method of order 2, of `p h`, `p h`, `(1 - 4 p) h`, `p h`, `p h` with
+/// `p = 1/(4 - 4^(1/3))`: a symmetric method of order 4 with the conserved quantities of its steps.
+///
+/// M. Suzuki, *Phys. Lett. A* 146 (1990) 319-323.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Composed<I>(
+    /// The method of order 2.
+    pub I,
+);
+
+impl<I> Composed<I> {
+    /// The order of convergence.
+    pub fn order(&self) -> u32 {
+        4
+    }
+}
+
+impl<S: System, I: Integrator<S>> Integrator<S> for Composed<I> {
+    fn step(&self, system: &S, state: &mut S::State, h: f64) -> Result<(), Error> {
+        let outer = 1.0 / (4.0 - 4.0_f64.cbrt());
+        let mut next = state.clone();
+        for share in [outer, outer, 1.0 - 4.0 * outer, outer, outer] {
+            self.0.step(system, &mut next, share * h)?;
+        }
+        *state = next;
+        Ok(())
+    }
+}

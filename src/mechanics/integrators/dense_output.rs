@@ -1,0 +1,56 @@
+//! Dense output: states within a step.
+
+use super::Integrator;
+use crate::Error;
+use crate::mechanics::systems::System;
+
+/// A step, and the state at any time within it: that of a shorter step from the same start.
+///
+/// The states within have the order and the conserved quantities of the method, without an interpolant of lower order. A state
+/// costs one step.
+///
+/// ```
+/// use affinor::mechanics::integrators::dense_output::Step;
+/// use affinor::mechanics::{Integrator, Linear, Magnus, KinematicState};
+/// use affinor::group::{LieGroup, So3};
+/// use nalgebra::Vector3;
+/// let wheel = Linear { group: So3, velocity: |t: f64| Vector3::z() * t };
+/// let start = KinematicState { time: 0.0, element: So3.identity() };
+/// let step = Step { system: &wheel, method: &Magnus::Four, start, length: 0.5 };
+/// let turn = So3.log(&step.at(0.2)?.element)?;
+/// assert!((turn.z - 0.02).abs() < 1e-16);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Step<'a, S: System, I> {
+    /// The system.
+    pub system: &'a S,
+    /// The method of the step.
+    pub method: &'a I,
+    /// The state at its start.
+    pub start: S::State,
+    /// The step size, negative backwards in time.
+    pub length: f64,
+}
+
+impl<S: System, I: Integrator<S>> Step<'_, S, I> {
+    /// The state at a time. A time beyond the step gives that of a longer step.
+    ///
+    /// # Errors
+    /// Those of the method.
+    pub fn at(&self, time: f64) -> Result<S::State, Error> {
+        self.after(time - self.system.time(&self.start))
+    }
+
+    /// The state some time after the start.
+    ///
+    /// # Errors
+    /// Those of the method.
+    pub fn after(&self, elapsed: f64) -> Result<S::State, Error> {
+        let mut state = self.start.clone();
+        if elapsed != 0.0 {
+            self.method.step(self.system, &mut state, elapsed)?;
+        }
+        Ok(state)
+    }
+}

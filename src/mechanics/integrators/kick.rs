@@ -1,0 +1,158 @@
+//! Splitting methods for a body in a potential: free motions and kicks.
+
+use super::{Integrator, expect_finite};
+use crate::Error;
+use crate::group::So3;
+use crate::mechanics::State;
+use crate::mechanics::integrators::moser_veselov;
+use crate::mechanics::integrators::principal::Principal;
+use crate::mechanics::systems::euler_poincare::{EulerPoincare, Torque};
+use crate::mechanics::{BodyState, FreeBody, Inertia, MoserVeselov};
+use nalgebra::{UnitQuaternion, Vector3};
+
+/// The order of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Order {
+    /// One free motion between two half kicks.
+    Two,
+    /// Six free motions, seven kicks: SRKN_6^b of Blanes and Moan.
+    Four,
+    /// Eleven free motions, twelve kicks: SRKN_11^b of Blanes and Moan.
+    Six,
+}
+
+/// The computation of the free motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FreeMotion {
+    /// By elliptic functions, for steps of any length.
+    Exact,
+    /// By one step of the discrete Moser-Veselov algorithm, which takes a quarter of the time. It has an order of its own: order 10
+    /// is exact to rounding for rotations by less than 0.1 radians.
+    MoserVeselov(moser_veselov::Order),
+}
+
+/// The fractions of a step, in its first half: of kicks, and of the free motions after them.
+const FOUR: [[f64; 3]; 2] = [
+    [0.0829844064174052, 0.396309801498368, -0.0390563049223486],
+    [0.245298957184271, 0.604872665711080, 0.0],
+];
+const SIX: [[f64; 5]; 2] = [
+    [
+        0.0414649985182624,
+        0.198128671918067,
+        -0.0400061921041533,
+        0.0752539843015807,
+        -0.0115113874206879,
+    ],
+    [
+        0.123229775946271,
+        0.290553797799558,
+        -0.127049212625417,
+        -0.246331761062075,
+        0.357208872795928,
+    ],
+];
+
+impl Order {
+    /// The fractions of kicks and free motions in turn, with a kick at both ends.
+    fn shares(self) -> Vec<f64> {
+        let mut half = match self {
+            Order::Two => vec![0.5],
+            Order::Four => {
+                let [b, a] = FOUR;
+                vec![b[0], a[0], b[1], a[1], b[2], 0.5 - a[0] - a[1]]
+            }
+            Order::Six => {
+                let [b, a] = SIX;
+                let mut shares: Vec<f64> = b.iter().zip(a).flat_map(|(b, a)| [*b, a]).collect();
+                shares.push(0.5 - b.iter().sum::<f64>());
+                shares
+            }
+        };
+        // all fractions of a kind add up to 1
+        let kind = half.len() % 2;
+        let others: f64 = half.iter().skip(kind).step_by(2).sum();
+        half.push(1.0 - 2.0 * others);
+        let mirrored: Vec<f64> = half.iter().rev().skip(1).copied().collect();
+        half.extend(mirrored);
+        half
+    }
+}
+
+/// Steps of a body with a torque that depends on time and attitude only: free motions, and kicks between them that
+/// change the spatial momentum at a fixed attitude, `h += h_k R M(t, R)` for a fraction `h_k` of the step.
+///
+/// Both are exact flows, so the step is symplectic for a potential, and symmetric. It conserves the momentum about the axis of a
+/// symmetric potential to rounding; the error of the energy is bounded. The orders 4 and 6 are methods of Runge-Kutta-Nystroem
+/// type, for a kinetic energy that is quadratic in the momentum: S. Blanes and P. C. Moan, *J. Comput. Appl. Math.* 142 (2002)
+/// 313-330. For bodies, J. Touma and J. Wisdom, *Astron. J.* 107 (1994) 1189-1202.
+///
+/// The torque must not depend on the velocity: it is called with a velocity of NaN, and refused if it returns NaN.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Kick {
+    body: Principal,
+    order: Order,
+    /// The inertia in principal axes.
+    inertia: Inertia,
+    /// The steps of the free motion; `None` if it is exact.
+    steps: Option<MoserVeselov>,
+    shares: Vec<f64>,
+}
+
+impl Kick {
+    /// Steps of a body.
+    pub fn new(inertia: &Inertia, order: Order, motion: FreeMotion) -> Self {
+        let (body, inertia) = (Principal::new(inertia), inertia.in_principal_axes());
+        let steps = match motion {
+            FreeMotion::Exact => None,
+            FreeMotion::MoserVeselov(order) => Some(MoserVeselov::new(&inertia, order)),
+        };
+        Kick { body, order, inertia, steps, shares: order.shares() }
+    }
+
+    /// The order of convergence.
+    pub fn order(&self) -> u32 {
+        2 * (1 + self.order as u32)
+    }
+
+    /// The attitude after a free motion.
+    fn moved(
+        &self,
+        attitude: UnitQuaternion<f64>,
+        spatial: &Vector3<f64>,
+        time: f64,
+    ) -> Result<UnitQuaternion<f64>, Error> {
+        let start = BodyState { attitude, momentum: attitude.inverse_transform_vector(spatial) };
+        let end = match &self.steps {
+            None => FreeBody::new(&self.inertia, &start)?.at(time),
+            Some(steps) => steps.step(&start, time)?,
+        };
+        Ok(end.attitude)
+    }
+}
+
+impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for Kick {
+    /// # Errors
+    /// Also [`Error::Invalid`] for a system of another body.
+    fn step(
+        &self,
+        system: &EulerPoincare<So3, M>,
+        state: &mut State<So3>,
+        h: f64,
+    ) -> Result<(), Error> {
+        let mut axes = self.body.state(system, state)?.attitude;
+        let (mut time, mut spatial) = (state.time, state.spatial);
+        let unknown = Vector3::repeat(f64::NAN);
+        for (at, share) in self.shares.iter().enumerate() {
+            if at % 2 == 0 {
+                spatial += self.body.torque(system, time, axes, &unknown) * (share * h);
+                expect_finite(time, &spatial)?;
+            } else {
+                axes = self.moved(axes, &spatial, share * h)?;
+                time += share * h;
+            }
+        }
+        *state = State { time: state.time + h, element: self.body.attitude(axes), spatial };
+        Ok(())
+    }
+}

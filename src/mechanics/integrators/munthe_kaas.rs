@@ -1,0 +1,111 @@
+//! Runge-Kutta methods in canonical coordinates.
+
+use super::runge_kutta::{LocalCoordinates, RungeKutta};
+use crate::Error;
+use crate::group::{Coordinates, LieGroup};
+
+/// Runge-Kutta-Munthe-Kaas: with `g = g_0 exp(u)`, the method solves `u' = T_left(u)^-1 Omega` and that of the momentum
+/// together, from `u = 0`. [Translations](LieGroup::translation) `y` are added: `g = g_0 exp(y) exp(u)`,
+/// `y' = Ad_exp(u) P Omega`.
+///
+/// H. Munthe-Kaas, *BIT* 38 (1998) 92-111. Up to order 4 two brackets stand for the inverse tangent operator, as there;
+/// beyond it is the group's own. The order is that of the tableau.
+pub type MuntheKaas<const STAGES: usize, T> = RungeKutta<STAGES, T, Canonical>;
+
+/// Canonical coordinates around `g_0`: `g = g_0 exp(u)`, or `g_0 exp(y) exp(u)` with the translations `y` where the group
+/// has them, which then add up as vectors.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Canonical;
+
+/// The rotational part of a vector, and its translation.
+#[inline(always)]
+fn split<G: LieGroup>(group: &G, x: &G::Vector) -> (G::Vector, Option<G::Vector>) {
+    match group.translation(x) {
+        Some(translation) => (x.clone() - translation.clone(), Some(translation)),
+        None => (x.clone(), None),
+    }
+}
+
+/// What a stage computes from canonical coordinates once.
+#[derive(Clone, Copy, Debug)]
+pub struct CanonicalPoint<V, E> {
+    /// `u`.
+    u: V,
+    /// `y` and `exp(u)`, if the group has translations.
+    translated: Option<(V, E)>,
+}
+
+impl<G: LieGroup> LocalCoordinates<G> for Canonical {
+    type Numbers = G::Vector;
+    type Point = CanonicalPoint<G::Vector, G::Element>;
+
+    #[inline(always)]
+    fn origin(group: &G, _: &G::Element) -> G::Vector {
+        G::Vector::zeros(group.dimension())
+    }
+
+    #[inline(always)]
+    fn point(group: &G, _: &G::Element, x: &G::Vector) -> Self::Point {
+        let (u, y) = split(group, x);
+        let translated = y.map(|y| (y, group.exp(&u)));
+        CanonicalPoint { u, translated }
+    }
+
+    #[inline(always)]
+    fn element(group: &G, at: &G::Element, point: &Self::Point) -> G::Element {
+        match &point.translated {
+            Some((y, turn)) => group.compose(&group.compose(at, &group.exp(y)), turn),
+            None => group.compose(at, &group.exp(&point.u)),
+        }
+    }
+
+    /// The start is projected onto the group, which a processor does in parallel with the stages.
+    #[inline(always)]
+    fn end(group: &G, at: &G::Element, x: &G::Vector) -> G::Element {
+        let start = group.restored(at.clone());
+        Self::element(group, &start, &Self::point(group, at, x))
+    }
+
+    #[inline(always)]
+    fn carried(group: &G, point: &Self::Point, momentum: &G::Vector) -> G::Vector {
+        group.coadjoint_exp(&point.u, momentum)
+    }
+
+    #[inline(always)]
+    fn carried_back(group: &G, point: &Self::Point, force: &G::Vector) -> G::Vector {
+        group.coadjoint_exp(&-point.u.clone(), force)
+    }
+
+    fn sizes(group: &G, x: &G::Vector) -> [f64; 2] {
+        let (u, y) = split(group, x);
+        [u.largest(), y.map_or(0.0, |y| y.largest())]
+    }
+
+    #[inline(always)]
+    fn first_rate(_: &G, _: &G::Element, velocity: &G::Vector) -> G::Vector {
+        velocity.clone()
+    }
+
+    #[inline(always)]
+    fn rate(
+        group: &G,
+        point: &Self::Point,
+        velocity: &G::Vector,
+        order: u32,
+    ) -> Result<G::Vector, Error> {
+        let u = &point.u;
+        let (velocity, translation) = split(group, velocity);
+        let turning = if order > 4 {
+            group.tangent_left_inverse(u, &velocity)?
+        } else {
+            // the cubic term of the series in ad_u is zero, and u is of the size of a step
+            let once = group.bracket(u, &velocity);
+            let twice = group.bracket(u, &once);
+            velocity + once * 0.5 + twice * (1.0 / 12.0)
+        };
+        Ok(match (translation, &point.translated) {
+            (Some(translation), Some((_, turn))) => turning + group.adjoint(turn, &translation),
+            _ => turning,
+        })
+    }
+}

@@ -1,0 +1,69 @@
+//! Steps of bodies in their principal axes.
+
+use crate::Error;
+use crate::group::{LieGroup, So3};
+use crate::mechanics::bodies::{BodyState, Inertia};
+use crate::mechanics::systems::State;
+use crate::mechanics::systems::euler_poincare::{EulerPoincare, Torque};
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
+
+/// The transformation to principal axes and back, by quaternions.
+///
+/// A matrix of axes is orthogonal to rounding only, and its error would add up in each of a million steps. The error of a
+/// quaternion is its length, which cancels.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Principal {
+    moments: Vector3<f64>,
+    inertia: Matrix3<f64>,
+    axes: UnitQuaternion<f64>,
+}
+
+impl Principal {
+    pub(super) fn new(inertia: &Inertia) -> Self {
+        let axes = Rotation3::from_matrix_unchecked(*inertia.axes());
+        let axes = UnitQuaternion::from_rotation_matrix(&axes);
+        Principal {
+            moments: *inertia.moments(),
+            inertia: inertia.matrix(),
+            axes: So3.restored(axes),
+        }
+    }
+
+    /// The principal moments.
+    pub(super) fn moments(&self) -> &Vector3<f64> {
+        &self.moments
+    }
+
+    /// Attitude of the principal axes, and the momentum along them.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for a system of another body.
+    #[inline]
+    pub(super) fn state<M: Torque<So3>>(
+        &self,
+        system: &EulerPoincare<So3, M>,
+        state: &State<So3>,
+    ) -> Result<BodyState, Error> {
+        system.expect_body(&self.inertia)?;
+        let attitude = So3.restored(state.element * self.axes);
+        Ok(BodyState { attitude, momentum: attitude.inverse_transform_vector(&state.spatial) })
+    }
+
+    /// The attitude of the body from that of its principal axes.
+    #[inline]
+    pub(super) fn attitude(&self, axes: UnitQuaternion<f64>) -> UnitQuaternion<f64> {
+        So3.restored(axes * self.axes.inverse())
+    }
+
+    /// A torque in space at an attitude of the principal axes.
+    pub(super) fn torque<M: Torque<So3>>(
+        &self,
+        system: &EulerPoincare<So3, M>,
+        time: f64,
+        axes: UnitQuaternion<f64>,
+        velocity: &Vector3<f64>,
+    ) -> Vector3<f64> {
+        let element = self.attitude(axes);
+        element * system.moment(time, &element, &(self.axes * velocity))
+    }
+}

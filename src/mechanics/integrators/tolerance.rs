@@ -1,0 +1,60 @@
+//! The tolerance of the error of a step.
+
+use crate::mechanics::systems::cotangent::Sizes;
+
+/// The relative tolerance of coordinates applies to the path of a step over this number.
+const LONG: f64 = 10.0;
+
+/// The tolerance of the error of a step, with separate scales for rotations and translations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Allowed {
+    /// The relative tolerance.
+    relative: f64,
+    /// The absolute tolerances of rotations and translations.
+    coordinates: [f64; 2],
+    /// The absolute tolerances of their momenta; `None` if the error is relative to the largest component.
+    momenta: Option<[f64; 2]>,
+}
+
+impl Allowed {
+    /// The tolerance from a relative one, absolute ones of coordinates if they are given, the time over which an error of a
+    /// velocity accumulates, and the scales of the system.
+    pub(super) fn new(
+        relative: f64,
+        absolute: Option<[f64; 2]>,
+        span: f64,
+        sizes: Option<Sizes>,
+    ) -> Self {
+        let length = sizes.map_or(1.0, |sizes| sizes.length);
+        let coordinates = absolute.unwrap_or([relative, relative * length]);
+        // the momentum that moves the body by the tolerance in that time
+        let momenta = sizes.map(|sizes| [0, 1].map(|i| sizes.inertia[i] * (coordinates[i] / span)));
+        Allowed { relative, coordinates, momenta }
+    }
+
+    /// The error of coordinates in units of the tolerance, for a step with these paths.
+    pub(super) fn of_coordinates(&self, errors: [f64; 2], lengths: [f64; 2]) -> f64 {
+        let of = |part: usize| {
+            ratio(errors[part], self.coordinates[part].max(self.relative * lengths[part] / LONG))
+        };
+        of(0).max(of(1))
+    }
+
+    /// The error of a momentum in units of the tolerance, for momenta of these sizes.
+    pub(super) fn of_momentum(&self, errors: [f64; 2], sizes: [f64; 2]) -> f64 {
+        match self.momenta {
+            None => ratio(errors[0].max(errors[1]), self.relative * sizes[0].max(sizes[1])),
+            Some(floors) => {
+                let of = |part: usize| {
+                    ratio(errors[part], floors[part].max(self.relative * sizes[part]))
+                };
+                of(0).max(of(1))
+            }
+        }
+    }
+}
+
+/// The error over its tolerance: 0 for no error, even if the tolerance is 0; NaN for NaN.
+fn ratio(error: f64, allowed: f64) -> f64 {
+    if error == 0.0 { 0.0 } else { error / allowed.max(f64::MIN_POSITIVE) }
+}

@@ -1,0 +1,131 @@
+//! Trajectories with dense output and events.
+
+use super::dense_output::Step;
+use super::runge_kutta::{LocalCoordinates, RungeKutta};
+use super::{Adaptive, Integrator, Pair};
+use crate::Error;
+use crate::mechanics::events::{Crossing, Event, Then, Watch};
+use crate::mechanics::systems::cotangent::{CotangentSystem, State};
+
+/// A trajectory with step-size control: the states at the ends of its steps, states between them, and events.
+///
+/// ```
+/// use affinor::mechanics::events::{Direction, Event, Then};
+/// use affinor::mechanics::{Adaptive, EulerPoincare, State};
+/// use affinor::group::{LieGroup, So3};
+/// use affinor::{Canonical, Connection, Metric};
+/// use affinor_tensors::{Down, Tensor};
+/// use nalgebra::Vector3;
+/// let so3 = So3.algebra()?;
+/// let moments = (0..3).map(|i| ([i, i], 1.0 + i as f64));
+/// let inertia = Metric::new(so3.labels(), Tensor::from_components(3, &[Down, Down], moments)?)?;
+/// let body = EulerPoincare::free(So3, &Connection::canonical(&so3, Canonical::Plus), &inertia)?;
+/// let start = body.state(0.0, So3.identity(), &Vector3::new(0.3, 1.0, 0.1));
+/// // the run ends when the third component of the velocity vanishes
+/// let omega = |state: &State<So3>| body.velocity(state).z;
+/// let event = Event::new(omega, Direction::Falling, Then::Stop);
+/// let trajectory = Adaptive::new(1e-12).run(&body, &start, 100.0, vec![event])?;
+/// let end = trajectory.end();
+/// assert!(omega(end).abs() < 1e-14 && end.time < 100.0);
+/// assert!(omega(&trajectory.at(0.5 * end.time)?) > 0.0);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Trajectory<'s, S: CotangentSystem, C> {
+    system: &'s S,
+    method: FixedStep<C>,
+    states: Vec<State<S::Group>>,
+    events: Vec<Crossing<State<S::Group>>>,
+}
+
+/// The pair of an adaptive method with a given step size.
+#[derive(Clone, Copy, Debug)]
+struct FixedStep<C>(Adaptive<C>);
+
+impl<S: CotangentSystem, C: LocalCoordinates<S::Group>> Integrator<S> for FixedStep<C> {
+    fn step(&self, system: &S, state: &mut State<S::Group>, h: f64) -> Result<(), Error> {
+        match self.0.pair {
+            Pair::Five => RungeKutta::<_, _, C>::DORMAND_PRINCE.step(system, state, h),
+            Pair::Eight => RungeKutta::<_, _, C>::DORMAND_PRINCE_8.step(system, state, h),
+        }
+    }
+}
+
+impl<C: Copy> Adaptive<C> {
+    /// The trajectory from a state to a time, which may be earlier, or to the first event that stops it.
+    ///
+    /// Two sign changes of an event function within a step are missed: [`max_step`](Adaptive::max_step) should be shorter than the
+    /// time between events.
+    ///
+    /// # Errors
+    /// [`Error::Integration`] with the time that was reached, for too small or too many steps, and for an event function that is
+    /// not a number.
+    pub fn run<'s, S: CotangentSystem>(
+        &self,
+        system: &'s S,
+        start: &State<S::Group>,
+        end: f64,
+        events: Vec<Event<State<S::Group>>>,
+    ) -> Result<Trajectory<'s, S, C>, Error>
+    where
+        C: LocalCoordinates<S::Group>,
+    {
+        let (method, states) = (FixedStep(*self), vec![start.clone()]);
+        let mut trajectory = Trajectory { system, method, states, events: vec![] };
+        let mut watch = Watch::new(events, system, start)?;
+        let (mut state, mut next) = (start.clone(), self.first_step());
+        let mut stopped = false;
+        while state.time != end && !stopped {
+            if trajectory.states.len() > self.max_steps {
+                let reason = "too many steps".into();
+                return Err(Error::Integration { t: state.time, reason });
+            }
+            let start = state.clone();
+            self.step(system, &mut state, &mut next, end)?;
+            let length = state.time - start.time;
+            let step = Step { system, method: &trajectory.method, start, length };
+            let found = watch.pass(&step, state.clone(), &mut state)?;
+            stopped = found.last().is_some_and(|event| event.then == Then::Stop);
+            trajectory.events.extend(found);
+            trajectory.states.push(state.clone());
+        }
+        Ok(trajectory)
+    }
+}
+
+impl<S: CotangentSystem, C: LocalCoordinates<S::Group>> Trajectory<'_, S, C> {
+    /// The state at a time: a shorter step from the start of the step around it, of the order of the method.
+    ///
+    /// # Errors
+    /// [`Error::Integration`] for a time beyond the ends of the trajectory; the errors of the step.
+    pub fn at(&self, time: f64) -> Result<State<S::Group>, Error> {
+        let [first, last] = [&self.states[0], self.end()].map(|state| state.time);
+        let (earliest, latest) = (first.min(last), first.max(last));
+        if !(earliest..=latest).contains(&time) {
+            let reason = format!("the trajectory covers the times from {earliest} to {latest}");
+            return Err(Error::Integration { t: time, reason });
+        }
+        let reached =
+            |state: &State<S::Group>| (state.time - time) * (last - first).signum() <= 0.0;
+        let before = self.states.partition_point(reached).max(1) - 1;
+        let start = self.states[before].clone();
+        Step { system: self.system, method: &self.method, start, length: 0.0 }.at(time)
+    }
+}
+
+impl<S: CotangentSystem, C> Trajectory<'_, S, C> {
+    /// The states at the start and at the end of each step.
+    pub fn states(&self) -> &[State<S::Group>] {
+        &self.states
+    }
+
+    /// The last state.
+    pub fn end(&self) -> &State<S::Group> {
+        &self.states[self.states.len() - 1]
+    }
+
+    /// The events, in the order of the run.
+    pub fn events(&self) -> &[Crossing<State<S::Group>>] {
+        &self.events
+    }
+}

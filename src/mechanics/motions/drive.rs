@@ -1,0 +1,230 @@
+//! Ways to advance a state: fixed steps, controlled steps, or a solution in closed form.
+
+use super::Method;
+use super::pace::Pace;
+use super::snapshot::{Reader, Saved, Snapshot};
+use crate::Error;
+use crate::group::{Embedded, LieGroup};
+use crate::mechanics::integrators::Pair;
+use crate::mechanics::integrators::projected::Projection;
+use crate::mechanics::integrators::runge_kutta::LocalCoordinates;
+use crate::mechanics::{
+    Adaptive, CommutatorFree, CotangentSystem, CrouchGrossman, Integrator, MuntheKaas, Projected,
+    State, System,
+};
+
+/// A way to advance the state of a system.
+pub enum Drive<S: System> {
+    /// Steps of one length.
+    Fixed {
+        /// The method.
+        integrator: Box<dyn Integrator<S> + Send>,
+        /// The longest step.
+        step: f64,
+    },
+    /// Steps whose length follows from a tolerance.
+    Adaptive {
+        /// [`Adaptive::step`](crate::mechanics::Adaptive::step).
+        control: Box<Control<S>>,
+        /// The most steps from one output time to the next.
+        max_steps: usize,
+        /// The first step to try.
+        first: f64,
+    },
+    /// The state at any time, in closed form.
+    Exact {
+        /// The state at a time.
+        at: Box<At<S>>,
+        /// A bound of the angular velocity, in radians per unit of time.
+        rate: f64,
+    },
+}
+
+/// The largest rotation between checks for events, in radians: where a check costs a step, and where it costs an evaluation.
+const TURN: f64 = 0.25;
+const EXACT_TURN: f64 = 0.0625;
+
+/// A controlled step of a system and its state, with the length to try, towards a time.
+type Control<S> = dyn Fn(&S, &mut <S as System>::State, &mut f64, f64) -> Result<(), Error> + Send;
+
+/// The state at a time.
+type At<S> = dyn Fn(f64) -> Result<<S as System>::State, Error> + Send;
+
+/// The groups with projection methods, for messages.
+pub const NO_PROJECTION: &str =
+    "it is for so(2), so(3), se(2), se(3), sl(2) and other groups in closed form, left-invariant";
+
+/// The coordinates in which a group has projection methods: [`Projection`], or `()` if there are none.
+pub trait EmbeddedMethods<G: LieGroup> {
+    /// The drive of a projection method; `None` if the group has none.
+    fn drive<S: CotangentSystem<Group = G> + 'static>(
+        group: &G,
+        method: Method,
+        step: f64,
+        control: Adaptive,
+    ) -> Option<Drive<S>>;
+}
+
+impl<G: Embedded> EmbeddedMethods<G> for Projection {
+    fn drive<S: CotangentSystem<Group = G> + 'static>(
+        group: &G,
+        method: Method,
+        step: f64,
+        control: Adaptive,
+    ) -> Option<Drive<S>> {
+        match method {
+            _ if !group.has_projection() => None,
+            Method::Projected => Some(Drive::fixed(Projected::RK4, step)),
+            Method::ProjectedAdaptive(pair) => {
+                Some(Drive::controlled(pair, control, Adaptive::projected))
+            }
+            _ => None,
+        }
+    }
+}
+
+impl<G: LieGroup> EmbeddedMethods<G> for () {
+    fn drive<S: CotangentSystem<Group = G> + 'static>(
+        _: &G,
+        _: Method,
+        _: f64,
+        _: Adaptive,
+    ) -> Option<Drive<S>> {
+        None
+    }
+}
+
+/// What the next step depends on beside the state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Memory {
+    /// Fixed steps: those to the next output time.
+    Pace(Pace),
+    /// Controlled steps: the next length to try, and the number of steps since the last output time.
+    Control(f64, usize),
+    /// Nothing.
+    None,
+}
+
+impl Saved for Memory {
+    fn save(&self, snapshot: &mut Snapshot) {
+        match self {
+            Memory::Pace(pace) => (0_u64, *pace).save(snapshot),
+            Memory::Control(next, taken) => (1_u64, (*next, *taken)).save(snapshot),
+            Memory::None => 2_u64.save(snapshot),
+        }
+    }
+
+    fn read(reader: &mut Reader) -> Option<Self> {
+        match u64::read(reader)? {
+            0 => Pace::read(reader).map(Memory::Pace),
+            1 => Some(Memory::Control(f64::read(reader)?, usize::read(reader)?)),
+            2 => Some(Memory::None),
+            _ => None,
+        }
+    }
+}
+
+impl<S: System> Drive<S> {
+    /// Steps of one length.
+    pub fn fixed(integrator: impl Integrator<S> + Send + 'static, step: f64) -> Self {
+        Drive::Fixed { integrator: Box::new(integrator), step }
+    }
+
+    /// The memory before the first step.
+    pub fn memory(&self) -> Memory {
+        match self {
+            Drive::Fixed { step, .. } => Memory::Pace(Pace::new(*step)),
+            Drive::Adaptive { first, .. } => Memory::Control(*first, 0),
+            Drive::Exact { .. } => Memory::None,
+        }
+    }
+
+    /// Whether a memory could be one of this drive.
+    pub fn fits(&self, memory: &Memory) -> bool {
+        match (self, memory) {
+            (Drive::Fixed { step, .. }, Memory::Pace(pace)) => Pace::new(*step).fits(pace),
+            (Drive::Adaptive { max_steps, .. }, Memory::Control(_, taken)) => taken <= max_steps,
+            (Drive::Exact { .. }, Memory::None) => true,
+            _ => false,
+        }
+    }
+
+    /// One step towards a time; returns the time that is reached. Steps of free length end at `pause`, a time on the way,
+    /// at the latest.
+    pub fn step(
+        &self,
+        system: &S,
+        (state, memory): (&mut S::State, &mut Memory),
+        until: f64,
+        pause: f64,
+    ) -> Result<f64, Error> {
+        let time = system.time(state);
+        match (self, memory) {
+            (Drive::Fixed { integrator, .. }, Memory::Pace(pace)) => {
+                pace.step(time, until, |h| integrator.step(system, state, h))
+            }
+            (Drive::Adaptive { control, max_steps, .. }, Memory::Control(next, taken)) => {
+                if *taken == *max_steps {
+                    let reason = format!(
+                        "{taken} steps did not reach t = {until}: the problem is stiff, or times of output far apart"
+                    );
+                    return Err(Error::Integration { t: time, reason });
+                }
+                control(system, state, next, pause)?;
+                let reached = system.time(state);
+                *taken = if reached == until { 0 } else { *taken + 1 };
+                Ok(reached)
+            }
+            (Drive::Exact { at, .. }, _) => {
+                *state = at(pause)?;
+                Ok(pause)
+            }
+            // no memory is of another drive: they are made together, and checked when they are read
+            _ => Ok(time),
+        }
+    }
+
+    /// The longest step between checks for events, where `rate` gives the angular velocity; infinite for fixed steps.
+    pub fn longest(&self, rate: impl FnOnce() -> f64) -> f64 {
+        match self {
+            Drive::Fixed { .. } => f64::INFINITY,
+            Drive::Exact { rate, .. } => EXACT_TURN / rate,
+            Drive::Adaptive { .. } => TURN / rate(),
+        }
+    }
+}
+
+impl<S: CotangentSystem + 'static> Drive<S> {
+    /// The drive of a method for all groups and forces; `None` for other methods, and for projection methods on groups
+    /// without `E`.
+    pub fn of_any_system<E: EmbeddedMethods<S::Group>>(
+        group: &S::Group,
+        method: Method,
+        step: f64,
+        control: Adaptive,
+    ) -> Option<Self> {
+        Some(match method {
+            Method::MuntheKaas => Self::fixed(MuntheKaas::RK4, step),
+            Method::CommutatorFree => Self::fixed(CommutatorFree, step),
+            Method::CrouchGrossman => Self::fixed(CrouchGrossman, step),
+            Method::Adaptive(pair) => Self::controlled(pair, control, |control| control),
+            Method::Projected | Method::ProjectedAdaptive(_) => {
+                return E::drive(group, method, step, control);
+            }
+            _ => return None,
+        })
+    }
+
+    fn controlled<C: LocalCoordinates<S::Group> + Copy + Send + 'static>(
+        pair: Pair,
+        control: Adaptive,
+        of: impl FnOnce(Adaptive) -> Adaptive<C>,
+    ) -> Self {
+        let control = of(Adaptive { pair, ..control });
+        let (max_steps, first) = (control.max_steps, control.first_step());
+        let step = move |system: &S, state: &mut State<S::Group>, next: &mut f64, end: f64| {
+            control.step(system, state, next, end)
+        };
+        Drive::Adaptive { control: Box::new(step), max_steps, first }
+    }
+}

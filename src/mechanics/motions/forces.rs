@@ -1,0 +1,230 @@
+//! Forces and potentials as formulas, and forces as tables over time.
+
+use super::configuration::ConfigurationGroup;
+use super::observables::{Buffers, Observables, Point};
+use super::quantities::{Names, Quantity, Scope};
+use super::table::Table;
+use crate::group::{Coordinates, Generator};
+use crate::mechanics::formula::Formula;
+use crate::mechanics::systems::euler_poincare::Torque;
+use affinor_tensors::expression::ExpressionError;
+use nalgebra::DMatrix;
+use std::cell::RefCell;
+
+/// One of the two invariant frames.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// Left-invariant: body components.
+    Body,
+    /// Right-invariant: components in space.
+    Space,
+}
+
+/// The forces on a system: components of covectors as formulas, a potential, and a table over time.
+///
+/// The potential `V` adds `M_i = -e_i(V)`, the derivative along the invariant field `e_i`.
+#[derive(Debug)]
+pub struct Forces<G: ConfigurationGroup> {
+    observables: Observables<G>,
+    scope: Scope,
+    /// Formulas of components with their side and index, and their text.
+    terms: Vec<(Side, usize, Formula, String)>,
+    potential: Option<(Formula, String)>,
+    table: Option<(Side, Table)>,
+    generators: Vec<Generator>,
+    buffers: RefCell<(Buffers, Slopes)>,
+}
+
+/// Buffers for sums of forces and derivatives of a potential.
+#[derive(Debug, Default)]
+struct Slopes {
+    /// Components in the frame of the equations, then those in the other frame.
+    sums: Vec<f64>,
+    /// Derivatives of the potential by the quantities of the scope.
+    partial: Vec<f64>,
+    /// Derivatives of the entries of the element along the invariant fields.
+    fields: Vec<f64>,
+}
+
+impl<G: ConfigurationGroup> Forces<G> {
+    /// No forces yet, on a system with this inertia.
+    pub fn none(group: G, inertia: DMatrix<f64>, parameters: Vec<(String, f64)>) -> Self {
+        Forces {
+            observables: Observables::new(group, Some(inertia), parameters),
+            scope: Scope::default(),
+            terms: vec![],
+            potential: None,
+            table: None,
+            generators: vec![],
+            buffers: RefCell::default(),
+        }
+    }
+
+    /// The quantities that formulas may use.
+    pub fn observables(&self) -> &Observables<G> {
+        &self.observables
+    }
+
+    /// The names that formulas may use.
+    pub fn names(&self) -> &Names {
+        self.observables.names()
+    }
+
+    /// Adds a component (from 0) of a covector.
+    ///
+    /// # Errors
+    /// As [`Formula::parse`]; also for energies and the power, on which forces cannot depend.
+    pub fn add(&mut self, side: Side, i: usize, text: &str) -> Result<(), ExpressionError> {
+        use Quantity::{Energy, Kinetic, Potential, Power};
+        let allowed = |q| !matches!(q, Kinetic | Potential | Energy | Power);
+        let formula = self.scope.read(text, self.observables.names(), &allowed)?;
+        self.terms.push((side, i, formula, text.trim().into()));
+        Ok(())
+    }
+
+    /// Sets the potential, a function of time and of the entries of the element.
+    ///
+    /// # Errors
+    /// As [`Formula::parse`]; also for other quantities.
+    pub fn set_potential(&mut self, text: &str) -> Result<(), ExpressionError> {
+        let allowed =
+            |q| matches!(q, Quantity::Time | Quantity::Parameter(_) | Quantity::Entry(..));
+        let formula = self.scope.read(text, self.observables.names(), &allowed)?;
+        self.generators = Generator::of(&self.observables.group);
+        self.potential = Some((formula, text.trim().into()));
+        Ok(())
+    }
+
+    /// Sets a covector over time.
+    pub fn set_table(&mut self, side: Side, table: Table) {
+        self.table = Some((side, table));
+    }
+
+    /// The time at which a controlled step from one time towards another has to end: at a corner of the table, or at the
+    /// other time.
+    pub(super) fn pause(&self, from: f64, until: f64) -> f64 {
+        let corner = self.table.as_ref().and_then(|(_, table)| table.corner(from, until));
+        corner.unwrap_or(until)
+    }
+
+    /// Whether there are no forces.
+    pub fn is_empty(&self) -> bool {
+        self.terms.is_empty() && self.potential.is_none() && self.table.is_none()
+    }
+
+    /// Whether no force depends on the velocity.
+    pub fn are_positional(&self) -> bool {
+        use Quantity::{Entry, Named, Parameter, Time};
+        let of_place = |q: &Quantity| matches!(q, Time | Parameter(_) | Entry(..) | Named(_));
+        self.scope.quantities().iter().all(of_place)
+    }
+
+    /// Whether the only force is a potential that does not depend on time, so that the energy is conserved.
+    pub fn are_conservative(&self) -> bool {
+        let timeless = !self.scope.quantities().contains(&Quantity::Time);
+        self.terms.is_empty() && self.table.is_none() && timeless
+    }
+
+    /// `J Omega`.
+    pub fn momentum(&self, velocity: &G::Vector) -> G::Vector {
+        self.observables.momentum(velocity)
+    }
+
+    /// `V`.
+    pub(super) fn potential(&self, at: &Point<G>) -> f64 {
+        let Some((formula, _)) = &self.potential else { return 0.0 };
+        let (buffers, _) = &mut *self.buffers.borrow_mut();
+        self.observables.evaluate(&self.scope, at, &|_| f64::NAN, buffers);
+        formula.value_in(&buffers.values, &mut buffers.workspace)
+    }
+
+    /// `M(Omega)`.
+    pub(super) fn power(&self, at: &Point<G>) -> f64 {
+        let force = self.total(at);
+        force.components().iter().zip(at.velocity.components()).map(|(m, omega)| m * omega).sum()
+    }
+
+    /// The sum of all forces, in the frame of the equations.
+    fn total(&self, at: &Point<G>) -> G::Vector {
+        let group = &self.observables.group;
+        let (buffers, slopes) = &mut *self.buffers.borrow_mut();
+        let n = group.dimension();
+        self.observables.evaluate(&self.scope, at, &|_| f64::NAN, buffers);
+        let Buffers { values, entries, workspace } = buffers;
+        let Slopes { sums, partial, fields } = slopes;
+        sums.clear();
+        sums.resize(2 * n, 0.0);
+        let (mine, other) = sums.split_at_mut(n);
+        let own = if G::RIGHT { Side::Space } else { Side::Body };
+        for (side, i, formula, text) in &self.terms {
+            let value = formula.value_in(values, workspace);
+            if !value.is_finite() {
+                self.note(&format!("the force {text}"), value, at);
+            }
+            (if *side == own { &mut *mine } else { &mut *other })[*i] += value;
+        }
+        if let Some((side, table)) = &self.table {
+            table.add(at.time, if *side == own { mine } else { other });
+        }
+        if let Some((formula, text)) = &self.potential {
+            partial.resize(values.len(), 0.0);
+            let value = formula.gradient_in(values, partial, workspace);
+            if !value.is_finite() {
+                self.note(&format!("the potential {text}"), value, at);
+                mine.fill(f64::NAN);
+            } else {
+                if entries.is_empty() {
+                    // no formula has asked for them: the potential depends on time alone
+                    group.entries(at.element, entries);
+                }
+                group.slopes(at.element, entries, &self.generators, fields);
+                let mut first = true;
+                for (i, sum) in mine.iter_mut().enumerate() {
+                    let field = &fields[i * entries.len()..][..entries.len()];
+                    let slope = self.scope.along(partial, field, self.names().rows());
+                    if !slope.is_finite() && std::mem::take(&mut first) {
+                        self.note(&format!("the derivative of the potential {text}"), slope, at);
+                    }
+                    *sum -= slope;
+                }
+            }
+        }
+        let is_zero = other.iter().all(|component| *component == 0.0);
+        let mine = G::Vector::from_components(mine);
+        if is_zero {
+            return mine;
+        }
+        mine + group.coadjoint(at.element, &G::Vector::from_components(other))
+    }
+
+    /// Records a force that is not finite, with the point.
+    #[cold]
+    fn note(&self, what: &str, value: f64, at: &Point<G>) {
+        let list =
+            |numbers: &[f64]| numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
+        let Observables { group, .. } = &self.observables;
+        let names = self.observables.names();
+        // row by row
+        let element = group.write(at.element).transpose();
+        self.observables.record(format!(
+            "{what} is {value} at t = {}, {} = [{}], {} = [{}]",
+            at.time,
+            names.velocity(),
+            list(at.velocity.components()),
+            names.element_stem(),
+            list(element.as_slice())
+        ));
+    }
+}
+
+impl<G: ConfigurationGroup> Torque<G> for Forces<G> {
+    fn is_absent(&self) -> bool {
+        self.is_empty()
+    }
+
+    fn add(&self, time: f64, element: &G::Element, velocity: &G::Vector, force: &mut G::Vector) {
+        if !self.is_empty() {
+            *force = force.clone() + self.total(&Point::new(time, element, velocity));
+        }
+    }
+}

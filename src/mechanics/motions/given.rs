@@ -1,0 +1,104 @@
+//! Motions with a velocity that is given over time: `g' = g Omega(t)`.
+
+use super::Motion;
+use super::configuration::ConfigurationGroup;
+use super::drive::Drive;
+use super::observables::{Buffers, Observables, Point};
+use super::quantities::{Names, Quantity, Scope};
+use super::run::{Recorded, Run};
+use crate::group::{Coordinates, LieGroup};
+use crate::mechanics::formula::Formula;
+use crate::mechanics::integrators::{KinematicState, Linear, Magnus};
+use affinor_tensors::expression::ExpressionError;
+use std::cell::RefCell;
+use std::ops::Range;
+
+/// A velocity over time: formulas of `t` and the parameters for its components.
+#[derive(Clone, Debug)]
+pub struct GivenVelocity {
+    scope: Scope,
+    formulas: Vec<Formula>,
+    parameters: Vec<f64>,
+    buffers: RefCell<Buffers>,
+}
+
+impl GivenVelocity {
+    /// A velocity without components yet.
+    pub fn new(parameters: Vec<f64>) -> Self {
+        let (scope, buffers) = (Scope::default(), RefCell::default());
+        GivenVelocity { scope, formulas: vec![], parameters, buffers }
+    }
+
+    /// Adds the next component.
+    ///
+    /// # Errors
+    /// As [`Formula::parse`]; also for quantities other than the time and parameters.
+    pub fn add(&mut self, text: &str, names: &Names) -> Result<(), ExpressionError> {
+        let allowed = |quantity| matches!(quantity, Quantity::Time | Quantity::Parameter(_));
+        self.formulas.push(self.scope.read(text, names, &allowed)?);
+        Ok(())
+    }
+
+    fn at<V: Coordinates>(&self, time: f64) -> V {
+        let Buffers { values, workspace, .. } = &mut *self.buffers.borrow_mut();
+        let value = |quantity| match quantity {
+            Quantity::Parameter(k) => self.parameters[k],
+            _ => time,
+        };
+        self.scope.evaluate(value, values);
+        V::from_fn(self.formulas.len(), |i| self.formulas[i].value_in(values, workspace))
+    }
+}
+
+/// The motion from an element at a time, by a Magnus method with a step size.
+pub fn on_given<G: ConfigurationGroup>(
+    group: G,
+    velocity: GivenVelocity,
+    (time, element): (f64, G::Element),
+    (method, step): (Magnus, f64),
+    columns: (Scope, Vec<Formula>),
+    observables: Observables<G>,
+) -> Box<dyn Motion> {
+    let given = velocity.clone();
+    let rate: Rate<G> = Box::new(move |time| given.at(time));
+    let system = Linear { group, velocity: rate };
+    let recorded = OnGiven { system, velocity, columns, observables, buffers: RefCell::default() };
+    Run::boxed(recorded, KinematicState { time, element }, Drive::fixed(method, step))
+}
+
+type Rate<G> = Box<dyn Fn(f64) -> <G as LieGroup>::Vector + Send>;
+
+struct OnGiven<G: ConfigurationGroup> {
+    system: Linear<G, Rate<G>>,
+    velocity: GivenVelocity,
+    columns: (Scope, Vec<Formula>),
+    observables: Observables<G>,
+    buffers: RefCell<Buffers>,
+}
+
+impl<G: ConfigurationGroup> Recorded for OnGiven<G> {
+    type System = Linear<G, Rate<G>>;
+
+    fn system(&self) -> &Self::System {
+        &self.system
+    }
+
+    fn set_time(state: &mut KinematicState<G>, time: f64) {
+        state.time = time;
+    }
+
+    fn fits(&self, state: &KinematicState<G>, _: &KinematicState<G>) -> bool {
+        self.system.group.has_shape(&state.element)
+    }
+
+    fn width(&self) -> usize {
+        self.columns.1.len()
+    }
+
+    fn values(&self, state: &KinematicState<G>, columns: Range<usize>, list: &mut Vec<f64>) {
+        let velocity: G::Vector = self.velocity.at(state.time);
+        let point = Point::new(state.time, &state.element, &velocity);
+        let buffers = &mut *self.buffers.borrow_mut();
+        self.observables.formulas(&self.columns, columns, (&point, &|_| 0.0), buffers, list);
+    }
+}

@@ -1,0 +1,163 @@
+//! Motions of Lie-Poisson systems, whose Hamiltonian is a formula of the momentum.
+
+use super::configuration::ConfigurationGroup;
+use super::drive::{Drive, NO_PROJECTION};
+use super::forces::Forces;
+use super::observables::{Observables, Point};
+use super::on_cotangent::{Observed, OnCotangent};
+use super::quantities::{Quantity, Scope};
+use super::run::Run;
+use super::simulated::SimulationGroup;
+use super::{Method, Motion};
+use crate::Error;
+use crate::group::{Coordinates, LieGroup};
+use crate::mechanics::formula::{Formula, Workspace};
+use crate::mechanics::{Adaptive, CotangentSystem, LiePoissonSystem, State, System};
+use affinor_tensors::expression::ExpressionError;
+use std::cell::RefCell;
+
+/// `E(H)` as a formula of the components of the momentum and the parameters.
+#[derive(Clone, Debug)]
+pub struct Hamiltonian {
+    scope: Scope,
+    formula: Formula,
+    text: String,
+    parameters: Vec<f64>,
+    /// Values of the quantities, and derivatives by them.
+    buffers: RefCell<(Vec<f64>, Vec<f64>, Workspace)>,
+}
+
+impl Hamiltonian {
+    /// Reads the formula.
+    ///
+    /// # Errors
+    /// As [`Formula::parse`]; also for quantities other than components of the momentum and parameters.
+    pub fn read<G: ConfigurationGroup>(
+        text: &str,
+        observables: &Observables<G>,
+    ) -> Result<Self, ExpressionError> {
+        let mut scope = Scope::default();
+        let allowed = |quantity| matches!(quantity, Quantity::Momentum(_) | Quantity::Parameter(_));
+        let formula = scope.read(text, observables.names(), &allowed)?;
+        let (text, parameters) = (text.trim().into(), observables.parameters().to_vec());
+        Ok(Hamiltonian { scope, formula, text, parameters, buffers: RefCell::default() })
+    }
+
+    /// The value, and its derivatives by the components of the momentum.
+    fn evaluate<V: Coordinates>(&self, momentum: &V) -> (f64, V) {
+        let (values, slopes, workspace) = &mut *self.buffers.borrow_mut();
+        let h = momentum.components();
+        let value = |quantity| match quantity {
+            Quantity::Momentum(i) => h[i],
+            Quantity::Parameter(k) => self.parameters[k],
+            _ => f64::NAN,
+        };
+        self.scope.evaluate(value, values);
+        slopes.resize(values.len(), 0.0);
+        let value = self.formula.gradient_in(values, slopes, workspace);
+        if !value.is_finite() {
+            return (value, V::from_fn(h.len(), |_| f64::NAN));
+        }
+        let quantities = self.scope.quantities();
+        let at = |i| quantities.iter().position(|other| *other == Quantity::Momentum(i));
+        (value, V::from_fn(h.len(), |i| at(i).map_or(0.0, |k| slopes[k])))
+    }
+}
+
+/// The motion of a Hamiltonian from an element with a momentum in the frame of the equations, and its method.
+///
+/// # Errors
+/// [`Error::NoMethod`] for a method that is for bodies.
+pub fn on_hamiltonian<G: SimulationGroup>(
+    observables: Observables<G>,
+    hamiltonian: Hamiltonian,
+    (time, element, momentum): (f64, G::Element, G::Vector),
+    (method, step, control): (Option<Method>, Option<f64>, Adaptive),
+    columns: (Scope, Vec<Formula>),
+) -> Result<(Box<dyn Motion>, Method), Error> {
+    let default = if step.is_some() { Method::MuntheKaas } else { Method::to(control.tolerance) };
+    let method = method.unwrap_or(default);
+    method.expect_resolved(control.tolerance)?;
+    let refused = |reason: &str| Error::NoMethod { method: method.name(), reason: reason.into() };
+    let step = match step {
+        Some(step) => step,
+        None if method.has_steps() => return Err(refused("it needs a step")),
+        None => 0.0,
+    };
+    let drive =
+        match Drive::of_any_system::<G::Embedding>(&observables.group, method, step, control) {
+            Some(drive) => drive,
+            None if method.is_projected() => return Err(refused(NO_PROJECTION)),
+            None => {
+                return Err(refused(
+                    "a Hamiltonian has rkmk54, rkmk853, rkmk4, projected ones, cf4, cg3",
+                ));
+            }
+        };
+    let of = hamiltonian.clone();
+    let gradient: Gradient<G> = Box::new(move |momentum| of.evaluate(momentum).1);
+    let equations = LiePoissonSystem { group: observables.group.clone(), gradient };
+    let state = equations.state(time, element, &momentum);
+    let system = HamiltonianSystem { equations, hamiltonian, observables };
+    Ok((Run::boxed(OnCotangent::new(system, columns), state, drive), method))
+}
+
+type Gradient<G> = Box<dyn Fn(&<G as LieGroup>::Vector) -> <G as LieGroup>::Vector + Send>;
+
+/// The equations of motion with the observables.
+struct HamiltonianSystem<G: ConfigurationGroup> {
+    equations: LiePoissonSystem<G, Gradient<G>>,
+    hamiltonian: Hamiltonian,
+    observables: Observables<G>,
+}
+
+impl<G: ConfigurationGroup> System for HamiltonianSystem<G> {
+    type State = State<G>;
+
+    fn time(&self, state: &State<G>) -> f64 {
+        state.time
+    }
+}
+
+impl<G: ConfigurationGroup> CotangentSystem for HamiltonianSystem<G> {
+    type Group = G;
+
+    fn group(&self) -> &G {
+        &self.equations.group
+    }
+
+    fn velocity_of(&self, momentum: &G::Vector) -> G::Vector {
+        let velocity = self.equations.velocity_of(momentum);
+        if !velocity.is_finite() {
+            let (text, at) = (&self.hamiltonian.text, momentum.components());
+            let (value, _) = self.hamiltonian.evaluate(momentum);
+            let name = self.observables.names().momentum();
+            self.observables.record(format!(
+                "the Hamiltonian {text} is {value}, its derivatives {:?}, at {name} = {at:?}",
+                velocity.components()
+            ));
+        }
+        velocity
+    }
+
+    fn is_free(&self) -> bool {
+        self.equations.is_free()
+    }
+}
+
+impl<G: ConfigurationGroup> Observed for HamiltonianSystem<G> {
+    fn observables(&self) -> &Observables<G> {
+        &self.observables
+    }
+
+    fn forces(&self) -> Option<&Forces<G>> {
+        None
+    }
+
+    fn at<R>(&self, state: &State<G>, look: impl FnOnce(&Point<G>) -> R) -> R {
+        let momentum = self.equations.momentum(state);
+        let (energy, velocity) = self.hamiltonian.evaluate(&momentum);
+        let point = Point::new(state.time, &state.element, &velocity);
+        look(&Point { momentum: Some(&momentum), energy: Some(energy), ..point })
+    }
+}

@@ -1,0 +1,200 @@
+//! Values of quantities at points of a motion.
+
+use super::configuration::ConfigurationGroup;
+use super::quantities::{Names, Quantity, Scope};
+use crate::group::Coordinates;
+use crate::mechanics::formula::{Formula, Workspace};
+use nalgebra::DMatrix;
+use std::cell::RefCell;
+use std::ops::Range;
+
+/// A point of a motion, with the velocity in the frame of the equations.
+pub struct Point<'p, G: ConfigurationGroup> {
+    /// The time.
+    pub time: f64,
+    /// The element.
+    pub element: &'p G::Element,
+    /// The velocity.
+    pub velocity: &'p G::Vector,
+    /// The momentum in the frame of the equations, where it is not `J Omega`.
+    pub momentum: Option<&'p G::Vector>,
+    /// The energy, where it is not the sum of a kinetic and a potential energy.
+    pub energy: Option<f64>,
+}
+
+impl<'p, G: ConfigurationGroup> Point<'p, G> {
+    /// A point of a system with an inertia.
+    pub fn new(time: f64, element: &'p G::Element, velocity: &'p G::Vector) -> Self {
+        Point { time, element, velocity, momentum: None, energy: None }
+    }
+}
+
+/// The quantities of motions on a group: their names, and what their values depend on beside the point.
+#[derive(Clone, Debug)]
+pub struct Observables<G: ConfigurationGroup> {
+    pub(super) group: G,
+    names: Names,
+    parameters: Vec<f64>,
+    /// `J`, if there is one.
+    inertia: Option<DMatrix<f64>>,
+    /// Why the last force or velocity was not a number.
+    trouble: RefCell<Option<String>>,
+}
+
+/// Buffers for values of quantities and formulas.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Buffers {
+    /// The values of the quantities of a [`Scope`].
+    pub(super) values: Vec<f64>,
+    /// The entries of the element, column by column.
+    pub(super) entries: Vec<f64>,
+    pub(super) workspace: Workspace,
+}
+
+impl<G: ConfigurationGroup> Observables<G> {
+    /// The quantities on a group with named parameters; `inertia` is the matrix `J` of `H = J Omega`.
+    pub fn new(group: G, inertia: Option<DMatrix<f64>>, parameters: Vec<(String, f64)>) -> Self {
+        let (names, parameters) = parameters.into_iter().unzip();
+        let names = Names::new(&group, names);
+        Observables { group, names, parameters, inertia, trouble: RefCell::default() }
+    }
+
+    /// The names that formulas may use.
+    pub fn names(&self) -> &Names {
+        &self.names
+    }
+
+    /// The values of the parameters.
+    pub(super) fn parameters(&self) -> &[f64] {
+        &self.parameters
+    }
+
+    /// `J Omega`; not a number without an inertia.
+    pub fn momentum(&self, velocity: &G::Vector) -> G::Vector {
+        let omega = velocity.components();
+        let entry = |i, j| self.inertia.as_ref().map_or(f64::NAN, |inertia| inertia[(i, j)]);
+        let row = |i: usize| (0..omega.len()).map(|j| entry(i, j) * omega[j]).sum();
+        G::Vector::from_fn(omega.len(), row)
+    }
+
+    /// Records why a force or a velocity is not a number.
+    pub(super) fn record(&self, trouble: String) {
+        self.trouble.replace(Some(trouble));
+    }
+
+    /// Takes away the last record.
+    pub(super) fn trouble(&self) -> Option<String> {
+        self.trouble.take()
+    }
+
+    /// Replaces the values of `buffers` by those of the quantities of a scope, and the entries, if one of these is such.
+    /// `load` gives the potential and the power.
+    pub(super) fn evaluate(
+        &self,
+        scope: &Scope,
+        at: &Point<G>,
+        load: &dyn Fn(Quantity) -> f64,
+        buffers: &mut Buffers,
+    ) {
+        let mut values = Values::new(self, at, load, &mut buffers.entries);
+        scope.evaluate(|quantity| values.of(quantity), &mut buffers.values);
+    }
+
+    /// Appends the values of some of the formulas over a scope to `list`.
+    pub(super) fn formulas(
+        &self,
+        (scope, formulas): &(Scope, Vec<Formula>),
+        range: Range<usize>,
+        (at, load): (&Point<G>, &dyn Fn(Quantity) -> f64),
+        buffers: &mut Buffers,
+        list: &mut Vec<f64>,
+    ) {
+        let Buffers { values: found, entries, workspace } = buffers;
+        let mut values = Values::new(self, at, load, entries);
+        found.clear();
+        found.resize(scope.quantities().len(), f64::NAN);
+        for formula in &formulas[range] {
+            for k in formula.variables() {
+                // what no formula asks for is not computed, nor anything twice
+                if found[k].is_nan() {
+                    found[k] = values.of(scope.quantities()[k]);
+                }
+            }
+            list.push(formula.value_in(found, workspace));
+        }
+    }
+}
+
+/// The values at a point; what several of them need is computed once, when it is asked for.
+struct Values<'v, G: ConfigurationGroup> {
+    observables: &'v Observables<G>,
+    at: &'v Point<'v, G>,
+    load: &'v dyn Fn(Quantity) -> f64,
+    momentum: Option<G::Vector>,
+    other_momentum: Option<G::Vector>,
+    other_velocity: Option<G::Vector>,
+    /// Those of the element, once `written`.
+    entries: &'v mut Vec<f64>,
+    written: bool,
+}
+
+impl<'v, G: ConfigurationGroup> Values<'v, G> {
+    fn new(
+        observables: &'v Observables<G>,
+        at: &'v Point<'v, G>,
+        load: &'v dyn Fn(Quantity) -> f64,
+        entries: &'v mut Vec<f64>,
+    ) -> Self {
+        let (momentum, other_momentum, other_velocity) = (None, None, None);
+        let written = false;
+        Values { observables, at, load, momentum, other_momentum, other_velocity, entries, written }
+    }
+
+    fn of(&mut self, quantity: Quantity) -> f64 {
+        let Values { observables, at, load, .. } = *self;
+        let group = &observables.group;
+        match quantity {
+            Quantity::Time => at.time,
+            Quantity::Parameter(k) => observables.parameters[k],
+            Quantity::Entry(row, column) => {
+                if !self.written {
+                    group.entries(at.element, self.entries);
+                    self.written = true;
+                }
+                self.entries[row + column * observables.names.rows()]
+            }
+            Quantity::Named(k) => group.named(at.element, k),
+            Quantity::Velocity(i) => at.velocity.components()[i],
+            Quantity::Momentum(i) => self.momentum().components()[i],
+            Quantity::OtherVelocity(i) => {
+                let velocity = || group.adjoint(at.element, at.velocity);
+                self.other_velocity.get_or_insert_with(velocity).components()[i]
+            }
+            Quantity::OtherMomentum(i) => {
+                if self.other_momentum.is_none() {
+                    let momentum = group.coadjoint(&group.inverse(at.element), self.momentum());
+                    self.other_momentum = Some(momentum);
+                }
+                self.other_momentum.as_ref().map_or(f64::NAN, |h| h.components()[i])
+            }
+            Quantity::Kinetic => at.energy.unwrap_or_else(|| self.kinetic()),
+            Quantity::Potential | Quantity::Power => load(quantity),
+            Quantity::Energy => {
+                at.energy.unwrap_or_else(|| self.kinetic() + load(Quantity::Potential))
+            }
+        }
+    }
+
+    fn momentum(&mut self) -> &G::Vector {
+        let Values { observables, at, .. } = *self;
+        let computed = || at.momentum.cloned().unwrap_or_else(|| observables.momentum(at.velocity));
+        self.momentum.get_or_insert_with(computed)
+    }
+
+    /// `T = H(Omega)/2` (98).
+    fn kinetic(&mut self) -> f64 {
+        let velocity = self.at.velocity.components();
+        let products = self.momentum().components().iter().zip(velocity);
+        0.5 * products.map(|(h, omega)| h * omega).sum::<f64>()
+    }
+}

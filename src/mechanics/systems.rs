@@ -1,0 +1,29 @@
+//! Equations of motion on groups and of matrices.
+//!
+//! In reading order: [`cotangent`] states what systems of an element and its momentum have in common; [`euler_poincare`] are
+//! those of a connection and a metric, [`lie_poisson`] those of a Hamiltonian; [`constrained`] adds holonomic constraints;
+//! [`isospectral`] are flows of matrices that conserve the spectrum.
+
+mod bilinear;
+mod centred;
+pub mod constrained;
+pub mod cotangent;
+pub mod euler_poincare;
+pub mod isospectral;
+pub mod lie_poisson;
+mod matrix;
+
+pub use constrained::{Constrained, ConstrainedState, Constraint};
+pub use cotangent::{CotangentSystem, State};
+pub use euler_poincare::EulerPoincare;
+pub use isospectral::{Isospectral, Manakov, MatrixState, Toda, Zeitlin};
+pub use lie_poisson::LiePoissonSystem;
+
+/// Equations of motion, in first order.
+pub trait System {
+    /// The state at a time.
+    type State: Clone;
+
+    /// The time of a state.
+    fn time(&self, state: &Self::State) -> f64;
+}

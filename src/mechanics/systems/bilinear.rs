@@ -1,0 +1,81 @@
+//! Bilinear maps with few nonzero coefficients.
+
+use crate::group::Coordinates;
+
+/// The bilinear map `f_i = b_i^jk x_j y_k`, by its nonzero coefficients.
+#[derive(Clone, Debug)]
+pub(super) struct Bilinear {
+    /// For each `i` the indices `[j, k]` with `b_i^jk`; no rows for the zero map.
+    rows: Vec<Vec<([usize; 2], f64)>>,
+}
+
+impl Bilinear {
+    /// The map of a dimension with coefficients `(i, [j, k], b_i^jk)`.
+    pub(super) fn new(
+        dimension: usize,
+        coefficients: impl IntoIterator<Item = (usize, [usize; 2], f64)>,
+    ) -> Self {
+        let mut rows = vec![vec![]; dimension];
+        for (i, at, value) in coefficients {
+            rows[i].push((at, value));
+        }
+        Bilinear { rows: if rows.iter().all(Vec::is_empty) { vec![] } else { rows } }
+    }
+
+    #[inline]
+    pub(super) fn is_zero(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// `f` of two vectors or covectors, by their components.
+    #[inline]
+    pub(super) fn apply<V: Coordinates>(&self, x: &V, y: &V) -> V {
+        let (x, y) = (x.components(), y.components());
+        let term = |([j, k], value): &([usize; 2], f64)| value * x[*j] * y[*k];
+        let row = |i: usize| self.rows.get(i).map_or(0.0, |row| row.iter().map(term).sum());
+        V::from_fn(x.len(), row)
+    }
+
+    /// The same map in layers.
+    pub(super) fn layers<V: Coordinates>(&self) -> Layers<V> {
+        let layer = |at: usize| {
+            let term = |i: usize| self.rows[i].get(at).copied().unwrap_or(([0, 0], 0.0));
+            let values = V::from_fn(self.rows.len(), |i| term(i).1);
+            ((0..self.rows.len()).map(|i| term(i).0).collect(), values)
+        };
+        let count = self.rows.iter().map(Vec::len).max().unwrap_or(0);
+        Layers { layers: (0..count).map(layer).collect() }
+    }
+}
+
+/// A [`Bilinear`] map for vectors of few components: the first terms of all `f_i`, then the second ones, and so on. A layer is
+/// computed in registers.
+#[derive(Clone, Debug)]
+pub(super) struct Layers<V> {
+    /// For each `i` the indices `[j, k]`, and the coefficients.
+    layers: Vec<(Vec<[usize; 2]>, V)>,
+}
+
+impl<V> Default for Layers<V> {
+    /// The zero map.
+    fn default() -> Self {
+        Layers { layers: vec![] }
+    }
+}
+
+impl<V: Coordinates> Layers<V> {
+    #[inline]
+    pub(super) fn is_zero(&self) -> bool {
+        self.layers.is_empty()
+    }
+
+    /// `f` of two vectors or covectors, by their components.
+    #[inline]
+    pub(super) fn apply(&self, x: &V, y: &V) -> V {
+        let (x, y) = (x.components(), y.components());
+        self.layers.iter().fold(V::zeros(x.len()), |sum, (at, values)| {
+            let values = values.components();
+            sum + V::from_fn(x.len(), |i| values[i] * x[at[i][0]] * y[at[i][1]])
+        })
+    }
+}

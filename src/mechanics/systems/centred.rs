@@ -1,0 +1,195 @@
+//! The inertia at its centre, where rotations and translations are decoupled.
+
+use super::bilinear::{Bilinear, Layers};
+use super::cotangent::Sizes;
+use super::matrix::Matrix;
+use crate::group::least_squares::least_squares;
+use crate::group::{Coordinates, LieGroup};
+use affinor_tensors::Tensor;
+use nalgebra::{DMatrix, DVector};
+use std::collections::BTreeMap;
+
+/// An inertia on a group with translations, at its centre.
+#[derive(Debug)]
+pub(in crate::mechanics) struct Centred<G: LieGroup> {
+    /// The inertia at the centre; `None` if the centre is the origin of the body.
+    at: Option<AtCentre<G>>,
+    /// `ad*_(P Omega) H` as a quadratic form of `H`. Terms that cancel for every momentum, as those of an isotropic mass,
+    /// are left out: their rounding would be a torque.
+    transfer: Layers<G::Vector>,
+    sizes: Sizes,
+}
+
+// a derived implementation would require `G: Clone`
+impl<G: LieGroup> Clone for Centred<G> {
+    fn clone(&self) -> Self {
+        let (at, transfer, sizes) = (self.at.clone(), self.transfer.clone(), self.sizes);
+        Centred { at, transfer, sizes }
+    }
+}
+
+/// The inertia `J(Ad_c x, Ad_c y)` at the centre.
+#[derive(Debug)]
+struct AtCentre<G: LieGroup> {
+    /// The translation `c` to the centre.
+    centre: G::Element,
+    inertia: Matrix<G::Vector>,
+    inverse: Matrix<G::Vector>,
+}
+
+impl<G: LieGroup> Clone for AtCentre<G> {
+    fn clone(&self) -> Self {
+        let AtCentre { centre, inertia, inverse } = self;
+        let (inertia, inverse) = (inertia.clone(), inverse.clone());
+        AtCentre { centre: centre.clone(), inertia, inverse }
+    }
+}
+
+impl<G: LieGroup> Centred<G> {
+    /// The inertia with its inverse and the structure constants of the group.
+    pub(in crate::mechanics) fn new(
+        group: &G,
+        metric: &Matrix<G::Vector>,
+        inverse: &Matrix<G::Vector>,
+        structure: &Tensor<f64>,
+    ) -> Self {
+        let at = at_centre(group, metric);
+        let (metric, inverse) = match &at {
+            Some(AtCentre { inertia, inverse, .. }) => (inertia, inverse),
+            None => (metric, inverse),
+        };
+        let transfer = transfer(group, inverse, structure);
+        let sizes = sizes(group, metric);
+        Centred { at, transfer, sizes }
+    }
+
+    #[inline]
+    pub(in crate::mechanics) fn centre(&self) -> Option<&G::Element> {
+        self.at.as_ref().map(|at| &at.centre)
+    }
+
+    /// The inverse of the inertia at the centre, if the centre is not the origin.
+    #[inline]
+    pub(in crate::mechanics) fn inverse(&self) -> Option<&Matrix<G::Vector>> {
+        self.at.as_ref().map(|at| &at.inverse)
+    }
+
+    #[inline]
+    pub(in crate::mechanics) fn transfers(&self) -> bool {
+        !self.transfer.is_zero()
+    }
+
+    /// `ad*_(P Omega) H` at the centre.
+    #[inline]
+    pub(in crate::mechanics) fn transfer(&self, momentum: &G::Vector) -> G::Vector {
+        self.transfer.apply(momentum, momentum)
+    }
+
+    pub(in crate::mechanics) fn sizes(&self) -> Sizes {
+        self.sizes
+    }
+}
+
+/// The coupling of rotations and translations, relative to the inertia, below which it is rounding.
+const SHARED: f64 = 1e-12;
+
+/// The inertia at the centre; `None` if rotations and translations are decoupled at the origin of the body, or coupled at
+/// every point.
+///
+/// With `c = exp(r)`, `Ad_c x = x + [r, x]`, so the translation `r` to the centre solves `J([r, x], v) = -J(x, v)` for all
+/// rotations `x` and translations `v`.
+fn at_centre<G: LieGroup>(group: &G, metric: &Matrix<G::Vector>) -> Option<AtCentre<G>> {
+    let n = group.dimension();
+    let basis = group.basis();
+    let translations: Vec<G::Vector> =
+        basis.iter().map(|e| group.translation(e)).collect::<Option<_>>()?;
+    let turns: Vec<G::Vector> =
+        basis.iter().zip(&translations).map(|(e, v)| e.clone() - v.clone()).collect();
+    let form = |x: &G::Vector, y: &G::Vector| -> f64 {
+        metric.apply(x).components().iter().zip(y.components()).map(|(p, y)| p * y).sum()
+    };
+    let pairs: Vec<(usize, usize)> = (0..n).flat_map(|i| (0..n).map(move |k| (i, k))).collect();
+    let shared = pairs.iter().map(|&(i, k)| -form(&turns[i], &translations[k]));
+    let shared = DVector::from_iterator(n * n, shared);
+    if shared.amax() == 0.0 {
+        return None;
+    }
+    let entry = |row: usize, column: usize| {
+        let (i, k) = pairs[row];
+        form(&group.bracket(&translations[column], &turns[i]), &translations[k])
+    };
+    let matrix = DMatrix::from_fn(n * n, n, entry);
+    let shares = least_squares(&matrix, &shared);
+    let terms = shared.amax().max(matrix.amax() * shares.amax());
+    if (&matrix * &shares - &shared).amax() > SHARED * terms {
+        return None;
+    }
+    let zero = G::Vector::zeros(n);
+    let way = shares.iter().zip(&translations).fold(zero, |sum, (s, v)| sum + v.clone() * *s);
+    let centre = group.exp(&way);
+    let moved: Vec<G::Vector> = basis.iter().map(|e| group.adjoint(&centre, e)).collect();
+    let image = |x: &G::Vector| {
+        let terms = x.components().iter().zip(&moved);
+        terms.fold(G::Vector::zeros(n), |sum, (share, image)| sum + image.clone() * *share)
+    };
+    let images: Vec<G::Vector> = turns.iter().map(image).collect();
+    // there the coupling is rounding, and the inertia of translations is unchanged
+    let inertia = DMatrix::from_fn(n, n, |i, k| {
+        form(&images[i], &images[k]) + form(&translations[i], &translations[k])
+    });
+    let inverse = inertia.clone().try_inverse()?;
+    let rows = |m: &DMatrix<f64>| {
+        let row = |i| G::Vector::from_fn(n, |k| 0.5 * (m[(i, k)] + m[(k, i)]));
+        Matrix::Full((0..n).map(row).collect())
+    };
+    Some(AtCentre { centre, inertia: rows(&inertia), inverse: rows(&inverse) })
+}
+
+/// A sum of terms that is smaller than this, relative to their sizes, is rounding.
+const CANCELLED: f64 = 4.0 * f64::EPSILON;
+
+/// The quadratic form `ad*_(P J^-1 H) H`: the coefficient of `H_a H_b`, `a <= b`, in the component `i` is
+/// `(P J^-1)^vb c^a_vi`, symmetrized.
+fn transfer<G: LieGroup>(
+    group: &G,
+    inverse: &Matrix<G::Vector>,
+    structure: &Tensor<f64>,
+) -> Layers<G::Vector> {
+    let n = group.dimension();
+    let translations: Option<Vec<G::Vector>> =
+        (0..n).map(|b| group.translation(&inverse.apply(&group.unit(b)))).collect();
+    let Some(translations) = translations else { return Layers::default() };
+    // for a <= b the sum of both orders, and the sum of their moduli
+    let mut sums: Vec<BTreeMap<[usize; 2], (f64, f64)>> = vec![BTreeMap::new(); n];
+    for (at, c) in structure.components() {
+        let [a, v, i] = [at[0], at[1], at[2]];
+        for (b, translation) in translations.iter().enumerate() {
+            let term = translation.components()[v] * c;
+            let (sum, size) = sums[i].entry([a.min(b), a.max(b)]).or_default();
+            (*sum, *size) = (*sum + term, *size + term.abs());
+        }
+    }
+    let terms = sums.into_iter().enumerate().flat_map(|(i, row)| {
+        let sums = row.into_iter().filter(|(_, (sum, size))| sum.abs() > CANCELLED * size);
+        sums.map(move |(at, (sum, _))| (i, at, sum))
+    });
+    Bilinear::new(n, terms).layers()
+}
+
+/// The largest moment of inertia of the basis along rotations, and the largest mass along translations.
+fn sizes<G: LieGroup>(group: &G, metric: &Matrix<G::Vector>) -> Sizes {
+    let moment = |x: &G::Vector| -> f64 {
+        let products = x.components().iter().zip(metric.apply(x).components().to_vec());
+        products.map(|(x, p)| x * p).sum::<f64>().abs()
+    };
+    let mut inertia = [0.0_f64; 2];
+    for unit in group.basis() {
+        let translation = group.translation(&unit);
+        let turn = translation.as_ref().map_or(unit.clone(), |part| unit - part.clone());
+        inertia[0] = inertia[0].max(moment(&turn));
+        inertia[1] = inertia[1].max(translation.as_ref().map_or(0.0, &moment));
+    }
+    let gyration = (inertia[0] / inertia[1]).sqrt();
+    let length = if gyration.is_finite() && gyration > 0.0 { gyration } else { 1.0 };
+    Sizes { inertia, length }
+}

@@ -1,0 +1,316 @@
+//! Mechanical systems with holonomic constraints on a group.
+
+use super::System;
+use super::bilinear::Bilinear;
+use super::euler_poincare::{Free, Torque};
+use crate::algebra::frame::formula;
+use crate::group::{Coordinates, LieGroup, expect_left_frame};
+use crate::{Connection, Error, Metric};
+use nalgebra::{DMatrix, DVector};
+
+/// Holonomic constraints `Phi(q) = 0`. Steps panic if the number of constraints changes with the element.
+pub trait Constraint<G: LieGroup> {
+    /// `Phi^a(q)`.
+    fn value(&self, element: &G::Element) -> DVector<f64>;
+
+    /// `B^a_i`, the derivative of `Phi^a(q exp(s e_i))` at `s = 0`: a row for each constraint.
+    fn gradient(&self, element: &G::Element) -> DMatrix<f64>;
+}
+
+/// The system of a connection, a metric `J`, external forces `M` and holonomic constraints on a group:
+///
+/// ```text
+/// q' = q v,   J_ij v'^j = Lambda^j_ki v^k J_jl v^l + M_i(t, q, v) - B^a_i(q) lambda_a,   Phi^a(q) = 0
+/// ```
+///
+/// in left (body) components: the equations of motion (104) of [`EulerPoincare`](super::EulerPoincare), Newton's with the
+/// connection `plus`, with Lagrange multipliers `lambda`. The constraints must be independent: the rows of `B` are linearly
+/// independent where `Phi = 0`.
+///
+/// ```
+/// use affinor::mechanics::{Constrained, Constraint, GeneralisedAlpha, Integrator};
+/// use affinor::group::{LieGroup, Translations};
+/// use affinor::{Canonical, Connection, Metric};
+/// use affinor_tensors::{Down, Tensor};
+/// use nalgebra::{DMatrix, DVector, Vector2, dvector};
+/// // a pendulum of length 1 and mass 1 in the plane, gravity 1
+/// struct Rod;
+/// impl Constraint<Translations<2>> for Rod {
+///     fn value(&self, x: &Vector2<f64>) -> DVector<f64> {
+///         dvector![0.5 * (x.norm_squared() - 1.0)]
+///     }
+///     fn gradient(&self, x: &Vector2<f64>) -> DMatrix<f64> {
+///         DMatrix::from_row_slice(1, 2, &[x.x, x.y])
+///     }
+/// }
+/// let plane = Translations::<2>;
+/// let unit = Tensor::from_components(2, &[Down, Down], [([0, 0], 1.0), ([1, 1], 1.0)])?;
+/// let mass = Metric::new(plane.algebra()?.labels(), unit)?;
+/// let plus = Connection::canonical(&plane.algebra()?, Canonical::Plus);
+/// let gravity = |_: f64, _: &Vector2<f64>, _: &Vector2<f64>| Vector2::new(0.0, -1.0);
+/// let pendulum = Constrained::new(plane, &plus, &mass, gravity, Rod)?;
+/// let mut state = pendulum.state(0.0, Vector2::new(1.0, 0.0), &Vector2::zeros())?;
+/// for _ in 0..100 {
+///     GeneralisedAlpha::default().step(&pendulum, &mut state, 0.01)?;
+/// }
+/// // v^2 = -2 y; the rod carries v^2 - y
+/// assert!((state.velocity.norm_squared() + 2.0 * state.element.y).abs() < 1e-4);
+/// assert!((state.multipliers[0] + 3.0 * state.element.y).abs() < 1e-3);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Constrained<G, C, M = Free> {
+    group: G,
+    mass: DMatrix<f64>,
+    /// `Lambda^j_ki J_jl v^k v^l`.
+    inertial: Bilinear,
+    force: M,
+    constraint: C,
+}
+
+/// A state of a constrained system.
+#[derive(Debug)]
+pub struct ConstrainedState<G: LieGroup> {
+    /// The time.
+    pub time: f64,
+    /// `q`.
+    pub element: G::Element,
+    /// `v`, in left components.
+    pub velocity: G::Vector,
+    /// `v'`.
+    pub acceleration: G::Vector,
+    /// `lambda`.
+    pub multipliers: DVector<f64>,
+    /// Of a multistep method: the difference between the algorithmic and the true acceleration, per unit step.
+    pub(crate) lead: Option<G::Vector>,
+}
+
+// a derived implementation would require `G: Clone`
+impl<G: LieGroup> Clone for ConstrainedState<G> {
+    fn clone(&self) -> Self {
+        ConstrainedState {
+            time: self.time,
+            element: self.element.clone(),
+            velocity: self.velocity.clone(),
+            acceleration: self.acceleration.clone(),
+            multipliers: self.multipliers.clone(),
+            lead: self.lead.clone(),
+        }
+    }
+}
+
+/// The relative tolerance of the constraints at the initial condition.
+const OFF: f64 = 1e-8;
+/// The relative tolerance between a gradient and its difference quotient.
+const ROUGH: f64 = 1e-4;
+
+impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
+    /// The system of a connection and a metric on the algebra of the group, in its basis, with forces and
+    /// constraints.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless the connection is over the left-invariant frame of the group, and the metric of its
+    /// dimension.
+    pub fn new(
+        group: G,
+        connection: &Connection<f64>,
+        metric: &Metric<f64>,
+        force: M,
+        constraint: C,
+    ) -> Result<Self, Error> {
+        let n = group.dimension();
+        expect_left_frame(&group, connection.frame())?;
+        if metric.components().dimension() != n {
+            return Err(Error::Shape {
+                what: "the metric",
+                expected: format!("dimension {n}"),
+                found: format!("dimension {}", metric.components().dimension()),
+            });
+        }
+        let operands = [("L", connection.gamma()), ("J", metric.components())];
+        let inertial = formula("L^j_ki J_jl -> _ikl", &operands);
+        let terms = inertial.components().map(|(at, value)| (at[0], [at[1], at[2]], *value));
+        let inertial = Bilinear::new(n, terms);
+        let mass = metric.components().to_dmatrix()?;
+        Ok(Constrained { group, mass, inertial, force, constraint })
+    }
+
+    /// The group.
+    pub fn group(&self) -> &G {
+        &self.group
+    }
+
+    /// The forces.
+    pub fn force(&self) -> &M {
+        &self.force
+    }
+
+    /// The constraints.
+    pub fn constraint(&self) -> &C {
+        &self.constraint
+    }
+
+    /// The state of an element and a velocity, with the acceleration and the multipliers that follow from them.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless the gradient has a row for each constraint and a column for each component of a
+    /// vector. [`Error::Invalid`] for a value that is not finite, an element or a velocity that violates a
+    /// constraint, a gradient that differs from the difference quotients, and dependent constraints.
+    pub fn state(
+        &self,
+        time: f64,
+        element: G::Element,
+        velocity: &G::Vector,
+    ) -> Result<ConstrainedState<G>, Error> {
+        let none = |reason: String| Error::Invalid { what: "state", reason };
+        let value = self.constraint.value(&element);
+        let gradient = self.constraint.gradient(&element);
+        let n = self.group.dimension();
+        if gradient.shape() != (value.len(), n) {
+            return Err(Error::Shape {
+                what: "the gradient of the constraints",
+                expected: format!("{} rows and {n} columns", value.len()),
+                found: format!("{} and {}", gradient.nrows(), gradient.ncols()),
+            });
+        }
+        let finite = velocity.is_finite() && gradient.iter().all(|b| b.is_finite());
+        if !finite || !time.is_finite() {
+            return Err(none("a value is not finite".into()));
+        }
+        let rates = &gradient * column(velocity);
+        for (a, (value, rate)) in value.iter().zip(&rates).enumerate() {
+            let size = gradient.row(a).norm();
+            let a = a + 1;
+            if value.is_nan() || value.abs() > OFF * (1.0 + size) {
+                return Err(none(format!("constraint {a} is {value}, not 0")));
+            }
+            if rate.abs() > OFF * (1.0 + size * column(velocity).norm()) {
+                return Err(none(format!("constraint {a} changes at the rate {rate}, not 0")));
+            }
+        }
+        for i in 0..n {
+            let step = 1e-5;
+            let at =
+                |s: f64| self.constraint.value(&self.moved(&element, &(self.group.unit(i) * s)));
+            let slopes = (at(step) - at(-step)) / (2.0 * step);
+            for (a, slope) in slopes.iter().enumerate() {
+                let given = gradient[(a, i)];
+                if (given - slope).abs() > ROUGH * (1.0 + slope.abs()) {
+                    let (a, i) = (a + 1, i + 1);
+                    let reason =
+                        format!("B^{a}_{i} is {given}, but the constraint changes by {slope}");
+                    return Err(none(reason));
+                }
+            }
+        }
+        let (acceleration, multipliers) =
+            self.accelerated(time, &element, velocity).ok_or_else(|| {
+                none("the constraints depend on each other, or a force is not finite".into())
+            })?;
+        let velocity = velocity.clone();
+        Ok(ConstrainedState { time, element, velocity, acceleration, multipliers, lead: None })
+    }
+
+    /// `J_ij v^i v^j/2` (98).
+    pub fn kinetic_energy(&self, state: &ConstrainedState<G>) -> f64 {
+        let velocity = column(&state.velocity);
+        0.5 * velocity.dot(&(&self.mass * &velocity))
+    }
+
+    /// The largest `|Phi^a(q)|`.
+    pub fn violation(&self, state: &ConstrainedState<G>) -> f64 {
+        self.constraint.value(&state.element).amax()
+    }
+
+    /// The largest `|B^a_i v^i|`.
+    pub fn velocity_violation(&self, state: &ConstrainedState<G>) -> f64 {
+        (self.constraint.gradient(&state.element) * column(&state.velocity)).amax()
+    }
+
+    pub(in crate::mechanics) fn mass(&self) -> &DMatrix<f64> {
+        &self.mass
+    }
+
+    /// `q exp(x)`.
+    pub(in crate::mechanics) fn moved(&self, element: &G::Element, x: &G::Vector) -> G::Element {
+        self.group.compose(element, &self.group.exp(x))
+    }
+
+    /// `Lambda^j_ki v^k J_jl v^l + M_i`.
+    pub(in crate::mechanics) fn forces(
+        &self,
+        time: f64,
+        element: &G::Element,
+        velocity: &G::Vector,
+    ) -> DVector<f64> {
+        let mut force = self.inertial.apply(velocity, velocity);
+        self.force.add(time, element, velocity, &mut force);
+        column(&force)
+    }
+
+    /// `v'` and `lambda`, from the second derivative of the constraints: `B v' + (B v)' = 0`. `None` if they are
+    /// not unique or not finite.
+    pub(in crate::mechanics) fn accelerated(
+        &self,
+        time: f64,
+        element: &G::Element,
+        velocity: &G::Vector,
+    ) -> Option<(G::Vector, DVector<f64>)> {
+        let gradient = self.constraint.gradient(element);
+        let step = 1e-5 / (1e-5 + velocity.largest());
+        let rate = |s: f64| {
+            self.constraint.gradient(&self.moved(element, &(velocity.clone() * s)))
+                * column(velocity)
+        };
+        let bending = (rate(step) - rate(-step)) / (2.0 * step);
+        let right = stacked(&self.forces(time, element, velocity), &-bending);
+        let solution = solve(saddle(&self.mass, &gradient, &gradient), &right)?;
+        let n = self.group.dimension();
+        let acceleration = G::Vector::from_components(&solution.as_slice()[..n]);
+        Some((acceleration, solution.rows_range(n..).into_owned()))
+    }
+}
+
+/// `[[J, B^T], [C, 0]]`.
+pub(in crate::mechanics) fn saddle(
+    mass: &DMatrix<f64>,
+    b: &DMatrix<f64>,
+    c: &DMatrix<f64>,
+) -> DMatrix<f64> {
+    let (n, m) = (mass.nrows(), b.nrows());
+    let mut matrix = DMatrix::zeros(n + m, n + m);
+    matrix.view_mut((0, 0), (n, n)).copy_from(mass);
+    matrix.view_mut((0, n), (n, m)).copy_from(&b.transpose());
+    matrix.view_mut((n, 0), (m, n)).copy_from(c);
+    matrix
+}
+
+/// One vector above the other.
+pub(in crate::mechanics) fn stacked(first: &DVector<f64>, second: &DVector<f64>) -> DVector<f64> {
+    DVector::from_iterator(first.len() + second.len(), first.iter().chain(second).copied())
+}
+
+/// The solution of linear equations, unless they are singular or it is not finite.
+pub(in crate::mechanics) fn solve(
+    matrix: DMatrix<f64>,
+    right: &DVector<f64>,
+) -> Option<DVector<f64>> {
+    let lu = matrix.lu();
+    let pivots = lu.u().diagonal().abs();
+    if pivots.min() <= 1e-14 * pivots.max() {
+        return None;
+    }
+    lu.solve(right).filter(|x| x.iter().all(|x| x.is_finite()))
+}
+
+pub(in crate::mechanics) fn column<V: Coordinates>(x: &V) -> DVector<f64> {
+    DVector::from_column_slice(x.components())
+}
+
+impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> System for Constrained<G, C, M> {
+    type State = ConstrainedState<G>;
+
+    fn time(&self, state: &ConstrainedState<G>) -> f64 {
+        state.time
+    }
+}

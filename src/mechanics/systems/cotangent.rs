@@ -1,0 +1,150 @@
+//! Systems of an element and its momentum: motions on the cotangent bundle of a group.
+
+use super::System;
+use crate::group::{Coordinates, LieGroup};
+
+/// A state of a motion.
+#[derive(Debug)]
+pub struct State<G: LieGroup> {
+    /// The time.
+    pub time: f64,
+    /// The element: of a body the attitude, or the pose.
+    pub element: G::Element,
+    /// The momentum about the body in spatial axes: the covector `m` with `H = Ad*_k m`. Here `H` is the momentum in body
+    /// components and `k` the rotation of the element ([`turn`](LieGroup::turn)).
+    ///
+    /// On SO(3) it is the spatial momentum `h`. On SE(3) it is the angular momentum about the origin of the body and the
+    /// linear momentum, both in spatial axes, and so independent of the origin of space. On a group without
+    /// [bounded turns](LieGroup::has_bounded_turns) it is `H` itself.
+    pub spatial: G::Vector,
+}
+
+// a derived implementation would require `G: Clone`
+impl<G: LieGroup> Clone for State<G> {
+    fn clone(&self) -> Self {
+        let (element, spatial) = (self.element.clone(), self.spatial.clone());
+        State { time: self.time, element, spatial }
+    }
+}
+
+impl<G: LieGroup> State<G> {
+    /// The state with a momentum `H` in body components.
+    pub fn with_momentum(group: &G, time: f64, element: G::Element, momentum: &G::Vector) -> Self {
+        let spatial = in_axes(group, &element, momentum);
+        State { time, element, spatial }
+    }
+
+    /// `H`, the momentum in body components (103).
+    #[inline]
+    pub fn momentum(&self, group: &G) -> G::Vector {
+        if !group.has_bounded_turns() {
+            return self.spatial.clone();
+        }
+        group.coadjoint(&group.turn(&self.element), &self.spatial)
+    }
+
+    /// `h = Ad*_(g^-1) H`, the spatial momentum, which a free system conserves. Far from the origin of space it is a small
+    /// difference of large numbers, with their rounding.
+    pub fn spatial_momentum(&self, group: &G) -> G::Vector {
+        group.coadjoint(&group.inverse(&self.element), &self.momentum(group))
+    }
+}
+
+/// A covector in body components, in the axes of [`State::spatial`].
+#[inline]
+pub(in crate::mechanics) fn in_axes<G: LieGroup>(
+    group: &G,
+    element: &G::Element,
+    momentum: &G::Vector,
+) -> G::Vector {
+    if !group.has_bounded_turns() {
+        return momentum.clone();
+    }
+    group.coadjoint_back(&group.turn(element), momentum)
+}
+
+/// Scales of a system, from its inertia.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sizes {
+    /// The largest moment of inertia of rotations, and the largest mass of translations.
+    pub inertia: [f64; 2],
+    /// The radius of gyration, or 1 where there are no rotations or no translations.
+    pub length: f64,
+}
+
+/// Equations `g' = g Omega`, `H' = ad*_Omega H + F` of an element and its momentum `H` in body components, where `Omega` is
+/// a function of `H` and `(ad*_Omega H)_i = c^j_ki Omega^k H_j`.
+pub trait CotangentSystem: System<State = State<Self::Group>> {
+    /// The group.
+    type Group: LieGroup;
+
+    /// The group.
+    fn group(&self) -> &Self::Group;
+
+    /// `Omega` of a momentum `H`, in body components.
+    fn velocity_of(&self, momentum: &Vector<Self>) -> Vector<Self>;
+
+    /// Whether `F` is zero everywhere; [`force`](Self::force) is then not called.
+    fn is_free(&self) -> bool;
+
+    /// `F`, in body components.
+    fn force(
+        &self,
+        time: f64,
+        element: &Element<Self>,
+        velocity: &Vector<Self>,
+        momentum: &Vector<Self>,
+    ) -> Vector<Self> {
+        let _ = (time, element, velocity, momentum);
+        Vector::<Self>::zeros(self.group().dimension())
+    }
+
+    /// The translation `c` to the centre, if the centre is not the origin of the body. In the variables
+    ///
+    /// ```text
+    /// g~ = g c,   Omega~ = Ad_(c^-1) Omega,   H~ = Ad*_c H
+    /// ```
+    ///
+    /// rotations and translations are decoupled. On SE(3) the centre is the centre of mass. Steps are made in these variables,
+    /// so that a uniform motion of the frame does not enter the angular momentum.
+    fn centre(&self) -> Option<&Element<Self>> {
+        None
+    }
+
+    /// `Omega~` of a momentum `H~`, both at the [`centre`](Self::centre).
+    fn velocity_at_centre(&self, momentum: &Vector<Self>) -> Vector<Self> {
+        let Some(centre) = self.centre() else { return self.velocity_of(momentum) };
+        let (group, back) = (self.group(), self.group().inverse(centre));
+        group.adjoint(&back, &self.velocity_of(&group.coadjoint(&back, momentum)))
+    }
+
+    /// Whether [`transfer`](Self::transfer) may differ from zero.
+    fn transfers(&self) -> bool {
+        let group = self.group();
+        group.translation(&Vector::<Self>::zeros(group.dimension())).is_some()
+    }
+
+    /// `ad*_(P Omega) H`, the change of the momentum about the centre by its [`translation`](LieGroup::translation)
+    /// `P Omega`, from the velocity and the momentum there: on SE(3) the moment `p cross u` of the linear momentum `p`.
+    fn transfer(&self, velocity: &Vector<Self>, momentum: &Vector<Self>) -> Vector<Self> {
+        let group = self.group();
+        let Some(translation) = group.translation(velocity) else {
+            return Vector::<Self>::zeros(group.dimension());
+        };
+        Vector::<Self>::from_fn(group.dimension(), |i| {
+            let moved = group.bracket(&translation, &group.unit(i));
+            moved.components().iter().zip(momentum.components()).map(|(x, h)| x * h).sum()
+        })
+    }
+
+    /// The sizes of a state, if the system has an inertia.
+    fn sizes(&self) -> Option<Sizes> {
+        None
+    }
+}
+
+/// Components in the basis of the algebra.
+pub type Vector<S> = <<S as CotangentSystem>::Group as LieGroup>::Vector;
+
+/// An element.
+pub type Element<S> = <<S as CotangentSystem>::Group as LieGroup>::Element;

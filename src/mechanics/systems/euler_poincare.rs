@@ -1,0 +1,287 @@
+//! Euler-Poincare systems: the equations of motion of a connection and a metric on a group.
+
+use super::System;
+use super::bilinear::Bilinear;
+use super::centred::Centred;
+use super::cotangent::{CotangentSystem, Sizes, State};
+use super::matrix::Matrix;
+use crate::algebra::frame::formula;
+use crate::group::{Coordinates, LieGroup, So3, expect_left_frame};
+use crate::{Connection, Error, Metric};
+use nalgebra::Matrix3;
+
+/// The relative tolerance for two metrics that should be equal.
+const SAME: f64 = 1e-12;
+
+/// `DH/Dt = M` (104) on a group, for the covector `H = J Omega` (103) and `g' = g Omega`:
+/// `dH_i/dt = Lambda^j_ki Omega^k H_j + M_i`, which with `plus` is Euler-Poincare (106), (108).
+///
+/// The unknowns are `g` and the momentum about the body in spatial axes, [`State::spatial`]. For rotations it is the
+/// spatial momentum `h`, with `H_i = (Ad*_g h)_i = h_j (Ad_g e_i)^j`:
+///
+/// ```text
+/// g' = g Omega,   Omega = J^-1 H,   h' = Ad*_{g^-1} F,   F_i = M_i + (Lambda - c)^j_ki Omega^k H_j
+/// ```
+///
+/// With `plus` and without a torque, `h` is conserved to the last bit. On groups with translations the linear momentum is
+/// conserved to the last bit, and `h` to rounding.
+///
+/// ```
+/// use affinor::mechanics::{EulerPoincare, Integrator, MuntheKaas};
+/// use affinor::group::{LieGroup, So3};
+/// use affinor::{Canonical, Connection, Metric};
+/// use affinor_tensors::{Down, Tensor};
+/// use nalgebra::Vector3;
+/// let so3 = So3.algebra()?;
+/// let moments = (0..3).map(|i| ([i, i], 1.0 + i as f64));
+/// let inertia = Metric::new(so3.labels(), Tensor::from_components(3, &[Down, Down], moments)?)?;
+/// let plus = Connection::canonical(&so3, Canonical::Plus);
+/// let body = EulerPoincare::free(So3, &plus, &inertia)?;
+/// let mut state = body.state(0.0, So3.identity(), &Vector3::new(0.3, 1.0, 0.1));
+/// let energy = body.energy(&state);
+/// for _ in 0..100 {
+///     MuntheKaas::RK4.step(&body, &mut state, 0.05)?;
+/// }
+/// assert!((body.energy(&state) - energy).abs() < 1e-7);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct EulerPoincare<G: LieGroup, M> {
+    group: G,
+    metric: Matrix<G::Vector>,
+    inverse: Matrix<G::Vector>,
+    /// `(Lambda - c)^j_ki x^k y_j`: zero with `plus`.
+    excess: Bilinear,
+    /// The inertia at the centre.
+    centred: Centred<G>,
+    torque: M,
+}
+
+/// No torque.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Free;
+
+/// A torque: an external covector in body (left) components, as a function of time, element and
+/// velocity.
+pub trait Torque<G: LieGroup> {
+    /// `M_i`, which is added to `force`.
+    fn add(&self, time: f64, element: &G::Element, velocity: &G::Vector, force: &mut G::Vector);
+
+    /// Whether the torque is zero at all times.
+    fn is_absent(&self) -> bool {
+        false
+    }
+}
+
+impl<G: LieGroup> Torque<G> for Free {
+    fn add(&self, _: f64, _: &G::Element, _: &G::Vector, _: &mut G::Vector) {}
+
+    fn is_absent(&self) -> bool {
+        true
+    }
+}
+
+impl<G: LieGroup, F: Fn(f64, &G::Element, &G::Vector) -> G::Vector> Torque<G> for F {
+    #[inline]
+    fn add(&self, time: f64, element: &G::Element, velocity: &G::Vector, force: &mut G::Vector) {
+        *force = force.clone() + self(time, element, velocity);
+    }
+}
+
+impl<G: LieGroup, M: Torque<G>> System for EulerPoincare<G, M> {
+    type State = State<G>;
+
+    fn time(&self, state: &State<G>) -> f64 {
+        state.time
+    }
+}
+
+impl<G: LieGroup, M: Torque<G>> CotangentSystem for EulerPoincare<G, M> {
+    type Group = G;
+
+    fn group(&self) -> &G {
+        &self.group
+    }
+
+    #[inline]
+    fn velocity_of(&self, momentum: &G::Vector) -> G::Vector {
+        self.inverse.apply(momentum)
+    }
+
+    #[inline]
+    fn is_free(&self) -> bool {
+        self.excess.is_zero() && self.torque.is_absent()
+    }
+
+    #[inline(always)]
+    fn force(
+        &self,
+        time: f64,
+        element: &G::Element,
+        velocity: &G::Vector,
+        momentum: &G::Vector,
+    ) -> G::Vector {
+        let mut force = self.excess.apply(velocity, momentum);
+        self.torque.add(time, element, velocity, &mut force);
+        force
+    }
+
+    #[inline]
+    fn centre(&self) -> Option<&G::Element> {
+        self.centred.centre()
+    }
+
+    #[inline]
+    fn velocity_at_centre(&self, momentum: &G::Vector) -> G::Vector {
+        self.centred.inverse().unwrap_or(&self.inverse).apply(momentum)
+    }
+
+    #[inline]
+    fn transfers(&self) -> bool {
+        self.centred.transfers()
+    }
+
+    #[inline]
+    fn transfer(&self, _: &G::Vector, momentum: &G::Vector) -> G::Vector {
+        self.centred.transfer(momentum)
+    }
+
+    fn sizes(&self) -> Option<Sizes> {
+        Some(self.centred.sizes())
+    }
+}
+
+impl<G: LieGroup> EulerPoincare<G, Free> {
+    /// The system without a torque.
+    ///
+    /// # Errors
+    /// As [`EulerPoincare::new`].
+    pub fn free(
+        group: G,
+        connection: &Connection<f64>,
+        metric: &Metric<f64>,
+    ) -> Result<Self, Error> {
+        Self::new(group, connection, metric, Free)
+    }
+}
+
+impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
+    /// The system of a connection and a metric on the algebra of the group, in its basis.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless the connection is over the left-invariant frame of the group, and the metric of its
+    /// dimension.
+    pub fn new(
+        group: G,
+        connection: &Connection<f64>,
+        metric: &Metric<f64>,
+        torque: M,
+    ) -> Result<Self, Error> {
+        let (frame, n) = (connection.frame(), group.dimension());
+        expect_left_frame(&group, frame)?;
+        if metric.components().dimension() != n {
+            let found = format!("dimension {}", metric.components().dimension());
+            return Err(Error::Shape {
+                what: "the metric",
+                expected: format!("dimension {n}"),
+                found,
+            });
+        }
+        let operands = [("L", connection.gamma()), ("c", frame.structure())];
+        let excess = formula("L^j_ki - c^j_ki -> ^j_ki", &operands);
+        let terms = excess.components().map(|(at, value)| (at[2], [at[1], at[0]], *value));
+        let excess = Bilinear::new(n, terms);
+        let (metric, inverse) = (Matrix::new(metric.components()), Matrix::new(metric.inverse()));
+        let centred = Centred::new(&group, &metric, &inverse, frame.structure());
+        Ok(EulerPoincare { group, metric, inverse, excess, centred, torque })
+    }
+
+    /// The group.
+    pub fn group(&self) -> &G {
+        &self.group
+    }
+
+    /// The same system with another torque.
+    pub fn clone_with<N: Torque<G>>(&self, torque: N) -> EulerPoincare<G, N>
+    where
+        G: Clone,
+    {
+        EulerPoincare {
+            group: self.group.clone(),
+            metric: self.metric.clone(),
+            inverse: self.inverse.clone(),
+            excess: self.excess.clone(),
+            centred: self.centred.clone(),
+            torque,
+        }
+    }
+
+    /// The torque.
+    pub fn torque(&self) -> &M {
+        &self.torque
+    }
+
+    /// The state of an element with a velocity `Omega` in body components.
+    pub fn state(&self, time: f64, element: G::Element, velocity: &G::Vector) -> State<G> {
+        let momentum = self.metric.apply(velocity);
+        self.state_with_momentum(time, element, &momentum)
+    }
+
+    /// The state of an element with a momentum `H` in body components.
+    pub fn state_with_momentum(
+        &self,
+        time: f64,
+        element: G::Element,
+        momentum: &G::Vector,
+    ) -> State<G> {
+        State::with_momentum(&self.group, time, element, momentum)
+    }
+
+    /// `H`, the momentum in body components (103).
+    pub fn momentum(&self, state: &State<G>) -> G::Vector {
+        state.momentum(&self.group)
+    }
+
+    /// `Omega = J^-1 H`, in body components.
+    pub fn velocity(&self, state: &State<G>) -> G::Vector {
+        self.inverse.apply(&self.momentum(state))
+    }
+
+    /// `T = H(Omega)/2` (98).
+    pub fn energy(&self, state: &State<G>) -> f64 {
+        let momentum = self.momentum(state);
+        let velocity = self.inverse.apply(&momentum);
+        let products = momentum.components().iter().zip(velocity.components());
+        0.5 * products.map(|(h, omega)| h * omega).sum::<f64>()
+    }
+
+    /// The torque at a state, in body components.
+    pub(in crate::mechanics) fn moment(
+        &self,
+        time: f64,
+        element: &G::Element,
+        velocity: &G::Vector,
+    ) -> G::Vector {
+        let mut moment = G::Vector::zeros(self.group.dimension());
+        self.torque.add(time, element, velocity, &mut moment);
+        moment
+    }
+}
+
+impl<M> EulerPoincare<So3, M> {
+    /// Checks that these are Euler's equations of a body with the inertia matrix.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for another metric, or a connection other than `plus`.
+    #[inline]
+    pub(in crate::mechanics) fn expect_body(&self, inertia: &Matrix3<f64>) -> Result<(), Error> {
+        // checked in each step, so cheap: no entry of a positive matrix exceeds its trace
+        let bound = SAME * inertia.trace();
+        let same = |i: usize, j: usize| (self.metric.entry(i, j) - inertia[(i, j)]).abs() <= bound;
+        if (0..9).all(|at| same(at / 3, at % 3)) && self.excess.is_zero() {
+            return Ok(());
+        }
+        let reason = "the system has another one, or a connection other than plus".into();
+        Err(Error::Invalid { what: "inertia", reason })
+    }
+}

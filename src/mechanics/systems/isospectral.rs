@@ -1,0 +1,208 @@
+//! Isospectral flows `L' = [B(L), L]` of matrices, which conserve the spectrum.
+//!
+//! [`Toda`], [`Manakov`] and [`Zeitlin`] are such flows; [`Flow`] is that of any function `B`.
+//! [`IsospectralMidpoint`](crate::mechanics::IsospectralMidpoint) steps them.
+
+mod entry;
+mod manakov;
+mod toda;
+mod zeitlin;
+
+pub use entry::Entry;
+pub use manakov::Manakov;
+pub use toda::Toda;
+pub use zeitlin::Zeitlin;
+
+use super::System;
+use crate::Error;
+use nalgebra::DMatrix;
+use std::marker::PhantomData;
+
+/// A state of a flow of matrices.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MatrixState<T> {
+    /// The time.
+    pub time: f64,
+    /// `L`, square.
+    pub matrix: DMatrix<T>,
+}
+
+/// A flow `L' = [B(L), L]`, over real or complex matrices.
+pub trait Isospectral: System<State = MatrixState<Self::Entry>> {
+    /// The entries of `L`.
+    type Entry: Entry;
+
+    /// `B(L)`, of the shape of `L`.
+    fn generator(&self, matrix: &DMatrix<Self::Entry>) -> DMatrix<Self::Entry>;
+
+    /// The symmetry of `L`, if the flow has `B^* = -B` and so conserves it; steps then conserve it to the last bit.
+    fn symmetry(&self) -> Option<Symmetry> {
+        None
+    }
+}
+
+/// A symmetry of matrices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Symmetry {
+    /// `L^* = L`, for real matrices symmetric.
+    Hermitian,
+    /// `L^* = -L`, for real matrices antisymmetric.
+    Antihermitian,
+}
+
+impl Symmetry {
+    /// `(L + L^*)/2` or `(L - L^*)/2`.
+    pub fn part<T: Entry>(self, matrix: &DMatrix<T>) -> DMatrix<T> {
+        let half = T::from_real(0.5);
+        matrix.zip_map(&matrix.adjoint(), |x, mirrored| match self {
+            Symmetry::Hermitian => (x + mirrored) * half,
+            Symmetry::Antihermitian => (x - mirrored) * half,
+        })
+    }
+}
+
+/// The flow of a function `B`.
+///
+/// ```
+/// use affinor::mechanics::systems::isospectral::Flow;
+/// use affinor::mechanics::{Integrator, IsospectralMidpoint};
+/// use nalgebra::DMatrix;
+/// // Brockett's double bracket L' = [L, [L, D]] sorts the spectrum as D is
+/// let d = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 2.0]);
+/// let flow = Flow::new(move |l: &DMatrix<f64>| &d * l - l * &d);
+/// let mut state = flow.state(0.0, DMatrix::from_row_slice(2, 2, &[3.0, 1.0, 1.0, 0.0]))?;
+/// for _ in 0..200 {
+///     IsospectralMidpoint.step(&flow, &mut state, 0.1)?;
+/// }
+/// let root = 3.25_f64.sqrt();
+/// assert!((state.matrix[(0, 0)] - (1.5 - root)).abs() < 1e-12);
+/// assert!((state.matrix[(1, 1)] - (1.5 + root)).abs() < 1e-12);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Flow<T, B> {
+    generator: B,
+    symmetry: Option<Symmetry>,
+    entry: PhantomData<T>,
+}
+
+impl<T: Entry, B: Fn(&DMatrix<T>) -> DMatrix<T>> Flow<T, B> {
+    /// The flow of a function from square matrices to matrices of the same shape.
+    pub fn new(generator: B) -> Self {
+        Flow { generator, symmetry: None, entry: PhantomData }
+    }
+
+    /// The same flow, on matrices with a symmetry that it conserves.
+    #[must_use]
+    pub fn on(self, symmetry: Symmetry) -> Self {
+        Flow { symmetry: Some(symmetry), ..self }
+    }
+
+    /// A state of the flow.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless `L` and `B(L)` are square of one size; [`Error::Invalid`] for an entry that is not
+    /// finite, and for a matrix without the symmetry.
+    pub fn state(&self, time: f64, matrix: DMatrix<T>) -> Result<MatrixState<T>, Error> {
+        let state = checked(time, matrix, None, self.symmetry)?;
+        expect_square("B(L)", &(self.generator)(&state.matrix), Some(state.matrix.nrows()))?;
+        Ok(state)
+    }
+}
+
+impl<T: Entry, B: Fn(&DMatrix<T>) -> DMatrix<T>> System for Flow<T, B> {
+    type State = MatrixState<T>;
+
+    fn time(&self, state: &MatrixState<T>) -> f64 {
+        state.time
+    }
+}
+
+impl<T: Entry, B: Fn(&DMatrix<T>) -> DMatrix<T>> Isospectral for Flow<T, B> {
+    type Entry = T;
+
+    fn generator(&self, matrix: &DMatrix<T>) -> DMatrix<T> {
+        (self.generator)(matrix)
+    }
+
+    fn symmetry(&self) -> Option<Symmetry> {
+        self.symmetry
+    }
+}
+
+/// The eigenvalues of a self-adjoint matrix in ascending order; NaN if the iteration does not converge. Only the lower triangle
+/// is read.
+///
+/// ```
+/// use affinor::mechanics::systems::isospectral::spectrum;
+/// use nalgebra::DMatrix;
+/// let roots = spectrum(&DMatrix::from_row_slice(2, 2, &[0.0, 2.0, 2.0, 3.0]));
+/// assert!((roots[0] + 1.0).abs() < 1e-15 && (roots[1] - 4.0).abs() < 1e-15);
+/// ```
+pub fn spectrum<T: Entry>(matrix: &DMatrix<T>) -> Vec<f64> {
+    let finite = matrix.is_square() && largest(matrix).is_finite();
+    let none = || vec![f64::NAN; matrix.nrows()];
+    if !finite || matrix.is_empty() {
+        return none();
+    }
+    let found =
+        nalgebra::SymmetricEigen::try_new(matrix.clone(), f64::EPSILON, 100 * matrix.nrows());
+    let mut values = found.map_or_else(none, |found| found.eigenvalues.as_slice().to_vec());
+    values.sort_by(f64::total_cmp);
+    values
+}
+
+/// The largest entry, as the sum of the moduli of its two parts; NaN if one is NaN.
+pub(in crate::mechanics) fn largest<T: Entry>(matrix: &DMatrix<T>) -> f64 {
+    let most = |most: f64, entry: &T| {
+        let size = entry.norm1();
+        if size > most || size.is_nan() { size } else { most }
+    };
+    matrix.iter().fold(0.0, most)
+}
+
+fn expect_square<T: Entry>(
+    what: &'static str,
+    matrix: &DMatrix<T>,
+    size: Option<usize>,
+) -> Result<(), Error> {
+    let size = size.unwrap_or(matrix.nrows());
+    if size > 0 && matrix.shape() == (size, size) {
+        return Ok(());
+    }
+    let expected = format!("{0} rows and {0} columns", size.max(1));
+    let found = format!("{} and {}", matrix.nrows(), matrix.ncols());
+    Err(Error::Shape { what, expected, found })
+}
+
+/// The relative tolerance of a symmetry.
+const ROUNDING: f64 = 1e-12;
+
+/// A state of a square matrix with finite entries and a symmetry.
+fn checked<T: Entry>(
+    time: f64,
+    matrix: DMatrix<T>,
+    size: Option<usize>,
+    symmetry: Option<Symmetry>,
+) -> Result<MatrixState<T>, Error> {
+    expect_square("the matrix", &matrix, size)?;
+    let infinite = |entry: &T| !entry.is_finite();
+    if let Some(at) = matrix.iter().position(infinite) {
+        let (i, j) = (at % matrix.nrows() + 1, at / matrix.nrows() + 1);
+        return Err(Error::Invalid { what: "state", reason: format!("L_{i}{j} = {}", matrix[at]) });
+    }
+    let Some(symmetry) = symmetry else { return Ok(MatrixState { time, matrix }) };
+    let part = symmetry.part(&matrix);
+    let off = (&matrix - &part).map(|entry| entry.modulus());
+    if off.max() <= ROUNDING * largest(&matrix) {
+        return Ok(MatrixState { time, matrix: part });
+    }
+    let (i, j) = off.iamax_full();
+    let (one, other) = (matrix[(i, j)], matrix[(j, i)]);
+    let (i, j) = (i + 1, j + 1);
+    let law = format!("{symmetry:?}").to_lowercase();
+    Err(Error::Invalid {
+        what: "state",
+        reason: format!("L is not {law}: L_{i}{j} = {one}, L_{j}{i} = {other}"),
+    })
+}

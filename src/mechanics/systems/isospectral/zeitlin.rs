@@ -1,0 +1,220 @@
+//! Zeitlin's model of the flow of an ideal fluid on the sphere.
+
+mod laplacian;
+
+use super::{Isospectral, MatrixState, Symmetry, checked, spectrum};
+use crate::Error;
+use crate::mechanics::System;
+use laplacian::Laplacian;
+use nalgebra::{Complex, DMatrix};
+use std::f64::consts::PI;
+
+type Matrix = DMatrix<Complex<f64>>;
+
+/// Zeitlin's model on su(N) of Euler's equations on the unit sphere: `W' = [P, W]/hbar`, `Delta P = W`, with
+/// `hbar = 2/sqrt(N^2 - 1)` and the Laplacian of Hoppe and Yau, `Delta = -sum_a ad(S_a)^2`.
+///
+/// The vorticity `w` is represented by the antihermitian `W = i sqrt(N/4pi) sum w_lm Y_lm`, where `Y_lm`, `l < N`, is
+/// the matrix of the real spherical harmonic ([`Zeitlin::harmonic`]). The bracket `{f, g}` becomes `[F, G]/(i hbar)`, and the
+/// velocity is `u = x cross grad psi`, `Delta psi = w`. Energy, enstrophy and angular momentum are integrals over the sphere of the
+/// field with these coefficients. The flow conserves all `tr W^k`, the energy and the angular momentum.
+///
+/// `Delta` is a tridiagonal matrix on each diagonal of `P`, so it is inverted in `O(N^2)`; a rate of change takes two products
+/// of matrices. V. Zeitlin, *Phys. Rev. Lett.* 93 (2004) 264501; J. Hoppe and S.-T. Yau,
+/// *Commun. Math. Phys.* 195 (1998) 67-77; K. Modin and M. Viviani, *J. Fluid Mech.* 884 (2020) A22.
+///
+/// ```
+/// use affinor::mechanics::{Integrator, IsospectralMidpoint, Zeitlin};
+/// let fluid = Zeitlin::new(17)?;
+/// let mut state = fluid.state(0.0, fluid.random(7, 5)?)?;
+/// let (energy, enstrophy) = (fluid.energy(&state.matrix), fluid.enstrophy(&state.matrix));
+/// for _ in 0..20 {
+///     IsospectralMidpoint.step(&fluid, &mut state, 0.1)?;
+/// }
+/// assert!((fluid.energy(&state.matrix) / energy - 1.0).abs() < 1e-3);
+/// assert!((fluid.enstrophy(&state.matrix) / enstrophy - 1.0).abs() < 1e-13);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Zeitlin {
+    laplacian: Laplacian,
+    hbar: f64,
+}
+
+impl Zeitlin {
+    /// The largest `N`.
+    pub const LARGEST: usize = 4096;
+
+    /// The model on su(N), of dimension `N^2 - 1`.
+    ///
+    /// # Errors
+    /// [`Error::Size`] for an `N` above [`Zeitlin::LARGEST`], [`Error::Shape`] for one below 2.
+    pub fn new(size: usize) -> Result<Self, Error> {
+        if size < 2 {
+            let (expected, found) = ("N of 2 or more".into(), size.to_string());
+            return Err(Error::Shape { what: "su(N)", expected, found });
+        }
+        if size > Self::LARGEST {
+            let what = "rows of a vorticity matrix";
+            return Err(Error::Size { what, size, limit: Self::LARGEST });
+        }
+        let hbar = 2.0 / ((size * size - 1) as f64).sqrt();
+        Ok(Zeitlin { laplacian: Laplacian::new(size), hbar })
+    }
+
+    /// `N`.
+    pub fn size(&self) -> usize {
+        self.laplacian.size()
+    }
+
+    /// `hbar = 2/sqrt(N^2 - 1)`.
+    pub fn hbar(&self) -> f64 {
+        self.hbar
+    }
+
+    /// A state of a vorticity matrix, in su(N).
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless it has `N` rows and columns; [`Error::Invalid`] unless it is finite,
+    /// antihermitian and without a trace.
+    pub fn state(&self, time: f64, vorticity: Matrix) -> Result<MatrixState<Complex<f64>>, Error> {
+        let state = checked(time, vorticity, Some(self.size()), self.symmetry())?;
+        let trace = state.matrix.trace().im;
+        if trace.abs() > 1e-12 * state.matrix.norm() {
+            return Err(Error::Invalid {
+                what: "state",
+                reason: format!("the trace of W is {trace}i, not 0"),
+            });
+        }
+        Ok(state)
+    }
+
+    /// `P`, antihermitian and without a trace, with `Delta P = W`: only `W_ij` with `i <= j` is read, and its
+    /// trace is left out.
+    pub fn stream(&self, vorticity: &Matrix) -> Matrix {
+        self.laplacian.solve(vorticity)
+    }
+
+    /// `Delta P = -sum_a [S_a, [S_a, P]]`, the inverse of [`Zeitlin::stream`]; `-l(l+1)` on harmonics.
+    pub fn laplacian(&self, stream: &Matrix) -> Matrix {
+        self.laplacian.apply(stream)
+    }
+
+    /// The matrix of the real spherical harmonic `Y_lm`, `|m| <= l < N`: Hermitian, of Frobenius norm 1. Those
+    /// of degree 1 are along `y`, `z`, `x` for `m = -1, 0, 1`; in all, without the sign of Condon and Shortley,
+    /// `cos(m phi)` or, for `m < 0`, `sin(|m| phi)` has a positive factor near the north pole.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] for `l` or `m` out of range.
+    pub fn harmonic(&self, l: usize, m: i64) -> Result<Matrix, Error> {
+        if l >= self.size() || m.unsigned_abs() > l as u64 {
+            let expected = format!("|m| <= l < {}", self.size());
+            let found = format!("l = {l}, m = {m}");
+            return Err(Error::Shape { what: "a spherical harmonic", expected, found });
+        }
+        Ok(self.laplacian.harmonic(l, m))
+    }
+
+    /// The vorticity matrix of coefficients `(l, m, w_lm)` of real spherical harmonics, `l >= 1`.
+    ///
+    /// # Errors
+    /// As [`Zeitlin::harmonic`]; [`Error::Shape`] for `l = 0`, as vorticity has no mean.
+    pub fn vorticity(&self, coefficients: &[(usize, i64, f64)]) -> Result<Matrix, Error> {
+        let mut sum = Matrix::zeros(self.size(), self.size());
+        for &(l, m, coefficient) in coefficients {
+            if l == 0 {
+                let (expected, found) = ("l >= 1".into(), "l = 0".into());
+                return Err(Error::Shape { what: "a harmonic of vorticity", expected, found });
+            }
+            sum += self.harmonic(l, m)? * Complex::new(0.0, coefficient * self.scale());
+        }
+        Ok(sum)
+    }
+
+    /// The coefficient `w_lm` of a vorticity.
+    ///
+    /// # Errors
+    /// As [`Zeitlin::harmonic`].
+    pub fn coefficient(&self, vorticity: &Matrix, l: usize, m: i64) -> Result<f64, Error> {
+        Ok(self.harmonic(l, m)?.dotc(vorticity).im / self.scale())
+    }
+
+    /// A random vorticity from a seed: every `w_lm` with `1 <= l <= degree` is `1/l` times a number of `[-1, 1)`. The numbers are
+    /// the upper 53 bits of the generator SplitMix64, in ascending order of `l`, then `m`. The field is the same for every `N`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless `degree < N`.
+    pub fn random(&self, seed: u64, degree: usize) -> Result<Matrix, Error> {
+        let mut bits = seed;
+        let mut coefficients = vec![];
+        for l in 1..=degree.min(self.size()) {
+            for m in -(l as i64)..=l as i64 {
+                coefficients.push((l, m, random_unit(&mut bits) / l as f64));
+            }
+        }
+        self.vorticity(&coefficients)
+    }
+
+    /// `-int w psi/2 = 2 pi/N tr P W`, the kinetic energy.
+    pub fn energy(&self, vorticity: &Matrix) -> f64 {
+        -0.5 * self.integral(&self.stream(vorticity), vorticity)
+    }
+
+    /// `int w^2 = -4 pi/N tr W^2`, a Casimir.
+    pub fn enstrophy(&self, vorticity: &Matrix) -> f64 {
+        self.integral(vorticity, vorticity)
+    }
+
+    /// `int w x` over the sphere, for the three coordinates `x`.
+    pub fn angular_momentum(&self, vorticity: &Matrix) -> [f64; 3] {
+        // x is sqrt(4pi/3) times a harmonic
+        let scale = (4.0 * PI / 3.0).sqrt() / self.scale();
+        [1, -1, 0].map(|m| scale * self.laplacian.harmonic(1, m).dotc(vorticity).im)
+    }
+
+    /// The eigenvalues of `-i W` in ascending order: the discrete analogue of the distribution of vorticity.
+    pub fn spectrum(&self, vorticity: &Matrix) -> Vec<f64> {
+        spectrum(&vorticity.map(|w| Complex::new(w.im, -w.re)))
+    }
+
+    /// `sqrt(N/4pi)`, the norm of the matrix of a field of norm 1.
+    fn scale(&self) -> f64 {
+        (self.size() as f64 / (4.0 * PI)).sqrt()
+    }
+
+    /// `int f g` of two fields: `4 pi/N tr F^* G`.
+    fn integral(&self, f: &Matrix, g: &Matrix) -> f64 {
+        f.dotc(g).re / (self.scale() * self.scale())
+    }
+}
+
+/// The next number of the generator SplitMix64, in `[-1, 1)`.
+///
+/// G. L. Steele, D. Lea and C. H. Flood, *OOPSLA* 2014, 453-472.
+fn random_unit(state: &mut u64) -> f64 {
+    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let mut bits = *state;
+    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+}
+
+impl System for Zeitlin {
+    type State = MatrixState<Complex<f64>>;
+
+    fn time(&self, state: &Self::State) -> f64 {
+        state.time
+    }
+}
+
+impl Isospectral for Zeitlin {
+    type Entry = Complex<f64>;
+
+    fn generator(&self, vorticity: &Matrix) -> Matrix {
+        self.stream(vorticity) / Complex::from(self.hbar)
+    }
+
+    fn symmetry(&self) -> Option<Symmetry> {
+        Some(Symmetry::Antihermitian)
+    }
+}
