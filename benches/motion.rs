@@ -1,21 +1,23 @@
 //! Steps of rigid bodies and on groups, and exact states.
 //!
-//! `cargo bench --bench motion`: nanoseconds per 1000 steps, or exact states.
+//! `cargo bench -p affinor-benches --bench motion`: nanoseconds per 1000 steps, or exact states.
 
-use affinor::dynamics::euler_poincare::{Free, Torque};
-use affinor::dynamics::integrators::kick::{FreeMotion, Order as KickOrder};
-use affinor::dynamics::integrators::splitting::Composition;
-use affinor::dynamics::moser_veselov::Order;
-use affinor::dynamics::{
-    BodyState, CommutatorFree, CrouchGrossman, EulerPoincare, FreeBody, Inertia, Integrator, Kick,
-    MoserVeselov, MuntheKaas, SimoWong, Splitting,
-};
 use affinor::group::{Coordinates, LieGroup, Se3, So3};
+use affinor::mechanics::integrators::kick::{FreeMotion, Order as KickOrder};
+use affinor::mechanics::integrators::moser_veselov::Order;
+use affinor::mechanics::integrators::splitting::Composition;
+use affinor::mechanics::motions::quantities::Scope;
+use affinor::mechanics::motions::{Crossings, Forces, Method, Motion, Setup, on_group};
+use affinor::mechanics::systems::euler_poincare::{Free, Torque};
+use affinor::mechanics::{
+    Adaptive, BodyState, CommutatorFree, CrouchGrossman, EulerPoincare, FreeBody, Inertia,
+    Integrator, Kick, MoserVeselov, MuntheKaas, SimoWong, Splitting,
+};
 use affinor::{Canonical, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 use std::hint::black_box;
 
 const COUNT: usize = 1000;
@@ -109,5 +111,48 @@ fn integrators(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, free_body, integrators);
+/// A motion from formulas, with one column.
+fn motion(potential: Option<&str>, column: &str) -> Box<dyn Motion> {
+    let algebra = So3.algebra().expect("an algebra");
+    let moment = |[i, j]: [usize; 2]| if i == j { 0.6 + 0.2 * i as f64 } else { 0.0 };
+    let matrix = DMatrix::from_fn(3, 3, |i, j| moment([i, j]));
+    let mut forces = Forces::none(So3, matrix, vec![]);
+    if let Some(potential) = potential {
+        forces.set_potential(potential).expect("a formula");
+    }
+    let mut scope = Scope::default();
+    let formula = scope.read(column, forces.names(), &|_| true).expect("a formula");
+    let metric = Tensor::from_fn(3, [Down, Down], moment).expect("a matrix");
+    let setup = Setup {
+        connection: &Connection::canonical(&algebra, Canonical::Plus),
+        metric: &Metric::new(algebra.labels(), metric).expect("a metric"),
+        forces,
+        time: 0.0,
+        element: So3.identity(),
+        momentum: Vector3::new(1.8, 0.4, -0.9),
+        method: Some(Method::MuntheKaas),
+        step: Some(0.05),
+        control: Adaptive::new(1e-9),
+        columns: (scope, vec![formula]),
+    };
+    on_group(So3, setup).expect("a motion").0
+}
+
+/// Steps of RKMK4 from formulas: an event that never happens costs little, and a potential little more than the closure
+/// `RKMK4, with a torque`.
+fn formulas(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("formulas");
+    for (name, potential, events) in
+        [("free", None, 0), ("with an event", None, 1), ("with a potential", Some("g33"), 0)]
+    {
+        let mut motion = motion(potential, "H1 + 100");
+        let mut crossings = Crossings::new(motion.as_ref(), 0..events);
+        group.bench_function(name, |b| {
+            b.iter(|| (0..COUNT).try_for_each(|_| crossings.step(motion.as_mut(), 1e9).map(drop)));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, free_body, integrators, formulas);
 criterion_main!(benches);

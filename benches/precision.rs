@@ -1,14 +1,16 @@
 //! Accuracy over cost of motions, and the cost of a step.
 //!
 //! ```text
-//! cargo bench --bench precision -- measure > motion.csv
-//! cargo bench --bench precision -- steps
-//! cargo bench --bench precision -- draw < motion.csv > motion.svg
+//! cargo bench -p affinor-benches --bench precision -- measure > motion.csv
+//! cargo bench -p affinor-benches --bench precision -- measure --problem "satellite, two orbits"
+//! cargo bench -p affinor-benches --bench precision -- steps
+//! cargo bench -p affinor-benches --bench precision -- draw < motion.csv > motion.svg
 //! ```
 //!
 //! A row of `measure` is `problem,method,parameter,error,seconds,steps`: the parameter is a number of steps or a tolerance,
 //! the error that at the end against 25 digits (`tests/data/motions.json`), of the entries of the element and of the body
-//! momentum over its largest component, and the seconds are CPU time, the least of some batches. Rows of the problem
+//! momentum over its largest component (of the satellite, `tests/data/orbit.json`: of attitude, spin, position and velocity,
+//! each over its own size), and the seconds are CPU time, the least of some batches. Rows of the problem
 //! `step` are steps on the group that stands for the parameter. `benches/peers/motion.py` puts others beside.
 //!
 //! What begins with `Rust:` is not affinor's: what one would write without it, compiled alike.
@@ -19,24 +21,27 @@ mod draw;
 mod plain;
 #[path = "precision/problem.rs"]
 mod problem;
+#[path = "precision/satellite.rs"]
+mod satellite;
 #[path = "precision/sweep.rs"]
 mod sweep;
 
-use affinor::dynamics::euler_poincare::{Free, Torque};
-use affinor::dynamics::integrators::Pair;
-use affinor::dynamics::integrators::kick::{FreeMotion, Order as KickOrder};
-use affinor::dynamics::integrators::runge_kutta::LocalCoordinates;
-use affinor::dynamics::integrators::splitting::Composition;
-use affinor::dynamics::moser_veselov::Order;
-use affinor::dynamics::{
+use affinor::group::{Coordinates, Embedded, LieGroup, Se3, So3};
+use affinor::mechanics::integrators::Pair;
+use affinor::mechanics::integrators::kick::{FreeMotion, Order as KickOrder};
+use affinor::mechanics::integrators::moser_veselov::Order;
+use affinor::mechanics::integrators::runge_kutta::LocalCoordinates;
+use affinor::mechanics::integrators::splitting::Composition;
+use affinor::mechanics::systems::euler_poincare::{Free, Torque};
+use affinor::mechanics::{
     Adaptive, BodyState, CommutatorFree, CrouchGrossman, EulerPoincare, FreeBody, Integrator, Kick,
     MoserVeselov, MuntheKaas, Projected, SimoWong, Splitting, State,
 };
-use affinor::group::{Coordinates, LieGroup, Se3, So3, Stored};
 use nalgebra::{UnitQuaternion, Vector3};
 use problem::Problem;
+use satellite::Gravity;
 use std::hint::black_box;
-use sweep::{Sweep, per_step};
+use sweep::{Seen, Sweep, per_step};
 
 const MOSER_VESELOV: [(&str, Order); 5] = [
     ("DMV2", Order::Two),
@@ -50,17 +55,32 @@ const KICKS: [(&str, KickOrder); 3] =
 const MOTIONS: [(&str, FreeMotion); 2] =
     [("exact", FreeMotion::Exact), ("DMV10", FreeMotion::MoserVeselov(Order::Ten))];
 
+/// Measures a problem; its name stands in the rows.
+type Measure = fn(&'static str);
+/// The problems by their names in the rows.
+const PROBLEMS: [(&str, Measure); 6] = [
+    ("free body, t = 10", |name| free_body(name, "hairer-vilmart", "10.0", 20)),
+    ("free body, t = 100", |name| free_body(name, "hairer-vilmart", "100.0", 200)),
+    ("heavy top, t = 2", |name| {
+        heavy_top(name, &Problem::read("bruels-cardona-arnold", "2.0"), 300)
+    }),
+    ("Kirchhoff, t = 20", |name| kirchhoff(name, &Problem::read("kirchhoff", "20.0"), 20)),
+    ("satellite, two orbits", |name| satellite(name, &Problem::satellite("12000"), 100)),
+    ("step", |_| steps()),
+];
+
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     if arguments.iter().any(|argument| argument == "draw") {
         draw::draw();
     } else if arguments.iter().any(|argument| argument == "measure") {
         println!("problem,method,parameter,error,seconds,steps");
-        free_body("free body, t = 10", "hairer-vilmart", "10.0", 20);
-        free_body("free body, t = 100", "hairer-vilmart", "100.0", 200);
-        heavy_top(&Problem::read("bruels-cardona-arnold", "2.0"), 300);
-        kirchhoff(&Problem::read("kirchhoff", "20.0"), 20);
-        steps();
+        let named: Vec<&String> = arguments.iter().skip_while(|a| *a != "--problem").collect();
+        for (name, measure) in PROBLEMS {
+            if named.get(1).is_none_or(|only| *only == name) {
+                measure(name);
+            }
+        }
     } else if arguments.iter().any(|argument| argument == "steps") {
         println!("problem,method,parameter,error,seconds,steps");
         steps();
@@ -74,7 +94,7 @@ fn free_body(name: &'static str, motion: &str, time: &str, few: u64) {
     let momentum = inertia.momentum(&problem.velocity3());
     let start = BodyState { attitude, momentum };
     let seen = |state: &BodyState| {
-        (problem::rows(&So3, &state.attitude), state.momentum.as_slice().to_vec())
+        vec![problem::rows(&So3, &state.attitude), state.momentum.as_slice().to_vec()]
     };
     let sweep = Sweep { problem: name, reference: &problem };
     sweep.once(
@@ -90,92 +110,112 @@ fn free_body(name: &'static str, motion: &str, time: &str, few: u64) {
         sweep.fixed(name, few, run, seen);
     }
     let system = problem.system(So3, Free);
-    any_group(&sweep, &system, few);
-    group_steps(&sweep, "Strang", &system, few, || Splitting::new(&inertia, Composition::Strang));
-    group_steps(&sweep, "Suzuki", &system, few, || Splitting::new(&inertia, Composition::Suzuki));
-    group_steps(&sweep, "Simo-Wong", &system, few, || SimoWong::new(&inertia));
+    let case = Case { sweep: &sweep, system: &system, few, seen: body_momentum };
+    case.any_group();
+    case.steps("Strang", || Splitting::new(&inertia, Composition::Strang));
+    case.steps("Suzuki", || Splitting::new(&inertia, Composition::Suzuki));
+    case.steps("Simo-Wong", || SimoWong::new(&inertia));
     plain::body(&sweep, &problem, few);
 }
 
-fn heavy_top(problem: &Problem, few: u64) {
+fn heavy_top(name: &'static str, problem: &Problem, few: u64) {
     let inertia = problem.inertia();
     let system = problem.system(So3, problem.gravity());
-    let sweep = Sweep { problem: "heavy top, t = 2", reference: problem };
-    any_group(&sweep, &system, few);
+    let sweep = Sweep { problem: name, reference: problem };
+    let case = Case { sweep: &sweep, system: &system, few, seen: body_momentum };
+    case.any_group();
     for (name, order) in KICKS {
         for (with, motion) in MOTIONS {
-            let name = format!("{name}, {with}");
-            group_steps(&sweep, &name, &system, few, || Kick::new(&inertia, order, motion));
+            case.steps(&format!("{name}, {with}"), || Kick::new(&inertia, order, motion));
         }
     }
-    group_steps(&sweep, "Simo-Wong", &system, few, || SimoWong::new(&inertia));
+    case.steps("Simo-Wong", || SimoWong::new(&inertia));
     plain::body(&sweep, problem, few);
 }
 
-fn kirchhoff(problem: &Problem, few: u64) {
+fn kirchhoff(name: &'static str, problem: &Problem, few: u64) {
     let system = problem.system(Se3, Free);
-    let sweep = Sweep { problem: "Kirchhoff, t = 20", reference: problem };
-    any_group(&sweep, &system, few);
+    let sweep = Sweep { problem: name, reference: problem };
+    Case { sweep: &sweep, system: &system, few, seen: body_momentum }.any_group();
     plain::kirchhoff(&sweep, problem, few);
 }
 
-/// The methods for all groups.
-fn any_group<G: Stored, M: Torque<G>>(sweep: &Sweep, system: &EulerPoincare<G, M>, few: u64) {
-    group_steps(sweep, "RKMK4", system, few, || MuntheKaas::RK4);
-    group_steps(sweep, "projected RK4", system, few, || Projected::RK4);
-    group_steps(sweep, "CF4", system, few, || CommutatorFree);
-    group_steps(sweep, "CG3", system, few, || CrouchGrossman);
-    for (name, projected, pair) in
-        [("RKMK54", "projected DP54", Pair::Five), ("RKMK853", "projected DP853", Pair::Eight)]
-    {
-        let control = move |tolerance: f64| Adaptive { pair, ..Adaptive::new(tolerance) };
-        controlled(sweep, name, system, control);
-        controlled(sweep, projected, system, move |tolerance| control(tolerance).projected());
-    }
+fn satellite(name: &'static str, (problem, mu): &(Problem, f64), few: u64) {
+    let gravity = Gravity::new(problem, *mu);
+    let system = problem.system(Se3, gravity.torque());
+    let sweep = Sweep { problem: name, reference: problem };
+    Case { sweep: &sweep, system: &system, few, seen: satellite::seen }.any_group();
+    plain::satellite(&sweep, problem, &gravity, few);
 }
 
-fn controlled<G: Stored, M: Torque<G>, C: LocalCoordinates<G> + Copy>(
-    sweep: &Sweep,
-    name: &str,
-    system: &EulerPoincare<G, M>,
-    control: impl Fn(f64) -> Adaptive<C>,
-) {
-    let run = |tolerance: f64| {
-        let control = control(tolerance);
-        let mut state = sweep.reference.start(system);
-        let (mut next, mut count) = (control.first_step(), 0);
-        while state.time != sweep.reference.time {
-            control.step(system, &mut state, &mut next, sweep.reference.time).ok()?;
-            count += 1;
-        }
-        Some((state, count))
-    };
-    let seen = |(state, _): &(State<G>, u64)| body_momentum(system, state);
-    sweep.tolerances(name, run, seen, |(_, count)| *count);
-}
-
-fn group_steps<G: LieGroup, M: Torque<G>, I: Integrator<EulerPoincare<G, M>>>(
-    sweep: &Sweep,
-    name: &str,
-    system: &EulerPoincare<G, M>,
+/// A system on a group, the fewest steps, and what is compared with the reference.
+struct Case<'c, G: LieGroup, M> {
+    sweep: &'c Sweep<'c>,
+    system: &'c EulerPoincare<G, M>,
     few: u64,
-    method: impl Fn() -> I,
-) {
-    let run = |n: u64| {
-        let (method, mut state) = (method(), sweep.reference.start(system));
-        let h = sweep.reference.time / n as f64;
-        (0..n).try_for_each(|_| method.step(system, &mut state, h)).ok()?;
-        Some(state)
-    };
-    sweep.fixed(name, few, run, |state| body_momentum(system, state));
+    seen: fn(&EulerPoincare<G, M>, &State<G>) -> Seen,
+}
+
+impl<G: Embedded, M: Torque<G>> Case<'_, G, M> {
+    /// The methods for all groups.
+    fn any_group(&self) {
+        self.steps("RKMK4", || MuntheKaas::RK4);
+        self.steps("projected RK4", || Projected::RK4);
+        self.steps("CF4", || CommutatorFree);
+        self.steps("CG3", || CrouchGrossman);
+        let length = self.sweep.reference.length;
+        for (name, projected, pair) in
+            [("RKMK54", "projected DP54", Pair::Five), ("RKMK853", "projected DP853", Pair::Eight)]
+        {
+            let control = |tolerance: f64| {
+                let absolute = length.map(|length| [tolerance, tolerance * length]);
+                Adaptive { pair, absolute, ..Adaptive::new(tolerance) }
+            };
+            self.controlled(name, control);
+            self.controlled(projected, |tolerance| control(tolerance).projected());
+        }
+    }
+
+    fn controlled<C>(&self, name: &str, control: impl Fn(f64) -> Adaptive<C>)
+    where
+        C: LocalCoordinates<G> + Copy,
+    {
+        let (sweep, system) = (self.sweep, self.system);
+        let run = |tolerance: f64| {
+            let control = control(tolerance);
+            let mut state = sweep.reference.start(system);
+            let (mut next, mut count) = (control.first_step_from(system, &state), 0);
+            while state.time != sweep.reference.time {
+                control.step(system, &mut state, &mut next, sweep.reference.time).ok()?;
+                count += 1;
+            }
+            Some((state, count))
+        };
+        let seen = |(state, _): &(State<G>, u64)| (self.seen)(system, state);
+        sweep.tolerances(name, run, seen, |(_, count)| *count);
+    }
+
+    fn steps<I>(&self, name: &str, method: impl Fn() -> I)
+    where
+        I: Integrator<EulerPoincare<G, M>>,
+    {
+        let (sweep, system) = (self.sweep, self.system);
+        let run = |n: u64| {
+            let (method, mut state) = (method(), sweep.reference.start(system));
+            let h = sweep.reference.time / n as f64;
+            (0..n).try_for_each(|_| method.step(system, &mut state, h)).ok()?;
+            Some(state)
+        };
+        sweep.fixed(name, self.few, run, |state| (self.seen)(system, state));
+    }
 }
 
 fn body_momentum<G: LieGroup, M: Torque<G>>(
     system: &EulerPoincare<G, M>,
     state: &State<G>,
-) -> (Vec<f64>, Vec<f64>) {
+) -> Seen {
     let momentum = system.momentum(state).components().to_vec();
-    (problem::rows(system.group(), &state.element), momentum)
+    vec![problem::rows(system.group(), &state.element), momentum]
 }
 
 /// Seconds a step, h = 0.05: of the free body, of one in a potential, and of a free system on SE(3).
@@ -212,7 +252,7 @@ fn steps() {
     runge_kutta("SE(3)", &rigid.system(Se3, Free));
 }
 
-fn runge_kutta<G: Stored, M: Torque<G>>(place: &str, system: &EulerPoincare<G, M>) {
+fn runge_kutta<G: Embedded, M: Torque<G>>(place: &str, system: &EulerPoincare<G, M>) {
     one_by_one("RKMK4", place, system, &MuntheKaas::RK4);
     one_by_one("RKMK5 of RKMK54", place, system, &MuntheKaas::DORMAND_PRINCE);
     one_by_one("RKMK8 of RKMK853", place, system, &MuntheKaas::DORMAND_PRINCE_8);

@@ -1,9 +1,10 @@
 //! Rotations: affinor beside nalgebra, glam and the formulas of Sophus and manif, in one run.
 //!
-//! `cargo bench --bench rotations`: nanoseconds per 1000 independent operations, arguments and results in
+//! `cargo bench -p affinor-benches --bench rotations`: nanoseconds per 1000 independent operations, arguments and results in
 //! memory; then batches of a million on all cores. The ratios of one run count, not the absolute times.
 
-use affinor::group::batch::{self, Quaternions, Vectors};
+use affinor::group::batch;
+use affinor::group::batch::{Quaternions, Vectors};
 use affinor::group::{LieGroup, So3};
 use criterion::{
     BenchmarkGroup, Criterion, criterion_group, criterion_main, measurement::WallTime,

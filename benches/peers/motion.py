@@ -5,10 +5,14 @@
 
 measures, writes the tables of docs/motion_speed.md between its markers and draws docs/motion_speed.svg. A peer that
 cannot be imported is left out, and named. Progress goes to standard error. The machine should have little else to do.
+With `--problem` one problem is measured: its table is replaced, the other tables and the picture stay.
 
 How it is measured
 - Problems and their states in 25 digits are those of tests/data/motions.json. The error is that at the end: the largest
   of the entries of the rotation (on SE(3): and of the position), and of the body momentum over its largest component.
+- The satellite is that of tests/data/orbit.json, in SI units. Its error is the largest of four: entries of the rotation,
+  spin over its largest component, position over its length, velocity over its length. Absolute tolerances are the
+  tolerance times these scales, in every program.
 - The time is CPU time from the initial state in memory to the last state in memory, the least of several batches and of
   all rounds; models are made before, and so is what a method prepares for a system, except in rows of affinor's bodies.
 - affinor, and what is written in Rust beside it (`Rust: ..`), are one program: `benches/precision.rs`. A round is that
@@ -40,11 +44,14 @@ PROBLEMS = {
     "free body, t = 100": ("hairer-vilmart", "100.0", 200),
     "heavy top, t = 2": ("bruels-cardona-arnold", "2.0", 300),
     "Kirchhoff, t = 20": ("kirchhoff", "20.0", 20),
+    "satellite, two orbits": ("satellite", "12000", 100),
 }
 
 
 class Problem:
     """A problem up to one of its times."""
+
+    satellite = False
 
     def __init__(self, name, motion, when, few):
         motions = json.load(open(os.path.join(ROOT, "tests/data/motions.json")))["motions"]
@@ -57,15 +64,33 @@ class Problem:
         self.weight = [float(x) for x in motion.get("weight", ["0"] * 3)]
         self.heavy = "weight" in motion
         self.screw = len(self.moments) == 6
-        self.element = [float(x) for x in state["element"]]
-        self.end = [float(x) for x in state["momentum"]]
+        self.parts = [[float(x) for x in state[key]] for key in ["element", "momentum"]]
+        self.sizes = [1.0, max(map(abs, self.parts[1]))]
+        self.scales = [1.0] * (13 if self.screw else 7)
 
-    def error(self, element, momentum):
-        """Of entries row by row, and of the body momentum."""
-        off = max(abs(x - y) for x, y in zip(element, self.element))
-        size = max(abs(x) for x in self.end)
-        error = max(off, max(abs(x - y) for x, y in zip(momentum, self.end)) / size)
-        return error if all(map(math.isfinite, [*element, *momentum])) else math.nan
+    def error(self, *parts):
+        """The largest error of a part over its size."""
+        expected = zip(self.parts, self.sizes)
+        error = max(max(abs(x - y) for x, y in zip(part, end)) / size for part, (end, size) in zip(parts, expected))
+        return error if all(math.isfinite(x) for part in parts for x in part) else math.nan
+
+
+class Satellite(Problem):
+    """The satellite of tests/data/orbit.json. Its parts are attitude, spin, position and velocity."""
+
+    screw, heavy, satellite = True, False, True
+
+    def __init__(self, name, when, few):
+        orbit = json.load(open(os.path.join(ROOT, "tests/data/orbit.json")))
+        state = next(s for s in orbit["states"] if s["time"] == when)
+        numbers = lambda texts: [float(x) for x in texts]
+        self.name, self.few, self.time = name, few, float(when)
+        self.moments, self.mass, self.mu = numbers(orbit["moments"]), float(orbit["mass"]), float(orbit["mu"])
+        self.spin, self.position, self.velocity = (numbers(orbit[key]) for key in ["spin", "position", "velocity"])
+        self.parts = [numbers(state[key]) for key in ["element", "spin", "position", "velocity"]]
+        self.sizes = [1.0, max(map(abs, self.parts[1])), math.hypot(*self.parts[2]), math.hypot(*self.parts[3])]
+        start = [1.0, math.hypot(*self.position), max(map(abs, self.spin)), math.hypot(*self.velocity)]
+        self.scales = [start[0]] * 4 + [start[1]] * 3 + [start[2]] * 3 + [start[3]] * 3
 
 
 def rotation(w, x, y, z):
@@ -114,7 +139,36 @@ def doublings(problem):
 
 
 def right_side(problem):
-    """Of quaternion, (position,) and body momentum, in plain floats."""
+    """Of quaternion, (position,) and body momentum, in plain floats; of a satellite quaternion, position, spin, velocity."""
+    if problem.satellite:
+        a, b, c = problem.moments
+        mass, mu = problem.mass, problem.mu
+        trace = a + b + c
+
+        def rates(_, y):
+            w, x, y_, z, x1, x2, x3, o1, o2, o3, v1, v2, v3 = y.tolist() if hasattr(y, "tolist") else y
+            r = rotation(w, x, y_, z)
+            inverse = 1 / math.sqrt(x1 * x1 + x2 * x2 + x3 * x3)
+            n1 = (r[0] * x1 + r[3] * x2 + r[6] * x3) * inverse
+            n2 = (r[1] * x1 + r[4] * x2 + r[7] * x3) * inverse
+            n3 = (r[2] * x1 + r[5] * x2 + r[8] * x3) * inverse
+            s1, s2, s3 = a * n1, b * n2, c * n3
+            tidal = 3 * mu * inverse * inverse * inverse
+            # the force over the mass, in body components
+            along = mu * inverse * inverse + 0.5 * inverse * tidal / mass * (trace - 5 * (n1 * s1 + n2 * s2 + n3 * s3))
+            across = tidal * inverse / mass
+            f1, f2, f3 = -along * n1 - across * s1, -along * n2 - across * s2, -along * n3 - across * s3
+            return [
+                0.5 * (-x * o1 - y_ * o2 - z * o3), 0.5 * (w * o1 + y_ * o3 - z * o2),
+                0.5 * (w * o2 + z * o1 - x * o3), 0.5 * (w * o3 + x * o2 - y_ * o1),
+                v1, v2, v3,
+                ((b - c) * o2 * o3 + tidal * (n2 * s3 - n3 * s2)) / a,
+                ((c - a) * o3 * o1 + tidal * (n3 * s1 - n1 * s3)) / b,
+                ((a - b) * o1 * o2 + tidal * (n1 * s2 - n2 * s1)) / c,
+                r[0] * f1 + r[1] * f2 + r[2] * f3, r[3] * f1 + r[4] * f2 + r[5] * f3, r[6] * f1 + r[7] * f2 + r[8] * f3,
+            ]
+
+        return rates, [1.0, 0, 0, 0, *problem.position, *problem.spin, *problem.velocity]
     if problem.screw:
         a, b, c, d, e, f = problem.moments
 
@@ -155,6 +209,8 @@ def seen_plain(problem):
     def seen(y):
         y = [float(x) for x in y]
         r = rotation(*y[:4])
+        if problem.satellite:
+            return r, y[7:10], y[4:7], y[10:]
         if not problem.screw:
             return r, y[4:]
         x = y[4:7]
@@ -170,7 +226,8 @@ def scipy(problem):
     seen = seen_plain(problem)
 
     def run(tolerance):
-        solution = solve_ivp(rates, (0, problem.time), start, method="DOP853", rtol=tolerance, atol=tolerance)
+        absolute = [tolerance * scale for scale in problem.scales]
+        solution = solve_ivp(rates, (0, problem.time), start, method="DOP853", rtol=tolerance, atol=absolute)
         return solution.y[:, -1], len(solution.t) - 1
 
     rows(problem, "SciPy: DOP853", TOLERANCES, run, lambda s: seen(s[0]), lambda _, s: s[1])
@@ -359,42 +416,48 @@ def is_peer(method):
     return ":" in method
 
 
+def table(problem, found):
+    """Markdown: the least time of each method for each error."""
+    methods = {}
+    for (name, method, _), (error, seconds, _) in found.items():
+        if name == problem:
+            methods.setdefault(method, []).append((error, seconds))
+    cheapest = {
+        method: [min((s for e, s in points if e <= level), default=None) for level in LEVELS]
+        for method, points in methods.items()
+    }
+
+    def best(which):
+        chosen = [[m for m in cheapest if is_peer(m) == which and cheapest[m][k] is not None] for k in range(len(LEVELS))]
+        return [min(names, key=lambda m: cheapest[m][k], default=None) for k, names in enumerate(chosen)]
+
+    ours, theirs = best(False), best(True)
+    out = ["| error at most | " + " | ".join(f"{level:.0e}" for level in LEVELS) + " |"]
+    out += ["| --- |" + " ---: |" * len(LEVELS)]
+    ratio = []
+    for k in range(len(LEVELS)):
+        mine, other = (cheapest[m[k]][k] if m[k] else None for m in (ours, theirs))
+        ratio.append("-" if not (mine and other) else f"{other / mine:.3g}")
+    out += ["| **best peer over affinor's best** | " + " | ".join(ratio) + " |"]
+    out += ["| affinor's best | " + " | ".join(m or "-" for m in ours) + " |"]
+    out += ["| best peer | " + " | ".join(m or "-" for m in theirs) + " |"]
+    for peers in [False, True]:
+        for method in cheapest:
+            if is_peer(method) == peers and any(cheapest[method]):
+                out += [f"| {method} | " + " | ".join(map(short, cheapest[method])) + " |"]
+    never = [method for method in cheapest if not any(cheapest[method])]
+    if never:
+        out += ["", "Not to 1e-4: " + ", ".join(never) + "."]
+    return "\n".join(out)
+
+
+def heading(problem):
+    return f"### {problem[0].upper()}{problem[1:]}\n\n"
+
+
 def tables(found):
-    """Markdown: for each problem the least time for each error, and the cost of steps."""
-    out = []
-    for problem in PROBLEMS:
-        methods = {}
-        for (name, method, _), (error, seconds, _) in found.items():
-            if name == problem:
-                methods.setdefault(method, []).append((error, seconds))
-        cheapest = {
-            method: [min((s for e, s in points if e <= level), default=None) for level in LEVELS]
-            for method, points in methods.items()
-        }
-
-        def best(which):
-            chosen = [[m for m in cheapest if is_peer(m) == which and cheapest[m][k] is not None] for k in range(len(LEVELS))]
-            return [min(names, key=lambda m: cheapest[m][k], default=None) for k, names in enumerate(chosen)]
-
-        ours, theirs = best(False), best(True)
-        out += [f"### {problem[0].upper()}{problem[1:]}", ""]
-        out += ["| error at most | " + " | ".join(f"{level:.0e}" for level in LEVELS) + " |"]
-        out += ["| --- |" + " ---: |" * len(LEVELS)]
-        ratio = []
-        for k in range(len(LEVELS)):
-            mine, other = (cheapest[m[k]][k] if m[k] else None for m in (ours, theirs))
-            ratio.append("-" if not (mine and other) else f"{other / mine:.3g}")
-        out += ["| **best peer over affinor's best** | " + " | ".join(ratio) + " |"]
-        out += ["| affinor's best | " + " | ".join(m or "-" for m in ours) + " |"]
-        out += ["| best peer | " + " | ".join(m or "-" for m in theirs) + " |"]
-        for peers in [False, True]:
-            for method in cheapest:
-                if is_peer(method) == peers and any(cheapest[method]):
-                    out += [f"| {method} | " + " | ".join(map(short, cheapest[method])) + " |"]
-        never = [method for method in cheapest if not any(cheapest[method])]
-        if never:
-            out += ["", "Not to 1e-4: " + ", ".join(never) + "."]
-        out += [""]
+    """Markdown: all problems, and the cost of steps."""
+    out = [f"{heading(problem)}{table(problem, found)}\n" for problem in PROBLEMS]
     places = ["SO(3)", "SO(3), potential", "SE(3)"]
     out += ["### Nanoseconds a step", "", "| method | " + " | ".join(places) + " |", "| --- |" + " ---: |" * len(places)]
     methods = dict.fromkeys(method for name, method, _ in found if name == "step")
@@ -435,13 +498,40 @@ times = [0, 10]
     return least
 
 
+def draw(options, found):
+    """The picture, by affinor."""
+    text = io.StringIO()
+    writer = csv.writer(text)
+    writer.writerow(["problem", "method", "parameter", "error", "seconds", "steps"])
+    for key, value in found.items():
+        if key[1] in SHOWN:
+            writer.writerow([*key, *value])
+    picture = subprocess.run([*options.precision, "draw"], input=text.getvalue(), stdout=subprocess.PIPE, text=True, check=True)
+    with open(os.path.join(ROOT, "docs/motion_speed.svg"), "w") as file:
+        file.write(picture.stdout)
+
+
+def replace(problem, head, found):
+    """The section of one problem in the document, or a new one after those of the others."""
+    path = os.path.join(ROOT, "docs/motion_speed.md")
+    document = open(path).read()
+    title, last = heading(problem), "### Nanoseconds a step\n"
+    at = document.find(title)
+    begin = at if at >= 0 else document.index(last)
+    end = document.index("\n### ", begin) + 1 if at >= 0 else begin
+    section = f"{title}Measured apart: {head}\n\n{table(problem, found)}\n\n"
+    with open(path, "w") as file:
+        file.write(document[:begin] + section + document[end:])
+
+
 def measure(options):
     load = " ".join(f"{x:.1f}" for x in os.getloadavg())
     versions = {peer: version(options.python, peer) for peer in PEERS}
     missing = [peer for peer in PEERS if not versions[peer]]
     found, late, folder = {}, [], tempfile.mkdtemp(prefix="peers")  # some leave files where they run
-    commands = [("affinor", [*options.precision, "measure"])]
-    commands += [(p, [options.python, os.path.abspath(__file__), "--peer", p]) for p in PEERS if versions[p]]
+    only = ["--problem", options.problem] if options.problem else []
+    commands = [("affinor", [*options.precision, "measure", *only])]
+    commands += [(p, [options.python, os.path.abspath(__file__), "--peer", p, *only]) for p in PEERS if versions[p]]
     for number in range(options.rounds):
         for name, command in commands:
             print(f"round {number + 1}: {name}", file=sys.stderr)
@@ -461,15 +551,6 @@ def measure(options):
                 key, error, seconds = tuple(row[:3]), float(row[3] or "nan"), float(row[4])
                 before = found.get(key)
                 found[key] = (error, min(seconds, before[1]) if before else seconds, row[5])
-    text = io.StringIO()
-    writer = csv.writer(text)
-    writer.writerow(["problem", "method", "parameter", "error", "seconds", "steps"])
-    for key, value in found.items():
-        if key[1] in SHOWN:
-            writer.writerow([*key, *value])
-    picture = subprocess.run([*options.precision, "draw"], input=text.getvalue(), stdout=subprocess.PIPE, text=True, check=True)
-    with open(os.path.join(ROOT, "docs/motion_speed.svg"), "w") as file:
-        file.write(picture.stdout)
     installed = ", ".join(f"{peer} {versions[peer]}" for peer in PEERS if versions[peer])
     head = f"{time.strftime('%Y-%m-%d')}; {os.cpu_count()} cores; load average at the start {load}; "
     head += f"{options.rounds} round{'s' * (options.rounds > 1)}; {installed}."
@@ -477,6 +558,10 @@ def measure(options):
         head += f" Ended after {options.limit:g} minutes: " + ", ".join(dict.fromkeys(late)) + "."
     if missing:
         head += " Not there: " + ", ".join(missing) + "."
+    if options.problem:
+        replace(options.problem, head, found)
+        return
+    draw(options, found)
     path = os.path.join(ROOT, "docs/motion_speed.md")
     document = open(path).read()
     before, _, rest = document.partition("<!-- measured -->")
@@ -492,17 +577,20 @@ def main():
     arguments.add_argument("--rounds", type=int, default=3, help="[3]")
     arguments.add_argument("--limit", type=float, default=10, help="the most minutes of one program in a round [10]")
     arguments.add_argument("--ensemble", metavar="PROGRAM", help="only time an ensemble of 10^5 free bodies with this affinor")
+    arguments.add_argument("--problem", choices=PROBLEMS, metavar="NAME", help="only this problem")
     arguments.add_argument("--peer", choices=PEERS, help="print the rows of one peer (needs it in this Python)")
     options = arguments.parse_args()
     if options.ensemble:
         for threads, seconds in ensemble(options.ensemble, 100_000, options.rounds).items():
             print(f"{threads} threads: {seconds:.2f} s")
     elif options.peer:
-        for name, what in PROBLEMS.items():
-            globals()[options.peer](Problem(name, *what))
+        for name, (motion, *rest) in PROBLEMS.items():
+            if options.problem in (None, name):
+                problem = Satellite(name, *rest) if motion == "satellite" else Problem(name, motion, *rest)
+                globals()[options.peer](problem)
     else:
         manifest = os.path.join(ROOT, "Cargo.toml")
-        cargo = ["cargo", "bench", "-q", "--manifest-path", manifest, "--bench", "precision", "--"]
+        cargo = ["cargo", "bench", "-q", "--manifest-path", manifest, "-p", "affinor-benches", "--bench", "precision", "--"]
         options.precision = [os.path.abspath(options.precision)] if options.precision else cargo
         measure(options)
 

@@ -1,7 +1,7 @@
 //! Work over precision, as a diagram.
 
-use affinor::figures::diagram::{Diagram, Graph, Line, Scale};
-use affinor::plot::diagram;
+use affinor_cli::figures::diagram::{Diagram, Graph, Line, Scale};
+use affinor_cli::plot::{diagram, svg};
 
 /// Reads rows and writes SVG: a panel for each problem, a line for each method.
 pub fn draw() {
@@ -31,5 +31,5 @@ pub fn draw() {
     let title = "CPU time over the error at the end".into();
     let graphs: Vec<Graph> = graphs.into_iter().map(|(_, graph)| graph).collect();
     let width = 560 * graphs.len() as u32;
-    println!("{}", diagram(&Diagram { title, graphs }, width));
+    println!("{}", svg(&diagram(&Diagram { title, graphs }), width));
 }

@@ -1,6 +1,7 @@
 //! What one would write without affinor: quaternion and body momentum as plain numbers.
 
 use crate::problem::{Problem, rows};
+use crate::satellite::Gravity;
 use crate::sweep::{Seen, Sweep, per_step};
 use affinor::group::{Se3, So3};
 use differential_equations::prelude::{ExplicitRungeKutta, IVP};
@@ -34,7 +35,7 @@ fn body_rates(
 }
 
 fn body_seen(y: &SVector<f64, 7>) -> Seen {
-    (rows(&So3, &attitude(y.as_slice())), y.as_slice()[4..].to_vec())
+    vec![rows(&So3, &attitude(y.as_slice())), y.as_slice()[4..].to_vec()]
 }
 
 fn attitude(y: &[f64]) -> UnitQuaternion<f64> {
@@ -58,11 +59,13 @@ fn rk4<const N: usize>(
     (0..4).for_each(|i| y[i] *= scale);
 }
 
+/// Both methods. The absolute tolerance of a component is the tolerance times its scale.
 fn both<const N: usize>(
     sweep: &Sweep,
     few: u64,
     start: SVector<f64, N>,
     rates: &impl Fn(f64, &SVector<f64, N>, &mut SVector<f64, N>),
+    scales: [f64; N],
     seen: impl Fn(&SVector<f64, N>) -> Seen,
 ) {
     let end = sweep.reference.time;
@@ -74,8 +77,9 @@ fn both<const N: usize>(
     sweep.fixed("Rust: RK4", few, run, &seen);
     let run = |tolerance: f64| {
         let right = |t: f64, y: &SVector<f64, N>, rate: &mut SVector<f64, N>| rates(t, y, rate);
+        let absolute = scales.map(|scale| tolerance * scale);
         let method =
-            ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).max_steps(1_000_000);
+            ExplicitRungeKutta::dop853().rtol(tolerance).atol(absolute).max_steps(1_000_000);
         let solution =
             IVP::ode_from_fn(right, 0.0, end, black_box(start)).method(method).solve().ok()?;
         let steps = solution.t.len() as u64;
@@ -93,7 +97,7 @@ fn body_start(problem: &Problem) -> SVector<f64, 7> {
 pub fn body(sweep: &Sweep, problem: &Problem, few: u64) {
     let moments = Vector3::from_column_slice(&problem.diagonal());
     let rates = body_rates(moments, problem.weight());
-    both(sweep, few, body_start(problem), &rates, body_seen);
+    both(sweep, few, body_start(problem), &rates, [1.0; 7], body_seen);
 }
 
 /// The cost of a step of the free body.
@@ -131,9 +135,45 @@ pub fn kirchhoff(sweep: &Sweep, problem: &Problem, few: u64) {
         7.. => momentum[i - 7],
         _ => 0.0,
     });
-    both(sweep, few, start, &rates, |y| {
+    both(sweep, few, start, &rates, [1.0; 13], |y| {
         let place = Vector3::new(y[4], y[5], y[6]);
         let pose = Isometry3::from_parts(place.into(), attitude(y.as_slice()));
-        (rows(&Se3, &pose), y.as_slice()[7..].to_vec())
+        vec![rows(&Se3, &pose), y.as_slice()[7..].to_vec()]
+    });
+}
+
+/// A satellite: quaternion, position, spin in body components, and velocity.
+pub fn satellite(sweep: &Sweep, problem: &Problem, gravity: &Gravity, few: u64) {
+    let rates = |_: f64, y: &SVector<f64, 13>, rate: &mut SVector<f64, 13>| {
+        let q = Quaternion::from(Vector4::new(y[0], y[1], y[2], y[3]));
+        let attitude = UnitQuaternion::new_unchecked(q);
+        let omega = Vector3::new(y[7], y[8], y[9]);
+        let turn = (q * Quaternion::from_imag(omega)).coords * 0.5;
+        let (torque, force) = gravity.at(&attitude, &Vector3::new(y[4], y[5], y[6]));
+        let momentum = gravity.moments.component_mul(&omega);
+        let change = (momentum.cross(&omega) + torque).component_div(&gravity.moments);
+        rate.fixed_rows_mut::<4>(0).copy_from(&turn);
+        rate.fixed_rows_mut::<3>(4).copy_from(&y.fixed_rows::<3>(10));
+        rate.fixed_rows_mut::<3>(7).copy_from(&change);
+        rate.fixed_rows_mut::<3>(10).copy_from(&(attitude * force / gravity.mass));
+    };
+    let (position, twist) = (problem.position(), problem.velocity());
+    let start = SVector::from_fn(|i, _| match i {
+        3 => 1.0,
+        4..7 => position[i - 4],
+        7.. => twist[i - 7],
+        _ => 0.0,
+    });
+    let largest = |numbers: &[f64]| numbers.iter().fold(0.0, |most: f64, x| x.abs().max(most));
+    let speed = problem.velocity().iter().skip(3).map(|x| x * x).sum::<f64>().sqrt();
+    let scales = std::array::from_fn(|i| match i {
+        0..4 => 1.0,
+        4..7 => position.norm(),
+        7..10 => largest(&twist[..3]),
+        _ => speed,
+    });
+    both(sweep, few, start, &rates, scales, |y| {
+        let part = |at: usize| y.as_slice()[at..at + 3].to_vec();
+        vec![rows(&So3, &attitude(y.as_slice())), part(7), part(4), part(10)]
     });
 }

@@ -1,8 +1,9 @@
 //! Problems of motion with their states in 25 digits.
 
-use affinor::dynamics::euler_poincare::Torque;
-use affinor::dynamics::{EulerPoincare, Inertia, State};
+use crate::sweep::Seen;
 use affinor::group::{Coordinates, LieGroup, So3};
+use affinor::mechanics::systems::euler_poincare::Torque;
+use affinor::mechanics::{EulerPoincare, Inertia, State};
 use affinor::{Canonical, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
@@ -14,10 +15,20 @@ pub struct Problem {
     velocity: Vec<f64>,
     /// `w` of the potential `w . R^T e_3`, if there is one.
     weight: Vec<f64>,
+    /// The canonical coordinates of the element at the start; empty for the identity.
+    place: Vec<f64>,
+    /// The scale of errors of positions, if it is not 1.
+    pub length: Option<f64>,
     /// The time.
     pub time: f64,
-    element: Vec<f64>,
-    momentum: Vec<f64>,
+    /// The state at that time.
+    parts: Vec<Part>,
+}
+
+/// Components of a state with a common scale.
+struct Part {
+    numbers: Vec<f64>,
+    size: f64,
 }
 
 impl Problem {
@@ -35,10 +46,42 @@ impl Problem {
             metric: motion["metric"].as_array().expect("rows").iter().map(numbers).collect(),
             velocity: numbers(&motion["velocity"]),
             weight: numbers(&motion["weight"]),
+            place: vec![],
+            length: None,
             time: number(&state["time"]),
-            element: numbers(&state["element"]),
-            momentum: numbers(&state["momentum"]),
+            parts: vec![
+                Part { numbers: numbers(&state["element"]), size: 1.0 },
+                Part::by_largest(numbers(&state["momentum"])),
+            ],
         }
+    }
+
+    /// The satellite of `tests/data/orbit.json`, in SI units, and the gravitational parameter. Its parts are attitude, spin in
+    /// body components, position and velocity; the last two by their lengths.
+    pub fn satellite(time: &str) -> (Self, f64) {
+        let text = include_str!("../../tests/data/orbit.json");
+        let all: Value = serde_json::from_str(text).expect("an orbit");
+        let mut states = all["states"].as_array().expect("a list").iter();
+        let state = states.find(|state| state["time"] == time).expect("a state");
+        let mass = number(&all["mass"]);
+        let diagonal = [numbers(&all["moments"]), vec![mass; 3]].concat();
+        let row = |i: usize| (0..6).map(|j| if i == j { diagonal[i] } else { 0.0 }).collect();
+        let [position, velocity] = ["position", "velocity"].map(|key| numbers(&all[key]));
+        let problem = Problem {
+            metric: (0..6).map(row).collect(),
+            velocity: [numbers(&all["spin"]), velocity].concat(),
+            weight: vec![],
+            length: Some(length(&position)),
+            place: [vec![0.0; 3], position].concat(),
+            time: number(&state["time"]),
+            parts: vec![
+                Part { numbers: numbers(&state["element"]), size: 1.0 },
+                Part::by_largest(numbers(&state["spin"])),
+                Part::by_length(numbers(&state["position"])),
+                Part::by_length(numbers(&state["velocity"])),
+            ],
+        };
+        (problem, number(&all["mu"]))
     }
 
     /// The system on a group.
@@ -50,10 +93,20 @@ impl Problem {
         EulerPoincare::new(group, &plus, &metric, torque).expect("a system")
     }
 
-    /// The start, at the identity.
+    /// The start.
     pub fn start<G: LieGroup, M: Torque<G>>(&self, system: &EulerPoincare<G, M>) -> State<G> {
         let velocity = G::Vector::from_components(&self.velocity);
-        system.state(0.0, system.group().identity(), &velocity)
+        let element = if self.place.is_empty() {
+            system.group().identity()
+        } else {
+            system.group().exp(&G::Vector::from_components(&self.place))
+        };
+        system.state(0.0, element, &velocity)
+    }
+
+    /// The position at the start of a rigid motion.
+    pub fn position(&self) -> Vector3<f64> {
+        Vector3::from_column_slice(&self.place[3..])
     }
 
     /// The body's inertia.
@@ -89,14 +142,26 @@ impl Problem {
         }
     }
 
-    /// The error of entries of an element and of a body momentum.
-    pub fn error(&self, (element, momentum): &(Vec<f64>, Vec<f64>)) -> f64 {
-        let off = |found: &[f64], expected: &[f64]| {
-            found.iter().zip(expected).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
+    /// The largest error of a part over its size.
+    pub fn error(&self, seen: &Seen) -> f64 {
+        let off = |(found, part): (&Vec<f64>, &Part)| {
+            let pairs = found.iter().zip(&part.numbers);
+            pairs.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max) / part.size
         };
-        let size = self.momentum.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
-        let error = off(element, &self.element).max(off(momentum, &self.momentum) / size);
-        if element.iter().chain(momentum).all(|x| x.is_finite()) { error } else { f64::NAN }
+        let error = seen.iter().zip(&self.parts).map(off).fold(0.0, f64::max);
+        if seen.iter().flatten().all(|x| x.is_finite()) { error } else { f64::NAN }
+    }
+}
+
+impl Part {
+    fn by_largest(numbers: Vec<f64>) -> Self {
+        let size = numbers.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        Part { numbers, size }
+    }
+
+    fn by_length(numbers: Vec<f64>) -> Self {
+        let size = length(&numbers);
+        Part { numbers, size }
     }
 }
 
@@ -111,4 +176,8 @@ fn number(text: &Value) -> f64 {
 
 fn numbers(list: &Value) -> Vec<f64> {
     list.as_array().map_or(vec![], |list| list.iter().map(number).collect())
+}
+
+fn length(numbers: &[f64]) -> f64 {
+    numbers.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
