@@ -7,7 +7,7 @@ use affinor::{Bracket, Canonical, Connection, LieAlgebra};
 use affinor_tensors::{Rational, Tensor};
 use std::error::Error;
 
-/// Computes both geometries and prints what is not zero.
+/// Computes both geometries and prints the tensors that do not vanish.
 pub fn main() -> Result<(), Box<dyn Error>> {
     // [e1, e2] = e3 and its cyclic images; indices count from 0, and only j < k is asked for
     let bracket = Bracket::from_fn(&["e1", "e2", "e3"], |j, k| match (j, k) {

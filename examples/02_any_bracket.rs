@@ -1,13 +1,13 @@
 //! Is my bracket table a Lie algebra?
 //!
-//! A [`Bracket`] is antisymmetric and no more. Making a [`LieAlgebra`] of it checks the Jacobi
-//! identity, and a table that fails says where and by how much.
+//! A [`Bracket`] is only antisymmetric. Its conversion to a [`LieAlgebra`] checks the Jacobi identity.
+//! The error says where the identity fails and by how much.
 
 use affinor::{Bracket, LieAlgebra};
 use affinor_tensors::Rational;
 use std::error::Error;
 
-/// Checks a right table and one with a wrong sign.
+/// Checks a correct table, and one with a wrong sign.
 pub fn main() -> Result<(), Box<dyn Error>> {
     // rotations and translations of the plane: [r, p] = q, [r, q] = -p
     let plane = LieAlgebra::try_from(table(1, -1)?)?;

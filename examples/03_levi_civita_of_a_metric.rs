@@ -1,7 +1,7 @@
 //! What is the curvature of a left-invariant metric?
 //!
-//! On so(3) with the metric diag(a, b, c), the moments of inertia of a rigid body, everything
-//! comes out as rational functions of a, b, c. The Ricci curvature is compared with J. Milnor,
+//! The algebra is so(3) with the metric diag(a, b, c), the moments of inertia of a rigid body. All components
+//! are rational functions of a, b, c. The Ricci curvature is compared with J. Milnor,
 //! *Advances in Mathematics* 21 (1976) 293-329, theorem 4.3.
 
 use affinor::algebra::catalogue;

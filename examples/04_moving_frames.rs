@@ -1,8 +1,8 @@
-//! Do the same formulas hold in coordinates, and in a frame that turns from point to point?
+//! Do the same formulas hold in coordinates and in a moving frame?
 //!
-//! A [`Frame`] is structure functions and derivations. Coordinates have no structure and
-//! partial derivatives; a moving frame has both; the left frame of a group has constant structure
-//! and no derivatives. Levi-Civita and curvature are written once for all of them.
+//! A [`Frame`] consists of structure functions and derivations. In a coordinate frame the structure
+//! functions are zero. In the left-invariant frame of a group they are constant, and so are all components,
+//! so derivatives vanish. A moving frame has both. One formula of Levi-Civita and of curvature serves all.
 
 use affinor::{Chart, Connection, Frame, Metric};
 use affinor_tensors::{Down, Notation, Ring, Symbolic, Tensor, Up};

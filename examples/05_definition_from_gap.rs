@@ -1,7 +1,7 @@
-//! How do I bring a table from GAP, or from anywhere, to the command line?
+//! How do I use a bracket table from GAP or another program on the command line?
 //!
-//! Lines `i j k v`, meaning `[e_i, e_j] = ... + v e_k`, become a definition file. Without an
-//! argument the definition is printed; with one it is written there:
+//! This program makes a definition file from lines `i j k v`, which mean `[e_i, e_j] = ... + v e_k`.
+//! It prints the definition, or writes it to the file that is its argument:
 //!
 //! ```text
 //! cargo run --example 05_definition_from_gap -- E8.toml

@@ -1,7 +1,7 @@
-//! I have matrices, not brackets: what algebra do they span?
+//! Which Lie algebra do my matrices span?
 //!
-//! The commutator gives the structure constants. Matrices may be complex; independence and closure
-//! are over the reals. Matrices that do not close are refused with the commutator that escapes.
+//! Commutators give the structure constants. Matrices may be complex; independence and closure are over
+//! the reals. If the span is not closed, the error names a commutator that leaves it.
 
 use affinor::algebra::{Complex, LieAlgebra, MatrixBasis};
 use affinor_tensors::{Rational, Ring, Tolerance};
@@ -9,7 +9,7 @@ use std::error::Error;
 
 type Entries = Vec<(usize, usize, Complex<Rational>)>;
 
-/// sl(2,R), su(2), and two matrices that do not close.
+/// sl(2,R), su(2), and two matrices whose span is not closed.
 pub fn main() -> Result<(), Box<dyn Error>> {
     let e = vec![real(0, 1, 1)];
     let f = vec![real(1, 0, 1)];

@@ -321,12 +321,12 @@ def numbers():
             of = [space for space in spaces if "geomstats" not in label or space[0].startswith("so")]
             columns[label] = of, pool.submit(sizes_of, label, of if python else [], script, python, *more)
         ours = [pool.submit(alone, name, metrics[name], number) for name, _, _, number, _ in spaces]
-    print("affinor alone: its stages connection and curvature, and the whole process, which prints CSV\n")
+    print("affinor: the stages connection and curvature together, and the whole process, which prints CSV\n")
     head("algebra", "dimension", "nonzero R^i_jkl, k < l", *(f"{scalar}: {what}" for scalar in ("exact", "f64") for what in
          ("CPU", "CPU of the process", "wall, 1 thread", "wall, 2 threads")))
     for (name, n, _, number, _), cells in zip(spaces, ours):
         row(name, n, f"{number:,}", *cells.result())
-    print("\nConnection and curvature, CPU: affinor (exact, 1 thread) and the peers\n")
+    print("\nCPU time of connection and curvature: affinor (exact, 1 thread) and the peers\n")
     head("algebra", "affinor", *peers)
     same, agreed = {}, 0
     for space, cells in zip(spaces, ours):
@@ -339,8 +339,8 @@ def numbers():
             if at < len(column) and column[at][1]:
                 same.setdefault(space[0], []).append(label)
         row(*found)
-    print(f"\nThe number of nonzero components was the same in all {agreed} runs of a peer that ended. All values were the "
-          "same (floats within 1e-9): " + "; ".join(f"{name}: {', '.join(labels)}" for name, labels in same.items()) + ".")
+    print(f"\nIn all {agreed} runs of a peer that ended, the number of nonzero components agreed. All values agreed "
+          "(floats within 1e-9) in these runs: " + "; ".join(f"{name}: {', '.join(labels)}" for name, labels in same.items()) + ".")
 
 def value_at(text, point):
     """The value of an expression at integers, modulo PRIME."""
@@ -477,16 +477,16 @@ def symbols():
                     agreed += 1
             times.append([name, f"{kind}, {len(names)}", tensor, *row_of_times])
             sizes.append([name, f"{kind}, {len(names)}", tensor, count or "", *row_of_sizes])
-    print("From the metric to the tensor in lowest terms. affinor: connection and tensor; whole process. Peers: each row "
-          "with those above it. All CPU\n")
+    print("CPU time from the metric to the tensor in lowest terms. affinor: connection and tensor; whole process. "
+          "Peers: each row includes the rows above it\n")
     head("algebra", "metric, symbols", "tensor", "affinor", *peers)
     for cells in times:
         row(*cells)
-    print("\nSize: nonzero components (curvature: k < l), and the characters of their values, without spaces\n")
+    print("\nSize: the number of nonzero components (curvature: k < l), and of the characters of their values without spaces\n")
     head("algebra", "metric, symbols", "tensor", "components", "affinor", *peers)
     for cells in sizes:
         row(*cells)
-    print(f"\nIn all {agreed} cells of a peer in which it and affinor ended and printed, the nonzero components were the same, "
+    print(f"\nIn all {agreed} cells in which both a peer and affinor ended and printed, the nonzero components were the same, "
           "and each had the same value at a random point modulo 2^61 - 1.")
 
 def chain(name, label, n, order, first, allowed):
@@ -519,8 +519,8 @@ def limits():
     chains.insert(0, ("se3", "full", n, off_diagonal(n), len(off_diagonal(n)), SECONDS))
     with ThreadPoolExecutor(options.jobs) as pool:
         found = list(pool.map(lambda one: chain(*one), chains))
-    print("affinor, curvature, exact, 1 thread: off-diagonal components become free one by one, until a minute is passed; "
-          "first all of them, with a longer limit\n")
+    print("affinor, exact curvature, 1 thread: off-diagonal components become symbols one by one, until a run takes more "
+          "than a minute. The first row has all of them, with a longer limit\n")
     head("algebra", "metric", "symbols", "process (CPU)", "peak memory", "nonzero R^i_jkl, k < l", "printed")
     for rows in found:
         for cells in rows:

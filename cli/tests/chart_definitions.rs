@@ -1,17 +1,12 @@
 //! Definition files over charts: published curvatures, the same group given twice, every format,
 //! and tables that are read back.
 
-use crate::program::run;
+use crate::program::{definition, run};
 use affinor::Geometry;
 use affinor_documents::definition::{Definition, Reading};
 use affinor_tensors::expression::{Expression, Functions, Scalars};
 use affinor_tensors::{Notation, Symbolic, Tensor, Tolerance, contract};
-use std::path::{Path, PathBuf};
 use tempfile::TempDir;
-
-fn folder() -> PathBuf {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("examples/definitions")
-}
 
 fn of(definition: &Definition) -> Geometry<Symbolic> {
     let convert = |value: &Symbolic| Some(value.clone());
@@ -19,7 +14,7 @@ fn of(definition: &Definition) -> Geometry<Symbolic> {
 }
 
 fn geometry(file: &str) -> Geometry<Symbolic> {
-    of(&Definition::read(folder().join(file).to_str().unwrap()).unwrap())
+    of(&Definition::read(&definition(file)).unwrap())
 }
 
 fn parsed(text: &str) -> Geometry<Symbolic> {
@@ -140,9 +135,8 @@ fn the_order_of_the_fields_is_that_of_the_file() {
 #[test]
 fn charts_of_the_rotation_group_are_so3() {
     let temporary = TempDir::new().unwrap();
-    let path = |file: &str| folder().join(file).to_str().unwrap().to_string();
-    let euler = path("euler_angles.toml");
-    let charts = [&euler, &path("gibbs_vector.toml"), &path("rotation_vector.toml")];
+    let euler = definition("euler_angles.toml");
+    let charts = [&euler, &definition("gibbs_vector.toml"), &definition("rotation_vector.toml")];
     let show = "structure,affinities,torsion,curvature,ricci,killing";
     for connection in ["plus", "zero", "minus", "lambda=1/3"] {
         for format in ["json", "csv"] {
@@ -166,23 +160,23 @@ fn charts_of_the_rotation_group_are_so3() {
 #[test]
 fn tables_are_written_in_every_format_and_read_back() {
     let temporary = TempDir::new().unwrap();
-    let path = |file: &str| folder().join(file).to_str().unwrap().to_string();
     for file in ["sphere.toml", "schwarzschild.toml", "euler_angles.toml"] {
         for format in ["json", "csv"] {
-            let table = ["table", &path(file), "--show", "all", "--format", format, "-o", "stored"];
+            let table =
+                ["table", &definition(file), "--show", "all", "--format", format, "-o", "stored"];
             assert_eq!(run(temporary.path(), &table, b"").status, 0);
-            let outcome = run(temporary.path(), &["verify", &path(file), "stored"], b"");
+            let outcome = run(temporary.path(), &["verify", &definition(file), "stored"], b"");
             assert_eq!(outcome.status, 0, "{}", outcome.out);
             let stored = std::fs::read_to_string(temporary.path().join("stored")).unwrap();
             // the head of the table of Euler angles has it, but no component
             let wrong = stored.replace("cos(theta)/sin(theta)", "sin(theta)/cos(theta)");
             std::fs::write(temporary.path().join("stored"), &wrong).unwrap();
-            let outcome = run(temporary.path(), &["verify", &path(file), "stored"], b"");
+            let outcome = run(temporary.path(), &["verify", &definition(file), "stored"], b"");
             assert_eq!(outcome.status, i32::from(!file.starts_with("euler")), "{}", outcome.out);
         }
     }
     let table = |format| {
-        let sphere = path("sphere.toml");
+        let sphere = definition("sphere.toml");
         let show = "affinities,metric,killing";
         run(temporary.path(), &["table", &sphere, "--format", format, "--show", show], b"").out
     };
@@ -195,7 +189,7 @@ fn tables_are_written_in_every_format_and_read_back() {
     assert!(markdown.contains("- coordinates: theta, phi"), "{markdown}");
     // coordinate fields commute, so there is an algebra, and its Killing form is zero
     assert!(table("text").contains("K_ij = 0"));
-    let half_plane = path("hyperbolic_plane.toml");
+    let half_plane = definition("hyperbolic_plane.toml");
     let text = run(temporary.path(), &["table", &half_plane, "--show", "structure"], b"").out;
     assert!(text.contains("fields       e1 = y*d_x, e2 = y*d_y"), "{text}");
     assert!(text.contains("Structure functions (A6): 2 nonzero components"), "{text}");
@@ -204,8 +198,7 @@ fn tables_are_written_in_every_format_and_read_back() {
 #[test]
 fn values_and_checks() {
     let temporary = TempDir::new().unwrap();
-    let path = |file: &str| folder().join(file).to_str().unwrap().to_string();
-    let sphere = path("sphere.toml");
+    let sphere = definition("sphere.toml");
     let show = ["--show", "scalar_curvature", "--format", "csv"];
     for (more, scalar) in [
         (vec!["--set", "a=2"], "1/2"),

@@ -1,6 +1,7 @@
 //! The paper's claims: they hold of the geometry they are about, and where they fail, the first
 //! component that fails is named with its value.
 
+use crate::program::{root, stdout};
 use affinor::Geometry;
 use affinor::geometry::claims::{Claim, Verdict};
 use affinor::geometry::paper;
@@ -9,7 +10,6 @@ use affinor_documents::definition::{
 };
 use affinor_tensors::{Notation, Tolerance};
 use serde_json::Value;
-use std::process::Command;
 
 /// The verdicts on a geometry, each with what loops over its components say.
 struct Verdicts;
@@ -272,10 +272,7 @@ fn without_a_metric_its_claims_do_not_apply() {
 
 /// `affinor compare` with these arguments: what it prints.
 fn compare(arguments: &[&str]) -> String {
-    let program = env!("CARGO_BIN_EXE_affinor");
-    let output = Command::new(program).arg("compare").args(arguments).output().unwrap();
-    assert!(output.status.success(), "{arguments:?}: {output:?}");
-    String::from_utf8(output.stdout).unwrap()
+    stdout(root(), &[&["compare"], arguments].concat())
 }
 
 /// The verdicts in the JSON of a comparison: `true`, `false` or `null` on both sides.

@@ -1,22 +1,18 @@
 //! The documents say what the program does: quoted outputs, formats, limits and translations.
 //!
 //! A fenced block `console` holds commands behind `$ ` and exactly what they print on standard
-//! output. `UPDATE_DOCUMENTS=1 cargo test --test documents` writes what they print now.
+//! output. `UPDATE_DOCUMENTS=1 cargo test -p affinor-cli documents::` writes what they print now.
 
+use crate::program::{root, run};
 use affinor::{Bracket, Connection, LieAlgebra, Metric};
 use affinor_tensors::{Down, Rational, Tensor, expression};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::PathBuf;
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 const DOCUMENTS: [&str; 5] =
     ["README.md", "docs/formats.md", "docs/motion.md", "docs/translation.md", "docs/paper.md"];
-
-fn root() -> &'static Path {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
-}
 
 /// What `affinor ARGUMENTS` prints on standard output; double quotes hold words together.
 fn output(command: &str) -> Result<String, Box<dyn std::error::Error>> {
@@ -28,12 +24,11 @@ fn output(command: &str) -> Result<String, Box<dyn std::error::Error>> {
             _ => words.push(piece),
         }
     }
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_affinor")).args(words).current_dir(root()).output()?;
-    if output.status.code() == Some(2) {
-        return Err(format!("{command}: {}", String::from_utf8_lossy(&output.stderr)).into());
+    let outcome = run(root(), &words, b"");
+    if outcome.status == 2 {
+        return Err(format!("{command}: {}", outcome.err).into());
     }
-    Ok(String::from_utf8(output.stdout)?)
+    Ok(outcome.out)
 }
 
 /// The document with every quoted output as it is now.

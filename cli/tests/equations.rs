@@ -3,6 +3,7 @@
 
 use crate::common::algebras::seeds;
 use crate::common::{integer, spaces};
+use crate::program::{self, definition, root, stdout};
 use affinor::geometry::equations::{EquationKind, Equations, Variable};
 use affinor::{Canonical, Connection, ConnectionKind, Geometry, LieAlgebra, Metric};
 use affinor_documents::report::{EquationReport, Format, Language};
@@ -189,6 +190,20 @@ fn awkward() -> Geometry<Symbolic> {
     Geometry::new("awkward", algebra, plus, Some(metric)).unwrap()
 }
 
+/// What a program prints. `None` where the machine lacks the program, which fails where `CI` is set.
+fn output(command: &mut Command) -> Option<String> {
+    let output = match command.output() {
+        Ok(output) => output,
+        Err(error) => {
+            assert!(std::env::var_os("CI").is_none(), "{command:?}: {error}");
+            eprintln!("not tested: {command:?}: {error}");
+            return None;
+        }
+    };
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    Some(String::from_utf8(output.stdout).unwrap())
+}
+
 /// Compiles `source` with a main program that prints the rates, runs it, and reads them; `None`
 /// where the machine lacks the compiler.
 fn run(folder: &Path, language: Language, source: &str, call: &str, n: usize) -> Option<Vec<f64>> {
@@ -219,16 +234,13 @@ fn run(folder: &Path, language: Language, source: &str, call: &str, n: usize) ->
         }
     };
     if let Some(compiler) = &mut compile {
-        let output = compiler.current_dir(folder).output().ok()?;
-        assert!(output.status.success(), "{}\n{source}", String::from_utf8_lossy(&output.stderr));
+        output(compiler.current_dir(folder))?;
     }
     let mut command = Command::new(program);
     if language == Language::Python {
         command.arg("main.py");
     }
-    let output = command.current_dir(folder).output().ok()?;
-    assert!(output.status.success(), "{}\n{source}", String::from_utf8_lossy(&output.stderr));
-    let lines = String::from_utf8(output.stdout).unwrap();
+    let lines = output(command.current_dir(folder))?;
     Some(lines.lines().map(|line| line.parse().unwrap()).collect())
 }
 
@@ -272,7 +284,6 @@ fn generated_code_gives_the_same_numbers() {
             let end = if language == Language::C { ";" } else { "" };
             let call = format!("{function}({}){end}", arguments.join(", "));
             let Some(rates) = run(folder.path(), language, &code, &call, 3) else {
-                assert!(std::env::var_os("CI").is_none(), "{} is not installed", language.name());
                 continue;
             };
             assert_eq!(rates.len(), expected.len());
@@ -285,16 +296,13 @@ fn generated_code_gives_the_same_numbers() {
 
 /// What `affinor equations` prints.
 fn printed(arguments: &[&str]) -> String {
-    let program = env!("CARGO_BIN_EXE_affinor");
-    let output = Command::new(program).arg("equations").args(arguments).output().unwrap();
-    assert!(output.status.success(), "{arguments:?}: {output:?}");
-    String::from_utf8(output.stdout).unwrap()
+    stdout(root(), &[&["equations"], arguments].concat())
 }
 
 /// Great circles: `theta'' = sin theta cos theta phi'^2`, `phi'' = -2 cot theta theta' phi'`.
 #[test]
 fn geodesics_of_the_sphere_in_coordinates() {
-    let sphere = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/definitions/sphere.toml");
+    let sphere = &definition("sphere.toml");
     let folder = tempfile::tempdir().unwrap();
     let (theta, v) = (0.7f64, [0.4, -1.2]);
     let expected =
@@ -306,7 +314,6 @@ fn geodesics_of_the_sphere_in_coordinates() {
     ] {
         let code = printed(&[sphere, "--motion", "autoparallel", "--code", language.name()]);
         let Some(rates) = run(folder.path(), language, &code, call, 4) else {
-            eprintln!("{} is not installed: not tested", language.name());
             continue;
         };
         for (rate, expected) in rates.iter().zip(expected) {
@@ -317,7 +324,7 @@ fn geodesics_of_the_sphere_in_coordinates() {
 
 #[test]
 fn rows_of_a_csv_are_named_by_coordinate_or_number() {
-    let sphere = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/definitions/sphere.toml");
+    let sphere = &definition("sphere.toml");
     let csv = printed(&[sphere, "--motion", "autoparallel", "--format", "csv"]);
     let names: Vec<_> = csv.lines().map(|line| line.split(',').next().unwrap()).collect();
     assert_eq!(names, ["equation", "theta", "phi", "1", "1", "2", "2"], "{csv}");
@@ -327,10 +334,7 @@ fn rows_of_a_csv_are_named_by_coordinate_or_number() {
 /// rates), and the refusal where the metric varies.
 #[test]
 fn kinematics_of_euler_angles() {
-    let path = |name: &str| {
-        format!("{}/examples/definitions/{name}", concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
-    };
-    let angles = path("euler_angles.toml");
+    let angles = definition("euler_angles.toml");
     let text = printed(&[&angles, "--metric", "diag(1,2,3)", "--connection", "plus"]);
     for line in [
         "dphi/dt = sin(psi)/sin(theta)*Omega1 + cos(psi)/sin(theta)*Omega2\n",
@@ -340,15 +344,12 @@ fn kinematics_of_euler_angles() {
         assert!(text.contains(line), "{text}");
     }
     let orbits = ["--motion", "autoparallel", "--format", "latex"];
-    let orbits = printed(&[&[path("schwarzschild.toml").as_str()], &orbits[..]].concat());
+    let orbits = printed(&[&[definition("schwarzschild.toml").as_str()], &orbits[..]].concat());
     let sine = "- \\sin^{2} \\theta \\left(2 M - r\\right) \\, (v^{4})^2";
     assert!(orbits.contains(sine), "{orbits}");
-    let program = env!("CARGO_BIN_EXE_affinor");
-    let output = Command::new(program).args(["equations", &path("sphere.toml")]).output().unwrap();
-    assert_eq!(output.status.code(), Some(1));
-    assert!(
-        String::from_utf8_lossy(&output.stderr).contains("need a metric with constant components")
-    );
+    let refused = program::run(root(), &["equations", &definition("sphere.toml")], b"");
+    assert_eq!(refused.status, 1);
+    assert!(refused.err.contains("need a metric with constant components"), "{}", refused.err);
 }
 
 /// In a moving frame the Euler-Poincare equations are Boltzmann's and Hamel's, with structure

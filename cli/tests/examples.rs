@@ -1,11 +1,10 @@
 //! The examples run, and every definition beside them passes `affinor check`.
 
+use crate::program::{definition, root, stdout};
 use affinor_documents::definition::{
     Definition, InputError, Reading, Request, ScalarChoice, Space, Work,
 };
 use affinor_tensors::{Notation, Tolerance};
-use std::path::Path;
-use std::process::Command;
 
 #[path = "../../examples/01_so3_two_geometries.rs"]
 mod so3_two_geometries;
@@ -84,14 +83,10 @@ fn a_table_of_gap_becomes_a_definition() -> Outcome {
 
 #[test]
 fn every_definition_passes_check() -> Outcome {
-    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("examples/definitions");
     let mut checked = 0;
-    for entry in std::fs::read_dir(folder)? {
+    for entry in std::fs::read_dir(definition(""))? {
         let path = entry?.path();
-        let output =
-            Command::new(env!("CARGO_BIN_EXE_affinor")).arg("check").arg(&path).output()?;
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success(), "{}: {message}", path.display());
+        stdout(root(), &["check", path.to_str().unwrap()]);
         checked += 1;
     }
     assert!(checked >= 15, "{checked} definitions");
@@ -106,18 +101,13 @@ const JENSEN: &str = "killing,1,1,,,-4\nkilling,2,2,,,-4\nkilling,3,3,,,-4\n\
                       killing,4,4,,,-4\nkilling,5,5,,,-4\nkilling,6,6,,,-4\n";
 
 #[test]
-fn the_definitions_say_what_they_claim() -> Outcome {
-    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("examples/definitions");
+fn the_definitions_say_what_they_claim() {
     let expected = [
         ("aff1_hyperbolic.toml", "scalar_curvature", "scalar_curvature,,,,,-2\n"),
         ("affinities.toml", "torsion", ""),
-        ("so3.toml", "killing", "killing,1,1,,,-2\nkilling,2,2,,,-2\nkilling,3,3,,,-2\n"),
-        (
-            "structure_constants.json",
-            "killing",
-            "killing,1,1,,,-2\nkilling,2,2,,,-2\nkilling,3,3,,,-2\n",
-        ),
-        ("su2_complex.toml", "killing", "killing,1,1,,,-2\nkilling,2,2,,,-2\nkilling,3,3,,,-2\n"),
+        ("so3.toml", "killing", KILLING),
+        ("structure_constants.json", "killing", KILLING),
+        ("su2_complex.toml", "killing", KILLING),
         ("sl2_matrices.toml", "killing", "killing,1,2,,,4\nkilling,2,1,,,4\nkilling,3,3,,,8\n"),
         ("heisenberg.toml", "ricci", "ricci,1,1,,,-1/2\nricci,2,2,,,-1/2\nricci,3,3,,,1/2\n"),
         ("bianchi_vi_h.toml", "killing", "killing,3,3,,,h^2 + 1\n"),
@@ -135,12 +125,8 @@ fn the_definitions_say_what_they_claim() -> Outcome {
         ("euler_angles.toml", "ricci", "ricci,1,1,,,1/2\nricci,2,2,,,1/2\nricci,3,3,,,1/2\n"),
     ];
     for (file, show, rows) in expected {
-        let output = Command::new(env!("CARGO_BIN_EXE_affinor"))
-            .args(["table", "--format", "csv", "--show", show])
-            .arg(folder.join(file))
-            .output()?;
-        let text = String::from_utf8(output.stdout)?;
+        let path = definition(file);
+        let text = stdout(root(), &["table", &path, "--format", "csv", "--show", show]);
         assert_eq!(text, format!("tensor,i,j,k,l,value\n{rows}"), "{file}");
     }
-    Ok(())
 }

@@ -1,12 +1,10 @@
 //! `exp`, `log`, `compose`, `adjoint`, `transport` and `convert`, through the program.
 
-use crate::program::run;
-use std::path::Path;
+use crate::program::{root, run};
 
 /// Standard output, of a run that succeeds.
 fn output(arguments: &[&str], input: &str) -> String {
-    let outcome =
-        run(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")), arguments, input.as_bytes());
+    let outcome = run(root(), arguments, input.as_bytes());
     assert_eq!(outcome.status, 0, "{arguments:?}: {}", outcome.err);
     outcome.out
 }
@@ -29,8 +27,7 @@ fn near(found: &[f64], expected: &[f64]) {
 
 /// Exit status and message of a run that fails.
 fn refusal(arguments: &[&str], input: &str) -> (i32, String) {
-    let outcome =
-        run(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")), arguments, input.as_bytes());
+    let outcome = run(root(), arguments, input.as_bytes());
     (outcome.status, outcome.err)
 }
 
@@ -122,7 +119,7 @@ fn conversions() {
     let angles = ["convert", "--from", "ZYX", "--to", "matrix", "--degrees", "90,0,0"];
     near(&numbers(&angles, ""), &[0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
     let locked = ["convert", "--from", "vector", "--to", "ZYX", "--degrees", "0,90,0"];
-    let outcome = run(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")), &locked, b"");
+    let outcome = run(root(), &locked, b"");
     assert_eq!(outcome.out.trim(), "0 90 0");
     assert!(outcome.err.contains("gimbal lock in 1 row:"), "{}", outcome.err);
 }
@@ -160,18 +157,10 @@ fn what_is_refused() {
         (1, true),
         "{message}"
     );
-    let outcome = run(
-        Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")),
-        &["exp", "so3"],
-        b"1,2,3\n\xff\n",
-    );
+    let outcome = run(root(), &["exp", "so3"], b"1,2,3\n\xff\n");
     assert_eq!(outcome.status, 2);
     assert!(outcome.err.contains("cannot read standard input, line 2"), "{}", outcome.err);
     // what stood before the bad row is written
-    let outcome = run(
-        Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")),
-        &["log", "so2"],
-        b"0,-1,1,0\nx\n",
-    );
+    let outcome = run(root(), &["log", "so2"], b"0,-1,1,0\nx\n");
     assert_eq!((outcome.status, outcome.out.lines().count()), (2, 1));
 }

@@ -1,5 +1,6 @@
 //! `docs/paper.md` keeps its word: all rows are there, and each is shown by a test that names it.
 
+use crate::program::root;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
@@ -75,7 +76,7 @@ fn expected() -> BTreeSet<Row> {
 
 #[test]
 fn every_row_is_shown_by_a_test() {
-    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    let root = root();
     let page = fs::read_to_string(root.join("docs/paper.md")).unwrap();
     let mut names = BTreeSet::new();
     tests(&root.join("tests"), &mut names);
@@ -103,7 +104,7 @@ fn every_row_is_shown_by_a_test() {
 /// `Type::function` and modules in the third column are words of the source.
 #[test]
 fn every_function_exists() {
-    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    let root = root();
     let page = fs::read_to_string(root.join("docs/paper.md")).unwrap();
     let mut source = String::new();
     let mut open = vec![root.join("src"), root.join("documents/src"), root.join("cli/src")];

@@ -1,6 +1,7 @@
 //! The program as a process.
 #![allow(dead_code, reason = "each test takes what it needs")]
 
+pub use crate::common::root;
 use std::ffi::OsStr;
 use std::io::{Read, Write};
 use std::path::Path;
@@ -13,6 +14,11 @@ pub struct Outcome {
     pub status: i32,
     pub out: String,
     pub err: String,
+}
+
+/// The path of one of the definitions of the examples.
+pub fn definition(file: &str) -> String {
+    format!("{}/examples/definitions/{file}", root().display())
 }
 
 /// The program, to be run in `folder`.

@@ -7,6 +7,7 @@ mod forces;
 mod running;
 mod signals;
 mod stops;
+mod sums;
 mod written;
 
 use std::fs;
@@ -61,9 +62,21 @@ fn refused(command: &mut Command, status: i32) -> String {
     message
 }
 
-/// The first column of what is written.
-fn times(folder: &Path) -> Vec<f64> {
+/// The columns of a run, each with its name.
+fn columns(folder: &Path) -> Vec<(String, Vec<f64>)> {
     let output = done(&mut simulate(folder));
-    let text = String::from_utf8(output.stdout).unwrap();
-    text.lines().skip(1).map(|line| line.split(',').next().unwrap().parse().unwrap()).collect()
+    let mut rows = csv::Reader::from_reader(&output.stdout[..]);
+    let names = rows.headers().unwrap().iter();
+    let mut columns: Vec<_> = names.map(|name| (name.to_string(), vec![])).collect();
+    for row in rows.records() {
+        for ((_, values), value) in columns.iter_mut().zip(&row.unwrap()) {
+            values.push(value.parse().unwrap());
+        }
+    }
+    columns
+}
+
+/// The first column of a run.
+fn times(folder: &Path) -> Vec<f64> {
+    columns(folder).swap_remove(0).1
 }

@@ -1,11 +1,11 @@
 //! What the program prints of the paper's geometries, in every format: the files in `snapshots/`.
 
+use crate::program::{root, stdout};
 use affinor_tensors::expression::{Expression, Scalars};
 use affinor_tensors::{Notation, Symbolic};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
-use std::process::Command;
+use std::path::PathBuf;
 
 /// What is printed, and the name of its snapshots before the format.
 const OBJECTS: [(&str, &[&str]); 3] = [
@@ -18,15 +18,12 @@ const FORMATS: [&str; 5] = ["text", "markdown", "latex", "csv", "json"];
 /// Components by tensor and indices (from 1), zeros left out.
 type Components = BTreeMap<String, BTreeMap<Vec<usize>, Symbolic>>;
 
-fn snapshots() -> &'static Path {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../snapshots"))
+fn snapshots() -> PathBuf {
+    root().join("snapshots")
 }
 
 fn print(arguments: &[&str], format: &str) -> String {
-    let program = env!("CARGO_BIN_EXE_affinor");
-    let output = Command::new(program).args(arguments).args(["--format", format]).output().unwrap();
-    assert!(output.status.success(), "{arguments:?}: {output:?}");
-    String::from_utf8(output.stdout).unwrap()
+    stdout(root(), &[arguments, &["--format", format]].concat())
 }
 
 #[test]

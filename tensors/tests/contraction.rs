@@ -12,28 +12,11 @@ use proptest::prelude::*;
 
 type Test = Result<(), TensorError>;
 
-/// The case with its operands mapped into another ring.
-fn mapped<S: Ring>(case: &Case, f: impl Fn(&[usize], &Rational) -> S) -> Vec<(&str, Tensor<S>)> {
-    let operand = |(name, t): &'_ (String, Tensor<Rational>)| {
-        let mapped = t.filter_map(|at, value| Some(f(at, value)));
-        (name.clone(), mapped)
-    };
-    let names = case.operands.iter().map(|(name, _)| name.as_str());
-    names.zip(case.operands.iter().map(|o| operand(o).1)).collect()
-}
-
-fn borrowed<'a, S>(operands: &'a [(&'a str, Tensor<S>)]) -> Vec<(&'a str, &'a Tensor<S>)> {
-    operands.iter().map(|(name, tensor)| (*name, tensor)).collect()
-}
-
 /// The kernel and the oracle agree to the last bit, in order, and no zero is stored.
-fn agrees<S: Ring>(
-    text: &str,
-    operands: &[(&str, &Tensor<S>)],
-) -> Result<Tensor<S>, TestCaseError> {
-    let result = contract(text, operands)?;
-    let expected: Vec<_> = oracle(text, operands).into_iter().collect();
-    prop_assert_eq!(stored(&result), expected, "{}", text);
+fn agrees<S: Ring>(case: &Case<S>) -> Result<Tensor<S>, TestCaseError> {
+    let result = contract(&case.text, &case.operands())?;
+    let expected: Vec<_> = oracle(&case.text, &case.operands()).into_iter().collect();
+    prop_assert_eq!(stored(&result), expected, "{}", case.text);
     Ok(result)
 }
 
@@ -42,39 +25,37 @@ proptest! {
 
     #[test]
     fn integers(case in cases(Values::Integers)) {
-        let result = agrees(&case.text, &case.operands())?;
+        let result = agrees(&case)?;
         prop_assert_eq!(result.slots(), case.slots);
         prop_assert_eq!(result.dimension(), case.operands[0].1.dimension());
     }
 
     #[test]
     fn fractions(case in cases(Values::Fractions)) {
-        agrees(&case.text, &case.operands())?;
+        agrees(&case)?;
     }
 
     #[test]
     fn words_at_the_edge_of_64_bits(case in cases(Values::Words)) {
-        agrees(&case.text, &case.operands())?;
+        agrees(&case)?;
     }
 
     #[test]
     fn beyond_64_bits(case in cases(Values::Huge)) {
-        agrees(&case.text, &case.operands())?;
+        agrees(&case)?;
     }
 
     /// Small integers are exact in floats, so even the zeros agree.
     #[test]
     fn floats_of_integers(case in cases(Values::Integers)) {
         let exact = contract(&case.text, &case.operands())?.map(Rational::to_f64);
-        let floats = mapped(&case, |_, value| value.to_f64());
-        prop_assert_eq!(contract(&case.text, &borrowed(&floats))?, exact);
+        prop_assert_eq!(contract(&case.text, &case.floats().operands())?, exact);
     }
 
     #[test]
     fn floats_of_fractions(case in cases(Values::Fractions)) {
         let exact = contract(&case.text, &case.operands())?.map(Rational::to_f64);
-        let floats = mapped(&case, |_, value| value.to_f64());
-        let result = contract(&case.text, &borrowed(&floats))?;
+        let result = contract(&case.text, &case.floats().operands())?;
         prop_assert_eq!(result.len(), exact.len());
         for ((at, value), (exact_at, exact)) in result.components().zip(exact.components()) {
             prop_assert_eq!(at, exact_at);
@@ -82,15 +63,9 @@ proptest! {
         }
     }
 
-    /// Integer parts again, so that dual numbers are exact; some have no real part.
     #[test]
     fn dual_numbers(case in cases(Values::Integers)) {
-        let duals = mapped(&case, |at, value| {
-            let parity = at.iter().sum::<usize>() % 3;
-            let real = if parity == 0 { 0.0 } else { value.to_f64() };
-            Dual::<true>::new(real, value.to_f64() + parity as f64)
-        });
-        agrees(&case.text, &borrowed(&duals))?;
+        agrees(&case.duals())?;
     }
 }
 
@@ -101,7 +76,7 @@ proptest! {
     #[test]
     fn symbols(case in cases(Values::Fractions)) {
         let [a, b] = ["a", "b"].map(Symbolic::parameter);
-        let symbols = mapped(&case, |at, value| {
+        let symbols = case.mapped(|at, value| {
             let constant = Symbolic::constant(value.clone());
             match at.iter().sum::<usize>() % 4 {
                 0 => constant,
@@ -110,14 +85,14 @@ proptest! {
                 _ => constant / &(a.clone() + &b),
             }
         });
-        agrees(&case.text, &borrowed(&symbols))?;
+        agrees(&symbols)?;
     }
 
     #[test]
     fn constant_symbols_are_numbers(case in cases(Values::Words)) {
         let exact = contract(&case.text, &case.operands())?;
-        let symbols = mapped(&case, |_, value| Symbolic::constant(value.clone()));
-        let constants = contract(&case.text, &borrowed(&symbols))?;
+        let symbols = case.mapped(|_, value| Symbolic::constant(value.clone()));
+        let constants = contract(&case.text, &symbols.operands())?;
         prop_assert_eq!(constants, exact.map(|value| Symbolic::constant(value.clone())));
     }
 }

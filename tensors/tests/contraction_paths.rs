@@ -2,13 +2,11 @@
 //! bisection, one thread and two, integers and the ring, with small tensors and lowered sizes.
 
 use crate::common::cases;
-use crate::common::dual;
 use crate::common::oracle;
 use crate::common::property;
 use affinor_tensors::contraction::{Paths, contract_by};
 use affinor_tensors::{Rational, Ring, Symbolic, Tensor, TensorError, contract};
 use cases::{Case, Values, cases_of_ranks};
-use dual::Dual;
 use oracle::{oracle, stored};
 use proptest::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -52,21 +50,12 @@ fn paths(dimension: usize) -> impl Iterator<Item = (Paths, &'static ThreadPool)>
     })
 }
 
-/// The case with its operands mapped into another ring.
-fn mapped<S: Ring>(case: &Case, f: impl Fn(&[usize], &Rational) -> S) -> Vec<(&str, Tensor<S>)> {
-    let operand = |tensor: &Tensor<Rational>| tensor.filter_map(|at, value| Some(f(at, value)));
-    case.operands.iter().map(|(name, tensor)| (name.as_str(), operand(tensor))).collect()
-}
-
-fn borrowed<'a, S>(operands: &'a [(&'a str, Tensor<S>)]) -> Vec<(&'a str, &'a Tensor<S>)> {
-    operands.iter().map(|(name, tensor)| (*name, tensor)).collect()
-}
-
 /// Every path agrees with the oracle, in order, and no zero is stored.
-fn agrees<S: Ring>(text: &str, operands: &[(&str, &Tensor<S>)]) -> Result<(), TestCaseError> {
-    let expected: Vec<_> = oracle(text, operands).into_iter().collect();
+fn agrees<S: Ring>(case: &Case<S>) -> Result<(), TestCaseError> {
+    let (text, operands) = (&case.text, case.operands());
+    let expected: Vec<_> = oracle(text, &operands).into_iter().collect();
     for (paths, pool) in paths(operands[0].1.dimension()) {
-        let result = pool.install(|| contract_by(&paths, text, operands))?;
+        let result = pool.install(|| contract_by(&paths, text, &operands))?;
         prop_assert_eq!(&stored(&result), &expected, "{} by {:?}", text, paths);
     }
     Ok(())
@@ -77,24 +66,24 @@ proptest! {
 
     #[test]
     fn integers(case in cases_of_ranks(0..9, Values::Integers)) {
-        agrees(&case.text, &case.operands())?;
+        agrees(&case)?;
         let result = contract(&case.text, &case.operands())?;
         prop_assert_eq!(result.slots(), case.slots);
     }
 
     #[test]
     fn fractions(case in cases_of_ranks(0..9, Values::Fractions)) {
-        agrees(&case.text, &case.operands())?;
+        agrees(&case)?;
     }
 
     #[test]
     fn words_at_the_edge_of_64_bits(case in cases_of_ranks(0..7, Values::Words)) {
-        agrees(&case.text, &case.operands())?;
+        agrees(&case)?;
     }
 
     #[test]
     fn beyond_64_bits(case in cases_of_ranks(0..5, Values::Huge)) {
-        agrees(&case.text, &case.operands())?;
+        agrees(&case)?;
     }
 
     /// A bound between the sizes of small sums, so that either arithmetic is taken.
@@ -113,8 +102,8 @@ proptest! {
     #[test]
     fn floats(case in cases_of_ranks(0..9, Values::Fractions)) {
         let exact = contract(&case.text, &case.operands())?.map(Rational::to_f64);
-        let floats = mapped(&case, |_, value| value.to_f64());
-        let floats = borrowed(&floats);
+        let floats = case.floats();
+        let floats = floats.operands();
         let bits = |t: &Tensor<f64>| {
             t.components().map(|(at, value)| (at.to_vec(), value.to_bits())).collect::<Vec<_>>()
         };
@@ -130,15 +119,9 @@ proptest! {
         }
     }
 
-    /// Dual numbers with integer parts, which are exact; some have no real part.
     #[test]
     fn dual_numbers(case in cases_of_ranks(0..7, Values::Integers)) {
-        let duals = mapped(&case, |at, value| {
-            let parity = at.iter().sum::<usize>() % 3;
-            let real = if parity == 0 { 0.0 } else { value.to_f64() };
-            Dual::<true>::new(real, value.to_f64() + parity as f64)
-        });
-        agrees(&case.text, &borrowed(&duals))?;
+        agrees(&case.duals())?;
     }
 }
 
@@ -149,7 +132,7 @@ proptest! {
     #[test]
     fn symbols(case in cases_of_ranks(0..5, Values::Fractions), constants in any::<bool>()) {
         let [a, b] = ["a", "b"].map(Symbolic::parameter);
-        let symbols = mapped(&case, |at, value| {
+        let symbols = case.mapped(|at, value| {
             let constant = Symbolic::constant(value.clone());
             match at.iter().sum::<usize>() % 3 {
                 1 if !constants => constant * &a,
@@ -157,7 +140,7 @@ proptest! {
                 _ => constant,
             }
         });
-        agrees(&case.text, &borrowed(&symbols))?;
+        agrees(&symbols)?;
     }
 }
 

@@ -46,41 +46,81 @@ impl Case<'_> {
     }
 }
 
-/// A table `(what is wrong, content, status, what is said)` of definition files, each given to
-/// `affinor table`.
-pub type Files<'c> = [(&'c str, &'c str, i32, &'c [&'c str])];
+/// Rows `(what is wrong, what is said)`.
+pub type Rows<'c> = [(&'c str, &'c [&'c str])];
 
-/// Runs a table of definition files.
-pub fn refuse_files(file: &str, table: &Files) {
-    let arguments = ["table", file];
-    refuse(table.iter().map(|&(name, content, status, says)| Case {
-        name,
-        arguments: &arguments,
-        file: Some((file, content.as_bytes())),
-        input: b"",
-        status,
-        says,
-    }));
+/// Inputs that are alike but for the text of a row.
+pub struct Inputs<'c> {
+    arguments: Vec<&'c str>,
+    /// The words of the text are further arguments.
+    words: bool,
+    /// The name of a file, and its content for a text.
+    file: Option<(&'c str, Content<'c>)>,
 }
 
-/// A table `(arguments, status, what is said)`.
-pub type Commands<'c> = [(&'c [&'c str], i32, &'c [&'c str])];
+type Content<'c> = Box<dyn Fn(&str) -> String + 'c>;
 
-/// Runs a table of commands without files.
-pub fn refuse_commands(table: &Commands) {
-    refuse(table.iter().map(|&(arguments, status, says)| Case {
-        name: arguments[arguments.len() - 1],
-        arguments,
-        file: None,
-        input: b"",
-        status,
-        says,
-    }));
+/// Definitions in `file`, given to `affinor table`: `content` makes them of the texts.
+pub fn definitions<'c>(file: &'c str, content: impl Fn(&str) -> String + 'c) -> Inputs<'c> {
+    Inputs { arguments: vec!["table", file], words: false, file: Some((file, Box::new(content))) }
+}
+
+/// Problems in `file`, given to `affinor simulate`.
+pub fn problems<'c>(file: &'c str, content: impl Fn(&str) -> String + 'c) -> Inputs<'c> {
+    Inputs { arguments: vec!["simulate", file], ..definitions(file, content) }
+}
+
+/// Tables in `file`, given to `affinor verify so3`.
+pub fn stored<'c>(file: &'c str, content: impl Fn(&str) -> String + 'c) -> Inputs<'c> {
+    Inputs { arguments: vec!["verify", "so3", file], ..definitions(file, content) }
+}
+
+/// Commands that begin with `arguments` and go on with the words of the texts.
+pub fn commands<'c>(arguments: &[&'c str]) -> Inputs<'c> {
+    Inputs { arguments: arguments.to_vec(), words: true, file: None }
+}
+
+impl<'c> Inputs<'c> {
+    /// With these arguments too.
+    pub fn with(mut self, arguments: &[&'c str]) -> Self {
+        self.arguments.extend(arguments);
+        self
+    }
+
+    /// Beside a file.
+    pub fn beside(self, file: &'c str, content: &'c str) -> Self {
+        Self { file: Some((file, Box::new(move |_| content.to_string()))), ..self }
+    }
+
+    /// Each is wrong usage, or cannot be read.
+    pub fn usage(&self, rows: &Rows) {
+        self.refused(USAGE, rows);
+    }
+
+    /// Each is refused by the mathematics.
+    pub fn mathematics(&self, rows: &Rows) {
+        self.refused(MATHEMATICS, rows);
+    }
+
+    fn refused(&self, status: i32, rows: &Rows) {
+        let failures = rows.iter().flat_map(|&(text, says)| {
+            let words = self.words.then(|| text.split(' ')).into_iter().flatten();
+            let arguments: Vec<&str> = self.arguments.iter().copied().chain(words).collect();
+            let content = self.file.as_ref().map(|(name, content)| (*name, content(text)));
+            let file = content.as_ref().map(|(name, content)| (*name, content.as_bytes()));
+            let name = &text.chars().take(200).collect::<String>();
+            Case { name, arguments: &arguments, file, input: b"", status, says }.failures()
+        });
+        assert_none(failures.collect());
+    }
 }
 
 /// Runs cases, and fails with all that is wrong.
 pub fn refuse<'c>(cases: impl IntoIterator<Item = Case<'c>>) {
-    let failures: Vec<String> = cases.into_iter().flat_map(|case| case.failures()).collect();
+    assert_none(cases.into_iter().flat_map(|case| case.failures()).collect());
+}
+
+fn assert_none(failures: Vec<String>) {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 

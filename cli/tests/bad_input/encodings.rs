@@ -1,6 +1,6 @@
 //! Files that are no text, or text of another kind; and files that are not there.
 
-use crate::bad_input::case::{Case, USAGE, refuse, refuse_commands};
+use crate::bad_input::case::{Case, USAGE, commands, refuse};
 use crate::program::run;
 use std::fs;
 use tempfile::TempDir;
@@ -57,16 +57,16 @@ fn other_texts_are_read() {
 
 #[test]
 fn not_there() {
-    refuse_commands(&[
-        (&["table", "no.toml"], USAGE, &["cannot read no.toml", "No such file"]),
-        (&["table", "no/such.json"], USAGE, &["cannot read no/such.json", "No such file"]),
-        (&["table", "./"], USAGE, &["cannot read ./", "Is a directory"]),
-        (&["table", "."], USAGE, &["no algebra named `.`"]),
-        (&["check", "/dev/null"], USAGE, &["/dev/null is empty"]),
-        (&["check", "/dev/zero"], USAGE, &["/dev/zero has more than"]),
-        (&["verify", "so3", "no.json"], USAGE, &["cannot read no.json", "No such file"]),
-        (&["verify", "so3", "."], USAGE, &["cannot read .", "Is a directory"]),
-        (&["verify", "so3", "/dev/null"], USAGE, &["cannot read /dev/null", "header"]),
+    commands(&[]).usage(&[
+        ("table no.toml", &["cannot read no.toml", "No such file"]),
+        ("table no/such.json", &["cannot read no/such.json", "No such file"]),
+        ("table ./", &["cannot read ./", "Is a directory"]),
+        ("table .", &["no algebra named `.`"]),
+        ("check /dev/null", &["/dev/null is empty"]),
+        ("check /dev/zero", &["/dev/zero has more than"]),
+        ("verify so3 no.json", &["cannot read no.json", "No such file"]),
+        ("verify so3 .", &["cannot read .", "Is a directory"]),
+        ("verify so3 /dev/null", &["cannot read /dev/null", "header"]),
     ]);
 }
 

@@ -1,25 +1,18 @@
 //! Expressions that mean nothing, or too much.
 
-use crate::bad_input::case::{Case, USAGE, refuse};
+use crate::bad_input::case::definitions;
 
 /// The column of an expression in a file of the plane `e1, e2` with the parameters `x, y`.
 const COLUMN: usize = 27;
 
 fn refuse_expressions(table: &[(&str, usize, &[&str])]) {
+    let content = |expression: &str| {
+        format!("dimension = 2\nparameters = ['x', 'y']\nbrackets = '[e1, e2] = e1*{expression}'")
+    };
     for &(expression, offset, says) in table {
-        let content = format!(
-            "dimension = 2\nparameters = ['x', 'y']\nbrackets = '[e1, e2] = e1*{expression}'"
-        );
         let place = format!("a.toml:3:{}", COLUMN + offset);
         let says: Vec<&str> = says.iter().copied().chain([place.as_str()]).collect();
-        refuse([Case {
-            name: expression,
-            arguments: &["table", "a.toml"],
-            file: Some(("a.toml", content.as_bytes())),
-            input: b"",
-            status: USAGE,
-            says: &says,
-        }]);
+        definitions("a.toml", content).usage(&[(expression, &says)]);
     }
 }
 
@@ -106,12 +99,6 @@ fn sums_of_fractions_have_a_limit() {
         sum(0),
         sum(9)
     );
-    refuse([Case {
-        name: "two sums of fractions",
-        arguments: &["table", "a.toml"],
-        file: Some(("a.toml", content.as_bytes())),
-        input: b"",
-        status: USAGE,
-        says: &["a.toml:3:", "grows beyond the limit"],
-    }]);
+    let says = &["a.toml:3:", "grows beyond the limit"];
+    definitions("a.toml", str::to_string).usage(&[(&content, says)]);
 }

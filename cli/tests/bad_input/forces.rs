@@ -1,76 +1,25 @@
 //! Forces, ensembles, flows and bodies of problems of motion that are none, and files that hold no problem.
 
-use crate::bad_input::case::{Case, MATHEMATICS, USAGE, refuse};
-use crate::bad_input::problems::{GOOD, METRIC, OUTPUT, refuse_problems};
+use crate::bad_input::case::{Case, MATHEMATICS, USAGE, commands, problems, refuse};
+use crate::bad_input::problems::{GOOD, METRIC, instead_of, with};
 use crate::program::run;
 use tempfile::TempDir;
 
 #[test]
 fn forces() {
-    refuse_problems(&[
+    problems("a.toml", with).usage(&[
+        ("forces.body = [1, 2]", &["a.toml:5:", "the force has 2 components, the dimension is 3"]),
+        ("forces.space = [1, 2, 3, 4]", &["the force has 4 components"]),
+        ("forces.body = [1, 'cos(wind)', 3]", &["a.toml:5:23", "^^^^", "`wind` is no name here"]),
+        ("forces.body = [1, 'power', 3]", &["`power` is no name here"]),
         (
-            "length",
-            OUTPUT,
-            "output.end = 1\nforces.body = [1, 2]\n",
-            USAGE,
-            &["a.toml:5:", "the force has 2 components, the dimension is 3"],
-        ),
-        (
-            "more",
-            OUTPUT,
-            "output.end = 1\nforces.space = [1, 2, 3, 4]\n",
-            USAGE,
-            &["the force has 4 components"],
-        ),
-        (
-            "a name",
-            OUTPUT,
-            "output.end = 1\nforces.body = [1, 'cos(wind)', 3]\n",
-            USAGE,
-            &["a.toml:5:23", "^^^^", "`wind` is no name here"],
-        ),
-        (
-            "power",
-            OUTPUT,
-            "output.end = 1\nforces.body = [1, 'power', 3]\n",
-            USAGE,
-            &["`power` is no name here"],
-        ),
-        (
-            "potential",
-            OUTPUT,
-            "output.end = 1\nforces.potential = 'H1^2'\n",
-            USAGE,
+            "forces.potential = 'H1^2'",
             &["a.toml:5:21", "`H1` is no name here", "a potential is a formula"],
         ),
-        (
-            "no table",
-            OUTPUT,
-            "output.end = 1\nforces.table = 'none.csv'\n",
-            USAGE,
-            &["a.toml:5:", "cannot read"],
-        ),
-        (
-            "a folder",
-            OUTPUT,
-            "output.end = 1\nforces.table = '.'\n",
-            USAGE,
-            &["a.toml:5:", "cannot read"],
-        ),
-        (
-            "no table at all",
-            OUTPUT,
-            "output.end = 1\nforces.table_in = 'space'\n",
-            USAGE,
-            &["there is no table"],
-        ),
-        (
-            "the side",
-            OUTPUT,
-            "output.end = 1\nforces.table = 'a'\nforces.table_in = 'mars'\n",
-            USAGE,
-            &["`mars` is neither body nor space"],
-        ),
+        ("forces.table = 'none.csv'", &["a.toml:5:", "cannot read"]),
+        ("forces.table = '.'", &["a.toml:5:", "cannot read"]),
+        ("forces.table_in = 'space'", &["there is no table"]),
+        ("forces.table = 'a'\nforces.table_in = 'mars'", &["`mars` is neither body nor space"]),
     ]);
 }
 
@@ -128,451 +77,201 @@ fn tables() {
 
 #[test]
 fn ensembles() {
-    refuse_problems(&[
+    problems("a.toml", with).usage(&[
+        ("ensemble.samples = 0", &["a.toml:5:", "between 1 and"]),
+        ("ensemble.samples = 10000000000", &["between 1 and 1000000000 members"]),
         (
-            "no members",
-            OUTPUT,
-            "output.end = 1\nensemble.samples = 0\n",
-            USAGE,
-            &["a.toml:5:", "between 1 and"],
-        ),
-        (
-            "many",
-            OUTPUT,
-            "output.end = 1\nensemble.samples = 10000000000\n",
-            USAGE,
+            "[ensemble]\nsamples = 1000000\ngrid.a = '0 .. 1 in 100000'",
             &["between 1 and 1000000000 members"],
         ),
+        ("ensemble.samples = -1", &["a.toml:5:"]),
+        ("ensemble.grid.a = '0 .. 1 in 0'", &["a.toml:5:20", "at least one point"]),
+        ("ensemble.grid.a = ''", &["a.toml:5:20", "a grid is"]),
+        ("ensemble.grid.a = '0 .. 1 in 4000000000'", &["4000000000 points are too many"]),
+        ("ensemble.grid.a = 'one'", &["a.toml:5:20", "`one` is no number"]),
+        ("ensemble.random.a = 'poisson(3)'", &["a.toml:5:22", "neither normal(mean, deviation)"]),
+        ("ensemble.random.a = 'normal(3)'", &["1 numbers stand here instead of 2"]),
+        ("ensemble.random.a = 'normal(3, -1)'", &["a deviation is not negative"]),
         (
-            "a product",
-            OUTPUT,
-            "output.end = 1\n[ensemble]\nsamples = 1000000\ngrid.a = '0 .. 1 in 100000'\n",
-            USAGE,
-            &["between 1 and 1000000000 members"],
-        ),
-        ("negative", OUTPUT, "output.end = 1\nensemble.samples = -1\n", USAGE, &["a.toml:5:"]),
-        (
-            "no points",
-            OUTPUT,
-            "output.end = 1\nensemble.grid.a = '0 .. 1 in 0'\n",
-            USAGE,
-            &["a.toml:5:20", "at least one point"],
-        ),
-        (
-            "empty",
-            OUTPUT,
-            "output.end = 1\nensemble.grid.a = ''\n",
-            USAGE,
-            &["a.toml:5:20", "a grid is"],
-        ),
-        (
-            "endless",
-            OUTPUT,
-            "output.end = 1\nensemble.grid.a = '0 .. 1 in 4000000000'\n",
-            USAGE,
-            &["4000000000 points are too many"],
-        ),
-        (
-            "a word",
-            OUTPUT,
-            "output.end = 1\nensemble.grid.a = 'one'\n",
-            USAGE,
-            &["a.toml:5:20", "`one` is no number"],
-        ),
-        (
-            "a law",
-            OUTPUT,
-            "output.end = 1\nensemble.random.a = 'poisson(3)'\n",
-            USAGE,
-            &["a.toml:5:22", "neither normal(mean, deviation)"],
-        ),
-        (
-            "one number",
-            OUTPUT,
-            "output.end = 1\nensemble.random.a = 'normal(3)'\n",
-            USAGE,
-            &["1 numbers stand here instead of 2"],
-        ),
-        (
-            "a deviation",
-            OUTPUT,
-            "output.end = 1\nensemble.random.a = 'normal(3, -1)'\n",
-            USAGE,
-            &["a deviation is not negative"],
-        ),
-        (
-            "twice",
-            OUTPUT,
-            "output.end = 1\nensemble = { grid = { a = '1' }, random = { a = 'uniform(0, 1)' } }\n",
-            USAGE,
+            "ensemble = { grid = { a = '1' }, random = { a = 'uniform(0, 1)' } }",
             &["`a` is varied twice"],
         ),
-        (
-            "a name",
-            OUTPUT,
-            "output.end = 1\nensemble.grid.t = '1'\n",
-            USAGE,
-            &["`t` has a meaning already"],
-        ),
+        ("ensemble.grid.t = '1'", &["`t` has a meaning already"]),
     ]);
-    let file = Some(("a.toml", GOOD.as_bytes()));
-    let arguments: &[&str] = &["simulate", "--ensemble", "a.toml"];
-    let says = &["the problem defines no ensemble"];
-    refuse([Case { name: "none", arguments, file, input: b"", status: USAGE, says }]);
+    commands(&["simulate", "--ensemble"])
+        .beside("a.toml", GOOD)
+        .usage(&[("a.toml", &["the problem defines no ensemble"])]);
 }
 
 #[test]
 fn flows() {
     let flow = |lines: &str| format!("{lines}\nintegrator.step = 0.1\noutput.end = 1\n");
-    for (name, lines, status, says) in [
+    problems("a.toml", flow).usage(&[
+        ("flow.kind = 'kdv'", &["a.toml:1:14", "`kdv` is no flow", "toda, manakov, zeitlin"]),
+        ("flow.kind = 'toda'", &["needs positions and momenta"]),
         (
-            "kind",
-            "flow.kind = 'kdv'",
-            USAGE,
-            &["a.toml:1:14", "`kdv` is no flow", "toda, manakov, zeitlin"][..],
-        ),
-        ("nothing", "flow.kind = 'toda'", USAGE, &["needs positions and momenta"]),
-        (
-            "lengths",
-            "flow = { kind = 'toda', positions = [0], momenta = [0, 1] }",
-            MATHEMATICS,
-            &["a.toml:1"],
-        ),
-        (
-            "none",
-            "flow = { kind = 'toda', positions = [], momenta = [] }",
-            MATHEMATICS,
-            &["a.toml:1"],
-        ),
-        (
-            "masses",
-            "flow = { kind = 'manakov', masses = [1, 2], momentum = [[0, 1, 2], [-1, 0, 3], [-2, -3, 0]] }",
-            MATHEMATICS,
-            &["a.toml:1"],
-        ),
-        (
-            "symmetric",
-            "flow = { kind = 'manakov', masses = [1, 2], momentum = [[0, 1], [1, 0]] }",
-            MATHEMATICS,
-            &["a.toml:1"],
-        ),
-        (
-            "negative mass",
-            "flow = { kind = 'manakov', masses = [1, -1], momentum = [[0, 1], [-1, 0]] }",
-            MATHEMATICS,
-            &["a.toml:1"],
-        ),
-        (
-            "ragged",
             "flow = { kind = 'manakov', masses = [1, 2], momentum = [[0, 1], [1]] }",
-            USAGE,
             &["different lengths"],
         ),
         (
-            "size 0",
-            "flow = { kind = 'zeitlin', size = 0, modes = [[1, 0, 1]] }",
-            MATHEMATICS,
-            &["a.toml:1"],
-        ),
-        (
-            "huge",
-            "flow = { kind = 'zeitlin', size = 100000000, seed = 1, degree = 2 }",
-            MATHEMATICS,
-            &["a.toml:1"],
-        ),
-        (
-            "constraints",
             "constraints = ['g11']\nflow = { kind = 'zeitlin', size = 5, seed = 1, degree = 2 }",
-            USAGE,
             &["has no `constraints`"],
         ),
         (
-            "harmonic",
-            "flow = { kind = 'zeitlin', size = 5, modes = [[1, 2, 1]] }",
-            MATHEMATICS,
-            &["a.toml:1"],
-        ),
-        (
-            "mode",
             "flow = { kind = 'zeitlin', size = 5, modes = [[1, 2]] }",
-            USAGE,
             &["a mode is [l, m, coefficient]"],
         ),
         (
-            "half",
             "flow = { kind = 'zeitlin', size = 5, modes = [[0.5, 0, 1]] }",
-            USAGE,
             &["no spherical harmonic"],
         ),
         (
-            "degree",
-            "flow = { kind = 'zeitlin', size = 5, seed = 1, degree = 9 }",
-            MATHEMATICS,
-            &["a.toml:1"],
-        ),
-        (
-            "method",
-            "integrator.method = 'rkmk4'\nflow = { kind = 'zeitlin', size = 5, seed = 1, degree = 2 }",
-            MATHEMATICS,
-            &["is not for flows", "isospectral2"],
-        ),
-        (
-            "metric",
             "metric = 'identity'\nflow = { kind = 'zeitlin', size = 5, seed = 1, degree = 2 }",
-            USAGE,
             &["a.toml:1:1", "a flow of matrices has no `metric`"],
         ),
         (
-            "columns",
             "output.columns = ['t']\nflow = { kind = 'zeitlin', size = 5, seed = 1, degree = 2 }",
-            USAGE,
             &["has no `columns`"],
         ),
-    ] {
-        refuse_problems(&[(name, GOOD, &flow(lines), status, says)]);
-    }
+    ]);
+    problems("a.toml", flow).mathematics(&[
+("flow = { kind = 'toda', positions = [0], momenta = [0, 1] }", &["a.toml:1"]),
+("flow = { kind = 'toda', positions = [], momenta = [] }", &["a.toml:1"]),
+("flow = { kind = 'manakov', masses = [1, 2], momentum = [[0, 1, 2], [-1, 0, 3], [-2, -3, 0]] }", &["a.toml:1"]),
+("flow = { kind = 'manakov', masses = [1, 2], momentum = [[0, 1], [1, 0]] }", &["a.toml:1"]),
+("flow = { kind = 'manakov', masses = [1, -1], momentum = [[0, 1], [-1, 0]] }", &["a.toml:1"]),
+("flow = { kind = 'zeitlin', size = 0, modes = [[1, 0, 1]] }", &["a.toml:1"]),
+("flow = { kind = 'zeitlin', size = 100000000, seed = 1, degree = 2 }", &["a.toml:1"]),
+("flow = { kind = 'zeitlin', size = 5, modes = [[1, 2, 1]] }", &["a.toml:1"]),
+("flow = { kind = 'zeitlin', size = 5, seed = 1, degree = 9 }", &["a.toml:1"]),
+("integrator.method = 'rkmk4'\nflow = { kind = 'zeitlin', size = 5, seed = 1, degree = 2 }", &["is not for flows", "isospectral2"]),
+]);
     let without =
         "flow = { kind = 'toda', positions = [0, 0], momenta = [1, 2] }\noutput.end = 1\n";
-    refuse_problems(&[(
-        "no step",
-        GOOD,
-        without,
-        MATHEMATICS,
-        &["a flow of matrices needs a step"],
-    )]);
+    problems("a.toml", str::to_string)
+        .mathematics(&[(without, &["a flow of matrices needs a step"])]);
 }
 
 #[test]
 fn given_velocities() {
     let given = |lines: &str| format!("space = 'so3'\n{lines}\noutput.end = 1\n");
-    for (name, lines, status, says) in [
-        ("no step", "given.velocity = [1, 2, 3]", MATHEMATICS, &["needs a step"][..]),
+    problems("a.toml", given).mathematics(&[("given.velocity = [1, 2, 3]", &["needs a step"])]);
+    problems("a.toml", given).usage(&[
         (
-            "length",
             "integrator.step = 0.1\ngiven.velocity = [1, 2]",
-            USAGE,
             &["a.toml:3:", "2 components, the dimension is 3"],
         ),
+        ("given = { velocity = [1, 2, 3], space_velocity = [1, 2, 3] }", &["give one of velocity"]),
         (
-            "both",
-            "given = { velocity = [1, 2, 3], space_velocity = [1, 2, 3] }",
-            USAGE,
-            &["give one of velocity"],
-        ),
-        (
-            "side",
             "integrator.step = 0.1\ngiven.space_velocity = [1, 2, 3]",
-            USAGE,
             &["with invariance = \"right\""],
         ),
         (
-            "a name",
             "integrator.step = 0.1\ngiven.velocity = [1, 'H1', 3]",
-            USAGE,
             &["a.toml:3:", "`H1` is no name here"],
         ),
         (
-            "a metric",
             "metric = 'identity'\nintegrator.step = 0.1\ngiven.velocity = [1, 2, 3]",
-            USAGE,
             &["a velocity given over time has no `metric`"],
         ),
         (
-            "a start",
             "initial.momentum = [1, 2, 3]\nintegrator.step = 0.1\ngiven.velocity = [1, 2, 3]",
-            USAGE,
             &["has no `momentum`"],
         ),
         (
-            "forces",
             "forces.body = [1, 2, 3]\nintegrator.step = 0.1\ngiven.velocity = [1, 2, 3]",
-            USAGE,
             &["has no `forces`"],
         ),
-    ] {
-        refuse_problems(&[(name, GOOD, &given(lines), status, says)]);
-    }
+    ]);
 }
 
 #[test]
 fn bodies() {
     let part = |part: &str| format!("inertia.parts = [{part}]\n");
-    for (name, line, status, says) in [
+    problems("a.toml", instead_of(METRIC)).mathematics(&[
+        ("inertia.moments = [1, 2, 4]", &["a.toml:2:1", "no masses have them, as 4 > 1 + 2"]),
+        ("inertia.moments = [1, 2, -2]", &["-2 is a principal moment"]),
+        ("inertia.matrix = [[1, 2, 0], [0, 1, 0], [0, 0, 1]]", &["off symmetric"]),
+    ]);
+    problems("a.toml", instead_of(METRIC)).usage(&[
+        ("inertia.moments = [1, 2]", &["components instead of 3"]),
         (
-            "moments",
-            "inertia.moments = [1, 2, 4]\n",
-            MATHEMATICS,
-            &["a.toml:2:1", "no masses have them, as 4 > 1 + 2"][..],
-        ),
-        ("negative", "inertia.moments = [1, 2, -2]\n", MATHEMATICS, &["-2 is a principal moment"]),
-        ("two", "inertia.moments = [1, 2]\n", USAGE, &["components instead of 3"]),
-        (
-            "matrix",
-            "inertia.matrix = [[1, 2, 0], [0, 1, 0], [0, 0, 1]]\n",
-            MATHEMATICS,
-            &["off symmetric"],
-        ),
-        (
-            "both",
-            "metric = 'identity'\ninertia.moments = [1, 2, 2]\n",
-            USAGE,
+            "metric = 'identity'\ninertia.moments = [1, 2, 2]",
             &["a.toml:3:1", "the metric is given twice"],
         ),
         (
-            "a parameter mass",
-            "parameters = { mass = 1 }\ninertia.parts = [{ shape = 'ball', radius = 1, mass = 2 }]\n",
-            USAGE,
+            "parameters = { mass = 1 }\ninertia.parts = [{ shape = 'ball', radius = 1, mass = 2 }]",
             &["a.toml:2:", "`mass` has a meaning already"],
         ),
-        ("no parts", "inertia.parts = []\n", USAGE, &["the body has no part but holes"]),
+        ("inertia.parts = []", &["the body has no part but holes"]),
         (
-            "about",
-            "inertia = { about = 'top', parts = [{ shape = 'ball', radius = 1, mass = 1 }] }\n",
-            USAGE,
+            "inertia = { about = 'top', parts = [{ shape = 'ball', radius = 1, mass = 1 }] }",
             &["a.toml:2:", "`top` is no point"],
         ),
         (
-            "about numbers",
-            "inertia = { about = [1, 2], parts = [{ shape = 'ball', radius = 1, mass = 1 }] }\n",
-            USAGE,
+            "inertia = { about = [1, 2], parts = [{ shape = 'ball', radius = 1, mass = 1 }] }",
             &["the point has 2 components"],
         ),
+        ("inertia = { about = 'centre', moments = [1, 1, 1] }", &["a point goes with parts"]),
+    ]);
+    problems("a.toml", |text: &str| instead_of(METRIC)(&part(text))).usage(&[
         (
-            "about moments",
-            "inertia = { about = 'centre', moments = [1, 1, 1] }\n",
-            USAGE,
-            &["a point goes with parts"],
-        ),
-    ] {
-        refuse_problems(&[(name, METRIC, line, status, says)]);
-    }
-    for (name, line, status, says) in [
-        (
-            "shape",
             "{ shape = 'torus', mass = 1 }",
-            USAGE,
-            &["a.toml:2:", "`torus` is no shape", "cylinder (radius, height)"][..],
+            &["a.toml:2:", "`torus` is no shape", "cylinder (radius, height)"],
         ),
-        (
-            "sizes",
-            "{ shape = 'ball', edges = [1, 2, 3], mass = 1 }",
-            USAGE,
-            &["the part has radius"],
-        ),
-        (
-            "more sizes",
-            "{ shape = 'ball', radius = 1, height = 2, mass = 1 }",
-            USAGE,
-            &["the part has radius"],
-        ),
-        (
-            "edges",
-            "{ shape = 'box', edges = [1, 2], mass = 1 }",
-            USAGE,
-            &["a box has 2 components"],
-        ),
-        ("no mass", "{ shape = 'ball', radius = 1 }", USAGE, &["a mass or a density"]),
-        (
-            "both",
-            "{ shape = 'ball', radius = 1, mass = 1, density = 1 }",
-            USAGE,
-            &["a mass or a density"],
-        ),
-        (
-            "radius",
-            "{ shape = 'ball', radius = 0, mass = 1 }",
-            MATHEMATICS,
-            &["a.toml:2:", "a length is 0"],
-        ),
-        ("mass", "{ shape = 'ball', radius = 1, mass = -1 }", MATHEMATICS, &["the mass is -1"]),
-        ("overflow", "{ shape = 'ball', radius = 1e200, mass = 1 }", MATHEMATICS, &["a.toml:2:"]),
-        (
-            "a line",
-            "{ shape = 'rod', length = 1, mass = 1 }",
-            MATHEMATICS,
-            &["a.toml:2:1", "0 is a principal moment"],
-        ),
-        (
-            "a point",
-            "{ shape = 'points', points = [[1, 0, 0]] }",
-            USAGE,
-            &["2 components instead of 3"],
-        ),
-        ("no points", "{ shape = 'points', points = [] }", MATHEMATICS, &["there are no masses"]),
-        (
-            "a hole",
-            "{ shape = 'ball', radius = 1, mass = 1 }, { shape = 'ball', radius = 2, mass = 2, hole = true }",
-            MATHEMATICS,
-            &["the mass left is -1"],
-        ),
-        (
-            "only holes",
-            "{ shape = 'ball', radius = 1, mass = 1, hole = true }",
-            USAGE,
-            &["no part but holes"],
-        ),
-        ("mesh", "{ mesh = 'none.stl', density = 1 }", USAGE, &["a.toml:2:", "cannot read"]),
-        ("no mesh", "{ mesh = 'a.toml', density = 1 }", USAGE, &["a.toml is no mesh by its name"]),
-        ("nothing", "{ mass = 1 }", USAGE, &["a part has a shape or a mesh"]),
-        ("a key", "{ shape = 'ball', radius = 1, weight = 1 }", USAGE, &["unknown key `weight`"]),
-    ] {
-        refuse_problems(&[(name, METRIC, &part(line), status, says)]);
-    }
+        ("{ shape = 'ball', edges = [1, 2, 3], mass = 1 }", &["the part has radius"]),
+        ("{ shape = 'ball', radius = 1, height = 2, mass = 1 }", &["the part has radius"]),
+        ("{ shape = 'box', edges = [1, 2], mass = 1 }", &["a box has 2 components"]),
+        ("{ shape = 'ball', radius = 1 }", &["a mass or a density"]),
+        ("{ shape = 'ball', radius = 1, mass = 1, density = 1 }", &["a mass or a density"]),
+        ("{ shape = 'points', points = [[1, 0, 0]] }", &["2 components instead of 3"]),
+        ("{ shape = 'ball', radius = 1, mass = 1, hole = true }", &["no part but holes"]),
+        ("{ mesh = 'none.stl', density = 1 }", &["a.toml:2:", "cannot read"]),
+        ("{ mesh = 'a.toml', density = 1 }", &["a.toml is no mesh by its name"]),
+        ("{ mass = 1 }", &["a part has a shape or a mesh"]),
+        ("{ shape = 'ball', radius = 1, weight = 1 }", &["unknown key `weight`"]),
+    ]);
+    problems("a.toml", |text: &str| instead_of(METRIC)(&part(text))).mathematics(&[
+("{ shape = 'ball', radius = 0, mass = 1 }", &["a.toml:2:", "a length is 0"]),
+("{ shape = 'ball', radius = 1, mass = -1 }", &["the mass is -1"]),
+("{ shape = 'ball', radius = 1e200, mass = 1 }", &["a.toml:2:"]),
+("{ shape = 'rod', length = 1, mass = 1 }", &["a.toml:2:1", "0 is a principal moment"]),
+("{ shape = 'points', points = [] }", &["there are no masses"]),
+("{ shape = 'ball', radius = 1, mass = 1 }, { shape = 'ball', radius = 2, mass = 2, hole = true }", &["the mass left is -1"]),
+]);
     let on_se2 = "space = 'se2'\ninertia.moments = [1, 1, 1]\noutput.end = 1\ninitial.velocity = [1, 2, 3]\n";
-    refuse_problems(&[("on se(2)", GOOD, on_se2, USAGE, &["so(3) and se(3)"])]);
+    problems("a.toml", str::to_string).usage(&[(on_se2, &["so(3) and se(3)"])]);
 }
 
 #[test]
 fn files() {
-    let case = |name, file, input, says| Case {
-        name,
-        arguments: &["simulate", "a.toml"],
-        file,
-        input,
-        status: USAGE,
-        says,
-    };
-    refuse([
-        case(
-            "empty",
-            Some(("a.toml", &b""[..])),
-            b"",
-            &["a.toml is empty", "a problem has a space"],
-        ),
-        case("binary", Some(("a.toml", &b"\x00\xff\xfe\x01"[..])), b"", &["is not text: byte 2"]),
-        case("none", None, b"", &["cannot read a.toml"]),
-    ]);
-    let says = &["cannot read"];
-    let arguments = &["simulate", "."];
-    refuse([Case { name: "a folder", arguments, file: None, input: b"", status: USAGE, says }]);
+    problems("a.toml", str::to_string)
+        .usage(&[("", &["a.toml is empty", "a problem has a space"])]);
+    let binary = Some(("a.toml", &b"\x00\xff\xfe\x01"[..]));
+    let (arguments, says) = (&["simulate", "a.toml"], &["is not text: byte 2"]);
+    refuse([Case { name: "binary", arguments, file: binary, input: b"", status: USAGE, says }]);
+    commands(&["simulate"]).usage(&[("a.toml", &["cannot read a.toml"]), (".", &["cannot read"])]);
     // JSON has the same keys
-    let json = br#"{"space": "so3", "metric": "identity", "initial": {"velocity": [1, 2, "x"]}, "output": {"end": 1}}"#;
-    let says = &["a.json:1:", "`x` is no name here"];
-    let arguments = &["simulate", "a.json"];
-    let file = Some(("a.json", &json[..]));
-    refuse([Case { name: "JSON", arguments, file, input: b"", status: USAGE, says }]);
-    let json = br#"{"space": "so3", "metric": "identity", "parameters": {"a": 1, "a": 2}, "initial": {"velocity": [1, 2, 3]}, "output": {"end": 1}}"#;
-    let file = Some(("a.json", &json[..]));
-    let says = &["a.json:1:", "duplicate key `a`"];
-    refuse([Case { name: "twice", arguments, file, input: b"", status: USAGE, says }]);
+    let json = |rest: &str| {
+        format!(r#"{{"space": "so3", "metric": "identity", {rest}, "output": {{"end": 1}}}}"#)
+    };
+    problems("a.json", json).usage(&[
+        (r#""initial": {"velocity": [1, 2, "x"]}"#, &["a.json:1:", "`x` is no name here"]),
+        (
+            r#""parameters": {"a": 1, "a": 2}, "initial": {"velocity": [1, 2, 3]}"#,
+            &["a.json:1:", "duplicate key `a`"],
+        ),
+    ]);
 }
 
 /// A velocity over time has no inertia.
 #[test]
 fn velocities_over_time_have_no_energy() {
     let given = "space = 'so3'\nintegrator.step = 0.1\ngiven.velocity = [1, 't', 0]\n";
-    let cases = [
-        ("columns", "output = { end = 1, columns = ['t', 'H'] }"),
-        ("quantities", "output = { end = 1 }\nquantities = { k = 'kinetic' }"),
-        ("events", "output = { end = 1 }\nevents = { k = 'energy - 1' }"),
-    ];
-    let texts = cases.map(|(name, output)| (name, format!("{given}{output}")));
-    refuse(texts.iter().map(|(name, text)| Case {
-        name,
-        arguments: &["simulate", "a.toml"],
-        file: Some(("a.toml", text.as_bytes())),
-        input: b"",
-        status: USAGE,
-        says: &["is no name here"],
-    }));
+    let says = &["is no name here"];
+    problems("a.toml", |output: &str| format!("{given}{output}")).usage(&[
+        ("output = { end = 1, columns = ['t', 'H'] }", says),
+        ("output = { end = 1 }\nquantities = { k = 'kinetic' }", says),
+        ("output = { end = 1 }\nevents = { k = 'energy - 1' }", says),
+    ]);
 }

@@ -116,12 +116,13 @@ fn a_stopped_member_is_not_forgotten() {
     );
 }
 
-/// No checkpoint makes the program panic or hang: each of its numbers is replaced by others.
-#[ignore = "runs the program several hundred times"]
+/// A damaged checkpoint makes the program neither panic nor hang: each number is replaced by others in turn. With a huge
+/// momentum a run takes all the steps that it may.
+#[ignore = "long: runs the program some 170 times"]
 #[test]
 fn checkpoints_that_were_changed_do_no_harm() {
     let fixed = TOP.replace("tolerance = 1e-12", "method = \"rkmk4\"\nstep = 0.01");
-    let bounded = TOP.replace("tolerance = 1e-12", "tolerance = 1e-12\nmax_steps = 10000");
+    let bounded = TOP.replace("tolerance = 1e-12", "tolerance = 1e-12\nmax_steps = 1000");
     for problem in [bounded, fixed] {
         let problem = problem.replace("end = 400", "end = 20").replace("0.25", "5");
         let folder = folder(&problem);

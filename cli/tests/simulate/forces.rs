@@ -1,6 +1,6 @@
 //! Potentials and tables.
 
-use super::{TOP, done, folder, refused, simulate, times};
+use super::{TOP, columns, folder, refused, simulate, times};
 use std::fs;
 
 /// A potential conserves the energy on every group, in both invariances, and its power is the rate of the kinetic
@@ -46,15 +46,8 @@ fn potentials_conserve_the_energy_on_every_group() {
                 velocity.join(","),
                 velocity.join(","),
             );
-            let output = done(&mut simulate(folder(&problem).path()));
-            let text = String::from_utf8(output.stdout).unwrap();
-            let column = |k: usize| -> Vec<f64> {
-                text.lines()
-                    .skip(1)
-                    .map(|line| line.split(',').nth(k).unwrap().parse().unwrap())
-                    .collect()
-            };
-            let (kinetic, energy, power) = (column(1), column(2), column(3));
+            let columns = columns(folder(&problem).path());
+            let [kinetic, energy, power] = [1, 2, 3].map(|k| &columns[k].1);
             let off = energy.iter().map(|e| (e - energy[0]).abs()).fold(0.0, f64::max);
             assert!(off < 1e-10, "{space}, {invariance}: {off}");
             let moved = kinetic.iter().map(|t| (t - kinetic[0]).abs()).fold(0.0, f64::max);

@@ -1,6 +1,7 @@
-//! Random contractions: a text in index letters and the tensors it speaks of.
+//! Random contractions: a text in index letters and the tensors that it names.
 
-use affinor_tensors::{Down, Indices, Rational, Tensor, Up, Variance};
+use crate::common::dual::Dual;
+use affinor_tensors::{Down, Indices, Rational, Ring, Tensor, Up, Variance};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use std::ops::Range;
@@ -8,15 +9,37 @@ use std::ops::Range;
 /// A random contraction. The result is antisymmetric in its bracketed letters, because every term
 /// stands there in all their orders, with the sign of each.
 #[derive(Clone, Debug)]
-pub struct Case {
+pub struct Case<S = Rational> {
     pub text: String,
     pub slots: Vec<Variance>,
-    pub operands: Vec<(String, Tensor<Rational>)>,
+    pub operands: Vec<(String, Tensor<S>)>,
+}
+
+impl<S> Case<S> {
+    pub fn operands(&self) -> Vec<(&str, &Tensor<S>)> {
+        self.operands.iter().map(|(name, tensor)| (name.as_str(), tensor)).collect()
+    }
 }
 
 impl Case {
-    pub fn operands(&self) -> Vec<(&str, &Tensor<Rational>)> {
-        self.operands.iter().map(|(name, tensor)| (name.as_str(), tensor)).collect()
+    /// The case with its operands mapped into another ring.
+    pub fn mapped<S: Ring>(&self, f: impl Fn(&[usize], &Rational) -> S) -> Case<S> {
+        let operand = |t: &Tensor<Rational>| t.filter_map(|at, value| Some(f(at, value)));
+        let operands = self.operands.iter().map(|(name, t)| (name.clone(), operand(t)));
+        Case { text: self.text.clone(), slots: self.slots.clone(), operands: operands.collect() }
+    }
+
+    pub fn floats(&self) -> Case<f64> {
+        self.mapped(|_, value| value.to_f64())
+    }
+
+    /// Dual numbers, exact if the values are integers; some have no real part.
+    pub fn duals(&self) -> Case<Dual<true>> {
+        self.mapped(|at, value| {
+            let parity = at.iter().sum::<usize>() % 3;
+            let real = if parity == 0 { 0.0 } else { value.to_f64() };
+            Dual::new(real, value.to_f64() + parity as f64)
+        })
     }
 }
 
