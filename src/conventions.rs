@@ -1,85 +1,121 @@
 //! The conventions of signs and index orders, fixed in this module only.
 //!
 //! The tests below verify every line of [`ALL`]. The command line, files and messages count indices
-//! from 1, Rust from 0.
+//! from 1, Rust from 0. Most tests use aff(1), `[x, y] = y`. It is neither unimodular nor semisimple, so that no wrong
+//! sign or index order passes.
 //!
-//! The tests use aff(1), `[x, y] = y`. It is neither unimodular nor semisimple, so that no wrong sign
-//! or index order passes.
+//! # Algebras
 //!
-//! *Bracket*: `[e_j, e_k] = c^i_jk e_i`, and `(ad_n)^i_k = c^i_jk n^j` with the upper index as row.
+//! - *Bracket*: `[e_j, e_k] = c^i_jk e_i`, and `(ad_n)^i_k = c^i_jk n^j` with the upper index as row.
+//! - *Killing form*: `K_ij = c^m_il c^l_jm = tr(ad_i ad_j)`.
+//! - *Change of basis*: `e'_a = A^i_a e_i`, so `c' = A^-1 c (A, A)`, `g' = A^T g A`.
+//! - *Lie derivative*: `L_X Y = [X, Y]`.
+//! - *Forms*: `dw(x,y) = x(w(y)) - y(w(x)) - w([x,y])` and `(a ^ b)(x,y) = a(x) b(y) - a(y) b(x)`, without factorials.
+//! - *Lie-Poisson*: `{mu_i, mu_j} = -c^k_ij mu_k` for left-invariant systems, `+` for right ones.
+//!
 //! ```
 //! # use affinor::*;
-//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
-//! let aff = aff(); // [x, y] = y
+//! let aff = algebra::catalogue::algebra::<Rational>("aff(1)")?; // [x, y] = y
 //! assert_eq!(aff.structure().get(&[1, 0, 1]), 1.into()); // c^2_12 = 1
 //! let ad_x = aff.ad(&[1.into(), 0.into()])?;
 //! assert_eq!(ad_x.get(&[1, 1]), 1.into()); // row 2, column 2
+//! assert_eq!(aff.killing_form().get(&[0, 0]), 1.into());
+//! // e'_1 = x + 2 y, e'_2 = 3 y: columns of A
+//! let a = Tensor::from_components(
+//!     2, &[Up, Down], [([0, 0], 1), ([1, 0], 2), ([1, 1], 3)].map(|(at, v)| (at, v.into())),
+//! )?;
+//! let changed = aff.change_basis(&BasisChange::new(a)?)?;
+//! assert_eq!(changed.structure().get(&[1, 0, 1]), Rational::from(1)); // [e'_1, e'_2] = e'_2
+//! let frame = aff.left_frame();
+//! let [x, y] = [[1, 0], [0, 1]].map(|v| Tensor::vector(&v.map(Rational::from), Up));
+//! assert_eq!(frame.lie_derivative(&x, &y)?, y);
+//! let [dx, dy] = &frame.coframe()[..] else { unreachable!() };
+//! assert_eq!(frame.exterior_derivative(dy)?.components().get(&[0, 1]), (-1).into());
+//! assert_eq!(dx.wedge(dy)?.components().get(&[0, 1]), 1.into());
+//! let dual = LiePoisson::left(&aff.map(|v| Symbolic::constant(v.clone()))?)?;
+//! let [mu1, mu2] = dual.coordinates() else { unreachable!() };
+//! assert_eq!(dual.bracket(mu1, mu2)?, -mu2.clone());
 //! # Ok::<(), Error>(())
 //! ```
-//! *Affinities*: `nabla_{e_j} e_k = Lambda^i_jk e_i`, the first lower index is the direction;
-//! `plus` is `Lambda = c`. *Torsion* (B10): `tau^i_jk = Lambda^i_jk - Lambda^i_kj - c^i_jk`.
+//!
+//! # Connections
+//!
+//! - *Affinities*: `nabla_{e_j} e_k = Lambda^i_jk e_i`, the first lower index is the direction; `plus` is `Lambda = c`.
+//! - *Torsion* (B10): `tau^i_jk = Lambda^i_jk - Lambda^i_kj - c^i_jk`.
+//! - *Curvature* (B14): `R(e_k, e_l) e_j = R^i_jkl e_i`. *Ricci*: `Ric_jl = R^i_jil`, with the parts `symRic`, `altRic`
+//!   of weight 1/2.
+//! - *Right frame*: structure `-c`, and `Lambda_right = Lambda - c` for connections invariant under ad; others are
+//!   refused. `g -> g^-1` exchanges the frames, and `lambda` with `1 - lambda`.
+//! - *Transport* along the autoparallel of a constant `n`: `du/dt = -Lambda(n) u`, that is `-ad_n` for `plus`.
+//! - *Change of frame* by functions `A`: affinities follow the inhomogeneous law
+//!   `Lambda' = A^-1 (Lambda(A, A) + e(A))`, structure functions its antisymmetric part (A6).
+//! - *Homogeneous spaces* G/H with `g = m + h`: `R(x,y)` on `m` has the further term `-[[x,y]_h, .]`.
+//!
 //! ```
 //! # use affinor::*;
-//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
-//! let plus = Connection::canonical(&aff(), Canonical::Plus);
+//! let aff = algebra::catalogue::algebra::<Rational>("aff(1)")?;
+//! let [plus, zero] = [Canonical::Plus, Canonical::Zero].map(|which| Connection::canonical(&aff, which));
 //! assert_eq!(plus.gamma().get(&[1, 0, 1]), 1.into()); // nabla_x y = y
 //! assert_eq!(plus.torsion().get(&[1, 0, 1]), 1.into()); // tau = c
-//! # Ok::<(), Error>(())
-//! ```
-//! *Curvature* (B14): `R(e_k, e_l) e_j = R^i_jkl e_i`. *Ricci*: `Ric_jl = R^i_jil`.
-//! ```
-//! # use affinor::*;
-//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
-//! let zero = Connection::canonical(&aff(), Canonical::Zero);
 //! // R(x, y) x = -1/4 [[x, y], x] = 1/4 y
 //! assert_eq!(zero.curvature().get(&[1, 0, 0, 1]), Rational::new(1, 4).unwrap());
 //! // Ric(x, x) = trace of v -> R(v, x) x = -1/4
 //! assert_eq!(zero.ricci().get(&[0, 0]), Rational::new(-1, 4).unwrap());
+//! // nabla_y y = y and nothing else: R(x,y) y = -nabla_[x,y] y = -y, so Ric(y,x) = 1
+//! let gamma = Tensor::from_components(2, &[Up, Down, Down], [([1, 1, 1], 1.into())])?;
+//! let skew = Connection::new(aff.left_frame().clone(), gamma)?;
+//! assert_eq!(skew.ricci_symmetric()?.get(&[0, 1]), Rational::new(1, 2).unwrap());
+//! assert_eq!(skew.ricci_antisymmetric()?.get(&[1, 0]), Rational::new(1, 2).unwrap());
+//! let right = plus.in_right_frame(&aff)?;
+//! assert!(right.gamma().is_empty()); // right-invariant fields are parallel for plus
+//! assert_eq!(right.frame().structure().get(&[1, 0, 1]), (-1).into());
+//! let generator = plus.transport_generator(&[1.into(), 0.into()])?;
+//! assert_eq!(generator.get(&[1, 1]), (-1).into());
+//! // the flat plane: e'_1 = d_x, e'_2 = x d_y, so nabla_{e'_1} e'_2 = 1/x e'_2
+//! let plane = Connection::new(
+//!     Frame::coordinates(&["x", "y"])?, Tensor::zero(2, &[Up, Down, Down])?,
+//! )?;
+//! let (x, one) = (Symbolic::parameter("x"), Symbolic::from_i64(1));
+//! let a = Tensor::from_components(2, &[Up, Down], [([0, 0], one.clone()), ([1, 1], x.clone())])?;
+//! let moved = plane.moved(["u", "v"], &BasisChange::new(a)?)?;
+//! assert_eq!(moved.gamma().get(&[1, 0, 1]), one.clone() / &x);
+//! assert_eq!(moved.frame().structure().get(&[1, 0, 1]), one / &x);
+//! // the sphere: [e_1, e_2] = e_3 and cyclic, rotations about the third axis
+//! let so3 = algebra::catalogue::algebra::<Rational>("so(3)")?;
+//! let h = [0, 0, 1].map(Rational::from).to_vec();
+//! let sphere = ReductivePair::orthogonal(&so3, &[h])?;
+//! assert_eq!(sphere.canonical().curvature().get(&[0, 1, 0, 1]), 1.into());
 //! # Ok::<(), Error>(())
 //! ```
-//! *nabla of a tensor*: `(nabla_m T)^i_j = e_m(T^i_j) + Lambda^i_mp T^p_j - Lambda^p_mj T^i_p`,
-//! the direction is the first lower index. *Nonmetricity*: `Q_kij = (nabla_k g)_ij`.
+//!
+//! # Metrics
+//!
+//! - *nabla of a tensor*: `(nabla_m T)^i_j = e_m(T^i_j) + Lambda^i_mp T^p_j - Lambda^p_mj T^i_p`,
+//!   the direction is the first lower index. *Nonmetricity*: `Q_kij = (nabla_k g)_ij`.
+//! - *Sectional curvature*: `K(x,y) = g(R(x,y)y, x) / (g(x,x) g(y,y) - g(x,y)^2)`; with
+//!   *Levi-Civita* by Koszul's formula aff(1) is the hyperbolic plane. *Scalar*: `S = g^jl Ric_jl`.
+//! - *Einstein*: `G_jl = Ric_jl - 1/2 S g_jl`. *Kretschmann*: `Kr = R_ijkl R^ijkl`.
+//! - *Contorsion* `K_ijk = (tau_ijk + tau_jik + tau_kij)/2` and *disformation*
+//!   `L_ijk = (Q_ijk - Q_jki - Q_kij)/2`, the first index lowered: `Lambda = LeviCivita + K + L`.
+//! - *Schouten*: `P_jl = (Ric_jl - S/(2(n-1)) g_jl)/(n-2)`. *Weyl*: `W^i_jkl = R^i_jkl - delta^i_k P_jl
+//!   + delta^i_l P_jk - g_jl P^i_k + g_jk P^i_l`. *Cotton*: `C_jkl = (nabla_k P)_jl - (nabla_l P)_jk`.
+//!
 //! ```
 //! # use affinor::*;
-//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
-//! let plus = Connection::canonical(&aff(), Canonical::Plus);
-//! let g = Metric::identity(2)?;
+//! let aff = algebra::catalogue::algebra::<Rational>("aff(1)")?;
+//! let (plus, g) = (Connection::canonical(&aff, Canonical::Plus), Metric::identity(2)?);
 //! assert_eq!(plus.nonmetricity(&g)?.get(&[0, 1, 1]), (-2).into()); // Q_122 = -2 g(nabla_x y, y)
-//! # Ok::<(), Error>(())
-//! ```
-//! *Sectional curvature*: `K(x,y) = g(R(x,y)y, x) / (g(x,x) g(y,y) - g(x,y)^2)`; with
-//! *Levi-Civita* by Koszul's formula aff(1) is the hyperbolic plane. *Scalar*: `S = g^jl Ric_jl`.
-//! ```
-//! # use affinor::*;
-//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
-//! let g = Metric::identity(2)?;
-//! let plane = Connection::levi_civita(aff().left_frame(), &g)?;
+//! // the hyperbolic plane: R_1212 = -1 and its mirror images; G = 0 as on every surface
+//! let plane = Connection::levi_civita(aff.left_frame(), &g)?;
 //! let k = plane.sectional_curvature(&g, &[1.into(), 0.into()], &[0.into(), 1.into()])?;
 //! assert_eq!(k, Some((-1).into()));
 //! assert_eq!(plane.scalar_curvature(&g)?, (-2).into());
-//! # Ok::<(), Error>(())
-//! ```
-//! *Ricci, parts*: `symRic`, `altRic` with weight 1/2. *Einstein*: `G_jl = Ric_jl - 1/2 S g_jl`.
-//! *Kretschmann*: `Kr = R_ijkl R^ijkl`.
-//! ```
-//! # use affinor::*;
-//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
-//! // nabla_y y = y and nothing else: R(x,y) y = -nabla_[x,y] y = -y, so Ric(y,x) = 1
-//! let gamma = Tensor::from_components(2, &[Up, Down, Down], [([1, 1, 1], 1.into())])?;
-//! let skew = Connection::new(aff().left_frame().clone(), gamma)?;
-//! assert_eq!(skew.ricci_symmetric()?.get(&[0, 1]), Rational::new(1, 2).unwrap());
-//! assert_eq!(skew.ricci_antisymmetric()?.get(&[1, 0]), Rational::new(1, 2).unwrap());
-//! // the hyperbolic plane: R_1212 = -1 and its mirror images; G = 0 as on every surface
-//! let g = Metric::identity(2)?;
-//! let plane = Connection::levi_civita(aff().left_frame(), &g)?;
 //! assert_eq!(plane.kretschmann(&g)?, 4.into());
 //! assert!(plane.einstein(&g)?.is_empty());
-//! # Ok::<(), Error>(())
-//! ```
-//! *Schouten*: `P_jl = (Ric_jl - S/(2(n-1)) g_jl)/(n-2)`. *Weyl*: `W^i_jkl = R^i_jkl - delta^i_k P_jl
-//! + delta^i_l P_jk - g_jl P^i_k + g_jk P^i_l`. *Cotton*: `C_jkl = (nabla_k P)_jl - (nabla_l P)_jk`.
-//! ```
-//! # use affinor::*;
+//! let at = [0, 1, 1]; // the part of nabla_y y along x: 0 for plus, 1 for Levi-Civita
+//! assert_eq!(plane.gamma().get(&at), 1.into());
+//! assert_eq!(plus.contorsion(&g)?.get(&at), 1.into());
+//! assert_eq!(plus.disformation(&g)?.get(&at), (-2).into());
 //! // the Heisenberg group, [x1, y1] = z: Ric = diag(-1/2, -1/2, 1/2), S = -1/2
 //! let (algebra, g) = (algebra::catalogue::algebra::<Rational>("heisenberg(3)")?, Metric::identity(3)?);
 //! let nil = Connection::levi_civita(algebra.left_frame(), &g)?;
@@ -90,107 +126,6 @@
 //! // (nabla_y P)(z,x) = 1/2
 //! assert_eq!(nil.cotton(&g)?.get(&[2, 0, 1]), Rational::from(-1));
 //! assert!(nil.weyl(&g)?.is_empty()); // in dimension 3
-//! # Ok::<(), Error>(())
-//! ```
-//! *Killing form*: `K_ij = c^m_il c^l_jm = tr(ad_i ad_j)`.
-//! ```
-//! # use affinor::*;
-//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
-//! assert_eq!(aff().killing_form().get(&[0, 0]), 1.into());
-//! ```
-//! *Right frame*: structure `-c`, and `Lambda_right = Lambda - c` for connections invariant
-//! under ad; others are refused. `g -> g^-1` exchanges the frames, and `lambda` with `1 - lambda`.
-//! ```
-//! # use affinor::*;
-//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
-//! let plus = Connection::canonical(&aff(), Canonical::Plus);
-//! let right = plus.in_right_frame(&aff())?;
-//! assert!(right.gamma().is_empty()); // right-invariant fields are parallel for plus
-//! assert_eq!(right.frame().structure().get(&[1, 0, 1]), (-1).into());
-//! # Ok::<(), Error>(())
-//! ```
-//! *Change of basis*: `e'_a = A^i_a e_i`, so `c' = A^-1 c (A, A)`, `g' = A^T g A`.
-//! ```
-//! # use affinor::*;
-//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
-//! // e'_1 = x + 2 y, e'_2 = 3 y: columns of A
-//! let a = Tensor::from_components(
-//!     2, &[Up, Down], [([0, 0], 1), ([1, 0], 2), ([1, 1], 3)].map(|(at, v)| (at, v.into())),
-//! )?;
-//! let changed = aff().change_basis(&BasisChange::new(a)?)?;
-//! assert_eq!(changed.structure().get(&[1, 0, 1]), Rational::from(1)); // [e'_1, e'_2] = e'_2
-//! # Ok::<(), Error>(())
-//! ```
-//! *Change of frame* by functions `A`: affinities follow the inhomogeneous law
-//! `Lambda' = A^-1 (Lambda(A, A) + e(A))`, structure functions its antisymmetric part (A6).
-//! ```
-//! # use affinor::*;
-//! // the flat plane: e'_1 = d_x, e'_2 = x d_y, so nabla_{e'_1} e'_2 = 1/x e'_2
-//! let plane = Connection::new(
-//!     Frame::coordinates(&["x", "y"])?, Tensor::zero(2, &[Up, Down, Down])?,
-//! )?;
-//! let (x, one) = (Symbolic::parameter("x"), Symbolic::from_i64(1));
-//! let a = Tensor::from_components(2, &[Up, Down], [([0, 0], one.clone()), ([1, 1], x.clone())])?;
-//! let moved = plane.moved(["u", "v"], &BasisChange::new(a)?)?;
-//! assert_eq!(moved.gamma().get(&[1, 0, 1]), one.clone() / &x);
-//! assert_eq!(moved.frame().structure().get(&[1, 0, 1]), one / &x);
-//! # Ok::<(), Error>(())
-//! ```
-//! *Transport* along the autoparallel of a constant `n`: `du/dt = -Lambda(n) u`, that is `-ad_n`
-//! for `plus`.
-//! ```
-//! # use affinor::*;
-//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
-//! let plus = Connection::canonical(&aff(), Canonical::Plus);
-//! let generator = plus.transport_generator(&[1.into(), 0.into()])?;
-//! assert_eq!(generator.get(&[1, 1]), (-1).into());
-//! # Ok::<(), Error>(())
-//! ```
-//! *Contorsion* `K_ijk = (tau_ijk + tau_jik + tau_kij)/2` and *disformation*
-//! `L_ijk = (Q_ijk - Q_jki - Q_kij)/2`, the first index lowered: `Lambda = LeviCivita + K + L`.
-//! ```
-//! # use affinor::*;
-//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
-//! let g = Metric::identity(2)?;
-//! let plus = Connection::canonical(&aff(), Canonical::Plus);
-//! let at = [0, 1, 1]; // the part of nabla_y y along x: 0 for plus, 1 for Levi-Civita
-//! let levi_civita = Connection::levi_civita(aff().left_frame(), &g)?;
-//! assert_eq!(levi_civita.gamma().get(&at), 1.into());
-//! assert_eq!(plus.contorsion(&g)?.get(&at), 1.into());
-//! assert_eq!(plus.disformation(&g)?.get(&at), (-2).into());
-//! # Ok::<(), Error>(())
-//! ```
-//! *Lie derivative*: `L_X Y = [X, Y]`. *Forms*: `dw(x,y) = x(w(y)) - y(w(x)) - w([x,y])` and
-//! `(a ^ b)(x,y) = a(x) b(y) - a(y) b(x)`, without factorials.
-//! ```
-//! # use affinor::*;
-//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
-//! let aff = aff();
-//! let frame = aff.left_frame();
-//! let [x, y] = [[1, 0], [0, 1]].map(|v| Tensor::vector(&v.map(Rational::from), Up));
-//! assert_eq!(frame.lie_derivative(&x, &y)?, y);
-//! let [dx, dy] = &frame.coframe()[..] else { unreachable!() };
-//! assert_eq!(aff.d(dy)?.components().get(&[0, 1]), (-1).into());
-//! assert_eq!(dx.wedge(dy)?.components().get(&[0, 1]), 1.into());
-//! # Ok::<(), Error>(())
-//! ```
-//! *Homogeneous spaces* G/H with `g = m + h`: `R(x,y)` on `m` has the further term `-[[x,y]_h, .]`.
-//! ```
-//! # use affinor::*;
-//! // [e_1, e_2] = e_3 and cyclic
-//! let so3 = algebra::catalogue::algebra::<Rational>("so(3)")?;
-//! let h = [0, 0, 1].map(Rational::from).to_vec();
-//! let sphere = ReductivePair::orthogonal(&so3, &[h])?;
-//! assert_eq!(sphere.canonical().curvature().get(&[0, 1, 0, 1]), 1.into());
-//! # Ok::<(), Error>(())
-//! ```
-//! *Lie-Poisson*: `{mu_i, mu_j} = -c^k_ij mu_k` for left-invariant systems, `+` for right ones.
-//! ```
-//! # use affinor::*;
-//! # let aff = || algebra::catalogue::algebra::<Rational>("aff(1)").unwrap();
-//! let dual = LiePoisson::left(&aff().map(|v| Symbolic::constant(v.clone()))?)?;
-//! let [mu1, mu2] = dual.coordinates() else { unreachable!() };
-//! assert_eq!(dual.bracket(mu1, mu2)?, -mu2.clone());
 //! # Ok::<(), Error>(())
 //! ```
 

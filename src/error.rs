@@ -213,22 +213,16 @@ pub enum Error {
         /// The component.
         residual: String,
     },
-    /// Vectors whose span is not closed under the bracket.
-    #[error("the vectors of h span no subalgebra: [{x}, {y}] = {bracket} is not in their span")]
-    NotSubalgebra {
-        /// A vector of the basis.
-        x: String,
-        /// Another one.
-        y: String,
-        /// Their bracket.
-        bracket: String,
-    },
-    /// A complement that is not invariant under the subalgebra.
-    #[error("the complement m is not invariant under h: [{x}, {y}] = {bracket} is not in m")]
+    /// Bases of `h` and `m` of which `h` is no subalgebra, or `m` is not invariant under it.
+    #[error("{law}: [{x}, {y}] = {bracket} is not in {span}")]
     NotReductive {
-        /// A vector of the subalgebra.
+        /// The law that fails.
+        law: &'static str,
+        /// The span that the bracket leaves.
+        span: &'static str,
+        /// A vector of `h`.
         x: String,
-        /// A vector of the complement.
+        /// A vector of `h` or `m`.
         y: String,
         /// Their bracket.
         bracket: String,

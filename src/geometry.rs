@@ -16,7 +16,6 @@ pub mod connection;
 pub mod curvature;
 pub mod equations;
 pub mod forms;
-mod frame_origin;
 pub mod holonomy;
 pub mod metric;
 pub mod metric_affine;
@@ -24,14 +23,13 @@ pub mod paper;
 pub mod properties;
 pub mod reductive;
 
-pub use frame_origin::FrameOrigin;
-
 use crate::Error;
-use crate::algebra::LieAlgebra;
 use crate::algebra::frame::Frame;
+use crate::algebra::{Bracket, LieAlgebra};
+use crate::geometry::chart::Fields;
 use crate::geometry::connection::{Canonical, Connection};
 use crate::geometry::metric::Metric;
-use affinor_tensors::{Notation, Tensor};
+use affinor_tensors::{Field, Notation, Tensor};
 use std::fmt;
 
 /// A frame with a connection and, optionally, a metric, all components given in that frame.
@@ -59,6 +57,81 @@ pub struct Geometry<S> {
     metric: Option<Metric<S>>,
     /// Whether the components are those of the right-invariant frame.
     right: bool,
+}
+
+/// Where the frame of a geometry comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FrameOrigin<S> {
+    /// The left-invariant frame of a Lie algebra.
+    Algebra(LieAlgebra<S>),
+    /// Fields on a chart, and their Lie algebra if their structure functions are constants. The
+    /// fields are then, near every point, the left-invariant fields of a group with this algebra.
+    Chart(Box<Fields<S>>, Option<LieAlgebra<S>>),
+}
+
+impl<S: Field> FrameOrigin<S> {
+    /// The frame.
+    pub fn frame(&self) -> &Frame<S> {
+        match self {
+            FrameOrigin::Algebra(algebra) => algebra.left_frame(),
+            FrameOrigin::Chart(fields, _) => fields.frame(),
+        }
+    }
+
+    /// The Lie algebra of the frame; `None` if its structure functions are not constant.
+    pub fn algebra(&self) -> Option<&LieAlgebra<S>> {
+        match self {
+            FrameOrigin::Algebra(algebra) => Some(algebra),
+            FrameOrigin::Chart(_, algebra) => algebra.as_ref(),
+        }
+    }
+
+    /// The Lie algebra of the frame, or an error that says what needs it.
+    ///
+    /// # Errors
+    /// [`Error::NotConstant`] with `what` and the first structure function that is not constant.
+    pub fn algebra_for(&self, what: &'static str) -> Result<&LieAlgebra<S>, Error> {
+        self.algebra().ok_or_else(|| {
+            let frame = self.frame();
+            let found = frame.structure().components().find(|(_, value)| self.varies(value));
+            let (component, value) = found.map_or_else(Default::default, |(at, value)| {
+                let [i, j, k] = [at[0] + 1, at[1] + 1, at[2] + 1];
+                (format!("c^{i}_{j}{k}"), value.to_string())
+            });
+            Error::NotConstant { what, component, value }
+        })
+    }
+
+    /// Whether the value has a derivative along the frame that is not zero.
+    fn varies(&self, value: &S) -> bool {
+        let frame = self.frame();
+        (0..frame.dimension()).any(|k| !frame.derive(k, value).vanishes())
+    }
+
+    /// The fields of a frame on a chart; `None` for the frame of a Lie algebra.
+    pub fn fields(&self) -> Option<&Fields<S>> {
+        match self {
+            FrameOrigin::Algebra(_) => None,
+            FrameOrigin::Chart(fields, _) => Some(fields),
+        }
+    }
+}
+
+impl<S> From<LieAlgebra<S>> for FrameOrigin<S> {
+    fn from(algebra: LieAlgebra<S>) -> Self {
+        FrameOrigin::Algebra(algebra)
+    }
+}
+
+impl<S: Field> From<Fields<S>> for FrameOrigin<S> {
+    fn from(fields: Fields<S>) -> Self {
+        let frame = fields.frame();
+        let structure = frame.structure();
+        let constant = frame.derivative(structure).is_ok_and(|derivative| derivative.is_empty());
+        let algebra = constant.then(|| Bracket::new(frame.labels(), structure.clone()));
+        let algebra = algebra.and_then(|bracket| LieAlgebra::try_from(bracket.ok()?).ok());
+        FrameOrigin::Chart(Box::new(fields), algebra)
+    }
 }
 
 /// How a connection was chosen.
@@ -124,7 +197,9 @@ impl<S: Notation> Geometry<S> {
             ));
         };
         let connection = self.connection.in_right_frame(algebra)?;
-        let metric = self.metric.as_ref().filter(|metric| metric.is_bi_invariant(algebra));
+        let metric = self.metric.as_ref().filter(|metric| {
+            metric.ad_variation(algebra).is_ok_and(|variation| variation.is_empty())
+        });
         let kind = match &self.kind {
             ConnectionKind::Affinities(_) => ConnectionKind::Affinities(connection.gamma().clone()),
             kind => kind.clone(),

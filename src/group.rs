@@ -26,11 +26,9 @@ mod left_frame;
 mod logarithm;
 mod matrix_group;
 mod mean;
-mod membership;
 mod nilpotent;
 pub(crate) mod ode;
 mod opposite;
-mod polynomial;
 mod product;
 pub mod registry;
 pub mod rotation;
@@ -66,7 +64,7 @@ pub use so2::So2;
 pub use so3::So3;
 pub use translations::Translations;
 pub use velocity::Velocity;
-pub use written::{Block, Coordinate, Generator, Written};
+pub use written::{Block, Coordinate, Generator, Partial, Written};
 
 use crate::{Bracket, Error, LieAlgebra};
 use nalgebra::DMatrix;
@@ -79,7 +77,7 @@ use std::fmt::Debug;
 /// T_right(x) = sum ad_x^k/(k+1)!        exp(x + dx) = exp(T_right(x) dx + ..) exp(x)
 /// ```
 ///
-/// Nine methods define a group. The tangent operators are computed from their series unless the group gives closed forms.
+/// Nine methods define a group. The tangent operators are computed from their series unless the group gives closed forms, or [`cubic`](Self::cubic).
 /// [`laws`] checks the implementation. Equations (17)-(27) and, for the map `Phi = exp`, (77)-(86) of the paper.
 ///
 /// ```
@@ -124,9 +122,19 @@ pub trait LieGroup {
     /// The element as a matrix.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64>;
 
+    /// `z(x)` of a group with `ad_x^3 = -z(x) ad_x`, and the sum of the sizes of its terms, the scale of its rounding. From it
+    /// the tangent operators have closed forms. `None` for other groups.
+    fn cubic(&self, x: &Self::Vector) -> Option<[f64; 2]> {
+        let _ = x;
+        None
+    }
+
     /// `T_left(x) v`: left components of the derivative of exp at `x` along `v`.
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
-        series::tangent_left(self, x, v)
+        match self.cubic(x) {
+            Some([z, _]) => cubic::tangent_left(self, z, x, v),
+            None => series::tangent_left(self, x, v),
+        }
     }
 
     /// `T_left(x)^-1 v`.
@@ -139,7 +147,10 @@ pub trait LieGroup {
         x: &Self::Vector,
         v: &Self::Vector,
     ) -> Result<Self::Vector, Error> {
-        series::tangent_left_inverse(self, x, v)
+        match self.cubic(x) {
+            Some(z) => cubic::tangent_left_inverse(self, z, x, v),
+            None => series::tangent_left_inverse(self, x, v),
+        }
     }
 
     /// `T_right(x) v = T_left(-x) v = Ad_exp(x) T_left(x) v`.

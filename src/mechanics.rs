@@ -28,3 +28,15 @@ pub use integrators::{KinematicState, MuntheKaas, Projected, SimoWong, Splitting
 pub use systems::Zeitlin;
 pub use systems::{Constrained, ConstrainedState, Constraint, CotangentSystem, EulerPoincare};
 pub use systems::{Isospectral, LiePoissonSystem, Manakov, MatrixState, State, System, Toda};
+
+use crate::Error;
+
+/// The error of an integration that stops at a time.
+fn stopped(t: f64, reason: impl Into<String>) -> Error {
+    Error::Integration { t, reason: reason.into() }
+}
+
+/// The error of an inertia that is refused.
+fn invalid_inertia(reason: impl Into<String>) -> Error {
+    Error::Invalid { what: "inertia", reason: reason.into() }
+}

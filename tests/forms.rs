@@ -213,7 +213,7 @@ fn rank(algebra: &LieAlgebra<Rational>, degree: usize) -> usize {
     let rows = increasing(n, degree).into_iter().map(|at| {
         let components = permutations(&at).into_iter().map(|(at, sign)| (at, integer(sign)));
         let unit = Tensor::from_components(n, &vec![Down; degree], components).unwrap();
-        let d = algebra.d(&Form::new(unit).unwrap()).unwrap();
+        let d = algebra.left_frame().exterior_derivative(&Form::new(unit).unwrap()).unwrap();
         let entries = places.iter().map(|at| d.components().get(at)).enumerate();
         entries.collect::<Vec<_>>()
     });

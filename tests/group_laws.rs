@@ -3,7 +3,7 @@
 use crate::common::algebras::{by_table, catalogued};
 use crate::common::labels;
 use affinor::algebra::Complex;
-use affinor::group::fields::{InvariantField, Side, right_components, right_translate};
+use affinor::group::fields::{InvariantField, Side, right_translate};
 use affinor::group::transport::ParallelTranslation;
 use affinor::group::{
     AnyGroup, Coordinates, Embedded, Heisenberg, LieGroup, MatrixGroup, Nilpotent, Opposite,
@@ -74,7 +74,7 @@ fn fields<G: LieGroup>(group: &G, [x, y, v]: [&G::Vector; 3]) {
         group.log(&group.compose(&group.inverse(&gh), &end)).unwrap()
     };
     close(&((curve(s) - curve(-s)) * (0.5 / s)), &right_translate(group, y, &h), 1e-6);
-    let there = right_components(group, &g, y);
+    let there = group.adjoint(&g, y);
     close(&InvariantField { side: Side::Right, vector: there }.at(group, &g), y, 1e-11);
 }
 

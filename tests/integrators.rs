@@ -430,6 +430,25 @@ fn an_adaptive_run_goes_on() {
     assert!((system.velocity(&state) - end).norm() < 1e-8);
 }
 
+/// Methods for a free body refuse a torque and leave the state unchanged.
+#[test]
+fn methods_for_a_free_body_refuse_a_torque() {
+    let (inertia, metric) = inertia();
+    let connection = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let torque = |_: f64, _: &UnitQuaternion<f64>, _: &Vector3<f64>| Vector3::x();
+    let system = EulerPoincare::new(So3, &connection, &metric, torque).unwrap();
+    let start = system.state(0.0, So3.identity(), &VELOCITY);
+    let discrete = MoserVeselov::new(&inertia, Order::Ten);
+    let split = Splitting::new(&inertia, Composition::Strang);
+    let methods: [&dyn Integrator<EulerPoincare<So3, _>>; 2] = [&discrete, &split];
+    for method in methods {
+        let mut state = start.clone();
+        let error = method.step(&system, &mut state, 0.1).unwrap_err();
+        assert!(matches!(error, Error::Integration { t: 0.0, .. }), "{error}");
+        assert_eq!((state.time, state.element), (start.time, start.element));
+    }
+}
+
 /// The first step is a share of the time scale of the state, whatever the unit of time.
 #[test]
 fn a_first_step_by_the_time_scale() {

@@ -75,7 +75,7 @@ proptest! {
             prop_assert!(connection.in_right_frame(&algebra).is_ok());
         }
         // under one direction alone
-        let under = Connection::invariant_under(&algebra, std::slice::from_ref(&x)).unwrap();
+        let under = algebra.invariant_tensors(&[Up, Down, Down], std::slice::from_ref(&x)).unwrap();
         prop_assert_eq!(under.len(), n.pow(3) - rank(&algebra, std::slice::from_ref(&x)));
         let larger = span(&under);
         prop_assert!(basis.iter().all(|gamma| larger.contains(row(gamma))));
@@ -84,16 +84,16 @@ proptest! {
             let frame = algebra.left_frame();
             prop_assert!(frame.lie_derivative(&field, gamma).unwrap().is_empty());
         }
-        prop_assert_eq!(Connection::invariant_under(&algebra, &[]).unwrap().len(), n.pow(3));
+        prop_assert_eq!(algebra.invariant_tensors(&[Up, Down, Down], &[]).unwrap().len(), n.pow(3));
     }
 
     /// The dimension does not depend on the basis, nor on the order of the directions.
     #[test]
     fn the_order_of_directions_is_free(algebra in algebras(4)) {
         let mut units = Matrix::<Rational>::identity(algebra.dimension()).to_dense();
-        let forwards = Connection::invariant_under(&algebra, &units).unwrap();
+        let forwards = algebra.invariant_tensors(&[Up, Down, Down], &units).unwrap();
         units.reverse();
-        prop_assert_eq!(Connection::invariant_under(&algebra, &units).unwrap(), forwards);
+        prop_assert_eq!(algebra.invariant_tensors(&[Up, Down, Down], &units).unwrap(), forwards);
     }
 }
 
@@ -233,6 +233,6 @@ fn limits_are_named() {
     let wrong = invariant_tensors(3, &[Up], &[Tensor::<Rational>::identity(2)]);
     assert!(matches!(wrong, Err(Error::Shape { .. })));
     let line = by_table(1, &[]);
-    let wrong = Connection::invariant_under(&line, &[vec![integer(1); 2]]);
+    let wrong = line.invariant_tensors(&[Up, Down, Down], &[vec![integer(1); 2]]);
     assert!(matches!(wrong, Err(Error::Shape { .. })));
 }

@@ -26,13 +26,13 @@ mod translations;
 
 use crate::common::algebras::by_table;
 use affinor::{LieAlgebra, Metric};
-use affinor_tensors::expression::{Expression, Scalars};
+use affinor_tensors::expression::{Expression, Scalars, no_function};
 use affinor_tensors::{Down, Notation, Rational, Ring, Symbolic, Tensor, Up, Variance};
 
 /// A rational number or a formula, as written on paper.
 fn value<S: Notation>(text: &str) -> S {
     let parameter = |name: &str| S::parameter(name).ok_or(format!("`{name}` is no number"));
-    Expression::parse(text).unwrap().evaluate(&Scalars(parameter)).unwrap()
+    Expression::parse(text).unwrap().evaluate(&Scalars(parameter, no_function)).unwrap()
 }
 
 fn values<S: Notation, const N: usize>(texts: [&str; N]) -> Vec<S> {

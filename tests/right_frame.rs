@@ -4,7 +4,7 @@ use crate::common::algebras::by_table;
 use crate::common::{Space, fraction, integer, spaces};
 use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::{Bracket, Canonical, Connection, ConnectionKind, Error, Geometry, LieAlgebra};
-use affinor_documents::report::{EquationReport, Format, Quantity, Table};
+use affinor_documents::report::{EquationReport, Format, Quantity, Report, Table};
 use affinor_tensors::{Rational, Tensor, contract};
 use num_traits::Zero;
 use proptest::prelude::*;

@@ -103,5 +103,8 @@ pub fn main() -> ExitCode {
         Command::Conventions(arguments) => arguments.run(),
         Command::Completions(arguments) => arguments.run(&mut Cli::command()),
     };
-    outcome.unwrap_or_else(|failure| failure.report(color::chosen(&matches)))
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(color::chosen(&matches)),
+    }
 }

@@ -127,10 +127,18 @@ pub enum Role {
 impl Panel {
     /// The ball of rotation vectors, with the identity.
     fn ball(title: impl Into<String>) -> Self {
-        let e = Mark::new("e", "e, the identity", Vector3::zeros());
-        let axes = ["Ψ¹", "Ψ²", "Ψ³"];
+        let mut panel = Panel::new(title, ball::RADIUS, ["Ψ¹", "Ψ²", "Ψ³"]);
+        panel.mark("e", "e, the identity", Vector3::zeros());
+        panel
+    }
+
+    fn new(title: impl Into<String>, radius: f64, axes: [&'static str; 3]) -> Self {
         let title = title.into();
-        Panel { title, radius: ball::RADIUS, axes, curves: vec![], arrows: vec![], marks: vec![e] }
+        Panel { title, radius, axes, curves: vec![], arrows: vec![], marks: vec![] }
+    }
+
+    fn mark(&mut self, label: &str, caption: &str, at: Vector3<f64>) {
+        self.marks.push(Mark { label: label.into(), caption: caption.into(), at });
     }
 
     fn curve(&mut self, role: Role, [label, caption]: [&str; 2], pieces: Vec<Vec<Vector3<f64>>>) {
@@ -143,11 +151,5 @@ impl Panel {
 
     fn arrow(&mut self, role: Role, [label, caption]: [&str; 2], ends: [Vector3<f64>; 2]) {
         self.arrows.push(Arrow { role, label: label.into(), caption: caption.into(), ends });
-    }
-}
-
-impl Mark {
-    fn new(label: &str, caption: &str, at: Vector3<f64>) -> Self {
-        Mark { label: label.into(), caption: caption.into(), at }
     }
 }

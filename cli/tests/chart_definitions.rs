@@ -4,7 +4,7 @@
 use crate::program::{definition, run};
 use affinor::Geometry;
 use affinor_documents::definition::{Definition, Reading};
-use affinor_tensors::expression::{Expression, Functions, Scalars};
+use affinor_tensors::expression::{Expression, Scalars};
 use affinor_tensors::{Notation, Symbolic, Tensor, Tolerance, contract};
 use tempfile::TempDir;
 
@@ -22,9 +22,9 @@ fn parsed(text: &str) -> Geometry<Symbolic> {
 }
 
 fn value(text: &str) -> Symbolic {
-    let names = Scalars(|name: &str| Ok(Symbolic::parameter(name)));
+    let names = |name: &str| Ok(Symbolic::parameter(name));
     let expression = Expression::parse(text).unwrap();
-    expression.evaluate(&Functions(names, <Symbolic as Notation>::function)).unwrap()
+    expression.evaluate(&Scalars(names, <Symbolic as Notation>::function)).unwrap()
 }
 
 /// `R_ijkl` and `g_ik g_jl - g_il g_jk`.

@@ -6,7 +6,7 @@ use crate::common::{integer, spaces};
 use crate::program::{self, definition, root, stdout};
 use affinor::geometry::equations::{EquationKind, Equations, Variable};
 use affinor::{Canonical, Connection, ConnectionKind, Geometry, LieAlgebra, Metric};
-use affinor_documents::report::{EquationReport, Format, Language};
+use affinor_documents::report::{EquationReport, Format, Language, Report};
 use affinor_tensors::{Down, Notation, Rational, Symbolic, Tensor};
 use proptest::prelude::*;
 use std::path::Path;

@@ -1,7 +1,7 @@
 //! What the program prints of the paper's geometries, in every format: the files in `snapshots/`.
 
 use crate::program::{root, stdout};
-use affinor_tensors::expression::{Expression, Scalars};
+use affinor_tensors::expression::{Expression, Scalars, no_function};
 use affinor_tensors::{Notation, Symbolic};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -61,7 +61,7 @@ fn stored(name: &str) -> String {
 
 fn value(text: &str) -> Symbolic {
     let parameter = |name: &str| <Symbolic as Notation>::parameter(name).ok_or(format!("`{name}`"));
-    Expression::parse(text).unwrap().evaluate(&Scalars(parameter)).unwrap()
+    Expression::parse(text).unwrap().evaluate(&Scalars(parameter, no_function)).unwrap()
 }
 
 fn from_csv(text: &str) -> Components {

@@ -93,8 +93,8 @@ fn a_table_of_another_dimension_does_not_verify() {
     ] {
         let outcome = run(folder.path(), &["verify", "so3", file], b"");
         assert_eq!(outcome.status, 1, "{}", outcome.err);
-        let message = format!("{file}: the stored dimension is {other}, the computed one 3");
-        assert!(outcome.err.contains(&message), "{}", outcome.err);
+        let message = format!("the stored dimension is {other}, the computed one 3");
+        assert!(outcome.err.contains(&message) && outcome.err.contains(file), "{}", outcome.err);
     }
 }
 
@@ -119,7 +119,8 @@ fn what_is_verified_is_named() {
     assert!(chosen.out.starts_with("6 components differ"), "{}", chosen.out);
     let absent = verify(&["so3@plus", "killing.json", "--show", "torsion"]);
     assert_eq!(absent.status, 2);
-    assert!(absent.err.contains("killing.json: torsion is not stored"), "{}", absent.err);
+    assert!(absent.err.contains("torsion is not stored"), "{}", absent.err);
+    assert!(absent.err.contains("killing.json"), "{}", absent.err);
     write("none.json", "{\"schema\": \"affinor.table/1\", \"tensors\": {}}");
     let none = verify(&["so3@plus", "none.json"]);
     assert_eq!(none.status, 2);

@@ -2,7 +2,7 @@
 
 use crate::definition::{Definition, InputError, Reading, Refusal};
 use affinor::geometry::conditions::conditions;
-use affinor::{Connection, ConnectionKind, FrameOrigin, LieAlgebra};
+use affinor::{ConnectionKind, FrameOrigin, LieAlgebra};
 use affinor_tensors::text::written;
 use affinor_tensors::{Indices, Notation, Tensor};
 
@@ -57,7 +57,12 @@ pub fn certify<S: Notation>(
         let nonmetricity = connection.nonmetricity(metric)?;
         checks.push(vanishing("metric_compatible", "nabla g = 0", &nonmetricity));
     }
-    checks.extend(bianchi(connection, stage));
+    stage("bianchi_first");
+    let (first, detail) = (connection.bianchi_first(), "R, torsion and nabla torsion fit together");
+    checks.push(vanishing("bianchi_first", detail, &first));
+    stage("bianchi_second");
+    let (second, detail) = (connection.bianchi_second(), "nabla R, torsion and R fit together");
+    checks.push(vanishing("bianchi_second", detail, &second));
     Ok(checks)
 }
 
@@ -110,17 +115,6 @@ fn ground<S: Notation>(
     checks.push(jacobi);
     // the identity was checked above
     Ok(Some(LieAlgebra::try_from(bracket)?.into()))
-}
-
-fn bianchi<S: Notation>(connection: &Connection<S>, stage: &dyn Fn(&str)) -> [Check; 2] {
-    stage("bianchi_first");
-    let first = connection.bianchi_first();
-    stage("bianchi_second");
-    let second = connection.bianchi_second();
-    [
-        vanishing("bianchi_first", "R, torsion and nabla torsion fit together", &first),
-        vanishing("bianchi_second", "nabla R, torsion and R fit together", &second),
-    ]
 }
 
 fn held(name: &'static str, detail: &str) -> Check {

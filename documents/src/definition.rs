@@ -18,7 +18,7 @@ mod literal;
 mod mesh;
 pub(crate) mod notation;
 pub(crate) mod numbers;
-mod setting;
+pub(crate) mod setting;
 pub(crate) mod source;
 mod space;
 pub(crate) mod written;
@@ -122,9 +122,31 @@ impl<S: Notation> Reading<'_, S> {
     fn value_at(&self, value: &Symbolic, place: &Place) -> Result<S, InputError> {
         self.value(value).map_err(|error| error.or_at(place))
     }
+
+    /// The components `[i, j, k]` of right sides `v^i` of the pairs `j, k`.
+    fn components(&self, pairs: &Pairs) -> Result<Vec<([usize; 3], S)>, InputError> {
+        let each = pairs.iter().flat_map(|(&(j, k), Given { value, place })| {
+            value.iter().map(move |(&i, value)| Ok(([i, j, k], self.value_at(value, place)?)))
+        });
+        each.collect()
+    }
 }
 
 impl Definition {
+    /// An algebra without a metric, a connection and parameters.
+    fn new(name: impl Into<String>, labels: Vec<String>, origin: Origin) -> Self {
+        Definition {
+            name: name.into(),
+            algebra_name: None,
+            labels,
+            origin,
+            metric: None,
+            connection: None,
+            declared: vec![],
+            source: None,
+        }
+    }
+
     /// The dimension.
     pub fn dimension(&self) -> usize {
         self.labels.len()
@@ -168,12 +190,8 @@ impl Definition {
         let bracket = match &self.origin {
             Origin::Brackets(given) => {
                 self.antisymmetric(given)?;
-                let mut constants = Vec::new();
-                for (&(j, k), right) in given {
-                    for (i, value) in &right.value {
-                        constants.push((j, k, *i, reading.value_at(value, &right.place)?));
-                    }
-                }
+                let constants = reading.components(given)?;
+                let constants = constants.into_iter().map(|([i, j, k], value)| (j, k, i, value));
                 Bracket::from_constants(&self.labels, constants)?.with_tolerance(reading.tolerance)
             }
             Origin::Matrices(..) => {
@@ -229,14 +247,14 @@ impl Definition {
                 let mut values = Vec::new();
                 for (at, value) in entries {
                     let value = reading.value(value);
-                    values.push((*at, value.map_err(|error| error.or_at_some(place.as_ref()))?));
+                    values.push((*at, value.map_err(|error| error.or_at(place.as_ref()))?));
                 }
                 (Tensor::from_components(n, &slots, values)?, place.as_ref())
             }
         };
         let components = components.with_tolerance(reading.tolerance);
         let metric = Metric::new(ground.frame().labels(), components);
-        metric.map(Some).map_err(|error| InputError::from(error).or_at_some(place))
+        metric.map(Some).map_err(|error| InputError::from(error).or_at(place))
     }
 
     /// The geometry. Without a connection it takes levi-civita if there is a metric, else zero. Over a chart the default
@@ -258,33 +276,26 @@ impl Definition {
         reading: &Reading<S>,
     ) -> Result<Geometry<S>, InputError> {
         let metric = self.metric(&ground, reading)?;
-        let (choice, place) = match &self.connection {
-            Some((choice, place)) => (Some(choice), Some(place)),
-            None => (None, None),
-        };
+        let (choice, place) =
+            self.connection.as_ref().map(|(choice, place)| (choice, place)).unzip();
         let kind = match choice {
             None if metric.is_some() || self.is_on_chart() => ConnectionKind::LeviCivita,
             None => ConnectionKind::Canonical(Canonical::Zero),
             Some(ConnectionChoice::Canonical(which)) => ConnectionKind::Canonical(*which),
             Some(ConnectionChoice::Family(lambda)) => {
                 let value = reading.value(lambda);
-                ConnectionKind::Family(value.map_err(|error| error.or_at_some(place))?)
+                ConnectionKind::Family(value.map_err(|error| error.or_at(place))?)
             }
             Some(ConnectionChoice::LeviCivita) => ConnectionKind::LeviCivita,
             Some(ConnectionChoice::Affinities(given)) => {
-                let mut components = Vec::new();
-                for (&(j, k), right) in given {
-                    for (i, value) in &right.value {
-                        components.push(([*i, j, k], reading.value_at(value, &right.place)?));
-                    }
-                }
+                let slots = [Up, Down, Down];
                 let gamma =
-                    Tensor::from_components(self.dimension(), &[Up, Down, Down], components)?;
+                    Tensor::from_components(self.dimension(), &slots, reading.components(given)?)?;
                 ConnectionKind::Affinities(gamma.with_tolerance(reading.tolerance))
             }
         };
         let geometry = Geometry::new(self.name.clone(), ground, kind, metric)
-            .map_err(|error| InputError::from(error).or_at_some(place))?;
+            .map_err(|error| InputError::from(error).or_at(place))?;
         Ok(match &self.algebra_name {
             Some(name) => geometry.over(name),
             None => geometry,
@@ -358,15 +369,12 @@ impl Definition {
         let Origin::Matrices(size, matrices) = &self.origin else {
             return Err(InputError::usage("this algebra is not given by matrices"));
         };
-        let mut read = Vec::new();
-        for entries in matrices {
-            let mut values = Vec::new();
-            for (row, column, value) in entries {
-                let (re, im) = (reading.value(&value.re)?, reading.value(&value.im)?);
-                values.push((*row, *column, Complex { re, im }));
-            }
-            read.push(values);
-        }
+        let entry = |(row, column, value): &(usize, usize, Complex<Symbolic>)| {
+            let (re, im) = (reading.value(&value.re)?, reading.value(&value.im)?);
+            Ok((*row, *column, Complex { re, im }))
+        };
+        let read = matrices.iter().map(|entries| entries.iter().map(entry).collect());
+        let read = read.collect::<Result<Vec<Vec<_>>, InputError>>()?;
         MatrixBasis::new(&self.labels, *size, read, reading.tolerance)
             .map_err(|error| self.refused(error))
     }
@@ -384,7 +392,7 @@ impl Definition {
             }
             _ => None,
         };
-        InputError::from(error).or_at_some(bracket.or(whole).as_ref())
+        InputError::from(error).or_at(bracket.or(whole).as_ref())
     }
 
     fn each_value(&self, f: &mut dyn FnMut(&Symbolic)) {

@@ -11,14 +11,12 @@ mod body;
 mod constrained;
 mod dynamics;
 mod ensemble;
-mod euler_poincare;
 mod given_velocity;
 mod initial;
 mod integration;
 mod keys;
 mod lie_poisson;
 mod matrix_flow;
-mod member;
 mod on_group;
 mod output;
 mod reader;
@@ -29,20 +27,17 @@ pub use ready::{Column, Ready};
 pub use walk::{Progress, Walk};
 
 use crate::definition::file;
-use crate::definition::input::{InputError, shown};
+use crate::definition::input::InputError;
 use crate::definition::numbers::numbers_in;
+use crate::definition::setting::no_parameter;
 use crate::definition::source::Source;
 use affinor::mechanics::Magnus;
 use affinor::mechanics::motions::Method;
-use constrained::Constrained;
 use ensemble::Ensemble;
-use euler_poincare::EulerPoincare;
-use given_velocity::GivenVelocity;
-use integration::Integration;
+use integration::{Integration, Member, values_of};
 use keys::Keys;
-use lie_poisson::LiePoisson;
 use matrix_flow::MatrixFlow;
-use member::{Member, values_of};
+use on_group::{GroupClass, OnGroup};
 use output::{Output, expect_distinct};
 use reader::{Reader, Value};
 use std::path::Path;
@@ -74,36 +69,18 @@ struct Parameter {
 /// The classes of problems.
 #[derive(Clone, Debug)]
 enum Class {
-    EulerPoincare(Box<EulerPoincare>),
-    Constrained(Box<Constrained>),
-    LiePoisson(Box<LiePoisson>),
-    GivenVelocity(Box<GivenVelocity>),
     MatrixFlow(Box<MatrixFlow>),
+    OnGroup(Box<OnGroup>, GroupClass),
 }
 
 impl Class {
     fn read(keys: &Keys, reader: &Reader) -> Result<Self, InputError> {
-        Ok(if let Some(flow) = &keys.flow {
-            Class::MatrixFlow(MatrixFlow::read(flow, reader)?.into())
-        } else if let Some(given) = &keys.given {
-            Class::GivenVelocity(GivenVelocity::read(given, keys, reader)?.into())
-        } else if let Some(hamiltonian) = &keys.hamiltonian {
-            Class::LiePoisson(LiePoisson::read(hamiltonian, keys, reader)?.into())
-        } else if keys.constraints.is_some() {
-            Class::Constrained(Constrained::read(keys, reader)?.into())
-        } else {
-            Class::EulerPoincare(EulerPoincare::read(keys, reader)?.into())
-        })
-    }
-
-    fn motion(&self, member: &Member) -> Result<Ready, InputError> {
-        match self {
-            Class::EulerPoincare(class) => class.motion(member),
-            Class::Constrained(class) => class.motion(member),
-            Class::LiePoisson(class) => class.motion(member),
-            Class::GivenVelocity(class) => class.motion(member),
-            Class::MatrixFlow(class) => class.motion(member),
+        if let Some(flow) = &keys.flow {
+            return Ok(Class::MatrixFlow(MatrixFlow::read(flow, reader)?.into()));
         }
+        let on_group = OnGroup::read(keys, reader)?;
+        let class = GroupClass::read(keys, &on_group, reader)?;
+        Ok(Class::OnGroup(on_group.into(), class))
     }
 }
 
@@ -183,14 +160,9 @@ impl Problem {
                 return Err(error.at(&source.whole(part)));
             };
             let trimmed = name.trim();
-            let known: Vec<&str> = self.parameters.iter().map(|known| &*known.name).collect();
-            if !known.contains(&trimmed) {
-                let message = format!("`{}` is no parameter here", shown(trimmed));
-                let help = match known.as_slice() {
-                    [] => "there are none".into(),
-                    known => format!("the parameters are {}", known.join(", ")),
-                };
-                return Err(InputError::usage(message).at(&source.whole(name)).help(help));
+            let known: Vec<_> = self.parameters.iter().map(|known| known.name.clone()).collect();
+            if known.iter().all(|known| known != trimmed) {
+                return Err(no_parameter(trimmed, &known).at(&source.whole(name)));
             }
             let [value] = numbers_in(value, &source)?[..] else {
                 let error = InputError::usage("a parameter has one value");
@@ -261,8 +233,8 @@ impl Problem {
     pub fn own_class(&self) -> Option<Method> {
         match &self.class {
             Class::MatrixFlow(_) => Some(Method::ComposedIsospectral),
-            Class::GivenVelocity(_) => Some(Method::Magnus(Magnus::Six)),
-            Class::EulerPoincare(_) | Class::Constrained(_) | Class::LiePoisson(_) => None,
+            Class::OnGroup(_, GroupClass::GivenVelocity(_)) => Some(Method::Magnus(Magnus::Six)),
+            Class::OnGroup(..) => None,
         }
     }
 
@@ -299,8 +271,11 @@ impl Problem {
         let parameters = self.values(member)?;
         let times = self.output.times.at(&self.source, &values_of(&parameters))?;
         let (source, integration, output) = (&self.source, &self.integration, &self.output);
-        let ready =
-            self.class.motion(&Member { source, parameters, times, integration, output })?;
+        let member = Member { source, parameters, times, integration, output };
+        let ready = match &self.class {
+            Class::MatrixFlow(flow) => flow.motion(&member),
+            Class::OnGroup(on_group, class) => on_group.motion(class, &member),
+        }?;
         integration.expect_no_ignored_keys(ready.method, source)?;
         let of_ensemble =
             self.ensemble.as_ref().map_or(vec![], |_| [vec!["member"], self.varied()].concat());

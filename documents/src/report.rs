@@ -2,7 +2,8 @@
 //!
 //! In reading order: [`Quantity`] names the tensors, [`Table`] computes them, and one module for each format writes them;
 //! [`Comparison`] sets two geometries side by side; [`EquationReport`] writes equations of motion, also as source code;
-//! [`StoredTable`] compares a table with a stored one; [`Grid`] serves everything else.
+//! [`StoredTable`] compares a table with a stored one. Each is a [`Report`]; short lists are [`conventions`], the
+//! [`catalogue`] and a [`certificate`].
 
 mod code;
 mod comparison;
@@ -13,6 +14,7 @@ mod grid;
 mod head;
 mod json;
 mod latex;
+mod lists;
 mod markdown;
 mod quantity;
 mod stored;
@@ -22,9 +24,9 @@ pub use code::Language;
 pub use comparison::{ComparedSide, Comparison};
 pub use components::{GROUPED, Group, groups, independent};
 pub use equations::EquationReport;
-pub use grid::{Cell, Grid};
+pub use lists::{catalogue, certificate, conventions};
 pub use quantity::Quantity;
-pub use stored::{Difference, StoredTable};
+pub use stored::{Differences, StoredTable};
 
 use affinor::{Error, Geometry};
 use affinor_tensors::{Kind, Notation, Tensor, Tolerance};
@@ -34,7 +36,7 @@ use std::io::{self, BufWriter, Write};
 /// The tensors of one geometry, ready to be printed.
 ///
 /// ```
-/// use affinor_documents::report::{Format, Quantity, Table};
+/// use affinor_documents::report::{Format, Quantity, Report, Table};
 /// use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra};
 /// use affinor_tensors::Rational;
 /// let rotations = Bracket::from_fn(&["e1", "e2", "e3"], |j, k| match (j, k) {
@@ -162,22 +164,6 @@ impl<S: Notation> Table<S> {
         Ok(())
     }
 
-    /// Writes the table in one of the formats.
-    ///
-    /// # Errors
-    /// An error of `out`; for JSON also [`io::ErrorKind::InvalidData`] if a float is infinite or not a number.
-    pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
-        let mut out = BufWriter::with_capacity(1 << 16, out);
-        match format {
-            Format::Text => text::write(self, &mut out),
-            Format::Markdown => markdown::write(self, &mut out),
-            Format::Latex => latex::write(self, &mut out),
-            Format::Csv => csv::write(self, &mut out),
-            Format::Json => json::write(self, &mut out),
-        }?;
-        out.flush()
-    }
-
     /// The heading of a tensor: structure constants may be functions on a chart.
     fn title(&self, quantity: Quantity) -> &'static str {
         match quantity {
@@ -192,6 +178,29 @@ impl<S: Notation> Table<S> {
             true => Cow::Owned(independent(&entry.tensor)),
             false => Cow::Borrowed(&entry.tensor),
         }
+    }
+}
+
+/// A report that is written in one of the formats.
+pub trait Report {
+    /// Writes the report.
+    ///
+    /// # Errors
+    /// An error of `out`; for JSON also [`io::ErrorKind::InvalidData`] if a float is infinite or not a number.
+    fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()>;
+}
+
+impl<S: Notation> Report for Table<S> {
+    fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        let mut out = BufWriter::with_capacity(1 << 16, out);
+        match format {
+            Format::Text => text::write(self, &mut out),
+            Format::Markdown => markdown::write(self, &mut out),
+            Format::Latex => latex::write(self, &mut out),
+            Format::Csv => csv::write(self, &mut out),
+            Format::Json => json::write(self, &mut out),
+        }?;
+        out.flush()
     }
 }
 

@@ -59,6 +59,11 @@ fn values() {
     definition("basis = ['x', 'y', «'x'»]\nbrackets = ''\n".replace("«'x'»", "'«x»'").as_str());
     definition("{\"dimension\": 2, \"brackets\": \"[e1, e2] = e1\\n[e1, «e3»] = e1\"}");
     definition("{\"dimension\": 2, \"structure_constants\": [[1, 2, 1, \"1 + «*»\"]]}");
+    // a line that continues, an escaped letter, quotes that escape nothing
+    definition("dimension = 2\nbrackets = \"\"\"\n[e1, e2] \\\n   = e1 + «e3»\n\"\"\"\n");
+    definition("dimension = 2\nbrackets = \"# \\u00e9\\n[e1,\\t«e3»] = e1\"\n");
+    definition("dimension = 2\nbrackets = '''\r\n[e1, «e3»] = e1'''\n");
+    definition("dimension = 2\nbrackets = '[e1, «e3»] = e1 # \\n'\n");
     definition("{\"dimension\": 2, \"brackets\": «7»}");
     definition("{\"dimension\": 2, \"brackets\": \"\", «\"brackets\"»: \"\"}");
 }

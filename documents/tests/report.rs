@@ -2,7 +2,7 @@
 
 use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra, Metric};
 use affinor_documents::report::{
-    Format, GROUPED, Quantity, Table, TableEntry, groups, independent,
+    Format, GROUPED, Quantity, Report, Table, TableEntry, groups, independent,
 };
 use affinor_tensors::{Down, Field, Notation, Rational, Symbolic, Tensor, Tolerance, Up, Variance};
 use proptest::prelude::*;

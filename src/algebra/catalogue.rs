@@ -11,21 +11,15 @@
 //!
 //! Parentheses may be omitted if the name stays unambiguous: `so3` is so(3). `so31` is refused, because
 //! so(31) and so(3,1) both exist.
-//!
-//! The brackets of `bianchi(VI,h=..)` and `bianchi(VII,h=..)` are rational in the parameter `h`. The `h_EM = a^2 / (n^2 n^3)` of Ellis and MacCallum (*Commun. Math. Phys.* 12
-//! (1969) 108-141) is `-((1+h)/(1-h))^2` in VI and `h^2` in VII: their VI_0 is `h = -1`, their VII_0
-//! is `h = 0`, and in VI the values `h = 0` and `h = 1` give III and V.
 
-mod abelian;
-mod affine;
 mod bianchi;
 mod error;
 mod euclidean;
-mod heisenberg;
 mod linear;
 mod name;
 mod orthogonal;
 mod simple;
+mod solvable;
 mod symplectic;
 mod unitary;
 
@@ -76,20 +70,9 @@ fn polynomial<S: Notation>(value: &Symbolic) -> Option<S> {
 /// The entry of that name: labels and structure constants.
 ///
 /// ```
-/// use affinor::LieAlgebra;
-/// use affinor::algebra::catalogue;
-/// use affinor::Rational;
-/// use std::error::Error;
-/// let entry = catalogue::find("so3")?;
+/// let entry = affinor::algebra::catalogue::find("so3")?;
 /// assert_eq!((entry.name.as_str(), entry.dimension()), ("so(3)", 3));
-///
-/// // [e1, e2] = e3
-/// let bracket = entry.bracket::<Rational, Box<dyn Error>>(|value| {
-///     Ok(value.as_constant().cloned().ok_or("a parameter")?)
-/// })?;
-/// assert_eq!(bracket.structure().get(&[2, 0, 1]).to_string(), "1");
-/// assert!(LieAlgebra::try_from(bracket).is_ok());
-/// # Ok::<(), Box<dyn Error>>(())
+/// # Ok::<(), affinor::algebra::catalogue::CatalogueError>(())
 /// ```
 ///
 /// # Errors
@@ -104,7 +87,7 @@ pub fn families() -> &'static [Family] {
 }
 
 static FAMILIES: &[Family] = &[
-    abelian::FAMILY,
+    solvable::ABELIAN,
     orthogonal::DEFINITE,
     orthogonal::INDEFINITE,
     unitary::FAMILY,
@@ -113,8 +96,8 @@ static FAMILIES: &[Family] = &[
     symplectic::FAMILY,
     euclidean::FAMILY,
     euclidean::EXTENDED,
-    heisenberg::FAMILY,
-    affine::FAMILY,
+    solvable::HEISENBERG,
+    solvable::AFFINE,
     bianchi::FAMILY,
     simple::A,
     simple::B,
@@ -220,8 +203,6 @@ pub struct Family {
     pub summary: &'static str,
     /// One of its names.
     pub example: &'static str,
-    /// The word with which its names begin.
-    head: &'static str,
     reader: Reader,
 }
 
@@ -240,9 +221,15 @@ enum Reader {
 }
 
 impl Family {
+    /// The word with which its names begin.
+    fn head(&self) -> &'static str {
+        let end = self.pattern.find(['(', '^']).unwrap_or(self.pattern.len() - 1);
+        &self.pattern[..end]
+    }
+
     /// The name with these arguments, in the form of the pattern.
     fn name(&self, arguments: &str) -> String {
-        let head = self.head;
+        let head = self.head();
         match self.pattern[head.len()..].chars().next() {
             Some('(') => format!("{head}({arguments})"),
             Some('^') => format!("{head}^{arguments}"),

@@ -68,9 +68,6 @@ impl<S: Ring> Frame<S> {
     }
 
     /// The coordinate frame of partial derivatives: zero structure (A9).
-    ///
-    /// # Errors
-    /// When the dimension is beyond the engine.
     pub(crate) fn holonomic(labels: &[String], partial: Derivations<S>) -> Result<Self, Error> {
         let structure = Tensor::zero(labels.len(), &[Up, Down, Down])?;
         Self::moving(labels, structure, partial)

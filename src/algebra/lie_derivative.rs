@@ -39,17 +39,6 @@ impl<S: Ring> Frame<S> {
     /// The bracket of two fields, given like the result by components in this frame:
     /// `[X, Y]^i = X^j e_j(Y^i) - Y^j e_j(X^i) + c^i_jk X^j Y^k` (32), (A6).
     ///
-    /// ```
-    /// use affinor::Frame;
-    /// use affinor::{Ring, Symbolic};
-    /// let plane = Frame::coordinates(&["x", "y"])?;
-    /// let [x, y, zero] = [Symbolic::parameter("x"), Symbolic::parameter("y"), Symbolic::from_i64(0)];
-    /// let rotation = [-y, x.clone()];
-    /// let shift = [Symbolic::from_i64(1), zero.clone()];
-    /// assert_eq!(plane.bracket(&shift, &rotation)?, [zero, Symbolic::from_i64(1)]);
-    /// # Ok::<(), affinor::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::Shape`] unless both have as many components as the frame.
     pub fn bracket(&self, x: &[S], y: &[S]) -> Result<Vec<S>, Error> {

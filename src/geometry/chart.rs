@@ -6,14 +6,13 @@
 //! inhomogeneous law
 //! ([`Connection::moved`](crate::Connection::moved)).
 
+mod at_point;
 mod canonical;
-mod canonical_at_point;
 mod eigenvalues;
 mod exponential;
 mod fields;
 mod invariant_fields;
 mod moved;
-mod point;
 mod series;
 
 pub use canonical::{CanonicalCoordinates, Side};

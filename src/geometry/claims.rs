@@ -76,36 +76,28 @@ impl Claim {
 
     /// The equation or section of the paper.
     pub fn equation(self) -> &'static str {
-        match self {
-            Claim::AffinitiesAreStructure => "(38)",
-            Claim::TorsionIsStructure | Claim::Flat => "after (38)",
-            Claim::TransportByAd => "(45)",
-            Claim::Incompatible => "section 5",
-            Claim::Antisymmetric => "(40)",
-            Claim::StructureIsTwiceAffinities => "(39)",
-            Claim::TorsionFree => "after (39)",
-            Claim::CurvedByBracket => "after (65)",
-            Claim::TransportByHalfAd => "(71)",
-            Claim::Compatible => "after (102)",
-            Claim::BiInvariant => "(102)",
-        }
+        self.entry().0
     }
 
     /// A short statement of the claim.
     pub fn statement(self) -> &'static str {
+        self.entry().1
+    }
+
+    fn entry(self) -> (&'static str, &'static str) {
         match self {
-            Claim::AffinitiesAreStructure => "affinities = structure constants",
-            Claim::TorsionIsStructure => "torsion = structure constants",
-            Claim::Flat => "no curvature",
-            Claim::TransportByAd => "transport by G = -ad_n",
-            Claim::Incompatible => "metric not preserved",
-            Claim::Antisymmetric => "affinities antisymmetric",
-            Claim::StructureIsTwiceAffinities => "structure constants = 2 affinities",
-            Claim::TorsionFree => "no torsion",
-            Claim::CurvedByBracket => "curvature -1/4 [[X,Y],Z] and not 0",
-            Claim::TransportByHalfAd => "transport by G = -1/2 ad_n",
-            Claim::Compatible => "metric preserved",
-            Claim::BiInvariant => "metric bi-invariant",
+            Claim::AffinitiesAreStructure => ("(38)", "affinities = structure constants"),
+            Claim::TorsionIsStructure => ("after (38)", "torsion = structure constants"),
+            Claim::Flat => ("after (38)", "no curvature"),
+            Claim::TransportByAd => ("(45)", "transport by G = -ad_n"),
+            Claim::Incompatible => ("section 5", "metric not preserved"),
+            Claim::Antisymmetric => ("(40)", "affinities antisymmetric"),
+            Claim::StructureIsTwiceAffinities => ("(39)", "structure constants = 2 affinities"),
+            Claim::TorsionFree => ("after (39)", "no torsion"),
+            Claim::CurvedByBracket => ("after (65)", "curvature -1/4 [[X,Y],Z] and not 0"),
+            Claim::TransportByHalfAd => ("(71)", "transport by G = -1/2 ad_n"),
+            Claim::Compatible => ("after (102)", "metric preserved"),
+            Claim::BiInvariant => ("(102)", "metric bi-invariant"),
         }
     }
 

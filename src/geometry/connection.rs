@@ -1,8 +1,7 @@
 //! Connections: affinities over a frame.
 
 mod canonical;
-mod invariant;
-mod right_frame;
+mod invariance;
 
 pub use canonical::Canonical;
 

@@ -3,10 +3,7 @@
 //! A connection computes its curvature once; all tensors here share it.
 
 mod conformal;
-mod derivative;
-mod kretschmann;
 mod ricci;
-mod sectional;
 
 use crate::algebra::frame::formula;
 use crate::geometry::connection::Connection;
@@ -59,6 +56,18 @@ impl<S: Ring> Connection<S> {
     /// The Ricci tensor, slots `_jl`: `Ric_jl = R^i_jil`. It need not be symmetric.
     pub fn ricci(&self) -> Tensor<S> {
         formula("R^i_jil -> _jl", &[("R", self.curvature())])
+    }
+
+    /// The derivative of the torsion, slots `^i_mjk`: `(nabla_m tau)^i_jk`. Zero for the canonical
+    /// connections of a group.
+    pub fn nabla_torsion(&self) -> Tensor<S> {
+        self.nabla(&self.torsion()).expect("the torsion belongs to the frame")
+    }
+
+    /// The derivative of the curvature, slots `^i_mjkl`: `(nabla_m R)^i_jkl`. Zero for a
+    /// torsion-free connection exactly where the space is locally symmetric.
+    pub fn nabla_curvature(&self) -> Tensor<S> {
+        self.nabla(self.curvature()).expect("the curvature belongs to the frame")
     }
 
     /// The residual of the first Bianchi identity with torsion, slots `^i_jkl`: the cyclic sum

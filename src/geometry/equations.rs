@@ -113,12 +113,11 @@ impl<S: Field> Equations<S> {
                 "Euler-Poincare equations need a metric with constant components",
             ));
         }
-        let operands = [("L", connection.gamma()), ("g", metric.components())];
         Ok(Equations {
             kind: EquationKind::EulerPoincare,
             left: metric.components().clone(),
             inverse: metric.inverse().clone(),
-            quadratic: formula("L^j_ki g_jm -> _ikm", &operands),
+            quadratic: inertial(connection, metric),
             force: Some(Tensor::identity(n).permute(&[1, 0])?),
         })
     }
@@ -188,6 +187,11 @@ impl<S: Field> Equations<S> {
         };
         Ok(rate.to_vector().unwrap_or_default())
     }
+}
+
+/// The quadratic part of (104), `q_ikm = Lambda^j_ki g_jm`: the inertial forces are `q_ikm Omega^k Omega^m`.
+pub(crate) fn inertial<S: Field>(connection: &Connection<S>, metric: &Metric<S>) -> Tensor<S> {
+    formula("L^j_ki g_jm -> _ikm", &[("L", connection.gamma()), ("g", metric.components())])
 }
 
 /// A variable of the equations: its role and its index, from 0.

@@ -6,8 +6,8 @@
 //! Spivak and Warner; that of Kobayashi and Nomizu divides by `p + 1`).
 
 use crate::Error;
+use crate::algebra::LETTERS;
 use crate::algebra::frame::{Frame, expect_numbers, expect_slots, expect_symmetry};
-use crate::algebra::{LETTERS, LieAlgebra};
 use crate::geometry::connection::Connection;
 use affinor_tensors::{Down, Indices, Ring, Tensor, TensorError, Up, contract};
 
@@ -130,16 +130,6 @@ impl<S: Ring> Frame<S> {
         let text = format!("{sum} -> {}", antisymmetric(letters));
         let operands = [("d", &derivative), ("c", self.structure()), ("w", &form.0)];
         Ok(Form(contract(&text, &operands)?))
-    }
-}
-
-impl<S: Ring> LieAlgebra<S> {
-    /// The differential of left-invariant forms; [`Frame::exterior_derivative`] in the left frame.
-    ///
-    /// # Errors
-    /// As there.
-    pub fn d(&self, form: &Form<S>) -> Result<Form<S>, Error> {
-        self.left_frame().exterior_derivative(form)
     }
 }
 

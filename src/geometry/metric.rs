@@ -74,13 +74,6 @@ impl<S: Field> Metric<S> {
 
     /// The metric `diag(values)`. A message calls the basis vectors `e1 ..`.
     ///
-    /// ```
-    /// use affinor::{Metric, Rational};
-    /// let inertia = Metric::diagonal([1, 2, 3].map(Rational::from))?;
-    /// assert_eq!(inertia.inverse().get(&[1, 1]).to_string(), "1/2");
-    /// # Ok::<(), affinor::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Degenerate`] for a value without an inverse.
     pub fn diagonal(values: impl IntoIterator<Item = S>) -> Result<Self, Error> {
@@ -128,11 +121,6 @@ impl<S: Field> Metric<S> {
         self.expect_dimension(algebra.dimension())?;
         let operands = [("g", &self.components), ("c", algebra.structure())];
         Ok(formula("g_mj c^m_ki + g_im c^m_kj -> _kij", &operands))
-    }
-
-    /// Whether the metric is bi-invariant: `g([z,x],y) + g(x,[z,y]) = 0`.
-    pub fn is_bi_invariant(&self, algebra: &LieAlgebra<S>) -> bool {
-        self.ad_variation(algebra).is_ok_and(|variation| variation.is_empty())
     }
 
     /// Checks that the metric is one of this dimension.

@@ -4,18 +4,11 @@
 //! one formula behind this module: [`Connection::levi_civita`] and the connections with given
 //! torsion and nonmetricity are cases of it.
 
-mod contorsion;
-mod disformation;
-mod koszul;
-mod levi_civita;
-
-pub use contorsion::contorsion;
-pub use disformation::disformation;
-
 use crate::Error;
+use crate::algebra::frame::{Frame, expect_slots, expect_symmetry, formula};
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
-use affinor_tensors::{Field, Tensor};
+use affinor_tensors::{Down, Field, Ring, Tensor, TensorError, Up, contract};
 
 impl<S: Field> Connection<S> {
     /// The nonmetricity `Q_kij = (nabla_k g)_ij`; zero when the metric is compatible.
@@ -25,4 +18,150 @@ impl<S: Field> Connection<S> {
     pub fn nonmetricity(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
         self.nabla(metric.components())
     }
+
+    /// The torsion-free connection compatible with `metric`, in any frame:
+    ///
+    /// ```text
+    /// 2 g(nabla_{e_j} e_k, e_i) = e_j(g_ki) + e_k(g_ij) - e_i(g_jk)
+    ///                           + g([e_j,e_k],e_i) - g([e_k,e_i],e_j) + g([e_i,e_j],e_k)
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ.
+    pub fn levi_civita(frame: &Frame<S>, metric: &Metric<S>) -> Result<Self, Error> {
+        let g = metric.components();
+        expect_slots("the metric", g, frame.dimension(), &[Down, Down])?;
+        let gamma = koszul(metric, &frame.derivative(g)?, frame.structure())?;
+        Connection::new(frame.clone(), gamma)
+    }
+
+    /// The only connection compatible with `metric` that has this torsion, slots `^i_jk`, in any
+    /// frame: Levi-Civita plus the [`contorsion`].
+    ///
+    /// # Errors
+    /// As [`contorsion`].
+    pub fn with_torsion(
+        frame: &Frame<S>,
+        metric: &Metric<S>,
+        torsion: &Tensor<S>,
+    ) -> Result<Self, Error> {
+        let nonmetricity = Tensor::zero(frame.dimension(), &[Down; 3])?;
+        Self::with_torsion_and_nonmetricity(frame, metric, torsion, &nonmetricity)
+    }
+
+    /// The [`contorsion`] of this connection's torsion. A connection compatible with the metric
+    /// is Levi-Civita plus it, `K = Lambda - LeviCivita`; any other has a
+    /// [`disformation`](Self::disformation) as well.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ.
+    pub fn contorsion(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
+        contorsion(metric, &self.torsion())
+    }
+
+    /// The only connection with this torsion `tau^i_jk` and nonmetricity `Q_kij`, in any frame:
+    ///
+    /// ```text
+    /// Lambda = LeviCivita + K(tau) + L(Q)
+    /// ```
+    ///
+    /// with the [`contorsion`] and the [`disformation`]. Koszul's formula is linear,
+    /// and each summand is its value for one of the three inputs.
+    ///
+    /// # Errors
+    /// [`Error::Shape`]; [`Error::Symmetry`] unless `tau^i_jk = -tau^i_kj` and `Q_kij = Q_kji`.
+    pub fn with_torsion_and_nonmetricity(
+        frame: &Frame<S>,
+        metric: &Metric<S>,
+        torsion: &Tensor<S>,
+        nonmetricity: &Tensor<S>,
+    ) -> Result<Self, Error> {
+        let (n, g) = (frame.dimension(), metric.components());
+        expect_slots("the metric", g, n, &[Down, Down])?;
+        expect_torsion(torsion, n)?;
+        expect_nonmetricity(nonmetricity, n)?;
+        let derivative = frame.derivative(g)?;
+        let d = contract("d_kij - Q_kij -> _kij", &[("d", &derivative), ("Q", nonmetricity)])?;
+        let b = [("c", frame.structure()), ("t", torsion)];
+        let b = contract("c^i_jk + t^i_jk -> ^i_[jk]", &b)?;
+        Connection::new(frame.clone(), koszul(metric, &d, &b)?)
+    }
+
+    /// The [`disformation`] of this connection's nonmetricity.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ.
+    pub fn disformation(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
+        disformation(metric, &self.nonmetricity(metric)?)
+    }
+}
+
+/// The contorsion of a torsion `tau^i_jk`, slots `^i_jk` as the affinities (direction first):
+///
+/// ```text
+/// K_ijk = (tau_ijk + tau_jik + tau_kij) / 2,    K_ijk = -K_kji
+/// ```
+///
+/// with the first index lowered by the metric (F. W. Hehl et al., *Phys. Rep.* 258 (1995) 1-171;
+/// J. Beltrán Jiménez, L. Heisenberg and T. Koivisto, *Universe* 5 (2019) 173).
+///
+/// # Errors
+/// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::Symmetry`] unless the torsion is antisymmetric.
+pub fn contorsion<S: Field>(metric: &Metric<S>, torsion: &Tensor<S>) -> Result<Tensor<S>, Error> {
+    let n = metric.components().dimension();
+    expect_torsion(torsion, n)?;
+    koszul(metric, &Tensor::zero(n, &[Down; 3])?, torsion)
+}
+
+/// Checks the slots and the antisymmetry of a torsion.
+fn expect_torsion<S: Field>(torsion: &Tensor<S>, n: usize) -> Result<(), Error> {
+    expect_slots("the torsion", torsion, n, &[Up, Down, Down])?;
+    expect_symmetry("the torsion", torsion, [1, 2], -1)
+}
+
+/// The disformation of a nonmetricity `Q_kij = (nabla_k g)_ij`, slots `^i_jk` as the affinities:
+///
+/// ```text
+/// L_ijk = (Q_ijk - Q_jki - Q_kij) / 2,    L_ijk = L_ikj
+/// ```
+///
+/// with the first index lowered by the metric (J. Beltrán Jiménez, L. Heisenberg and T. Koivisto,
+/// *Universe* 5 (2019) 173).
+///
+/// # Errors
+/// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::Symmetry`] unless `Q_kij = Q_kji`.
+pub fn disformation<S: Field>(
+    metric: &Metric<S>,
+    nonmetricity: &Tensor<S>,
+) -> Result<Tensor<S>, Error> {
+    let n = metric.components().dimension();
+    expect_nonmetricity(nonmetricity, n)?;
+    let zero = Tensor::zero(n, &[Up, Down, Down])?;
+    koszul(metric, &nonmetricity.scale(&S::from_i64(-1)), &zero)
+}
+
+fn expect_nonmetricity<S: Ring>(nonmetricity: &Tensor<S>, n: usize) -> Result<(), Error> {
+    expect_slots("the nonmetricity", nonmetricity, n, &[Down; 3])?;
+    expect_symmetry("the nonmetricity", nonmetricity, [1, 2], 1)
+}
+
+/// The only `L^i_jk` with `L_ikj + L_jki = d_kij` and `L^i_jk - L^i_kj = b^i_jk`, its first index
+/// lowered by the metric (`d_kij` symmetric in `ij`, `b^i_jk` antisymmetric in `jk`):
+///
+/// ```text
+/// 2 L_ijk = d_jki + d_kij - d_ijk + b_ijk - b_jki + b_kij
+/// ```
+///
+/// It is linear in `d` and `b`. `d = e(g) - Q` and `b = c + tau` give the affinities; each summand
+/// alone gives its contribution.
+fn koszul<S: Field>(metric: &Metric<S>, d: &Tensor<S>, b: &Tensor<S>) -> Result<Tensor<S>, Error> {
+    let half = S::from_i64(2).recip().ok_or(TensorError::NotInvertible(2))?;
+    let lowered = formula("g_im b^m_jk -> _ijk", &[("g", metric.components()), ("b", b)]);
+    // All terms but b_ijk are symmetric in j and k, and b_ijk raised is b itself. So in floats, too,
+    // the antisymmetric part of the result is b/2 to the last bit.
+    let symmetric =
+        formula("d_j_ki + d_k_ij - d_i_jk + b_jik + b_kij -> _ijk", &[("d", d), ("b", &lowered)]);
+    let raised = formula("h^im s_mjk -> ^i_jk", &[("h", metric.inverse()), ("s", &symmetric)]);
+    let twice = formula("b^i_jk + r^i_jk -> ^i_jk", &[("b", b), ("r", &raised)]);
+    Ok(twice.scale(&half))
 }

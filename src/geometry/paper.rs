@@ -11,13 +11,6 @@ use affinor_tensors::{Down, Notation, Rational, Symbolic, Tensor};
 ///
 /// # Errors
 /// None: the catalogue has so(3).
-///
-/// ```
-/// let m3 = affinor::geometry::paper::m3()?;
-/// assert!(m3.connection().curvature().is_empty());
-/// assert_eq!(m3.connection().torsion(), *m3.frame().structure());
-/// # Ok::<(), affinor::Error>(())
-/// ```
 pub fn m3() -> Result<Geometry<Symbolic>, Error> {
     let entry =
         |[i, j]: [usize; 2]| Symbolic::parameter(&format!("J{}{}", i.min(j) + 1, i.max(j) + 1));

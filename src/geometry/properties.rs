@@ -1,15 +1,5 @@
 //! Properties of connections and metrics. Each holds, possibly with a value such as a constant, or
 //! fails with a nonzero component as witness.
-//!
-//! Of a connection: [`parallel_torsion`](Connection::parallel_torsion),
-//! [`parallel_curvature`](Connection::parallel_curvature),
-//! [`locally_symmetric`](Connection::locally_symmetric). With a metric:
-//! [`einstein_constant`](Connection::einstein_constant),
-//! [`constant_curvature`](Connection::constant_curvature). Of a left-invariant metric:
-//! [`bi_invariant`](crate::Metric::bi_invariant),
-//! [`naturally_reductive`](crate::Metric::naturally_reductive),
-//! [`ricci_soliton`](crate::Metric::ricci_soliton), and its left-invariant
-//! [`killing_fields`](crate::Metric::killing_fields).
 
 mod einstein;
 mod isometries;

@@ -49,7 +49,7 @@ impl<S: Field> ReductivePair<S> {
     ///
     /// # Errors
     /// [`Error::Shape`]; [`Error::SingularBasis`] unless both together are a basis;
-    /// [`Error::NotSubalgebra`] and [`Error::NotReductive`] with the first bracket that escapes.
+    /// [`Error::NotReductive`] with the first bracket that escapes.
     pub fn new(algebra: &LieAlgebra<S>, h: &[Vec<S>], m: &[Vec<S>]) -> Result<Self, Error> {
         let (n, r) = (algebra.dimension(), m.len());
         let basis: Vec<_> = m.iter().chain(h).collect();
@@ -77,10 +77,12 @@ impl<S: Field> ReductivePair<S> {
             Some([x, y, bracket].map(|v| algebra.left_frame().write(v)))
         };
         if let Some([x, y, bracket]) = escaped([false, true, true]) {
-            return Err(Error::NotSubalgebra { x, y, bracket });
+            let law = "the vectors of h span no subalgebra";
+            return Err(Error::NotReductive { law, span: "their span", x, y, bracket });
         }
         if let Some([x, y, bracket]) = escaped([true, true, false]) {
-            return Err(Error::NotReductive { x, y, bracket });
+            let law = "the complement m is not invariant under h";
+            return Err(Error::NotReductive { law, span: "m", x, y, bracket });
         }
         // v(x, y) = [x, y]_h
         let vertical = part([true, false, false]);

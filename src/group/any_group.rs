@@ -1,6 +1,6 @@
 //! Groups chosen at run time, and their direct products.
 
-use super::{Block, Coordinates, Embedded, Generator, LieGroup, Product, Written};
+use super::{Block, Coordinates, Embedded, Generator, LieGroup, Partial, Written};
 use crate::{Error, LieAlgebra};
 use nalgebra::{DMatrix, DVector};
 use std::any::Any;
@@ -35,17 +35,12 @@ impl AnyGroup {
         AnyGroup(Arc::new(Flat(group)))
     }
 
-    /// The group of a name; see [`registry::find`](super::registry::find).
+    /// [`registry::find`](super::registry::find): the group of a name.
     ///
     /// # Errors
-    /// [`Error::NoGroup`].
+    /// As there.
     pub fn named(name: &str) -> Result<Self, Error> {
         super::registry::find(name)
-    }
-
-    /// The direct product with another group, whose vectors stand behind those of this one.
-    pub fn product(&self, other: &AnyGroup) -> Self {
-        AnyGroup::new(Product(self.clone(), other.clone()))
     }
 
     /// The group that it was [made](Self::new) of, if that has this type.
@@ -270,14 +265,15 @@ macro_rules! on_lists {
                 self.0.generators()
             }
 
-            fn slopes(
+            fn derivatives(
                 &self,
                 g: &DVector<f64>,
                 entries: &[f64],
                 generators: &[Generator],
-                slopes: &mut Vec<f64>,
-            ) {
-                self.0.slopes(&self.element(g), entries, generators, slopes);
+                partial: &[Partial],
+            ) -> DVector<f64> {
+                let derivatives = self.0.derivatives(&self.element(g), entries, generators, partial);
+                self.to_vector(derivatives)
             }
         }
     };

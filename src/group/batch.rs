@@ -7,13 +7,15 @@ use super::{LieGroup, So3, so3};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 
+/// Elements in `N` columns, one for each of their components.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Columns<const N: usize>([Vec<f64>; N]);
+
 /// Vectors in the columns `x, y, z`.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Vectors([Vec<f64>; 3]);
+pub type Vectors = Columns<3>;
 
 /// Unit quaternions in the columns `w, x, y, z`.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Quaternions([Vec<f64>; 4]);
+pub type Quaternions = Columns<4>;
 
 /// The number of elements of one task; their columns fit the cache of a core.
 const TASK: usize = 1024;
@@ -125,10 +127,10 @@ fn tasks4(
     (w, x, y, z).into_par_iter()
 }
 
-impl Vectors {
-    /// Zero vectors.
+impl<const N: usize> Columns<N> {
+    /// Zeros, to be overwritten: zero quaternions are no rotations.
     pub fn zeros(count: usize) -> Self {
-        Vectors(std::array::from_fn(|_| vec![0.0; count]))
+        Columns(std::array::from_fn(|_| vec![0.0; count]))
     }
 
     /// The number of elements.
@@ -141,67 +143,53 @@ impl Vectors {
         self.len() == 0
     }
 
+    /// The columns.
+    pub fn columns(&self) -> [&[f64]; N] {
+        self.0.each_ref().map(Vec::as_slice)
+    }
+
+    fn element(&self, at: usize) -> [f64; N] {
+        self.0.each_ref().map(|column| column[at])
+    }
+
+    fn collect(elements: impl Iterator<Item = [f64; N]>) -> Self {
+        let mut columns = Self::zeros(0);
+        for element in elements {
+            columns.0.iter_mut().zip(element).for_each(|(column, c)| column.push(c));
+        }
+        columns
+    }
+}
+
+impl Vectors {
     /// The element of an index.
     ///
     /// # Panics
     /// If the index is out of range.
     pub fn get(&self, at: usize) -> Vector3<f64> {
-        self.0.each_ref().map(|column| column[at]).into()
-    }
-
-    /// The columns.
-    pub fn columns(&self) -> [&[f64]; 3] {
-        self.0.each_ref().map(Vec::as_slice)
+        self.element(at).into()
     }
 }
 
 impl Quaternions {
-    /// Zero quaternions, to be overwritten; they are no rotations.
-    pub fn zeros(count: usize) -> Self {
-        Quaternions(std::array::from_fn(|_| vec![0.0; count]))
-    }
-
-    /// The number of elements.
-    pub fn len(&self) -> usize {
-        self.0[0].len()
-    }
-
-    /// Whether there are no elements.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
     /// The element of an index.
     ///
     /// # Panics
     /// If the index is out of range.
     pub fn get(&self, at: usize) -> UnitQuaternion<f64> {
-        let [w, x, y, z] = self.0.each_ref().map(|column| column[at]);
+        let [w, x, y, z] = self.element(at);
         UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z))
-    }
-
-    /// The columns.
-    pub fn columns(&self) -> [&[f64]; 4] {
-        self.0.each_ref().map(Vec::as_slice)
     }
 }
 
 impl FromIterator<Vector3<f64>> for Vectors {
     fn from_iter<I: IntoIterator<Item = Vector3<f64>>>(vectors: I) -> Self {
-        let mut columns = Vectors::default();
-        for vector in vectors {
-            columns.0.iter_mut().zip(vector.iter()).for_each(|(column, c)| column.push(*c));
-        }
-        columns
+        Self::collect(vectors.into_iter().map(Into::into))
     }
 }
 
 impl FromIterator<UnitQuaternion<f64>> for Quaternions {
     fn from_iter<I: IntoIterator<Item = UnitQuaternion<f64>>>(rotations: I) -> Self {
-        let mut columns = Quaternions::default();
-        for g in rotations {
-            columns.0.iter_mut().zip([g.w, g.i, g.j, g.k]).for_each(|(column, c)| column.push(c));
-        }
-        columns
+        Self::collect(rotations.into_iter().map(|g| [g.w, g.i, g.j, g.k]))
     }
 }

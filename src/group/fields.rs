@@ -60,8 +60,3 @@ impl<V: Coordinates> InvariantField<V> {
 pub fn right_translate<G: LieGroup>(group: &G, v: &G::Vector, h: &G::Element) -> G::Vector {
     group.adjoint(&group.inverse(h), v)
 }
-
-/// The components in the right-invariant frame of a vector at `g` with the left components `v`: `Ad_g v`.
-pub fn right_components<G: LieGroup>(group: &G, g: &G::Element, v: &G::Vector) -> G::Vector {
-    group.adjoint(g, v)
-}

@@ -1,8 +1,7 @@
 //! The Heisenberg groups.
 
-use super::registry::Family;
 use super::written::{Written, checked, sparse};
-use super::{AnyGroup, Coordinates, Embedded, LieGroup};
+use super::{Coordinates, Embedded, LieGroup};
 use crate::Error;
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -36,19 +35,13 @@ impl<const N: usize> Heisenberg<N> {
 
 /// The Heisenberg group of `m` pairs, where `m` is known at run time.
 #[derive(Clone, Copy, Debug)]
-struct OfPairs(usize);
+pub(super) struct OfPairs(pub usize);
 
 impl OfPairs {
     fn pairs(&self) -> usize {
         self.0
     }
 }
-
-pub(super) const FAMILY: Family = Family {
-    pattern: "heisenberg(n)",
-    summary: "upper triangular matrices of size m + 2, n = 2m + 1",
-    build: |n| AnyGroup::new(OfPairs(n / 2)),
-};
 
 /// The group for vectors of a type.
 macro_rules! heisenberg {

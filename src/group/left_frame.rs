@@ -7,9 +7,6 @@ use crate::{Error, Frame};
 const ROUNDING: f64 = 1e-12;
 
 /// Checks that a frame has the structure constants of the group, in its basis, and no derivations.
-///
-/// # Errors
-/// [`Error::Shape`] with the first component that differs.
 pub(crate) fn expect_left_frame<G: LieGroup>(group: &G, frame: &Frame<f64>) -> Result<(), Error> {
     let differs = |found: String| Error::Shape {
         what: "the connection",

@@ -17,9 +17,6 @@ const STEPS: usize = 60;
 const OFF: f64 = 1e-9;
 
 /// The principal logarithm: its eigenvalues have imaginary parts between `-pi` and `pi`.
-///
-/// # Errors
-/// [`Error::Invalid`] for an eigenvalue on the closed negative axis, and when rounding wins.
 pub(crate) fn logarithm(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     rooted_to(a, NEAR)
 }

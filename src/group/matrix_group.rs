@@ -3,16 +3,21 @@
 use super::logarithm::logarithm;
 use super::series::exp;
 use super::splitting::translations;
-use super::written::{TOLERANCE, Written, checked, replace};
+use super::written::{TOLERANCE, Written, checked, expect_shape, replace};
 use super::{Embedded, LieGroup};
-use crate::algebra::Complex;
 use crate::{Bracket, Error, LieAlgebra, MatrixBasis};
-use affinor_tensors::Tolerance;
 use affinor_tensors::linear::Matrix;
 use nalgebra::{DMatrix, DVector};
 
 /// The relative distance from the algebra that roundings give a logarithm.
 const OUTSIDE: f64 = 1e-9;
+
+/// The largest power of an element whose logarithm is tested. It covers the orders of the centres of small classical groups,
+/// and of half and third turns.
+const POWERS: usize = 12;
+
+/// The relative rounding of the trace of a generator.
+const TRACE_ROUNDING: f64 = 1e-12;
 
 /// The group of the exponentials of a Lie algebra of real matrices, and their products.
 ///
@@ -45,7 +50,7 @@ impl MatrixGroup {
     /// The group of the span of square matrices of one size.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::Overflow`] for an entry that is not finite; [`Error::Dependent`];
+    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::Dependent`];
     /// [`Error::NotClosed`] with the first commutator that leaves the span.
     pub fn new(matrices: &[DMatrix<f64>]) -> Result<Self, Error> {
         Self::with_labels(matrices, (1..=matrices.len()).map(|at| format!("e{at}")))
@@ -57,10 +62,9 @@ impl MatrixGroup {
     /// As [`new`](Self::new), and [`Error::Shape`] unless there are as many names as matrices.
     pub fn with_labels(
         matrices: &[DMatrix<f64>],
-        labels: impl IntoIterator<Item: Into<String>>,
+        labels: impl IntoIterator<Item: AsRef<str>>,
     ) -> Result<Self, Error> {
-        let labels: Vec<String> = labels.into_iter().map(Into::into).collect();
-        Self::from_basis(&matrix_basis(&labels, matrices)?)
+        Self::from_basis(&MatrixBasis::from_dmatrices(labels, matrices)?)
     }
 
     /// The group of a basis of matrices; complex ones `A + iB` act as `[[A, -B], [B, A]]`.
@@ -121,9 +125,60 @@ impl MatrixGroup {
     }
 
     fn represented(algebra: &LieAlgebra<f64>, matrices: &[DMatrix<f64>]) -> Result<Self, Error> {
-        match matrix_basis(algebra.labels(), matrices) {
+        match MatrixBasis::from_dmatrices(algebra.labels(), matrices) {
             Err(Error::Dependent { relation }) => Err(Error::Centre { central: relation }),
             basis => Self::from_basis(&basis?),
+        }
+    }
+
+    /// Checks necessary conditions for an element whose entries have the relative error `tolerance`. It is invertible and has
+    /// a positive determinant, 1 if all generators are traceless. `Ad_g` maps the algebra to itself. The principal logarithm of
+    /// `g` or of a power of it lies in the algebra; in SU(n) that of `g` itself need not.
+    ///
+    /// The test cannot detect a factor of finite order that normalises the algebra, such as an element of another component
+    /// of the pseudo-orthogonal matrices. If the group is not closed, elements far from 1 may be refused.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] with what fails.
+    pub fn expect_element(&self, g: &DMatrix<f64>, tolerance: f64) -> Result<(), Error> {
+        let refused = |reason: String| Err(Error::Invalid { what: "element of the group", reason });
+        let Some(inverse) = g.clone().try_inverse() else {
+            return refused("it is singular".into());
+        };
+        let tolerance = tolerance * (1.0 + g.norm() * inverse.norm());
+        let determinant = g.determinant();
+        let special = self.basis.iter().all(|b| b.trace().abs() <= TRACE_ROUNDING * b.norm());
+        let is_one = (determinant - 1.0).abs() <= tolerance;
+        if (special && !is_one) || determinant <= 0.0 {
+            return refused(format!("its determinant is {determinant}"));
+        }
+        for (at, b) in self.basis.iter().enumerate() {
+            let off = self.outside(&(g * b * &inverse));
+            if off.is_nan() || off > tolerance * b.norm() {
+                let vector = at + 1;
+                return refused(format!(
+                    "Ad takes basis vector {vector} out of the algebra by {off:e}"
+                ));
+            }
+        }
+        let (mut power, mut witness) = (g.clone(), None);
+        for k in 1..=POWERS {
+            if let Ok(log) = logarithm(&power) {
+                let off = self.outside(&log);
+                if off <= tolerance * k as f64 * (1.0 + log.norm()) {
+                    return Ok(());
+                }
+                witness = witness.or(Some((k, off)));
+            }
+            power = &power * g;
+        }
+        match witness {
+            Some((1, off)) => refused(format!("its logarithm leaves the algebra by {off:e}")),
+            Some((k, off)) => {
+                refused(format!("the logarithm of its power {k} leaves the algebra by {off:e}"))
+            }
+            // there is none to look at
+            None => Ok(()),
         }
     }
 
@@ -139,13 +194,8 @@ impl MatrixGroup {
     }
 
     /// The distance of a matrix from the algebra.
-    pub(super) fn outside(&self, m: &DMatrix<f64>) -> f64 {
+    fn outside(&self, m: &DMatrix<f64>) -> f64 {
         (self.generator(&self.coordinates(m)) - m).norm()
-    }
-
-    /// The matrices of the basis.
-    pub(crate) fn matrices(&self) -> &[DMatrix<f64>] {
-        &self.basis
     }
 
     fn size(&self) -> usize {
@@ -184,29 +234,6 @@ fn derivations(algebra: &LieAlgebra<f64>) -> Result<Vec<DMatrix<f64>>, Error> {
     Ok((0..solutions.rows()).map(matrix).collect())
 }
 
-/// Checked for shape, finite entries and independence.
-fn matrix_basis(labels: &[String], matrices: &[DMatrix<f64>]) -> Result<MatrixBasis<f64>, Error> {
-    let size = matrices.first().map_or(0, DMatrix::nrows);
-    for (matrix, label) in matrices.iter().zip(labels.iter()) {
-        if matrix.shape() != (size, size) {
-            let expected = format!("{size} rows and columns");
-            let found = format!("{} and {}", matrix.nrows(), matrix.ncols());
-            return Err(Error::Shape { what: "a matrix of the basis", expected, found });
-        }
-        if let Some(value) = matrix.iter().find(|value| !value.is_finite()) {
-            let component = format!("an entry of {label}");
-            return Err(Error::Overflow { component, value: value.to_string() });
-        }
-    }
-    let entries = |m: &DMatrix<f64>| {
-        let places = (0..size).flat_map(|i| (0..size).map(move |j| (i, j)));
-        let nonzero = places.filter(|&place| m[place] != 0.0);
-        nonzero.map(|(i, j)| (i, j, Complex::real(m[(i, j)]))).collect()
-    };
-    let entries = matrices.iter().map(entries).collect();
-    MatrixBasis::new(labels, size, entries, Tolerance::default())
-}
-
 /// Vectors and matrices of another size than that of the group panic, as they do in nalgebra.
 impl LieGroup for MatrixGroup {
     type Element = DMatrix<f64>;
@@ -237,11 +264,7 @@ impl LieGroup for MatrixGroup {
     /// The principal logarithm of the matrix, if it lies in the algebra. Other logarithms, as of a rotation by `pi`, are not
     /// computed.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
-        if g.shape() != (self.size(), self.size()) {
-            let expected = format!("{0} rows and {0} columns", self.size());
-            let found = format!("{} and {}", g.nrows(), g.ncols());
-            return Err(Error::Shape { what: "an element", expected, found });
-        }
+        expect_shape(g, (self.size(), self.size()))?;
         let log = logarithm(g)?;
         let outside = self.outside(&log);
         if outside <= OUTSIDE * (1.0 + log.norm()) {

@@ -1,11 +1,11 @@
 //! The simply connected group of a nilpotent algebra.
 
 use super::series::exp;
-use super::written::{Generator, Written, checked, column, replace};
+use super::written::{Generator, Partial, Written, checked, column, replace};
 use super::{Embedded, LieGroup};
 use crate::{Error, LieAlgebra};
 use affinor_tensors::Field;
-use affinor_tensors::linear::Echelon;
+use affinor_tensors::linear::{Echelon, Matrix};
 use nalgebra::{DMatrix, DVector};
 
 /// The simply connected group of a nilpotent algebra, in canonical coordinates of the first kind:
@@ -70,15 +70,14 @@ impl<S: Field> Nilpotent<S> {
 
 /// The index of the first term of the lower central series that is zero.
 fn class<S: Field>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
-    let n = algebra.dimension();
-    let unit = |at: usize| (0..n).map(|i| S::from_i64(i64::from(i == at))).collect::<Vec<S>>();
-    let mut term: Vec<Vec<S>> = (0..n).map(unit).collect();
+    let basis: Vec<_> = algebra.basis().collect();
+    let mut term = basis.clone();
     let mut class = 0;
     while !term.is_empty() {
         let mut next = Echelon::new().with_tolerance(algebra.structure().tolerance());
         for vector in &term {
-            for e in (0..n).map(unit) {
-                next.insert(algebra.bracket(&e, vector)?.into_iter().enumerate())?;
+            for e in &basis {
+                next.insert(algebra.bracket(e, vector)?.into_iter().enumerate())?;
             }
         }
         if next.rank() == term.len() {
@@ -89,18 +88,10 @@ fn class<S: Field>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
                 format!("the vector {vector} in every term of the lower central series");
             return Err(Error::NotNilpotent { component });
         }
-        term = next.rows().iter().map(|row| dense(n, row)).collect();
+        term = Matrix::from_rows(basis.len(), next.rows().to_vec())?.to_dense();
         class += 1;
     }
     Ok(class)
-}
-
-fn dense<S: Field>(n: usize, row: &[(usize, S)]) -> Vec<S> {
-    let mut vector = vec![S::zero(); n];
-    for (i, value) in row {
-        vector[*i] = value.clone();
-    }
-    vector
 }
 
 impl Nilpotent<f64> {
@@ -209,10 +200,16 @@ impl Written for Nilpotent<f64> {
         vec![DMatrix::zeros(0, 0); self.dimension()]
     }
 
-    fn slopes(&self, g: &Self::Element, _: &[f64], _: &[Generator], slopes: &mut Vec<f64>) {
-        slopes.clear();
-        for i in 0..self.dimension() {
-            slopes.extend_from_slice(self.rate(g, &self.unit(i)).as_slice());
-        }
+    fn derivatives(
+        &self,
+        g: &Self::Element,
+        _: &[f64],
+        _: &[Generator],
+        partial: &[Partial],
+    ) -> Self::Vector {
+        DVector::from_fn(self.dimension(), |i, _| {
+            let rate = self.rate(g, &self.unit(i));
+            partial.iter().map(|(row, _, share)| share * rate[*row]).sum()
+        })
     }
 }

@@ -16,10 +16,6 @@ const MAX_STEPS: usize = 50_000;
 ///
 /// The method is [`DormandPrince8`] with step-size control. `tolerance` bounds the error of a step, relative and
 /// absolute. Each output time ends a step, so no value is interpolated. Times may decrease.
-///
-/// # Errors
-/// [`Error::Integration`] with the time that was reached: the solution grows without bound, the problem is stiff, or
-/// a value is not finite.
 pub(crate) fn solve(
     f: impl Fn(f64, &DVector<f64>) -> DVector<f64>,
     start: f64,

@@ -1,6 +1,6 @@
 //! The opposite of a group: the same elements, multiplied in the other order.
 
-use super::{Block, Coordinates, Embedded, Generator, LieGroup, Written};
+use super::{Block, Embedded, Generator, LieGroup, Partial, Written};
 use crate::{Error, LieAlgebra};
 use nalgebra::DMatrix;
 
@@ -101,18 +101,6 @@ impl<G: LieGroup> LieGroup for Opposite<G> {
         self.0.tangent_right_inverse(x, v)
     }
 
-    fn tangent_right(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
-        self.0.tangent_left(x, v)
-    }
-
-    fn tangent_right_inverse(
-        &self,
-        x: &Self::Vector,
-        v: &Self::Vector,
-    ) -> Result<Self::Vector, Error> {
-        self.0.tangent_left_inverse(x, v)
-    }
-
     fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
         self.0.coadjoint(&self.0.inverse(g), h)
     }
@@ -136,10 +124,6 @@ impl<G: Embedded> Embedded for Opposite<G> {
     /// `v g` of the group.
     fn rate(&self, g: &Self::Element, v: &Self::Vector) -> Self::Numbers {
         self.0.rate(g, &self.adjoint(g, v))
-    }
-
-    fn number_count(&self) -> usize {
-        self.0.number_count()
     }
 
     fn is_place(&self, at: usize) -> bool {
@@ -185,25 +169,14 @@ impl<G: Written> Written for Opposite<G> {
         self.0.generators()
     }
 
-    /// The derivatives of `exp(s e_i) g` of the group: `e_i` in its left frame at `g` is `Ad_g^-1 e_i`.
-    fn slopes(
+    /// The derivatives along `exp(s e_i) g` of the group: `e_i` in its left frame at `g` is `Ad_g^-1 e_i`.
+    fn derivatives(
         &self,
         g: &Self::Element,
         entries: &[f64],
         generators: &[Generator],
-        slopes: &mut Vec<f64>,
-    ) {
-        self.0.slopes(g, entries, generators, slopes);
-        let left = slopes.len();
-        for i in 0..self.dimension() {
-            let turned = self.adjoint(g, &self.unit(i));
-            for at in 0..entries.len() {
-                let terms = turned.components().iter().enumerate();
-                let sum =
-                    terms.fold(0.0, |sum, (k, share)| sum + slopes[k * entries.len() + at] * share);
-                slopes.push(sum);
-            }
-        }
-        slopes.drain(..left);
+        partial: &[Partial],
+    ) -> Self::Vector {
+        self.coadjoint(g, &self.0.derivatives(g, entries, generators, partial))
     }
 }

@@ -1,6 +1,7 @@
 //! Direct products of two groups.
 
-use super::{Block, Coordinates, Embedded, Generator, LieGroup, Written};
+use super::written::expect_shape;
+use super::{Block, Coordinates, Embedded, Generator, LieGroup, Partial, Written};
 use crate::{Error, LieAlgebra};
 use nalgebra::{DMatrix, DVector};
 
@@ -192,12 +193,7 @@ impl<G: Written, H: Written> Written for Product<G, H> {
         let shapes =
             [self.0.write(&self.0.identity()).shape(), self.1.write(&self.1.identity()).shape()];
         let [first, second] = shapes.map(|(rows, columns)| rows * columns);
-        if matrix.shape() != (first + second, 1) {
-            let write = |rows, columns| format!("{rows} rows and {columns} columns");
-            let (expected, found) =
-                (write(first + second, 1), write(matrix.nrows(), matrix.ncols()));
-            return Err(Error::Shape { what: "an element", expected, found });
-        }
+        expect_shape(matrix, (first + second, 1))?;
         let (first, second) = matrix.as_slice().split_at(first);
         let part = |(rows, columns), entries| DMatrix::from_row_slice(rows, columns, entries);
         let first = self.0.read(&part(shapes[0], first))?;
@@ -222,34 +218,25 @@ impl<G: Written, H: Written> Written for Product<G, H> {
         [self.0.generators(), self.1.generators()].concat()
     }
 
-    fn slopes(
+    fn derivatives(
         &self,
         g: &Self::Element,
-        entries: &[f64],
+        _: &[f64],
         generators: &[Generator],
-        slopes: &mut Vec<f64>,
-    ) {
+        partial: &[Partial],
+    ) -> DVector<f64> {
         let (first, second) = generators.split_at(self.0.dimension());
-        let (first, second) = (by_rows(&self.0, &g.0, first), by_rows(&self.1, &g.1, second));
-        let zeros = vec![0.0; entries.len()];
-        slopes.clear();
-        for slope in first {
-            slopes.extend(slope.iter().chain(&zeros[slope.len()..]));
+        let (matrix, other) = (self.0.write(&g.0), self.1.write(&g.1));
+        let (mut upper, mut lower) = (vec![], vec![]);
+        for &(row, _, share) in partial {
+            match row.checked_sub(matrix.len()) {
+                None => upper.push((row / matrix.ncols(), row % matrix.ncols(), share)),
+                Some(row) => lower.push((row / other.ncols(), row % other.ncols(), share)),
+            }
         }
-        for slope in second {
-            slopes.extend(zeros[slope.len()..].iter().chain(&slope));
-        }
+        let upper = self.0.derivatives(&g.0, matrix.as_slice(), first, &upper);
+        self.join(&upper, &self.1.derivatives(&g.1, other.as_slice(), second, &lower))
     }
-}
-
-/// The slopes of an element, each row by row.
-fn by_rows<G: Written>(group: &G, g: &G::Element, generators: &[Generator]) -> Vec<Vec<f64>> {
-    let (mut entries, mut slopes) = (vec![], vec![]);
-    group.entries(g, &mut entries);
-    group.slopes(g, &entries, generators, &mut slopes);
-    let (rows, columns) = group.write(g).shape();
-    let transposed = |slope| DMatrix::from_row_slice(columns, rows, slope).as_slice().to_vec();
-    slopes.chunks_exact(entries.len().max(1)).map(transposed).collect()
 }
 
 /// The entries of two matrices in one column, row by row.

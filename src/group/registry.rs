@@ -1,7 +1,7 @@
 //! The registry of groups: a group for every name of the catalogue of algebras.
 //!
 //! [`find`] reads a name such as `se(3)`, `heisenberg(5)` or `so3+R^3`. Groups in closed form stand in the list of
-//! [`families`]; every group file has its own entry. Other algebras get a group from their matrices or, near the
+//! [`families`]. Other algebras get a group from their matrices or, near the
 //! identity, from their brackets. A sum of algebras gets the direct product of the groups, with the basis of the sum.
 //!
 //! | algebra | an element as written ([`Written::write`](super::Written::write)) |
@@ -15,9 +15,11 @@
 //! So an element of `se3+se3` has 32 numbers, two 4 x 4 matrices; one of `so3+R^3` has 9 + 3. In formulas of motions the
 //! names of factor `k` end in `_k`, as in `x_2`, `qw_1` and `g11_2`.
 
+use super::heisenberg::OfPairs;
 use super::matrix_group::MatrixGroup;
 use super::nilpotent::Nilpotent;
-use super::{AnyGroup, heisenberg, se2, se3, se23, sl2, so2, so3, translations};
+use super::translations::OfDimension;
+use super::{AnyGroup, Product, Se2, Se3, Se23, Sl2, So2, So3};
 use crate::algebra::catalogue;
 use crate::{Error, LieAlgebra};
 use affinor_tensors::linear::Matrix;
@@ -32,7 +34,7 @@ pub struct Family {
     /// How elements are written.
     pub summary: &'static str,
     /// The group of a number.
-    pub(super) build: fn(usize) -> AnyGroup,
+    build: fn(usize) -> AnyGroup,
 }
 
 /// The groups in closed form.
@@ -41,15 +43,25 @@ pub fn families() -> &'static [Family] {
 }
 
 static FAMILIES: &[Family] = &[
-    translations::FAMILY,
-    so2::FAMILY,
-    so3::FAMILY,
-    se2::FAMILY,
-    se3::FAMILY,
-    se23::FAMILY,
-    sl2::FAMILY,
-    heisenberg::FAMILY,
+    family("R^n", "columns of n coordinates", |n| AnyGroup::new(OfDimension(n))),
+    family("so(2)", "rotation matrices of size 2", |_| AnyGroup::new(So2)),
+    family("so(3)", "rotation matrices of size 3", |_| AnyGroup::new(So3)),
+    family("se(2)", "homogeneous matrices of size 3", |_| AnyGroup::new(Se2)),
+    family("se(3)", "homogeneous matrices of size 4", |_| AnyGroup::new(Se3)),
+    family("se_2(3)", "matrices [[R, v, p], [0, 1]] of size 5", |_| AnyGroup::new(Se23)),
+    family("sl(2)", "matrices of size 2 and determinant 1", |_| AnyGroup::new(Sl2)),
+    family("heisenberg(n)", "upper triangular matrices of size m + 2, n = 2m + 1", |n| {
+        AnyGroup::new(OfPairs(n / 2))
+    }),
 ];
+
+const fn family(
+    pattern: &'static str,
+    summary: &'static str,
+    build: fn(usize) -> AnyGroup,
+) -> Family {
+    Family { pattern, summary, build }
+}
 
 /// The group of a name of the catalogue, or of names joined by `+`.
 ///
@@ -66,7 +78,7 @@ static FAMILIES: &[Family] = &[
 pub fn find(name: &str) -> Result<AnyGroup, Error> {
     let mut factors = summands(name).into_iter().map(factor);
     let first = factors.next().unwrap_or_else(|| factor(name))?;
-    factors.try_fold(first, |product, next| Ok(product.product(&next?)))
+    factors.try_fold(first, |product, next| Ok(AnyGroup::new(Product(product, next?))))
 }
 
 /// A group of an algebra that is given by its brackets: simply connected if the algebra is nilpotent, else a group of

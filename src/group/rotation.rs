@@ -13,12 +13,10 @@
 //! | Gibbs vector `tan(angle/2) n` | [`gibbs`], [`from_gibbs`] | refused at `pi` |
 //! | modified Rodrigues `tan(angle/4) n` | [`modified`], [`from_modified`] | nowhere up to `pi` |
 
+mod conversions;
 pub mod euler;
-mod matrices;
-mod quaternion;
-mod rodrigues;
 
+pub use conversions::{
+    from_gibbs, from_matrix, from_modified, from_wxyz, gibbs, matrix, modified, wxyz,
+};
 pub use euler::{Axis, EulerAngles, Lock, Sequence, Turns};
-pub use matrices::{from_matrix, matrix};
-pub use quaternion::{from_wxyz, wxyz};
-pub use rodrigues::{from_gibbs, from_modified, gibbs, modified};

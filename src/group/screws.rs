@@ -4,26 +4,44 @@
 //! each operator of SO(3) acts on `w` and, by its derivative, on the `u_a`. V. Brodsky and M. Shoham, *Mechanism and Machine Theory* 34 (1999) 693-718.
 
 use super::stumpff::{FAR, Stumpff};
-use super::written::{TOLERANCE, sparse, spins};
+use super::written::{TOLERANCE, Written, checked, sparse, spins};
 use super::{Embedded, LieGroup, So3, rotation};
 use crate::Error;
 use nalgebra::{DMatrix, SVector, UnitQuaternion, Vector3};
+use std::array::from_fn;
+use std::fmt::Debug;
 
-/// A vector of the algebra: `w`, then the `u_a`.
-type Screw<const K: usize> = (Vector3<f64>, [Vector3<f64>; K]);
-/// An element of the group, `R` and the vectors `t_a`.
-type Motion<const K: usize> = (UnitQuaternion<f64>, [Vector3<f64>; K]);
+/// A group of rotations `R` of space with `K` vectors `t_a` on which they act:
+/// `(R, t)(R', t') = (R R', t + R t')`. This trait makes it a [`LieGroup`].
+pub trait Screws {
+    /// An element.
+    type Pose: Copy + Debug;
+    /// The vectors `[t_1 .. t_K]` of an element.
+    type Vectors;
+    /// The components of an algebra vector: `w`, then the `u_a`.
+    type Components;
+    /// The embedding coordinates: the quaternion `x, y, z, w` of `R`, then the `t_a`.
+    type Coordinates;
+    /// The names of the quaternion `w, x, y, z` and of the `t_a`.
+    const NAMES: &'static [&'static str];
+
+    /// `R` and the `t_a` of an element.
+    fn parts(g: &Self::Pose) -> (UnitQuaternion<f64>, Self::Vectors);
+
+    /// The element of `R` and the `t_a`.
+    fn whole(rotation: UnitQuaternion<f64>, vectors: Self::Vectors) -> Self::Pose;
+}
 
 /// The components of a vector, three by three.
 #[inline(always)]
-pub(super) fn split<const N: usize, const K: usize>(x: &SVector<f64, N>) -> Screw<K> {
+fn split<const N: usize, const K: usize>(x: &SVector<f64, N>) -> (Vector3<f64>, [Vector3<f64>; K]) {
     let part = |at: usize| Vector3::new(x[at], x[at + 1], x[at + 2]);
-    (part(0), std::array::from_fn(|a| part(3 * a + 3)))
+    (part(0), from_fn(|a| part(3 * a + 3)))
 }
 
 /// The reverse of [`split`].
 #[inline(always)]
-pub(super) fn join<const N: usize, const K: usize>((w, u): Screw<K>) -> SVector<f64, N> {
+fn join<const N: usize, const K: usize>(w: Vector3<f64>, u: [Vector3<f64>; K]) -> SVector<f64, N> {
     SVector::from_fn(|i, _| if i < 3 { w[i] } else { u[i / 3 - 1][i % 3] })
 }
 
@@ -33,181 +51,267 @@ fn are_zero<const K: usize>(u: &[Vector3<f64>; K]) -> bool {
     u.iter().all(|u| *u == Vector3::zeros())
 }
 
-/// `(R, t)(R', t') = (R R', t + R t')`.
-#[inline]
-pub(super) fn compose<const K: usize>((r, t): Motion<K>, (q, s): Motion<K>) -> Motion<K> {
-    (r * q, std::array::from_fn(|a| t[a] + r * s[a]))
-}
+impl<G, const K: usize, const N: usize, const M: usize> LieGroup for G
+where
+    G: Screws<
+            Vectors = [Vector3<f64>; K],
+            Components = SVector<f64, N>,
+            Coordinates = SVector<f64, M>,
+        >,
+{
+    type Element = G::Pose;
+    type Vector = SVector<f64, N>;
 
-/// `(R, t)^-1 = (R^-1, -R^-1 t)`.
-#[inline]
-pub(super) fn inverse<const K: usize>((r, t): Motion<K>) -> Motion<K> {
-    let back = r.inverse();
-    (back, t.map(|t| -(back * t)))
-}
-
-/// `R = exp(w)`, `t_a = T_right(w) u_a`.
-#[inline]
-pub(super) fn exp<const K: usize>((w, u): Screw<K>) -> Motion<K> {
-    if w == Vector3::zeros() {
-        return (UnitQuaternion::identity(), u);
+    #[inline]
+    fn dimension(&self) -> usize {
+        N
     }
-    if are_zero(&u) {
-        return (So3.exp(&w), u);
+
+    fn identity(&self) -> Self::Element {
+        G::whole(UnitQuaternion::identity(), [Vector3::zeros(); K])
     }
-    (So3.exp(&w), u.map(|u| So3.tangent_right(&w, &u)))
-}
 
-/// `w = log(R)`, `u_a = T_right(w)^-1 t_a`.
-pub(super) fn log<const K: usize>((r, t): Motion<K>) -> Result<Screw<K>, Error> {
-    let w = So3.log(&r)?;
-    Ok((w, each(&t, |t| So3.tangent_right_inverse(&w, t))?))
-}
-
-/// `Ad (w; u_a) = (R w; R u_a + t_a cross R w)`.
-#[inline]
-pub(super) fn adjoint<const K: usize>((r, t): Motion<K>, (w, u): Screw<K>) -> Screw<K> {
-    let w = r * w;
-    (w, std::array::from_fn(|a| r * u[a] + t[a].cross(&w)))
-}
-
-/// `Ad* (m; f_a) = (R^T (m + f_a cross t_a); R^T f_a)`.
-#[inline]
-pub(super) fn coadjoint<const K: usize>((r, t): Motion<K>, (m, f): Screw<K>) -> Screw<K> {
-    let m = (0..K).fold(m, |m, a| m + f[a].cross(&t[a]));
-    (r.inverse_transform_vector(&m), f.map(|f| r.inverse_transform_vector(&f)))
-}
-
-/// `Ad*_(R^-1, 0) (m; f_a) = (R m; R f_a)`.
-#[inline]
-pub(super) fn coadjoint_back<const K: usize>((r, _): Motion<K>, (m, f): Screw<K>) -> Screw<K> {
-    (r * m, f.map(|f| r * f))
-}
-
-/// `Ad*_exp(w; u_a) (m; f_a)`: as [`coadjoint`], where `R^T (f_a cross t_a) = R^T f_a cross T_left(w) u_a`.
-#[inline]
-pub(super) fn coadjoint_exp<const K: usize>((w, u): Screw<K>, (m, f): Screw<K>) -> Screw<K> {
-    let f = f.map(|f| So3.coadjoint_exp(&w, &f));
-    let m = So3.coadjoint_exp(&w, &m);
-    if are_zero(&u) {
-        return (m, f);
+    #[inline]
+    fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
+        let ((r, t), (q, s)) = (G::parts(g), G::parts(h));
+        G::whole(r * q, from_fn(|a| t[a] + r * s[a]))
     }
-    ((0..K).fold(m, |m, a| m + f[a].cross(&So3.tangent_left(&w, &u[a]))), f)
-}
 
-/// `(0; u_a)`.
-#[inline]
-pub(super) fn translation<const K: usize>((_, u): Screw<K>) -> Screw<K> {
-    (Vector3::zeros(), u)
-}
-
-/// `(R, 0)`, for `(R, t_a) = (1, t_a)(R, 0)`.
-#[inline]
-pub(super) fn turn<const K: usize>((r, _): Motion<K>) -> Motion<K> {
-    (r, [Vector3::zeros(); K])
-}
-
-/// `(R^-1 R', 0)`.
-#[inline]
-pub(super) fn turn_between<const K: usize>((r, _): Motion<K>, (q, _): Motion<K>) -> Motion<K> {
-    (r.inverse() * q, [Vector3::zeros(); K])
-}
-
-/// `[(w; u_a), (w'; u'_a)] = (w cross w'; w cross u'_a + u_a cross w')`.
-#[inline]
-pub(super) fn bracket<const K: usize>((w, u): Screw<K>, (v, s): Screw<K>) -> Screw<K> {
-    (w.cross(&v), std::array::from_fn(|a| w.cross(&s[a]) + u[a].cross(&v)))
-}
-
-/// `T_left(w; u_a) (v; s_a) = (T_left(w) v; T_left(w) s_a + Q(w, u_a) v)`.
-pub(super) fn tangent_left<const K: usize>((w, u): Screw<K>, (v, s): Screw<K>) -> Screw<K> {
-    let lower = |a: usize| So3.tangent_left(&w, &s[a]) + slope(&w, &u[a], &v);
-    (So3.tangent_left(&w, &v), std::array::from_fn(lower))
-}
-
-/// The inverse, from above to below: `v' = T_left(w)^-1 v`, then
-/// `s'_a = T_left(w)^-1 (s_a - Q(w, u_a) v')`.
-pub(super) fn tangent_left_inverse<const K: usize>(
-    (w, u): Screw<K>,
-    (v, s): Screw<K>,
-) -> Result<Screw<K>, Error> {
-    let v = So3.tangent_left_inverse(&w, &v)?;
-    if are_zero(&u) && are_zero(&s) {
-        return Ok((v, s));
+    /// `(R^-1, -R^-1 t)`.
+    #[inline]
+    fn inverse(&self, g: &Self::Element) -> Self::Element {
+        let (r, t) = G::parts(g);
+        let back = r.inverse();
+        G::whole(back, t.map(|t| -(back * t)))
     }
-    let right = std::array::from_fn::<_, K, _>(|a| s[a] - slope(&w, &u[a], &v));
-    Ok((v, each(&right, |right| So3.tangent_left_inverse(&w, right))?))
-}
 
-/// `[[R, t_1 .. t_K], [0, 1]]`.
-pub(super) fn matrix<const K: usize>((r, t): Motion<K>) -> DMatrix<f64> {
-    let mut matrix = DMatrix::identity(3 + K, 3 + K);
-    matrix.view_mut((0, 0), (3, 3)).copy_from(&rotation::matrix(&r));
-    for (a, t) in t.iter().enumerate() {
-        matrix.view_mut((0, 3 + a), (3, 1)).copy_from(t);
+    /// `R = exp(w)`, `t_a = T_right(w) u_a`.
+    #[inline]
+    fn exp(&self, x: &Self::Vector) -> Self::Element {
+        let (w, u) = split::<N, K>(x);
+        if w == Vector3::zeros() {
+            return G::whole(UnitQuaternion::identity(), u);
+        }
+        if are_zero(&u) {
+            return G::whole(So3.exp(&w), u);
+        }
+        G::whole(So3.exp(&w), u.map(|u| So3.tangent_right(&w, &u)))
     }
-    matrix
-}
 
-/// The reverse of [`matrix`].
-///
-/// # Errors
-/// [`Error::Invalid`] with the defect.
-pub(super) fn read<const K: usize>(m: &DMatrix<f64>) -> Result<Motion<K>, Error> {
-    let turn = m.fixed_view::<3, 3>(0, 0).into_owned();
-    let vector = |a: usize| m.fixed_view::<3, 1>(0, 3 + a).into_owned();
-    Ok((rotation::from_matrix(&turn, TOLERANCE)?, std::array::from_fn(vector)))
-}
-
-/// The entries of [`matrix`], column by column.
-pub(super) fn entries<const K: usize>((r, t): Motion<K>, entries: &mut Vec<f64>) {
-    entries.clear();
-    for column in rotation::matrix(&r).column_iter() {
-        entries.extend(column.iter().chain(&[0.0; K]));
+    /// `w = log(R)`, of length at most `pi`, and `u_a = T_right(w)^-1 t_a`.
+    fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
+        let (r, t) = G::parts(g);
+        let w = So3.log(&r)?;
+        Ok(join(w, each(&t, |t| So3.tangent_right_inverse(&w, t))?))
     }
-    for (a, t) in t.iter().enumerate() {
-        entries.extend(t.iter());
-        entries.extend((0..K).map(|row| f64::from(row == a)));
+
+    /// `(R w; R u_a + t_a cross R w)`.
+    #[inline]
+    fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
+        let ((r, t), (w, u)) = (G::parts(g), split::<N, K>(x));
+        let w = r * w;
+        join(w, from_fn::<_, K, _>(|a| r * u[a] + t[a].cross(&w)))
+    }
+
+    /// `Ad* (m; f_a) = (R^T (m + f_a cross t_a); R^T f_a)`.
+    #[inline]
+    fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
+        let ((r, t), (m, f)) = (G::parts(g), split::<N, K>(h));
+        let m = (0..K).fold(m, |m, a| m + f[a].cross(&t[a]));
+        join(r.inverse_transform_vector(&m), f.map(|f| r.inverse_transform_vector(&f)))
+    }
+
+    /// As [`coadjoint`](Self::coadjoint), where `R^T (f_a cross t_a) = R^T f_a cross T_left(w) u_a`.
+    #[inline]
+    fn coadjoint_exp(&self, x: &Self::Vector, h: &Self::Vector) -> Self::Vector {
+        let ((w, u), (m, f)) = (split::<N, K>(x), split::<N, K>(h));
+        let f = f.map(|f| So3.coadjoint_exp(&w, &f));
+        let m = So3.coadjoint_exp(&w, &m);
+        if are_zero(&u) {
+            return join(m, f);
+        }
+        join((0..K).fold(m, |m, a| m + f[a].cross(&So3.tangent_left(&w, &u[a]))), f)
+    }
+
+    #[inline]
+    fn restored(&self, g: Self::Element) -> Self::Element {
+        let (r, t) = G::parts(&g);
+        G::whole(So3.restored(r), t)
+    }
+
+    /// `(0; u_a)`.
+    #[inline]
+    fn translation(&self, x: &Self::Vector) -> Option<Self::Vector> {
+        Some(join(Vector3::zeros(), split::<N, K>(x).1))
+    }
+
+    #[inline]
+    fn along_translations(&self, h: &Self::Vector) -> Option<Self::Vector> {
+        self.translation(h)
+    }
+
+    /// `(R, 0)`, for `(R, t_a) = (1, t_a)(R, 0)`.
+    #[inline]
+    fn turn(&self, g: &Self::Element) -> Self::Element {
+        G::whole(G::parts(g).0, [Vector3::zeros(); K])
+    }
+
+    /// `Ad*_(R^-1, 0) (m; f_a) = (R m; R f_a)`.
+    #[inline]
+    fn coadjoint_back(&self, turn: &Self::Element, h: &Self::Vector) -> Self::Vector {
+        let ((r, _), (m, f)) = (G::parts(turn), split::<N, K>(h));
+        join(r * m, f.map(|f| r * f))
+    }
+
+    /// `(R^-1 R', 0)`.
+    #[inline]
+    fn turn_between(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
+        G::whole(G::parts(g).0.inverse() * G::parts(h).0, [Vector3::zeros(); K])
+    }
+
+    fn has_bounded_turns(&self) -> bool {
+        true
+    }
+
+    /// `[(w; u_a), (w'; u'_a)] = (w cross w'; w cross u'_a + u_a cross w')`.
+    #[inline]
+    fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
+        let ((w, u), (v, s)) = (split::<N, K>(x), split::<N, K>(y));
+        join(w.cross(&v), from_fn::<_, K, _>(|a| w.cross(&s[a]) + u[a].cross(&v)))
+    }
+
+    /// The homogeneous matrix `[[R, t_1 .. t_K], [0, 1]]`.
+    fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
+        let mut entries = Vec::new();
+        self.entries(g, &mut entries);
+        DMatrix::from_vec(3 + K, 3 + K, entries)
+    }
+
+    /// `T_left(w; u_a) (v; s_a) = (T_left(w) v; T_left(w) s_a + Q(w, u_a) v)`, where `T_left(w)` is that of [`So3`] and
+    /// `Q` its derivative along `u_a`.
+    #[inline]
+    fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
+        let ((w, u), (v, s)) = (split::<N, K>(x), split::<N, K>(v));
+        let lower = |a: usize| So3.tangent_left(&w, &s[a]) + slope(&w, &u[a], &v);
+        join(So3.tangent_left(&w, &v), from_fn::<_, K, _>(lower))
+    }
+
+    /// From above to below: `v' = T_left(w)^-1 v`, then `s'_a = T_left(w)^-1 (s_a - Q(w, u_a) v')`. Singular where that
+    /// of [`So3`] is.
+    #[inline]
+    fn tangent_left_inverse(
+        &self,
+        x: &Self::Vector,
+        v: &Self::Vector,
+    ) -> Result<Self::Vector, Error> {
+        let ((w, u), (v, s)) = (split::<N, K>(x), split::<N, K>(v));
+        let v = So3.tangent_left_inverse(&w, &v)?;
+        if are_zero(&u) && are_zero(&s) {
+            return Ok(join(v, s));
+        }
+        let right = from_fn::<_, K, _>(|a| s[a] - slope(&w, &u[a], &v));
+        Ok(join(v, each(&right, |right| So3.tangent_left_inverse(&w, right))?))
     }
 }
 
-/// The `k`-th of the coordinates of the quaternion, `w` first, then of the `t_a`.
-pub(super) fn named<const K: usize>((q, t): Motion<K>, k: usize) -> f64 {
-    match k {
-        0..4 => [q.w, q.i, q.j, q.k][k],
-        _ => t[(k - 4) / 3][(k - 4) % 3],
+/// The quaternion of the rotation, then the `t_a`, with the rates `R u_a`.
+impl<G, const K: usize, const N: usize, const M: usize> Embedded for G
+where
+    G: Screws<
+            Vectors = [Vector3<f64>; K],
+            Components = SVector<f64, N>,
+            Coordinates = SVector<f64, M>,
+        >,
+{
+    type Numbers = SVector<f64, M>;
+
+    #[inline]
+    fn numbers(&self, g: &Self::Element) -> Self::Numbers {
+        let (r, t) = G::parts(g);
+        SVector::from_fn(|i, _| if i < 4 { r.coords[i] } else { t[(i - 4) / 3][(i - 4) % 3] })
+    }
+
+    #[inline]
+    fn from_numbers(&self, y: &Self::Numbers) -> Self::Element {
+        let r = So3.from_numbers(&y.fixed_rows::<4>(0).into_owned());
+        G::whole(r, from_fn(|a| y.fixed_rows::<3>(4 + 3 * a).into_owned()))
+    }
+
+    #[inline]
+    fn rate(&self, g: &Self::Element, v: &Self::Vector) -> Self::Numbers {
+        self.rate_near(g, &self.restored(*g), v)
+    }
+
+    /// The rate of `R`, then `R u_a` with the projected rotation: only then does the path fit the momentum.
+    #[inline(always)]
+    fn rate_near(
+        &self,
+        point: &Self::Element,
+        projected: &Self::Element,
+        v: &Self::Vector,
+    ) -> Self::Numbers {
+        let ((r, _), (projected, _)) = (G::parts(point), G::parts(projected));
+        let (w, u) = split::<N, K>(v);
+        let r_rate = So3.rate(&r, &w);
+        let t_rate = u.map(|u| projected * u);
+        SVector::from_fn(|i, _| if i < 4 { r_rate[i] } else { t_rate[(i - 4) / 3][(i - 4) % 3] })
+    }
+
+    #[inline]
+    fn is_place(&self, at: usize) -> bool {
+        at >= 4
     }
 }
 
-/// The matrices of the basis.
-pub(super) fn generators<const K: usize>() -> Vec<DMatrix<f64>> {
-    let translations = (0..K).flat_map(|a| (0..3).map(move |row| (row, 3 + a, 1.0)));
-    spins(3 + K).chain(translations.map(|entry| sparse(3 + K, &[entry]))).collect()
-}
+/// The homogeneous matrix; quaternion and `t_a` by names.
+impl<G, const K: usize, const N: usize, const M: usize> Written for G
+where
+    G: Screws<
+            Vectors = [Vector3<f64>; K],
+            Components = SVector<f64, N>,
+            Coordinates = SVector<f64, M>,
+        >,
+{
+    fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
+        checked(self, matrix, |m| {
+            let turn = m.fixed_view::<3, 3>(0, 0).into_owned();
+            let vectors = from_fn(|a| m.fixed_view::<3, 1>(0, 3 + a).into_owned());
+            Ok(G::whole(rotation::from_matrix(&turn, TOLERANCE)?, vectors))
+        })
+    }
 
-/// The quaternion `x, y, z, w` of `R`, then the `t_a`.
-#[inline]
-pub(super) fn numbers<const N: usize, const K: usize>((r, t): Motion<K>) -> SVector<f64, N> {
-    SVector::from_fn(|i, _| if i < 4 { r.coords[i] } else { t[(i - 4) / 3][(i - 4) % 3] })
-}
+    fn is_angle(&self, at: usize) -> bool {
+        at < 3
+    }
 
-/// The reverse of [`numbers`].
-#[inline]
-pub(super) fn from_numbers<const N: usize, const K: usize>(y: &SVector<f64, N>) -> Motion<K> {
-    let r = So3.from_numbers(&y.fixed_rows::<4>(0).into_owned());
-    (r, std::array::from_fn(|a| y.fixed_rows::<3>(4 + 3 * a).into_owned()))
-}
+    fn names(&self) -> &'static [&'static str] {
+        G::NAMES
+    }
 
-/// The rate of `R`, then `R u_a` with the projected rotation: only then does the path fit the momentum.
-#[inline(always)]
-pub(super) fn rate<const N: usize, const K: usize>(
-    (r, _): Motion<K>,
-    (projected, _): Motion<K>,
-    (w, u): Screw<K>,
-) -> SVector<f64, N> {
-    let r_rate = So3.rate(&r, &w);
-    let t_rate = u.map(|u| projected * u);
-    SVector::from_fn(|i, _| if i < 4 { r_rate[i] } else { t_rate[(i - 4) / 3][(i - 4) % 3] })
+    fn named(&self, g: &Self::Element, k: usize) -> f64 {
+        let (q, t) = G::parts(g);
+        match k {
+            0..4 => So3.named(&q, k),
+            _ => t[(k - 4) / 3][(k - 4) % 3],
+        }
+    }
+
+    fn entries(&self, g: &Self::Element, entries: &mut Vec<f64>) {
+        let (r, t) = G::parts(g);
+        entries.clear();
+        for column in rotation::matrix(&r).column_iter() {
+            entries.extend(column.iter().chain(&[0.0; K]));
+        }
+        for (a, t) in t.iter().enumerate() {
+            entries.extend(t.iter());
+            entries.extend((0..K).map(|row| f64::from(row == a)));
+        }
+    }
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        let translations = (0..K).flat_map(|a| (0..3).map(move |row| (row, 3 + a, 1.0)));
+        spins(3 + K).chain(translations.map(|entry| sparse(3 + K, &[entry]))).collect()
+    }
 }
 
 /// `Q(x, p) v = d/de T_left(x + e p) v` at `e = 0`, for

@@ -1,9 +1,8 @@
 //! SE(2), the rigid motions of a plane.
 
-use super::registry::Family;
 use super::so2::nearest_turn;
 use super::written::{Written, checked, replace, sparse};
-use super::{AnyGroup, Embedded, LieGroup, So2, cubic};
+use super::{Embedded, LieGroup, So2};
 use crate::Error;
 use nalgebra::{DMatrix, Isometry2, UnitComplex, Vector1, Vector2, Vector3, Vector4};
 
@@ -22,17 +21,6 @@ use nalgebra::{DMatrix, Isometry2, UnitComplex, Vector1, Vector2, Vector3, Vecto
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Se2;
-
-pub(super) const FAMILY: Family = Family {
-    pattern: "se(2)",
-    summary: "homogeneous matrices of size 3",
-    build: |_| AnyGroup::new(Se2),
-};
-
-/// `ad_x^3 = -z ad_x`.
-fn z(x: &Vector3<f64>) -> f64 {
-    x[0] * x[0]
-}
 
 /// A quarter turn.
 fn turned(u: Vector2<f64>) -> Vector2<f64> {
@@ -115,18 +103,9 @@ impl LieGroup for Se2 {
         DMatrix::from_column_slice(3, 3, g.to_homogeneous().as_slice())
     }
 
-    /// `ad_x^3 = -w^2 ad_x`, so `1 - c_2 ad_x + c_3 ad_x^2` as for rotations.
-    fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
-        cubic::tangent_left(self, z, x, v)
-    }
-
-    /// Singular at `w = 2 pi k`, `k != 0`.
-    fn tangent_left_inverse(
-        &self,
-        x: &Self::Vector,
-        v: &Self::Vector,
-    ) -> Result<Self::Vector, Error> {
-        cubic::tangent_left_inverse(self, [z, z], x, v)
+    /// `ad_x^3 = -w^2 ad_x`.
+    fn cubic(&self, x: &Self::Vector) -> Option<[f64; 2]> {
+        Some([x[0] * x[0]; 2])
     }
 }
 

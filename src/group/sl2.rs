@@ -1,9 +1,8 @@
 //! SL(2,R), the real matrices of size 2 and determinant 1.
 
-use super::registry::Family;
 use super::stumpff::Stumpff;
 use super::written::{TOLERANCE, Written, checked, replace, sparse};
-use super::{AnyGroup, Embedded, LieGroup, cubic};
+use super::{Embedded, LieGroup};
 use crate::Error;
 use nalgebra::{DMatrix, Matrix2, Vector3, Vector4};
 use std::f64::consts::PI;
@@ -23,12 +22,6 @@ use std::f64::consts::PI;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sl2;
-
-pub(super) const FAMILY: Family = Family {
-    pattern: "sl(2)",
-    summary: "matrices of size 2 and determinant 1",
-    build: |_| AnyGroup::new(Sl2),
-};
 
 /// Above this, squares may overflow.
 const LARGE: f64 = 1e150;
@@ -53,16 +46,6 @@ fn determinant(x: &Vector3<f64>) -> f64 {
         0.0 => 0.0,
         small => largest * small * largest,
     }
-}
-
-/// `ad_x^3 = -z ad_x`: the eigenvalues of `ad_x` are twice those of `x`, and 0.
-fn z(x: &Vector3<f64>) -> f64 {
-    4.0 * determinant(x)
-}
-
-/// The sizes of the terms of [`z`].
-fn size(x: &Vector3<f64>) -> f64 {
-    4.0 * (x[2] * x[2] + (x[0] * x[1]).abs())
 }
 
 impl LieGroup for Sl2 {
@@ -148,18 +131,9 @@ impl LieGroup for Sl2 {
         DMatrix::from_column_slice(2, 2, g.as_slice())
     }
 
-    /// `1 - c_2 ad_x + c_3 ad_x^2` with the Stumpff functions of `4 det x`.
-    fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
-        cubic::tangent_left(self, z, x, v)
-    }
-
-    /// Singular where `det x = (pi k)^2`, `k > 0`.
-    fn tangent_left_inverse(
-        &self,
-        x: &Self::Vector,
-        v: &Self::Vector,
-    ) -> Result<Self::Vector, Error> {
-        cubic::tangent_left_inverse(self, [z, size], x, v)
+    /// `ad_x^3 = -4 det(x) ad_x`: the eigenvalues of `ad_x` are twice those of `x`, and 0.
+    fn cubic(&self, x: &Self::Vector) -> Option<[f64; 2]> {
+        Some([4.0 * determinant(x), 4.0 * (x[2] * x[2] + (x[0] * x[1]).abs())])
     }
 }
 

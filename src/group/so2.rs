@@ -1,8 +1,7 @@
 //! SO(2), the rotations of a plane, as complex numbers of modulus 1.
 
-use super::registry::Family;
 use super::written::{Written, checked, replace, sparse};
-use super::{AnyGroup, Embedded, LieGroup};
+use super::{Embedded, LieGroup};
 use crate::Error;
 use nalgebra::{Complex, DMatrix, UnitComplex, Vector1, Vector2};
 
@@ -18,12 +17,6 @@ use nalgebra::{Complex, DMatrix, UnitComplex, Vector1, Vector2};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct So2;
-
-pub(super) const FAMILY: Family = Family {
-    pattern: "so(2)",
-    summary: "rotation matrices of size 2",
-    build: |_| AnyGroup::new(So2),
-};
 
 impl LieGroup for So2 {
     type Element = UnitComplex<f64>;

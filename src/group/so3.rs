@@ -1,11 +1,9 @@
 //! SO(3), the rotations of space, as unit quaternions.
 
-use super::polynomial::polynomial;
-use super::registry::Family;
 use super::rotation;
-use super::stumpff::{FAR, Stumpff, first_two, inverse_tangent, turning};
+use super::stumpff::{FAR, Stumpff, first_two, inverse_tangent, polynomial, turning};
 use super::written::{TOLERANCE, Written, checked, replace, spins};
-use super::{AnyGroup, Embedded, LieGroup};
+use super::{Embedded, LieGroup};
 use crate::Error;
 use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3, Vector4};
 
@@ -24,12 +22,6 @@ use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3, Vector4};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct So3;
-
-pub(super) const FAMILY: Family = Family {
-    pattern: "so(3)",
-    summary: "rotation matrices of size 3",
-    build: |_| AnyGroup::new(So3),
-};
 
 /// Below this, squares of lengths are far from overflow.
 const LARGE: f64 = 1e280;
@@ -72,9 +64,6 @@ impl LieGroup for So3 {
 
     /// The rotation vector of length at most `pi`, from the quaternion with `w >= 0`. At exactly `pi`
     /// (`w = 0`) its first nonzero component is positive. The length of the quaternion has no influence.
-    ///
-    /// # Errors
-    /// [`Error::Invalid`] if the quaternion is zero or not finite, which no product of rotations is.
     #[inline]
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         let v = g.imag();

@@ -1,8 +1,7 @@
 //! R^n, the translations.
 
-use super::registry::Family;
-use super::written::{Generator, Written, checked, column, replace};
-use super::{AnyGroup, Coordinates, Embedded, LieGroup};
+use super::written::{Generator, Partial, Written, checked, column, replace};
+use super::{Coordinates, Embedded, LieGroup};
 use crate::Error;
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -25,19 +24,13 @@ impl<const N: usize> Translations<N> {
 
 /// R^n for a dimension that is known at run time.
 #[derive(Clone, Copy, Debug)]
-struct OfDimension(usize);
+pub(super) struct OfDimension(pub usize);
 
 impl OfDimension {
     fn size(&self) -> usize {
         self.0
     }
 }
-
-pub(super) const FAMILY: Family = Family {
-    pattern: "R^n",
-    summary: "columns of n coordinates",
-    build: |n| AnyGroup::new(OfDimension(n)),
-};
 
 /// The group for vectors of a type.
 macro_rules! translations {
@@ -138,11 +131,16 @@ macro_rules! translations {
                 self.basis().iter().map(column).collect()
             }
 
-            fn slopes(&self, _: &Self::Element, _: &[f64], _: &[Generator], slopes: &mut Vec<f64>) {
-                slopes.clear();
-                for i in 0..self.size() {
-                    slopes.extend((0..self.size()).map(|j| f64::from(i == j)));
-                }
+            fn derivatives(
+                &self,
+                _: &Self::Element,
+                _: &[f64],
+                _: &[Generator],
+                partial: &[Partial],
+            ) -> Self::Vector {
+                let mut slopes: $Vector = Coordinates::zeros(self.size());
+                partial.iter().for_each(|(row, _, share)| slopes[*row] += share);
+                slopes
             }
         }
     };

@@ -1,14 +1,14 @@
 //! Parallel translation along curves of a group, its generator, and autoparallels.
 
 mod autoparallel;
-mod curve;
 
 pub use autoparallel::TangentVector;
-pub use curve::ParallelTranslation;
 
+use super::{Coordinates, LieGroup, expect_left_frame, ode, series};
 use crate::algebra::frame::{expect_slots, formula};
 use crate::{Connection, Error};
 use affinor_tensors::{Ring, Tensor, Up};
+use nalgebra::{DMatrix, DVector};
 
 impl<S: Ring> Connection<S> {
     /// The generator of parallel translation along a curve with the tangent `w`, slots `^i_k`:
@@ -39,5 +39,130 @@ impl<S: Ring> Connection<S> {
         let drift = drift.to_vector().unwrap_or_default();
         let write = |components: Vec<S>| self.frame().write(components);
         Err(Error::NotAutoparallel { n: write(n.to_vec()), residual: write(drift) })
+    }
+}
+
+/// The size of generators above which the rounding of the exponential is checked, and the largest error allowed.
+const LARGE: f64 = 1e8;
+const NOISE: f64 = 1e-3;
+
+/// A group with a left-invariant connection: parallel translation along curves, and autoparallels.
+///
+/// Vectors are left components, as everywhere: a vector is translated from `p` to `q` by a matrix
+/// `B` with `u(q) = B u(p)`, (49).
+///
+/// ```
+/// use affinor::group::{LieGroup, So3};
+/// use affinor::group::transport::ParallelTranslation;
+/// use affinor::{Canonical, Connection};
+/// use nalgebra::Vector3;
+/// let so3 = So3.algebra()?;
+/// let full_turn = Vector3::new(0.0, 0.0, std::f64::consts::TAU);
+/// let around = |which| -> Result<_, affinor::Error> {
+///     let on_group = ParallelTranslation::new(So3, Connection::canonical(&so3, which))?;
+///     Ok(on_group.along_subgroup(&full_turn)?.trace())
+/// };
+/// // once around a closed subgroup: nothing on M(3), half a turn on SO(3), after (71)
+/// assert!((around(Canonical::Plus)? - 3.0).abs() < 1e-14);
+/// assert!((around(Canonical::Zero)? + 1.0).abs() < 1e-14);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct ParallelTranslation<G> {
+    group: G,
+    connection: Connection<f64>,
+}
+
+impl<G: LieGroup> ParallelTranslation<G> {
+    /// Joins a group and a connection on its algebra, in the same basis.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] if the structure constants of the connection's frame are not those of the
+    /// group, or the frame has derivations.
+    pub fn new(group: G, connection: Connection<f64>) -> Result<Self, Error> {
+        expect_left_frame(&group, connection.frame())?;
+        Ok(ParallelTranslation { group, connection })
+    }
+
+    /// The group.
+    pub fn group(&self) -> &G {
+        &self.group
+    }
+
+    /// The connection.
+    pub fn connection(&self) -> &Connection<f64> {
+        &self.connection
+    }
+
+    /// From `g` to `g exp(x)` along `g exp(s x)`: `exp(-Lambda_x)`, in closed form whether or not
+    /// that curve is autoparallel. (51) for `plus`, (71) for `zero`, the identity for `minus`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`]; [`Error::Integration`] for so many turns that the rounding of the angle exceeds the last one.
+    pub fn along_subgroup(&self, x: &G::Vector) -> Result<DMatrix<f64>, Error> {
+        let generator = self.generator(x)?;
+        let carried = series::exp(&generator);
+        if generator.amax() < LARGE {
+            return Ok(carried);
+        }
+        let n = generator.nrows();
+        let noise = (&carried * series::exp(&-generator) - DMatrix::identity(n, n)).amax();
+        if noise < NOISE {
+            return Ok(carried);
+        }
+        let reason =
+            format!("it turns too often: the product with the inverse differs from 1 by {noise:e}");
+        Err(Error::Integration { t: 1.0, reason })
+    }
+
+    /// Along the arcs `exp(s x_1)`, then `exp(x_1) exp(s x_2)`, and so on, `0 <= s <= 1`.
+    ///
+    /// # Errors
+    /// As [`along_subgroup`](Self::along_subgroup).
+    pub fn along_arcs(&self, arcs: &[G::Vector]) -> Result<DMatrix<f64>, Error> {
+        let n = self.group.dimension();
+        arcs.iter()
+            .try_fold(DMatrix::identity(n, n), |carried, x| Ok(self.along_subgroup(x)? * carried))
+    }
+
+    /// Along a sampled curve: the arcs `g_i exp(s x_i)` from one element to the next, with the
+    /// logarithms `x_i`. Exact for curves made of such arcs, of second order in the distance of the
+    /// samples for others. A loop gives its holonomy.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] where two neighbours are too far apart.
+    pub fn along_samples(&self, curve: &[G::Element]) -> Result<DMatrix<f64>, Error> {
+        let arc = |pair: &[G::Element]| self.group.log(&self.group.between(&pair[0], &pair[1]));
+        self.along_arcs(&curve.windows(2).map(arc).collect::<Result<Vec<_>, _>>()?)
+    }
+
+    /// Along a curve with the velocity `w(t) = g^-1 g'`, from the first of the times to each of
+    /// them: `du/dt = -Lambda_w u` (B5) to a tolerance.
+    ///
+    /// # Errors
+    /// [`Error::Integration`].
+    pub fn along_curve(
+        &self,
+        velocity: impl Fn(f64) -> G::Vector,
+        times: &[f64],
+        tolerance: f64,
+    ) -> Result<Vec<DMatrix<f64>>, Error> {
+        let n = self.group.dimension();
+        let Some(&start) = times.first() else { return Ok(vec![]) };
+        let identity = DMatrix::<f64>::identity(n, n);
+        let y0 = DVector::from_column_slice(identity.as_slice());
+        let f = |t: f64, y: &DVector<f64>| match self.generator(&velocity(t)) {
+            Ok(generator) => {
+                let carried = DMatrix::from_column_slice(n, n, y.as_slice());
+                DVector::from_column_slice((generator * carried).as_slice())
+            }
+            Err(_) => DVector::repeat(n * n, f64::NAN),
+        };
+        let values = ode::solve(f, start, y0, times, tolerance)?;
+        Ok(values.iter().map(|y| DMatrix::from_column_slice(n, n, y.as_slice())).collect())
+    }
+
+    fn generator(&self, w: &G::Vector) -> Result<DMatrix<f64>, Error> {
+        Ok(self.connection.transport_along(w.components())?.to_dmatrix()?)
     }
 }

@@ -1,6 +1,6 @@
 //! The body and spatial velocity of a path in a group.
 
-use super::fields::{right_components, right_translate};
+use super::fields::right_translate;
 use super::{Coordinates, LieGroup};
 use crate::Error;
 
@@ -40,7 +40,7 @@ const MAX_STEPS: usize = 20;
 impl<V: Coordinates> Velocity<V> {
     /// From the body velocity at `g`.
     pub fn from_body<G: LieGroup<Vector = V>>(group: &G, g: &G::Element, body: V) -> Self {
-        let spatial = right_components(group, g, &body);
+        let spatial = group.adjoint(g, &body);
         Velocity { body, spatial }
     }
 

@@ -53,7 +53,8 @@ pub trait Written: Embedded {
 
     /// The derivatives at 0 of `exp(s e_i)` as written, one for each basis vector.
     ///
-    /// Entries that are zero must be exact: [`slopes`](Self::slopes) multiplies them by coordinates, which may be large.
+    /// Entries that are zero must be exact: [`derivatives`](Self::derivatives) multiplies them by coordinates, which may be
+    /// large.
     fn generators(&self) -> Vec<DMatrix<f64>> {
         let half = |x: &Self::Vector| self.write(&self.exp(&(x.clone() * 0.5)));
         // half of a basis vector has a principal logarithm
@@ -64,27 +65,30 @@ pub trait Written: Embedded {
         self.basis().iter().map(log).collect()
     }
 
-    /// Replaces `slopes` by the derivatives at 0 of `g exp(s e_i)` as written: a matrix for each `i`, each column by
-    /// column. `entries` are those of `g`, and `generators` those of [`Generator::of`].
-    fn slopes(
+    /// The derivatives at 0 of a function of the written `g exp(s e_i)`, one for each `i`. `entries` are those of `g`,
+    /// `generators` those of [`Generator::of`], and `partial` the derivatives by entries that are not zero.
+    #[inline]
+    fn derivatives(
         &self,
         g: &Self::Element,
         entries: &[f64],
         generators: &[Generator],
-        slopes: &mut Vec<f64>,
-    ) {
+        partial: &[Partial],
+    ) -> Self::Vector {
         let _ = g;
-        slopes.clear();
-        slopes.resize(generators.len() * entries.len(), 0.0);
-        for (generator, slope) in generators.iter().zip(slopes.chunks_exact_mut(entries.len())) {
-            generator.multiply(entries, slope);
-        }
+        Self::Vector::from_fn(generators.len(), |i| generators[i].derivative(entries, partial))
     }
 }
 
-/// The matrix of a basis vector by its entries that are not zero: row, column and value.
+/// The derivative of a function by an entry of the written element: row, column and value.
+pub type Partial = (usize, usize, f64);
+
+/// The square matrix of a basis vector by its entries that are not zero: row, column and value.
 #[derive(Clone, Debug, Default)]
-pub struct Generator(Vec<(usize, usize, f64)>);
+pub struct Generator {
+    size: usize,
+    terms: Vec<(usize, usize, f64)>,
+}
 
 impl Generator {
     /// The [generators](Written::generators) of a group.
@@ -92,20 +96,21 @@ impl Generator {
         let sparse = |matrix: DMatrix<f64>| {
             let places = (0..matrix.ncols()).flat_map(|j| (0..matrix.nrows()).map(move |i| (i, j)));
             let entries = places.map(|(i, j)| (i, j, matrix[(i, j)]));
-            Generator(entries.filter(|(.., value)| *value != 0.0).collect())
+            let terms = entries.filter(|(.., value)| *value != 0.0).collect();
+            Generator { size: matrix.nrows(), terms }
         };
         group.generators().into_iter().map(sparse).collect()
     }
 
-    /// Adds the product of a square matrix with the generator, both column by column.
-    fn multiply(&self, entries: &[f64], product: &mut [f64]) {
-        let size = entries.len().isqrt();
-        for &(row, column, value) in &self.0 {
-            let terms = &entries[row * size..][..size];
-            for (sum, term) in product[column * size..][..size].iter_mut().zip(terms) {
-                *sum += term * value;
-            }
-        }
+    /// `sum_rc (g E)_rc p_rc` for the generator `E` and the derivatives `p_rc`; `entries` are those of `g`, column by column.
+    #[inline]
+    fn derivative(&self, entries: &[f64], partial: &[Partial]) -> f64 {
+        let slope = |&(row, column, share): &Partial| {
+            let terms = self.terms.iter().filter(|(_, at, _)| *at == column);
+            let rates = terms.map(|(k, _, value)| entries[row + k * self.size] * value);
+            share * rates.sum::<f64>()
+        };
+        partial.iter().map(slope).sum()
     }
 }
 
@@ -187,12 +192,7 @@ pub(super) fn checked<G: Written>(
     matrix: &DMatrix<f64>,
     of: impl FnOnce(&DMatrix<f64>) -> Result<G::Element, Error>,
 ) -> Result<G::Element, Error> {
-    let shape = group.write(&group.identity()).shape();
-    if matrix.shape() != shape {
-        let write = |(rows, columns): (usize, usize)| format!("{rows} rows and {columns} columns");
-        let (expected, found) = (write(shape), write(matrix.shape()));
-        return Err(Error::Shape { what: "an element", expected, found });
-    }
+    expect_shape(matrix, group.write(&group.identity()).shape())?;
     if let Some(value) = matrix.iter().find(|value| !value.is_finite()) {
         let reason = format!("it has the entry {value}");
         return Err(Error::Invalid { what: "element of the group", reason });
@@ -207,6 +207,16 @@ pub(super) fn checked<G: Written>(
     }
     let reason = format!("the nearest element found differs by {defect:e} in an entry");
     Err(Error::Invalid { what: "element of the group", reason })
+}
+
+/// Checks the numbers of rows and columns.
+pub(super) fn expect_shape(matrix: &DMatrix<f64>, shape: (usize, usize)) -> Result<(), Error> {
+    if matrix.shape() == shape {
+        return Ok(());
+    }
+    let [expected, found] =
+        [shape, matrix.shape()].map(|(rows, columns)| format!("{rows} rows and {columns} columns"));
+    Err(Error::Shape { what: "an element", expected, found })
 }
 
 /// Coordinates in a column.

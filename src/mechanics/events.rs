@@ -3,6 +3,7 @@
 use super::integrators::dense_output::Step;
 use super::{Integrator, System};
 use crate::Error;
+use crate::mechanics::stopped;
 
 /// The sign changes that count as events, as time increases.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -209,8 +210,7 @@ pub(crate) fn changes_of_sign(
 /// [`Error::Integration`] if it is not a number.
 pub(crate) fn expect_number(time: f64, value: f64) -> Result<f64, Error> {
     if value.is_nan() {
-        let reason = "the function of an event is not a number".into();
-        return Err(Error::Integration { t: time, reason });
+        return Err(stopped(time, "the function of an event is not a number"));
     }
     Ok(value)
 }
@@ -220,6 +220,7 @@ pub(crate) fn expect_number(time: f64, value: f64) -> Result<f64, Error> {
 ///
 /// The ITP method of I. F. D. Oliveira and R. H. C. Takahashi, *ACM Trans. Math. Softw.* 47 (2021) 5: as fast as the secant
 /// method, with at most one evaluation more than bisection.
+#[inline(never)] // or its logarithm is computed in every step
 fn change_of_sign(
     mut value: impl FnMut(f64) -> Result<f64, Error>,
     start: f64,

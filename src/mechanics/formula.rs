@@ -42,11 +42,11 @@ enum Operation {
     Multiply(usize, usize),
     Negate(usize),
     Reciprocal(usize),
-    Call(Function, usize),
+    Call(&'static Function, usize),
 }
 
 /// A function of one number. `slope(x, y)` is its derivative at `x`, where `y` is its value there.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 struct Function {
     name: &'static str,
     value: fn(f64) -> f64,
@@ -61,7 +61,7 @@ impl PartialEq for Function {
 }
 
 /// The functions that formulas may call.
-const FUNCTIONS: [Function; 13] = [
+static FUNCTIONS: [Function; 13] = [
     Function { name: "sin", value: f64::sin, slope: |x, _| x.cos() },
     Function { name: "cos", value: f64::cos, slope: |x, _| -x.sin() },
     Function { name: "tan", value: f64::tan, slope: |_, y| 1.0 + y * y },
@@ -107,6 +107,7 @@ impl Formula {
     }
 
     /// The same [`value`](Self::value) with buffers of the caller: no allocation once they have grown.
+    #[inline]
     pub fn value_in(&self, variables: &[f64], workspace: &mut Workspace) -> f64 {
         self.evaluate(variables, &mut workspace.results);
         workspace.results[self.last]
@@ -118,6 +119,7 @@ impl Formula {
     }
 
     /// The same [`gradient`](Self::gradient) with buffers of the caller.
+    #[inline]
     pub fn gradient_in(
         &self,
         variables: &[f64],
@@ -155,11 +157,6 @@ impl Formula {
         results[self.last]
     }
 
-    /// Whether the formula has no variables.
-    pub fn is_constant(&self) -> bool {
-        self.variables().next().is_none()
-    }
-
     /// The numbers of its variables, each as often as it occurs.
     pub fn variables(&self) -> impl Iterator<Item = usize> {
         self.operations.iter().filter_map(|operation| match operation {
@@ -169,6 +166,7 @@ impl Formula {
     }
 
     /// The results of all operations.
+    #[inline]
     fn evaluate(&self, variables: &[f64], results: &mut Vec<f64>) {
         results.clear();
         results.reserve(self.operations.len());
@@ -239,7 +237,7 @@ impl Meaning for Reader<'_> {
     }
 
     fn function(&self, name: &str, argument: usize) -> Result<usize, String> {
-        match FUNCTIONS.into_iter().find(|f| f.name == name) {
+        match FUNCTIONS.iter().find(|f| f.name == name) {
             Some(function) => Ok(self.push(Operation::Call(function, argument))),
             None => {
                 let all: Vec<&str> = FUNCTIONS.iter().map(|f| f.name).collect();

@@ -58,6 +58,7 @@ pub use trajectory::Trajectory;
 
 use crate::Error;
 use crate::group::Coordinates;
+use crate::mechanics::stopped;
 use crate::mechanics::systems::System;
 
 /// A one-step method for the systems `S`.
@@ -75,5 +76,5 @@ fn expect_finite<V: Coordinates>(t: f64, vector: &V) -> Result<(), Error> {
     if vector.is_finite() {
         return Ok(());
     }
-    Err(Error::Integration { t, reason: "a value is not finite".into() })
+    Err(stopped(t, "a value is not finite"))
 }

@@ -9,9 +9,8 @@
 //!   constraints, [`on_hamiltonian`] of Lie-Poisson systems, [`on_given`] of a velocity that is given over time, and
 //!   [`on_matrices`] of isospectral flows; [`method`] lists the methods by name;
 //! - [`Crossings`] finds events along a motion, a [`Snapshot`] saves its state;
-//! - [`ConfigurationGroup`] and [`SimulationGroup`]: what a group provides for all this.
+//! - [`SimulationGroup`]: what a group provides for all this.
 
-mod configuration;
 mod constrained;
 mod crossings;
 mod drive;
@@ -30,10 +29,9 @@ mod simulated;
 mod snapshot;
 pub mod table;
 
-pub use configuration::ConfigurationGroup;
 pub use constrained::{ConstrainedSystem, Equations, on_constraints};
 pub use crossings::{Crossing, Crossings};
-pub use drive::{Drive, EmbeddedMethods};
+pub use drive::Drive;
 pub use forces::{Forces, Side};
 pub use given::{GivenVelocity, on_given};
 pub use hamiltonian::{Hamiltonian, on_hamiltonian};

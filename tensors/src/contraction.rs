@@ -25,8 +25,8 @@
 //! lower, and is summed. Variances are checked.
 //!
 //! All terms of one or two factors are added in one pass. In a longer term, pairs of factors are
-//! contracted first, those that leave the fewest indices; their sums are judged by the tolerance on
-//! their own.
+//! contracted first, those that leave the fewest indices; the tolerance applies to each of these
+//! sums.
 //!
 //! Brackets in the result, `-> ^i_j[kl]`, declare that the sum is antisymmetric in these letters.
 //! Then only the components with `k < l` are computed; the others follow by sign. The declaration
@@ -75,34 +75,31 @@ pub fn contract_by<S: Ring>(
     operands: &[(&str, &Tensor<S>)],
 ) -> Result<Tensor<S>, TensorError> {
     let parsed = Expression::parse(expression)?;
-    let mut dimension = None;
+    let dimension = operands.first().map_or(0, |(_, operand)| operand.dimension());
     for (_, operand) in operands {
-        match dimension.replace(operand.dimension()) {
-            Some(other) if other != operand.dimension() => {
-                return Err(TensorError::Dimension(other, operand.dimension()));
-            }
-            _ => {}
+        if operand.dimension() != dimension {
+            return Err(TensorError::Dimension(dimension, operand.dimension()));
         }
         // entries are numbered by 32 bits
         if u32::try_from(operand.len()).is_err() {
-            let (dimension, rank) = (operand.dimension(), operand.rank());
-            return Err(TensorError::TooLarge { dimension, rank });
+            return Err(TensorError::TooLarge { dimension, rank: operand.rank() });
         }
     }
-    let products = parsed.bind(operands)?.into_iter().map(|product| product.in_pairs(paths));
+    let one = Tensor::from_components(dimension, &[], [([], S::one())])?;
+    let products = parsed.bind(operands)?.into_iter().map(|product| product.in_pairs(paths, &one));
     let terms = fold_mirrors(products.collect::<Result<_, _>>()?, parsed.last_pair());
     let chosen = Tensor::common_tolerance(operands.iter().map(|(_, tensor)| *tensor));
     let tolerance = chosen.unwrap_or_default();
-    let (dimension, rank) = (dimension.unwrap_or(0), parsed.slots().len());
-    let zero = Tensor::zero(dimension, parsed.slots())?;
+    let rank = parsed.slots.len();
+    let zero = Tensor::zero(dimension, &parsed.slots)?;
     let zero = chosen.into_iter().fold(zero, Tensor::with_tolerance);
     if (dimension as u64).saturating_pow(rank.min(2) as u32) > paths.places.min(MAX_PLACES) {
         return Err(TensorError::TooLarge { dimension, rank });
     }
-    let groups = parsed.antisymmetric();
+    let groups = &parsed.groups;
     let (keys, values) = match OnIntegers::clear(&terms, zero.dimension(), paths) {
         Some((integers, terms)) => kernel::run(&integers, &terms, &zero, groups, paths),
-        None => kernel::run(&InRing::new(tolerance), &InRing::terms(&terms), &zero, groups, paths),
+        None => kernel::run(&InRing(tolerance), &InRing::terms(&terms), &zero, groups, paths),
     };
     Ok(zero.fill(keys, values))
 }
@@ -157,10 +154,13 @@ fn fold_mirrors<S: Clone>(terms: Vec<Product<S>>, pair: Option<(usize, usize)>) 
     kept
 }
 
-impl<S: Ring> Product<'_, S> {
-    /// The product with at most two factors. While there are more, the two that leave the fewest
-    /// indices are contracted.
-    fn in_pairs(mut self, paths: &Paths) -> Result<Self, TensorError> {
+impl<'a, S: Ring> Product<'a, S> {
+    /// The product with two factors. A single factor is multiplied by `one`. While there are more
+    /// than two, the pair that leaves the fewest indices is contracted.
+    fn in_pairs(mut self, paths: &Paths, one: &'a Tensor<S>) -> Result<Self, TensorError> {
+        if self.factors.len() == 1 {
+            self.factors.push((vec![], Cow::Borrowed(one)));
+        }
         while self.factors.len() > 2 {
             let count = self.factors.len();
             let pairs = (0..count).flat_map(|b| (0..b).map(move |a| (a, b)));
@@ -187,17 +187,10 @@ impl<S: Ring> Product<'_, S> {
 
     /// The term with its values taken as `V`.
     fn with_values<V>(&self, mut values: impl FnMut(usize, &Tensor<S>) -> Vec<V>) -> Term<'_, V> {
-        let factor = |(at, (roles, tensor))| {
-            let (roles, tensor): (&Vec<_>, &Tensor<S>) = (roles, tensor);
+        let factors = std::array::from_fn(|at| {
+            let (roles, tensor) = &self.factors[at];
             Factor { roles, keys: tensor.keys(), values: values(at, tensor) }
-        };
-        let factors = self
-            .factors
-            .iter()
-            .map(|(roles, tensor)| (roles, &**tensor))
-            .enumerate()
-            .map(factor)
-            .collect();
+        });
         Term { factors, mirrored: self.mirrored }
     }
 }

@@ -25,11 +25,7 @@ impl<S: Ring> Tensor<S> {
             return Err(TensorError::Rank { rank: self.rank(), given: 2 });
         }
         let n = self.dimension();
-        let mut matrix = nalgebra::DMatrix::from_element(n, n, S::zero());
-        for (at, value) in self {
-            matrix[(at[0], at[1])] = value.clone();
-        }
-        Ok(matrix)
+        Ok(nalgebra::DMatrix::from_fn(n, n, |i, j| self[[i, j]].clone()))
     }
 
     /// The tensor of a square matrix of nalgebra, with these slots: the row is the first index.
@@ -67,11 +63,8 @@ impl<S: Ring> Tensor<S> {
         if (dimension as u64).saturating_pow(rank as u32) > MAX_ARRAY {
             return Err(TensorError::TooLarge { dimension, rank });
         }
-        let mut array = ndarray::ArrayD::from_elem(vec![dimension; rank], S::zero());
-        for (at, value) in self {
-            array[&at[..]] = value.clone();
-        }
-        Ok(array)
+        let component = |at: ndarray::IxDyn| self[ndarray::Dimension::slice(&at)].clone();
+        Ok(ndarray::ArrayD::from_shape_fn(vec![dimension; rank], component))
     }
 
     /// The tensor of an array of ndarray whose axes all have the same length.

@@ -81,14 +81,9 @@ pub enum NotationError {
     /// The variances in the text differ from the slots of the operand.
     #[error("the indices of `{0}` are not those of its slots")]
     Slots(String),
-    /// A symbol that cannot stand among indices.
-    #[error("`{symbol}` in the indices `{indices}`")]
-    Symbol {
-        /// The symbol.
-        symbol: char,
-        /// The indices.
-        indices: String,
-    },
+    /// A symbol that cannot stand among these indices.
+    #[error("`{0}` in the indices `{1}`")]
+    Symbol(char, String),
     /// An opening bracket is not closed.
     #[error("`[` without `]`")]
     Unclosed,

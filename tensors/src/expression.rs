@@ -76,9 +76,13 @@ pub trait Meaning {
     fn reciprocal(&self, a: Self::Value) -> Result<Self::Value, String>;
     /// The value of a function at an argument. By default no function is known.
     fn function(&self, name: &str, argument: Self::Value) -> Result<Self::Value, String> {
-        let _ = argument;
-        Err(format!("`{name}` is no function here"))
+        no_function(name, &argument)
     }
+}
+
+/// The value of a function where none is known: an error.
+pub fn no_function<V>(name: &str, _: &V) -> Result<V, String> {
+    Err(format!("`{name}` is no function here"))
 }
 
 impl Expression {
@@ -120,33 +124,23 @@ impl Expression {
             Node::Number(number) => meaning.number(number).map_err(here),
             Node::Name(name) => meaning.name(name).map_err(here),
             Node::Sum(terms) => {
-                let mut sum = None;
-                for (subtracted, term) in terms {
-                    let mut value = term.evaluate(meaning)?;
-                    if *subtracted {
-                        value = meaning.negate(value);
-                    }
-                    sum = Some(match sum {
-                        None => value,
-                        Some(sum) => meaning.add(sum, value).map_err(here)?,
-                    });
-                }
-                sum.ok_or_else(|| here("an empty sum".into()))
+                let mut values = terms.iter().map(|(subtracted, term)| {
+                    let value = term.evaluate(meaning)?;
+                    Ok(if *subtracted { meaning.negate(value) } else { value })
+                });
+                let first = values.next().ok_or_else(|| here("an empty sum".into()))??;
+                values.try_fold(first, |sum, value| meaning.add(sum, value?).map_err(here))
             }
             Node::Product(factors) => {
-                let mut product = None;
-                for (divides, factor) in factors {
+                let mut values = factors.iter().map(|(divides, factor)| {
+                    let value = factor.evaluate(meaning)?;
                     let at = |reason| ExpressionError { span: factor.span(), reason };
-                    let mut value = factor.evaluate(meaning)?;
-                    if *divides {
-                        value = meaning.reciprocal(value).map_err(at)?;
-                    }
-                    product = Some(match product {
-                        None => value,
-                        Some(product) => meaning.multiply(product, value).map_err(here)?,
-                    });
-                }
-                product.ok_or_else(|| here("an empty product".into()))
+                    if *divides { meaning.reciprocal(value).map_err(at) } else { Ok(value) }
+                });
+                let first = values.next().ok_or_else(|| here("an empty product".into()))??;
+                values.try_fold(first, |product, value| {
+                    meaning.multiply(product, value?).map_err(here)
+                })
             }
             Node::Power(base, exponent) => {
                 let mut value = base.evaluate(meaning)?;
@@ -166,7 +160,7 @@ impl Expression {
     /// # Errors
     /// A name, a division by zero, or a value that exceeds a limit.
     pub fn evaluate_constant<S: Notation>(&self) -> Result<S, ExpressionError> {
-        self.evaluate(&Scalars(|name: &str| Err(format!("`{name}` is not a number"))))
+        self.evaluate(&Scalars(|name: &str| Err(format!("`{name}` is not a number")), no_function))
     }
 }
 
@@ -185,10 +179,16 @@ fn power<M: Meaning>(meaning: &M, mut base: M::Value, mut n: u64) -> Result<M::V
     }
 }
 
-/// The meaning of expressions as scalars, with names looked up by a function.
-pub struct Scalars<F>(pub F);
+/// The meaning of expressions as scalars: one closure gives the values of names, another the values
+/// of functions, like [`Notation::function`] or [`no_function`].
+pub struct Scalars<N, F>(pub N, pub F);
 
-impl<S: Notation, F: Fn(&str) -> Result<S, String>> Meaning for Scalars<F> {
+impl<S, N, F> Meaning for Scalars<N, F>
+where
+    S: Notation,
+    N: Fn(&str) -> Result<S, String>,
+    F: Fn(&str, &S) -> Result<S, String>,
+{
     type Value = S;
     fn number(&self, number: &Rational) -> Result<S, String> {
         S::from_rational(number).ok_or_else(|| "the number is beyond the range of f64".into())
@@ -210,36 +210,7 @@ impl<S: Notation, F: Fn(&str) -> Result<S, String>> Meaning for Scalars<F> {
     fn reciprocal(&self, a: S) -> Result<S, String> {
         finite(a.recip().ok_or("division by zero")?)
     }
-}
-
-/// A meaning, extended by functions: from the name and the argument to the value.
-pub struct Functions<M, F>(pub M, pub F);
-
-impl<M, F> Meaning for Functions<M, F>
-where
-    M: Meaning,
-    F: Fn(&str, &M::Value) -> Result<M::Value, String>,
-{
-    type Value = M::Value;
-    fn number(&self, number: &Rational) -> Result<M::Value, String> {
-        self.0.number(number)
-    }
-    fn name(&self, name: &str) -> Result<M::Value, String> {
-        self.0.name(name)
-    }
-    fn add(&self, a: M::Value, b: M::Value) -> Result<M::Value, String> {
-        self.0.add(a, b)
-    }
-    fn multiply(&self, a: M::Value, b: M::Value) -> Result<M::Value, String> {
-        self.0.multiply(a, b)
-    }
-    fn negate(&self, a: M::Value) -> M::Value {
-        self.0.negate(a)
-    }
-    fn reciprocal(&self, a: M::Value) -> Result<M::Value, String> {
-        self.0.reciprocal(a)
-    }
-    fn function(&self, name: &str, argument: M::Value) -> Result<M::Value, String> {
+    fn function(&self, name: &str, argument: S) -> Result<S, String> {
         self.1(name, &argument)
     }
 }

@@ -5,8 +5,9 @@
 use crate::contraction::indices;
 use crate::{Down, Field, Ring, Tensor, TensorError, Up, Variance, contract};
 
-/// One letter for every slot, and the one that is summed.
+/// The letters of the slots in order.
 const LETTERS: &str = "abcdefgh";
+/// The letter of a summed index.
 const SUMMED: char = 'p';
 
 impl<S: Ring> Tensor<S> {
@@ -24,13 +25,10 @@ impl<S: Ring> Tensor<S> {
     /// [`TensorError::Notation`] when both are upper or both lower.
     pub fn trace(&self, a: usize, b: usize) -> Result<Self, TensorError> {
         self.distinct(&[a, b])?;
-        let letters = self.letters();
-        let operand =
-            indices(letters.iter().enumerate().map(|(at, &(letter, slot))| {
-                (if at == a || at == b { SUMMED } else { letter }, slot)
-            }));
-        let kept = (0..self.rank()).filter(|&at| at != a && at != b);
-        let result = indices(kept.map(|at| letters[at]));
+        let mut letters = self.letters();
+        (letters[a].0, letters[b].0) = (SUMMED, SUMMED);
+        let kept = letters.iter().filter(|(letter, _)| *letter != SUMMED);
+        let (result, operand) = (indices(kept.copied()), indices(letters.iter().copied()));
         contract(&format!("T{operand} -> {result}"), &[("T", self)])
     }
 
@@ -54,7 +52,7 @@ impl<S: Ring> Tensor<S> {
         self.shift(slot, inverse_metric, Up)
     }
 
-    /// Puts one slot on the level `to`, by a metric on that level.
+    /// Raises or lowers one slot to the variance `to`, by a metric with two slots of this variance.
     fn shift(&self, slot: usize, metric: &Self, to: Variance) -> Result<Self, TensorError> {
         self.distinct(&[slot])?;
         let (mut operand, mut result) = (self.letters(), self.letters());
@@ -67,7 +65,7 @@ impl<S: Ring> Tensor<S> {
         contract(&text, &[("g", metric), ("T", self)])
     }
 
-    /// The sum with a tensor of the same shape, or the difference, by `sign`.
+    /// The sum (`sign` is `+`) or the difference (`-`) of two tensors of the same shape.
     pub(crate) fn combined(&self, sign: char, other: &Self) -> Result<Self, TensorError> {
         let own = indices(self.letters());
         contract(&format!("a{own} {sign} b{own} -> {own}"), &[("a", self), ("b", other)])
@@ -78,7 +76,7 @@ impl<S: Ring> Tensor<S> {
         LETTERS.chars().zip(self.slots().iter().copied()).collect()
     }
 
-    /// Refuses what are not different slots of this tensor.
+    /// Checks that `slots` are different slots of this tensor.
     fn distinct(&self, slots: &[usize]) -> Result<(), TensorError> {
         let rank = self.rank();
         let valid = |(at, slot): (usize, &usize)| *slot < rank && !slots[..at].contains(slot);
@@ -96,7 +94,7 @@ impl<S: Field> Tensor<S> {
     /// [`TensorError::Notation`] when they mix upper and lower;
     /// [`TensorError::NotInvertible`] when `k!` has no inverse in the field.
     pub fn symmetrise(&self, slots: &[usize]) -> Result<Self, TensorError> {
-        self.mean(slots, "+")
+        self.mean(slots, '+')
     }
 
     /// The part antisymmetric in `slots`: the signed mean over all orders of their indices, as
@@ -112,25 +110,27 @@ impl<S: Field> Tensor<S> {
     /// # Errors
     /// As [`symmetrise`](Self::symmetrise).
     pub fn antisymmetrise(&self, slots: &[usize]) -> Result<Self, TensorError> {
-        self.mean(slots, "-")
+        self.mean(slots, '-')
     }
 
-    /// The sum over all orders of `slots`, each exchange counted with `sign`, divided by `k!`.
-    fn mean(&self, slots: &[usize], sign: &str) -> Result<Self, TensorError> {
+    /// The mean over all permutations of the `k` indices in `slots`; with the sign `-`, every
+    /// exchange of two indices changes the sign of its term.
+    fn mean(&self, slots: &[usize], sign: char) -> Result<Self, TensorError> {
         self.distinct(slots)?;
         let orders = (1..=slots.len() as i64).product();
         let weight = S::from_i64(orders).recip().ok_or(TensorError::NotInvertible(orders))?;
-        let own = self.letters();
+        let letters = self.letters();
+        let result = indices(letters.iter().copied());
         let mut sum = self.clone();
-        // every order of k slots is one of k - 1 slots, then at most one exchange with the k-th
+        // a permutation of k slots permutes the first k - 1, then exchanges at most one with the k-th
         for (behind, &last) in slots.iter().enumerate() {
-            let mut text = format!("T{}", indices(own.iter().copied()));
+            let mut text = format!("T{result}");
             for &slot in &slots[..behind] {
-                let mut exchanged = own.clone();
-                (exchanged[slot].0, exchanged[last].0) = (own[last].0, own[slot].0);
+                let mut exchanged = letters.clone();
+                (exchanged[slot].0, exchanged[last].0) = (letters[last].0, letters[slot].0);
                 text += &format!(" {sign} T{}", indices(exchanged));
             }
-            sum = contract(&format!("{text} -> {}", indices(own.iter().copied())), &[("T", &sum)])?;
+            sum = contract(&format!("{text} -> {result}"), &[("T", &sum)])?;
         }
         Ok(sum.scale(&weight))
     }

@@ -106,16 +106,13 @@ pub trait Field: Ring {
     fn pivot_weight(&self) -> f64;
 }
 
-/// A sum of terms and products that decides at its end whether it is zero.
+/// A sum of terms and products that decides at its end whether it is zero. The default is the
+/// empty sum.
 ///
 /// For exact scalars it is the value itself ([`ExactSum`]). For floats it also contains the sum of
 /// the magnitudes of the terms, to which the [`Tolerance`] is relative. A sum of [`Tracked`] floats
 /// passes its rounding error on to its result.
-pub trait Sum<S>: Clone + Send {
-    /// The sum of one term.
-    fn term(a: &S) -> Self;
-    /// The sum of one product.
-    fn product(a: &S, b: &S) -> Self;
+pub trait Sum<S>: Clone + Default + Send {
     /// Adds one term.
     fn add_term(&mut self, a: &S);
     /// Adds one product.
@@ -128,19 +125,33 @@ pub trait Sum<S>: Clone + Send {
     fn kept(&self, tolerance: Tolerance) -> Option<S> {
         self.finish(tolerance)
     }
+
+    /// The sum of one term.
+    fn term(a: &S) -> Self {
+        let mut sum = Self::default();
+        sum.add_term(a);
+        sum
+    }
+
+    /// The sum of one product.
+    fn product(a: &S, b: &S) -> Self {
+        let mut sum = Self::default();
+        sum.add_product(a, b);
+        sum
+    }
 }
 
 /// The sum of an exact scalar: the value itself.
 #[derive(Clone, Debug)]
 pub struct ExactSum<S>(pub S);
 
+impl<S: Ring> Default for ExactSum<S> {
+    fn default() -> Self {
+        ExactSum(S::zero())
+    }
+}
+
 impl<S: Ring> Sum<S> for ExactSum<S> {
-    fn term(a: &S) -> Self {
-        ExactSum(a.clone())
-    }
-    fn product(a: &S, b: &S) -> Self {
-        ExactSum(a.clone() * b)
-    }
     fn add_term(&mut self, a: &S) {
         self.0 = std::mem::replace(&mut self.0, S::zero()) + a;
     }
@@ -174,6 +185,13 @@ impl Tolerance {
     /// The factor in front of the sum of magnitudes.
     pub fn relative(self) -> f64 {
         self.0
+    }
+
+    /// Whether a float counts as zero beside terms whose magnitudes add up to `magnitude`. A NaN
+    /// never does, and magnitudes that overflow give no bound.
+    pub(crate) fn covers(self, value: f64, magnitude: f64) -> bool {
+        let bound = self.0 * magnitude;
+        value == 0.0 || (value.abs() <= bound && bound.is_finite())
     }
 
     /// The weaker of two tolerances.

@@ -1,4 +1,4 @@
-//! Every path of the kernel computes what the notation says: tables of rows, tables of groups,
+//! Every path of the kernel computes what the notation says: tables of all rows, tables of nonempty rows,
 //! bisection, one thread and two, integers and the ring, with small tensors and lowered sizes.
 
 use crate::common::cases;
@@ -17,7 +17,7 @@ static POOLS: LazyLock<[ThreadPool; 2]> = LazyLock::new(|| {
     [1, 2].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build().unwrap())
 });
 
-/// The tables of rows: none, of groups and rows up to some power of the dimension, of all.
+/// The limits of the tables: no rows, rows up to some power of the dimension, all rows.
 fn tables(dimension: usize) -> Vec<(u64, u64)> {
     let mut tables = vec![];
     for rows in (0..4).map(|power| (dimension as u64).pow(power)).chain([0, 1 << 16]) {

@@ -1,14 +1,14 @@
 //! Sines, cosines and exponentials of parameters: exact, differentiated, written and read back.
 
 use crate::common::property;
-use affinor_tensors::expression::{Expression, Functions, Scalars};
+use affinor_tensors::expression::{Expression, Scalars};
 use affinor_tensors::{Field, Notation, Ring, Symbolic};
 use proptest::prelude::*;
 
 fn read(text: &str) -> Result<Symbolic, String> {
-    let names = Scalars(|name: &str| Ok(Symbolic::parameter(name)));
+    let function = <Symbolic as Notation>::function;
+    let meaning = Scalars(|name: &str| Ok(Symbolic::parameter(name)), function);
     let expression = Expression::parse(text).map_err(|error| error.reason)?;
-    let meaning = Functions(names, <Symbolic as Notation>::function);
     expression.evaluate(&meaning).map_err(|error| error.reason)
 }
 

@@ -1,7 +1,9 @@
 //! The grammar of expressions: what is read, what is refused and where, and how soon.
 
 use crate::common::property;
-use affinor_tensors::expression::{Expression, ExpressionError, MAX_SIZE, Meaning, Scalars};
+use affinor_tensors::expression::{
+    Expression, ExpressionError, MAX_SIZE, Meaning, Scalars, no_function,
+};
 use affinor_tensors::{Notation, Rational, Ring, Symbolic};
 use proptest::prelude::*;
 use std::cell::Cell;
@@ -9,7 +11,7 @@ use std::cell::Cell;
 /// The value over any parameters.
 fn symbolic(text: &str) -> Result<Symbolic, ExpressionError> {
     let parameter = |name: &str| Ok(Symbolic::parameter(name));
-    Expression::parse(text)?.evaluate(&Scalars(parameter))
+    Expression::parse(text)?.evaluate(&Scalars(parameter, no_function))
 }
 
 fn exact(text: &str) -> Result<Rational, ExpressionError> {
@@ -212,7 +214,7 @@ struct Counted(Cell<usize>);
 
 impl Counted {
     fn scalars(&self) -> impl Meaning<Value = Symbolic> {
-        Scalars(|name: &str| Ok(Symbolic::parameter(name)))
+        Scalars(|name: &str| Ok(Symbolic::parameter(name)), no_function)
     }
 
     fn count(&self, value: Result<Symbolic, String>) -> Result<Symbolic, String> {

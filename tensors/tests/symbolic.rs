@@ -541,3 +541,34 @@ fn milnors_curvature_of_the_rotation_group() {
     assert_eq!(direct.substitute(&round), Some(a * &number(1, 4)));
     assert_eq!(direct.derivative("c"), read("-3/4 - (a - b)^2/(4*c^2)"));
 }
+
+#[test]
+fn parameters_are_in_natural_order() {
+    let names = ["J", "J02", "J2", "J10", "J10a", "J11", "J33", "K1", "a", "a1b2", "a1b10", "b"];
+    for reversed in [false, true] {
+        let mut parameters = names.map(Symbolic::parameter).to_vec();
+        if reversed {
+            parameters.reverse();
+        }
+        let sum: Symbolic = parameters.into_iter().sum();
+        assert_eq!(sum.parameters(), names);
+        assert_eq!(sum.to_string(), names.join(" + "));
+    }
+    // functions stand behind all names, by their arguments, the sine first
+    let sum: Symbolic = "sin(y) + exp(x) + cos(x) + sin(x) + z".parse().unwrap();
+    assert_eq!(sum.to_string(), "z + sin(x) + cos(x) + exp(x) + sin(y)");
+}
+
+/// The quick proof that two polynomials are coprime computes modulo `2^61 - 1` at a fixed point.
+#[test]
+fn an_unlucky_point_proves_nothing() {
+    const PRIME: i128 = (1 << 61) - 1;
+    let coordinate = |k: u64| i128::from(k.wrapping_mul(0x9e37_79b9_7f4a_7c15)) % PRIME;
+    let integer = |n: i128| Symbolic::from((n.rem_euclid(PRIME)) as i64);
+    // h is congruent to (x - p)(y - q) + 1, which is 1 along both lines through (p, q)
+    let (p, q) = (coordinate(1), coordinate(2));
+    let [x, y, z] = ["x", "y", "z"].map(parameter);
+    let h = &x * &y + &x * integer(-q) + &y * integer(-p) + integer(p * q % PRIME + 1);
+    let next = &z + integer(1);
+    assert_eq!(&h * &z / (&h * &next), z / next);
+}

@@ -3,7 +3,7 @@
 use super::algebras::by_table;
 use super::{inverse, labels, transform};
 use affinor::{Frame, LieAlgebra};
-use affinor_tensors::expression::{Expression, Functions, Scalars};
+use affinor_tensors::expression::{Expression, Scalars};
 use affinor_tensors::{Down, Field, Notation, Ring, Symbolic, Tensor, Up};
 use num_traits::Zero;
 use std::sync::Arc;
@@ -114,9 +114,9 @@ pub fn euler_angles() -> Chart {
 
 /// A value as a definition file has it.
 pub fn value(text: &str) -> Symbolic {
-    let names = Scalars(|name: &str| Ok(Symbolic::parameter(name)));
+    let names = |name: &str| Ok(Symbolic::parameter(name));
     let expression = Expression::parse(text).unwrap();
-    expression.evaluate(&Functions(names, <Symbolic as Notation>::function)).unwrap()
+    expression.evaluate(&Scalars(names, <Symbolic as Notation>::function)).unwrap()
 }
 
 /// The matrix with these entries.

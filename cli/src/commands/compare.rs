@@ -2,13 +2,10 @@
 
 use super::failure::Failure;
 use super::options::Shared;
-use super::output::deliver;
 use affinor_documents::definition::{Definition, InputError, Reading, Space, Work};
 use affinor_documents::report::{ComparedSide, Comparison};
 use affinor_tensors::Notation;
 use clap::Args;
-use std::path::Path;
-use std::process::ExitCode;
 
 #[derive(Args)]
 pub struct Arguments {
@@ -20,7 +17,7 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    pub fn run(&self) -> Result<ExitCode, Failure> {
+    pub fn run(&self) -> Result<(), Failure> {
         let stages = self.shared.start()?;
         let [left, right] = match self.spaces.as_slice() {
             [] => ["M(3)", "SO(3)"],
@@ -37,13 +34,8 @@ impl Arguments {
             self.shared.run(space, OneSide)
         };
         let comparison = Comparison::new(side(left, &first)?, side(right, &second)?);
-        let inputs = [&first, &second].into_iter().filter_map(|space| space.file.as_deref());
-        let inputs: Vec<&Path> = inputs.collect();
-        stages.begin_output();
-        let output = &self.shared.output;
-        let write = |out: &mut dyn std::io::Write| comparison.write(output.format, out);
-        deliver(output.file.as_deref(), &inputs, write)?;
-        Ok(ExitCode::SUCCESS)
+        let inputs: Vec<_> = [first.file, second.file].into_iter().flatten().collect();
+        self.shared.print(&stages, &inputs, &comparison)
     }
 }
 

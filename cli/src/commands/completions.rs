@@ -4,7 +4,6 @@ use super::failure::Failure;
 use super::output::deliver;
 use clap::{Args, Command};
 use clap_complete::{Shell, generate};
-use std::process::ExitCode;
 
 #[derive(Args)]
 pub struct Arguments {
@@ -13,10 +12,9 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    pub fn run(&self, command: &mut Command) -> Result<ExitCode, Failure> {
+    pub fn run(&self, command: &mut Command) -> Result<(), Failure> {
         let mut script = Vec::new();
         generate(self.shell, command, "affinor", &mut script);
-        deliver(None, &[], |out| out.write_all(&script))?;
-        Ok(ExitCode::SUCCESS)
+        deliver(None, &[], |out| out.write_all(&script))
     }
 }

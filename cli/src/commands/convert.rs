@@ -10,7 +10,6 @@ use affinor::group::{LieGroup, So3};
 use clap::Args;
 use nalgebra::{DMatrix, Matrix3, UnitQuaternion, Vector3};
 use std::cell::Cell;
-use std::process::ExitCode;
 
 /// Orthogonality tolerance: the largest deviation of a matrix from a rotation.
 const TOLERANCE: f64 = 1e-6;
@@ -95,7 +94,7 @@ impl Kind {
 }
 
 impl Arguments {
-    pub fn run(&self) -> Result<ExitCode, Failure> {
+    pub fn run(&self) -> Result<(), Failure> {
         let unit = if self.degrees { 1f64.to_radians() } else { 1.0 };
         let locked = Cell::new(0u64);
         map_rows(&self.rows, &self.from.expected(), &self.output, |row| {
@@ -108,7 +107,7 @@ impl Arguments {
             let rows = counted(locked.get(), "row");
             note(&format!("gimbal lock in {rows}: the last angle is set to 0 there"));
         }
-        Ok(ExitCode::SUCCESS)
+        Ok(())
     }
 }
 

@@ -8,11 +8,9 @@ use super::stages::Stages;
 use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::{Canonical, Error};
 use affinor_documents::definition::{Definition, InputError, Reading, Work};
-use affinor_documents::report::{EquationReport, Language};
+use affinor_documents::report::{EquationReport, Language, Report};
 use affinor_tensors::Notation;
 use clap::Args;
-use std::path::Path;
-use std::process::ExitCode;
 
 #[derive(Args)]
 pub struct Arguments {
@@ -34,7 +32,7 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    pub fn run(&self) -> Result<ExitCode, Failure> {
+    pub fn run(&self) -> Result<(), Failure> {
         let stages = self.shared.start()?;
         let mut space = self.shared.open(self.space.as_deref(), &self.options)?;
         if self.motion == EquationKind::EulerPoincare && space.definition.connection_is_default() {
@@ -42,26 +40,40 @@ impl Arguments {
             space.definition.set_canonical(Canonical::Plus);
         }
         note_default_connection(&space.definition);
-        let system = Build { arguments: self, input: space.file.as_deref(), stages: &stages };
-        self.shared.run(&space, system)?
+        let build = Build { arguments: self, stages: &stages };
+        match self.shared.run(&space, build)? {
+            Written::Equations(report) => {
+                self.shared.print(&stages, space.file.as_slice(), &*report)
+            }
+            Written::Code(code) => {
+                stages.begin_output();
+                let file = self.shared.output.file.as_deref();
+                deliver(file, space.file.as_slice(), |out| out.write_all(code.as_bytes()))
+            }
+        }
     }
+}
+
+/// The result: a report, or source code.
+enum Written {
+    Equations(Box<dyn Report>),
+    Code(String),
 }
 
 struct Build<'a> {
     arguments: &'a Arguments,
-    input: Option<&'a Path>,
     stages: &'a Stages,
 }
 
 impl Work for Build<'_> {
-    type Output = Result<ExitCode, Failure>;
+    type Output = Written;
 
     fn run<S: Notation>(
         self,
         definition: &Definition,
         reading: &Reading<S>,
     ) -> Result<Self::Output, InputError> {
-        let Arguments { motion, solved, code, shared, .. } = self.arguments;
+        let Arguments { motion, solved, code, .. } = self.arguments;
         self.stages.begin("geometry");
         let geometry = definition.geometry(reading)?;
         self.stages.begin("equations");
@@ -74,16 +86,13 @@ impl Work for Build<'_> {
         let equations = if *solved { equations.solved() } else { equations };
         let system = EquationReport::new(equations, &geometry);
         system.finite()?;
-        let code = code.map(|language| system.code(language)).transpose();
-        let code = code.map_err(|error| InputError::usage(error.to_string()))?;
-        self.stages.begin_output();
-        let inputs: Vec<&Path> = self.input.into_iter().collect();
-        let output = &shared.output;
-        let done = deliver(output.file.as_deref(), &inputs, |out| match &code {
-            Some(code) => out.write_all(code.as_bytes()),
-            None => system.write(output.format, out),
-        });
-        Ok(done.map(|()| ExitCode::SUCCESS))
+        Ok(match code {
+            None => Written::Equations(Box::new(system)),
+            Some(language) => {
+                let code = system.code(*language);
+                Written::Code(code.map_err(|error| InputError::usage(error.to_string()))?)
+            }
+        })
     }
 }
 

@@ -14,6 +14,10 @@ pub enum Failure {
     Input(Box<InputError>),
     /// An error of writing the results to the target named.
     Output(io::Error, String),
+    /// Results that say themselves what the mathematics refuses.
+    Refuted,
+    /// A signal, by its number.
+    Signal(u8),
 }
 
 impl From<InputError> for Failure {
@@ -35,6 +39,9 @@ impl Failure {
             Failure::Output(error, _) if error.kind() == io::ErrorKind::BrokenPipe => {
                 ExitCode::SUCCESS
             }
+            Failure::Refuted => ExitCode::from(1),
+            // the exit status that shells use
+            Failure::Signal(signal) => ExitCode::from(128 + signal),
             Failure::Output(error, target) => {
                 show(&InputError::usage(format!("cannot write {target}: {error}")), color);
                 ExitCode::from(2)

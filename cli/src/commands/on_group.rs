@@ -6,7 +6,6 @@ use super::rows::{Expected, RowOutput, map_rows, vector};
 use affinor::group::{AnyGroup, LieGroup, Written};
 use clap::Args;
 use nalgebra::{DMatrix, DVector};
-use std::process::ExitCode;
 
 /// A group and its rows of input.
 #[derive(Args)]
@@ -40,7 +39,7 @@ pub enum Operation {
 }
 
 impl Arguments {
-    pub fn run(&self, operation: Operation) -> Result<ExitCode, Failure> {
+    pub fn run(&self, operation: Operation) -> Result<(), Failure> {
         let group = self.open()?;
         let (n, shape) = (group.dimension(), group.write(&group.identity()).shape());
         let a_vector = format!("a vector of this algebra of dimension {n}");
@@ -71,8 +70,7 @@ impl Arguments {
                     vector(&angles.written(group.log(&group.read(&element)?)?))
                 }
             })
-        })?;
-        Ok(ExitCode::SUCCESS)
+        })
     }
 
     fn open(&self) -> Result<AnyGroup, Failure> {

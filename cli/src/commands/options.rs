@@ -3,9 +3,10 @@
 use super::color::ColorOption;
 use super::failure::Failure;
 use super::note::note;
+use super::output::deliver;
 use super::stages::Stages;
 use affinor_documents::definition::{InputError, Request, ScalarChoice, Space, Work};
-use affinor_documents::report::Format;
+use affinor_documents::report::{Format, Report};
 use affinor_tensors::Tolerance;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -119,6 +120,13 @@ impl Settings {
     }
 }
 
+impl Output {
+    /// Writes a report; `inputs` are files that must not be overwritten.
+    pub fn print(&self, inputs: &[PathBuf], report: &dyn Report) -> Result<(), Failure> {
+        deliver(self.file.as_deref(), inputs, |out| report.write(self.format, out))
+    }
+}
+
 impl Shared {
     /// Begins a command with its first stage, the input.
     pub fn start(&self) -> Result<Stages, Failure> {
@@ -140,6 +148,17 @@ impl Shared {
     /// Opens a space, and notes its new parameters.
     pub fn open(&self, space: Option<&str>, options: &SpaceOptions) -> Result<Space, Failure> {
         self.settings.open(space, options)
+    }
+
+    /// Ends the computation, and writes its report.
+    pub fn print(
+        &self,
+        stages: &Stages,
+        inputs: &[PathBuf],
+        report: &dyn Report,
+    ) -> Result<(), Failure> {
+        stages.begin_output();
+        self.output.print(inputs, report)
     }
 
     /// Opens two spaces; `--set` sets a parameter in each of the spaces that has it.

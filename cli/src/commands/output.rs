@@ -13,7 +13,7 @@ use tempfile::NamedTempFile;
 /// device or a pipe is written as it is. `inputs` are files that must not be overwritten.
 pub fn deliver(
     file: Option<&Path>,
-    inputs: &[&Path],
+    inputs: &[PathBuf],
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), Failure> {
     let Some(path) = file else {
@@ -36,7 +36,7 @@ pub fn deliver(
 
 /// Refuses, before any work, a file that cannot be written: one of `inputs`, a folder, or a file in a folder
 /// without write permission.
-pub fn expect_place(path: &Path, inputs: &[&Path]) -> Result<(), Failure> {
+pub fn expect_place(path: &Path, inputs: &[PathBuf]) -> Result<(), Failure> {
     let (shown, target) = expect_other(path, inputs)?;
     if fs::metadata(&target).is_ok_and(|meta| !meta.is_file() && !meta.is_dir()) {
         return Ok(());
@@ -46,7 +46,7 @@ pub fn expect_place(path: &Path, inputs: &[&Path]) -> Result<(), Failure> {
 }
 
 /// A path as shown, and the file behind it, which must not be one of `inputs`.
-fn expect_other(path: &Path, inputs: &[&Path]) -> Result<(String, PathBuf), Failure> {
+fn expect_other(path: &Path, inputs: &[PathBuf]) -> Result<(String, PathBuf), Failure> {
     let shown = path.display().to_string().escape_debug().to_string();
     if inputs.iter().any(|input| is_same(input, path)) {
         let message = format!("{shown} is the input; writing there would lose it");

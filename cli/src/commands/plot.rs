@@ -23,7 +23,6 @@ use convergence::Comparison;
 use nalgebra::Vector3;
 use run::Trajectory;
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 #[derive(Args)]
 pub struct Arguments {
@@ -35,22 +34,10 @@ pub struct Arguments {
 enum Kind {
     /// Angular velocity w of a motion, and its images Omega and omega at the identity
     #[command(visible_alias = "figure2")]
-    Images {
-        #[command(flatten)]
-        motion: PathOptions,
-        #[command(flatten)]
-        scene: Scene,
-    },
+    Images(OnMotion),
     /// Angular velocity, transported to the identity by connections
     #[command(visible_alias = "figure3")]
-    Transport {
-        #[command(flatten)]
-        connections: Connections,
-        #[command(flatten)]
-        motion: PathOptions,
-        #[command(flatten)]
-        scene: Scene,
-    },
+    Transport(OnConnections),
     /// Autoparallels through the identity, in canonical coordinates
     #[command(visible_alias = "figure4")]
     Autoparallels {
@@ -64,36 +51,14 @@ enum Kind {
     },
     /// Motion as a curve in the group, and as the rotating body
     #[command(visible_alias = "figure5")]
-    Motion {
-        #[command(flatten)]
-        motion: PathOptions,
-        #[command(flatten)]
-        scene: Scene,
-    },
+    Motion(OnMotion),
     /// Left-invariant frame along a motion, and the frames that connections transport
     #[command(visible_alias = "figure6")]
-    Frames {
-        #[command(flatten)]
-        connections: Connections,
-        #[command(flatten)]
-        motion: PathOptions,
-        #[command(flatten)]
-        scene: Scene,
-    },
+    Frames(OnConnections),
     /// Problem of mechanics: body axes on the unit sphere in space
-    Attitude {
-        #[command(flatten)]
-        trajectory: Trajectory,
-        #[command(flatten)]
-        scene: Scene,
-    },
+    Attitude(OnTrajectory),
     /// Problem of mechanics: body momentum on its sphere, and the energy ellipsoid
-    Momentum {
-        #[command(flatten)]
-        trajectory: Trajectory,
-        #[command(flatten)]
-        scene: Scene,
-    },
+    Momentum(OnTrajectory),
     /// Problem of mechanics: drift of the conserved quantities over time
     Drift {
         #[command(flatten)]
@@ -108,6 +73,30 @@ enum Kind {
         #[command(flatten)]
         image: Image,
     },
+}
+
+#[derive(Args)]
+struct OnMotion {
+    #[command(flatten)]
+    motion: PathOptions,
+    #[command(flatten)]
+    scene: Scene,
+}
+
+#[derive(Args)]
+struct OnConnections {
+    #[command(flatten)]
+    connections: Connections,
+    #[command(flatten)]
+    on: OnMotion,
+}
+
+#[derive(Args)]
+struct OnTrajectory {
+    #[command(flatten)]
+    trajectory: Trajectory,
+    #[command(flatten)]
+    scene: Scene,
 }
 
 /// A motion of the body, and a time.
@@ -161,24 +150,24 @@ struct Image {
 }
 
 impl Arguments {
-    pub fn run(self) -> Result<ExitCode, Failure> {
+    pub fn run(self) -> Result<(), Failure> {
         match self.figure {
-            Kind::Images { motion, scene } => scene.print(&motion.figure(figures::images)?),
-            Kind::Motion { motion, scene } => scene.print(&motion.figure(figures::motion)?),
-            Kind::Transport { connections, motion, scene } => {
+            Kind::Images(on) => on.print(figures::images),
+            Kind::Motion(on) => on.print(figures::motion),
+            Kind::Transport(OnConnections { connections, on }) => {
                 let both = connections.or(&["plus", "zero"])?;
-                scene.print(&motion.figure(|path, t| figures::transport(&both, path, t))?)
+                on.print(|path, t| figures::transport(&both, path, t))
             }
-            Kind::Frames { connections, motion, scene } => {
+            Kind::Frames(OnConnections { connections, on }) => {
                 let all = connections.or(&[])?;
-                scene.print(&motion.figure(|path, t| figures::frames(&all, path, t))?)
+                on.print(|path, t| figures::frames(&all, path, t))
             }
             Kind::Autoparallels { axis, connections, scene } => {
                 let axis = vector("--axis", &axis)?;
                 scene.print(&figures::autoparallels(&connections.or(&["plus"])?, &axis)?)
             }
-            Kind::Attitude { trajectory, scene } => scene.print(&trajectory.attitude()?),
-            Kind::Momentum { trajectory, scene } => scene.print(&trajectory.momentum()?),
+            Kind::Attitude(on) => on.scene.print(&on.trajectory.attitude()?),
+            Kind::Momentum(on) => on.scene.print(&on.trajectory.momentum()?),
             Kind::Drift { trajectory, image } => image.print_diagram(&trajectory.drift()?),
             Kind::Convergence { comparison, image } => {
                 let (name, trials) = comparison.trials()?;
@@ -194,22 +183,19 @@ impl Arguments {
     }
 }
 
-impl PathOptions {
-    fn figure(
-        &self,
-        figure: impl Fn(&Path, f64) -> Result<Figure, Error>,
-    ) -> Result<Figure, Failure> {
-        if !(0.0..=1.0).contains(&self.at) {
-            let message = format!("--at {} is not in 0 <= T <= 1", self.at);
-            return Err(InputError::usage(message).into());
+impl OnMotion {
+    fn print(&self, figure: impl Fn(&Path, f64) -> Result<Figure, Error>) -> Result<(), Failure> {
+        let PathOptions { factors, at } = &self.motion;
+        if !(0.0..=1.0).contains(at) {
+            return Err(InputError::usage(format!("--at {at} is not in 0 <= T <= 1")).into());
         }
-        let given = self.factors.iter().map(|factor| vector("--factor", factor));
-        let mut factors = given.collect::<Result<Vec<_>, _>>()?;
+        let factors = factors.iter().map(|factor| vector("--factor", factor));
+        let mut factors = factors.collect::<Result<Vec<_>, _>>()?;
         if factors.is_empty() {
             // a steady precession
             factors = vec![Vector3::new(0.7, -2.2, 2.8), Vector3::new(2.3, 2.6, -0.2)];
         }
-        Ok(figure(&Path { factors }, self.at)?)
+        self.scene.print(&figure(&Path { factors }, *at)?)
     }
 }
 
@@ -248,7 +234,7 @@ impl Connections {
 }
 
 impl Scene {
-    fn print(&self, figure: &Figure) -> Result<ExitCode, Failure> {
+    fn print(&self, figure: &Figure) -> Result<(), Failure> {
         let expected = Expected { numbers: 2, what: "azimuth and elevation".into() };
         let [azimuth, elevation] = read("--view", &self.view, &expected)?[..] else {
             return Err(InputError::usage("--view: azimuth and elevation are two numbers").into());
@@ -258,29 +244,29 @@ impl Scene {
 }
 
 impl Image {
-    fn print_diagram(&self, diagram: &Diagram) -> Result<ExitCode, Failure> {
+    fn print_diagram(&self, diagram: &Diagram) -> Result<(), Failure> {
         self.print(&plot::diagram(diagram))
     }
 
-    fn print(&self, picture: &Picture) -> Result<ExitCode, Failure> {
-        let encode = self.encoder()?;
+    fn print(&self, picture: &Picture) -> Result<(), Failure> {
+        let bytes = self.encoded(picture)?;
+        deliver(self.file.as_deref(), &[], |out| out.write_all(&bytes))
+    }
+
+    /// The picture in the format of the file, by its ending.
+    fn encoded(&self, picture: &Picture) -> Result<Vec<u8>, Failure> {
         if !(1..=MAX_WIDTH).contains(&self.width) {
             let message = format!("--width {} is not between 1 and {MAX_WIDTH}", self.width);
             return Err(InputError::usage(message).into());
         }
-        let bytes = encode(picture, self.width)?;
-        deliver(self.file.as_deref(), &[], |out| out.write_all(&bytes))?;
-        Ok(ExitCode::SUCCESS)
-    }
-
-    /// The encoder of the file, by its ending.
-    fn encoder(&self) -> Result<Encoder, Failure> {
-        let Some(file) = &self.file else { return Ok(svg) };
+        let svg = || Ok(plot::svg(picture, self.width).into_bytes());
+        let Some(file) = &self.file else { return svg() };
         let ending = file.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         match ending.as_deref() {
-            Some("svg") => Ok(svg),
+            Some("svg") => svg(),
             #[cfg(feature = "png")]
-            Some("png") => Ok(png),
+            Some("png") => plot::png(picture, self.width)
+                .map_err(|error| InputError::usage(error.to_string()).into()),
             #[cfg(not(feature = "png"))]
             Some("png") => {
                 let help = "write .svg, or build it with `cargo install --path cli --features png`";
@@ -292,18 +278,6 @@ impl Image {
             }
         }
     }
-}
-
-/// A picture of a width in pixels, as the bytes of a file.
-type Encoder = fn(&Picture, u32) -> Result<Vec<u8>, Failure>;
-
-fn svg(picture: &Picture, width: u32) -> Result<Vec<u8>, Failure> {
-    Ok(plot::svg(picture, width).into_bytes())
-}
-
-#[cfg(feature = "png")]
-fn png(picture: &Picture, width: u32) -> Result<Vec<u8>, Failure> {
-    Ok(plot::png(picture, width).map_err(|error| InputError::usage(error.to_string()))?)
 }
 
 fn vector(option: &str, text: &str) -> Result<Vector3<f64>, Failure> {

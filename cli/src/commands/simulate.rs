@@ -11,16 +11,16 @@ use super::failure::Failure;
 use super::note::{counted, line, note};
 use super::output::{deliver, expect_place};
 use affinor_documents::definition::InputError;
-use affinor_documents::problem::{Column, Problem, Ready};
+use affinor_documents::problem::{Problem, Progress as Step, Ready, Walk};
 use affinor_documents::rows::{Head, RunFormat};
 use checkpoint::{Checkpoint, Plan, Store};
 use clap::Args;
 use progress::Progress;
 use rayon::prelude::*;
-use signals::{Signal, Signals};
+use signals::Signals;
+use std::convert::Infallible;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 use std::time::Instant;
 
 /// The number of members of an ensemble whose rows are computed before they are stored.
@@ -84,7 +84,7 @@ const WITH_PARQUET: &str =
     "choose csv or json, or build it with `cargo install --path cli --features parquet`";
 
 impl Arguments {
-    pub fn run(&self) -> Result<ExitCode, Failure> {
+    pub fn run(&self) -> Result<(), Failure> {
         let mut problem = Problem::read(&self.problem)?;
         if let Some(set) = &self.set {
             problem.set(set)?;
@@ -92,7 +92,7 @@ impl Arguments {
         let format = self.format()?;
         let begun = Instant::now();
         let files = std::iter::once(&self.problem).chain(problem.files());
-        let inputs: Vec<&Path> = files.map(Path::new).collect();
+        let inputs: Vec<PathBuf> = files.map(PathBuf::from).collect();
         if let Some(file) = &self.file {
             expect_place(file, &inputs)?;
         }
@@ -109,10 +109,14 @@ impl Arguments {
         note_method(&problem, &ready, if self.ensemble { "member 1: " } else { "" });
         let front = members.map_or(vec![], |_| [vec!["member"], problem.varied()].concat());
         let columns = ready.columns.clone();
-        let head = head(&problem, ready.method.name(), &front, &columns);
+        let names = front.into_iter().chain(columns.iter().map(|column| column.name.as_str()));
+        let head = Head {
+            name: problem.name.clone(),
+            method: ready.method.name().into(),
+            columns: names.map(String::from).collect(),
+        };
         let mut store = plan.begin(head.columns.len())?;
-        let signals = Signals::hear();
-        let signals = signals
+        let signals = Signals::hear()
             .map_err(|error| InputError::usage(format!("cannot listen to signals: {error}")))?;
         let end = match members {
             Some(size) => self.members(&problem, size, &mut store, &signals)?,
@@ -147,7 +151,7 @@ impl Arguments {
                 let resume =
                     if self.checkpoint.is_some() { "; --resume continues the run" } else { "" };
                 line(&format!("interrupted; {kept}{resume}"));
-                return Ok(signal.status());
+                return Err(Failure::Signal(signal));
             }
         }
         if !self.ensemble {
@@ -155,7 +159,7 @@ impl Arguments {
         }
         line(&format!("{rows} in {:.3} s", begun.elapsed().as_secs_f64()));
         store.finished();
-        Ok(ExitCode::SUCCESS)
+        Ok(())
     }
 
     /// The format of the rows: of `--format`, or by the ending of the file, or CSV.
@@ -227,8 +231,8 @@ enum End {
     Reached,
     /// By an error.
     Error(InputError),
-    /// By a signal.
-    Signal(Signal),
+    /// By a signal, of this number.
+    Signal(u8),
 }
 
 /// Integrates one motion and stores its rows.
@@ -243,15 +247,7 @@ fn one(
         walk.restore(*done as usize, snapshot)?;
     }
     let progress = Progress::from(walk.share());
-    loop {
-        if let Some(signal) = signals.arrived() {
-            store.save(walk.position() as u64, Some(walk.save()?))?;
-            return Ok(End::Signal(signal));
-        }
-        let step = match walk.step() {
-            Ok(step) => step,
-            Err(error) => return Ok(End::Error(error.into())),
-        };
+    let end = follow(&mut walk, signals, |walk, step| {
         for row in &step.rows {
             store.spool.push(row).map_err(spool::failed)?;
         }
@@ -259,13 +255,15 @@ fn one(
             progress.beside(|| line(&format!("{event} at t = {time}")));
         }
         progress.reach(walk.share());
-        if step.done {
-            return Ok(End::Reached);
-        }
-        if store.is_due() {
+        if !step.done && store.is_due() {
             store.save(walk.position() as u64, Some(walk.save()?))?;
         }
+        Ok::<_, Failure>(())
+    })?;
+    if let End::Signal(_) = end {
+        store.save(walk.position() as u64, Some(walk.save()?))?;
     }
+    Ok(end)
 }
 
 /// Integrates a member of an ensemble: its rows and its end.
@@ -277,21 +275,34 @@ fn all_rows(problem: &Problem, member: u64, signals: &Signals) -> (Vec<Vec<f64>>
         Ok(ready) => problem.walk(ready),
         Err(error) => return (vec![], End::Error(error)),
     };
-    let mut front = vec![(member + 1) as f64];
-    front.extend(problem.variation(member));
+    let front = [vec![(member + 1) as f64], problem.variation(member)].concat();
     let mut rows = Vec::new();
+    let end = follow(&mut walk, signals, |_, step| {
+        rows.extend(step.rows.iter().map(|row| [&front[..], row].concat()));
+        Ok::<_, Infallible>(())
+    });
+    let Ok(end) = end;
+    (rows, end)
+}
+
+/// Integrates a motion to its end, or up to a signal; `each` is called after every step.
+fn follow<E>(
+    walk: &mut Walk,
+    signals: &Signals,
+    mut each: impl FnMut(&Walk, Step) -> Result<(), E>,
+) -> Result<End, E> {
     loop {
         if let Some(signal) = signals.arrived() {
-            return (rows, End::Signal(signal));
+            return Ok(End::Signal(signal));
         }
-        match walk.step() {
-            Ok(step) => {
-                rows.extend(step.rows.iter().map(|row| [&front[..], row].concat()));
-                if step.done {
-                    return (rows, End::Reached);
-                }
-            }
-            Err(error) => return (rows, End::Error(error.into())),
+        let step = match walk.step() {
+            Ok(step) => step,
+            Err(error) => return Ok(End::Error(error.into())),
+        };
+        let done = step.done;
+        each(walk, step)?;
+        if done {
+            return Ok(End::Reached);
         }
     }
 }
@@ -303,13 +314,6 @@ fn note_method(problem: &Problem, ready: &Ready, member: &str) {
         let method = ready.method;
         note(&format!("method {method}: {}", method.why()));
     }
-}
-
-fn head(problem: &Problem, method: &str, front: &[&str], columns: &[Column]) -> Head {
-    let front = front.iter().copied();
-    let names = front.chain(columns.iter().map(|column| column.name.as_str()));
-    let columns = names.map(String::from).collect();
-    Head { name: problem.name.clone(), method: method.into(), columns }
 }
 
 /// The file for an incomplete run: `run.partial.csv` for `run.csv`; a device or a pipe keeps its name.

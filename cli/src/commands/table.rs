@@ -3,14 +3,11 @@
 use super::failure::Failure;
 use super::note::{note, note_default_connection};
 use super::options::{Shared, SpaceOptions};
-use super::output::deliver;
 use super::stages::Stages;
 use affinor_documents::definition::{Definition, InputError, Reading, Work};
-use affinor_documents::report::{Quantity, Table};
+use affinor_documents::report::{Quantity, Report, Table};
 use affinor_tensors::Notation;
 use clap::{Args, ValueEnum};
-use std::path::Path;
-use std::process::ExitCode;
 
 #[derive(Args)]
 pub struct Arguments {
@@ -52,14 +49,14 @@ pub enum Frame {
 pub struct Quantities(pub Vec<Quantity>);
 
 impl Arguments {
-    pub fn run(&self) -> Result<ExitCode, Failure> {
+    pub fn run(&self) -> Result<(), Failure> {
         let stages = self.shared.start()?;
         let space = self.shared.open(self.space.as_deref(), &self.options)?;
         note_default_connection(&space.definition);
         let quantities = self.selection.quantities();
-        let input = space.file.as_deref();
-        let write = Write { arguments: self, input, quantities, stages: &stages };
-        self.shared.run(&space, write)?
+        let build = Build { selection: &self.selection, quantities, stages: &stages };
+        let table = self.shared.run(&space, build)?;
+        self.shared.print(&stages, space.file.as_slice(), &*table)
     }
 }
 
@@ -96,22 +93,21 @@ impl Selection {
     }
 }
 
-struct Write<'a> {
-    arguments: &'a Arguments,
-    input: Option<&'a Path>,
+struct Build<'a> {
+    selection: &'a Selection,
     quantities: Vec<Quantity>,
     stages: &'a Stages,
 }
 
-impl Work for Write<'_> {
-    type Output = Result<ExitCode, Failure>;
+impl Work for Build<'_> {
+    type Output = Box<dyn Report>;
 
     fn run<S: Notation>(
         self,
         definition: &Definition,
         reading: &Reading<S>,
     ) -> Result<Self::Output, InputError> {
-        let Arguments { selection, shared, .. } = self.arguments;
+        let selection = self.selection;
         let table = selection.table(definition, reading, &self.quantities, self.stages)?;
         let absent = |quantity: &&Quantity| table.tensors.iter().all(|e| e.quantity != **quantity);
         let absent: Vec<&str> = self.quantities.iter().filter(absent).map(|q| q.key()).collect();
@@ -121,11 +117,7 @@ impl Work for Write<'_> {
         } else if !absent.is_empty() && selection.show.is_some() {
             note(&format!("not defined for this space: {}", absent.join(", ")));
         }
-        self.stages.begin_output();
-        let inputs: Vec<&Path> = self.input.into_iter().collect();
-        let output = &shared.output;
-        let done = deliver(output.file.as_deref(), &inputs, |out| table.write(output.format, out));
-        Ok(done.map(|()| ExitCode::SUCCESS))
+        Ok(Box::new(table))
     }
 }
 

@@ -9,7 +9,6 @@ use affinor::group::LieGroup;
 use affinor::group::transport::ParallelTranslation;
 use clap::Args;
 use nalgebra::DVector;
-use std::process::ExitCode;
 
 #[derive(Args)]
 pub struct Arguments {
@@ -34,7 +33,7 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    pub fn run(&self) -> Result<ExitCode, Failure> {
+    pub fn run(&self) -> Result<(), Failure> {
         self.settings.start_threads()?;
         let options = SpaceOptions { geometry: self.geometry.clone(), ..SpaceOptions::default() };
         let space = self.settings.open(Some(&self.space), &options)?;
@@ -52,13 +51,11 @@ impl Arguments {
         let arcs = arcs.collect::<Result<Vec<_>, Failure>>()?;
         let carried = ParallelTranslation::new(group, connection)?.along_arcs(&arcs)?;
         if self.vectors.is_empty() {
-            write_rows(&self.output, |write| write(carried))?;
-            return Ok(ExitCode::SUCCESS);
+            return write_rows(&self.output, |write| write(carried));
         }
         let given: &[String] = if self.vectors == ["-"] { &[] } else { &self.vectors };
         map_rows(given, &expected, &self.output, |u| {
             Ok(vector((&carried * DVector::from_column_slice(u)).as_slice()))
-        })?;
-        Ok(ExitCode::SUCCESS)
+        })
     }
 }

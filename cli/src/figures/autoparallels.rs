@@ -1,6 +1,6 @@
 //! Autoparallels through the identity, and canonical coordinates: figure 4.
 
-use super::{Connected, Figure, Mark, Panel, Role, ball};
+use super::{Connected, Figure, Panel, Role, ball};
 use affinor::Error;
 use affinor::group::{LieGroup, So3};
 use nalgebra::Vector3;
@@ -38,16 +38,13 @@ fn panel(connected: &Connected, axis: &Vector3<f64>) -> Result<Panel, Error> {
     let curve = from_identity(n, s)?;
     let q = curve.last().and_then(|piece| piece.last()).copied().unwrap_or_default();
     panel.curve(Role::Autoparallel, ["η(s)", "autoparallel along n"], curve);
-    panel.arrow(
-        Role::Direction,
-        ["n", "unit tangent at e"],
-        ball::arrow(&Vector3::zeros(), &n, 1.0)?,
-    );
+    let tangent = ball::arrow(&Vector3::zeros(), &n, 1.0)?;
+    panel.arrow(Role::Direction, ["n", "unit tangent at e"], tangent);
     let corners = [Vector3::zeros(), Vector3::new(q.x, 0.0, 0.0), Vector3::new(q.x, q.y, 0.0), q];
     for (edge, label) in corners.windows(2).zip(["q¹", "q²", "q³"]) {
         panel.curve(Role::Guide, [label, "coordinates of q"], vec![edge.to_vec()]);
     }
-    panel.marks.push(Mark::new("q", &format!("q = η({s:.2})"), q));
+    panel.mark("q", &format!("q = η({s:.2})"), q);
     Ok(panel)
 }
 

@@ -1,6 +1,6 @@
 //! The velocity of a motion and its two images at the identity: figure 2.
 
-use super::{Figure, Mark, Panel, Path, Role, ball};
+use super::{Figure, Panel, Path, Role, ball};
 use affinor::Error;
 use affinor::group::{LieGroup, So3, Velocity};
 use nalgebra::Vector3;
@@ -18,25 +18,20 @@ const LONGEST: f64 = 1.5;
 /// None for rotations.
 pub fn images(path: &Path, t: f64) -> Result<Figure, Error> {
     let mut panel = Panel::ball("");
-    let p = with_motion(&mut panel, path, t)?;
-    let Moment { x, velocity, scale } = p;
+    let Moment { x, velocity, scale } = with_motion(&mut panel, path, t)?;
     let identity = Vector3::zeros();
     if let Some(n) = x.try_normalize(0.0) {
-        panel.arrow(
-            Role::Direction,
-            ["n", "tangents of η at e and p"],
-            ball::arrow(&identity, &n, 0.8)?,
-        );
-        panel.arrow(Role::Direction, ["nₚ", "tangents of η at e and p"], ball::arrow(&x, &n, 0.8)?);
+        for (label, at) in [("n", &identity), ("nₚ", &x)] {
+            let words = [label, "tangents of η at e and p"];
+            panel.arrow(Role::Direction, words, ball::arrow(at, &n, 0.8)?);
+        }
     }
     let left = ["Ω", "Ω, left translate: w = Lₚ∗ Ω"];
     panel.arrow(Role::Left, left, ball::arrow(&identity, &velocity.body, scale)?);
     let right = ["ω", "ω, right translate: w = Rₚ∗ ω"];
     panel.arrow(Role::Right, right, ball::arrow(&identity, &velocity.spatial, scale)?);
-    Ok(Figure {
-        title: "The angular velocity w and its images Ω and ω".into(),
-        panels: vec![panel],
-    })
+    let title = "The angular velocity w and its images Ω and ω".into();
+    Ok(Figure { title, panels: vec![panel] })
 }
 
 /// A motion at one time.
@@ -53,7 +48,8 @@ pub(super) struct Moment {
 pub(super) fn with_motion(panel: &mut Panel, path: &Path, t: f64) -> Result<Moment, Error> {
     let p = path.element(t);
     let (x, velocity) = (So3.log(&p)?, Velocity::from_body(&So3, &p, path.velocity(t)));
-    let curve = ball::curve(&path.sampled(1.0, SAMPLES))?;
+    let elements = (0..=SAMPLES).map(|k| path.element(f64::from(k) / f64::from(SAMPLES)));
+    let curve = ball::curve(&elements.collect::<Vec<_>>())?;
     let onto_plane = |x: &Vector3<f64>| Vector3::new(x.x, x.y, 0.0);
     let shadow = curve.iter().map(|piece| piece.iter().map(onto_plane).collect()).collect();
     panel.curve(Role::Motion, ["γ", "γ(t), motion"], curve);
@@ -61,13 +57,10 @@ pub(super) fn with_motion(panel: &mut Panel, path: &Path, t: f64) -> Result<Mome
     let ray = vec![vec![Vector3::zeros(), x]];
     panel.curve(Role::Autoparallel, ["η", "η, autoparallel from e to p"], ray);
     panel.curve(Role::Guide, ["", ""], vec![vec![x, onto_plane(&x)]]);
-    panel.marks.push(Mark::new("p", &format!("p = γ({t})"), x));
+    panel.mark("p", &format!("p = γ({t})"), x);
     let drawn = So3.tangent_left_inverse(&x, &velocity.body)?.norm();
     let scale = if drawn > 0.0 { LONGEST / drawn } else { 1.0 };
-    panel.arrow(
-        Role::Velocity,
-        ["w", "w, tangent of γ at p"],
-        ball::arrow(&x, &velocity.body, scale)?,
-    );
+    let w = ball::arrow(&x, &velocity.body, scale)?;
+    panel.arrow(Role::Velocity, ["w", "w, tangent of γ at p"], w);
     Ok(Moment { x, velocity, scale })
 }

@@ -1,7 +1,7 @@
 //! A motion as a curve in the group and as a rotating body: figure 5.
 
 use super::images::{SAMPLES, with_motion};
-use super::{Figure, Mark, Panel, Path, Role};
+use super::{Figure, Panel, Path, Role};
 use affinor::Error;
 use affinor::group::rotation;
 use nalgebra::{Matrix3, Vector3};
@@ -24,14 +24,8 @@ fn body(path: &Path, t: f64) -> Result<Panel, Error> {
     let velocity = q * omega.cross_matrix();
     let longest = velocity.column_iter().map(|column| column.norm()).fold(0.0, f64::max);
     let scale = if longest > 0.0 { 0.5 / longest } else { 1.0 };
-    let mut panel = Panel {
-        title: "body axes: columns of R = Φ(γ)".into(),
-        radius: 1.0,
-        axes: ["E₁", "E₂", "E₃"],
-        curves: vec![],
-        arrows: vec![],
-        marks: vec![Mark::new("O", "", Vector3::zeros())],
-    };
+    let mut panel = Panel::new("body axes: columns of R = Φ(γ)", 1.0, ["E₁", "E₂", "E₃"]);
+    panel.mark("O", "", Vector3::zeros());
     for i in 0..3 {
         let points = (0..=SAMPLES).map(|k| f64::from(k) / f64::from(SAMPLES));
         let points = points.map(|t| matrix(t).column(i).into_owned()).collect();

@@ -26,9 +26,4 @@ impl Path {
             |omega: Vector3<f64>, x: &Vector3<f64>| So3.adjoint(&So3.exp(&(x * -t)), &omega) + x;
         self.factors.iter().fold(Vector3::zeros(), carry)
     }
-
-    /// The elements at `n + 1` times from 0 to `end`, both included.
-    pub fn sampled(&self, end: f64, n: u32) -> Vec<UnitQuaternion<f64>> {
-        (0..=n).map(|i| self.element(end * f64::from(i) / f64::from(n))).collect()
-    }
 }

@@ -1,7 +1,7 @@
 //! Trajectories of problems: attitude, body momentum, drift of conserved quantities.
 
 use super::diagram::{Diagram, Graph, Line, Scale};
-use super::{Figure, Mark, Panel, Role};
+use super::{Figure, Panel, Role};
 use affinor::Error;
 use affinor::mechanics::Inertia;
 use nalgebra::{Matrix3, Vector3};
@@ -73,24 +73,14 @@ impl RunRows {
 /// [`Error::NoColumn`] for a trajectory without an attitude; [`Error::Invalid`] for elements that are not rotations.
 pub fn attitude(run: &RunRows) -> Result<Figure, Error> {
     let attitudes = run.attitudes()?;
-    let mut panel = Panel {
-        title: String::new(),
-        radius: 1.0,
-        axes: ["X", "Y", "Z"],
-        curves: vec![],
-        arrows: vec![],
-        marks: vec![],
-    };
+    let mut panel = Panel::new("", 1.0, ["X", "Y", "Z"]);
     for i in 0..3 {
         let points: Vec<_> = attitudes.iter().map(|r| r.column(i).into_owned()).collect();
         let tip = points.last().copied().unwrap_or_default();
-        let (axis, symbol) = [("E₁", "R E₁"), ("E₂", "R E₂"), ("E₃", "R E₃")][i];
-        panel.curve(
-            Role::Frame(i),
-            ["", &format!("body axis {axis} (arrow at the final time)")],
-            vec![points],
-        );
-        panel.arrow(Role::Frame(i), [symbol, ""], [Vector3::zeros(), tip]);
+        let axis = ["E₁", "E₂", "E₃"][i];
+        let caption = format!("body axis {axis} (arrow at the final time)");
+        panel.curve(Role::Frame(i), ["", &caption], vec![points]);
+        panel.arrow(Role::Frame(i), [&format!("R {axis}"), ""], [Vector3::zeros(), tip]);
     }
     Ok(Figure { title: format!("{}: body axes in space", run.name), panels: vec![panel] })
 }
@@ -106,14 +96,8 @@ pub fn momentum(run: &RunRows, inertia: &Inertia) -> Result<Figure, Error> {
     let longest = points.iter().map(|h| h.norm()).fold(0.0, f64::max);
     let radius = if longest > 0.0 { longest } else { 1.0 };
     let (axes, moments) = (inertia.axes(), inertia.moments());
-    let mut panel = Panel {
-        title: String::new(),
-        radius,
-        axes: ["H₁", "H₂", "H₃"],
-        curves: vec![],
-        arrows: vec![],
-        marks: vec![Mark::new("", "initial H", start)],
-    };
+    let mut panel = Panel::new("", radius, ["H₁", "H₂", "H₃"]);
+    panel.mark("", "initial H", start);
     // semi-axes of H . J^-1 H = 2 E
     let energy = inertia.energy(&start);
     let half = moments.map(|moment| (2.0 * energy * moment).sqrt());

@@ -24,12 +24,10 @@ fn panel(connected: &Connected, path: &Path, t: f64) -> Result<Panel, Error> {
     let mut panel = Panel::ball(&connected.name);
     let Moment { x, velocity, scale } = with_motion(&mut panel, path, t)?;
     let identity = Vector3::zeros();
-    panel.arrow(Role::Left, ["Ω", "Ω, left image"], ball::arrow(&identity, &velocity.body, scale)?);
-    panel.arrow(
-        Role::Right,
-        ["ω", "ω, right image"],
-        ball::arrow(&identity, &velocity.spatial, scale)?,
-    );
+    let left = ball::arrow(&identity, &velocity.body, scale)?;
+    panel.arrow(Role::Left, ["Ω", "Ω, left image"], left);
+    let right = ball::arrow(&identity, &velocity.spatial, scale)?;
+    panel.arrow(Role::Right, ["ω", "ω, right image"], right);
     let u = DVector::from_column_slice(velocity.body.as_slice());
     for stop in 1..=STOPS {
         let s = f64::from(stop) / f64::from(STOPS);

@@ -1,7 +1,7 @@
 //! Diagrams as pictures, with axes and legends by plotters.
 
-use super::Picture;
 use super::backend::Shapes;
+use super::{Ink, Picture};
 use crate::figures::diagram::{Diagram, Graph, Scale};
 use plotters::coord::ranged1d::ValueFormatter;
 use plotters::coord::types::RangedCoordf64;
@@ -14,17 +14,9 @@ const PANEL: [u32; 2] = [560, 420];
 const TITLE: u32 = 40;
 const FONT: &str = "DejaVu Sans";
 /// The colours of the lines, distinguishable in greyscale.
-const INKS: [RGBColor; 10] = [
-    RGBColor(17, 17, 17),
-    RGBColor(10, 95, 168),
-    RGBColor(208, 90, 0),
-    RGBColor(26, 166, 122),
-    RGBColor(163, 23, 63),
-    RGBColor(150, 110, 200),
-    RGBColor(120, 120, 120),
-    RGBColor(200, 160, 0),
-    RGBColor(86, 180, 233),
-    RGBColor(100, 60, 20),
+const INKS: [u32; 10] = [
+    0x111111, 0x0a5fa8, 0xd05a00, 0x1aa67a, 0xa3173f, 0x966ec8, 0x787878, 0xc8a000, 0x56b4e9,
+    0x643c14,
 ];
 
 /// The diagram as a picture.
@@ -73,7 +65,8 @@ fn draw<'a>(area: &Area<'a>, graph: &Graph) -> Drawn<'a> {
         .y_desc(&graph.y.label)
         .draw()?;
     for (i, line) in graph.lines.iter().enumerate() {
-        let ink = INKS[i % INKS.len()];
+        let [red, green, blue] = Ink::opaque(INKS[i % INKS.len()]).rgb;
+        let ink = RGBColor(red, green, blue);
         let points: Vec<(f64, f64)> = line.points.iter().map(|point| flat(*point)).collect();
         let finite = points.into_iter().filter(|(x, y)| x.is_finite() && y.is_finite());
         let points: Vec<(f64, f64)> = finite.collect();

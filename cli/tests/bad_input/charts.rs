@@ -94,7 +94,7 @@ fn frames() {
         ("u = 1\nv = \"d_y\"", &["a.toml:7:5", "integer `1`"]),
     ]);
     definitions("a.toml", with_keys)
-        .usage(&[("frame = [\"d_x\", \"d_y\"]", &["a.toml:3:9", "a table of fields, like e1 ="])]);
+        .usage(&[("frame = [\"d_x\", \"d_y\"]", &["a.toml:3:9", "a table of names and values"])]);
     definitions("a.toml", str::to_string).usage(&[(
         "frame = {u = \"d_x\"}\nbrackets = \"\"",
         &["a.toml:1:1", "a frame needs a chart"],

@@ -71,6 +71,6 @@ fn not_text() {
     std::fs::write(folder.path().join("a.json"), b"{\"schema\": \"\xff\"}").unwrap();
     let outcome = run(folder.path(), &["verify", "so3", "a.json"], b"");
     assert_eq!(outcome.status, 2);
-    assert!(outcome.err.contains("cannot read a.json"), "{}", outcome.err);
+    assert!(outcome.err.contains("a.json is not text"), "{}", outcome.err);
     assert!(outcome.err.contains("UTF-8"), "{}", outcome.err);
 }

@@ -7,7 +7,7 @@ use super::notation::{
 };
 use super::source::{Place, Source};
 use super::written::{
-    Block, Cell, ChartText, ConnectionText, FieldsText, MatrixRows, MetricText, Row, Text,
+    Block, Cell, ChartText, ConnectionText, Entries, Formulas, MatrixRows, MetricText, Row, Text,
 };
 use super::{
     ConnectionChoice, Definition, Given, MatrixEntries, MetricChoice, Origin, Pairs,
@@ -31,7 +31,7 @@ pub(crate) struct Document {
     structure_constants: Option<Vec<Row>>,
     matrices: Option<Vec<MatrixRows>>,
     chart: Option<ChartText>,
-    frame: Option<FieldsText>,
+    frame: Option<Formulas>,
     metric: Option<MetricText>,
     connection: Option<ConnectionText>,
     affinities: Option<Block>,
@@ -39,9 +39,6 @@ pub(crate) struct Document {
 
 impl Document {
     /// The definition.
-    ///
-    /// # Errors
-    /// The first value that is refused, with its place.
     pub fn define(&self, source: &Source) -> Result<Definition, InputError> {
         let labels = self.labels(source)?;
         let place = |at: usize| {
@@ -52,19 +49,15 @@ impl Document {
         let indices = basis(&names, &place)?;
         let labels: Vec<String> = labels.iter().map(|(label, _)| label.clone()).collect();
         let parameters = self.declared(&indices, source)?;
-        let coordinates: Vec<String> =
-            self.coordinates().iter().map(|name| name.to_string()).collect();
         let declared = parameters.iter().cloned().collect();
-        let (parameters, coordinates) = (Some(&parameters), &coordinates);
-        let names = Names { labels: &indices, parameters, coordinates };
-        // scalars contain no basis vectors
-        let none = BTreeMap::new();
-        let scalars = Names { labels: &none, parameters, coordinates };
+        let coordinates: Vec<_> = self.coordinates().iter().map(|name| name.to_string()).collect();
+        let scalars = Names { parameters: Some(&parameters), ..Names::open(&coordinates) };
+        let names = Names { labels: &indices, ..scalars };
         let origin = match (&self.brackets, &self.structure_constants, &self.matrices) {
             (None, None, None) if self.chart.is_some() => self.fields(&names, source)?,
             _ if self.chart.is_some() => {
                 let message = "a chart defines the brackets by its fields: give no others";
-                return Err(InputError::usage(message).at(&source.key("chart")));
+                return Err(source.refused("chart", message));
             }
             (Some(block), None, None) => Origin::Brackets(block.statements("", &names, source)?),
             (None, Some(rows), None) => {
@@ -92,13 +85,13 @@ impl Document {
         });
         let connection = match (kind, within.or(self.affinities.as_ref())) {
             (None, None) if table.is_some() => {
-                let error = InputError::usage("the connection has neither kind nor affinities");
-                return Err(error.at(&source.key("connection")));
+                let message = "the connection has neither kind nor affinities";
+                return Err(source.refused("connection", message));
             }
             (None, None) => None,
             (Some(text), None) => {
                 let source = source.excerpt(text);
-                Some(connection(source.content(), &scalars, &source)?)
+                Some(connection(&scalars, &source)?)
             }
             (None, Some(block)) if within.is_none() || self.affinities.is_none() => {
                 let given = block.statements("nabla", &names, source)?;
@@ -111,17 +104,9 @@ impl Document {
         };
         let stem = || source.name.rsplit('/').next().unwrap_or("").to_string();
         let name = self.name.clone().unwrap_or_else(stem);
-        let algebra_name = None;
-        Ok(Definition {
-            name,
-            algebra_name,
-            labels,
-            origin,
-            metric,
-            connection,
-            declared,
-            source: Some(source.clone()),
-        })
+        let source = Some(source.clone());
+        let definition = Definition::new(name, labels, origin);
+        Ok(Definition { metric, connection, declared, source, ..definition })
     }
 
     /// The names of the coordinates; none without a chart.
@@ -163,7 +148,7 @@ impl Document {
                 let fields = (0..coordinates.len()).map(|a| (unit(a), place.clone()));
                 fields.map(|(value, place)| Given { value, place }).collect()
             }
-            Some(FieldsText(fields)) => {
+            Some(Entries(fields)) => {
                 let (found, n) = (fields.len(), coordinates.len());
                 if found != n {
                     let message = format!("the frame has {found} fields for {n} coordinates");
@@ -190,7 +175,7 @@ impl Document {
         if let Some(ChartText { coordinates }) = &self.chart {
             if self.basis.is_some() || self.dimension.is_some() {
                 let message = "the basis of a chart is its frame: give no other";
-                return Err(InputError::usage(message).at(&source.key("chart")));
+                return Err(source.refused("chart", message));
             }
             for (at, name) in coordinates.iter().enumerate() {
                 if coordinates[..at].iter().any(|other| other.content == name.content) {
@@ -200,14 +185,13 @@ impl Document {
                 check_name(name).map_err(|error| error.at(&source.at(name)))?;
             }
             return Ok(match &self.frame {
-                Some(FieldsText(fields)) => fields.iter().map(|(name, _)| named(name)).collect(),
+                Some(Entries(fields)) => fields.iter().map(|(name, _)| named(name)).collect(),
                 None => coordinates.iter().map(|name| (field_of(name), Some(name))).collect(),
             });
         }
         if self.frame.is_some() {
-            let error = InputError::usage("a frame needs a chart");
             let help = "give its coordinates: [chart] coordinates = [\"x\", \"y\"]";
-            return Err(error.at(&source.key("frame")).help(help));
+            return Err(source.refused("frame", "a frame needs a chart").help(help));
         }
         match (&self.basis, self.dimension, &self.matrices) {
             (Some(basis), None, _) => Ok(basis.iter().map(named).collect()),
@@ -221,8 +205,7 @@ impl Document {
                 Ok(names.map(|(at, name)| name.map_or_else(|| numbered(at), named)).collect())
             }
             (Some(_), Some(_), _) => {
-                let place = source.key("dimension");
-                Err(InputError::usage("give either basis or dimension, not both").at(&place))
+                Err(source.refused("dimension", "give either basis or dimension, not both"))
             }
             (None, None, None) => Err(InputError::usage(format!("{} has no basis", source.name))
                 .help("give basis = [\"x\", \"y\", ...] or dimension = 3")),
@@ -316,9 +299,6 @@ fn matrix_basis(
 
 impl MetricText {
     /// The metric that is written.
-    ///
-    /// # Errors
-    /// As [`metric`].
     pub(super) fn read(
         &self,
         dimension: usize,
@@ -326,10 +306,7 @@ impl MetricText {
         source: &Source,
     ) -> Result<MetricChoice, InputError> {
         match self {
-            MetricText::Word(text) => {
-                let source = source.excerpt(text);
-                metric(source.content(), dimension, names, &source)
-            }
+            MetricText::Word(text) => metric(dimension, names, &source.excerpt(text)),
             MetricText::Rows(rows) => {
                 let entry = |Cell(text): &Cell| {
                     let source = source.excerpt(text);

@@ -19,16 +19,7 @@ impl Definition {
                 .or_insert_with(|| Given { value: BTreeMap::new(), place: place.clone() });
             pair.value.insert(i, value);
         }
-        Definition {
-            name: entry.name,
-            algebra_name: None,
-            labels: entry.labels,
-            origin: Origin::Brackets(given),
-            metric: None,
-            connection: None,
-            declared: vec![],
-            source: None,
-        }
+        Definition::new(entry.name, entry.labels, Origin::Brackets(given))
     }
 
     /// A geometry of the paper, [`paper::m3`](affinor::geometry::paper::m3) or
@@ -61,32 +52,20 @@ impl Definition {
     }
 
     /// The direct sum of two algebras; the second basis follows the first.
-    ///
-    /// # Errors
-    /// A sum whose dimension is beyond the engine; summands that are not given by brackets.
     pub(super) fn direct_sum(self, other: Self) -> Result<Self, InputError> {
         let n = self.dimension();
         check_dimension(n + other.dimension())?;
         let labels = affinor::algebra::join_labels(&self.labels, &other.labels);
         let (Origin::Brackets(mut given), Origin::Brackets(theirs)) = (self.origin, other.origin)
         else {
-            return Err(InputError::usage(
-                "the summands of a direct sum must be given by brackets",
-            ));
+            let message = "the summands of a direct sum must be given by brackets";
+            return Err(InputError::usage(message));
         };
         for ((j, k), Given { value, place }) in theirs {
             let value = value.into_iter().map(|(i, value)| (i + n, value)).collect();
             given.insert((j + n, k + n), Given { value, place });
         }
-        Ok(Definition {
-            name: format!("{} + {}", self.name, other.name),
-            algebra_name: None,
-            labels,
-            origin: Origin::Brackets(given),
-            metric: None,
-            connection: None,
-            declared: vec![],
-            source: None,
-        })
+        let name = format!("{} + {}", self.name, other.name);
+        Ok(Definition::new(name, labels, Origin::Brackets(given)))
     }
 }

@@ -12,24 +12,25 @@ use std::path::Path;
 use toml::de::DeTable;
 
 /// The largest size of a file in bytes.
-const MAX_BYTES: u64 = 1 << 28;
+pub(crate) const MAX_BYTES: u64 = 1 << 28;
 
 /// The content of a file, or of standard input for `-`, with the name for messages.
-pub(crate) fn bytes(path: &str) -> Result<(String, Vec<u8>), InputError> {
+pub(crate) fn bytes(path: &str, limit: u64) -> Result<(String, Vec<u8>), InputError> {
     let name = match path {
         "-" => "<standard input>".to_string(),
         path => path.escape_debug().to_string(),
     };
     let mut bytes = Vec::new();
     let length = match path {
-        "-" => io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes),
-        path => File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes)),
+        "-" => io::stdin().lock().take(limit + 1).read_to_end(&mut bytes),
+        path => File::open(path).and_then(|file| file.take(limit + 1).read_to_end(&mut bytes)),
     };
-    let length =
-        length.map_err(|error| InputError::usage(format!("cannot read {name}: {error}")))?;
-    if length as u64 > MAX_BYTES {
-        let message = format!("{name} has more than {MAX_BYTES} bytes");
-        return Err(InputError::usage(message));
+    match length {
+        Err(error) => return Err(InputError::usage(format!("cannot read {name}: {error}"))),
+        Ok(length) if length as u64 > limit => {
+            return Err(InputError::usage(format!("{name} has more than {limit} bytes")));
+        }
+        Ok(_) => {}
     }
     Ok((name, bytes))
 }
@@ -44,7 +45,7 @@ pub fn fingerprint(path: &str) -> Result<u64, InputError> {
         return Ok(0);
     }
     let mix = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
-    Ok(bytes(path)?.1.iter().fold(0xcbf2_9ce4_8422_2325, mix))
+    Ok(bytes(path, MAX_BYTES)?.1.iter().fold(0xcbf2_9ce4_8422_2325, mix))
 }
 
 impl Definition {
@@ -80,16 +81,13 @@ impl Definition {
     }
 }
 
-/// The text of a file, or of standard input for `-`.
-///
-/// # Errors
-/// A file that cannot be read, or is not UTF-8.
+/// The text of a file in UTF-8, or of standard input for `-`.
 pub(crate) fn read(path: &str) -> Result<Source, InputError> {
-    let (name, bytes) = bytes(path)?;
+    let (name, bytes) = bytes(path, MAX_BYTES)?;
     decode(&name, &bytes)
 }
 
-fn decode(name: &str, bytes: &[u8]) -> Result<Source, InputError> {
+pub(crate) fn decode(name: &str, bytes: &[u8]) -> Result<Source, InputError> {
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
         let error = InputError::usage(format!("{name} is UTF-16"));
         return Err(error.help("save it as UTF-8"));
@@ -99,10 +97,8 @@ fn decode(name: &str, bytes: &[u8]) -> Result<Source, InputError> {
         Ok(text) => Ok(Source::new(name, text)),
         Err(error) => {
             let at = error.valid_up_to();
-            let (message, source) = (
-                format!("{name} is not text: byte {} is not UTF-8", at + 1),
-                Source::new(name, &String::from_utf8_lossy(bytes)),
-            );
+            let message = format!("{name} is not text: byte {} is not UTF-8", at + 1);
+            let source = Source::new(name, &String::from_utf8_lossy(bytes));
             let span = Some(at..at + char::REPLACEMENT_CHARACTER.len_utf8());
             Err(InputError::usage(message).at(&Place { source, span }))
         }
@@ -137,9 +133,6 @@ pub fn read_rows(path: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError>
 }
 
 /// The keys of a file, and the file with their places: JSON if the text begins with `{`, else TOML.
-///
-/// # Errors
-/// A file that cannot be parsed, with the place; an empty file, with advice on its content.
 pub(crate) fn keys<T: DeserializeOwned>(
     source: &Source,
     content: &str,

@@ -56,17 +56,13 @@ impl InputError {
         self
     }
 
-    /// With a place, unless it has one.
+    /// With a place that may be unknown, unless it has one.
     #[must_use]
-    pub(crate) fn or_at(self, place: &Place) -> Self {
-        if self.at.is_some() { self } else { self.at(place) }
-    }
-
-    /// With the place of the text around it, unless its own is known.
-    #[must_use]
-    pub(crate) fn or_near(self, place: &Place) -> Self {
-        let known = self.at.as_ref().is_some_and(|at| at.span.is_some());
-        if known { self } else { self.at(place) }
+    pub(crate) fn or_at<'p>(self, place: impl Into<Option<&'p Place>>) -> Self {
+        match place.into() {
+            Some(place) if self.at.is_none() => self.at(place),
+            _ => self,
+        }
     }
 
     /// With the place of a part of a file, if its own place is in a copy of that part.
@@ -80,15 +76,6 @@ impl InputError {
             **at = Place { span: span.or(Some(whole.clone())), ..part.clone() };
         }
         self
-    }
-
-    /// With a place that may be unknown, unless it has one.
-    #[must_use]
-    pub(crate) fn or_at_some(self, place: Option<&Place>) -> Self {
-        match place {
-            Some(place) => self.or_at(place),
-            None => self,
-        }
     }
 }
 

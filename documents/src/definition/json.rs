@@ -1,9 +1,9 @@
 //! JSON as a table of the TOML parser, with the place of every key and value.
 
-use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
+use super::written::Entries;
+use serde::de::Deserialize;
 use serde_json::value::{RawValue, Value};
 use std::borrow::Cow;
-use std::fmt;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
@@ -12,9 +12,6 @@ use toml::de::{DeArray, DeTable, DeValue};
 type Refused = (String, Range<usize>);
 
 /// The table that an object of JSON holds. A key with the value `null` counts as absent.
-///
-/// # Errors
-/// A syntax error, too deep nesting, a key that is given twice, `null` in a list.
 pub(super) fn table(text: &str) -> Result<Spanned<DeTable<'_>>, Refused> {
     // raw values are read without limits of numbers and nesting, and with vaguer messages
     serde_json::from_str::<Value>(text).map_err(|error| refused(&error, text, 0))?;
@@ -42,7 +39,7 @@ impl<'t> Json<'t> {
         let (span, written) = (self.span(raw), raw.get());
         let value = match written.as_bytes().first() {
             Some(b'{') => {
-                let Entries(entries) = self.parse(raw)?;
+                let Entries::<&RawValue, &RawValue>(entries) = self.parse(raw)?;
                 let mut table = DeTable::new();
                 for (key, value) in entries {
                     let place = self.span(key);
@@ -95,29 +92,4 @@ fn refused(error: &serde_json::Error, text: &str, start: usize) -> Refused {
         at -= 1;
     }
     (error.to_string(), at..at)
-}
-
-/// The keys and values of an object, in their order.
-struct Entries<'t>(Vec<(&'t RawValue, &'t RawValue)>);
-
-impl<'de> Deserialize<'de> for Entries<'de> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Each;
-        impl<'de> Visitor<'de> for Each {
-            type Value = Entries<'de>;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("an object")
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
-                let mut entries = Vec::new();
-                while let Some(entry) = map.next_entry()? {
-                    entries.push(entry);
-                }
-                Ok(Entries(entries))
-            }
-        }
-        deserializer.deserialize_map(Each)
-    }
 }

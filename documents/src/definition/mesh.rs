@@ -1,12 +1,11 @@
 //! Meshes of bodies from files: STL, as text or binary, and OBJ.
 
-use super::file::bytes;
+use super::file::{MAX_BYTES, bytes};
 use super::input::{InputError, shown};
 use super::source::{Place, Source};
 use affinor::mechanics::Mesh;
 use nalgebra::Vector3;
 use std::io::Cursor;
-use tobj::LoadError;
 
 type Corners = Vec<[Vector3<f64>; 3]>;
 
@@ -19,7 +18,7 @@ const TRIANGLE: usize = 50;
 /// # Errors
 /// As [`mesh`]; a file that cannot be read.
 pub fn read_mesh(path: &str) -> Result<Mesh, InputError> {
-    let (name, bytes) = bytes(path)?;
+    let (name, bytes) = bytes(path, MAX_BYTES)?;
     mesh(&name, &bytes)
 }
 
@@ -130,68 +129,48 @@ fn text_stl(source: &Source) -> Result<Corners, InputError> {
     Ok(corners)
 }
 
+/// The faces of an OBJ, divided into triangles. Colours, textures, normals and materials are ignored.
 fn obj(source: &Source) -> Result<Corners, InputError> {
-    let refused = |line: &str, reason: String| {
-        let place = source.find(line, 0..line.len());
-        Err(InputError::usage(format!("no OBJ: {reason}")).at(&place))
+    let refused = |line: &str, reason: &str| {
+        InputError::usage(format!("no OBJ: {reason}")).at(&source.whole(line))
     };
-    // keep the positions of vertices, and the vertices of faces
-    let (mut kept, mut vertices) = (String::new(), 0);
+    let (mut vertices, mut faces) = (vec![], vec![]);
     for line in source.text.lines() {
-        let mut words: Vec<&str> = line.split_whitespace().collect();
-        match words.first() {
-            Some(&"v") => {
-                let infinite = |word: &&&str| word.parse().is_ok_and(|x: f64| !x.is_finite());
-                if let Some(word) = words[1..].iter().find(infinite) {
-                    return refused(line, format!("{} is a coordinate", shown(word)));
-                }
-                // without colours
-                words.truncate(if words.len() >= 7 { 4 } else { words.len() });
-                vertices += 1;
-            }
-            Some(&"f") => {
-                // without textures and normals
-                words.iter_mut().for_each(|word| *word = word.split('/').next().unwrap_or(word));
-            }
-            _ => words.clear(),
-        }
-        kept += &words.join(" ");
-        kept.push('\n');
-    }
-    let options = tobj::LoadOptions { triangulate: true, ..tobj::LoadOptions::default() };
-    let mut reader = Cursor::new(kept.as_bytes());
-    let loaded = tobj::load_obj_buf(&mut reader, &options, |_| Err(LoadError::MaterialParseError));
-    let (models, _) = match loaded {
-        Ok(loaded) => loaded,
-        Err(LoadError::FaceVertexOutOfBounds) => {
-            let (line, index) = without_vertex(&source.text, vertices).unwrap_or_default();
-            return refused(line, format!("the file has no vertex {index}"));
-        }
-        Err(error) => {
-            let read = &kept.as_bytes()[..reader.position() as usize];
-            let number = read.iter().filter(|byte| **byte == b'\n').count();
-            let line = source.text.lines().nth(number.saturating_sub(1)).unwrap_or_default();
-            return refused(line, error.to_string());
-        }
-    };
-    let corners = models.iter().flat_map(|model| {
-        let (indices, positions) = (&model.mesh.indices, &model.mesh.positions);
-        let at = |index: u32| Vector3::from_column_slice(&positions[3 * index as usize..][..3]);
-        indices.chunks_exact(3).map(move |triangle| [0, 1, 2].map(|i| at(triangle[i])))
-    });
-    Ok(corners.collect())
-}
-
-/// The first face with a vertex that does not exist. Vertices count from 1, or backwards from the face.
-fn without_vertex(text: &str, vertices: i64) -> Option<(&str, i64)> {
-    let mut so_far = 0;
-    text.lines().find_map(|line| {
         let mut words = line.split_whitespace();
-        let kind = words.next();
-        so_far += i64::from(kind == Some("v"));
-        let mut indices = words.filter_map(|word| word.split('/').next()?.parse().ok());
-        let missing =
-            |index: &i64| !(1..=vertices).contains(index) && !(-so_far..0).contains(index);
-        (kind == Some("f")).then(|| indices.find(missing)).flatten().map(|index| (line, index))
-    })
+        match words.next() {
+            Some("v") => {
+                let mut position = Vector3::zeros();
+                for coordinate in position.iter_mut() {
+                    let word = words.next().unwrap_or_default();
+                    *coordinate =
+                        word.parse().map_err(|_| refused(line, "position parse error"))?;
+                    if !f64::is_finite(*coordinate) {
+                        return Err(refused(line, &format!("{} is a coordinate", shown(word))));
+                    }
+                }
+                vertices.push(position);
+            }
+            Some("f") => {
+                let index = |word: &str| word.split('/').next()?.parse().ok();
+                let indices = words.map(index).collect::<Option<Vec<i64>>>();
+                let indices = indices.filter(|indices| indices.len() >= 3);
+                let indices = indices.ok_or_else(|| refused(line, "face parse error"))?;
+                faces.push((line, vertices.len() as i64, indices));
+            }
+            _ => {}
+        }
+    }
+    let mut corners = vec![];
+    for (line, before, indices) in faces {
+        // they count from 1, or backwards from the face
+        let vertex = |index: &i64| {
+            let at = if *index < 0 { before + index } else { index - 1 };
+            let found = usize::try_from(at).ok().and_then(|at| vertices.get(at).copied());
+            found.ok_or_else(|| refused(line, &format!("the file has no vertex {index}")))
+        };
+        let polygon = indices.iter().map(vertex).collect::<Result<Vec<_>, _>>()?;
+        let edges = polygon[1..].windows(2);
+        corners.extend(edges.map(|edge| [polygon[0], edge[0], edge[1]]));
+    }
+    Ok(corners)
 }

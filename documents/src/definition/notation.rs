@@ -6,7 +6,7 @@ use super::{ConnectionChoice, Given, MetricChoice};
 use affinor::Canonical;
 use affinor::algebra::Complex;
 use affinor_tensors::expression::{
-    Expression, ExpressionError, Functions, Meaning, Scalars, is_name,
+    Expression, ExpressionError, Meaning, Scalars, is_name, no_function,
 };
 use affinor_tensors::{Field, Notation, Rational, Ring, Symbolic};
 use std::collections::{BTreeMap, BTreeSet};
@@ -20,7 +20,15 @@ pub(crate) struct Names<'n> {
     pub coordinates: &'n [String],
 }
 
-impl Names<'_> {
+/// No basis vectors: those of scalars.
+static NO_LABELS: BTreeMap<String, usize> = BTreeMap::new();
+
+impl<'n> Names<'n> {
+    /// The names of scalars in which every unknown name is a parameter.
+    pub fn open(coordinates: &'n [String]) -> Self {
+        Names { labels: &NO_LABELS, parameters: None, coordinates }
+    }
+
     /// Parses `text`, a piece of `source`, and evaluates it.
     pub fn read<M: Meaning>(
         &self,
@@ -50,9 +58,8 @@ impl Names<'_> {
 
     /// A scalar.
     pub fn scalar(&self, text: &str, source: &Source) -> Result<Symbolic, InputError> {
-        let scalars = Scalars(|name: &str| self.parameter(name));
         let function = |name: &str, argument: &Symbolic| self.function(name, argument);
-        self.read(text, source, &Functions(scalars, function))
+        self.read(text, source, &Scalars(|name: &str| self.parameter(name), function))
     }
 
     /// A function of coordinates, or the square root of a square.
@@ -79,7 +86,7 @@ impl Names<'_> {
         text: &str,
         source: &Source,
     ) -> Result<BTreeMap<usize, Symbolic>, InputError> {
-        let element = self.read(text, source, &Elements { names: self })?;
+        let element = self.read(text, source, &Elements(self))?;
         if element.scalar.vanishes() {
             return Ok(element.vector);
         }
@@ -91,7 +98,7 @@ impl Names<'_> {
 
     /// A complex number; `i` is the imaginary unit.
     pub fn complex(&self, text: &str, source: &Source) -> Result<Complex<Symbolic>, InputError> {
-        self.read(text, source, &ComplexNumbers { names: self })
+        self.read(text, source, &ComplexNumbers(self))
     }
 
     /// The basis, for messages.
@@ -175,12 +182,11 @@ pub(super) fn lines(block: &str) -> impl Iterator<Item = &str> {
 
 /// A metric as written: `identity`, `killing`, `diag(...)`, or rows `[[...], ...]`.
 pub(super) fn metric(
-    text: &str,
     dimension: usize,
     names: &Names,
     source: &Source,
 ) -> Result<MetricChoice, InputError> {
-    let trimmed = text.trim();
+    let trimmed = source.content().trim();
     let place = source.whole(trimmed);
     match trimmed {
         "identity" => return Ok(MetricChoice::Identity),
@@ -227,10 +233,9 @@ pub(super) fn metric_rows<T>(
     if !square {
         let widths: BTreeSet<usize> = rows.iter().map(Vec::len).collect();
         let widths: Vec<String> = widths.iter().map(usize::to_string).collect();
+        let (found, widths) = (rows.len(), widths.join(" or "));
         let message = format!(
-            "the metric has {} rows of {} entries, the dimension is {dimension}",
-            rows.len(),
-            widths.join(" or ")
+            "the metric has {found} rows of {widths} entries, the dimension is {dimension}"
         );
         return Err(InputError::usage(message).at(&place));
     }
@@ -293,9 +298,7 @@ pub(crate) fn check_name(name: &str) -> Result<(), InputError> {
 }
 
 /// Sums of a vector and a scalar, as they arise within a right side.
-struct Elements<'n> {
-    names: &'n Names<'n>,
-}
+struct Elements<'n>(&'n Names<'n>);
 
 #[derive(Clone)]
 struct Element {
@@ -304,6 +307,10 @@ struct Element {
 }
 
 impl Element {
+    fn scalar(scalar: Symbolic) -> Self {
+        Element { scalar, vector: BTreeMap::new() }
+    }
+
     fn map(&self, f: impl Fn(&Symbolic) -> Result<Symbolic, String>) -> Result<Self, String> {
         let vector = self.vector.iter().map(|(i, value)| Ok((*i, f(value)?)));
         Ok(Element { scalar: f(&self.scalar)?, vector: vector.collect::<Result<_, String>>()? })
@@ -312,21 +319,21 @@ impl Element {
 
 /// The arithmetic of scalars, with its limits.
 fn scalars() -> impl Meaning<Value = Symbolic> {
-    Scalars(|name: &str| -> Result<Symbolic, String> { Err(name.into()) })
+    Scalars(|name: &str| -> Result<Symbolic, String> { Err(name.into()) }, no_function)
 }
 
 impl Meaning for Elements<'_> {
     type Value = Element;
     fn number(&self, number: &Rational) -> Result<Element, String> {
-        Ok(Element { scalar: Symbolic::constant(number.clone()), vector: BTreeMap::new() })
+        Ok(Element::scalar(Symbolic::constant(number.clone())))
     }
     fn name(&self, name: &str) -> Result<Element, String> {
-        match self.names.labels.get(name) {
+        match self.0.labels.get(name) {
             Some(at) => Ok(Element {
                 scalar: Symbolic::from_i64(0),
                 vector: [(*at, Symbolic::from_i64(1))].into(),
             }),
-            None => Ok(Element { scalar: self.names.parameter(name)?, vector: BTreeMap::new() }),
+            None => self.0.parameter(name).map(Element::scalar),
         }
     }
     fn add(&self, a: Element, b: Element) -> Result<Element, String> {
@@ -361,23 +368,18 @@ impl Meaning for Elements<'_> {
         if !a.vector.is_empty() {
             return Err("a basis vector cannot divide".into());
         }
-        Ok(Element { scalar: scalars().reciprocal(a.scalar)?, vector: BTreeMap::new() })
+        scalars().reciprocal(a.scalar).map(Element::scalar)
     }
     fn function(&self, name: &str, argument: Element) -> Result<Element, String> {
         if !argument.vector.is_empty() {
             return Err("a basis vector is no argument".into());
         }
-        Ok(Element {
-            scalar: self.names.function(name, &argument.scalar)?,
-            vector: BTreeMap::new(),
-        })
+        self.0.function(name, &argument.scalar).map(Element::scalar)
     }
 }
 
 /// Complex numbers over the scalars.
-struct ComplexNumbers<'n> {
-    names: &'n Names<'n>,
-}
+struct ComplexNumbers<'n>(&'n Names<'n>);
 
 impl Meaning for ComplexNumbers<'_> {
     type Value = Complex<Symbolic>;
@@ -387,7 +389,7 @@ impl Meaning for ComplexNumbers<'_> {
     fn name(&self, name: &str) -> Result<Self::Value, String> {
         match name {
             "i" => Ok(Complex { re: Symbolic::from_i64(0), im: Symbolic::from_i64(1) }),
-            _ => self.names.parameter(name).map(Complex::real),
+            _ => self.0.parameter(name).map(Complex::real),
         }
     }
     fn add(&self, a: Self::Value, b: Self::Value) -> Result<Self::Value, String> {
@@ -416,11 +418,10 @@ impl Meaning for ComplexNumbers<'_> {
 
 /// A connection by name, and its place.
 pub(super) fn connection(
-    text: &str,
     names: &Names,
     source: &Source,
 ) -> Result<(ConnectionChoice, Place), InputError> {
-    let trimmed = text.trim();
+    let trimmed = source.content().trim();
     let family =
         trimmed.strip_prefix("lambda").and_then(|rest| rest.trim_start().strip_prefix('='));
     let place = source.whole(trimmed);

@@ -24,12 +24,7 @@ impl Definition {
             return Err(InputError::usage(message).help("set parameters only"));
         }
         if let Some(unknown) = values.keys().find(|name| !parameters.contains(name)) {
-            let known = match parameters.as_slice() {
-                [] => "there are none".into(),
-                some => format!("the parameters are {}", some.join(", ")),
-            };
-            let message = format!("`{}` is no parameter here", shown(unknown));
-            return Err(InputError::usage(message).help(known));
+            return Err(no_parameter(unknown, &parameters));
         }
         let mut failed = None;
         self.each_value_mut(&mut |value| {
@@ -70,6 +65,15 @@ fn terms_of_power(value: &Symbolic, exponent: f64) -> f64 {
     let count = |part: Symbolic| part.numerator_terms().len();
     let terms = count(value.numerator()).max(count(value.denominator()));
     (1..terms).fold(1.0, |product, t| product * (exponent + t as f64) / t as f64)
+}
+
+/// An error about a name that is not among the parameters.
+pub(crate) fn no_parameter(name: &str, parameters: &[String]) -> InputError {
+    let help = match parameters {
+        [] => "there are none".into(),
+        some => format!("the parameters are {}", some.join(", ")),
+    };
+    InputError::usage(format!("`{}` is no parameter here", shown(name))).help(help)
 }
 
 /// `name=value,...` as substitutions.

@@ -1,5 +1,6 @@
 //! Texts that were read, and places in them.
 
+use super::input::InputError;
 use super::literal;
 use super::written::Text;
 use std::collections::BTreeMap;
@@ -112,6 +113,11 @@ impl Source {
         }
     }
 
+    /// An error at the place of a key, by its dotted path.
+    pub(crate) fn refused(&self, path: &str, message: impl Into<String>) -> InputError {
+        InputError::usage(message).at(&self.key(path))
+    }
+
     /// Whether a key is given, by its dotted path.
     pub(crate) fn has_key(&self, path: &str) -> bool {
         self.keys.contains_key(&format!("{}{path}", self.table))
@@ -124,22 +130,19 @@ impl Source {
 
 /// Takes up the keys of a table and of the tables in it; items of lists count from 0.
 fn collect(table: &DeTable, path: &str, keys: &mut BTreeMap<String, Range<usize>>) {
-    fn inside(value: &DeValue, path: &str, keys: &mut BTreeMap<String, Range<usize>>) {
-        match value {
+    for (key, value) in table {
+        let path = format!("{path}{}", key.get_ref());
+        match value.get_ref() {
             DeValue::Table(table) => collect(table, &format!("{path}."), keys),
             DeValue::Array(items) => {
                 for (at, item) in items.iter().enumerate() {
-                    if item.get_ref().is_table() {
-                        inside(item.get_ref(), &format!("{path}.{at}"), keys);
+                    if let DeValue::Table(table) = item.get_ref() {
+                        collect(table, &format!("{path}.{at}."), keys);
                     }
                 }
             }
             _ => {}
         }
-    }
-    for (key, value) in table {
-        let path = format!("{path}{}", key.get_ref());
-        inside(value.get_ref(), &path, keys);
         keys.insert(path, key.span());
     }
 }

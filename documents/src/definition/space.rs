@@ -6,7 +6,7 @@ use super::notation::{self, Names, basis, lines, metric, statement};
 use super::setting::settings;
 use super::source::Source;
 use super::written::{MetricText, Text};
-use super::{Definition, Origin, Reading};
+use super::{Definition, MetricChoice, Origin, Reading};
 use affinor::algebra::catalogue::CatalogueError;
 use affinor::geometry::paper;
 use affinor_tensors::{Notation, Rational, Symbolic, Tolerance, Tracked};
@@ -72,11 +72,8 @@ impl Space {
     /// # Errors
     /// A name that is unknown or ambiguous, a file that cannot be read, a value that is refused: with the place.
     pub fn open(request: &Request) -> Result<Self, InputError> {
-        let (name, modifiers) = match &request.space {
-            Some(space) => split_space(space)?,
-            None => (None, Modifiers::default()),
-        };
-        let definition = match (&name, &request.basis, request.brackets.is_empty()) {
+        let inside = request.space.as_deref().map_or(Ok(Request::default()), split_space)?;
+        let definition = match (&inside.space, &request.basis, request.brackets.is_empty()) {
             (Some(name), None, true) => find(name)?,
             (None, Some(labels), _) => inline(labels, &request.brackets)?,
             (Some(_), _, _) => {
@@ -87,76 +84,67 @@ impl Space {
                     .help("name one (so3, E8, file.toml), or give --basis and --bracket"));
             }
         };
-        let file = name.as_ref().filter(|name| is_path(name)).map(|name| match name.as_str() {
+        let declared = if inside.space.is_some() { definition.parameters() } else { vec![] };
+        let mut space = Self::of(definition);
+        space.file = inside.space.filter(|name| is_path(name)).map(|name| match name.as_str() {
             // a path for messages and comparisons, where the system has it
             "-" => PathBuf::from("/dev/stdin"),
             path => PathBuf::from(path),
         });
-        let declared = if name.is_some() { definition.parameters() } else { vec![] };
-        Self::completed(definition, &modifiers, request, &declared, file)
-    }
-
-    /// The space of a definition, with the metric and the connection of a request.
-    ///
-    /// # Errors
-    /// As [`open`](Self::open).
-    pub fn of(definition: Definition, request: &Request) -> Result<Self, InputError> {
-        let declared = definition.parameters();
-        Self::completed(definition, &Modifiers::default(), request, &declared, None)
-    }
-
-    fn completed(
-        mut definition: Definition,
-        modifiers: &Modifiers,
-        request: &Request,
-        declared: &[String],
-        file: Option<PathBuf>,
-    ) -> Result<Self, InputError> {
-        let (none, coordinates) = (BTreeMap::new(), definition.coordinates().to_vec());
-        let open = Names { labels: &none, parameters: None, coordinates: &coordinates };
-        let given = [(&modifiers.metric, "@metric"), (&request.metric, "--metric")];
+        let given = [(&inside.metric, "@metric"), (&request.metric, "--metric")];
         for (text, origin) in given {
             if let Some(text) = text {
-                let (source, n) = (Source::new(origin, text), definition.dimension());
-                definition.metric = Some(metric(&source.text, n, &open, &source)?);
+                let (source, n) = (Source::new(origin, text), space.definition.dimension());
+                space.set_metric(|names| metric(n, names, &source))?;
             }
         }
-        let given = [(&modifiers.connection, "@connection"), (&request.connection, "--connection")];
+        let given = [(&inside.connection, "@connection"), (&request.connection, "--connection")];
         for (text, origin) in given {
             if let Some(text) = text {
-                let source = Source::new(origin, text);
-                definition.connection = Some(notation::connection(&source.text, &open, &source)?);
+                space.set_connection(&Source::new(origin, text))?;
             }
         }
-        let mut space = Space { definition, introduced: vec![], file };
-        space.introduce(declared);
+        space.introduce(&declared);
         if let Some(text) = &request.set {
             space.set(text, &[])?;
         }
         Ok(space)
     }
 
+    /// The space of a definition.
+    pub(crate) fn of(definition: Definition) -> Self {
+        Space { definition, introduced: vec![], file: None }
+    }
+
     /// The space with the metric and the connection of a file, unless these are left out.
-    ///
-    /// # Errors
-    /// A metric or a connection that is refused, with its place.
     pub(crate) fn completed_by(
         mut self,
         metric: Option<&MetricText>,
         connection: Option<&Text>,
         source: &Source,
     ) -> Result<Self, InputError> {
-        let (none, coordinates) = (BTreeMap::new(), self.definition.coordinates().to_vec());
-        let open = Names { labels: &none, parameters: None, coordinates: &coordinates };
+        let n = self.definition.dimension();
         if let Some(text) = metric {
-            self.definition.metric = Some(text.read(self.definition.dimension(), &open, source)?);
+            self.set_metric(|names| text.read(n, names, source))?;
         }
         if let Some(text) = connection {
-            let source = source.excerpt(text);
-            let choice = notation::connection(source.content(), &open, &source)?;
-            self.definition.connection = Some(choice);
+            self.set_connection(&source.excerpt(text))?;
         }
         Ok(self)
+    }
+
+    fn set_metric(
+        &mut self,
+        read: impl FnOnce(&Names) -> Result<MetricChoice, InputError>,
+    ) -> Result<(), InputError> {
+        self.definition.metric = Some(read(&Names::open(self.definition.coordinates()))?);
+        Ok(())
+    }
+
+    fn set_connection(&mut self, source: &Source) -> Result<(), InputError> {
+        let choice = notation::connection(&Names::open(self.definition.coordinates()), source)?;
+        self.definition.connection = Some(choice);
+        Ok(())
     }
 
     /// Replaces parameters by values, `name=value,...`. Names that are parameters of `others` only are ignored.
@@ -164,11 +152,9 @@ impl Space {
     /// # Errors
     /// As [`Definition::set`].
     pub fn set(&mut self, text: &str, others: &[String]) -> Result<(), InputError> {
-        let (none, coordinates) = (BTreeMap::new(), self.definition.coordinates().to_vec());
-        let open = Names { labels: &none, parameters: None, coordinates: &coordinates };
         let source = Source::new("--set", text);
         let before = self.definition.parameters();
-        let mut values = settings(&source, &open)?;
+        let mut values = settings(&source, &Names::open(self.definition.coordinates()))?;
         values.retain(|name, _| before.contains(name) || !others.contains(name));
         let set = self.definition.set(&values);
         set.map_err(|error| error.or_at(&source.whole(&source.text)))?;
@@ -234,40 +220,28 @@ impl Space {
     }
 }
 
-/// The connection and the metric after `@`.
-#[derive(Default)]
-struct Modifiers {
-    connection: Option<String>,
-    metric: Option<String>,
-}
-
 /// The parts of `NAME@connection;metric=...`.
-fn split_space(space: &str) -> Result<(Option<String>, Modifiers), InputError> {
-    let mut modifiers = Modifiers::default();
+fn split_space(space: &str) -> Result<Request, InputError> {
+    let mut parts = Request::default();
     if is_path(space) && Path::new(space).is_file() {
-        return Ok((Some(space.to_string()), modifiers));
+        return Ok(Request { space: Some(space.into()), ..parts });
     }
     let source = Source::new("SPACE", space);
     let space = &*source.text;
-    let (name, behind) = match space.rsplit_once('@') {
-        Some((name, behind)) => (name, behind),
-        None => match space.split_once(';') {
-            Some((name, behind)) => (name, behind),
-            None => (space, ""),
-        },
-    };
+    let split = space.rsplit_once('@').or_else(|| space.split_once(';'));
+    let (name, behind) = split.unwrap_or((space, ""));
+    parts.space = Some(name.trim().into());
     for part in behind.split(';').map(str::trim).filter(|part| !part.is_empty()) {
         let (place, value) = match part.split_once('=') {
-            Some((key, value)) if key.trim() == "metric" => (&mut modifiers.metric, value),
-            _ => (&mut modifiers.connection, part),
+            Some((key, value)) if key.trim() == "metric" => (&mut parts.metric, value),
+            _ => (&mut parts.connection, part),
         };
         if place.replace(value.trim().to_string()).is_some() {
-            return Err(
-                InputError::usage("a connection or metric is named twice").at(&source.whole(part))
-            );
+            let error = InputError::usage("a connection or metric is named twice");
+            return Err(error.at(&source.whole(part)));
         }
     }
-    Ok((Some(name.trim().to_string()), modifiers))
+    Ok(parts)
 }
 
 /// A geometry of the paper, a file, or a sum of catalogue names.
@@ -285,15 +259,9 @@ fn find(name: &str) -> Result<Definition, InputError> {
         return Definition::read(name);
     }
     let source = Source::new("SPACE", name);
-    let mut sum: Option<Definition> = None;
-    for part in affinor::group::registry::summands(&source.text) {
-        let definition = entry(part, &source)?;
-        sum = Some(match sum {
-            None => definition,
-            Some(sum) => sum.direct_sum(definition)?,
-        });
-    }
-    sum.ok_or_else(|| InputError::usage("no SPACE is named"))
+    let mut parts = affinor::group::registry::summands(&source.text).into_iter();
+    let first = parts.next().ok_or_else(|| InputError::usage("no SPACE is named"))?;
+    parts.try_fold(entry(first, &source)?, |sum, part| sum.direct_sum(entry(part, &source)?))
 }
 
 /// A catalogue entry by its name, a piece of `source`.
@@ -349,14 +317,6 @@ fn inline(labels: &str, brackets: &[String]) -> Result<Definition, InputError> {
             document::add(&mut given, pair, right)?;
         }
     }
-    Ok(Definition {
-        name: "inline algebra".into(),
-        algebra_name: None,
-        labels: labels.into_iter().map(str::to_string).collect(),
-        origin: Origin::Brackets(given),
-        metric: None,
-        connection: None,
-        declared: vec![],
-        source: None,
-    })
+    let labels = labels.into_iter().map(str::to_string).collect();
+    Ok(Definition::new("inline algebra", labels, Origin::Brackets(given)))
 }

@@ -51,9 +51,6 @@ pub(crate) struct ChartText {
     pub coordinates: Vec<Text>,
 }
 
-/// The fields of a frame by their names, in order.
-pub(crate) struct FieldsText(pub Vec<(Text, Text)>);
-
 /// A number: an expression in a string, an integer, or a decimal.
 #[derive(Clone)]
 pub(crate) struct Number(pub Text);
@@ -67,11 +64,11 @@ pub(crate) enum PointText {
     Numbers(Vec<Number>),
 }
 
-/// Numbers by their names, in order.
-pub(crate) struct NumbersText(pub Vec<(Text, Number)>);
+/// The names and values of a table, in order.
+pub(crate) struct Entries<K, V>(pub Vec<(K, V)>);
 
-/// Formulas by their names, in order.
-pub(crate) struct TextsText(pub Vec<(Text, Text)>);
+/// Formulas by their names.
+pub(crate) type Formulas = Entries<Text, Text>;
 
 /// A matrix: `{name, rows}`, or its rows alone.
 pub(crate) struct MatrixRows {
@@ -268,41 +265,6 @@ impl Form for ConnectionText {
     }
 }
 
-/// Names and values in order.
-fn named<'de, T: Deserialize<'de>, A: MapAccess<'de>>(
-    mut items: A,
-) -> Result<Vec<(Text, T)>, A::Error> {
-    let mut all = Vec::new();
-    while let Some(entry) = items.next_entry()? {
-        all.push(entry);
-    }
-    Ok(all)
-}
-
-impl Form for FieldsText {
-    const EXPECTED: &'static str = "a table of fields, like e1 = \"d_x\"";
-
-    fn table<'de, A: MapAccess<'de>>(items: A) -> Result<Self, A::Error> {
-        named(items).map(FieldsText)
-    }
-}
-
-impl Form for TextsText {
-    const EXPECTED: &'static str = "a table of formulas, like k = \"H1^2\"";
-
-    fn table<'de, A: MapAccess<'de>>(items: A) -> Result<Self, A::Error> {
-        named(items).map(TextsText)
-    }
-}
-
-impl Form for NumbersText {
-    const EXPECTED: &'static str = "a table of numbers, like m = 15";
-
-    fn table<'de, A: MapAccess<'de>>(items: A) -> Result<Self, A::Error> {
-        named(items).map(NumbersText)
-    }
-}
-
 impl Form for Number {
     const EXPECTED: &'static str = "a number, or an expression in quotes like \"pi/2\"";
 
@@ -355,6 +317,29 @@ impl Form for MatrixRows {
     }
 }
 
+impl<'de, K: Deserialize<'de>, V: Deserialize<'de>> Deserialize<'de> for Entries<K, V> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Each<K, V>(PhantomData<(K, V)>);
+
+        impl<'de, K: Deserialize<'de>, V: Deserialize<'de>> Visitor<'de> for Each<K, V> {
+            type Value = Entries<K, V>;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("a table of names and values, like x = \"1\"")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut items: A) -> Result<Self::Value, A::Error> {
+                let mut entries = Vec::new();
+                while let Some(entry) = items.next_entry()? {
+                    entries.push(entry);
+                }
+                Ok(Entries(entries))
+            }
+        }
+        deserializer.deserialize_map(Each(PhantomData))
+    }
+}
+
 /// Each [`Form`] is deserialised by [`read`].
 macro_rules! deserialize {
     ($($form:ty),*) => {
@@ -373,9 +358,6 @@ deserialize!(
     Block,
     MetricText,
     ConnectionText,
-    FieldsText,
-    TextsText,
-    NumbersText,
     Number,
     OneOrMore,
     PointText,

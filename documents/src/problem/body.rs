@@ -5,7 +5,7 @@ use super::reader::{Reader, Value};
 use crate::definition::input::{InputError, shown};
 use crate::definition::read_mesh;
 use crate::definition::source::Place;
-use crate::definition::written::{Number, PointText};
+use crate::definition::written::PointText;
 use affinor::Metric;
 use affinor::mechanics::motions::SimulationGroup;
 use affinor::mechanics::{Inertia, MassProperties};
@@ -13,8 +13,14 @@ use affinor_tensors::{Down, Tensor};
 use nalgebra::{Isometry3, Matrix3, Vector3};
 
 /// The shapes, with the keys of their sizes.
-const SHAPES: &str = "box (edges), ball (radius), ellipsoid (half_axes), cylinder (radius, height), \
-                      rod (length), points (points)";
+const SHAPES: [(&str, &[&str]); 6] = [
+    ("box", &["edges"]),
+    ("ball", &["radius"]),
+    ("ellipsoid", &["half_axes"]),
+    ("cylinder", &["radius", "height"]),
+    ("rod", &["length"]),
+    ("points", &["points"]),
+];
 
 /// A body whose numbers are formulas.
 #[derive(Clone, Debug)]
@@ -40,7 +46,9 @@ enum Content {
 #[derive(Clone, Debug)]
 struct Part {
     shape: Shape,
-    amount: Amount,
+    /// At most one of both is given; points have masses of their own.
+    mass: Option<Value>,
+    density: Option<Value>,
     at: Option<Vec<Value>>,
     turn: Option<Vec<Value>>,
     hole: bool,
@@ -49,22 +57,10 @@ struct Part {
 
 #[derive(Clone, Debug)]
 enum Shape {
-    Cuboid(Vec<Value>),
-    Ellipsoid(Vec<Value>),
-    Ball(Value),
-    Cylinder(Value, Value),
-    Rod(Value),
-    Points(Vec<Vec<Value>>),
+    /// By its name and its sizes.
+    Named(&'static str, Vec<Vec<Value>>),
     /// At density 1.
     Solid(MassProperties),
-}
-
-#[derive(Clone, Debug)]
-enum Amount {
-    Mass(Value),
-    Density(Value),
-    /// That of the points.
-    Own,
 }
 
 impl Body {
@@ -115,77 +111,59 @@ impl PartKeys {
         let name = self.shape.as_ref().or(self.mesh.as_ref());
         let place = name.map(|name| reader.source.at(name));
         let place = place.unwrap_or_else(|| reader.source.key("inertia.parts"));
-        let refused = |message: String| Err(InputError::usage(message).at(&place));
-        let mut used = vec![];
-        let shape = match (&self.shape, &self.mesh) {
-            (Some(shape), None) => {
-                used.extend(match &**shape {
-                    "box" => &["edges"][..],
-                    "ball" => &["radius"],
-                    "ellipsoid" => &["half_axes"],
-                    "cylinder" => &["radius", "height"],
-                    "rod" => &["length"],
-                    "points" => &["points"],
-                    _ => {
-                        let message = format!("`{}` is no shape", shown(shape));
-                        let error = InputError::usage(message).at(&place);
-                        return Err(error.help(format!("the shapes are {SHAPES}")));
-                    }
-                });
-                self.shape(shape, reader)?
+        let refused = |message: String| InputError::usage(message).at(&place);
+        let (keys, sizes) = self.sizes(reader)?;
+        let (shape, needed) = match (&self.shape, &self.mesh) {
+            (Some(name), None) => {
+                let found = SHAPES.iter().find(|(shape, _)| *shape == &**name);
+                let (name, needed) = found.ok_or_else(|| {
+                    let all = SHAPES.map(|(name, keys)| format!("{name} ({})", keys.join(", ")));
+                    refused(format!("`{}` is no shape", shown(name)))
+                        .help(format!("the shapes are {}", all.join(", ")))
+                })?;
+                (Shape::Named(name, sizes), *needed)
             }
             (None, Some(file)) => {
-                let mesh = read_mesh(&reader.file(file));
-                let mesh = mesh.map_err(|error| error.or_at(&place))?;
-                Some(Shape::Solid(mesh.mass_properties()))
+                let mesh = read_mesh(&reader.file(file)).map_err(|error| error.or_at(&place))?;
+                (Shape::Solid(mesh.mass_properties()), &[][..])
             }
-            _ => return refused("a part has a shape or a mesh".into()),
+            _ => return Err(refused("a part has a shape or a mesh".into())),
         };
-        let sizes = [
-            ("edges", self.edges.is_some()),
-            ("half_axes", self.half_axes.is_some()),
-            ("radius", self.radius.is_some()),
-            ("height", self.height.is_some()),
-            ("length", self.length.is_some()),
-            ("points", self.points.is_some()),
-        ];
-        let (Some(shape), true) = (shape, sizes.iter().all(|(key, is)| *is == used.contains(key)))
-        else {
-            let sizes = if used.is_empty() { "no sizes".into() } else { used.join(", ") };
-            return refused(format!("the part has {sizes}"));
-        };
-        let amount = match (&self.mass, &self.density, &shape) {
-            (None, None, Shape::Points(_)) => Amount::Own,
-            (Some(mass), None, shape) if !matches!(shape, Shape::Points(_)) => {
-                Amount::Mass(reader.value(mass)?)
-            }
-            (None, Some(density), shape) if !matches!(shape, Shape::Points(_)) => {
-                Amount::Density(reader.value(density)?)
-            }
-            _ => return refused("a part has a mass or a density; points have their own".into()),
-        };
+        if keys != needed {
+            let sizes = if needed.is_empty() { "no sizes".into() } else { needed.join(", ") };
+            return Err(refused(format!("the part has {sizes}")));
+        }
+        let (mass, density) = (reader.optional(&self.mass)?, reader.optional(&self.density)?);
+        let given = mass.iter().chain(&density).count();
+        if given != usize::from(!matches!(shape, Shape::Named("points", _))) {
+            let message = "a part has a mass or a density; points have their own";
+            return Err(refused(message.into()));
+        }
         let (at, turn) = (reader.optional_values(&self.at)?, reader.optional_values(&self.turn)?);
-        Ok(Part { shape, amount, at, turn, hole: self.hole, place })
+        Ok(Part { shape, mass, density, at, turn, hole: self.hole, place })
     }
 
-    /// The shape of that name, unless one of its sizes is missing.
-    fn shape(&self, name: &str, reader: &Reader) -> Result<Option<Shape>, InputError> {
-        let value = |number: &Option<Number>| reader.optional(number);
-        let list = |list: &Option<Vec<Number>>| reader.optional_values(list);
-        Ok(match name {
-            "box" => list(&self.edges)?.map(Shape::Cuboid),
-            "ellipsoid" => list(&self.half_axes)?.map(Shape::Ellipsoid),
-            "ball" => value(&self.radius)?.map(Shape::Ball),
-            "rod" => value(&self.length)?.map(Shape::Rod),
-            "cylinder" => {
-                let both = value(&self.radius)?.zip(value(&self.height)?);
-                both.map(|(radius, height)| Shape::Cylinder(radius, height))
+    /// The keys of the sizes that are given, and their values.
+    fn sizes(&self, reader: &Reader) -> Result<(Vec<&str>, Vec<Vec<Value>>), InputError> {
+        let (mut keys, mut sizes) = (vec![], vec![]);
+        for (key, list) in [("edges", &self.edges), ("half_axes", &self.half_axes)] {
+            if let Some(list) = list {
+                keys.push(key);
+                sizes.push(reader.values(list)?);
             }
-            _ => match &self.points {
-                None => None,
-                Some(points) => Some(Shape::Points(reader.rows(points)?)),
-            },
-        })
+        }
+        let one = [("radius", &self.radius), ("height", &self.height), ("length", &self.length)];
+        for (key, number) in one {
+            if let Some(number) = number {
+                keys.push(key);
+                sizes.push(vec![reader.value(number)?]);
+            }
+        }
+        if let Some(points) = &self.points {
+            keys.push("points");
+            sizes.extend(reader.rows(points)?);
+        }
+        Ok((keys, sizes))
     }
 }
 
@@ -275,33 +253,34 @@ impl Part {
     fn masses(&self, values: &[f64]) -> Result<MassProperties, InputError> {
         let refused = |error| InputError::from(error).at(&self.place);
         let shape = match &self.shape {
-            Shape::Cuboid(edges) => MassProperties::cuboid(&three("a box", edges, values)?),
-            Shape::Ellipsoid(axes) => {
-                MassProperties::ellipsoid(&three("an ellipsoid", axes, values)?)
-            }
-            Shape::Ball(radius) => MassProperties::ball(radius.at(values)?),
-            Shape::Cylinder(radius, height) => {
-                MassProperties::cylinder(radius.at(values)?, height.at(values)?)
-            }
-            Shape::Rod(length) => MassProperties::rod(length.at(values)?),
-            Shape::Points(points) => {
-                let mut masses = vec![];
-                for point in points {
-                    let [mass, place @ ..] = point.as_slice() else {
-                        let error = InputError::usage("a point is [mass, x, y, z]");
-                        return Err(error.at(&self.place));
-                    };
-                    masses.push((mass.at(values)?, three("the place of a point", place, values)?));
-                }
-                MassProperties::points(&masses)
-            }
             Shape::Solid(solid) => Ok(*solid),
+            Shape::Named(name, sizes) => match (*name, sizes.as_slice()) {
+                ("box", [edges]) => MassProperties::cuboid(&three("a box", edges, values)?),
+                ("ellipsoid", [axes]) => {
+                    MassProperties::ellipsoid(&three("an ellipsoid", axes, values)?)
+                }
+                ("ball", [radius]) => MassProperties::ball(radius[0].at(values)?),
+                ("cylinder", [radius, height]) => {
+                    MassProperties::cylinder(radius[0].at(values)?, height[0].at(values)?)
+                }
+                ("rod", [length]) => MassProperties::rod(length[0].at(values)?),
+                (_, points) => {
+                    let point = |point: &Vec<Value>| match point.as_slice() {
+                        [mass, at @ ..] => {
+                            Ok((mass.at(values)?, three("the place of a point", at, values)?))
+                        }
+                        [] => Err(InputError::usage("a point is [mass, x, y, z]").at(&self.place)),
+                    };
+                    let points = points.iter().map(point).collect::<Result<Vec<_>, _>>()?;
+                    MassProperties::points(&points)
+                }
+            },
         };
         let shape = shape.map_err(refused)?;
-        let part = match &self.amount {
-            Amount::Own => Ok(shape),
-            Amount::Mass(mass) => shape.of_mass(mass.at(values)?),
-            Amount::Density(density) => shape.of_density(density.at(values)?),
+        let part = match (&self.mass, &self.density) {
+            (Some(mass), _) => shape.of_mass(mass.at(values)?),
+            (None, Some(density)) => shape.of_density(density.at(values)?),
+            (None, None) => Ok(shape),
         };
         let vector = |what: &str, list: &Option<Vec<Value>>| match list {
             Some(list) => three(what, list, values),
@@ -316,7 +295,7 @@ fn three(what: &str, list: &[Value], values: &[f64]) -> Result<Vector3<f64>, Inp
     if list.len() != 3 {
         let message = format!("{what} has {} components instead of 3", list.len());
         let place = list.first().map(Value::place);
-        return Err(InputError::usage(message).or_at_some(place.as_ref()));
+        return Err(InputError::usage(message).or_at(place.as_ref()));
     }
     Ok(Vector3::from_vec(Value::all(list, values)?))
 }

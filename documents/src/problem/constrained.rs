@@ -1,9 +1,9 @@
 //! Problems of Euler-Poincare equations with holonomic constraints.
 
 use super::dynamics::{Dynamics, System};
+use super::integration::values_of;
 use super::keys::Keys;
-use super::member::{Member, values_of};
-use super::on_group::{GroupClass, Start};
+use super::on_group::{OnGroup, Start};
 use super::reader::{Reader, Written};
 use super::ready::{Column, Ready};
 use crate::definition::InputError;
@@ -21,20 +21,14 @@ pub(super) struct Constrained {
 }
 
 impl Constrained {
-    pub fn read(keys: &Keys, reader: &Reader) -> Result<Self, InputError> {
+    pub fn read(keys: &Keys, on_group: &OnGroup, reader: &Reader) -> Result<Self, InputError> {
         let constraints: Vec<_> = keys.constraints.iter().flatten().collect();
         reader.refuse_empty("constraints", constraints.is_empty())?;
         let constraints = constraints.into_iter().map(|text| reader.written(text)).collect();
-        Ok(Constrained { dynamics: Dynamics::read(keys, reader)?, constraints })
+        Ok(Constrained { dynamics: Dynamics::read(keys, on_group, reader)?, constraints })
     }
 
-    pub fn motion(&self, member: &Member) -> Result<Ready, InputError> {
-        self.dynamics.on_group.motion(self, member)
-    }
-}
-
-impl GroupClass for Constrained {
-    fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
+    pub fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
         let member = start.member;
         let System { energy, inertia, parameters, forces, rows, element, momentum, notes } =
             self.dynamics.system(&group, start)?;

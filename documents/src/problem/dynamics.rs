@@ -6,20 +6,21 @@ use super::keys::{ForceKeys, Keys};
 use super::on_group::{OnGroup, Start};
 use super::output::RowFormulas;
 use super::reader::{Reader, Written};
+use super::ready::Ready;
 use crate::definition::file;
 use crate::definition::input::{InputError, shown};
 use crate::definition::source::Place;
-use affinor::mechanics::motions::{Forces, Side, SimulationGroup, Table, is_plus};
+use affinor::mechanics::motions::{Forces, Setup, Side, SimulationGroup, Table, is_plus, on_group};
 use affinor::{Canonical, Connection, Error, Metric};
 use affinor_tensors::Symbolic;
 use nalgebra::DMatrix;
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
-/// A group with the metric of a kinetic energy, a connection, forces, and an initial velocity or momentum.
+/// The metric of a kinetic energy, a connection, forces, and an initial velocity or momentum: equations of motion
+/// `DH/Dt = M`.
 #[derive(Clone, Debug)]
 pub(super) struct Dynamics {
-    pub on_group: OnGroup,
     /// The body that moves, instead of a metric.
     body: Option<Body>,
     names_connection: bool,
@@ -54,25 +55,44 @@ pub(super) struct System<'d, G: SimulationGroup> {
 }
 
 impl Dynamics {
-    pub fn read(keys: &Keys, reader: &Reader) -> Result<Self, InputError> {
+    pub fn read(keys: &Keys, on_group: &OnGroup, reader: &Reader) -> Result<Self, InputError> {
         if keys.metric.is_some() && keys.inertia.is_some() {
-            let error = InputError::usage("the metric is given twice");
-            let error = error.at(&reader.source.key("inertia"));
+            let error = reader.source.refused("inertia", "the metric is given twice");
             return Err(error.help("give one of metric, inertia"));
         }
         let forces = ForceFormulas::read(&keys.forces, reader)?;
         let body = keys.inertia.as_ref().map(|keys| Body::read(keys, reader)).transpose()?;
         let initial = InitialMomentum::read(&keys.initial, reader)?;
-        let on_group = OnGroup::read(keys, reader)?;
         Ok(Dynamics {
             body,
             names_connection: keys.connection.is_some(),
             initial,
             forces,
             casimirs: on_group.casimirs(),
-            on_group,
             shared: OnceLock::new(),
         })
+    }
+
+    /// The motion without constraints.
+    pub fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
+        let member = start.member;
+        let System { energy, inertia, forces, rows, element, momentum, notes, .. } =
+            self.system(&group, start)?;
+        let setup = Setup {
+            connection: &energy.connection,
+            metric: &energy.metric,
+            forces,
+            time: member.times[0],
+            element,
+            momentum,
+            method: member.method(),
+            step: member.step()?,
+            control: member.control()?,
+            columns: rows.formulas,
+        };
+        let motion = on_group(group, setup)?;
+        let ready = Ready::new(motion, &member.times, rows.columns, rows.events);
+        Ok(Ready { inertia: Some(inertia), notes, ..ready })
     }
 
     fn energy<G: SimulationGroup>(
@@ -105,9 +125,6 @@ impl Dynamics {
     }
 
     /// The equations and the initial condition of one motion.
-    ///
-    /// # Errors
-    /// A metric that is missing or degenerate; a formula, a list or a name that is refused, at its place.
     pub fn system<G: SimulationGroup>(
         &self,
         group: &G,
@@ -119,7 +136,7 @@ impl Dynamics {
             None => Cow::Owned(self.energy(group, start)?),
         };
         let is_new = self.shared.get().is_none() && self.body.is_none();
-        if is_new && self.on_group.definition().parameters().is_empty() {
+        if is_new && start.on_group.definition().parameters().is_empty() {
             // another thread may have set the same value in the meantime
             let _ = self.shared.set(energy.clone().into_owned());
         }
@@ -136,7 +153,7 @@ impl Dynamics {
         // forces change the coadjoint orbit
         let casimirs = if forces.is_empty() { &self.casimirs[..] } else { &[] };
         let rows = member.output.formulas(forces.names(), &|_| true, casimirs, member.source)?;
-        let element = self.on_group.element().at(group, &values)?;
+        let element = start.on_group.element().at(group, &values)?;
         let momentum = self.initial.at(group, &element, forces.observables(), &values)?;
         Ok(System { energy, inertia, parameters, forces, rows, element, momentum, notes })
     }
@@ -168,7 +185,7 @@ impl ForceFormulas {
             Some("space") => Side::Space,
             Some(other) => {
                 let message = format!("`{}` is neither body nor space", shown(other));
-                return Err(InputError::usage(message).at(&source.key("forces.table_in")));
+                return Err(source.refused("forces.table_in", message));
             }
         };
         let table = match &keys.table {
@@ -180,8 +197,7 @@ impl ForceFormulas {
                 Some((side, Table::new(rows).map_err(refused)?))
             }
             None if keys.table_in.is_some() => {
-                let error = InputError::usage("there is no table");
-                let error = error.at(&source.key("forces.table_in"));
+                let error = source.refused("forces.table_in", "there is no table");
                 return Err(error.help("give table = \"FILE.csv\""));
             }
             None => None,
@@ -198,20 +214,17 @@ impl ForceFormulas {
     ) -> Result<(), InputError> {
         let refused = |what: &str, found: usize, place: &Place| {
             let message = format!("{what} has {found} components, the dimension is {dimension}");
-            Err(InputError::usage(message).at(place).or_near(&self.place))
+            Err(InputError::usage(message).at(place))
         };
         for (_, components) in &self.components {
-            if let Some(first) = components.first()
-                && components.len() != dimension
-            {
-                return refused("the force", components.len(), &first.place());
+            let found = components.len();
+            if let Some(first) = components.first().filter(|_| found != dimension) {
+                return refused("the force", found, &first.place());
             }
         }
-        if let Some((_, table)) = &self.table
-            && table.width() != dimension
-        {
-            let place = self.place.source.key("forces.table");
-            return refused("the table", table.width(), &place);
+        let width = self.table.as_ref().map(|(_, table)| table.width());
+        if let Some(width) = width.filter(|width| *width != dimension) {
+            return refused("the table", width, &self.place.source.key("forces.table"));
         }
         for (side, components) in &self.components {
             for (index, written) in components.iter().enumerate() {

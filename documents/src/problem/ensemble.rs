@@ -61,7 +61,7 @@ impl Ensemble {
         let ensemble = Ensemble { grid, random, samples, seed };
         if ensemble.checked_size().is_none() {
             let message = format!("an ensemble has between 1 and {MAX_MEMBERS} members");
-            return Err(InputError::usage(message).at(&source.key("ensemble")));
+            return Err(source.refused("ensemble", message));
         }
         Ok(ensemble)
     }

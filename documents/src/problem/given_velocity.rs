@@ -1,8 +1,7 @@
 //! Problems of kinematics: a velocity that is given over time.
 
-use super::keys::{GivenKeys, Keys, OF_DYNAMICS};
-use super::member::Member;
-use super::on_group::{GroupClass, OnGroup, Start};
+use super::keys::{GivenKeys, OF_DYNAMICS};
+use super::on_group::Start;
 use super::reader::{Reader, Written};
 use super::ready::Ready;
 use crate::definition::InputError;
@@ -13,45 +12,37 @@ use affinor::mechanics::motions::{Method, Observables, Side, SimulationGroup, on
 /// The element that moves with a given velocity.
 #[derive(Clone, Debug)]
 pub(super) struct GivenVelocity {
-    on_group: OnGroup,
     side: Side,
     /// The components of the velocity, as formulas in `t` and the parameters.
     velocity: Vec<Written>,
 }
 
 impl GivenVelocity {
-    pub fn read(given: &GivenKeys, keys: &Keys, reader: &Reader) -> Result<Self, InputError> {
+    pub fn read(given: &GivenKeys, reader: &Reader) -> Result<Self, InputError> {
         reader.refuse("a velocity given over time", &OF_DYNAMICS)?;
         let (side, list) = match (&given.velocity, &given.space_velocity) {
             (Some(list), None) => (Side::Body, list),
             (None, Some(list)) => (Side::Space, list),
             _ => {
-                let error = InputError::usage("give one of velocity, space_velocity");
-                return Err(error.at(&reader.source.key("given")));
+                return Err(reader.source.refused("given", "give one of velocity, space_velocity"));
             }
         };
         let velocity = list.iter().map(|number| reader.written(&number.0)).collect();
-        Ok(GivenVelocity { on_group: OnGroup::read(keys, reader)?, side, velocity })
+        Ok(GivenVelocity { side, velocity })
     }
 
-    pub fn motion(&self, member: &Member) -> Result<Ready, InputError> {
-        self.on_group.motion(self, member)
-    }
-}
-
-impl GroupClass for GivenVelocity {
-    fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
+    pub fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
         let (n, member, values) = (group.dimension(), start.member, start.member.values());
         if (self.side == Side::Space) != G::RIGHT {
             let message =
                 "a given velocity is in the body frame; with invariance = \"right\" it is in space";
             let place = self.velocity.first().map(Written::place);
-            return Err(InputError::usage(message).or_at_some(place.as_ref()));
+            return Err(InputError::usage(message).or_at(place.as_ref()));
         }
         if self.velocity.len() != n {
             let found = self.velocity.len();
             let message = format!("the velocity has {found} components, the dimension is {n}");
-            return Err(InputError::usage(message).at(&member.source.key("given")));
+            return Err(member.source.refused("given", message));
         }
         let method = member.method().unwrap_or(Method::Magnus(Magnus::Six));
         let Method::Magnus(magnus) = method else {
@@ -78,7 +69,7 @@ impl GroupClass for GivenVelocity {
             )
         };
         let rows = member.output.formulas(names, &kinematic, &[], member.source)?;
-        let initial = (member.times[0], self.on_group.element().at(&group, &values)?);
+        let initial = (member.times[0], start.on_group.element().at(&group, &values)?);
         let motion = on_given(group, velocity, initial, (magnus, step), rows.formulas, observables);
         Ok(Ready::new((motion, method), &member.times, rows.columns, rows.events))
     }

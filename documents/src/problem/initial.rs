@@ -6,7 +6,6 @@ use crate::definition::InputError;
 use crate::definition::source::Place;
 use affinor::group::{Coordinates, rotation};
 use affinor::mechanics::motions::{Observables, Side, SimulationGroup};
-use nalgebra::DMatrix;
 
 /// The initial element of the group.
 #[derive(Clone, Debug)]
@@ -37,22 +36,17 @@ impl InitialElement {
                 Self::Pose(q, position, source.key("initial.quaternion"))
             }
             _ => {
-                let message = "the element is given more than once";
-                let help = "give one of element, coordinates, quaternion";
-                return Err(InputError::usage(message).at(&source.key("initial")).help(help));
+                let error = source.refused("initial", "the element is given more than once");
+                return Err(error.help("give one of element, coordinates, quaternion"));
             }
         };
         if keys.position.is_some() && keys.quaternion.is_none() {
-            let message = "a position stands beside a quaternion";
-            return Err(InputError::usage(message).at(&source.key("initial.position")));
+            return Err(source.refused("initial.position", "a position stands beside a quaternion"));
         }
         Ok(element)
     }
 
     /// The element at these values of the parameters.
-    ///
-    /// # Errors
-    /// Numbers that are no element of the group.
     pub fn at<G: SimulationGroup>(
         &self,
         group: &G,
@@ -64,29 +58,19 @@ impl InitialElement {
                 let x = Value::vector("coordinates", x, group.dimension(), values, place)?;
                 return Ok(group.exp(&G::Vector::from_components(&x)));
             }
-            Self::Rows(rows, place) => {
-                let width = rows.first().map_or(0, Vec::len);
-                if rows.iter().any(|row| row.len() != width) {
-                    let error = InputError::usage("the rows of the element have different lengths");
-                    return Err(error.at(place));
-                }
-                let mut entries = Vec::new();
-                for row in rows {
-                    entries.extend(Value::all(row, values)?);
-                }
-                (DMatrix::from_row_slice(rows.len(), width, &entries), place)
-            }
+            Self::Rows(rows, place) => (Value::matrix("element", rows, values, place)?, place),
             Self::Pose(quaternion, position, place) => {
+                let refused = |message: &str| InputError::usage(message).at(place);
                 let mut matrix = group.write(&group.identity());
                 let (size, along) = (matrix.shape(), position.len());
                 let of_rotations = group.names().first() == Some(&"qw");
                 if !(of_rotations && matches!((size, along), ((3, 3), 0) | ((4, 4), 0 | 3))) {
-                    let message = "a quaternion is for so(3), and with a position for se(3)";
-                    return Err(InputError::usage(message).at(place));
+                    return Err(refused(
+                        "a quaternion is for so(3), and with a position for se(3)",
+                    ));
                 }
                 let Ok(q) = <[f64; 4]>::try_from(Value::all(quaternion, values)?) else {
-                    let message = "a quaternion is four numbers w, x, y, z";
-                    return Err(InputError::usage(message).at(place));
+                    return Err(refused("a quaternion is four numbers w, x, y, z"));
                 };
                 let rotation = rotation::from_wxyz(q);
                 let rotation = rotation.map_err(|error| InputError::from(error).at(place))?;
@@ -123,8 +107,8 @@ impl InitialMomentum {
             Some((key, is_velocity, side, list.as_ref()?))
         });
         let refused = |message: &str| {
-            let error = InputError::usage(message).at(&source.key("initial"));
-            Err(error.help("give one of velocity, momentum, space_velocity, space_momentum"))
+            let help = "give one of velocity, momentum, space_velocity, space_momentum";
+            Err(source.refused("initial", message).help(help))
         };
         match (given.next(), given.next()) {
             (Some((key, is_velocity, side, list)), None) => {
@@ -142,9 +126,6 @@ impl InitialMomentum {
     }
 
     /// The momentum in the frame of the equations.
-    ///
-    /// # Errors
-    /// A list that has not as many components as the algebra has dimensions.
     pub fn at<G: SimulationGroup>(
         &self,
         group: &G,

@@ -1,6 +1,7 @@
-//! How a problem is integrated: its method, time step, and step-size control.
+//! How one motion of a problem is integrated: its method, time step, and step-size control.
 
 use super::keys::IntegratorKeys;
+use super::output::Output;
 use super::reader::{Reader, Value};
 use crate::definition::input::{InputError, shown};
 use crate::definition::source::Source;
@@ -43,8 +44,7 @@ impl Integration {
                 others => {
                     let message = format!("`absolute_tolerance` has {} numbers", others.len());
                     let help = "give one number, or one for rotations and one for translations";
-                    let place = source.key("integrator.absolute_tolerance");
-                    Err(InputError::usage(message).at(&place).help(help))
+                    Err(source.refused("integrator.absolute_tolerance", message).help(help))
                 }
             }
         });
@@ -77,46 +77,6 @@ impl Integration {
         }
     }
 
-    /// The time step, where there is one.
-    ///
-    /// # Errors
-    /// A step that is not positive.
-    pub fn step(&self, source: &Source, parameters: &[f64]) -> Result<Option<f64>, InputError> {
-        positive(&self.step, parameters, source, "step")
-    }
-
-    /// The step-size control of a motion through these times.
-    ///
-    /// # Errors
-    /// A value that is not positive.
-    pub fn control(
-        &self,
-        source: &Source,
-        parameters: &[f64],
-        times: &[f64],
-    ) -> Result<Adaptive, InputError> {
-        let tolerance = positive(&self.tolerance, parameters, source, "tolerance")?;
-        let absolute = self.absolute.as_ref().map(|[rotations, translations]| {
-            let of = |value: &Value| {
-                let place = source.key("integrator.absolute_tolerance");
-                value.positive(parameters).map_err(|error| error.or_near(&place))
-            };
-            Ok::<_, InputError>([of(rotations)?, of(translations)?])
-        });
-        let max_step = positive(&self.max_step, parameters, source, "max_step")?;
-        let span = match times {
-            [first, .., last] => (last - first).abs(),
-            _ => f64::INFINITY,
-        };
-        Ok(Adaptive {
-            absolute: absolute.transpose()?,
-            span,
-            max_steps: self.max_steps.unwrap_or(MAX_STEPS),
-            max_step: max_step.unwrap_or(f64::INFINITY),
-            ..Adaptive::new(tolerance.unwrap_or(TOLERANCE))
-        })
-    }
-
     /// Refuses keys that the method ignores.
     pub fn expect_no_ignored_keys(
         &self,
@@ -132,18 +92,70 @@ impl Integration {
             ("max_steps", self.max_steps.is_some() && !controlled),
         ];
         let Some((key, _)) = keys.iter().find(|(_, ignored)| *ignored) else { return Ok(()) };
-        let error = InputError::usage(format!("the method {method} has no `{key}`"));
-        let place = source.key(&format!("integrator.{key}"));
-        Err(error.at(&place).help("leave the key out, or name another method"))
+        let message = format!("the method {method} has no `{key}`");
+        let error = source.refused(&format!("integrator.{key}"), message);
+        Err(error.help("leave the key out, or name another method"))
     }
 }
 
-fn positive(
-    value: &Option<Value>,
-    parameters: &[f64],
-    source: &Source,
-    key: &str,
-) -> Result<Option<f64>, InputError> {
-    let value = value.as_ref().map(|value| value.positive(parameters)).transpose();
-    value.map_err(|error| error.or_near(&source.key(&format!("integrator.{key}"))))
+/// The parameters and times of one motion, and the parts of the problem that do not depend on its class.
+pub(super) struct Member<'p> {
+    pub source: &'p Source,
+    /// The parameters with their values.
+    pub parameters: Vec<(String, f64)>,
+    /// The times of the rows; the first is the initial time.
+    pub times: Vec<f64>,
+    pub integration: &'p Integration,
+    pub output: &'p Output,
+}
+
+impl Member<'_> {
+    /// The values of the parameters.
+    pub fn values(&self) -> Vec<f64> {
+        values_of(&self.parameters)
+    }
+
+    /// The method that the file names.
+    pub fn method(&self) -> Option<Method> {
+        self.integration.method
+    }
+
+    /// The time step, where there is one; it must be positive.
+    pub fn step(&self) -> Result<Option<f64>, InputError> {
+        self.positive(&self.integration.step)
+    }
+
+    /// The time step of a class of problems that needs one; `what` names the class.
+    pub fn needed_step(&self, what: &str) -> Result<f64, InputError> {
+        self.step()?.ok_or_else(|| InputError::mathematics(format!("{what} needs a step")))
+    }
+
+    /// The step-size control through the times of the rows; its tolerances and limits must be positive.
+    pub fn control(&self) -> Result<Adaptive, InputError> {
+        let Integration { tolerance, absolute, max_step, max_steps, .. } = self.integration;
+        let values = self.values();
+        let absolute = absolute.as_ref().map(|[rotations, translations]| {
+            Ok::<_, InputError>([rotations.positive(&values)?, translations.positive(&values)?])
+        });
+        let span = match &self.times[..] {
+            [first, .., last] => (last - first).abs(),
+            _ => f64::INFINITY,
+        };
+        Ok(Adaptive {
+            absolute: absolute.transpose()?,
+            span,
+            max_steps: max_steps.unwrap_or(MAX_STEPS),
+            max_step: self.positive(max_step)?.unwrap_or(f64::INFINITY),
+            ..Adaptive::new(self.positive(tolerance)?.unwrap_or(TOLERANCE))
+        })
+    }
+
+    fn positive(&self, value: &Option<Value>) -> Result<Option<f64>, InputError> {
+        value.as_ref().map(|value| value.positive(&self.values())).transpose()
+    }
+}
+
+/// Values without their names.
+pub(super) fn values_of(parameters: &[(String, f64)]) -> Vec<f64> {
+    parameters.iter().map(|(_, value)| *value).collect()
 }

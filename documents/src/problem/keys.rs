@@ -2,7 +2,7 @@
 
 use crate::definition::document::Document;
 use crate::definition::written::{
-    MetricText, Number, NumbersText, OneOrMore, PointText, Text, TextsText,
+    Entries, Formulas, MetricText, Number, OneOrMore, PointText, Text,
 };
 use serde::Deserialize;
 
@@ -45,7 +45,7 @@ pub(super) struct Keys {
     pub inertia: Option<InertiaKeys>,
     pub connection: Option<Text>,
     pub invariance: Option<Text>,
-    pub parameters: Option<NumbersText>,
+    pub parameters: Option<Entries<Text, Number>>,
     pub flow: Option<FlowKeys>,
     #[serde(default)]
     pub initial: InitialKeys,
@@ -57,8 +57,8 @@ pub(super) struct Keys {
     #[serde(default)]
     pub integrator: IntegratorKeys,
     pub output: OutputKeys,
-    pub quantities: Option<TextsText>,
-    pub events: Option<TextsText>,
+    pub quantities: Option<Formulas>,
+    pub events: Option<Formulas>,
     pub ensemble: Option<EnsembleKeys>,
 }
 
@@ -124,8 +124,8 @@ pub(super) struct OutputKeys {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct EnsembleKeys {
-    pub grid: Option<TextsText>,
-    pub random: Option<TextsText>,
+    pub grid: Option<Formulas>,
+    pub random: Option<Formulas>,
     pub samples: Option<u64>,
     pub seed: Option<u64>,
 }

@@ -2,8 +2,7 @@
 
 use super::initial::InitialMomentum;
 use super::keys::Keys;
-use super::member::Member;
-use super::on_group::{GroupClass, OnGroup, Start};
+use super::on_group::{OnGroup, Start};
 use super::reader::{Reader, Written};
 use super::ready::Ready;
 use crate::definition::InputError;
@@ -14,14 +13,18 @@ use affinor_tensors::Symbolic;
 /// A motion on coadjoint orbits.
 #[derive(Clone, Debug)]
 pub(super) struct LiePoisson {
-    on_group: OnGroup,
     hamiltonian: Written,
     initial: InitialMomentum,
     casimirs: Vec<Symbolic>,
 }
 
 impl LiePoisson {
-    pub fn read(hamiltonian: &Text, keys: &Keys, reader: &Reader) -> Result<Self, InputError> {
+    pub fn read(
+        hamiltonian: &Text,
+        keys: &Keys,
+        on_group: &OnGroup,
+        reader: &Reader,
+    ) -> Result<Self, InputError> {
         let hamiltonian = reader.written(hamiltonian);
         let refused = |message: &str| Err(InputError::usage(message).at(&hamiltonian.place()));
         let forces = &keys.forces;
@@ -30,7 +33,6 @@ impl LiePoisson {
             return refused("a Hamiltonian allows no forces and no constraints");
         }
         let initial = InitialMomentum::read(&keys.initial, reader)?;
-        let on_group = OnGroup::read(keys, reader)?;
         if keys.inertia.is_some() || on_group.definition().has_metric() {
             return refused("a Hamiltonian replaces the metric: give one of them");
         }
@@ -40,17 +42,10 @@ impl LiePoisson {
         if !initial.is_momentum() {
             return refused("a Hamiltonian needs an initial momentum, not a velocity");
         }
-        let casimirs = on_group.casimirs();
-        Ok(LiePoisson { on_group, hamiltonian, initial, casimirs })
+        Ok(LiePoisson { hamiltonian, initial, casimirs: on_group.casimirs() })
     }
 
-    pub fn motion(&self, member: &Member) -> Result<Ready, InputError> {
-        self.on_group.motion(self, member)
-    }
-}
-
-impl GroupClass for LiePoisson {
-    fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
+    pub fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
         let (n, member, values) = (group.dimension(), start.member, start.member.values());
         let observables = Observables::new(group.clone(), None, member.parameters.clone());
         let names = observables.names();
@@ -63,7 +58,7 @@ impl GroupClass for LiePoisson {
                 self.hamiltonian.refused(error, help)
             })?;
         let rows = member.output.formulas(names, &|_| true, &self.casimirs, member.source)?;
-        let element = self.on_group.element().at(&group, &values)?;
+        let element = start.on_group.element().at(&group, &values)?;
         let momentum = self.initial.at(&group, &element, &observables, &values)?;
         let integration = (member.method(), member.step()?, member.control()?);
         let initial = (member.times[0], element, momentum);

@@ -1,13 +1,12 @@
 //! Problems of isospectral flows: matrices that move by similarity.
 
+use super::integration::Member;
 use super::keys::{FlowKeys, OF_DYNAMICS, OF_GROUPS};
-use super::member::Member;
 use super::reader::{Reader, Value};
 use super::ready::{Column, Ready};
 use crate::definition::input::{InputError, shown};
 use crate::definition::source::Place;
 use affinor::mechanics::motions::{MatrixFlow as Isospectral, Method, on_matrices};
-use nalgebra::DMatrix;
 
 /// An isospectral flow of matrices.
 #[derive(Clone, Debug)]
@@ -24,6 +23,17 @@ enum Flow {
     Zeitlin { size: usize, modes: Vec<Vec<Value>> },
     RandomZeitlin { size: usize, seed: u64, degree: usize },
 }
+
+/// The kinds of flows, with their keys.
+const KINDS: [(&str, &[&str], &str); 3] = [
+    ("toda", &["positions", "momenta"], "positions and momenta"),
+    ("manakov", &["masses", "momentum"], "masses and momentum"),
+    (
+        "zeitlin",
+        &["size", "modes", "seed", "degree"],
+        "a size and modes, or a size, a seed and a degree",
+    ),
+];
 
 impl MatrixFlow {
     pub fn read(flow: &FlowKeys, reader: &Reader) -> Result<Self, InputError> {
@@ -55,17 +65,8 @@ impl MatrixFlow {
                 Isospectral::Toda(Value::all(positions, values)?, Value::all(momenta, values)?)
             }
             Flow::Manakov { masses, momentum } => {
-                let rows: Result<Vec<Vec<f64>>, _> =
-                    momentum.iter().map(|row| Value::all(row, values)).collect();
-                let rows = rows?;
-                let width = rows.first().map_or(0, Vec::len);
-                if rows.iter().any(|row| row.len() != width) {
-                    let error =
-                        InputError::usage("the rows of the momentum have different lengths");
-                    return Err(error.at(&self.place));
-                }
-                let matrix = DMatrix::from_row_slice(rows.len(), width, &rows.concat());
-                Isospectral::Manakov(Value::all(masses, values)?, matrix)
+                let momentum = Value::matrix("momentum", momentum, values, &self.place)?;
+                Isospectral::Manakov(Value::all(masses, values)?, momentum)
             }
             Flow::Zeitlin { size, modes } => {
                 let mut found = Vec::new();
@@ -93,62 +94,35 @@ impl MatrixFlow {
 
 impl Flow {
     fn read(keys: &FlowKeys, reader: &Reader) -> Result<Self, InputError> {
-        let source = reader.source;
-        let missing = |needed: &str| {
-            let message = format!("the flow {} needs {needed}", shown(&keys.kind));
-            InputError::usage(message).at(&source.key("flow"))
-        };
-        let given = [
-            ("positions", keys.positions.is_some(), "toda"),
-            ("momenta", keys.momenta.is_some(), "toda"),
-            ("masses", keys.masses.is_some(), "manakov"),
-            ("momentum", keys.momentum.is_some(), "manakov"),
-            ("size", keys.size.is_some(), "zeitlin"),
-            ("modes", keys.modes.is_some(), "zeitlin"),
-            ("seed", keys.seed.is_some(), "zeitlin"),
-            // modes leave nothing random
-            ("degree", keys.degree.is_some(), if keys.modes.is_none() { "zeitlin" } else { "" }),
-        ];
         let kind = &*keys.kind;
-        let known = given.iter().any(|(.., owner)| *owner == kind);
-        let ignored = given.iter().find(|(_, given, owner)| *given && known && *owner != kind);
-        if let Some((key, ..)) = ignored {
-            let message = format!("the flow {kind} has no `{key}` here");
-            return Err(InputError::usage(message)
-                .at(&source.key(&format!("flow.{key}")))
-                .help("leave the key out"));
+        let Some((_, own, needed)) = KINDS.iter().find(|(name, ..)| *name == kind) else {
+            let error = InputError::usage(format!("`{}` is no flow", shown(kind)));
+            let help = "the flows are toda, manakov, zeitlin";
+            return Err(error.at(&reader.source.at(&keys.kind)).help(help));
+        };
+        // modes leave nothing random
+        let own = if keys.modes.is_some() { &own[..own.len().min(3)] } else { own };
+        for key in KINDS.iter().flat_map(|(_, keys, _)| *keys).filter(|key| !own.contains(key)) {
+            reader.refuse(&format!("the flow {kind}"), &[&format!("flow.{key}")])?;
         }
-        match kind {
-            "toda" => {
-                let both = keys.positions.as_ref().zip(keys.momenta.as_ref());
-                let (positions, momenta) = both.ok_or_else(|| missing("positions and momenta"))?;
-                let (positions, momenta) = (reader.values(positions)?, reader.values(momenta)?);
-                Ok(Flow::Toda { positions, momenta })
+        Ok(match keys {
+            FlowKeys { positions: Some(positions), momenta: Some(momenta), .. } => Flow::Toda {
+                positions: reader.values(positions)?,
+                momenta: reader.values(momenta)?,
+            },
+            FlowKeys { masses: Some(masses), momentum: Some(momentum), .. } => {
+                Flow::Manakov { masses: reader.values(masses)?, momentum: reader.rows(momentum)? }
             }
-            "manakov" => {
-                let both = keys.masses.as_ref().zip(keys.momentum.as_ref());
-                let (masses, momentum) = both.ok_or_else(|| missing("masses and momentum"))?;
-                Ok(Flow::Manakov {
-                    masses: reader.values(masses)?,
-                    momentum: reader.rows(momentum)?,
-                })
+            &FlowKeys { size: Some(size), modes: Some(ref modes), seed: None, .. } => {
+                Flow::Zeitlin { size, modes: reader.rows(modes)? }
             }
-            "zeitlin" => {
-                let size = keys.size.ok_or_else(|| missing("a size"))?;
-                match (&keys.modes, keys.seed) {
-                    (Some(modes), None) => Ok(Flow::Zeitlin { size, modes: reader.rows(modes)? }),
-                    (None, Some(seed)) => {
-                        let degree = keys.degree.ok_or_else(|| missing("a degree"))?;
-                        Ok(Flow::RandomZeitlin { size, seed, degree })
-                    }
-                    _ => Err(missing("modes, or else a seed and a degree")),
-                }
+            &FlowKeys { size: Some(size), seed: Some(seed), degree: Some(degree), .. } => {
+                Flow::RandomZeitlin { size, seed, degree }
             }
-            other => {
-                let message = format!("`{}` is no flow", shown(other));
-                let error = InputError::usage(message).at(&source.at(&keys.kind));
-                Err(error.help("the flows are toda, manakov, zeitlin"))
+            _ => {
+                let message = format!("the flow {kind} needs {needed}");
+                return Err(reader.source.refused("flow", message));
             }
-        }
+        })
     }
 }

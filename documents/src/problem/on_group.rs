@@ -1,8 +1,12 @@
 //! Problems on a Lie group: the group, its initial element, and the start of a motion on it.
 
+use super::constrained::Constrained;
+use super::dynamics::Dynamics;
+use super::given_velocity::GivenVelocity;
 use super::initial::InitialElement;
+use super::integration::Member;
 use super::keys::Keys;
-use super::member::Member;
+use super::lie_poisson::LiePoisson;
 use super::reader::Reader;
 use super::ready::Ready;
 use crate::definition::input::{InputError, shown};
@@ -12,7 +16,7 @@ use crate::definition::{Definition, Reading, Request, Space};
 use affinor::group::{Opposite, Se2, Se3, Sl2, So2, So3};
 use affinor::mechanics::motions::SimulationGroup;
 use affinor::mechanics::motions::quantities::Names;
-use affinor::{LieAlgebra, LiePoisson};
+use affinor::{LieAlgebra, LiePoisson as Dual};
 use affinor_tensors::{Rational, Symbolic, Tolerance};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -30,13 +34,36 @@ pub(super) struct OnGroup {
     element: InitialElement,
 }
 
-/// A class of problems on a group.
-pub(super) trait GroupClass {
-    /// A motion that is ready to start.
-    ///
-    /// # Errors
-    /// Whatever the class refuses.
-    fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError>;
+/// The classes of problems on a group.
+#[derive(Clone, Debug)]
+pub(super) enum GroupClass {
+    EulerPoincare(Box<Dynamics>),
+    Constrained(Box<Constrained>),
+    LiePoisson(Box<LiePoisson>),
+    GivenVelocity(Box<GivenVelocity>),
+}
+
+impl GroupClass {
+    pub fn read(keys: &Keys, on_group: &OnGroup, reader: &Reader) -> Result<Self, InputError> {
+        Ok(if let Some(given) = &keys.given {
+            Self::GivenVelocity(GivenVelocity::read(given, reader)?.into())
+        } else if let Some(hamiltonian) = &keys.hamiltonian {
+            Self::LiePoisson(LiePoisson::read(hamiltonian, keys, on_group, reader)?.into())
+        } else if keys.constraints.is_some() {
+            Self::Constrained(Constrained::read(keys, on_group, reader)?.into())
+        } else {
+            Self::EulerPoincare(Dynamics::read(keys, on_group, reader)?.into())
+        })
+    }
+
+    fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
+        match self {
+            Self::EulerPoincare(class) => class.motion(group, start),
+            Self::Constrained(class) => class.motion(group, start),
+            Self::LiePoisson(class) => class.motion(group, start),
+            Self::GivenVelocity(class) => class.motion(group, start),
+        }
+    }
 }
 
 /// The start of a motion on a group.
@@ -56,7 +83,7 @@ impl OnGroup {
             Some("right") => true,
             Some(other) => {
                 let message = format!("`{}` is neither left nor right", shown(other));
-                return Err(InputError::usage(message).at(&source.key("invariance")));
+                return Err(source.refused("invariance", message));
             }
         };
         let element = InitialElement::read(&keys.initial, reader)?;
@@ -70,15 +97,14 @@ impl OnGroup {
             }
             (None, Some(definition)) => {
                 let definition = definition.define(&source.table("definition"))?;
-                Space::of(definition, &Request::default())?
+                Space::of(definition)
             }
             (None, None) => {
                 let error = InputError::usage("the problem names no space");
                 return Err(error.help("give space = \"so3\", a file, or a table [definition]"));
             }
             (Some(_), Some(_)) => {
-                let error = InputError::usage("the space is named and defined as well");
-                let error = error.at(&source.key("space"));
+                let error = source.refused("space", "the space is named and defined as well");
                 return Err(error.help("give one of space, definition"));
             }
         };
@@ -101,10 +127,7 @@ impl OnGroup {
     }
 
     /// The motion of a class of problems on this group.
-    ///
-    /// # Errors
-    /// A parameter of the space without a value; whatever the group or the class refuses.
-    pub fn motion(&self, class: &impl GroupClass, member: &Member) -> Result<Ready, InputError> {
+    pub fn motion(&self, class: &GroupClass, member: &Member) -> Result<Ready, InputError> {
         let mut values = BTreeMap::new();
         for name in self.space.definition.parameters() {
             let Some((_, value)) = member.parameters.iter().find(|(own, _)| *own == name) else {
@@ -125,16 +148,19 @@ impl OnGroup {
         space.in_floats(Tolerance::default(), |definition, reading| {
             let start = Start { on_group: self, member, definition, reading };
             let group = definition.group(reading)?;
+            if self.right {
+                return class.motion(Opposite(group), &start);
+            }
             // with its own type, a group in closed form needs no allocation in a step
             macro_rules! with_its_type {
                 ($($Group:ty)*) => {
                     $(if let Some(group) = group.downcast_ref::<$Group>() {
-                        return start.motion(class, *group);
+                        return class.motion(*group, &start);
                     })*
                 };
             }
             with_its_type!(So2 So3 Se2 Se3 Sl2);
-            start.motion(class, group)
+            class.motion(group, &start)
         })
     }
 
@@ -147,41 +173,24 @@ impl OnGroup {
         let convert = |value: &Symbolic| Some(value.clone());
         let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
         let algebra: Result<LieAlgebra<Symbolic>, _> = self.definition().algebra(&reading);
-        let dual = algebra.ok().and_then(|algebra| LiePoisson::left(&algebra).ok());
+        let dual = algebra.ok().and_then(|algebra| Dual::left(&algebra).ok());
         dual.and_then(|dual| dual.casimir_generators(2).ok()).unwrap_or_default()
     }
 }
 
 impl Start<'_> {
-    /// The motion on a group, or on its opposite for right-invariant equations.
-    fn motion<G: SimulationGroup>(
-        &self,
-        class: &impl GroupClass,
-        group: G,
-    ) -> Result<Ready, InputError> {
-        match self.on_group.right {
-            true => class.motion(Opposite(group), self),
-            false => class.motion(group, self),
-        }
-    }
-
     /// Checks that no parameter has the name of a quantity of the motion, or of the body.
-    ///
-    /// # Errors
-    /// The first such parameter, at its place.
     pub fn expect_new_names<G: SimulationGroup>(
         &self,
         group: &G,
         of_body: &[(String, f64)],
     ) -> Result<(), InputError> {
         let names = Names::new(group, of_body.iter().map(|(name, _)| name.clone()).collect());
-        match self.member.parameters.iter().find(|(name, _)| names.find(name).is_some()) {
-            None => Ok(()),
-            Some((name, _)) => {
-                let error = InputError::usage(format!("`{name}` has a meaning already"));
-                let place = self.member.source.key(&format!("parameters.{name}"));
-                Err(error.at(&place).help(format!("take another name than {}", names.all())))
-            }
-        }
+        let taken = self.member.parameters.iter().find(|(name, _)| names.find(name).is_some());
+        taken.map_or(Ok(()), |(name, _)| {
+            let message = format!("`{name}` has a meaning already");
+            let error = self.member.source.refused(&format!("parameters.{name}"), message);
+            Err(error.help(format!("take another name than {}", names.all())))
+        })
     }
 }

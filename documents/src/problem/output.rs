@@ -69,9 +69,6 @@ impl Output {
 
     /// The columns and events in the names of a motion. Formulas use only quantities that are `allowed`; `casimirs` are
     /// polynomials in `mu1`, `mu2`, ..., the components of the momentum.
-    ///
-    /// # Errors
-    /// A formula that is refused, or two columns of one name.
     pub fn formulas(
         &self,
         names: &Names,
@@ -81,6 +78,11 @@ impl Output {
     ) -> Result<RowFormulas, InputError> {
         let help = || format!("the names here are {}", names.all());
         let (mut scope, mut columns, mut formulas) = (Scope::default(), vec![], vec![]);
+        let mut add = |text: &str, written: &Written| {
+            let formula = scope.read(text, names, allowed);
+            formulas.push(formula.map_err(|error| written.refused(error, help()))?);
+            Ok::<_, InputError>(())
+        };
         for stem in &self.columns {
             let expanded = names.expand(stem.text());
             if expanded.is_empty() {
@@ -89,45 +91,31 @@ impl Output {
             }
             let watched = ["h", "energy"].contains(&stem.text());
             for name in expanded {
-                expect_new(&columns, &name, &stem.place())?;
-                let formula = scope.read(&name, names, allowed);
-                formulas.push(formula.map_err(|error| stem.refused(error, help()))?);
+                expect_new(&columns, &[], &name, &stem.place())?;
+                add(&name, stem)?;
                 columns.push(Column::new(name, watched));
             }
         }
         for (name, written) in &self.quantities {
-            expect_new(&columns, name, &source.key(&format!("quantities.{name}")))?;
-            let formula = scope.read(written.text(), names, allowed);
-            formulas.push(formula.map_err(|error| written.refused(error, help()))?);
+            expect_new(&columns, &[], name, &source.key(&format!("quantities.{name}")))?;
+            add(written.text(), written)?;
             let formula = Some(written.text().into());
             columns.push(Column { name: name.clone(), formula, watched: true });
         }
         for (i, casimir) in casimirs.iter().enumerate() {
             let text = casimir.to_string().replace("mu", names.momentum());
-            if let Ok(formula) = scope.read(&text, names, allowed) {
-                formulas.push(formula);
+            // a coefficient may be beyond the range of floats
+            if add(&text, &Written::beside(source, &*text)).is_ok() {
                 let name = format!("casimir{}", i + 1);
                 columns.push(Column { name, formula: Some(text), watched: true });
             }
         }
-        let mut events = Vec::new();
-        for (name, written) in &self.events {
-            let formula = scope.read(written.text(), names, allowed);
-            formulas.push(formula.map_err(|error| written.refused(error, help()))?);
-            events.push(name.clone());
+        for (_, written) in &self.events {
+            add(written.text(), written)?;
         }
+        let events = self.events.iter().map(|(name, _)| name.clone()).collect();
         Ok(RowFormulas { columns, events, formulas: (scope, formulas) })
     }
-}
-
-/// Checks that no column has the name yet.
-fn expect_new(columns: &[Column], name: &str, place: &Place) -> Result<(), InputError> {
-    let is_new = columns.iter().all(|column| column.name != name);
-    if is_new { Ok(()) } else { Err(twice(name, place)) }
-}
-
-fn twice(name: &str, place: &Place) -> InputError {
-    InputError::usage(format!("there are two columns `{}`", shown(name))).at(place)
 }
 
 /// Checks that columns have distinct names, also beside those of an ensemble. A Casimir function, a multiplier or a
@@ -139,12 +127,22 @@ pub(super) fn expect_distinct(
 ) -> Result<(), InputError> {
     for (at, Column { name, .. }) in columns.iter().enumerate() {
         let place = source.key(&format!("quantities.{name}"));
-        expect_new(&columns[..at], name, &place)?;
-        if of_ensemble.contains(&&**name) {
-            return Err(twice(name, &place));
-        }
+        expect_new(&columns[..at], of_ensemble, name, &place)?;
     }
     Ok(())
+}
+
+/// Checks that no column has the name yet.
+fn expect_new(
+    columns: &[Column],
+    others: &[&str],
+    name: &str,
+    place: &Place,
+) -> Result<(), InputError> {
+    if columns.iter().all(|column| column.name != name) && !others.contains(&name) {
+        return Ok(());
+    }
+    Err(InputError::usage(format!("there are two columns `{}`", shown(name))).at(place))
 }
 
 /// The times of rows, as formulas in the parameters.
@@ -172,7 +170,7 @@ impl Times {
             }
             _ => {
                 let message = "the output has an end and optionally every, or times";
-                return Err(InputError::usage(message).at(&reader.source.key("output")));
+                return Err(reader.source.refused("output", message));
             }
         };
         Ok(Times { start, rows })
@@ -180,15 +178,12 @@ impl Times {
 
     /// The times at these values of the parameters, the start first.
     pub fn at(&self, source: &Source, parameters: &[f64]) -> Result<Vec<f64>, InputError> {
-        let number = |key: &str, value: &Value| {
-            value.at(parameters).map_err(|error| error.or_near(&source.key(key)))
-        };
-        let start = self.start.as_ref().map_or(Ok(0.0), |start| number("initial.time", start))?;
+        let start = self.start.as_ref().map_or(Ok(0.0), |start| start.at(parameters))?;
         match &self.rows {
             Rows::Listed(times) => {
                 let mut all = vec![start];
                 for time in times {
-                    let time = number("output.times", time)?;
+                    let time = time.at(parameters)?;
                     if time != all[all.len() - 1] {
                         all.push(time);
                     }
@@ -198,13 +193,12 @@ impl Times {
                     return Ok(all);
                 }
                 let message = "the times neither increase nor decrease from the start";
-                Err(InputError::usage(message).at(&source.key("output.times")))
+                Err(source.refused("output.times", message))
             }
             Rows::Spaced(spaced) => {
                 let (end, every) = &**spaced;
-                let end = number("output.end", end)?;
-                let every =
-                    every.as_ref().map(|every| number("output.every", every)).transpose()?;
+                let end = end.at(parameters)?;
+                let every = every.as_ref().map(|every| every.at(parameters)).transpose()?;
                 equally(start, end, every.unwrap_or((end - start).abs()))
                     .map_err(|error| error.at(&source.key("output.every")))
             }

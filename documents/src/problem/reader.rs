@@ -3,9 +3,10 @@
 use crate::definition::input::{InputError, shown};
 use crate::definition::notation::check_name;
 use crate::definition::source::{Place, Source};
-use crate::definition::written::{Number, Text, TextsText};
+use crate::definition::written::{Formulas, Number, Text};
 use affinor::mechanics::formula::Formula;
 use affinor_tensors::expression::ExpressionError;
+use nalgebra::DMatrix;
 use std::cell::RefCell;
 use std::path::Path;
 
@@ -89,6 +90,23 @@ impl Value {
         list.iter().map(|value| value.at(parameters)).collect()
     }
 
+    /// The matrix with these rows; `what` names it.
+    pub fn matrix(
+        what: &str,
+        rows: &[Vec<Value>],
+        parameters: &[f64],
+        place: &Place,
+    ) -> Result<DMatrix<f64>, InputError> {
+        let width = rows.first().map_or(0, Vec::len);
+        if rows.iter().any(|row| row.len() != width) {
+            let message = format!("the rows of the {what} have different lengths");
+            return Err(InputError::usage(message).at(place));
+        }
+        let entries: Result<Vec<f64>, _> =
+            rows.iter().flatten().map(|value| value.at(parameters)).collect();
+        Ok(DMatrix::from_row_slice(rows.len(), width, &entries?))
+    }
+
     /// The numbers of a list that must have as many components as the algebra has dimensions; `what` names the list.
     pub fn vector(
         what: &str,
@@ -170,10 +188,7 @@ impl<'s> Reader<'s> {
     }
 
     /// Formulas by their names.
-    pub fn formulas(
-        &self,
-        table: &Option<TextsText>,
-    ) -> Result<Vec<(String, Written)>, InputError> {
+    pub fn formulas(&self, table: &Option<Formulas>) -> Result<Vec<(String, Written)>, InputError> {
         let named = table.iter().flat_map(|table| &table.0).map(|(name, text)| {
             check_name(name).map_err(|error| error.at(&self.source.at(name)))?;
             Ok((name.to_string(), self.written(text)))
@@ -197,8 +212,8 @@ impl<'s> Reader<'s> {
     pub fn refuse(&self, what: &str, keys: &[&str]) -> Result<(), InputError> {
         let Some(path) = keys.iter().find(|path| self.source.has_key(path)) else { return Ok(()) };
         let key = path.rsplit('.').next().unwrap_or(path);
-        let error = InputError::usage(format!("{what} has no `{key}`"));
-        Err(error.at(&self.source.key(path)).help("leave the key out"))
+        let error = self.source.refused(path, format!("{what} has no `{key}`"));
+        Err(error.help("leave the key out"))
     }
 
     /// Refuses a key with nothing in it.
@@ -207,7 +222,7 @@ impl<'s> Reader<'s> {
             return Ok(());
         }
         let key = path.rsplit('.').next().unwrap_or(path);
-        let error = InputError::usage(format!("`{key}` is empty"));
-        Err(error.at(&self.source.key(path)).help("leave the key out"))
+        let error = self.source.refused(path, format!("`{key}` is empty"));
+        Err(error.help("leave the key out"))
     }
 }

@@ -244,11 +244,18 @@ impl Code<'_> {
         value: &S,
         factors: &[String],
     ) -> Result<String, ExpressionError> {
-        let mut product = Expression::parse(&value.to_string())?.evaluate(self)?.text();
+        let mut product = match constant(value) {
+            Some(constant) => constant,
+            None => Expression::parse(&value.to_string())?.evaluate(self)?.text(),
+        };
         for factor in factors {
             product = Self::product(product, Self::number(factor));
         }
         Ok(product.text)
+    }
+
+    fn float(x: f64) -> Text {
+        Self::number(&format!("{x:?}"))
     }
 
     fn number(text: &str) -> Text {
@@ -275,6 +282,26 @@ impl Code<'_> {
     }
 }
 
+/// A value without parameters; none for other values, and for those beyond the range of floats.
+fn constant<S: Notation>(value: &S) -> Option<Text> {
+    let fraction = S::clear_denominators(std::iter::once(value));
+    let (above, below) = match &fraction {
+        Some((above, below)) => (*above.first()? as f64, *below as f64),
+        None => (value.to_f64().filter(|x| x.is_finite())?, 1.0),
+    };
+    let mut size = Code::float(above.abs());
+    if below != 1.0 {
+        size = Code::quotient(size, Code::float(below));
+    }
+    Some(if above < 0.0 { negated(size) } else { size })
+}
+
+fn negated(Text { text, binds }: Text) -> Text {
+    let closed = binds == Binds::Sum || text.starts_with('-');
+    let text = if closed { format!("-({text})") } else { format!("-{text}") };
+    Text { text, binds: Binds::Product }
+}
+
 impl Meaning for Code<'_> {
     type Value = Factor;
 
@@ -282,7 +309,7 @@ impl Meaning for Code<'_> {
         let float = f64::from_rational(number);
         let float =
             float.ok_or("this number is beyond the range of floats, in which code computes")?;
-        Ok(Factor::Value(Code::number(&format!("{float:?}"))))
+        Ok(Factor::Value(Code::float(float)))
     }
     fn name(&self, name: &str) -> Result<Factor, String> {
         let text = match self.coordinates.iter().position(|coordinate| coordinate == name) {
@@ -318,14 +345,7 @@ impl Meaning for Code<'_> {
         })
     }
     fn negate(&self, a: Factor) -> Factor {
-        let Text { text, binds } = a.text();
-        Factor::Value(match binds {
-            Binds::Sum => Text { text: format!("-({text})"), binds: Binds::Product },
-            _ if text.starts_with('-') => {
-                Text { text: format!("-({text})"), binds: Binds::Product }
-            }
-            _ => Text { text: format!("-{text}"), binds: Binds::Product },
-        })
+        Factor::Value(negated(a.text()))
     }
     fn reciprocal(&self, a: Factor) -> Result<Factor, String> {
         Ok(match a {

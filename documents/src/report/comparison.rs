@@ -1,8 +1,8 @@
 //! Two geometries side by side.
 
 use super::components::groups;
-use super::grid::{Cell, Grid};
-use super::{Format, Quantity, latex, text};
+use super::grid::{Cell, Grid, pretty};
+use super::{Format, Quantity, Report, latex, text};
 use affinor::geometry::claims::{Claim, Residual, Verdict};
 use affinor::geometry::conditions::conditions;
 use affinor::{ConnectionKind, Error, Geometry, LieAlgebra};
@@ -80,34 +80,12 @@ impl Comparison {
         Comparison { sides: [left, right] }
     }
 
-    /// Writes the comparison in one of the formats. JSON has the schema `affinor.compare/1`; CSV is one table.
-    ///
-    /// # Errors
-    /// What `out` reports.
-    pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
-        match format {
-            Format::Json => {
-                serde_json::to_writer_pretty(&mut *out, &self.json())?;
-                writeln!(out)
-            }
-            Format::Csv => self.one_grid().write(format, out),
-            _ => {
-                self.tensors().write(format, out)?;
-                writeln!(out)?;
-                self.claims().write(format, out)
-            }
-        }
-    }
-
     fn tensors(&self) -> Grid {
         let [left, right] = &self.sides;
         let rows = left.rows.iter().zip(&right.rows);
         let rows = rows.map(|((title, a), (_, b))| vec![(*title).into(), a.clone(), b.clone()]);
-        Grid {
-            title: format!("{} and {}", left.name, right.name),
-            header: vec![String::new(), left.name.clone(), right.name.clone()],
-            rows: rows.collect(),
-        }
+        let title = format!("{} and {}", left.name, right.name);
+        Grid::new(title, &["", &left.name, &right.name], rows.collect(), Value::Null)
     }
 
     fn claims(&self) -> Grid {
@@ -121,23 +99,20 @@ impl Comparison {
             };
             vec![words.into(), about.into(), written(a), written(b)]
         });
-        Grid {
-            title: "Claims of the paper, and where they hold".into(),
-            header: vec!["claim".into(), "about".into(), left.name.clone(), right.name.clone()],
-            rows: rows.collect(),
-        }
+        let title = "Claims of the paper, and where they hold";
+        let header = ["claim", "about", &left.name, &right.name];
+        Grid::new(title, &header, rows.collect(), Value::Null)
     }
 
     /// Tensors and claims under one header.
     fn one_grid(&self) -> Grid {
-        let Grid { title, rows, .. } = self.tensors();
-        let with_about = |mut row: Vec<Cell>| {
-            row.insert(1, "".into());
-            row
-        };
-        let Grid { mut header, rows: claims, .. } = self.claims();
-        header[0] = "row".into();
-        Grid { title, header, rows: rows.into_iter().map(with_about).chain(claims).collect() }
+        let mut grid = self.tensors();
+        grid.rows.iter_mut().for_each(|row| row.insert(1, "".into()));
+        let claims = self.claims();
+        grid.header = claims.header;
+        grid.header[0] = "row".into();
+        grid.rows.extend(claims.rows);
+        grid
     }
 
     fn json(&self) -> Value {
@@ -166,6 +141,21 @@ impl Comparison {
             "rows": rows.collect::<Vec<_>>(),
             "claims": claims.collect::<Vec<_>>(),
         })
+    }
+}
+
+impl Report for Comparison {
+    /// Writes the comparison. JSON has the schema `affinor.compare/1`; CSV is one table.
+    fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        match format {
+            Format::Json => pretty(&self.json(), out),
+            Format::Csv => self.one_grid().write(format, out),
+            _ => {
+                self.tensors().write(format, out)?;
+                writeln!(out)?;
+                self.claims().write(format, out)
+            }
+        }
     }
 }
 

@@ -16,6 +16,15 @@ pub struct Group<S> {
     pub members: Vec<(Vec<usize>, bool)>,
 }
 
+impl<S> Group<S> {
+    /// The members by their names and signs.
+    pub(super) fn names(&self, name: impl Fn(&[usize]) -> String) -> Vec<String> {
+        let sign = |negative: bool| if negative { "-" } else { "" };
+        let members = self.members.iter();
+        members.map(|(at, negative)| sign(*negative).to_string() + &name(at)).collect()
+    }
+}
+
 /// The nonzero components grouped by value up to sign, in the order of first appearance.
 ///
 /// The members stand in the order of their indices. Where the tensor is antisymmetric in two slots,

@@ -1,10 +1,11 @@
 //! Equations of motion in every format.
 
 use super::components::plain;
-use super::head::{kind_name, printable};
+use super::grid::{Cell, Grid, pretty};
+use super::head::{kind_name, printable, printable_list};
 use super::latex::{WIDTH, escape, width};
 use super::text::fill;
-use super::{Cell, Format, Grid};
+use super::{Format, Report};
 use affinor::geometry::equations::{EquationKind, Equations, Row, Variable};
 use affinor::{Connection, Error, Geometry};
 use affinor_tensors::text::{combination, is_sum};
@@ -47,12 +48,9 @@ impl<S: Notation> EquationReport<S> {
             .fields()
             .map(|fields| (fields.chart().coordinates().to_vec(), fields.components().clone()));
         let rows = equations.rows();
-        let values = rows.iter().flat_map(|Row { left, right }| {
-            left.iter().map(|(v, _)| v).chain(right.iter().map(|(v, _)| v))
-        });
         let fields = position.iter().flat_map(|(_, fields)| fields.components().map(|(_, v)| v));
-        let mut parameters: Vec<String> =
-            values.chain(fields).flat_map(Notation::parameters).collect();
+        let values = rows.iter().flat_map(coefficients).chain(fields);
+        let mut parameters: Vec<String> = values.flat_map(Notation::parameters).collect();
         parameters.sort();
         parameters.dedup();
         EquationReport {
@@ -87,28 +85,13 @@ impl<S: Notation> EquationReport<S> {
     /// # Errors
     /// [`Error::Overflow`] with the first coefficient that is infinite or not a number.
     pub fn finite(&self) -> Result<(), Error> {
-        for (at, Row { left, right }) in self.equations.rows().into_iter().enumerate() {
-            let values = left.iter().map(|(v, _)| v).chain(right.iter().map(|(v, _)| v));
-            if let Some(value) = values.into_iter().find(|value| !value.is_number()) {
+        for (at, row) in self.equations.rows().iter().enumerate() {
+            if let Some(value) = coefficients(row).find(|value| !value.is_number()) {
                 let component = format!("a coefficient of equation {}", at + 1);
                 return Err(Error::Overflow { component, value: value.to_string() });
             }
         }
         Ok(())
-    }
-
-    /// Writes the equations in one of the formats.
-    ///
-    /// # Errors
-    /// What `out` reports.
-    pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
-        match format {
-            Format::Text => self.text(out),
-            Format::Markdown => self.markdown(out),
-            Format::Latex => self.latex(out),
-            Format::Csv => self.csv(out),
-            Format::Json => self.json(out),
-        }
     }
 
     /// The names of the variables, distinct from those of the parameters.
@@ -126,7 +109,7 @@ impl<S: Notation> EquationReport<S> {
             }
             name
         };
-        Names { state: free(state), other: free(other) }
+        Names { state: free(state), other: free(other), latex: false }
     }
 
     fn text(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -179,11 +162,11 @@ impl<S: Notation> EquationReport<S> {
                 rows.push(cells.map(Cell::from).to_vec());
             }
         }
-        let header = ["equation", "side", "coefficient", "product"].map(String::from).to_vec();
-        Grid { title: String::new(), header, rows }.write(Format::Csv, out)
+        let header = ["equation", "side", "coefficient", "product"];
+        Grid::new("", &header, rows, Value::Null).write(Format::Csv, out)
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+    fn json(&self) -> Value {
         let names = self.names();
         let value = |v: &S| Value::from(plain(v));
         let equations = self.equations.rows();
@@ -199,7 +182,7 @@ impl<S: Notation> EquationReport<S> {
             let right = right.iter().map(|(v, along)| json!([value(v), [names.variable(*along)]]));
             json!({ "coordinate": name, "right": right.collect::<Vec<_>>() })
         });
-        let all = json!({
+        json!({
             "schema": "affinor.equations/1",
             "name": self.name,
             "motion": self.equations.kind().name(),
@@ -211,9 +194,7 @@ impl<S: Notation> EquationReport<S> {
             "genuine": self.genuine,
             "positions": positions.collect::<Vec<_>>(),
             "equations": equations.collect::<Vec<_>>(),
-        });
-        serde_json::to_writer_pretty(&mut *out, &all)?;
-        writeln!(out)
+        })
     }
 
     pub(super) fn title(&self) -> String {
@@ -229,9 +210,7 @@ impl<S: Notation> EquationReport<S> {
     }
 
     fn head(&self, names: &Names) -> Vec<(&'static str, String)> {
-        let Names { state, other } = names;
-        let labels =
-            self.labels.iter().map(|label| printable(label)).collect::<Vec<_>>().join(", ");
+        let Names { state, other, .. } = names;
         let (what, beside) = match self.equations.kind() {
             EquationKind::EulerPoincare => ("the velocity", Some("the external covector")),
             EquationKind::Autoparallel => ("the velocity", None),
@@ -245,7 +224,7 @@ impl<S: Notation> EquationReport<S> {
         };
         let beside = beside.map_or(String::new(), |beside| format!("; {other} {beside}"));
         vec![
-            ("basis", labels),
+            ("basis", printable_list(&self.labels)),
             ("connection", self.connection[1].clone()),
             ("statement", self.equations.kind().statement().into()),
             ("unknowns", format!("{state} {what}{beside}; in {frame}")),
@@ -254,31 +233,32 @@ impl<S: Notation> EquationReport<S> {
 
     /// The lines of an `aligned` environment.
     fn aligned(&self) -> String {
-        let Names { state, other } = self.names();
-        let symbols = [state, other].map(|name| Symbolic::parameter(&name).latex());
-        let variable = |variable: &Variable| match variable {
-            Variable::State(j) => format!("{}^{{{}}}", symbols[0], j + 1),
-            Variable::Along(j) => format!("{}^{{{}}}", symbols[1], j + 1),
-            Variable::Force(j) => format!("{}_{{{}}}", symbols[1], j + 1),
-        };
-        let product = |product: &[Variable]| match product {
-            [a, b] if a == b => format!("({})^2", variable(a)),
-            factors => factors.iter().map(variable).collect::<Vec<_>>().join(" "),
-        };
+        let Names { state, other, .. } = self.names();
+        let [state, other] = [state, other].map(|name| Symbolic::parameter(&name).latex());
+        let names = Names { state, other, latex: true };
         let positions = self.positions().into_iter().map(|(name, right)| {
-            let right = right.iter().map(|(value, v)| (value, variable(v)));
+            let right = right.iter().map(|(value, v)| (value, names.variable(*v)));
             let name = Symbolic::parameter(name).latex();
             latex_equation(&[format!("\\dot{{{name}}}")], &latex_terms(right))
         });
         let rows = self.equations.rows().into_iter().map(|row| {
-            let rates = row
-                .left
-                .iter()
-                .map(|(value, j)| (value, format!("\\dot{{{}}}^{{{}}}", symbols[0], j + 1)));
-            let right = row.right.iter().map(|(value, factors)| (value, product(factors)));
+            let rates = row.left.iter().map(|(value, j)| (value, names.rate(*j)));
+            let right = row.right.iter().map(|(value, factors)| (value, names.product(factors)));
             latex_equation(&latex_terms(rates), &latex_terms(right))
         });
         positions.chain(rows).collect::<Vec<_>>().join(" \\\\\n")
+    }
+}
+
+impl<S: Notation> Report for EquationReport<S> {
+    fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        match format {
+            Format::Text => self.text(out),
+            Format::Markdown => self.markdown(out),
+            Format::Latex => self.latex(out),
+            Format::Csv => self.csv(out),
+            Format::Json => pretty(&self.json(), out),
+        }
     }
 }
 
@@ -291,28 +271,41 @@ pub(super) fn letters(motion: EquationKind) -> [&'static str; 2] {
     }
 }
 
-/// The names of the variables.
+/// The coefficients of both sides.
+fn coefficients<S>(row: &Row<S>) -> impl Iterator<Item = &S> {
+    row.left.iter().map(|(v, _)| v).chain(row.right.iter().map(|(v, _)| v))
+}
+
+/// The names of the variables, in text or in LaTeX.
 struct Names {
     state: String,
     other: String,
+    latex: bool,
 }
 
 impl Names {
     fn rate(&self, j: usize) -> String {
-        format!("d{}{}/dt", self.state, j + 1)
-    }
-
-    fn variable(&self, variable: Variable) -> String {
-        match variable {
-            Variable::State(j) => format!("{}{}", self.state, j + 1),
-            Variable::Along(j) | Variable::Force(j) => format!("{}{}", self.other, j + 1),
+        match self.latex {
+            true => format!("\\dot{{{}}}^{{{}}}", self.state, j + 1),
+            false => format!("d{}{}/dt", self.state, j + 1),
         }
     }
 
+    fn variable(&self, variable: Variable) -> String {
+        let (name, mark, j) = match variable {
+            Variable::State(j) => (&self.state, '^', j + 1),
+            Variable::Along(j) => (&self.other, '^', j + 1),
+            Variable::Force(j) => (&self.other, '_', j + 1),
+        };
+        if self.latex { format!("{name}{mark}{{{j}}}") } else { format!("{name}{j}") }
+    }
+
     fn product(&self, product: &[Variable]) -> String {
+        let names: Vec<String> = product.iter().map(|v| self.variable(*v)).collect();
         match product {
-            [a, b] if a == b => format!("{}^2", self.variable(*a)),
-            factors => factors.iter().map(|v| self.variable(*v)).collect::<Vec<_>>().join("*"),
+            [a, b] if a == b && self.latex => format!("({})^2", names[0]),
+            [a, b] if a == b => format!("{}^2", names[0]),
+            _ => names.join(if self.latex { " " } else { "*" }),
         }
     }
 

@@ -1,28 +1,31 @@
 //! Grids of short cells, for reports that are not tables of tensors.
 
-use super::Format;
 use super::latex::escape;
+use super::markdown::escaped;
+use super::{Format, Report};
 use comfy_table::presets::UTF8_BORDERS_ONLY;
 use comfy_table::{ContentArrangement, Table};
+use serde_json::Value;
 use std::io::{self, Write};
 
 /// The columns of a terminal line.
 const WIDTH: u16 = 80;
 
 /// A grid: a title, a header, and rows of cells; a cell may have several lines.
-#[derive(Clone, Debug, Default)]
-pub struct Grid {
-    /// The heading.
+#[derive(Clone, Debug)]
+pub(super) struct Grid {
     pub title: String,
     /// One heading for each column.
     pub header: Vec<String>,
     /// The rows, as wide as the header.
     pub rows: Vec<Vec<Cell>>,
+    /// The report in JSON.
+    pub json: Value,
 }
 
 /// A cell as plain text and as LaTeX.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Cell {
+pub(super) struct Cell {
     /// Lines of plain text.
     pub text: Vec<String>,
     /// The same lines in LaTeX, where they differ from the escaped text.
@@ -41,19 +44,40 @@ impl From<String> for Cell {
     }
 }
 
-impl Grid {
-    /// Writes the grid in one of the formats except JSON, whose keys depend on the report.
-    ///
-    /// # Errors
-    /// An error of `out`; [`io::ErrorKind::Unsupported`] for JSON.
-    pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+impl Cell {
+    /// The lines of plain text, escaped for a format.
+    fn lines(&self, escape: impl Fn(&str) -> String) -> Vec<String> {
+        self.text.iter().map(|text| escape(text)).collect()
+    }
+}
+
+impl Report for Grid {
+    fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
         match format {
             Format::Text => self.text(out),
             Format::Markdown => self.markdown(out),
             Format::Latex => self.latex(out),
             Format::Csv => self.csv(out),
-            Format::Json => Err(io::ErrorKind::Unsupported.into()),
+            Format::Json => pretty(&self.json, out),
         }
+    }
+}
+
+/// Writes JSON with indentation.
+pub(super) fn pretty(json: &Value, out: &mut dyn Write) -> io::Result<()> {
+    serde_json::to_writer_pretty(&mut *out, json)?;
+    writeln!(out)
+}
+
+impl Grid {
+    pub fn new(
+        title: impl Into<String>,
+        header: &[&str],
+        rows: Vec<Vec<Cell>>,
+        json: Value,
+    ) -> Self {
+        let header = header.iter().map(|name| name.to_string()).collect();
+        Grid { title: title.into(), header, rows, json }
     }
 
     fn text(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -68,24 +92,13 @@ impl Grid {
     }
 
     fn markdown(&self, out: &mut dyn Write) -> io::Result<()> {
-        let escape = |text: &str| {
-            let mut escaped = String::new();
-            for c in text.chars() {
-                if matches!(c, '|' | '*' | '_' | '`' | '<' | '>' | '[' | ']' | '\\' | '^') {
-                    escaped.push('\\');
-                }
-                escaped.push(c);
-            }
-            escaped
-        };
+        let escape = |text: &str| escaped(text, r"|*_`<>[]\^");
         writeln!(out, "## {}\n", escape(&self.title))?;
         let line = |cells: Vec<String>| format!("| {} |", cells.join(" | "));
         writeln!(out, "{}", line(self.header.iter().map(|text| escape(text)).collect()))?;
         writeln!(out, "{}", line(vec!["---".into(); self.header.len()]))?;
         for row in &self.rows {
-            let cell = |cell: &Cell| {
-                cell.text.iter().map(|text| escape(text)).collect::<Vec<_>>().join("<br>")
-            };
+            let cell = |cell: &Cell| cell.lines(escape).join("<br>");
             writeln!(out, "{}", line(row.iter().map(cell).collect()))?;
         }
         Ok(())
@@ -98,17 +111,12 @@ impl Grid {
         writeln!(out, "% A fragment: it needs \\usepackage{{amsmath,array,longtable}}.")?;
         writeln!(out, "\\section*{{{}}}", escape(&self.title))?;
         writeln!(out, "\\begin{{longtable}}{{@{{}}{}@{{}}}}", column.repeat(columns))?;
-        let header: Vec<String> = self.header.iter().map(|text| escape(text)).collect();
+        let header: Vec<_> = self.header.iter().map(|text| escape(text)).collect();
         writeln!(out, "\\hline\n{} \\\\\n\\hline\\endhead", header.join(" & "))?;
         for row in &self.rows {
             let cell = |cell: &Cell| match &cell.latex {
                 Some(lines) => lines.join(" \\newline "),
-                None => cell
-                    .text
-                    .iter()
-                    .map(|text| escape(text))
-                    .collect::<Vec<_>>()
-                    .join(" \\newline "),
+                None => cell.lines(escape).join(" \\newline "),
             };
             writeln!(out, "{} \\\\", row.iter().map(cell).collect::<Vec<_>>().join(" & "))?;
         }

@@ -10,19 +10,20 @@ pub(super) fn conventions() -> String {
 }
 
 impl<S: Notation> Table<S> {
-    /// The lines of the head except the basis and the conventions, each with its title.
+    /// The lines of the head except the conventions, each with its title; the second is the basis.
     pub(super) fn head(&self) -> Vec<(&'static str, String)> {
         let mut lines = vec![
             ("dimension", self.labels.len().to_string()),
+            ("basis", printable_list(&self.labels)),
             ("frame", self.frame.into()),
             ("connection", printable(&self.connection_line())),
             ("scalar", self.scalar_line()),
         ];
         if let Some(OnChart { coordinates, fields }) = &self.chart {
             let equal = self.labels.iter().zip(fields).map(|(e, field)| format!("{e} = {field}"));
-            lines.insert(1, ("coordinates", coordinates.join(", ")));
+            lines.insert(2, ("coordinates", coordinates.join(", ")));
             if self.frame == "moving" {
-                lines.insert(3, ("fields", equal.collect::<Vec<_>>().join(", ")));
+                lines.insert(4, ("fields", equal.collect::<Vec<_>>().join(", ")));
             }
         }
         if self.independent {
@@ -52,7 +53,7 @@ impl<S: Notation> Table<S> {
         match (S::KIND, self.zero_line()) {
             (_, Some(zero)) => format!("float; a component v is zero when {zero}"),
             (Kind::Symbolic, _) if !self.parameters.is_empty() => {
-                format!("symbolic in {}", printable(&self.parameters.join(", ")))
+                format!("symbolic in {}", printable_list(&self.parameters))
             }
             (Kind::Symbolic, _) => "symbolic, though no parameter is left in it".into(),
             (kind, _) => kind_name(kind).into(),
@@ -67,6 +68,11 @@ pub(super) fn kind_name(kind: Kind) -> &'static str {
         Kind::Symbolic => "symbolic",
         Kind::Float => "float",
     }
+}
+
+/// Names, separated by commas, with their control characters escaped.
+pub(super) fn printable_list(names: &[String]) -> String {
+    printable(&names.join(", "))
 }
 
 /// A name with its control characters escaped.

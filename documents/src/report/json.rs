@@ -19,7 +19,9 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
     });
     let mut connection = json!({ "name": table.connection });
     if let Some(lambda) = &table.lambda {
-        connection["lambda"] = serde_json::from_slice(&scalar(lambda)?)?;
+        let mut json = Vec::new();
+        append_scalar(&mut json, &mut String::new(), lambda)?;
+        connection["lambda"] = serde_json::from_slice(&json)?;
     }
     let head = [
         ("schema", SCHEMA.into()),
@@ -97,14 +99,7 @@ fn conventions<S: Notation>(table: &Table<S>) -> Vec<(&'static str, String)> {
     conventions
 }
 
-/// A value as JSON: exact and symbolic ones are strings, floats are numbers.
-fn scalar<S: Notation>(value: &S) -> io::Result<Vec<u8>> {
-    let mut json = Vec::new();
-    append_scalar(&mut json, &mut String::new(), value)?;
-    Ok(json)
-}
-
-/// Appends a value; `text` is a buffer.
+/// Appends a value: exact and symbolic ones are strings, floats are numbers; `text` is a buffer.
 fn append_scalar<S: Notation>(json: &mut Vec<u8>, text: &mut String, value: &S) -> io::Result<()> {
     if S::KIND == Kind::Float {
         let number = value.to_f64().filter(|x| x.is_finite()).ok_or_else(|| {

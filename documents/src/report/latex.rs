@@ -24,7 +24,7 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
     let labels: Vec<String> = table.labels.iter().map(|label| label_name(label)).collect();
     let mut lines: Vec<_> =
         table.head().into_iter().map(|(title, line)| (title, escape(&line))).collect();
-    lines.insert(1, ("basis", labels.join(", ")));
+    lines[1].1 = labels.join(", ");
     lines.push(("conventions", CONVENTIONS.into()));
     for (title, line) in lines {
         writeln!(out, "{title}: {line}\\par")?;
@@ -78,12 +78,11 @@ struct Equation {
 
 impl Equation {
     fn new<S: Notation>(quantity: Quantity, tensor: &Tensor<S>, group: &Group<S>) -> Self {
-        let members = group.members.iter().map(|(at, negative)| {
+        let members = group.names(|at| {
             let numbers = at.iter().map(|index| (index + 1).to_string());
-            let name = join(quantity, scripts(tensor.dimension(), tensor.slots(), numbers));
-            if *negative { format!("-{name}") } else { name }
+            join(quantity, scripts(tensor.dimension(), tensor.slots(), numbers))
         });
-        Equation { members: members.collect(), value: group.value.latex() }
+        Equation { members, value: group.value.latex() }
     }
 
     /// Whether the value is too wide for a display.
@@ -136,7 +135,7 @@ fn join(quantity: Quantity, scripts: Vec<(Variance, String)>) -> String {
         let mark = if variance == Up { '^' } else { '_' };
         format!("{mark}{{{indices}}}")
     });
-    quantity.latex().to_string() + &scripts.collect::<Vec<_>>().join("{}")
+    quantity.latex() + &scripts.collect::<Vec<_>>().join("{}")
 }
 
 /// The sign and the two parts of `-\frac{a}{b}`; `None` for anything but one fraction.

@@ -9,10 +9,7 @@ use std::io::{self, Write};
 
 pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "# {}\n", escape(&printable(&table.name)))?;
-    let labels: Vec<String> = table.labels.iter().map(|label| printable(label)).collect();
-    let mut lines = table.head();
-    lines.insert(1, ("basis", labels.join(", ")));
-    for (title, line) in lines {
+    for (title, line) in table.head() {
         writeln!(out, "- {title}: {}", escape(&line))?;
     }
     writeln!(out, "- conventions: `{}`", conventions().replace("; ", "`, `"))?;
@@ -33,11 +30,8 @@ fn tensor<S: Notation>(
     writeln!(out, "| component | value |\n| --- | --- |")?;
     if shown.len() <= GROUPED {
         for group in groups(&shown) {
-            let members = group.members.iter().map(|(at, negative)| {
-                format!("`{}{}`", if *negative { "-" } else { "" }, name(at))
-            });
-            let members: Vec<String> = members.collect();
-            writeln!(out, "| {} | `{}` |", members.join(" = "), plain(&group.value))?;
+            let members = group.names(name).join("` = `");
+            writeln!(out, "| `{members}` | `{}` |", plain(&group.value))?;
         }
     } else {
         for (at, value) in shown.components() {
@@ -49,9 +43,14 @@ fn tensor<S: Notation>(
 
 /// Text in which no character is markup.
 fn escape(text: &str) -> String {
+    escaped(text, "\\`*_[]<>#|^~$&")
+}
+
+/// Text with a backslash in front of some characters.
+pub(super) fn escaped(text: &str, special: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
-        if "\\`*_[]<>#|^~$&".contains(c) {
+        if special.contains(c) {
             escaped.push('\\');
         }
         escaped.push(c);

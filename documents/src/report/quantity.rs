@@ -1,6 +1,7 @@
 //! The tensors that a table can show: names, symbols, slots, and how each is computed.
 
-use affinor::{Error, Geometry, conventions};
+use affinor::conventions as is;
+use affinor::{Error, Geometry};
 use affinor_tensors::{Down, Notation, Tensor, Up, Variance};
 
 /// A tensor that a table can show.
@@ -46,16 +47,37 @@ pub enum Quantity {
     Kretschmann,
 }
 
-/// The names, slots and definition of a quantity.
-struct Description {
-    key: &'static str,
-    title: &'static str,
-    symbol: &'static str,
-    latex: &'static str,
-    /// The slots with the letters of the definition.
-    slots: &'static str,
-    definition: &'static str,
-}
+/// Name, heading, symbol, slots with the letters of the definition, and definition.
+type Description = (&'static str, &'static str, &'static str, &'static str, &'static str);
+
+/// The quantities, in the order of a table.
+const DESCRIPTIONS: [Description; 19] = [
+    ("structure", "Structure constants", "c", "^i_jk", is::BRACKET),
+    ("affinities", "Affinities", "Lambda", "^i_jk", is::AFFINITIES),
+    ("torsion", "Torsion (B10)", "tau", "^i_jk", is::TORSION),
+    ("curvature", "Curvature (B14)", "R", "^i_jkl", is::CURVATURE),
+    ("ricci", "Ricci tensor", "Ric", "_jl", is::RICCI),
+    ("scalar_curvature", "Scalar curvature", "S", "", is::SCALAR_CURVATURE),
+    ("metric", "Metric", "g", "_ij", is::METRIC),
+    ("inverse_metric", "Inverse metric", "g", "^ij", is::INVERSE_METRIC),
+    ("nonmetricity", "Nonmetricity", "Q", "_kij", is::NONMETRICITY),
+    ("killing", "Killing form", "K", "_ij", is::KILLING),
+    ("nabla_torsion", "Derivative of the torsion", "(nabla tau)", "^i_mjk", is::NABLA_TORSION),
+    ("nabla_curvature", "Derivative of the curvature", "(nabla R)", "^i_mjkl", is::NABLA_CURVATURE),
+    ("ricci_symmetric", "Ricci tensor, symmetric part", "symRic", "_jl", is::RICCI_SYMMETRIC),
+    (
+        "ricci_antisymmetric",
+        "Ricci tensor, antisymmetric part",
+        "altRic",
+        "_jl",
+        is::RICCI_ANTISYMMETRIC,
+    ),
+    ("einstein", "Einstein tensor", "G", "_jl", is::EINSTEIN),
+    ("schouten", "Schouten tensor", "P", "_jl", is::SCHOUTEN),
+    ("weyl", "Weyl tensor", "W", "^i_jkl", is::WEYL),
+    ("cotton", "Cotton tensor", "C", "_jkl", is::COTTON),
+    ("kretschmann", "Kretschmann scalar", "Kr", "", is::KRETSCHMANN),
+];
 
 impl Quantity {
     /// All quantities, in the order of a table.
@@ -88,76 +110,13 @@ impl Quantity {
     /// The quantities derived from these, which are shown on request.
     pub const DERIVED: &[Quantity] = Self::ALL.split_at(10).1;
 
-    fn entry(self) -> Description {
-        use conventions as is;
-        let entry = |key, title, [symbol, latex]: [&'static str; 2], slots, definition| {
-            Description { key, title, symbol, latex, slots, definition }
-        };
-        let ricci = "\\mathrm{Ric}";
-        match self {
-            Quantity::Structure => {
-                entry("structure", "Structure constants", ["c"; 2], "^i_jk", is::BRACKET)
-            }
-            Quantity::Affinities => {
-                let symbol = ["Lambda", "\\Lambda"];
-                entry("affinities", "Affinities", symbol, "^i_jk", is::AFFINITIES)
-            }
-            Quantity::Torsion => {
-                entry("torsion", "Torsion (B10)", ["tau", "\\tau"], "^i_jk", is::TORSION)
-            }
-            Quantity::Curvature => {
-                entry("curvature", "Curvature (B14)", ["R"; 2], "^i_jkl", is::CURVATURE)
-            }
-            Quantity::Ricci => entry("ricci", "Ricci tensor", ["Ric", ricci], "_jl", is::RICCI),
-            Quantity::ScalarCurvature => {
-                entry("scalar_curvature", "Scalar curvature", ["S"; 2], "", is::SCALAR_CURVATURE)
-            }
-            Quantity::Metric => entry("metric", "Metric", ["g"; 2], "_ij", is::METRIC),
-            Quantity::InverseMetric => {
-                entry("inverse_metric", "Inverse metric", ["g"; 2], "^ij", is::INVERSE_METRIC)
-            }
-            Quantity::Nonmetricity => {
-                entry("nonmetricity", "Nonmetricity", ["Q"; 2], "_kij", is::NONMETRICITY)
-            }
-            Quantity::Killing => entry("killing", "Killing form", ["K"; 2], "_ij", is::KILLING),
-            Quantity::NablaTorsion => {
-                let symbol = ["(nabla tau)", "(\\nabla\\tau)"];
-                let title = "Derivative of the torsion";
-                entry("nabla_torsion", title, symbol, "^i_mjk", is::NABLA_TORSION)
-            }
-            Quantity::NablaCurvature => {
-                let symbol = ["(nabla R)", "(\\nabla R)"];
-                let title = "Derivative of the curvature";
-                entry("nabla_curvature", title, symbol, "^i_mjkl", is::NABLA_CURVATURE)
-            }
-            Quantity::RicciSymmetric => {
-                let symbol = ["symRic", "\\mathrm{symRic}"];
-                let title = "Ricci tensor, symmetric part";
-                entry("ricci_symmetric", title, symbol, "_jl", is::RICCI_SYMMETRIC)
-            }
-            Quantity::RicciAntisymmetric => {
-                let symbol = ["altRic", "\\mathrm{altRic}"];
-                let title = "Ricci tensor, antisymmetric part";
-                entry("ricci_antisymmetric", title, symbol, "_jl", is::RICCI_ANTISYMMETRIC)
-            }
-            Quantity::Einstein => {
-                entry("einstein", "Einstein tensor", ["G"; 2], "_jl", is::EINSTEIN)
-            }
-            Quantity::Schouten => {
-                entry("schouten", "Schouten tensor", ["P"; 2], "_jl", is::SCHOUTEN)
-            }
-            Quantity::Weyl => entry("weyl", "Weyl tensor", ["W"; 2], "^i_jkl", is::WEYL),
-            Quantity::Cotton => entry("cotton", "Cotton tensor", ["C"; 2], "_jkl", is::COTTON),
-            Quantity::Kretschmann => {
-                let symbol = ["Kr", "\\mathrm{Kr}"];
-                entry("kretschmann", "Kretschmann scalar", symbol, "", is::KRETSCHMANN)
-            }
-        }
+    fn description(self) -> Description {
+        DESCRIPTIONS[self as usize]
     }
 
     /// The name in options, JSON and CSV.
     pub fn key(self) -> &'static str {
-        self.entry().key
+        self.description().0
     }
 
     /// The quantity of that name.
@@ -167,40 +126,44 @@ impl Quantity {
 
     /// The heading in text.
     pub fn title(self) -> &'static str {
-        self.entry().title
+        self.description().1
     }
 
     /// The symbol in text and JSON.
     pub fn symbol(self) -> &'static str {
-        self.entry().symbol
+        self.description().2
     }
 
     /// The symbol in LaTeX.
-    pub fn latex(self) -> &'static str {
-        self.entry().latex
+    pub fn latex(self) -> String {
+        match self.symbol() {
+            "(nabla tau)" => "(\\nabla\\tau)".into(),
+            "(nabla R)" => "(\\nabla R)".into(),
+            greek @ ("Lambda" | "tau") => format!("\\{greek}"),
+            word if word.len() > 1 => format!("\\mathrm{{{word}}}"),
+            letter => letter.into(),
+        }
     }
 
     /// The defining formula, in the conventions of the paper.
     pub fn definition(self) -> String {
-        let definition = self.entry().definition;
+        let definition = self.description().4;
         match self {
-            Quantity::Curvature => {
-                format!("{definition}, {}", conventions::CURVATURE_COMPONENTS)
-            }
+            Quantity::Curvature => format!("{definition}, {}", is::CURVATURE_COMPONENTS),
             _ => definition.into(),
         }
     }
 
     /// The letters of the indices in the definition, slot by slot.
     pub fn letters(self) -> String {
-        self.entry().slots.replace(['^', '_'], "")
+        self.description().3.replace(['^', '_'], "")
     }
 
     /// The slots.
     pub fn slots(self) -> Vec<Variance> {
         let mut slots = Vec::new();
         let mut level = Down;
-        for mark in self.entry().slots.chars() {
+        for mark in self.description().3.chars() {
             match mark {
                 '^' => level = Up,
                 '_' => level = Down,

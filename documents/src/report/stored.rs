@@ -1,18 +1,24 @@
 //! Stored tables, and their comparison with computed tables.
 
 use super::components::plain;
-use super::{Quantity, Table, TableEntry, text};
-use affinor_tensors::expression::{Expression, Functions, Scalars};
+use super::grid::Grid;
+use super::{Format, Quantity, Report, Table, TableEntry, text};
+use crate::definition::file::{bytes, decode};
+use crate::definition::{InputError, Place, Source};
+use affinor_tensors::expression::{Expression, Scalars};
 use affinor_tensors::{Kind, Notation, Rational, Sum, Tensor};
-use serde_json::Value;
+use serde_json::{Value, json};
+use std::io::{self, Write};
 
 /// A table read from JSON (`affinor.table/1`) or CSV. Values stay texts until the scalar is known.
 #[derive(Clone, Debug)]
 pub struct StoredTable {
+    /// The file.
+    place: Place,
     /// The name of the connection, if the file has it.
-    pub connection: Option<String>,
+    connection: Option<String>,
     /// The dimension, if the file has it.
-    pub dimension: Option<usize>,
+    dimension: Option<usize>,
     /// The frame, such as `left-invariant`, if the file has it.
     frame: Option<String>,
     /// The scalar, if the file has it.
@@ -27,24 +33,95 @@ pub struct StoredTable {
 /// The indices of a component (from 0) and its value as written.
 type Component = (Vec<usize>, String);
 
-/// A component whose stored value differs from the computed one.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Difference {
-    /// The component, `R^1_212`.
-    pub component: String,
-    /// The stored value; `0` if there is none.
-    pub stored: String,
-    /// The computed value; `0` if there is none.
-    pub computed: String,
+/// The largest size of a stored table, in bytes.
+const MAX_BYTES: u64 = 1 << 32;
+/// The largest number of differing components that are shown; all are counted.
+const SHOWN: usize = 20;
+
+/// The components whose stored values differ from the computed ones.
+#[derive(Clone, Debug)]
+pub struct Differences {
+    /// The tensors compared.
+    compared: Vec<Quantity>,
+    /// The component, `R^1_212`, its stored and its computed value.
+    found: Vec<[String; 3]>,
+}
+
+impl Differences {
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.found.is_empty()
+    }
+
+    /// The component, `R^1_212`, its stored and its computed value; 0 where there is none.
+    pub fn iter(&self) -> impl Iterator<Item = &[String; 3]> {
+        self.found.iter()
+    }
+}
+
+impl Report for Differences {
+    /// Writes the first differences. JSON has the schema `affinor.verify/1`.
+    fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        let keys: Vec<&str> = self.compared.iter().map(|quantity| quantity.key()).collect();
+        let compared = keys.join(", ");
+        if self.is_empty() && format == Format::Text {
+            return writeln!(out, "the stored table agrees: {compared}");
+        }
+        let title = match self.found.len() {
+            0 => format!("The stored table agrees: {compared}"),
+            1 => "1 component differs".into(),
+            n if n > SHOWN => format!("{n} components differ; the first {SHOWN}"),
+            n => format!("{n} components differ"),
+        };
+        let shown = || self.found.iter().take(SHOWN);
+        let entry = |[component, stored, computed]: &[String; 3]| json!({ "component": component, "stored": stored, "computed": computed });
+        let json = json!({
+            "schema": "affinor.verify/1",
+            "ok": self.is_empty(),
+            "compared": keys,
+            "differences": self.found.len(),
+            "first": shown().map(entry).collect::<Vec<_>>(),
+        });
+        let rows = shown().map(|row| row.each_ref().map(|cell| cell.as_str().into()).to_vec());
+        Grid::new(title, &["component", "stored", "computed"], rows.collect(), json)
+            .write(format, out)
+    }
 }
 
 impl StoredTable {
-    /// Reads a stored table: JSON if the text begins with `{`, else CSV.
+    /// Reads a stored table from a file, as [`parse`](Self::parse).
     ///
     /// # Errors
-    /// A description of the error and its place.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        if text.trim_start().starts_with('{') { Self::json(text) } else { Self::csv(text) }
+    /// A file that cannot be read; a text that is no table.
+    pub fn read(path: &str) -> Result<Self, InputError> {
+        let (name, bytes) = bytes(path, MAX_BYTES)?;
+        Self::of_source(decode(&name, &bytes)?)
+    }
+
+    /// Reads a stored table: JSON if the text begins with `{`, else CSV. Messages call it `name`.
+    ///
+    /// # Errors
+    /// A text that is no table.
+    pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
+        Self::of_source(Source::new(name.escape_debug().to_string(), text))
+    }
+
+    fn of_source(source: Source) -> Result<Self, InputError> {
+        let text = source.text.clone();
+        let mut table = StoredTable {
+            // the text itself is not kept
+            place: Place::within(Source::new(source.name, "")),
+            connection: None,
+            dimension: None,
+            frame: None,
+            scalar: None,
+            independent: false,
+            tensors: vec![],
+            lists_zeros: text.trim_start().starts_with('{'),
+        };
+        let read = if table.lists_zeros { table.json(&text) } else { table.csv(&text) };
+        read.map_err(|error| error.at(&table.place))?;
+        Ok(table)
     }
 
     /// The tensors that are stored.
@@ -52,16 +129,30 @@ impl StoredTable {
         self.tensors.iter().map(|(quantity, _)| *quantity).collect()
     }
 
-    /// The largest index of a stored component: the least dimension that it fits.
-    pub fn least_dimension(&self) -> usize {
+    /// Checks that the components fit a space of this dimension.
+    ///
+    /// # Errors
+    /// A table of another dimension, or with a larger index.
+    pub fn expect_dimension(&self, computed: usize) -> Result<(), InputError> {
         let components = self.tensors.iter().flat_map(|(_, components)| components);
-        components.flat_map(|(indices, _)| indices).max().map_or(0, |index| index + 1)
+        let least = components.flat_map(|(indices, _)| indices).max().map_or(0, |index| index + 1);
+        let stored = match self.dimension {
+            Some(dimension) if dimension != computed => dimension.to_string(),
+            None if least > computed => format!("at least {least}"),
+            _ => return Ok(()),
+        };
+        let message = format!("the stored dimension is {stored}, the computed one {computed}");
+        Err(InputError::mathematics(message).at(&self.place))
     }
 
     /// The settings of the stored table that differ from those of the computed one, each with the option that changes it,
     /// if there is one.
     pub fn remarks<S: Notation>(&self, table: &Table<S>) -> Vec<String> {
         let mut remarks = Vec::new();
+        if let Some(stored) = self.connection.as_ref().filter(|name| **name != table.connection) {
+            let (stored, computed) = (stored.escape_debug(), &table.connection);
+            remarks.push(format!("the stored connection is {stored}, the computed one {computed}"));
+        }
         if let Some(frame) = self.frame.as_ref().filter(|frame| *frame != table.frame) {
             let see = match (frame.as_str(), table.frame) {
                 ("right-invariant", "left-invariant") => ": see --frame right",
@@ -84,17 +175,15 @@ impl StoredTable {
     ///
     /// # Errors
     /// A tensor that is missing in JSON.
-    pub fn select(&mut self, chosen: &[Quantity]) -> Result<(), String> {
+    pub fn select(&mut self, chosen: &[Quantity]) -> Result<(), InputError> {
         let mut tensors = Vec::new();
         for &quantity in chosen {
             let found = self.tensors.iter().find(|(other, _)| *other == quantity);
-            match found {
-                Some(found) => tensors.push(found.clone()),
-                None if self.lists_zeros => {
-                    return Err(format!("{} is not stored", quantity.key()));
-                }
-                None => tensors.push((quantity, vec![])),
+            if found.is_none() && self.lists_zeros {
+                let error = InputError::usage(format!("{} is not stored", quantity.key()));
+                return Err(error.at(&self.place));
             }
+            tensors.push(found.cloned().unwrap_or((quantity, vec![])));
         }
         self.tensors = tensors;
         Ok(())
@@ -105,119 +194,115 @@ impl StoredTable {
     ///
     /// # Errors
     /// A stored value that cannot be read, or a tensor that the computed table lacks.
-    pub fn differences<S: Notation>(&self, table: &Table<S>) -> Result<Vec<Difference>, String> {
-        let mut differences = Vec::new();
+    pub fn differences<S: Notation>(&self, table: &Table<S>) -> Result<Differences, InputError> {
+        let mut found = Vec::new();
         for (quantity, components) in &self.tensors {
+            let refused = |reason: String| InputError::usage(reason).at(&self.place);
             let key = quantity.key();
             let entry = table.tensors.iter().find(|entry| entry.quantity == *quantity);
             let Some(TableEntry { tensor, .. }) = entry else {
-                return Err(format!("{key} is stored, and does not apply to this space"));
+                return Err(refused(format!("{key} is stored, and does not apply to this space")));
             };
             let shown = if table.independent { &super::independent(tensor) } else { tensor };
             let mut values = Vec::new();
             for (indices, value) in components {
-                let read = read(value).map_err(|reason| format!("{key}: `{value}`: {reason}"))?;
+                let read =
+                    read(value).map_err(|reason| refused(format!("{key}: `{value}`: {reason}")))?;
                 values.push((indices.clone(), read));
             }
             values.sort_by(|a, b| a.0.cmp(&b.0));
             if let Some(twice) = values.windows(2).find(|pair| pair[0].0 == pair[1].0) {
                 let indices: Vec<usize> = twice[0].0.iter().map(|index| index + 1).collect();
-                return Err(format!("{key}: the component {indices:?} is stored twice"));
+                return Err(refused(format!("{key}: the component {indices:?} is stored twice")));
             }
             let stored = Tensor::from_components(shown.dimension(), shown.slots(), values)
-                .map_err(|error| format!("{key}: {error}"))?
+                .map_err(|error| refused(format!("{key}: {error}")))?
                 .with_tolerance(table.tolerance);
-            differences.extend(compare(*quantity, &stored, shown));
+            found.extend(compare(*quantity, &stored, shown));
         }
-        Ok(differences)
+        Ok(Differences { compared: self.quantities(), found })
     }
 
-    fn json(text: &str) -> Result<Self, String> {
-        let root: Value = serde_json::from_str(text).map_err(|error| error.to_string())?;
+    fn json(&mut self, text: &str) -> Result<(), InputError> {
+        let refused = |reason: &str| InputError::usage(reason);
+        let root: Value = serde_json::from_str(text).map_err(|e| refused(&e.to_string()))?;
         match root["schema"].as_str() {
             Some("affinor.table/1") => {}
-            Some(other) => return Err(format!("the schema is `{other}`, not affinor.table/1")),
-            None => return Err("the schema is missing, affinor.table/1".into()),
-        }
-        let object = root["tensors"].as_object().ok_or("there is no object `tensors`")?;
-        let mut tensors = Vec::new();
-        for (key, tensor) in object {
-            let quantity = Quantity::from_key(key).ok_or(format!("`{key}` is no tensor"))?;
-            let list = tensor["components"].as_array().ok_or(format!("{key} has no components"))?;
-            let component = |item: &Value| -> Option<Component> {
-                let [indices, value] = item.as_array()?.as_slice() else {
-                    return None;
-                };
-                let index = |index: &Value| usize::try_from(index.as_u64()?.checked_sub(1)?).ok();
-                let indices = indices.as_array()?.iter().map(index).collect::<Option<_>>()?;
-                let value = match value {
-                    Value::String(text) => text.clone(),
-                    Value::Number(number) => number.to_string(),
-                    _ => return None,
-                };
-                Some((indices, value))
-            };
-            let mut components = Vec::new();
-            for item in list {
-                components.push(component(item).ok_or(format!("{key}: {item} is no component"))?);
+            Some(other) => {
+                return Err(refused(&format!("the schema is `{other}`, not affinor.table/1")));
             }
-            tensors.push((quantity, components));
+            None => return Err(refused("the schema is missing, affinor.table/1")),
         }
-        if tensors.is_empty() {
-            return Err("there is no tensor in it".into());
+        let object = root["tensors"].as_object();
+        for (key, tensor) in object.ok_or_else(|| refused("there is no object `tensors`"))? {
+            let list = tensor["components"].as_array();
+            let list = list.ok_or_else(|| refused(&format!("{key} has no components")));
+            let mut components = Vec::new();
+            let quantity = of_key(key)?;
+            for item in list? {
+                let component = component(item);
+                let message = || refused(&format!("{key}: {item} is no component"));
+                components.push(component.ok_or_else(message)?);
+            }
+            self.tensors.push((quantity, components));
         }
-        let connection = root["connection"]["name"].as_str().map(str::to_string);
-        let dimension = root["algebra"]["dimension"].as_u64().and_then(|n| usize::try_from(n).ok());
+        if self.tensors.is_empty() {
+            return Err(refused("there is no tensor in it"));
+        }
         let text = |value: &Value| value.as_str().map(str::to_string);
         let conventions = &root["conventions"];
-        Ok(StoredTable {
-            connection,
-            dimension,
-            frame: text(&conventions["frame"]),
-            scalar: text(&root["scalar"]),
-            independent: !conventions["components"].is_null(),
-            tensors,
-            lists_zeros: true,
-        })
+        self.connection = text(&root["connection"]["name"]);
+        self.dimension = root["algebra"]["dimension"].as_u64().and_then(|n| n.try_into().ok());
+        self.frame = text(&conventions["frame"]);
+        self.scalar = text(&root["scalar"]);
+        self.independent = !conventions["components"].is_null();
+        Ok(())
     }
 
-    fn csv(text: &str) -> Result<Self, String> {
+    fn csv(&mut self, text: &str) -> Result<(), InputError> {
+        let failed = |error: csv::Error| InputError::usage(error.to_string());
         let mut reader = csv::Reader::from_reader(text.as_bytes());
-        let header = reader.headers().map_err(|error| error.to_string())?.clone();
+        let header = reader.headers().map_err(failed)?.clone();
         let columns = header.len();
-        let shape = columns >= 6 && &header[0] == "tensor" && &header[columns - 1] == "value";
-        if !shape {
-            return Err("the header is not tensor,i,j,k,l,...,value".into());
+        if columns < 6 || &header[0] != "tensor" || &header[columns - 1] != "value" {
+            return Err(InputError::usage("the header is not tensor,i,j,k,l,...,value"));
         }
-        let mut tensors: Vec<(Quantity, Vec<Component>)> = Vec::new();
         for (row, record) in reader.records().enumerate() {
-            let record = record.map_err(|error| error.to_string())?;
-            let here = |what: &str| format!("row {}: {what}", row + 2);
-            let quantity = Quantity::from_key(&record[0])
-                .ok_or(here(&format!("`{}` is no tensor", &record[0])))?;
+            let record = record.map_err(failed)?;
+            let here = |what: &str| InputError::usage(format!("row {}: {what}", row + 2));
+            let quantity = of_key(&record[0]).map_err(|error| here(&error.message))?;
             let index = |field: &str| field.parse::<usize>().ok()?.checked_sub(1);
             let fields = (1..columns - 1).map(|at| &record[at]).filter(|field| !field.is_empty());
             let indices = fields.map(index).collect::<Option<Vec<_>>>();
-            let component =
-                (indices.ok_or(here("an index is no number"))?, record[columns - 1].into());
-            match tensors.iter_mut().find(|(other, _)| *other == quantity) {
+            let indices = indices.ok_or_else(|| here("an index is no number"))?;
+            let component = (indices, record[columns - 1].into());
+            match self.tensors.iter_mut().find(|(other, _)| *other == quantity) {
                 Some((_, components)) => components.push(component),
-                None => tensors.push((quantity, vec![component])),
+                None => self.tensors.push((quantity, vec![component])),
             }
         }
-        if tensors.is_empty() {
-            return Err("there is no component in it".into());
+        match self.tensors.is_empty() {
+            true => Err(InputError::usage("there is no component in it")),
+            false => Ok(()),
         }
-        Ok(StoredTable {
-            connection: None,
-            dimension: None,
-            frame: None,
-            scalar: None,
-            independent: false,
-            tensors,
-            lists_zeros: false,
-        })
     }
+}
+
+fn of_key(key: &str) -> Result<Quantity, InputError> {
+    Quantity::from_key(key).ok_or_else(|| InputError::usage(format!("`{key}` is no tensor")))
+}
+
+/// A component in JSON, `[[1, 2, 1, 2], "1/4"]`.
+fn component(item: &Value) -> Option<Component> {
+    let [indices, value] = item.as_array()?.as_slice() else { return None };
+    let index = |index: &Value| usize::try_from(index.as_u64()?.checked_sub(1)?).ok();
+    let indices = indices.as_array()?.iter().map(index).collect::<Option<_>>()?;
+    let value = match value {
+        Value::String(text) => text.clone(),
+        Value::Number(number) => number.to_string(),
+        _ => return None,
+    };
+    Some((indices, value))
 }
 
 /// A value as any scalar writes it.
@@ -230,15 +315,14 @@ fn read<S: Notation>(value: &str) -> Result<S, String> {
     }
     let parameter = |name: &str| S::parameter(name).ok_or(format!("`{name}` is no number"));
     let expression = Expression::parse(value).map_err(|error| error.to_string())?;
-    let meaning = Functions(Scalars(parameter), S::function);
-    expression.evaluate(&meaning).map_err(|error| error.to_string())
+    expression.evaluate(&Scalars(parameter, S::function)).map_err(|error| error.to_string())
 }
 
 fn compare<S: Notation>(
     quantity: Quantity,
     stored: &Tensor<S>,
     computed: &Tensor<S>,
-) -> Vec<Difference> {
+) -> Vec<[String; 3]> {
     let differs = |a: &S, b: &S| {
         let mut difference = S::Sum::term(a);
         difference.add_term(&-b.clone());
@@ -262,8 +346,7 @@ fn compare<S: Notation>(
         let (a, b) = (a.unwrap_or(&zero), b.unwrap_or(&zero));
         if differs(a, b) {
             let component = text::component(quantity, computed, &at);
-            let (stored, computed) = (plain(a), plain(b));
-            differences.push(Difference { component, stored, computed });
+            differences.push([component, plain(a), plain(b)]);
         }
     }
 }

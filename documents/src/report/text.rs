@@ -16,9 +16,7 @@ const TITLE: usize = 13;
 pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
     fill(out, "", &[printable(&table.name)])?;
     let labels: Vec<String> = table.labels.iter().map(|label| printable(label)).collect();
-    let basis = ("basis", labels.join(", "));
     let mut lines = table.head();
-    lines.insert(1, basis);
     lines.push(("conventions", conventions()));
     for (title, line) in lines {
         fill(out, &format!("  {title:TITLE$}"), &[line])?;
@@ -102,11 +100,10 @@ pub(super) fn equation<S: Notation>(
     group: &Group<S>,
     name: impl Fn(&[usize]) -> String,
 ) -> Vec<String> {
-    let members = group.members.iter().enumerate().map(|(position, (at, negative))| {
-        let equals = if position == 0 { "" } else { "= " };
-        format!("{equals}{}{}", if *negative { "-" } else { "" }, name(at))
-    });
-    members.chain([format!("= {}", plain(&group.value))]).collect()
+    let mut pieces = group.names(name);
+    pieces.push(plain(&group.value));
+    pieces[1..].iter_mut().for_each(|piece| piece.insert_str(0, "= "));
+    pieces
 }
 
 /// The symbol with its indices, `^` before upper and `_` before lower ones.

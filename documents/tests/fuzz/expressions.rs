@@ -1,7 +1,7 @@
 //! The expression parser, over every scalar.
 
 use crate::fuzz::mutation::{mutants, sentences, texts};
-use affinor_tensors::expression::{Expression, ExpressionError, Functions, Scalars};
+use affinor_tensors::expression::{Expression, ExpressionError, Scalars};
 use affinor_tensors::{Notation, Rational, Symbolic};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -69,8 +69,8 @@ const SEEDS: &[&str] = &[
 fn evaluate(text: &str) -> Vec<Result<(), ExpressionError>> {
     fn over<S: Notation>(text: &str) -> Result<(), ExpressionError> {
         let name = |name: &str| S::parameter(name).or_else(|| S::from_quotient(1, 3));
-        let names = Scalars(|text: &str| name(text).ok_or("no value".to_string()));
-        let meaning = Functions(names, S::function);
+        let names = |text: &str| name(text).ok_or("no value".to_string());
+        let meaning = Scalars(names, S::function);
         let value = Expression::parse(text)?.evaluate(&meaning)?;
         // a value is written, read, and stays itself
         let again = Expression::parse(&value.to_string())?.evaluate(&meaning)?;

@@ -28,7 +28,7 @@
 
 use super::name::{Argument, rule};
 use super::{CatalogueError, Entry, Family, Reader, numbered};
-use affinor_tensors::expression::{Expression, ExpressionError, Scalars};
+use affinor_tensors::expression::{Expression, ExpressionError, Scalars, no_function};
 use affinor_tensors::{Notation, Ring, Symbolic};
 
 /// Bianchi's types.
@@ -38,7 +38,6 @@ pub(super) const FAMILY: Family = Family {
     summary: "three dimensions, basis e1,e2,e3; VI: [e1,e3] = e1, [e2,e3] = h*e2 (VI_0 is h=-1, \
               III is h=0); VII: [e1,e3] = h*e1 - e2, [e2,e3] = e1 + h*e2; h is a parameter if not given",
     example: "bianchi(IX)",
-    head: "bianchi",
     reader: Reader::Words(read),
 };
 
@@ -89,7 +88,7 @@ fn read(name: &str, arguments: &[Argument]) -> Result<Entry, CatalogueError> {
 fn evaluate(name: &str, value: Argument) -> Result<Symbolic, CatalogueError> {
     let parameter = |name: &str| Notation::parameter(name).ok_or("this is no name".to_string());
     let result = Expression::parse(value.text)
-        .and_then(|expression| expression.evaluate(&Scalars(parameter)));
+        .and_then(|expression| expression.evaluate(&Scalars(parameter, no_function)));
     result.map_err(|ExpressionError { span, reason }| {
         let span = value.at + span.start..value.at + span.end;
         CatalogueError::Value { name: name.into(), source: ExpressionError { span, reason } }

@@ -10,7 +10,6 @@ pub(super) const FAMILY: Family = Family {
     summary: "rigid motions of R^n; basis e1.. as in so(n), then the translations p1..pn = \
               E_i,n+1: se(3) has [e1,e2] = e3, [e1,p2] = p3",
     example: "se(3)",
-    head: "se",
     reader: Reader::Integers {
         count: 1,
         dimension: |n| (n[0] >= 2).then(|| pair_count(n[0].saturating_add(1))),
@@ -25,7 +24,6 @@ pub(super) const EXTENDED: Family = Family {
     summary: "extended poses: rotations of R^n, velocities v1..vn, positions p1..pn; basis e1.. as in \
               so(n), then v and p: se_2(3) has [e1,v2] = v3, [e1,p2] = p3",
     example: "se_2(3)",
-    head: "se_2",
     reader: Reader::Integers {
         count: 1,
         dimension: |n| (n[0] >= 2).then(|| pair_count(n[0].saturating_add(1)).saturating_add(n[0])),

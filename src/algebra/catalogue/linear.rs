@@ -9,7 +9,6 @@ pub(super) const SPECIAL: Family = Family {
     summary: "real n x n matrices without trace; basis E_ij for i < j, then E_ji in the same \
               order, then H_k = E_kk - E_k+1,k+1",
     example: "sl(2)",
-    head: "sl",
     reader: Reader::Integers {
         count: 1,
         dimension: |n| (n[0] >= 2).then(|| n[0].saturating_mul(n[0]) - 1),
@@ -23,7 +22,6 @@ pub(super) const GENERAL: Family = Family {
     needs: "n >= 1",
     summary: "all real n x n matrices; basis E_ij row by row",
     example: "gl(3)",
-    head: "gl",
     reader: Reader::Integers {
         count: 1,
         dimension: |n| (n[0] >= 1).then(|| n[0].saturating_mul(n[0])),

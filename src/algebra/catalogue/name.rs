@@ -47,17 +47,17 @@ pub(super) fn resolve(name: &str) -> Result<Reading<'_>, CatalogueError> {
     let longer = |head: &&str| {
         head.starts_with(letters) && head.contains('_') && whole.text.starts_with(head)
     };
-    let word = FAMILIES.iter().map(|family| family.head).find(longer).unwrap_or(letters);
+    let word = FAMILIES.iter().map(|family| family.head()).find(longer).unwrap_or(letters);
     let begins = |family: &Family| match family.reader {
-        Reader::Integers { .. } => word == family.head,
-        Reader::Words(_) => word.starts_with(family.head),
+        Reader::Integers { .. } => word == family.head(),
+        Reader::Words(_) => word.starts_with(family.head()),
     };
     let families: Vec<_> = FAMILIES.iter().filter(|family| begins(family)).collect();
     let Some(first) = families.first() else {
         let nearest = nearest(word, whole.from(word.len()).text);
         return Err(CatalogueError::Unknown { name: name.into(), nearest });
     };
-    let (arguments, bare) = arguments(name, first, whole.from(first.head.len()))?;
+    let (arguments, bare) = arguments(name, first, whole.from(first.head().len()))?;
     if arguments.is_empty() {
         let candidates = families.iter().map(|family| family.example.into()).collect();
         return Err(CatalogueError::Incomplete { name: whole.text.into(), candidates });
@@ -98,7 +98,7 @@ fn arguments<'t>(
         Err(CatalogueError::Malformed { name: name.into(), span: at..to, reason })
     };
     let mut behind = behind.trimmed();
-    if family.pattern[family.head.len()..].starts_with('^') && behind.text.starts_with('^') {
+    if family.pattern[family.head().len()..].starts_with('^') && behind.text.starts_with('^') {
         behind = behind.from(1).trimmed();
     }
     let bare = !behind.text.starts_with('(');
@@ -181,7 +181,7 @@ fn nearest(word: &str, behind: &str) -> Vec<String> {
     const LONGEST: usize = 32;
     let lower = word.to_lowercase();
     let distance = |family: &&Family| {
-        let head = family.head.to_lowercase();
+        let head = family.head().to_lowercase();
         let distance = strsim::damerau_levenshtein(&lower, &head);
         (distance <= head.len() / 2).then_some(distance)
     };
@@ -193,7 +193,7 @@ fn nearest(word: &str, behind: &str) -> Vec<String> {
     };
     let mut names = Vec::new();
     for family in FAMILIES.iter().filter(|family| distance(family) == Some(least)) {
-        let found = match resolve(&format!("{}{behind}", family.head)) {
+        let found = match resolve(&format!("{}{behind}", family.head())) {
             Ok(reading) => vec![reading.name()],
             Err(CatalogueError::Ambiguous { readings, .. }) => readings,
             Err(_) => vec![family.example.into()],

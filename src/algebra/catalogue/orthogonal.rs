@@ -9,7 +9,6 @@ pub(super) const DEFINITE: Family = Family {
     summary: "rotations of R^n; basis e1.. = (-1)^(i+j) (E_ij - E_ji) for i < j, the last pair \
               (n-1,n) first: so(3) has e_k = spin(e_k), [e1,e2] = e3",
     example: "so(3)",
-    head: "so",
     reader: Reader::Integers {
         count: 1,
         dimension: |n| (n[0] >= 2).then(|| pair_count(n[0])),
@@ -24,7 +23,6 @@ pub(super) const INDEFINITE: Family = Family {
     summary: "preserves η = diag(1 (p times), -1 (q times)); basis e1.. = \
               (-1)^(i+j) (E_ij - η_i η_j E_ji) for i < j, the last pair (n-1,n) first, n = p + q",
     example: "so(3,1)",
-    head: "so",
     reader: Reader::Integers {
         count: 2,
         dimension: |n| (n[0] >= 1 && n[1] >= 1).then(|| pair_count(n[0].saturating_add(n[1]))),

@@ -10,7 +10,6 @@ pub(super) const FAMILY: Family = Family {
               E_ij - E_n+j,n+i row by row, then B_ij = E_i,n+j + E_j,n+i for i < j and E_i,n+i for \
               i = j, row by row, then C_ij = B_ij^T",
     example: "sp(6)",
-    head: "sp",
     reader: Reader::Integers {
         count: 1,
         dimension: |n| (n[0] >= 2 && n[0] % 2 == 0).then(|| (n[0] / 2).saturating_mul(n[0] + 1)),

@@ -13,7 +13,6 @@ pub(super) const FAMILY: Family = Family {
               each i < j, then -i/2 (E_kk - E_k+1,k+1): su(2) has [e1,e2] = e3; from su(3) on the \
               diagonal ones are not orthogonal (Gell-Mann's need square roots)",
     example: "su(3)",
-    head: "su",
     reader: Reader::Integers {
         count: 1,
         dimension: |n| (n[0] >= 2).then(|| n[0].saturating_mul(n[0]) - 1),

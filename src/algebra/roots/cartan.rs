@@ -1,6 +1,5 @@
 //! Cartan types: the names of the simple Lie algebras, and their Cartan matrices.
 
-use std::error::Error;
 use std::fmt;
 
 /// The largest dimension of an algebra that a [`CartanType`] may name.
@@ -42,9 +41,12 @@ pub enum Series {
 }
 
 /// Why there is no [`CartanType`] of a series and a rank.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum RootError {
     /// The series has no simple algebra of this rank.
+    #[error(
+        "there is no simple Lie algebra {series}{rank}: {series}n needs {}", .series.ranks()
+    )]
     NoSuchType {
         /// The series asked for.
         series: Series,
@@ -52,12 +54,27 @@ pub enum RootError {
         rank: usize,
     },
     /// The algebra exists, but its dimension exceeds [`MAX_DIMENSION`].
+    #[error("the dimension of {series}{rank} exceeds the limit of {MAX_DIMENSION}")]
     TooLarge {
         /// The series asked for.
         series: Series,
         /// The rank asked for.
         rank: usize,
     },
+}
+
+impl Series {
+    /// The condition on the rank.
+    fn ranks(self) -> &'static str {
+        match self {
+            Series::A => "n >= 1",
+            Series::B | Series::C => "n >= 2",
+            Series::D => "n >= 3",
+            Series::E => "n = 6, 7, 8",
+            Series::F => "n = 4",
+            Series::G => "n = 2",
+        }
+    }
 }
 
 impl CartanType {
@@ -119,14 +136,6 @@ impl CartanType {
 
     /// The Cartan matrix `a_ij = <α_i, α_j^∨> = 2 (α_i, α_j) / (α_j, α_j)`: row = root, column =
     /// coroot, as in Bourbaki and in GAP. The Chevalley relation is then `[h_j, e_i] = a_ij e_i`.
-    ///
-    /// ```
-    /// use affinor::algebra::roots::{CartanType, Series};
-    ///
-    /// // α_1 is short: <α_2, α_1^∨> = -3.
-    /// assert_eq!(CartanType::new(Series::G, 2)?.cartan_matrix(), [[2, -1], [-3, 2]]);
-    /// # Ok::<(), affinor::algebra::roots::RootError>(())
-    /// ```
     pub fn cartan_matrix(self) -> Vec<Vec<i64>> {
         let lengths = self.squared_lengths();
         let mut matrix = vec![vec![0; self.rank]; self.rank];
@@ -178,26 +187,3 @@ impl fmt::Display for CartanType {
         write!(f, "{}{}", self.series, self.rank)
     }
 }
-
-impl fmt::Display for RootError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            RootError::NoSuchType { series, rank } => {
-                let ranks = match series {
-                    Series::A => "n >= 1",
-                    Series::B | Series::C => "n >= 2",
-                    Series::D => "n >= 3",
-                    Series::E => "n = 6, 7, 8",
-                    Series::F => "n = 4",
-                    Series::G => "n = 2",
-                };
-                write!(f, "there is no simple Lie algebra {series}{rank}: {series}n needs {ranks}")
-            }
-            RootError::TooLarge { series, rank } => {
-                write!(f, "the dimension of {series}{rank} exceeds the limit of {MAX_DIMENSION}")
-            }
-        }
-    }
-}
-
-impl Error for RootError {}

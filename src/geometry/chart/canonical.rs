@@ -1,4 +1,4 @@
-//! CanonicalCoordinates coordinates of both kinds: the invariant forms, through functions of `ad`.
+//! Canonical coordinates of both kinds: the invariant forms, through functions of `ad`.
 
 use crate::Error;
 use crate::algebra::{ad, to_matrix};
@@ -43,13 +43,8 @@ pub(super) enum Entire {
     Integral,
 }
 
-/// The forms `g^-1 dg` (left) or `dg g^-1` (right), slots `[Up, Down]`:
-///
-/// ```text
-/// first kind    T_left(x) dx, T_right(x) dx      T_left(x) = sum (-ad_x)^k/(k+1)!
-/// second kind   exp(-x^n ad_n) .. exp(-x^{a+1} ad_{a+1}) e_a dx^a,
-///               exp(x^1 ad_1) .. exp(x^{a-1} ad_{a-1}) e_a dx^a
-/// ```
+/// The forms `g^-1 dg` (left) or `dg g^-1` (right), slots `[Up, Down]`, by the formulas of
+/// [`Chart::invariant_fields`](super::Chart::invariant_fields).
 ///
 /// `value(function, ad, at)` is the function of `-ad` (left) or `ad` (right). `ad` depends on the
 /// coordinates in the range `at`.

@@ -44,24 +44,6 @@ impl<S: Field> Connection<S> {
     /// The same connection in the frame `e'_a = A^i_a e_i`: with `B` the inverse of `A`,
     /// `Lambda'^c_ab = B^c_i (Lambda^i_jk A^j_a A^k_b + A^j_a e_j(A^i_b))`.
     ///
-    /// ```
-    /// use affinor::{BasisChange, Connection, Frame};
-    /// use affinor::{Down, Ring, Symbolic, Tensor, Up};
-    /// // the plane, flat, in polar unit vectors: nabla_{e_t} e_t = -1/r e_r
-    /// let frame = Frame::coordinates(&["r", "t"])?;
-    /// let (r, one) = (Symbolic::parameter("r"), Symbolic::from_i64(1));
-    /// let over_r = one.clone() / &r;
-    /// let polar = [([0, 1, 1], -r), ([1, 0, 1], over_r.clone()), ([1, 1, 0], over_r.clone())];
-    /// let polar = Tensor::from_components(2, &[Up, Down, Down], polar)?;
-    /// let plane = Connection::new(frame, polar)?;
-    /// let unit = [([0, 0], one), ([1, 1], over_r)];
-    /// let unit = BasisChange::new(Tensor::from_components(2, &[Up, Down], unit)?)?;
-    /// let moved = plane.moved(["e_r", "e_t"], &unit)?;
-    /// assert_eq!(moved.gamma().get(&[0, 1, 1]).to_string(), "-1/r");
-    /// assert!(moved.curvature().is_empty());
-    /// # Ok::<(), affinor::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
     pub fn moved(

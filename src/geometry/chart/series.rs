@@ -22,9 +22,6 @@ pub(super) struct Scaling {
 
 impl Scaling {
     /// The scaling for a matrix.
-    ///
-    /// # Errors
-    /// [`Error::Overflow`] for a matrix that is too large.
     pub(super) fn of(m: &Matrix<f64>) -> Result<Self, Error> {
         let norm = |m: &Matrix<f64>| {
             let row = |i: usize| m.row(i).iter().map(|(_, value)| value.abs()).sum::<f64>();

@@ -1,10 +1,10 @@
-//! The parts of the Ricci tensor, the scalar curvature and the Einstein tensor.
+//! Tensors and scalars of curvature and metric: Ricci's parts, Einstein, scalar, Kretschmann and sectional curvature.
 
 use crate::Error;
-use crate::algebra::frame::formula;
+use crate::algebra::frame::{expect_slots, formula};
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
-use affinor_tensors::{Field, Tensor, TensorError};
+use affinor_tensors::{Field, Tensor, TensorError, Up};
 
 impl<S: Field> Connection<S> {
     /// The symmetric part, slots `_jl`: `(Ric_jl + Ric_lj)/2`. It alone enters the scalar curvature.
@@ -39,17 +39,6 @@ impl<S: Field> Connection<S> {
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ; [`Error::Tensor`] over a field in which 2 has no
     /// inverse.
-    ///
-    /// ```
-    /// use affinor::algebra::catalogue;
-    /// use affinor::{Connection, Metric, Rational};
-    /// // [x, y] = y, orthonormal: the hyperbolic plane, Ric = -g and S = -2
-    /// let algebra = catalogue::algebra::<Rational>("aff(1)")?;
-    /// let metric = Metric::identity(2)?;
-    /// let plane = Connection::levi_civita(algebra.left_frame(), &metric)?;
-    /// assert!(plane.einstein(&metric)?.is_empty()); // as for every surface
-    /// # Ok::<(), affinor::Error>(())
-    /// ```
     pub fn einstein(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
         let half = S::from_i64(2).recip().ok_or(TensorError::NotInvertible(2))?;
         self.ricci_less_trace(metric, &half)
@@ -65,5 +54,48 @@ impl<S: Field> Connection<S> {
         let ricci = self.ricci();
         let trace = metric.components().scale(&(metric.trace(&ricci)? * share));
         Ok(formula("r_jl - s_jl -> _jl", &[("r", &ricci), ("s", &trace)]))
+    }
+
+    /// The Kretschmann scalar `R_ijkl R^ijkl`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ.
+    pub fn kretschmann(&self, metric: &Metric<S>) -> Result<S, Error> {
+        metric.expect_dimension(self.frame().dimension())?;
+        let lowered = self.curvature().lower(0, metric.components())?;
+        let raise = |tensor: Tensor<S>, slot| tensor.raise(slot, metric.inverse());
+        let raised = (0..4).try_fold(lowered.clone(), raise)?;
+        let square = formula("r_ijkl R^ijkl ->", &[("r", &lowered), ("R", &raised)]);
+        Ok(square.to_scalar().expect("a tensor of rank 0"))
+    }
+
+    /// The sectional curvature `K(x,y) = g(R(x,y)y, x) / (g(x,x) g(y,y) - g(x,y)^2)`; `None` where
+    /// the plane is degenerate.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] unless the vectors and the metric have the dimension of the frame.
+    pub fn sectional_curvature(
+        &self,
+        metric: &Metric<S>,
+        x: &[S],
+        y: &[S],
+    ) -> Result<Option<S>, Error> {
+        let n = self.frame().dimension();
+        let (x, y) = (Tensor::vector(x, Up), Tensor::vector(y, Up));
+        metric.expect_dimension(n)?;
+        expect_slots("the first vector", &x, n, &[Up])?;
+        expect_slots("the second vector", &y, n, &[Up])?;
+        let g = metric.components();
+        let product = |a: &Tensor<S>, b: &Tensor<S>| {
+            let lowered = formula("g_ij a^i -> _j", &[("g", g), ("a", a)]);
+            let value = formula("l_j b^j ->", &[("l", &lowered), ("b", b)]);
+            value.to_scalar().expect("a tensor of rank 0")
+        };
+        // R(x,y)y, one argument at a time
+        let r = formula("R^i_jkl y^j -> ^i_kl", &[("R", self.curvature()), ("y", &y)]);
+        let r = formula("R^i_kl x^k -> ^i_l", &[("R", &r), ("x", &x)]);
+        let r = formula("R^i_l y^l -> ^i", &[("R", &r), ("y", &y)]);
+        let area = product(&x, &x) * &product(&y, &y) - &(product(&x, &y) * &product(&x, &y));
+        Ok(area.recip().map(|recip| product(&r, &x) * &recip))
     }
 }

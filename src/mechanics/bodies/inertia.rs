@@ -1,6 +1,7 @@
 //! The inertia of a rigid body, and its state.
 
 use crate::Error;
+use crate::mechanics::invalid_inertia;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// The tolerance of symmetry, relative to the largest entry.
@@ -60,8 +61,7 @@ impl Inertia {
     pub fn new(matrix: &Matrix3<f64>) -> Result<Self, Error> {
         let size = matrix.amax();
         if let Some(off) = asymmetry(matrix) {
-            let reason = format!("the matrix is off symmetric by {off}");
-            return Err(Error::Invalid { what: "inertia", reason });
+            return Err(invalid_inertia(format!("the matrix is off symmetric by {off}")));
         }
         let scaled = matrix / size;
         let symmetric = (scaled + scaled.transpose()) * 0.5;
@@ -80,10 +80,7 @@ impl Inertia {
     fn principal(moments: Vector3<f64>, axes: Matrix3<f64>) -> Result<Self, Error> {
         // its reciprocal must be finite as well
         match moments.iter().find(|moment| !(moment.is_normal() && **moment > 0.0)) {
-            Some(moment) => {
-                let reason = format!("{moment} is a principal moment");
-                Err(Error::Invalid { what: "inertia", reason })
-            }
+            Some(moment) => Err(invalid_inertia(format!("{moment} is a principal moment"))),
             None => Ok(Inertia { moments, axes }),
         }
     }
@@ -158,6 +155,5 @@ pub(super) fn expect_masses(moments: &Vector3<f64>, size: f64) -> Result<(), Err
     if (c - b) - a <= FLAT * size {
         return Ok(());
     }
-    let reason = format!("moments {a}, {b}, {c}: no masses have them, as {c} > {a} + {b}");
-    Err(Error::Invalid { what: "inertia", reason })
+    Err(invalid_inertia(format!("moments {a}, {b}, {c}: no masses have them, as {c} > {a} + {b}")))
 }

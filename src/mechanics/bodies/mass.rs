@@ -7,6 +7,7 @@ pub use mesh::Mesh;
 
 use super::Inertia;
 use super::inertia::{asymmetry, expect_masses};
+use crate::mechanics::invalid_inertia;
 use crate::{Error, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{Isometry3, Matrix3, Matrix6, Vector3};
@@ -51,12 +52,11 @@ impl MassProperties {
     /// [`Error::Invalid`] for a mass that is not positive, a matrix that is not symmetric, and moments that violate the triangle
     /// inequality; [`Error::Overflow`] for numbers that are not finite.
     pub fn new(mass: f64, centre: Vector3<f64>, inertia: &Matrix3<f64>) -> Result<Self, Error> {
-        let refused = |reason: String| Err(Error::Invalid { what: "inertia", reason });
         if mass <= 0.0 {
-            return refused(format!("the mass is {mass}"));
+            return Err(invalid_inertia(format!("the mass is {mass}")));
         }
         if let Some(off) = asymmetry(inertia) {
-            return refused(format!("the matrix is off symmetric by {off}"));
+            return Err(invalid_inertia(format!("the matrix is off symmetric by {off}")));
         }
         let inertia = (inertia + inertia.transpose()) * 0.5;
         let second = Matrix3::identity() * (0.5 * inertia.trace()) - inertia;
@@ -202,8 +202,7 @@ fn rigid(matrix: &Matrix3<f64>) -> Result<Inertia, Error> {
     if least > ROUNDING * largest {
         return Ok(inertia);
     }
-    let reason = format!("the masses are on a line: a moment is {least} beside {largest}");
-    Err(Error::Invalid { what: "inertia", reason })
+    Err(invalid_inertia(format!("the masses are on a line: a moment is {least} beside {largest}")))
 }
 
 /// `tr(S) I - S`.
@@ -219,5 +218,5 @@ fn positive(what: &str, value: f64) -> Result<f64, Error> {
     if value > 0.0 && value.is_finite() {
         return Ok(value);
     }
-    Err(Error::Invalid { what: "inertia", reason: format!("{what} is {value}") })
+    Err(invalid_inertia(format!("{what} is {value}")))
 }

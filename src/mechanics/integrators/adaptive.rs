@@ -8,6 +8,7 @@ use super::tableaux::{DormandPrince, DormandPrince8, Tabulated};
 use super::tolerance::Allowed;
 use crate::Error;
 use crate::group::ode::LEAST_STEP;
+use crate::mechanics::stopped;
 use crate::mechanics::systems::cotangent::{CotangentSystem, State};
 
 /// The embedded pairs of Dormand and Prince.
@@ -136,8 +137,7 @@ impl<C: Copy> Adaptive<C> {
             let is_lost = state.time + h == state.time;
             let is_rounding = !last && h.abs() < LEAST_STEP * state.time.abs();
             if !h.is_finite() || is_lost || is_rounding {
-                let reason = "the steps become too small".into();
-                return Err(Error::Integration { t: state.time, reason });
+                return Err(stopped(state.time, "the steps become too small"));
             }
             let (five, eight) =
                 (RungeKutta::<_, _, C>::DORMAND_PRINCE, RungeKutta::<_, _, C>::DORMAND_PRINCE_8);
@@ -183,8 +183,7 @@ impl<C: Copy> Adaptive<C> {
             let mut steps = 0;
             while state.time != end {
                 if steps == self.max_steps {
-                    let reason = "too many steps".into();
-                    return Err(Error::Integration { t: state.time, reason });
+                    return Err(stopped(state.time, "too many steps"));
                 }
                 steps += 1;
                 self.step(system, &mut state, &mut next, end)?;

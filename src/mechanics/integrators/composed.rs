@@ -21,11 +21,16 @@ impl<I> Composed<I> {
     }
 }
 
+/// The fractions of the five steps.
+pub(super) fn fractions() -> [f64; 5] {
+    let outer = 1.0 / (4.0 - 4.0_f64.cbrt());
+    [outer, outer, 1.0 - 4.0 * outer, outer, outer]
+}
+
 impl<S: System, I: Integrator<S>> Integrator<S> for Composed<I> {
     fn step(&self, system: &S, state: &mut S::State, h: f64) -> Result<(), Error> {
-        let outer = 1.0 / (4.0 - 4.0_f64.cbrt());
         let mut next = state.clone();
-        for share in [outer, outer, 1.0 - 4.0 * outer, outer, outer] {
+        for share in fractions() {
             self.0.step(system, &mut next, share * h)?;
         }
         *state = next;

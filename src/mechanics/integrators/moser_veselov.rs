@@ -17,8 +17,9 @@ use super::principal::Principal;
 use crate::Error;
 use crate::group::{LieGroup, So3};
 use crate::mechanics::bodies::{BodyState, Inertia};
+use crate::mechanics::stopped;
 use crate::mechanics::systems::State;
-use crate::mechanics::systems::euler_poincare::{EulerPoincare, Free};
+use crate::mechanics::systems::euler_poincare::{EulerPoincare, Torque};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// The order of a step.
@@ -72,6 +73,7 @@ type Coefficients = [f64; 5];
 const NEWTON: f64 = 1e-8;
 /// It needs two or three.
 const ITERATIONS: usize = 30;
+const TOO_LONG: &str = "the step is too long";
 
 impl MoserVeselov {
     /// Steps of a body, of a given order.
@@ -99,13 +101,10 @@ impl MoserVeselov {
         let scale = step / self.unit;
         let mut y = Sum::new(axes.tr_mul(&start.momentum) * scale);
         let mut turn = Sum::new(Quaternion::identity().coords);
-        let stop = |taken: usize, reason: &str| Error::Integration {
-            t: step * taken as f64,
-            reason: reason.into(),
-        };
-        let stage = self.stage(&y.value).ok_or_else(|| stop(0, "the step is too long"))?;
+        let too_long = |taken: usize| stopped(step * taken as f64, TOO_LONG);
+        let stage = self.stage(&y.value).ok_or_else(|| too_long(0))?;
         for taken in 0..count {
-            let c = stage.solve(&y.value).ok_or_else(|| stop(taken, "the step is too long"))?;
+            let c = stage.solve(&y.value).ok_or_else(|| too_long(taken))?;
             let square = 1.0 + c.norm_squared();
             let length = square.sqrt();
             // (1, c)/length - 1
@@ -154,22 +153,21 @@ impl MoserVeselov {
     }
 }
 
-impl Integrator<EulerPoincare<So3, Free>> for MoserVeselov {
+impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for MoserVeselov {
     /// The spatial momentum is a part of the state, and does not change.
     ///
     /// # Errors
-    /// As [`steps`](Self::steps), and [`Error::Invalid`] for a system of another body.
+    /// As [`steps`](Self::steps), and [`Error::Invalid`] for a system of another body, [`Error::Integration`] for one with a torque.
     fn step(
         &self,
-        system: &EulerPoincare<So3, Free>,
+        system: &EulerPoincare<So3, M>,
         state: &mut State<So3>,
         h: f64,
     ) -> Result<(), Error> {
-        let start = self.body.state(system, state)?;
-        let too_long =
-            || Error::Integration { t: state.time, reason: "the step is too long".into() };
+        let start = self.body.free_state(system, state)?;
         let y = start.momentum * (h / self.unit);
-        let c = self.stage(&y).and_then(|stage| stage.solve(&y)).ok_or_else(too_long)?;
+        let c = self.stage(&y).and_then(|stage| stage.solve(&y));
+        let c = c.ok_or_else(|| stopped(state.time, TOO_LONG))?;
         let turn = UnitQuaternion::new_unchecked(Quaternion::from_parts(1.0, c));
         state.element = self.body.attitude(start.attitude * turn);
         state.time += h;

@@ -3,6 +3,7 @@
 use crate::Error;
 use crate::group::{LieGroup, So3};
 use crate::mechanics::bodies::{BodyState, Inertia};
+use crate::mechanics::stopped;
 use crate::mechanics::systems::State;
 use crate::mechanics::systems::euler_poincare::{EulerPoincare, Torque};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
@@ -47,6 +48,22 @@ impl Principal {
         system.expect_body(&self.inertia)?;
         let attitude = So3.restored(state.element * self.axes);
         Ok(BodyState { attitude, momentum: attitude.inverse_transform_vector(&state.spatial) })
+    }
+
+    /// The same for a free body.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for a system of another body, [`Error::Integration`] for one with a torque.
+    #[inline]
+    pub(super) fn free_state<M: Torque<So3>>(
+        &self,
+        system: &EulerPoincare<So3, M>,
+        state: &State<So3>,
+    ) -> Result<BodyState, Error> {
+        if !system.torque().is_absent() {
+            return Err(stopped(state.time, "the method is for a free body, and a torque acts"));
+        }
+        self.state(system, state)
     }
 
     /// The attitude of the body from that of its principal axes.

@@ -5,6 +5,7 @@ use crate::Error;
 use crate::group::{LieGroup, So3};
 use crate::mechanics::State;
 use crate::mechanics::integrators::principal::Principal;
+use crate::mechanics::stopped;
 use crate::mechanics::systems::euler_poincare::{EulerPoincare, Torque};
 use crate::mechanics::{BodyState, Inertia};
 use nalgebra::{Matrix3, Vector3};
@@ -87,7 +88,6 @@ impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for SimoWong {
             u -= correction;
             last = size;
         }
-        let reason = "the step is too long".into();
-        Err(Error::Integration { t: state.time, reason })
+        Err(stopped(state.time, "the step is too long"))
     }
 }

@@ -1,11 +1,12 @@
 //! Splitting methods for the free body: rotations about its principal axes.
 
-use super::Integrator;
+use super::composed::fractions;
+use super::{Integrator, expect_finite};
 use crate::Error;
 use crate::group::So3;
 use crate::mechanics::State;
 use crate::mechanics::integrators::principal::Principal;
-use crate::mechanics::systems::euler_poincare::{EulerPoincare, Free};
+use crate::mechanics::systems::euler_poincare::{EulerPoincare, Torque};
 use crate::mechanics::{BodyState, Inertia};
 use nalgebra::{Quaternion, UnitQuaternion};
 
@@ -32,11 +33,7 @@ impl Composition {
     fn shares(self) -> Vec<f64> {
         match self {
             Composition::Strang => vec![0.5; 2],
-            Composition::Suzuki => {
-                let outer = 1.0 / (4.0 - 4.0_f64.cbrt());
-                let inner = 1.0 - 4.0 * outer;
-                [outer, outer, inner, outer, outer].iter().flat_map(|w| [0.5 * w; 2]).collect()
-            }
+            Composition::Suzuki => fractions().iter().flat_map(|w| [0.5 * w; 2]).collect(),
         }
     }
 }
@@ -76,16 +73,16 @@ impl Splitting {
     }
 }
 
-impl Integrator<EulerPoincare<So3, Free>> for Splitting {
+impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for Splitting {
     /// # Errors
-    /// Also [`Error::Invalid`] for a system of another body.
+    /// Also [`Error::Invalid`] for a system of another body, [`Error::Integration`] for one with a torque.
     fn step(
         &self,
-        system: &EulerPoincare<So3, Free>,
+        system: &EulerPoincare<So3, M>,
         state: &mut State<So3>,
         h: f64,
     ) -> Result<(), Error> {
-        let BodyState { attitude, mut momentum } = self.body.state(system, state)?;
+        let BodyState { attitude, mut momentum } = self.body.free_state(system, state)?;
         let moments = self.body.moments();
         let mut turn = Quaternion::identity();
         for &(axis, share) in &self.turns {
@@ -100,10 +97,7 @@ impl Integrator<EulerPoincare<So3, Free>> for Splitting {
             (momentum[j], momentum[k]) =
                 (cos * momentum[j] + sin * momentum[k], cos * momentum[k] - sin * momentum[j]);
         }
-        if !turn.norm_squared().is_finite() {
-            let reason = "a value is not finite".into();
-            return Err(Error::Integration { t: state.time, reason });
-        }
+        expect_finite(state.time, &turn.coords)?;
         state.element = self.body.attitude(attitude * UnitQuaternion::new_unchecked(turn));
         state.time += h;
         Ok(())

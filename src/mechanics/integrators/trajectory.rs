@@ -5,6 +5,7 @@ use super::runge_kutta::{LocalCoordinates, RungeKutta};
 use super::{Adaptive, Integrator, Pair};
 use crate::Error;
 use crate::mechanics::events::{Crossing, Event, Then, Watch};
+use crate::mechanics::stopped;
 use crate::mechanics::systems::cotangent::{CotangentSystem, State};
 
 /// A trajectory with step-size control: the states at the ends of its steps, states between them, and events.
@@ -74,18 +75,17 @@ impl<C: Copy> Adaptive<C> {
         let mut trajectory = Trajectory { system, method, states, events: vec![] };
         let mut watch = Watch::new(events, system, start)?;
         let (mut state, mut next) = (start.clone(), self.first_step());
-        let mut stopped = false;
-        while state.time != end && !stopped {
+        let mut ended = false;
+        while state.time != end && !ended {
             if trajectory.states.len() > self.max_steps {
-                let reason = "too many steps".into();
-                return Err(Error::Integration { t: state.time, reason });
+                return Err(stopped(state.time, "too many steps"));
             }
             let start = state.clone();
             self.step(system, &mut state, &mut next, end)?;
             let length = state.time - start.time;
             let step = Step { system, method: &trajectory.method, start, length };
             let found = watch.pass(&step, state.clone(), &mut state)?;
-            stopped = found.last().is_some_and(|event| event.then == Then::Stop);
+            ended = found.last().is_some_and(|event| event.then == Then::Stop);
             trajectory.events.extend(found);
             trajectory.states.push(state.clone());
         }
@@ -102,8 +102,10 @@ impl<S: CotangentSystem, C: LocalCoordinates<S::Group>> Trajectory<'_, S, C> {
         let [first, last] = [&self.states[0], self.end()].map(|state| state.time);
         let (earliest, latest) = (first.min(last), first.max(last));
         if !(earliest..=latest).contains(&time) {
-            let reason = format!("the trajectory covers the times from {earliest} to {latest}");
-            return Err(Error::Integration { t: time, reason });
+            return Err(stopped(
+                time,
+                format!("the trajectory covers the times from {earliest} to {latest}"),
+            ));
         }
         let reached =
             |state: &State<S::Group>| (state.time - time) * (last - first).signum() <= 0.0;

@@ -1,13 +1,13 @@
 //! Motions of systems with holonomic constraints.
 
-use super::configuration::ConfigurationGroup;
+use super::SimulationGroup;
 use super::drive::Drive;
 use super::observables::{Buffers, Point};
 use super::quantities::{Names, Quantity, Scope};
 use super::run::{Recorded, Run};
 use super::{Forces, Motion};
 use crate::Error;
-use crate::group::{Coordinates, Generator};
+use crate::group::{Coordinates, Generator, Partial};
 use crate::mechanics::formula::Formula;
 use crate::mechanics::systems::constrained::ConstrainedState;
 use crate::mechanics::{Constrained, Constraint, GeneralisedAlpha};
@@ -18,18 +18,18 @@ use std::ops::Range;
 
 /// Holonomic constraints `Phi(g) = 0`: formulas of the entries of the element and the parameters.
 #[derive(Clone, Debug)]
-pub struct Equations<G: ConfigurationGroup> {
+pub struct Equations<G: SimulationGroup> {
     group: G,
     scope: Scope,
     formulas: Vec<Formula>,
     parameters: Vec<f64>,
     rows: usize,
     generators: Vec<Generator>,
-    /// Also the derivatives of a formula by the quantities, and of the entries along the invariant fields.
-    buffers: RefCell<(Buffers, [Vec<f64>; 2])>,
+    /// Also derivatives of a formula, by the quantities and by the entries.
+    buffers: RefCell<(Buffers, Vec<f64>, Vec<Partial>)>,
 }
 
-impl<G: ConfigurationGroup> Equations<G> {
+impl<G: SimulationGroup> Equations<G> {
     /// No constraints yet.
     pub fn new(group: G, parameters: Vec<f64>) -> Self {
         let (rows, generators) = (group.write(&group.identity()).nrows(), Generator::of(&group));
@@ -60,26 +60,25 @@ impl<G: ConfigurationGroup> Equations<G> {
     }
 }
 
-impl<G: ConfigurationGroup> Constraint<G> for Equations<G> {
+impl<G: SimulationGroup> Constraint<G> for Equations<G> {
     fn value(&self, element: &G::Element) -> DVector<f64> {
-        let (buffers, _) = &mut *self.buffers.borrow_mut();
+        let (buffers, ..) = &mut *self.buffers.borrow_mut();
         self.evaluate(element, buffers);
         let Buffers { values, workspace, .. } = buffers;
         DVector::from_fn(self.formulas.len(), |a, _| self.formulas[a].value_in(values, workspace))
     }
 
     fn gradient(&self, element: &G::Element) -> DMatrix<f64> {
-        let (buffers, [partial, fields]) = &mut *self.buffers.borrow_mut();
+        let (buffers, slopes, partial) = &mut *self.buffers.borrow_mut();
         self.evaluate(element, buffers);
         let Buffers { values, entries, workspace } = buffers;
-        self.group.slopes(element, entries, &self.generators, fields);
-        partial.resize(values.len(), 0.0);
+        slopes.resize(values.len(), 0.0);
         let mut gradient = DMatrix::zeros(self.formulas.len(), self.group.dimension());
         for (a, formula) in self.formulas.iter().enumerate() {
-            formula.gradient_in(values, partial, workspace);
-            for (i, field) in fields.chunks_exact(entries.len()).enumerate() {
-                gradient[(a, i)] = self.scope.along(partial, field, self.rows);
-            }
+            formula.gradient_in(values, slopes, workspace);
+            self.scope.by_entries(slopes, partial);
+            let row = self.group.derivatives(element, entries, &self.generators, partial);
+            gradient.row_mut(a).copy_from_slice(row.components());
         }
         gradient
     }
@@ -93,7 +92,7 @@ pub type ConstrainedSystem<G> = Constrained<G, Equations<G>, Forces<G>>;
 ///
 /// # Errors
 /// As [`Constrained::state`].
-pub fn on_constraints<G: ConfigurationGroup>(
+pub fn on_constraints<G: SimulationGroup>(
     system: ConstrainedSystem<G>,
     (time, element, velocity): (f64, G::Element, G::Vector),
     step: f64,
@@ -101,65 +100,41 @@ pub fn on_constraints<G: ConfigurationGroup>(
     visible: usize,
 ) -> Result<Box<dyn Motion>, Error> {
     let state = system.state(time, element, &velocity)?;
-    let recorded = OnConstraints { system, columns, visible, buffers: RefCell::default() };
-    Ok(Run::boxed(recorded, state, Drive::fixed(GeneralisedAlpha::default(), step)))
-}
-
-struct OnConstraints<G: ConfigurationGroup> {
-    system: ConstrainedSystem<G>,
-    columns: (Scope, Vec<Formula>),
-    visible: usize,
-    buffers: RefCell<Buffers>,
-}
-
-impl<G: ConfigurationGroup> Recorded for OnConstraints<G> {
-    type System = ConstrainedSystem<G>;
-
-    fn system(&self) -> &Self::System {
-        &self.system
-    }
-
-    fn set_time(state: &mut ConstrainedState<G>, time: f64) {
-        state.time = time;
-    }
-
-    fn fits(&self, state: &ConstrainedState<G>, now: &ConstrainedState<G>) -> bool {
-        let vectors = [Some(&state.velocity), Some(&state.acceleration), state.lead.as_ref()];
-        let n = self.system.group().dimension();
-        vectors.into_iter().flatten().all(|vector| vector.components().len() == n)
-            && self.system.group().has_shape(&state.element)
-            && state.multipliers.len() == now.multipliers.len()
-    }
-
-    fn width(&self) -> usize {
-        self.columns.1.len() + self.system.constraint().formulas.len() + 1
-    }
-
-    fn values(&self, state: &ConstrainedState<G>, columns: Range<usize>, list: &mut Vec<f64>) {
-        let forces = self.system.force();
+    let (count, buffers) = (state.multipliers.len() + 1, RefCell::default());
+    let (width, behind) = (columns.1.len() + count, visible + count);
+    let values = move |system: &ConstrainedSystem<G>,
+                       state: &ConstrainedState<G>,
+                       range: Range<usize>,
+                       list: &mut Vec<f64>| {
+        let forces = system.force();
         let point = Point::new(state.time, &state.element, &state.velocity);
         let load = |quantity| match quantity {
             Quantity::Potential => forces.potential(&point),
             _ => forces.power(&point),
         };
-        let between = self.visible..self.visible + state.multipliers.len() + 1;
-        let buffers = &mut *self.buffers.borrow_mut();
-        // a column of the formulas on either side of those between, by its number among the formulas
-        let mut formulas = |columns: Range<usize>, list: &mut Vec<f64>| {
+        let buffers = &mut *buffers.borrow_mut();
+        // the columns of formulas on one side, by their numbers among the formulas
+        let mut formulas = |range: Range<usize>, list: &mut Vec<f64>| {
             let at = (&point, &load as &dyn Fn(Quantity) -> f64);
-            forces.observables().formulas(&self.columns, columns, at, buffers, list);
+            forces.observables().formulas(&columns, range, at, buffers, list);
         };
-        formulas(columns.start.min(between.start)..columns.end.min(between.start), list);
-        for column in columns.start.max(between.start)..columns.end.min(between.end) {
-            let multiplier = state.multipliers.get(column - between.start);
-            list.push(multiplier.copied().unwrap_or_else(|| self.system.violation(state)));
+        formulas(range.start.min(visible)..range.end.min(visible), list);
+        for column in range.start.max(visible)..range.end.min(behind) {
+            let multiplier = state.multipliers.get(column - visible);
+            list.push(multiplier.copied().unwrap_or_else(|| system.violation(state)));
         }
-        let [start, end] =
-            [columns.start, columns.end].map(|at| at.max(between.end) - between.len());
+        let [start, end] = [range.start, range.end].map(|at| at.max(behind) - count);
         formulas(start..end, list);
-    }
-
-    fn trouble(&self) -> Option<String> {
-        self.system.force().observables().trouble()
-    }
+    };
+    let fits =
+        |system: &ConstrainedSystem<G>, state: &ConstrainedState<G>, now: &ConstrainedState<G>| {
+            let vectors = [Some(&state.velocity), Some(&state.acceleration), state.lead.as_ref()];
+            let n = system.group().dimension();
+            vectors.into_iter().flatten().all(|vector| vector.components().len() == n)
+                && system.group().has_shape(&state.element)
+                && state.multipliers.len() == now.multipliers.len()
+        };
+    let mut recorded = Recorded::new(system, |state| &mut state.time, fits, width, values);
+    recorded.trouble = |system| system.force().observables().trouble();
+    Ok(Run::boxed(recorded, state, Drive::fixed(GeneralisedAlpha::default(), step)))
 }

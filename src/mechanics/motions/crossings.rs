@@ -56,7 +56,9 @@ impl Crossings {
         let end = motion.time();
         self.now.clear();
         motion.values(self.columns.clone(), &mut self.now);
-        self.now.iter().try_for_each(|value| expect_number(end, *value).map(drop))?;
+        if let Some(value) = self.now.iter().find(|value| value.is_nan()) {
+            expect_number(end, *value)?;
+        }
         // moves to a time within the step
         let length = end - from;
         let go = |motion: &mut dyn Motion, elapsed: f64| {

@@ -1,16 +1,15 @@
 //! Ways to advance a state: fixed steps, controlled steps, or a solution in closed form.
 
-use super::Method;
 use super::pace::Pace;
 use super::snapshot::{Reader, Saved, Snapshot};
+use super::{Method, SimulationGroup};
 use crate::Error;
-use crate::group::{Embedded, LieGroup};
 use crate::mechanics::integrators::Pair;
-use crate::mechanics::integrators::projected::Projection;
 use crate::mechanics::integrators::runge_kutta::LocalCoordinates;
+use crate::mechanics::stopped;
 use crate::mechanics::{
-    Adaptive, CommutatorFree, CotangentSystem, CrouchGrossman, Integrator, MuntheKaas, Projected,
-    State, System,
+    Adaptive, CommutatorFree, CotangentSystem, CrouchGrossman, Integrator, MuntheKaas, State,
+    System,
 };
 
 /// A way to advance the state of a system.
@@ -51,48 +50,8 @@ type Control<S> = dyn Fn(&S, &mut <S as System>::State, &mut f64, f64) -> Result
 type At<S> = dyn Fn(f64) -> Result<<S as System>::State, Error> + Send;
 
 /// The groups with projection methods, for messages.
-pub const NO_PROJECTION: &str =
+const NO_PROJECTION: &str =
     "it is for so(2), so(3), se(2), se(3), sl(2) and other groups in closed form, left-invariant";
-
-/// The coordinates in which a group has projection methods: [`Projection`], or `()` if there are none.
-pub trait EmbeddedMethods<G: LieGroup> {
-    /// The drive of a projection method; `None` if the group has none.
-    fn drive<S: CotangentSystem<Group = G> + 'static>(
-        group: &G,
-        method: Method,
-        step: f64,
-        control: Adaptive,
-    ) -> Option<Drive<S>>;
-}
-
-impl<G: Embedded> EmbeddedMethods<G> for Projection {
-    fn drive<S: CotangentSystem<Group = G> + 'static>(
-        group: &G,
-        method: Method,
-        step: f64,
-        control: Adaptive,
-    ) -> Option<Drive<S>> {
-        match method {
-            _ if !group.has_projection() => None,
-            Method::Projected => Some(Drive::fixed(Projected::RK4, step)),
-            Method::ProjectedAdaptive(pair) => {
-                Some(Drive::controlled(pair, control, Adaptive::projected))
-            }
-            _ => None,
-        }
-    }
-}
-
-impl<G: LieGroup> EmbeddedMethods<G> for () {
-    fn drive<S: CotangentSystem<Group = G> + 'static>(
-        _: &G,
-        _: Method,
-        _: f64,
-        _: Adaptive,
-    ) -> Option<Drive<S>> {
-        None
-    }
-}
 
 /// What the next step depends on beside the state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -165,10 +124,12 @@ impl<S: System> Drive<S> {
             }
             (Drive::Adaptive { control, max_steps, .. }, Memory::Control(next, taken)) => {
                 if *taken == *max_steps {
-                    let reason = format!(
-                        "{taken} steps did not reach t = {until}: the problem is stiff, or times of output far apart"
-                    );
-                    return Err(Error::Integration { t: time, reason });
+                    return Err(stopped(
+                        time,
+                        format!(
+                            "{taken} steps did not reach t = {until}: the problem is stiff, or times of output far apart"
+                        ),
+                    ));
                 }
                 control(system, state, next, pause)?;
                 let reached = system.time(state);
@@ -194,28 +155,45 @@ impl<S: System> Drive<S> {
     }
 }
 
-impl<S: CotangentSystem + 'static> Drive<S> {
-    /// The drive of a method for all groups and forces; `None` for other methods, and for projection methods on groups
-    /// without `E`.
-    pub fn of_any_system<E: EmbeddedMethods<S::Group>>(
+/// A method that a problem does not have.
+pub fn refused(method: Method, reason: &str) -> Error {
+    Error::NoMethod { method: method.name(), reason: reason.into() }
+}
+
+impl<S: CotangentSystem<Group: SimulationGroup> + 'static> Drive<S> {
+    /// The drive of a method for all groups and forces, and the step size; the drive is `None` for methods that are for bodies.
+    ///
+    /// # Errors
+    /// [`Error::NoMethod`] for fixed steps without a step size, a tolerance that is too small, and a projection method on a
+    /// group that has none.
+    pub fn of_any_system(
         group: &S::Group,
         method: Method,
-        step: f64,
+        step: Option<f64>,
         control: Adaptive,
-    ) -> Option<Self> {
-        Some(match method {
+    ) -> Result<(Option<Self>, f64), Error> {
+        method.expect_resolved(control.tolerance)?;
+        let step = match step {
+            Some(step) => step,
+            None if method.has_steps() => return Err(refused(method, "it needs a step")),
+            None => 0.0,
+        };
+        let drive = match method {
             Method::MuntheKaas => Self::fixed(MuntheKaas::RK4, step),
             Method::CommutatorFree => Self::fixed(CommutatorFree, step),
             Method::CrouchGrossman => Self::fixed(CrouchGrossman, step),
             Method::Adaptive(pair) => Self::controlled(pair, control, |control| control),
             Method::Projected | Method::ProjectedAdaptive(_) => {
-                return E::drive(group, method, step, control);
+                let drive = group.projected(method, step, control);
+                drive.ok_or_else(|| refused(method, NO_PROJECTION))?
             }
-            _ => return None,
-        })
+            _ => return Ok((None, step)),
+        };
+        Ok((Some(drive), step))
     }
 
-    fn controlled<C: LocalCoordinates<S::Group> + Copy + Send + 'static>(
+    /// Steps of a pair with step-size control.
+    pub fn controlled<C: LocalCoordinates<S::Group> + Copy + Send + 'static>(
         pair: Pair,
         control: Adaptive,
         of: impl FnOnce(Adaptive) -> Adaptive<C>,

@@ -1,10 +1,10 @@
 //! Forces and potentials as formulas, and forces as tables over time.
 
-use super::configuration::ConfigurationGroup;
+use super::SimulationGroup;
 use super::observables::{Buffers, Observables, Point};
 use super::quantities::{Names, Quantity, Scope};
 use super::table::Table;
-use crate::group::{Coordinates, Generator};
+use crate::group::{Coordinates, Generator, Partial};
 use crate::mechanics::formula::Formula;
 use crate::mechanics::systems::euler_poincare::Torque;
 use affinor_tensors::expression::ExpressionError;
@@ -24,7 +24,7 @@ pub enum Side {
 ///
 /// The potential `V` adds `M_i = -e_i(V)`, the derivative along the invariant field `e_i`.
 #[derive(Debug)]
-pub struct Forces<G: ConfigurationGroup> {
+pub struct Forces<G: SimulationGroup> {
     observables: Observables<G>,
     scope: Scope,
     /// Formulas of components with their side and index, and their text.
@@ -32,21 +32,20 @@ pub struct Forces<G: ConfigurationGroup> {
     potential: Option<(Formula, String)>,
     table: Option<(Side, Table)>,
     generators: Vec<Generator>,
-    buffers: RefCell<(Buffers, Slopes)>,
+    buffers: RefCell<(Buffers, Sums)>,
 }
 
 /// Buffers for sums of forces and derivatives of a potential.
 #[derive(Debug, Default)]
-struct Slopes {
-    /// Components in the frame of the equations, then those in the other frame.
+struct Sums {
+    /// Components of the force in the frame of the equations, then in the other frame.
     sums: Vec<f64>,
-    /// Derivatives of the potential by the quantities of the scope.
-    partial: Vec<f64>,
-    /// Derivatives of the entries of the element along the invariant fields.
-    fields: Vec<f64>,
+    /// Derivatives of the potential by the quantities of the scope, and by the entries.
+    slopes: Vec<f64>,
+    partial: Vec<Partial>,
 }
 
-impl<G: ConfigurationGroup> Forces<G> {
+impl<G: SimulationGroup> Forces<G> {
     /// No forces yet, on a system with this inertia.
     pub fn none(group: G, inertia: DMatrix<f64>, parameters: Vec<(String, f64)>) -> Self {
         Forces {
@@ -125,11 +124,6 @@ impl<G: ConfigurationGroup> Forces<G> {
         self.terms.is_empty() && self.table.is_none() && timeless
     }
 
-    /// `J Omega`.
-    pub fn momentum(&self, velocity: &G::Vector) -> G::Vector {
-        self.observables.momentum(velocity)
-    }
-
     /// `V`.
     pub(super) fn potential(&self, at: &Point<G>) -> f64 {
         let Some((formula, _)) = &self.potential else { return 0.0 };
@@ -147,11 +141,10 @@ impl<G: ConfigurationGroup> Forces<G> {
     /// The sum of all forces, in the frame of the equations.
     fn total(&self, at: &Point<G>) -> G::Vector {
         let group = &self.observables.group;
-        let (buffers, slopes) = &mut *self.buffers.borrow_mut();
+        let (buffers, Sums { sums, slopes, partial }) = &mut *self.buffers.borrow_mut();
         let n = group.dimension();
         self.observables.evaluate(&self.scope, at, &|_| f64::NAN, buffers);
         let Buffers { values, entries, workspace } = buffers;
-        let Slopes { sums, partial, fields } = slopes;
         sums.clear();
         sums.resize(2 * n, 0.0);
         let (mine, other) = sums.split_at_mut(n);
@@ -166,35 +159,27 @@ impl<G: ConfigurationGroup> Forces<G> {
         if let Some((side, table)) = &self.table {
             table.add(at.time, if *side == own { mine } else { other });
         }
+        let is_zero = other.iter().all(|component| *component == 0.0);
+        let mut total = G::Vector::from_components(mine);
         if let Some((formula, text)) = &self.potential {
-            partial.resize(values.len(), 0.0);
-            let value = formula.gradient_in(values, partial, workspace);
-            if !value.is_finite() {
-                self.note(&format!("the potential {text}"), value, at);
-                mine.fill(f64::NAN);
+            slopes.resize(values.len(), 0.0);
+            let value = formula.gradient_in(values, slopes, workspace);
+            if value.is_finite() {
+                self.scope.by_entries(slopes, partial);
+                let slopes = group.derivatives(at.element, entries, &self.generators, partial);
+                if let Some(slope) = slopes.components().iter().find(|slope| !slope.is_finite()) {
+                    self.note(&format!("the derivative of the potential {text}"), *slope, at);
+                }
+                total = total - slopes;
             } else {
-                if entries.is_empty() {
-                    // no formula has asked for them: the potential depends on time alone
-                    group.entries(at.element, entries);
-                }
-                group.slopes(at.element, entries, &self.generators, fields);
-                let mut first = true;
-                for (i, sum) in mine.iter_mut().enumerate() {
-                    let field = &fields[i * entries.len()..][..entries.len()];
-                    let slope = self.scope.along(partial, field, self.names().rows());
-                    if !slope.is_finite() && std::mem::take(&mut first) {
-                        self.note(&format!("the derivative of the potential {text}"), slope, at);
-                    }
-                    *sum -= slope;
-                }
+                self.note(&format!("the potential {text}"), value, at);
+                total = total * f64::NAN;
             }
         }
-        let is_zero = other.iter().all(|component| *component == 0.0);
-        let mine = G::Vector::from_components(mine);
         if is_zero {
-            return mine;
+            return total;
         }
-        mine + group.coadjoint(at.element, &G::Vector::from_components(other))
+        total + group.coadjoint(at.element, &G::Vector::from_components(other))
     }
 
     /// Records a force that is not finite, with the point.
@@ -217,7 +202,7 @@ impl<G: ConfigurationGroup> Forces<G> {
     }
 }
 
-impl<G: ConfigurationGroup> Torque<G> for Forces<G> {
+impl<G: SimulationGroup> Torque<G> for Forces<G> {
     fn is_absent(&self) -> bool {
         self.is_empty()
     }

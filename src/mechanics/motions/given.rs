@@ -1,7 +1,7 @@
 //! Motions with a velocity that is given over time: `g' = g Omega(t)`.
 
 use super::Motion;
-use super::configuration::ConfigurationGroup;
+use super::SimulationGroup;
 use super::drive::Drive;
 use super::observables::{Buffers, Observables, Point};
 use super::quantities::{Names, Quantity, Scope};
@@ -51,7 +51,7 @@ impl GivenVelocity {
 }
 
 /// The motion from an element at a time, by a Magnus method with a step size.
-pub fn on_given<G: ConfigurationGroup>(
+pub fn on_given<G: SimulationGroup>(
     group: G,
     velocity: GivenVelocity,
     (time, element): (f64, G::Element),
@@ -59,46 +59,20 @@ pub fn on_given<G: ConfigurationGroup>(
     columns: (Scope, Vec<Formula>),
     observables: Observables<G>,
 ) -> Box<dyn Motion> {
-    let given = velocity.clone();
+    let (given, width, buffers) = (velocity.clone(), columns.1.len(), RefCell::default());
     let rate: Rate<G> = Box::new(move |time| given.at(time));
+    let values = move |_: &_, state: &KinematicState<G>, range: Range<usize>, list: &mut _| {
+        let velocity: G::Vector = velocity.at(state.time);
+        let point = Point::new(state.time, &state.element, &velocity);
+        let buffers = &mut *buffers.borrow_mut();
+        observables.formulas(&columns, range, (&point, &|_| 0.0), buffers, list);
+    };
     let system = Linear { group, velocity: rate };
-    let recorded = OnGiven { system, velocity, columns, observables, buffers: RefCell::default() };
+    let fits = |system: &Linear<G, _>, state: &KinematicState<G>, _: &_| {
+        system.group.has_shape(&state.element)
+    };
+    let recorded = Recorded::new(system, |state| &mut state.time, fits, width, values);
     Run::boxed(recorded, KinematicState { time, element }, Drive::fixed(method, step))
 }
 
 type Rate<G> = Box<dyn Fn(f64) -> <G as LieGroup>::Vector + Send>;
-
-struct OnGiven<G: ConfigurationGroup> {
-    system: Linear<G, Rate<G>>,
-    velocity: GivenVelocity,
-    columns: (Scope, Vec<Formula>),
-    observables: Observables<G>,
-    buffers: RefCell<Buffers>,
-}
-
-impl<G: ConfigurationGroup> Recorded for OnGiven<G> {
-    type System = Linear<G, Rate<G>>;
-
-    fn system(&self) -> &Self::System {
-        &self.system
-    }
-
-    fn set_time(state: &mut KinematicState<G>, time: f64) {
-        state.time = time;
-    }
-
-    fn fits(&self, state: &KinematicState<G>, _: &KinematicState<G>) -> bool {
-        self.system.group.has_shape(&state.element)
-    }
-
-    fn width(&self) -> usize {
-        self.columns.1.len()
-    }
-
-    fn values(&self, state: &KinematicState<G>, columns: Range<usize>, list: &mut Vec<f64>) {
-        let velocity: G::Vector = self.velocity.at(state.time);
-        let point = Point::new(state.time, &state.element, &velocity);
-        let buffers = &mut *self.buffers.borrow_mut();
-        self.observables.formulas(&self.columns, columns, (&point, &|_| 0.0), buffers, list);
-    }
-}

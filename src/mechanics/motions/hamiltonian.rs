@@ -1,18 +1,16 @@
 //! Motions of Lie-Poisson systems, whose Hamiltonian is a formula of the momentum.
 
-use super::configuration::ConfigurationGroup;
-use super::drive::{Drive, NO_PROJECTION};
+use super::drive::{Drive, refused};
 use super::forces::Forces;
 use super::observables::{Observables, Point};
-use super::on_cotangent::{Observed, OnCotangent};
+use super::on_cotangent::{Observed, on_cotangent};
 use super::quantities::{Quantity, Scope};
-use super::run::Run;
 use super::simulated::SimulationGroup;
 use super::{Method, Motion};
 use crate::Error;
-use crate::group::{Coordinates, LieGroup};
+use crate::group::Coordinates;
 use crate::mechanics::formula::{Formula, Workspace};
-use crate::mechanics::{Adaptive, CotangentSystem, LiePoissonSystem, State, System};
+use crate::mechanics::{Adaptive, CotangentSystem, State, System};
 use affinor_tensors::expression::ExpressionError;
 use std::cell::RefCell;
 
@@ -32,7 +30,7 @@ impl Hamiltonian {
     ///
     /// # Errors
     /// As [`Formula::parse`]; also for quantities other than components of the momentum and parameters.
-    pub fn read<G: ConfigurationGroup>(
+    pub fn read<G: SimulationGroup>(
         text: &str,
         observables: &Observables<G>,
     ) -> Result<Self, ExpressionError> {
@@ -77,41 +75,22 @@ pub fn on_hamiltonian<G: SimulationGroup>(
 ) -> Result<(Box<dyn Motion>, Method), Error> {
     let default = if step.is_some() { Method::MuntheKaas } else { Method::to(control.tolerance) };
     let method = method.unwrap_or(default);
-    method.expect_resolved(control.tolerance)?;
-    let refused = |reason: &str| Error::NoMethod { method: method.name(), reason: reason.into() };
-    let step = match step {
-        Some(step) => step,
-        None if method.has_steps() => return Err(refused("it needs a step")),
-        None => 0.0,
-    };
-    let drive =
-        match Drive::of_any_system::<G::Embedding>(&observables.group, method, step, control) {
-            Some(drive) => drive,
-            None if method.is_projected() => return Err(refused(NO_PROJECTION)),
-            None => {
-                return Err(refused(
-                    "a Hamiltonian has rkmk54, rkmk853, rkmk4, projected ones, cf4, cg3",
-                ));
-            }
-        };
-    let of = hamiltonian.clone();
-    let gradient: Gradient<G> = Box::new(move |momentum| of.evaluate(momentum).1);
-    let equations = LiePoissonSystem { group: observables.group.clone(), gradient };
-    let state = equations.state(time, element, &momentum);
-    let system = HamiltonianSystem { equations, hamiltonian, observables };
-    Ok((Run::boxed(OnCotangent::new(system, columns), state, drive), method))
+    let group = &observables.group;
+    let drive = Drive::of_any_system(group, method, step, control)?.0.ok_or_else(|| {
+        refused(method, "a Hamiltonian has rkmk54, rkmk853, rkmk4, projected ones, cf4, cg3")
+    })?;
+    let state = State::with_momentum(group, time, element, &momentum);
+    let system = HamiltonianSystem { hamiltonian, observables };
+    Ok((on_cotangent(system, state, drive, columns), method))
 }
 
-type Gradient<G> = Box<dyn Fn(&<G as LieGroup>::Vector) -> <G as LieGroup>::Vector + Send>;
-
-/// The equations of motion with the observables.
-struct HamiltonianSystem<G: ConfigurationGroup> {
-    equations: LiePoissonSystem<G, Gradient<G>>,
+/// The Lie-Poisson equations of a Hamiltonian that is a formula.
+struct HamiltonianSystem<G: SimulationGroup> {
     hamiltonian: Hamiltonian,
     observables: Observables<G>,
 }
 
-impl<G: ConfigurationGroup> System for HamiltonianSystem<G> {
+impl<G: SimulationGroup> System for HamiltonianSystem<G> {
     type State = State<G>;
 
     fn time(&self, state: &State<G>) -> f64 {
@@ -119,18 +98,17 @@ impl<G: ConfigurationGroup> System for HamiltonianSystem<G> {
     }
 }
 
-impl<G: ConfigurationGroup> CotangentSystem for HamiltonianSystem<G> {
+impl<G: SimulationGroup> CotangentSystem for HamiltonianSystem<G> {
     type Group = G;
 
     fn group(&self) -> &G {
-        &self.equations.group
+        &self.observables.group
     }
 
     fn velocity_of(&self, momentum: &G::Vector) -> G::Vector {
-        let velocity = self.equations.velocity_of(momentum);
+        let (value, velocity) = self.hamiltonian.evaluate(momentum);
         if !velocity.is_finite() {
             let (text, at) = (&self.hamiltonian.text, momentum.components());
-            let (value, _) = self.hamiltonian.evaluate(momentum);
             let name = self.observables.names().momentum();
             self.observables.record(format!(
                 "the Hamiltonian {text} is {value}, its derivatives {:?}, at {name} = {at:?}",
@@ -141,11 +119,11 @@ impl<G: ConfigurationGroup> CotangentSystem for HamiltonianSystem<G> {
     }
 
     fn is_free(&self) -> bool {
-        self.equations.is_free()
+        true
     }
 }
 
-impl<G: ConfigurationGroup> Observed for HamiltonianSystem<G> {
+impl<G: SimulationGroup> Observed for HamiltonianSystem<G> {
     fn observables(&self) -> &Observables<G> {
         &self.observables
     }
@@ -155,7 +133,7 @@ impl<G: ConfigurationGroup> Observed for HamiltonianSystem<G> {
     }
 
     fn at<R>(&self, state: &State<G>, look: impl FnOnce(&Point<G>) -> R) -> R {
-        let momentum = self.equations.momentum(state);
+        let momentum = state.momentum(&self.observables.group);
         let (energy, velocity) = self.hamiltonian.evaluate(&momentum);
         let point = Point::new(state.time, &state.element, &velocity);
         look(&Point { momentum: Some(&momentum), energy: Some(energy), ..point })

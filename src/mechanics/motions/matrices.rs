@@ -149,43 +149,17 @@ where
         false => Drive::fixed(IsospectralMidpoint, step),
     };
     names.insert(0, ("t".into(), false));
-    let width = names.len();
-    (Run::boxed(OnMatrices { flow, row, width }, state, drive), names)
-}
-
-struct OnMatrices<F, R> {
-    flow: F,
-    /// The values of the columns after the first, which is the time.
-    row: R,
-    width: usize,
-}
-
-impl<F, R> Recorded for OnMatrices<F, R>
-where
-    F: Isospectral<Entry: Saved> + Send,
-    R: Fn(&F, &DMatrix<F::Entry>) -> Vec<f64> + Send,
-{
-    type System = F;
-
-    fn system(&self) -> &F {
-        &self.flow
-    }
-
-    fn set_time(state: &mut MatrixState<F::Entry>, time: f64) {
-        state.time = time;
-    }
-
-    fn fits(&self, state: &MatrixState<F::Entry>, now: &MatrixState<F::Entry>) -> bool {
-        state.matrix.shape() == now.matrix.shape()
-    }
-
-    fn width(&self) -> usize {
-        self.width
-    }
-
-    fn values(&self, state: &MatrixState<F::Entry>, columns: Range<usize>, list: &mut Vec<f64>) {
-        let mut row = (self.row)(&self.flow, &state.matrix);
+    let values = move |flow: &F,
+                       state: &MatrixState<F::Entry>,
+                       columns: Range<usize>,
+                       list: &mut Vec<f64>| {
+        let mut row = row(flow, &state.matrix);
         row.insert(0, state.time);
         list.extend_from_slice(&row[columns]);
-    }
+    };
+    let fits = |_: &F, state: &MatrixState<F::Entry>, now: &MatrixState<F::Entry>| {
+        state.matrix.shape() == now.matrix.shape()
+    };
+    let recorded = Recorded::new(flow, |state| &mut state.time, fits, names.len(), values);
+    (Run::boxed(recorded, state, drive), names)
 }

@@ -48,65 +48,50 @@ pub enum Method {
     ComposedIsospectral,
 }
 
+/// All methods with their names in problem files.
+const NAMES: [(Method, &str); 25] = [
+    (Method::Exact, "exact"),
+    (Method::Adaptive(Pair::Five), "rkmk54"),
+    (Method::Adaptive(Pair::Eight), "rkmk853"),
+    (Method::MuntheKaas, "rkmk4"),
+    (Method::Projected, "projected4"),
+    (Method::ProjectedAdaptive(Pair::Five), "projected54"),
+    (Method::ProjectedAdaptive(Pair::Eight), "projected853"),
+    (Method::CommutatorFree, "cf4"),
+    (Method::CrouchGrossman, "cg3"),
+    (Method::MoserVeselov(Order::Two), "dmv2"),
+    (Method::MoserVeselov(Order::Four), "dmv4"),
+    (Method::MoserVeselov(Order::Six), "dmv6"),
+    (Method::MoserVeselov(Order::Eight), "dmv8"),
+    (Method::MoserVeselov(Order::Ten), "dmv10"),
+    (Method::Splitting(Composition::Strang), "strang"),
+    (Method::Splitting(Composition::Suzuki), "suzuki4"),
+    (Method::SimoWong, "simo-wong"),
+    (Method::Kick(kick::Order::Two), "kick2"),
+    (Method::Kick(kick::Order::Four), "kick4"),
+    (Method::Kick(kick::Order::Six), "kick6"),
+    (Method::GeneralisedAlpha, "generalised-alpha"),
+    (Method::Magnus(Magnus::Four), "magnus4"),
+    (Method::Magnus(Magnus::Six), "magnus6"),
+    (Method::Isospectral, "isospectral2"),
+    (Method::ComposedIsospectral, "isospectral4"),
+];
+
 impl Method {
     /// All methods.
-    pub const ALL: [Method; 25] = [
-        Method::Exact,
-        Method::Adaptive(Pair::Five),
-        Method::Adaptive(Pair::Eight),
-        Method::MuntheKaas,
-        Method::Projected,
-        Method::ProjectedAdaptive(Pair::Five),
-        Method::ProjectedAdaptive(Pair::Eight),
-        Method::CommutatorFree,
-        Method::CrouchGrossman,
-        Method::MoserVeselov(Order::Two),
-        Method::MoserVeselov(Order::Four),
-        Method::MoserVeselov(Order::Six),
-        Method::MoserVeselov(Order::Eight),
-        Method::MoserVeselov(Order::Ten),
-        Method::Splitting(Composition::Strang),
-        Method::Splitting(Composition::Suzuki),
-        Method::SimoWong,
-        Method::Kick(kick::Order::Two),
-        Method::Kick(kick::Order::Four),
-        Method::Kick(kick::Order::Six),
-        Method::GeneralisedAlpha,
-        Method::Magnus(Magnus::Four),
-        Method::Magnus(Magnus::Six),
-        Method::Isospectral,
-        Method::ComposedIsospectral,
-    ];
+    pub const ALL: [Method; 25] = {
+        let mut all = [Method::Exact; 25];
+        let mut at = 0;
+        while at < all.len() {
+            all[at] = NAMES[at].0;
+            at += 1;
+        }
+        all
+    };
 
     /// The name in problem files.
     pub fn name(self) -> &'static str {
-        match self {
-            Method::Exact => "exact",
-            Method::Adaptive(Pair::Five) => "rkmk54",
-            Method::Adaptive(Pair::Eight) => "rkmk853",
-            Method::MuntheKaas => "rkmk4",
-            Method::Projected => "projected4",
-            Method::ProjectedAdaptive(Pair::Five) => "projected54",
-            Method::ProjectedAdaptive(Pair::Eight) => "projected853",
-            Method::CommutatorFree => "cf4",
-            Method::CrouchGrossman => "cg3",
-            Method::MoserVeselov(Order::Two) => "dmv2",
-            Method::MoserVeselov(Order::Four) => "dmv4",
-            Method::MoserVeselov(Order::Six) => "dmv6",
-            Method::MoserVeselov(Order::Eight) => "dmv8",
-            Method::MoserVeselov(Order::Ten) => "dmv10",
-            Method::Splitting(Composition::Strang) => "strang",
-            Method::Splitting(Composition::Suzuki) => "suzuki4",
-            Method::SimoWong => "simo-wong",
-            Method::Kick(kick::Order::Two) => "kick2",
-            Method::Kick(kick::Order::Four) => "kick4",
-            Method::Kick(kick::Order::Six) => "kick6",
-            Method::GeneralisedAlpha => "generalised-alpha",
-            Method::Magnus(Magnus::Four) => "magnus4",
-            Method::Magnus(Magnus::Six) => "magnus6",
-            Method::Isospectral => "isospectral2",
-            Method::ComposedIsospectral => "isospectral4",
-        }
+        NAMES.iter().find(|(method, _)| *method == self).map_or("", |(_, name)| name)
     }
 
     /// The controlled method for a tolerance: of order 8 where that needs less work, else of order 5.
@@ -116,7 +101,7 @@ impl Method {
 
     /// The method of a name.
     pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|method| method.name() == name)
+        NAMES.iter().find(|(_, known)| *known == name).map(|(method, _)| *method)
     }
 
     /// The problems for which it is the default, or can be chosen.
@@ -156,11 +141,6 @@ impl Method {
         let reason =
             format!("floats do not resolve the tolerance {tolerance:e}: the least is {LEAST:e}");
         Err(Error::NoMethod { method: self.name(), reason })
-    }
-
-    /// Whether it is a projection method.
-    pub fn is_projected(self) -> bool {
-        matches!(self, Method::Projected | Method::ProjectedAdaptive(_))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Values of quantities at points of a motion.
 
-use super::configuration::ConfigurationGroup;
+use super::SimulationGroup;
 use super::quantities::{Names, Quantity, Scope};
 use crate::group::Coordinates;
 use crate::mechanics::formula::{Formula, Workspace};
@@ -9,7 +9,7 @@ use std::cell::RefCell;
 use std::ops::Range;
 
 /// A point of a motion, with the velocity in the frame of the equations.
-pub struct Point<'p, G: ConfigurationGroup> {
+pub struct Point<'p, G: SimulationGroup> {
     /// The time.
     pub time: f64,
     /// The element.
@@ -22,7 +22,7 @@ pub struct Point<'p, G: ConfigurationGroup> {
     pub energy: Option<f64>,
 }
 
-impl<'p, G: ConfigurationGroup> Point<'p, G> {
+impl<'p, G: SimulationGroup> Point<'p, G> {
     /// A point of a system with an inertia.
     pub fn new(time: f64, element: &'p G::Element, velocity: &'p G::Vector) -> Self {
         Point { time, element, velocity, momentum: None, energy: None }
@@ -31,7 +31,7 @@ impl<'p, G: ConfigurationGroup> Point<'p, G> {
 
 /// The quantities of motions on a group: their names, and what their values depend on beside the point.
 #[derive(Clone, Debug)]
-pub struct Observables<G: ConfigurationGroup> {
+pub struct Observables<G: SimulationGroup> {
     pub(super) group: G,
     names: Names,
     parameters: Vec<f64>,
@@ -51,7 +51,7 @@ pub(super) struct Buffers {
     pub(super) workspace: Workspace,
 }
 
-impl<G: ConfigurationGroup> Observables<G> {
+impl<G: SimulationGroup> Observables<G> {
     /// The quantities on a group with named parameters; `inertia` is the matrix `J` of `H = J Omega`.
     pub fn new(group: G, inertia: Option<DMatrix<f64>>, parameters: Vec<(String, f64)>) -> Self {
         let (names, parameters) = parameters.into_iter().unzip();
@@ -126,7 +126,7 @@ impl<G: ConfigurationGroup> Observables<G> {
 }
 
 /// The values at a point; what several of them need is computed once, when it is asked for.
-struct Values<'v, G: ConfigurationGroup> {
+struct Values<'v, G: SimulationGroup> {
     observables: &'v Observables<G>,
     at: &'v Point<'v, G>,
     load: &'v dyn Fn(Quantity) -> f64,
@@ -138,7 +138,7 @@ struct Values<'v, G: ConfigurationGroup> {
     written: bool,
 }
 
-impl<'v, G: ConfigurationGroup> Values<'v, G> {
+impl<'v, G: SimulationGroup> Values<'v, G> {
     fn new(
         observables: &'v Observables<G>,
         at: &'v Point<'v, G>,
@@ -150,6 +150,7 @@ impl<'v, G: ConfigurationGroup> Values<'v, G> {
         Values { observables, at, load, momentum, other_momentum, other_velocity, entries, written }
     }
 
+    #[inline]
     fn of(&mut self, quantity: Quantity) -> f64 {
         let Values { observables, at, load, .. } = *self;
         let group = &observables.group;

@@ -1,11 +1,9 @@
 //! Motions of Euler-Poincare systems with forces.
 
-use super::configuration::ConfigurationGroup;
-use super::drive::{Drive, NO_PROJECTION};
+use super::drive::{Drive, refused};
 use super::observables::{Observables, Point};
-use super::on_cotangent::{Observed, OnCotangent};
+use super::on_cotangent::{Observed, on_cotangent};
 use super::quantities::Scope;
-use super::run::Run;
 use super::simulated::{Body, SimulationGroup};
 use super::{Forces, Method, Motion};
 use crate::mechanics::formula::Formula;
@@ -58,8 +56,6 @@ pub fn on_group<G: SimulationGroup>(
         (true, Some(_)) if setup.forces.are_conservative() => Method::Kick(kick::Order::Four),
         (_, Some(_)) => Method::MuntheKaas,
     });
-    let refused = |reason: &str| Error::NoMethod { method: method.name(), reason: reason.into() };
-    method.expect_resolved(setup.control.tolerance)?;
     let needed = match method {
         Method::Exact | Method::MoserVeselov(_) | Method::Splitting(_) => "no forces",
         Method::Kick(_) => "forces that depend on no velocity",
@@ -68,15 +64,10 @@ pub fn on_group<G: SimulationGroup>(
     let has = needed.is_empty() || free || (needed != "no forces" && setup.forces.are_positional());
     let system = EulerPoincare::new(group.clone(), setup.connection, setup.metric, setup.forces)?;
     let start = system.state_with_momentum(setup.time, setup.element, &setup.momentum);
-    let step = match setup.step {
-        Some(step) => step,
-        None if method.has_steps() => return Err(refused("it needs a step")),
-        None => 0.0,
-    };
-    let drive = match Drive::of_any_system::<G::Embedding>(&group, method, step, setup.control) {
-        Some(drive) => drive,
-        None if method.is_projected() => return Err(refused(NO_PROJECTION)),
-        None => {
+    let refused = |reason: &str| refused(method, reason);
+    let drive = match Drive::of_any_system(&group, method, setup.step, setup.control)? {
+        (Some(drive), _) => drive,
+        (None, step) => {
             let inertia =
                 body.ok_or_else(|| refused("it is for a body: so(3), connection plus"))?;
             if !has {
@@ -86,7 +77,7 @@ pub fn on_group<G: SimulationGroup>(
             own.ok_or_else(|| refused("it is not for equations of motion on a group"))??
         }
     };
-    Ok((Run::boxed(OnCotangent::new(system, setup.columns), start, drive), method))
+    Ok((on_cotangent(system, start, drive, setup.columns), method))
 }
 
 /// Whether the connection is `plus`, that of the Euler-Poincare equations.
@@ -94,7 +85,7 @@ pub fn is_plus(connection: &Connection<f64>) -> bool {
     connection.gamma() == connection.frame().structure()
 }
 
-impl<G: ConfigurationGroup> Observed for Body<G> {
+impl<G: SimulationGroup> Observed for Body<G> {
     fn observables(&self) -> &Observables<G> {
         self.torque().observables()
     }

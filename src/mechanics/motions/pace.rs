@@ -2,6 +2,7 @@
 
 use super::snapshot::saved;
 use crate::Error;
+use crate::mechanics::stopped;
 
 /// The most steps to one output time.
 const MAX_STEPS: f64 = 1e12;
@@ -66,8 +67,7 @@ impl Leg {
         if count <= MAX_STEPS {
             return Ok(Leg { from, until, count: count as u64, taken: 0 });
         }
-        let reason = format!("{count:e} steps are too many to t = {until}");
-        Err(Error::Integration { t: from, reason })
+        Err(stopped(from, format!("{count:e} steps are too many to t = {until}")))
     }
 }
 

@@ -1,7 +1,7 @@
 //! Quantities of a motion and their names in formulas.
 
-use super::configuration::ConfigurationGroup;
-use crate::group::{Block, Coordinate};
+use super::SimulationGroup;
+use crate::group::{Block, Coordinate, Partial};
 use crate::mechanics::formula::Formula;
 use affinor_tensors::expression::ExpressionError;
 
@@ -49,7 +49,7 @@ pub struct Names {
 
 impl Names {
     /// The names on a group, with those of the parameters.
-    pub fn new<G: ConfigurationGroup>(group: &G, parameters: Vec<String>) -> Self {
+    pub fn new<G: SimulationGroup>(group: &G, parameters: Vec<String>) -> Self {
         let blocks = group.blocks();
         let (body, space) = (["Omega", "H"], ["omega", "h"]);
         let sides = if G::RIGHT { [space, body] } else { [body, space] };
@@ -238,19 +238,23 @@ impl Scope {
     }
 
     /// Replaces `values` by those of the quantities, in their order.
+    #[inline]
     pub(super) fn evaluate(&self, value: impl FnMut(Quantity) -> f64, values: &mut Vec<f64>) {
         values.clear();
         values.extend(self.quantities.iter().copied().map(value));
     }
 
-    /// The derivative of a function along a field, `sum_rc dV/dg_rc field_rc`, from its partial derivatives by the
-    /// quantities and the derivatives of the entries, which have `rows` rows and stand column by column.
-    pub(super) fn along(&self, partial: &[f64], field: &[f64], rows: usize) -> f64 {
-        let term = |(quantity, slope): (&Quantity, &f64)| match *quantity {
-            // skipped, as 0 times an infinite derivative is NaN
-            Quantity::Entry(row, column) if *slope != 0.0 => slope * field[row + column * rows],
-            _ => 0.0,
-        };
-        self.quantities.iter().zip(partial).map(term).sum()
+    /// Replaces `partial` by the derivatives by entries that are not zero, from those by all quantities.
+    #[inline]
+    pub(super) fn by_entries(&self, slopes: &[f64], partial: &mut Vec<Partial>) {
+        partial.clear();
+        for (quantity, slope) in self.quantities.iter().zip(slopes) {
+            // 0 is left out, as 0 times an infinite entry is NaN
+            if let Quantity::Entry(row, column) = *quantity
+                && *slope != 0.0
+            {
+                partial.push((row, column, *slope));
+            }
+        }
     }
 }

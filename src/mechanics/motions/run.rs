@@ -4,62 +4,51 @@ use super::Motion;
 use super::drive::{Drive, Memory};
 use super::snapshot::{Saved, Snapshot, saved};
 use crate::Error;
-use crate::mechanics::System;
+use crate::mechanics::{System, stopped};
 use std::ops::Range;
 
 /// A system with the values that are recorded along its motion.
-pub(super) trait Recorded: Send {
-    /// The equations of motion.
-    type System: System<State: Saved + Send>;
-
-    /// The equations of motion.
-    fn system(&self) -> &Self::System;
-
-    /// Sets the time of a state.
-    fn set_time(state: &mut <Self::System as System>::State, time: f64);
-
+pub(super) struct Recorded<S: System> {
+    system: S,
+    /// The time of a state.
+    time: fn(&mut S::State) -> &mut f64,
     /// Whether a state that was read has the sizes of the present one.
-    fn fits(
-        &self,
-        state: &<Self::System as System>::State,
-        now: &<Self::System as System>::State,
-    ) -> bool;
-
-    /// How many columns there are.
-    fn width(&self) -> usize;
-
-    /// Appends the values of some columns at a state.
-    fn values(
-        &self,
-        state: &<Self::System as System>::State,
-        columns: Range<usize>,
-        list: &mut Vec<f64>,
-    );
-
-    /// The angular velocity of a state, or what is like it.
-    fn rate(&self, state: &<Self::System as System>::State) -> f64 {
-        let _ = state;
-        0.0
-    }
-
+    fits: fn(&S, &S::State, &S::State) -> bool,
+    /// The number of columns, and the function that appends the values of some columns at a state.
+    width: usize,
+    values: Box<Values<S>>,
+    /// The angular velocity of a state, or a rate like it.
+    pub(super) rate: Box<Rate<S>>,
     /// The time at which a controlled step from one time towards another has to end at the latest.
-    fn pause(&self, from: f64, until: f64) -> f64 {
-        let _ = from;
-        until
-    }
-
+    pub(super) pause: fn(&S, f64, f64) -> f64,
     /// Takes away the reason for which a force was not a number.
-    fn trouble(&self) -> Option<String> {
-        None
+    pub(super) trouble: fn(&S) -> Option<String>,
+}
+
+type Values<S> = dyn Fn(&S, &<S as System>::State, Range<usize>, &mut Vec<f64>) + Send;
+type Rate<S> = dyn Fn(&S, &<S as System>::State) -> f64 + Send;
+
+impl<S: System> Recorded<S> {
+    /// A system with these columns, on which no force acts.
+    pub(super) fn new(
+        system: S,
+        time: fn(&mut S::State) -> &mut f64,
+        fits: fn(&S, &S::State, &S::State) -> bool,
+        width: usize,
+        values: impl Fn(&S, &S::State, Range<usize>, &mut Vec<f64>) + Send + 'static,
+    ) -> Self {
+        let (values, rate) = (Box::new(values), Box::new(|_: &S, _: &S::State| 0.0));
+        let (pause, trouble) = (|_: &S, _, until| until, |_: &S| None);
+        Recorded { system, time, fits, width, values, rate, pause, trouble }
     }
 }
 
 /// The motion of a recorded system.
-pub(super) struct Run<R: Recorded> {
-    recorded: R,
-    drive: Drive<R::System>,
-    now: Progress<<R::System as System>::State>,
-    kept: Option<Progress<<R::System as System>::State>>,
+pub(super) struct Run<S: System> {
+    recorded: Recorded<S>,
+    drive: Drive<S>,
+    now: Progress<S::State>,
+    kept: Option<Progress<S::State>>,
 }
 
 /// All that the continuation of a motion depends on.
@@ -72,19 +61,19 @@ struct Progress<T> {
 
 saved! { [T: Saved] Progress<T>: state, memory, steps; }
 
-impl<R: Recorded + 'static> Run<R> {
+impl<S: System<State: Saved + Send> + Send + 'static> Run<S> {
     /// The motion from a state.
     pub(super) fn boxed(
-        recorded: R,
-        state: <R::System as System>::State,
-        drive: Drive<R::System>,
+        recorded: Recorded<S>,
+        state: S::State,
+        drive: Drive<S>,
     ) -> Box<dyn Motion> {
         let now = Progress { state, memory: drive.memory(), steps: 0 };
         Box::new(Run { recorded, drive, now, kept: None })
     }
 }
 
-impl<R: Recorded> Run<R> {
+impl<S: System<State: Saved + Send> + Send> Run<S> {
     /// A step towards a time; where its length is free, no longer than `longest`.
     fn advance(&mut self, until: f64, longest: f64) -> Result<bool, Error> {
         let time = self.time();
@@ -93,29 +82,27 @@ impl<R: Recorded> Run<R> {
         }
         let Progress { state, memory, steps } = &mut self.now;
         *steps = steps.saturating_add(1);
+        let Recorded { system, trouble, .. } = &self.recorded;
         // forget that of an earlier step
-        let _ = self.recorded.trouble();
-        let mut pause = self.recorded.pause(time, until);
+        let _ = trouble(system);
+        let mut pause = (self.recorded.pause)(system, time, until);
         if (pause - time).abs() > longest {
             pause = time + longest.copysign(until - time);
         }
-        let reached = self.drive.step(self.recorded.system(), (state, memory), until, pause);
-        let reached = reached.map_err(|error| match (error, self.recorded.trouble()) {
-            (_, Some(reason)) => Error::Integration { t: time, reason },
+        let reached = self.drive.step(system, (state, memory), until, pause);
+        let reached = reached.map_err(|error| match (error, trouble(system)) {
+            (_, Some(reason)) => stopped(time, reason),
             (error @ Error::Integration { .. }, None) => error,
-            (error, None) => {
-                let reason = format!("the step is too long: {error}");
-                Error::Integration { t: time, reason }
-            }
+            (error, None) => stopped(time, format!("the step is too long: {error}")),
         })?;
-        R::set_time(state, reached);
+        *(self.recorded.time)(state) = reached;
         Ok(reached == until)
     }
 }
 
-impl<R: Recorded> Motion for Run<R> {
+impl<S: System<State: Saved + Send> + Send> Motion for Run<S> {
     fn time(&self) -> f64 {
-        self.recorded.system().time(&self.now.state)
+        self.recorded.system.time(&self.now.state)
     }
 
     fn step(&mut self, until: f64) -> Result<bool, Error> {
@@ -123,16 +110,17 @@ impl<R: Recorded> Motion for Run<R> {
     }
 
     fn short_step(&mut self, until: f64) -> Result<bool, Error> {
-        let longest = self.drive.longest(|| self.recorded.rate(&self.now.state));
+        let Recorded { system, rate, .. } = &self.recorded;
+        let longest = self.drive.longest(|| rate(system, &self.now.state));
         self.advance(until, longest)
     }
 
     fn width(&self) -> usize {
-        self.recorded.width()
+        self.recorded.width
     }
 
     fn values(&self, columns: Range<usize>, list: &mut Vec<f64>) {
-        self.recorded.values(&self.now.state, columns, list);
+        (self.recorded.values)(&self.recorded.system, &self.now.state, columns, list);
     }
 
     fn steps(&self) -> u64 {
@@ -156,7 +144,8 @@ impl<R: Recorded> Motion for Run<R> {
     fn restore(&mut self, snapshot: &Snapshot) -> Result<(), Error> {
         let read = snapshot.read::<Progress<_>>();
         let fits = |read: &Progress<_>| {
-            self.recorded.fits(&read.state, &self.now.state) && self.drive.fits(&read.memory)
+            let Recorded { system, fits, .. } = &self.recorded;
+            fits(system, &read.state, &self.now.state) && self.drive.fits(&read.memory)
         };
         let other = || Error::Snapshot { reason: "it is of another motion".into() };
         self.now = read.filter(fits).ok_or_else(other)?;

@@ -1,28 +1,59 @@
-//! The methods of integration that a group has.
+//! Groups as configuration spaces of motions, with the methods of integration that they have.
 
 use super::Method;
-use super::configuration::ConfigurationGroup;
-use super::drive::{Drive, EmbeddedMethods};
+use super::drive::Drive;
 use super::forces::Forces;
+use super::snapshot::Saved;
 use crate::Error;
-use crate::group::{AnyGroup, MatrixGroup, Nilpotent, Opposite, Se2, Se3, Sl2, So2, So3};
+use crate::group::{
+    AnyGroup, Embedded, MatrixGroup, Nilpotent, Opposite, Se2, Se3, Sl2, So2, So3, Written,
+};
 use crate::mechanics::integrators::kick::FreeMotion;
 use crate::mechanics::integrators::moser_veselov::Order;
-use crate::mechanics::integrators::projected::Projection;
-use crate::mechanics::systems::euler_poincare::Free;
+use crate::mechanics::stopped;
 use crate::mechanics::{
-    BodyState, EulerPoincare, FreeBody, Inertia, Integrator, Kick, MoserVeselov, SimoWong,
-    Splitting, State,
+    Adaptive, BodyState, CotangentSystem, EulerPoincare, FreeBody, Inertia, Kick, MoserVeselov,
+    Projected, SimoWong, Splitting, State,
 };
 use nalgebra::DMatrix;
+use std::fmt::Debug;
 
 /// An Euler-Poincare system with forces as formulas.
 pub type Body<G> = EulerPoincare<G, Forces<G>>;
 
-/// A configuration group with the methods of integration that it has beside those of all groups.
-pub trait SimulationGroup: ConfigurationGroup {
-    /// Its projection methods: [`Projection`], if [`has_projection`](crate::group::Embedded::has_projection), or `()`.
-    type Embedding: EmbeddedMethods<Self>;
+/// A group whose elements are the configurations of a motion.
+pub trait SimulationGroup:
+    Written<Element: Saved + Send + Sync, Vector: Saved + Send + Sync>
+    + Clone
+    + Debug
+    + Send
+    + Sync
+    + 'static
+{
+    /// Whether its left-invariant frame is the right-invariant frame of the group it is the [`Opposite`] of.
+    const RIGHT: bool = false;
+
+    /// Whether an element that was read has the shape of an element of this group.
+    fn has_shape(&self, g: &Self::Element) -> bool {
+        self.write(g).shape() == self.write(&self.identity()).shape()
+    }
+
+    /// The drive of a projection method; `None` if the group has none, or for other methods.
+    fn projected<S: CotangentSystem<Group = Self> + 'static>(
+        &self,
+        method: Method,
+        step: f64,
+        control: Adaptive,
+    ) -> Option<Drive<S>> {
+        match method {
+            _ if !self.has_projection() => None,
+            Method::Projected => Some(Drive::fixed(Projected::RK4, step)),
+            Method::ProjectedAdaptive(pair) => {
+                Some(Drive::controlled(pair, control, Adaptive::projected))
+            }
+            _ => None,
+        }
+    }
 
     /// The inertia of a body with a metric, if the group is that of rotations.
     fn body(&self, inertia: &DMatrix<f64>) -> Option<Result<Inertia, Error>> {
@@ -44,41 +75,37 @@ pub trait SimulationGroup: ConfigurationGroup {
     }
 }
 
-impl SimulationGroup for So2 {
-    type Embedding = Projection;
-}
-
-impl SimulationGroup for Se2 {
-    type Embedding = Projection;
-}
-
-impl SimulationGroup for Se3 {
-    type Embedding = Projection;
-}
-
-impl SimulationGroup for Sl2 {
-    type Embedding = Projection;
-}
-
-impl SimulationGroup for MatrixGroup {
-    type Embedding = ();
-}
-
-impl SimulationGroup for Nilpotent<f64> {
-    type Embedding = Projection;
-}
+impl SimulationGroup for So2 {}
+impl SimulationGroup for Se2 {}
+impl SimulationGroup for Se3 {}
+impl SimulationGroup for Sl2 {}
+impl SimulationGroup for MatrixGroup {}
+impl SimulationGroup for Nilpotent<f64> {}
 
 impl SimulationGroup for AnyGroup {
-    type Embedding = Projection;
+    fn has_shape(&self, g: &Self::Element) -> bool {
+        g.len() == self.number_count()
+    }
 }
 
-impl<G: ConfigurationGroup> SimulationGroup for Opposite<G> {
-    type Embedding = ();
+impl<G: SimulationGroup> SimulationGroup for Opposite<G> {
+    const RIGHT: bool = true;
+
+    fn has_shape(&self, g: &Self::Element) -> bool {
+        self.0.has_shape(g)
+    }
+
+    fn projected<S: CotangentSystem<Group = Self> + 'static>(
+        &self,
+        _: Method,
+        _: f64,
+        _: Adaptive,
+    ) -> Option<Drive<S>> {
+        None
+    }
 }
 
 impl SimulationGroup for So3 {
-    type Embedding = Projection;
-
     fn body(&self, inertia: &DMatrix<f64>) -> Option<Result<Inertia, Error>> {
         Some(Inertia::new(&inertia.fixed_view::<3, 3>(0, 0).into_owned()))
     }
@@ -93,29 +120,30 @@ impl SimulationGroup for So3 {
     ) -> Option<Result<Drive<Body<Self>>, Error>> {
         let State { time, element: attitude, spatial } = *start;
         let momentum = system.momentum(start);
-        match method {
+        Some(Ok(match method {
             Method::Exact => {
-                let body = FreeBody::new(inertia, &BodyState { attitude, momentum });
-                Some(body.map(|body| {
-                    let rate = body.rate();
-                    let at = move |t: f64| {
-                        expect_phase(rate, t, t - time)?;
-                        Ok(State { time: t, element: body.at(t - time).attitude, spatial })
-                    };
-                    Drive::Exact { at: Box::new(at), rate }
-                }))
+                let body = match FreeBody::new(inertia, &BodyState { attitude, momentum }) {
+                    Ok(body) => body,
+                    Err(error) => return Some(Err(error)),
+                };
+                let rate = body.rate();
+                let at = move |t: f64| {
+                    expect_phase(rate, t, t - time)?;
+                    Ok(State { time: t, element: body.at(t - time).attitude, spatial })
+                };
+                Drive::Exact { at: Box::new(at), rate }
             }
-            Method::MoserVeselov(order) => free(MoserVeselov::new(inertia, order), system, step),
+            Method::MoserVeselov(order) => Drive::fixed(MoserVeselov::new(inertia, order), step),
             Method::Splitting(composition) => {
-                free(Splitting::new(inertia, composition), system, step)
+                Drive::fixed(Splitting::new(inertia, composition), step)
             }
-            Method::SimoWong => Some(Ok(Drive::fixed(SimoWong::new(inertia), step))),
+            Method::SimoWong => Drive::fixed(SimoWong::new(inertia), step),
             Method::Kick(order) => {
                 let motion = FreeMotion::MoserVeselov(Order::Ten);
-                Some(Ok(Drive::fixed(Kick::new(inertia, order, motion), step)))
+                Drive::fixed(Kick::new(inertia, order, motion), step)
             }
-            _ => None,
-        }
+            _ => return None,
+        }))
     }
 }
 
@@ -128,32 +156,8 @@ fn expect_phase(rate: f64, t: f64, elapsed: f64) -> Result<(), Error> {
     if turn <= PHASE {
         return Ok(());
     }
-    let reason =
-        format!("the time is too long: its rounding alone turns the body by {turn:.1e} radians");
-    Err(Error::Integration { t, reason })
-}
-
-/// Steps of a method for free bodies.
-fn free(
-    integrator: impl Integrator<EulerPoincare<So3, Free>> + Send + 'static,
-    system: &Body<So3>,
-    step: f64,
-) -> Option<Result<Drive<Body<So3>>, Error>> {
-    let integrator = Unforced { system: system.clone_with(Free), integrator };
-    Some(Ok(Drive::fixed(integrator, step)))
-}
-
-/// A method for the system without forces, as one for a system whose forces are empty.
-struct Unforced<I> {
-    system: EulerPoincare<So3, Free>,
-    integrator: I,
-}
-
-impl<I> Integrator<Body<So3>> for Unforced<I>
-where
-    I: Integrator<EulerPoincare<So3, Free>>,
-{
-    fn step(&self, _: &Body<So3>, state: &mut State<So3>, h: f64) -> Result<(), Error> {
-        self.integrator.step(&self.system, state, h)
-    }
+    Err(stopped(
+        t,
+        format!("the time is too long: its rounding alone turns the body by {turn:.1e} radians"),
+    ))
 }

@@ -51,6 +51,15 @@ impl Snapshot {
     }
 }
 
+impl<'s> Reader<'s> {
+    /// The next numbers; `None` if there are fewer.
+    fn take(&mut self, count: usize) -> Option<&'s [f64]> {
+        let (numbers, rest) = self.numbers.split_at_checked(count)?;
+        self.numbers = rest;
+        Some(numbers)
+    }
+}
+
 /// A value that can be saved as numbers and read back, to the last bit.
 pub trait Saved: Sized {
     /// Appends its numbers.
@@ -66,9 +75,7 @@ impl Saved for f64 {
     }
 
     fn read(reader: &mut Reader) -> Option<Self> {
-        let (first, rest) = reader.numbers.split_first()?;
-        reader.numbers = rest;
-        Some(*first)
+        reader.take(1).map(|numbers| numbers[0])
     }
 }
 
@@ -127,9 +134,7 @@ impl<const R: usize, const C: usize> Saved for SMatrix<f64, R, C> {
     }
 
     fn read(reader: &mut Reader) -> Option<Self> {
-        let (numbers, rest) = reader.numbers.split_at_checked(R * C)?;
-        reader.numbers = rest;
-        Some(SMatrix::from_column_slice(numbers))
+        reader.take(R * C).map(SMatrix::from_column_slice)
     }
 }
 
@@ -155,9 +160,8 @@ impl Saved for DVector<f64> {
     }
 
     fn read(reader: &mut Reader) -> Option<Self> {
-        let (numbers, rest) = reader.numbers.split_at_checked(usize::read(reader)?)?;
-        reader.numbers = rest;
-        Some(DVector::from_column_slice(numbers))
+        let count = usize::read(reader)?;
+        reader.take(count).map(DVector::from_column_slice)
     }
 }
 

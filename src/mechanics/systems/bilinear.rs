@@ -1,6 +1,7 @@
 //! Bilinear maps with few nonzero coefficients.
 
 use crate::group::Coordinates;
+use affinor_tensors::Tensor;
 
 /// The bilinear map `f_i = b_i^jk x_j y_k`, by its nonzero coefficients.
 #[derive(Clone, Debug)]
@@ -22,6 +23,12 @@ impl Bilinear {
         Bilinear { rows: if rows.iter().all(Vec::is_empty) { vec![] } else { rows } }
     }
 
+    /// `b^j_ki x^k y_j` of a velocity and a momentum, as in the equations of motion (104).
+    pub(super) fn of_momentum(coefficients: &Tensor<f64>) -> Self {
+        let terms = coefficients.components().map(|(at, value)| (at[2], [at[1], at[0]], *value));
+        Self::new(coefficients.dimension(), terms)
+    }
+
     #[inline]
     pub(super) fn is_zero(&self) -> bool {
         self.rows.is_empty()
@@ -31,8 +38,11 @@ impl Bilinear {
     #[inline]
     pub(super) fn apply<V: Coordinates>(&self, x: &V, y: &V) -> V {
         let (x, y) = (x.components(), y.components());
+        if self.is_zero() {
+            return V::zeros(x.len());
+        }
         let term = |([j, k], value): &([usize; 2], f64)| value * x[*j] * y[*k];
-        let row = |i: usize| self.rows.get(i).map_or(0.0, |row| row.iter().map(term).sum());
+        let row = |i: usize| self.rows[i].iter().map(term).sum();
         V::from_fn(x.len(), row)
     }
 

@@ -10,47 +10,31 @@ use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 
 /// An inertia on a group with translations, at its centre.
-#[derive(Debug)]
-pub(in crate::mechanics) struct Centred<G: LieGroup> {
+#[derive(Clone, Debug)]
+pub(in crate::mechanics) struct Centred<V, E> {
     /// The inertia at the centre; `None` if the centre is the origin of the body.
-    at: Option<AtCentre<G>>,
+    at: Option<AtCentre<V, E>>,
     /// `ad*_(P Omega) H` as a quadratic form of `H`. Terms that cancel for every momentum, as those of an isotropic mass,
     /// are left out: their rounding would be a torque.
-    transfer: Layers<G::Vector>,
+    transfer: Layers<V>,
     sizes: Sizes,
 }
 
-// a derived implementation would require `G: Clone`
-impl<G: LieGroup> Clone for Centred<G> {
-    fn clone(&self) -> Self {
-        let (at, transfer, sizes) = (self.at.clone(), self.transfer.clone(), self.sizes);
-        Centred { at, transfer, sizes }
-    }
-}
-
 /// The inertia `J(Ad_c x, Ad_c y)` at the centre.
-#[derive(Debug)]
-struct AtCentre<G: LieGroup> {
+#[derive(Clone, Debug)]
+struct AtCentre<V, E> {
     /// The translation `c` to the centre.
-    centre: G::Element,
-    inertia: Matrix<G::Vector>,
-    inverse: Matrix<G::Vector>,
+    centre: E,
+    inertia: Matrix<V>,
+    inverse: Matrix<V>,
 }
 
-impl<G: LieGroup> Clone for AtCentre<G> {
-    fn clone(&self) -> Self {
-        let AtCentre { centre, inertia, inverse } = self;
-        let (inertia, inverse) = (inertia.clone(), inverse.clone());
-        AtCentre { centre: centre.clone(), inertia, inverse }
-    }
-}
-
-impl<G: LieGroup> Centred<G> {
+impl<V: Coordinates, E> Centred<V, E> {
     /// The inertia with its inverse and the structure constants of the group.
     pub(in crate::mechanics) fn new(
-        group: &G,
-        metric: &Matrix<G::Vector>,
-        inverse: &Matrix<G::Vector>,
+        group: &impl LieGroup<Vector = V, Element = E>,
+        metric: &Matrix<V>,
+        inverse: &Matrix<V>,
         structure: &Tensor<f64>,
     ) -> Self {
         let at = at_centre(group, metric);
@@ -64,13 +48,13 @@ impl<G: LieGroup> Centred<G> {
     }
 
     #[inline]
-    pub(in crate::mechanics) fn centre(&self) -> Option<&G::Element> {
+    pub(in crate::mechanics) fn centre(&self) -> Option<&E> {
         self.at.as_ref().map(|at| &at.centre)
     }
 
     /// The inverse of the inertia at the centre, if the centre is not the origin.
     #[inline]
-    pub(in crate::mechanics) fn inverse(&self) -> Option<&Matrix<G::Vector>> {
+    pub(in crate::mechanics) fn inverse(&self) -> Option<&Matrix<V>> {
         self.at.as_ref().map(|at| &at.inverse)
     }
 
@@ -81,7 +65,7 @@ impl<G: LieGroup> Centred<G> {
 
     /// `ad*_(P Omega) H` at the centre.
     #[inline]
-    pub(in crate::mechanics) fn transfer(&self, momentum: &G::Vector) -> G::Vector {
+    pub(in crate::mechanics) fn transfer(&self, momentum: &V) -> V {
         self.transfer.apply(momentum, momentum)
     }
 
@@ -98,7 +82,10 @@ const SHARED: f64 = 1e-12;
 ///
 /// With `c = exp(r)`, `Ad_c x = x + [r, x]`, so the translation `r` to the centre solves `J([r, x], v) = -J(x, v)` for all
 /// rotations `x` and translations `v`.
-fn at_centre<G: LieGroup>(group: &G, metric: &Matrix<G::Vector>) -> Option<AtCentre<G>> {
+fn at_centre<G: LieGroup>(
+    group: &G,
+    metric: &Matrix<G::Vector>,
+) -> Option<AtCentre<G::Vector, G::Element>> {
     let n = group.dimension();
     let basis = group.basis();
     let translations: Vec<G::Vector> =

@@ -2,9 +2,8 @@
 
 use super::System;
 use super::bilinear::Bilinear;
-use super::euler_poincare::{Free, Torque};
-use crate::algebra::frame::formula;
-use crate::group::{Coordinates, LieGroup, expect_left_frame};
+use super::euler_poincare::{Free, Torque, expect_on_group};
+use crate::group::{Coordinates, LieGroup};
 use crate::{Connection, Error, Metric};
 use nalgebra::{DMatrix, DVector};
 
@@ -62,7 +61,7 @@ pub trait Constraint<G: LieGroup> {
 pub struct Constrained<G, C, M = Free> {
     group: G,
     mass: DMatrix<f64>,
-    /// `Lambda^j_ki J_jl v^k v^l`.
+    /// `Lambda^j_ki v^k H_j`.
     inertial: Bilinear,
     force: M,
     constraint: C,
@@ -118,19 +117,8 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         force: M,
         constraint: C,
     ) -> Result<Self, Error> {
-        let n = group.dimension();
-        expect_left_frame(&group, connection.frame())?;
-        if metric.components().dimension() != n {
-            return Err(Error::Shape {
-                what: "the metric",
-                expected: format!("dimension {n}"),
-                found: format!("dimension {}", metric.components().dimension()),
-            });
-        }
-        let operands = [("L", connection.gamma()), ("J", metric.components())];
-        let inertial = formula("L^j_ki J_jl -> _ikl", &operands);
-        let terms = inertial.components().map(|(at, value)| (at[0], [at[1], at[2]], *value));
-        let inertial = Bilinear::new(n, terms);
+        expect_on_group(&group, connection, metric)?;
+        let inertial = Bilinear::of_momentum(connection.gamma());
         let mass = metric.components().to_dmatrix()?;
         Ok(Constrained { group, mass, inertial, force, constraint })
     }
@@ -243,7 +231,8 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         element: &G::Element,
         velocity: &G::Vector,
     ) -> DVector<f64> {
-        let mut force = self.inertial.apply(velocity, velocity);
+        let momentum = G::Vector::from_components((&self.mass * column(velocity)).as_slice());
+        let mut force = self.inertial.apply(velocity, &momentum);
         self.force.add(time, element, velocity, &mut force);
         column(&force)
     }

@@ -7,6 +7,7 @@ use super::cotangent::{CotangentSystem, Sizes, State};
 use super::matrix::Matrix;
 use crate::algebra::frame::formula;
 use crate::group::{Coordinates, LieGroup, So3, expect_left_frame};
+use crate::mechanics::invalid_inertia;
 use crate::{Connection, Error, Metric};
 use nalgebra::Matrix3;
 
@@ -53,7 +54,7 @@ pub struct EulerPoincare<G: LieGroup, M> {
     /// `(Lambda - c)^j_ki x^k y_j`: zero with `plus`.
     excess: Bilinear,
     /// The inertia at the centre.
-    centred: Centred<G>,
+    centred: Centred<G::Vector, G::Element>,
     torque: M,
 }
 
@@ -177,43 +178,18 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
         metric: &Metric<f64>,
         torque: M,
     ) -> Result<Self, Error> {
-        let (frame, n) = (connection.frame(), group.dimension());
-        expect_left_frame(&group, frame)?;
-        if metric.components().dimension() != n {
-            let found = format!("dimension {}", metric.components().dimension());
-            return Err(Error::Shape {
-                what: "the metric",
-                expected: format!("dimension {n}"),
-                found,
-            });
-        }
-        let operands = [("L", connection.gamma()), ("c", frame.structure())];
-        let excess = formula("L^j_ki - c^j_ki -> ^j_ki", &operands);
-        let terms = excess.components().map(|(at, value)| (at[2], [at[1], at[0]], *value));
-        let excess = Bilinear::new(n, terms);
+        expect_on_group(&group, connection, metric)?;
+        let structure = connection.frame().structure();
+        let operands = [("L", connection.gamma()), ("c", structure)];
+        let excess = Bilinear::of_momentum(&formula("L^j_ki - c^j_ki -> ^j_ki", &operands));
         let (metric, inverse) = (Matrix::new(metric.components()), Matrix::new(metric.inverse()));
-        let centred = Centred::new(&group, &metric, &inverse, frame.structure());
+        let centred = Centred::new(&group, &metric, &inverse, structure);
         Ok(EulerPoincare { group, metric, inverse, excess, centred, torque })
     }
 
     /// The group.
     pub fn group(&self) -> &G {
         &self.group
-    }
-
-    /// The same system with another torque.
-    pub fn clone_with<N: Torque<G>>(&self, torque: N) -> EulerPoincare<G, N>
-    where
-        G: Clone,
-    {
-        EulerPoincare {
-            group: self.group.clone(),
-            metric: self.metric.clone(),
-            inverse: self.inverse.clone(),
-            excess: self.excess.clone(),
-            centred: self.centred.clone(),
-            torque,
-        }
     }
 
     /// The torque.
@@ -268,6 +244,24 @@ impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
     }
 }
 
+/// Checks that a connection and a metric are on the algebra of a group, in its basis.
+///
+/// # Errors
+/// [`Error::Shape`].
+pub(super) fn expect_on_group<G: LieGroup>(
+    group: &G,
+    connection: &Connection<f64>,
+    metric: &Metric<f64>,
+) -> Result<(), Error> {
+    expect_left_frame(group, connection.frame())?;
+    let (n, found) = (group.dimension(), metric.components().dimension());
+    if n == found {
+        return Ok(());
+    }
+    let [expected, found] = [n, found].map(|n| format!("dimension {n}"));
+    Err(Error::Shape { what: "the metric", expected, found })
+}
+
 impl<M> EulerPoincare<So3, M> {
     /// Checks that these are Euler's equations of a body with the inertia matrix.
     ///
@@ -281,7 +275,6 @@ impl<M> EulerPoincare<So3, M> {
         if (0..9).all(|at| same(at / 3, at % 3)) && self.excess.is_zero() {
             return Ok(());
         }
-        let reason = "the system has another one, or a connection other than plus".into();
-        Err(Error::Invalid { what: "inertia", reason })
+        Err(invalid_inertia("the system has another one, or a connection other than plus"))
     }
 }

@@ -28,7 +28,7 @@ pub struct MatrixState<T> {
 }
 
 /// A flow `L' = [B(L), L]`, over real or complex matrices.
-pub trait Isospectral: System<State = MatrixState<Self::Entry>> {
+pub trait Isospectral {
     /// The entries of `L`.
     type Entry: Entry;
 
@@ -38,6 +38,14 @@ pub trait Isospectral: System<State = MatrixState<Self::Entry>> {
     /// The symmetry of `L`, if the flow has `B^* = -B` and so conserves it; steps then conserve it to the last bit.
     fn symmetry(&self) -> Option<Symmetry> {
         None
+    }
+}
+
+impl<F: Isospectral> System for F {
+    type State = MatrixState<F::Entry>;
+
+    fn time(&self, state: &Self::State) -> f64 {
+        state.time
     }
 }
 
@@ -107,14 +115,6 @@ impl<T: Entry, B: Fn(&DMatrix<T>) -> DMatrix<T>> Flow<T, B> {
         let state = checked(time, matrix, None, self.symmetry)?;
         expect_square("B(L)", &(self.generator)(&state.matrix), Some(state.matrix.nrows()))?;
         Ok(state)
-    }
-}
-
-impl<T: Entry, B: Fn(&DMatrix<T>) -> DMatrix<T>> System for Flow<T, B> {
-    type State = MatrixState<T>;
-
-    fn time(&self, state: &MatrixState<T>) -> f64 {
-        state.time
     }
 }
 

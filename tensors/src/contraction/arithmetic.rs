@@ -5,7 +5,7 @@ use crate::{Ring, Sum, Tolerance};
 
 /// A term with its values, before it is laid out in rows.
 pub(super) struct Term<'t, V> {
-    pub factors: Vec<Factor<'t, V>>,
+    pub factors: [Factor<'t, V>; 2],
     pub mirrored: bool,
 }
 
@@ -19,30 +19,17 @@ pub(super) struct Factor<'t, V> {
 /// An arithmetic for sums of products.
 pub(super) trait Arithmetic<S>: Sync {
     type Value: Clone + Send + Sync;
-    type Sum: Clone + Send;
-    fn empty(&self) -> Self::Sum;
-    /// The sum of `a b` alone, or of its negative.
-    fn product(&self, a: &Self::Value, b: &Self::Value, negative: bool) -> Self::Sum;
+    type Sum: Clone + Default + Send;
     /// Adds `a b`, or its negative.
     fn add_product(&self, sum: &mut Self::Sum, a: &Self::Value, b: &Self::Value, negative: bool);
-    /// The sum of `a` alone, or of its negative.
-    fn term(&self, a: &Self::Value, negative: bool) -> Self::Sum;
-    /// Adds `a`, or its negative.
-    fn add_term(&self, sum: &mut Self::Sum, a: &Self::Value, negative: bool);
     /// The value of a sum; `None` for zero.
     fn finish(&self, sum: &Self::Sum) -> Option<S>;
 }
 
 /// Sums in the ring, by its [`Sum`].
-pub(super) struct InRing {
-    tolerance: Tolerance,
-}
+pub(super) struct InRing(pub Tolerance);
 
 impl InRing {
-    pub fn new(tolerance: Tolerance) -> Self {
-        InRing { tolerance }
-    }
-
     /// The terms with the coefficient multiplied into the first factor.
     pub fn terms<'t, S: Ring>(products: &'t [Product<S>]) -> Vec<Term<'t, S>> {
         let term = |product: &'t Product<S>| {
@@ -64,23 +51,11 @@ impl InRing {
 impl<S: Ring> Arithmetic<S> for InRing {
     type Value = S;
     type Sum = S::Sum;
-    fn empty(&self) -> S::Sum {
-        S::Sum::term(&S::zero())
-    }
-    fn product(&self, a: &S, b: &S, negative: bool) -> S::Sum {
-        if negative { S::Sum::product(&-a.clone(), b) } else { S::Sum::product(a, b) }
-    }
     fn add_product(&self, sum: &mut S::Sum, a: &S, b: &S, negative: bool) {
         if negative { sum.add_product(&-a.clone(), b) } else { sum.add_product(a, b) }
     }
-    fn term(&self, a: &S, negative: bool) -> S::Sum {
-        if negative { S::Sum::term(&-a.clone()) } else { S::Sum::term(a) }
-    }
-    fn add_term(&self, sum: &mut S::Sum, a: &S, negative: bool) {
-        if negative { sum.add_term(&-a.clone()) } else { sum.add_term(a) }
-    }
     fn finish(&self, sum: &S::Sum) -> Option<S> {
-        sum.kept(self.tolerance)
+        sum.kept(self.0)
     }
 }
 
@@ -151,20 +126,8 @@ impl<S: Ring> OnIntegers<S> {
 impl<S: Ring> Arithmetic<S> for OnIntegers<S> {
     type Value = i64;
     type Sum = i64;
-    fn empty(&self) -> i64 {
-        0
-    }
-    fn product(&self, a: &i64, b: &i64, negative: bool) -> i64 {
-        if negative { -(a * b) } else { a * b }
-    }
     fn add_product(&self, sum: &mut i64, a: &i64, b: &i64, negative: bool) {
         *sum += if negative { -(a * b) } else { a * b };
-    }
-    fn term(&self, a: &i64, negative: bool) -> i64 {
-        if negative { -a } else { *a }
-    }
-    fn add_term(&self, sum: &mut i64, a: &i64, negative: bool) {
-        *sum += if negative { -a } else { *a };
     }
     fn finish(&self, sum: &i64) -> Option<S> {
         let sum = *sum;

@@ -1,8 +1,8 @@
 //! The kernel: sparse row products, gathered in a dense accumulator over the last two indices.
 //!
 //! Nested loops run over the leading indices of the result and skip values that no term can reach, so
-//! the results are sorted. In a term of two factors, the one with more leading indices is read
-//! entry by entry, and each entry is multiplied with the partner's row of equal summed indices.
+//! the results are sorted. Of the two factors of a term, the one with more leading indices is read entry
+//! by entry, and each entry is multiplied with the partner's row of equal summed indices.
 
 use super::Paths;
 use super::arithmetic::{Arithmetic, Term};
@@ -87,7 +87,7 @@ impl<V> Plan<'_, V> {
     }
 }
 
-/// A term that is not zero for the chosen leading indices, with its current rows.
+/// A term that is not zero for the chosen leading indices, with its current groups of rows.
 #[derive(Clone, Copy)]
 struct Alive {
     term: usize,
@@ -123,7 +123,7 @@ impl<'w, S: Ring, A: Arithmetic<S>> Walk<'w, S, A> {
             alive: (0..plan.terms.len())
                 .map(|term| Alive { term, driver: 0, partner: 0 })
                 .collect(),
-            sums: vec![arithmetic.empty(); inner],
+            sums: vec![A::Sum::default(); inner],
             filled: vec![0; inner.div_ceil(64)],
             touched: vec![],
             finished: vec![],
@@ -147,19 +147,19 @@ impl<'w, S: Ring, A: Arithmetic<S>> Walk<'w, S, A> {
 
     /// Continues with one value of the leading index `depth` and the terms that stay alive.
     fn enter(&mut self, depth: usize, key: u64, from: usize, index: u64) {
-        let step = |rows: &Rows<A::Value>, row: u64| match rows.spans[depth] {
+        let step = |rows: &Rows<A::Value>, group: u64| match rows.spans[depth] {
             Some(span) => {
-                let row = row + index * span;
-                (!rows.range(row, span).is_empty()).then_some(row)
+                let group = group + index * span;
+                (!rows.groups(group, span).is_empty()).then_some(group)
             }
-            None => Some(row),
+            None => Some(group),
         };
         let end = self.alive.len();
         for at in from..end {
             let Alive { term, driver, partner } = self.alive[at];
             let laid = &self.plan.terms[term];
             if let Some(driver) = step(&laid.driver, driver)
-                && let Some(partner) = laid.partner.as_ref().map_or(Some(0), |p| step(p, partner))
+                && let Some(partner) = step(&laid.partner, partner)
             {
                 self.alive.push(Alive { term, driver, partner });
             }
@@ -177,33 +177,16 @@ impl<'w, S: Ring, A: Arithmetic<S>> Walk<'w, S, A> {
         for at in from..self.alive.len() {
             let Alive { term, driver, partner } = self.alive[at];
             let laid = &plan.terms[term];
-            let (rows, links) = (&laid.driver, laid.driver.links);
-            let Some(partners) = &laid.partner else {
-                for Entry { place, value, .. } in &rows.entries[rows.range(driver, links)] {
-                    if let Some((place, negative)) = bounds.admit(*place, laid.mirrored) {
-                        self.add(
-                            place,
-                            |a| a.term(value, negative),
-                            |a, sum| a.add_term(sum, value, negative),
-                        );
-                    }
-                }
-                continue;
-            };
-            rows.meet(driver, partners, partner, |mine, theirs| {
-                let theirs = &partners.entries[theirs];
-                for Entry { place, lowest, value } in &rows.entries[mine] {
+            laid.driver.meet(driver, &laid.partner, partner, |mine, theirs| {
+                let theirs = &laid.partner.entries[theirs];
+                for Entry { place, lowest, value } in &laid.driver.entries[mine] {
                     if bounds.beyond(*lowest) {
                         continue;
                     }
                     for other in theirs {
-                        let (place, factor) = (sum(*place, other.place), &other.value);
+                        let place = sum(*place, other.place);
                         if let Some((place, negative)) = bounds.admit(place, laid.mirrored) {
-                            self.add(
-                                place,
-                                |a| a.product(value, factor, negative),
-                                |a, sum| a.add_product(sum, value, factor, negative),
-                            );
+                            self.add_product(place, value, &other.value, negative);
                         }
                     }
                 }
@@ -213,21 +196,15 @@ impl<'w, S: Ring, A: Arithmetic<S>> Walk<'w, S, A> {
     }
 
     #[inline(always)]
-    fn add(
-        &mut self,
-        place: Place,
-        start: impl FnOnce(&A) -> A::Sum,
-        add: impl FnOnce(&A, &mut A::Sum),
-    ) {
+    fn add_product(&mut self, place: Place, a: &A::Value, b: &A::Value, negative: bool) {
         let at = place[0] as usize * self.plan.n as usize + place[1] as usize;
         let (word, bit) = (&mut self.filled[at / 64], 1u64 << (at % 64));
-        if *word & bit != 0 {
-            add(self.arithmetic, &mut self.sums[at]);
-        } else {
+        if *word & bit == 0 {
             *word |= bit;
-            self.sums[at] = start(self.arithmetic);
+            self.sums[at] = A::Sum::default();
             self.touched.push(place);
         }
+        self.arithmetic.add_product(&mut self.sums[at], a, b, negative);
     }
 
     /// Appends the accumulated components to the results, in the order of their indices.
@@ -303,22 +280,19 @@ fn spread<S: Ring>(
 ) -> (Vec<u64>, Vec<S>) {
     let place = |at: usize| n.pow((rank - 1 - at) as u32);
     let mut all: Vec<(u64, S)> = keys.into_iter().zip(values).collect();
-    // insert the k-th index of the group at every place among those before it
+    // insert the index `end` of the group at every place among those before it
     for end in group.start + 1..group.end {
-        let mut images = Vec::new();
-        for (key, value) in &all {
-            let digit = |at: usize| key / place(at) % n;
-            let mut sign = S::one();
-            for at in (group.start..end).rev() {
-                sign = -sign;
-                let moved: Vec<u64> =
-                    (at..=end).map(|p| if p == at { digit(end) } else { digit(p - 1) }).collect();
-                let old: u64 = (at..=end).map(|p| digit(p) * place(p)).sum();
-                let new: u64 = (at..=end).zip(&moved).map(|(p, d)| d * place(p)).sum();
-                images.push((key - old + new, value.clone() * &sign));
+        for at in 0..all.len() {
+            let (mut key, mut value) = all[at].clone();
+            for left in (group.start..end).rev() {
+                // exchange the indices `left` and `left + 1`
+                let [p, q] = [place(left), place(left + 1)];
+                let [a, b] = [p, q].map(|place| key / place % n);
+                key = key - (a * p + b * q) + (b * p + a * q);
+                value = -value;
+                all.push((key, value.clone()));
             }
         }
-        all.extend(images);
     }
     all.sort_by_key(|(key, _)| *key);
     all.into_iter().unzip()

@@ -11,8 +11,10 @@ pub(super) struct Expression<'e> {
     text: &'e str,
     terms: Vec<(Ratio<i64>, Vec<Factor<'e>>)>,
     letters: Vec<char>,
-    slots: Vec<Variance>,
-    groups: Vec<Range<usize>>,
+    /// The slots of the result.
+    pub slots: Vec<Variance>,
+    /// The runs of result letters in which the sum is declared antisymmetric.
+    pub groups: Vec<Range<usize>>,
 }
 
 /// A name with its indices.
@@ -27,10 +29,8 @@ impl<'e> Expression<'e> {
         let (sum, result) = text.split_once("->").ok_or_else(|| fail(NotationError::NoArrow))?;
         let (indices, groups) = indices(result.trim()).map_err(fail)?;
         let (letters, slots): (Vec<char>, _) = indices.into_iter().unzip();
-        if let Some((_, letter)) =
-            letters.iter().enumerate().find(|(at, l)| letters[..*at].contains(l))
-        {
-            return Err(fail(NotationError::Twice(*letter)));
+        if let Some(at) = (1..letters.len()).find(|&at| letters[..at].contains(&letters[at])) {
+            return Err(fail(NotationError::Twice(letters[at])));
         }
         let is_sign = |word: &&str| matches!(*word, "+" | "-");
         let mut words = sum.split_whitespace().peekable();
@@ -51,21 +51,11 @@ impl<'e> Expression<'e> {
         Ok(Expression { text, terms, letters, slots, groups })
     }
 
-    /// The slots of the result.
-    pub fn slots(&self) -> &[Variance] {
-        &self.slots
-    }
-
-    /// The runs of result letters in which the sum is declared antisymmetric.
-    pub fn antisymmetric(&self) -> &[Range<usize>] {
-        &self.groups
-    }
-
     /// The last two positions of the result, if they are antisymmetric.
     pub fn last_pair(&self) -> Option<(usize, usize)> {
         let rank = self.slots.len();
-        let paired = |group: &&Range<usize>| group.end == rank && group.len() >= 2;
-        self.groups.iter().find(paired).map(|_| (rank - 2, rank - 1))
+        let paired = |group: &Range<usize>| group.end == rank && group.len() >= 2;
+        self.groups.iter().any(paired).then(|| (rank - 2, rank - 1))
     }
 
     /// Looks every name up, checks ranks and variances, and gives each letter its role.
@@ -97,8 +87,7 @@ impl<'e> Expression<'e> {
                 let roles = factor.indices.iter().filter_map(role).collect();
                 bound.push((roles, Cow::Borrowed(*tensor)));
             }
-            let coefficient = *coefficient;
-            products.push(Product { coefficient, mirrored: false, factors: bound });
+            products.push(Product { coefficient: *coefficient, mirrored: false, factors: bound });
         }
         Ok(products)
     }
@@ -167,7 +156,7 @@ fn indices(text: &str) -> Result<Letters, NotationError> {
             ('[', Some(_)) if open.is_none() => open = Some(letters.len()),
             (']', _) => groups.push(open.take().ok_or(NotationError::Unopened)?..letters.len()),
             (letter, Some(v)) if letter.is_alphabetic() => letters.push((letter, v)),
-            _ => return Err(NotationError::Symbol { symbol, indices: text.into() }),
+            _ => return Err(NotationError::Symbol(symbol, text.into())),
         }
     }
     if open.is_some() {

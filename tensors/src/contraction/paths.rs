@@ -7,12 +7,11 @@
 /// last bit, because every path adds the products of a component in the same order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Paths {
-    /// A factor with at most this many rows gets a table of the beginnings of its rows. A factor with
-    /// at most this many groups of rows (rows with equal leading indices) gets a table of the
-    /// beginnings of its groups. In other factors, rows are found by bisection.
+    /// A factor with at most this many rows gets a table of the beginnings of its rows.
     pub direct_rows: u64,
-    /// A factor with such a table also gets a bit set of its nonempty rows, if this set takes at most
-    /// this many 64-bit words.
+    /// A factor gets a bit set of its nonempty rows, if this set takes at most this many 64-bit
+    /// words. Without a table of all rows it then gets a table of its nonempty rows. In a factor
+    /// with neither table, rows are found by bisection.
     pub marked_words: u64,
     /// A contraction of operands with fewer components runs on one thread.
     pub parallel_from: usize,

@@ -7,7 +7,7 @@ use std::ops::Range;
 /// A term laid out in rows. The driver is read entry by entry; the partner is looked up by row.
 pub(super) struct Laid<V> {
     pub driver: Rows<V>,
-    pub partner: Option<Rows<V>>,
+    pub partner: Rows<V>,
     /// Whether the term also represents its mirror image.
     pub mirrored: bool,
 }
@@ -27,45 +27,37 @@ impl<V: Clone> Laid<V> {
         let lead = |factor: &Factor<V>| {
             factor.roles.iter().filter(|r| matches!(r, Role::Free(at) if *at < outer)).count()
         };
-        let (mut driver, mut partner) = match term.factors.as_slice() {
-            [one] => (one, None),
-            [one, two] => (one, Some(two)),
-            _ => return None,
-        };
-        if let Some(other) = partner
-            && lead(other) > lead(driver)
-        {
-            (driver, partner) = (other, Some(driver));
+        let [mut driver, mut partner] = term.factors.each_ref();
+        if lead(partner) > lead(driver) {
+            std::mem::swap(&mut driver, &mut partner);
         }
         // the pairs that join the factors, in the order of the driver's slots
         let shared: Vec<usize> = driver
             .roles
             .iter()
-            .filter(|role| partner.is_some_and(|p| p.roles.contains(role)))
+            .filter(|role| partner.roles.contains(role))
             .filter_map(|role| if let Role::Summed(pair) = role { Some(*pair) } else { None })
             .collect();
         let layout = Layout { n, outer, rank, shared: &shared, paths };
-        let driver = Rows::new(driver, &layout);
-        let partner = partner.map(|p| Rows::new(p, &layout));
-        let empty =
-            driver.entries.is_empty() || partner.as_ref().is_some_and(|p| p.entries.is_empty());
+        let [driver, partner] = [driver, partner].map(|factor| Rows::new(factor, &layout));
+        let empty = driver.entries.is_empty() || partner.entries.is_empty();
         (!empty).then_some(Laid { driver, partner, mirrored: term.mirrored })
     }
 
     /// The number of products of the term.
     pub fn products(&self) -> u64 {
-        let Some(partner) = &self.partner else { return self.driver.entries.len() as u64 };
         let links = self.driver.links;
         let mut counts = std::collections::HashMap::new();
         for row in &self.driver.rows {
             *counts.entry(row % links).or_insert(0u64) += 1;
         }
-        let met = partner.rows.iter().map(|row| counts.get(&(row % links)).copied().unwrap_or(0));
+        let met =
+            self.partner.rows.iter().map(|row| counts.get(&(row % links)).copied().unwrap_or(0));
         met.fold(0, u64::saturating_add)
     }
 
     pub fn entries(&self) -> usize {
-        self.driver.entries.len() + self.partner.as_ref().map_or(0, |p| p.entries.len())
+        self.driver.entries.len() + self.partner.entries.len()
     }
 }
 
@@ -78,15 +70,17 @@ struct Layout<'l> {
     paths: &'l Paths,
 }
 
-/// Entries sorted by row; a row is the leading indices followed by the shared summed ones.
+/// Entries sorted by row; a row is the leading indices followed by the shared summed ones. The rows
+/// with equal leading indices are a group.
 pub(super) struct Rows<V> {
-    /// For each leading index of the result: the number of rows per step, if this factor has the index.
+    /// For each leading index of the result: the number of groups per step, if this factor has the
+    /// index.
     pub spans: Vec<Option<u64>>,
-    /// The number of combinations of values of the shared indices.
-    pub links: u64,
+    /// The number of rows in a group: of combinations of values of the shared indices.
+    links: u64,
     index: Index,
-    /// A bit for each row, set if the row is not empty; `links` bits are padded to whole words. `None`
-    /// if these are too many.
+    /// A bit for each row, set if the row is not empty; `links` bits are padded to whole words, and
+    /// an empty word follows. `None` if these are too many.
     occupied: Option<Vec<u64>>,
     /// The row of each entry, ascending.
     rows: Vec<u64>,
@@ -98,9 +92,9 @@ pub(super) struct Rows<V> {
 enum Index {
     /// The beginning of each row, and the end of the last one.
     Rows(Vec<u32>),
-    /// The beginning of each group of `links` rows with equal leading indices, and the end of the last
-    /// one.
-    Groups(Vec<u32>),
+    /// The number of nonempty rows before each word of [`Rows::occupied`]; then the beginning of
+    /// each nonempty row, and the end of the last one.
+    Nonempty(Vec<u32>, Vec<u32>),
     /// By bisection.
     Sorted,
 }
@@ -119,13 +113,13 @@ impl<V: Clone> Rows<V> {
         let Layout { n, outer, rank, shared, paths } = *layout;
         let links = n.pow(shared.len() as u32);
         let mut spans = vec![None; outer];
-        let mut span = links;
+        let mut groups = 1;
         for at in (0..outer).rev().filter(|&at| factor.roles.contains(&Role::Free(at))) {
-            spans[at] = Some(span);
-            span *= n;
+            spans[at] = Some(groups);
+            groups *= n;
         }
         let weight = |role: &Role| match role {
-            Role::Free(at) if *at < outer => (spans[*at].unwrap_or(0), [0, 0]),
+            Role::Free(at) if *at < outer => (spans[*at].unwrap_or(0) * links, [0, 0]),
             Role::Free(at) if at + 1 == rank => (0, [0, 1]),
             Role::Free(_) => (0, [1, 0]),
             Role::Summed(pair) => match shared.iter().rev().position(|s| s == pair) {
@@ -152,28 +146,35 @@ impl<V: Clone> Rows<V> {
             }
             order.push((row, place, at as u32));
         }
-        let groups = span / links;
-        let index = if span <= paths.direct_rows {
-            Index::Rows(sort_by_counting(&mut order, 1, span))
-        } else {
-            order.sort_unstable_by_key(|&(row, _, at)| (row, at));
-            if groups <= paths.direct_rows {
-                Index::Groups(sort_by_counting(&mut order, links, groups))
-            } else {
-                Index::Sorted
-            }
-        };
-        let words = links.div_ceil(64);
-        let marked = !matches!(index, Index::Sorted)
-            && groups.checked_mul(words).is_some_and(|all| all <= paths.marked_words);
-        let occupied = marked.then(|| {
-            let mut bits = vec![0; (groups * words) as usize];
+        let words = groups.saturating_mul(links.div_ceil(64));
+        let occupied = (words <= paths.marked_words).then(|| {
+            let mut bits = vec![0u64; words as usize + 1];
             for &(row, _, _) in &order {
-                let (group, link) = (row / links, row % links);
-                bits[(group * words + link / 64) as usize] |= 1 << (link % 64);
+                let (word, bit) = position(row, links);
+                bits[word] |= 1 << bit;
             }
             bits
         });
+        let index = if groups * links <= paths.direct_rows {
+            let rows = (groups * links) as usize;
+            Index::Rows(sort_by_counting(&mut order, rows, |row| row as usize))
+        } else if let Some(bits) = &occupied {
+            let mut count = 0;
+            let before: Vec<u32> = (bits.iter())
+                .map(|word| {
+                    count += word.count_ones();
+                    count - word.count_ones()
+                })
+                .collect();
+            let starts = sort_by_counting(&mut order, count as usize, |row| {
+                let (word, bit) = position(row, links);
+                number(&before, bits, word, bit)
+            });
+            Index::Nonempty(before, starts)
+        } else {
+            order.sort_unstable_by_key(|&(row, _, at)| (row, at));
+            Index::Sorted
+        };
         let first = factor.roles.contains(&Role::Free(outer));
         let second = factor.roles.contains(&Role::Free(outer + 1));
         let lowest = |[a, b]: Place| match (first && outer + 2 == rank, second) {
@@ -200,59 +201,87 @@ impl<V: Clone> Rows<V> {
     }
 
     /// Calls `f` with the entries of both factors for all values of the shared indices that occur in
-    /// both, from the rows `row` here and `other` in the partner on.
+    /// both, in the group `group` here and `other` in the partner.
     #[inline(always)]
     pub fn meet(
         &self,
-        row: u64,
+        group: u64,
         partner: &Self,
         other: u64,
         mut f: impl FnMut(Range<usize>, Range<usize>),
     ) {
-        let mut both = |link| f(self.range(row + link, 1), partner.range(other + link, 1));
+        let [row, other_row] = [group, other].map(|group| group * self.links);
         if let (Some(mine), Some(theirs)) = (&self.occupied, &partner.occupied) {
-            let words = self.links.div_ceil(64);
-            let word = |occupied: &[u64], row: u64, at: u64| {
-                occupied[(row / self.links * words + at) as usize]
-            };
+            let words = self.links.div_ceil(64) as usize;
+            let [first, second] = [group, other].map(|group| group as usize * words);
             for at in 0..words {
-                let mut bits = word(mine, row, at) & word(theirs, other, at);
+                let mut bits = mine[first + at] & theirs[second + at];
                 while bits != 0 {
-                    both(at * 64 + u64::from(bits.trailing_zeros()));
+                    let bit = bits.trailing_zeros();
+                    let link = 64 * at as u64 + u64::from(bit);
+                    let mine = self.marked(row + link, first + at, bit);
+                    f(mine, partner.marked(other_row + link, second + at, bit));
                     bits &= bits - 1;
                 }
             }
         } else {
-            let mut at = self.range(row, self.links);
+            let mut at = self.groups(group, 1);
             while let Some(first) = at.next() {
                 let link = self.rows[first] - row;
-                both(link);
-                at.start = self.range(row + link, 1).end;
+                let mine = self.range(row + link, 1);
+                at.start = mine.end;
+                f(mine, partner.range(other_row + link, 1));
             }
+        }
+    }
+
+    /// The entries of a nonempty row, also given by its [`position`].
+    #[inline(always)]
+    fn marked(&self, row: u64, word: usize, bit: u32) -> Range<usize> {
+        match (&self.index, &self.occupied) {
+            (Index::Nonempty(before, starts), Some(bits)) => {
+                let at = number(before, bits, word, bit);
+                starts[at] as usize..starts[at + 1] as usize
+            }
+            _ => self.range(row, 1),
+        }
+    }
+
+    /// The entries of `count` groups from `group` on.
+    #[inline(always)]
+    pub fn groups(&self, group: u64, count: u64) -> Range<usize> {
+        match &self.index {
+            Index::Nonempty(before, starts) => {
+                let word = |group: u64| (group * self.links.div_ceil(64)) as usize;
+                let start = |group: u64| starts[before[word(group)] as usize] as usize;
+                start(group)..start(group + count)
+            }
+            _ => self.range(group * self.links, count * self.links),
         }
     }
 
     /// The entries of `count` rows from `row` on.
     #[inline(always)]
-    pub fn range(&self, row: u64, count: u64) -> Range<usize> {
-        let within = |range: Range<usize>| {
-            let rows = &self.rows[range.clone()];
-            let from = range.start + rows.partition_point(|&r| r < row);
-            from..range.start + rows.partition_point(|&r| r < row + count)
+    fn range(&self, row: u64, count: u64) -> Range<usize> {
+        let start = |row: u64| match &self.index {
+            Index::Rows(starts) => starts[row as usize] as usize,
+            _ => self.rows.partition_point(|&r| r < row),
         };
-        match &self.index {
-            Index::Rows(starts) => {
-                starts[row as usize] as usize..starts[(row + count) as usize] as usize
-            }
-            Index::Groups(starts) => {
-                let first = (row / self.links) as usize;
-                let last = (row + count).div_ceil(self.links) as usize;
-                let range = starts[first] as usize..starts[last] as usize;
-                if count.is_multiple_of(self.links) { range } else { within(range) }
-            }
-            Index::Sorted => within(0..self.rows.len()),
-        }
+        start(row)..start(row + count)
     }
+}
+
+/// The word of [`Rows::occupied`] and the number of the bit in it that belong to a row.
+#[inline(always)]
+fn position(row: u64, links: u64) -> (usize, u32) {
+    let (group, link) = (row / links, row % links);
+    ((group * links.div_ceil(64) + link / 64) as usize, (link % 64) as u32)
+}
+
+/// The number of nonempty rows before a row.
+#[inline(always)]
+fn number(before: &[u32], bits: &[u64], word: usize, bit: u32) -> usize {
+    (before[word] + (bits[word] & ((1 << bit) - 1)).count_ones()) as usize
 }
 
 /// The two indices of the accumulator (the first is 0 where the result has only one).
@@ -269,26 +298,27 @@ fn pairs_inside(roles: &[Role]) -> Vec<(usize, usize)> {
     (0..roles.len()).filter_map(|a| twin(a).map(|b| (a, b))).collect()
 }
 
-/// Sorts entries stably by steps of `stride` rows and returns the beginning of each step.
-fn sort_by_counting(entries: &mut Vec<(u64, Place, u32)>, stride: u64, steps: u64) -> Vec<u32> {
-    let step = |entry: &(u64, Place, u32)| match stride {
-        1 => entry.0 as usize,
-        _ => (entry.0 / stride) as usize,
-    };
+/// Sorts entries stably by the step of their row, out of `steps`, and returns the beginning of each
+/// step and the end of the last one.
+fn sort_by_counting(
+    entries: &mut Vec<(u64, Place, u32)>,
+    steps: usize,
+    step: impl Fn(u64) -> usize,
+) -> Vec<u32> {
     // counted two places ahead, so that filling a step moves the beginning of the next one to its
     // final value
-    let mut starts = vec![0u32; steps as usize + 2];
-    entries.iter().for_each(|entry| starts[step(entry) + 2] += 1);
+    let mut starts = vec![0u32; steps + 2];
+    entries.iter().for_each(|entry| starts[step(entry.0) + 2] += 1);
     for at in 2..starts.len() {
         starts[at] += starts[at - 1];
     }
     let mut sorted = vec![(0, [0, 0], 0); entries.len()];
     for entry in entries.iter() {
-        let slot = &mut starts[step(entry) + 1];
+        let slot = &mut starts[step(entry.0) + 1];
         sorted[*slot as usize] = *entry;
         *slot += 1;
     }
     *entries = sorted;
-    starts.truncate(steps as usize + 1);
+    starts.truncate(steps + 1);
     starts
 }

@@ -12,17 +12,13 @@ pub(super) fn count() -> usize {
 }
 
 /// The values of `f` at `0..n`, in order. Each thread makes its own state by `init`.
-#[cfg(feature = "parallel")]
 pub(super) fn map<W, T: Send>(
     n: u64,
     init: impl Fn() -> W + Send + Sync,
     f: impl Fn(&mut W, u64) -> T + Send + Sync,
 ) -> Vec<T> {
-    (0..n).into_par_iter().map_init(init, f).collect()
-}
-
-#[cfg(not(feature = "parallel"))]
-pub(super) fn map<W, T>(n: u64, init: impl Fn() -> W, f: impl Fn(&mut W, u64) -> T) -> Vec<T> {
-    let mut state = init();
-    (0..n).map(|at| f(&mut state, at)).collect()
+    #[cfg(feature = "parallel")]
+    return (0..n).into_par_iter().map_init(init, f).collect();
+    #[cfg(not(feature = "parallel"))]
+    (0..n).scan(init(), |state, at| Some(f(state, at))).collect()
 }

@@ -5,18 +5,10 @@ use super::{Field, Ring, Sum, Tolerance};
 use num_dual::{Dual64, DualNum};
 
 /// The sums of the real parts and of the coefficients of `eps`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct DualSum(FloatSum, FloatSum);
 
 impl Sum<Dual64> for DualSum {
-    fn term(a: &Dual64) -> Self {
-        DualSum(Sum::term(&a.re), Sum::term(&a.eps))
-    }
-    fn product(a: &Dual64, b: &Dual64) -> Self {
-        let mut eps = FloatSum::product(&a.re, &b.eps);
-        eps.add_product(&a.eps, &b.re);
-        DualSum(Sum::product(&a.re, &b.re), eps)
-    }
     fn add_term(&mut self, a: &Dual64) {
         self.0.add_term(&a.re);
         self.1.add_term(&a.eps);

@@ -7,21 +7,13 @@ use super::{Field, Kind, Notation, Rational, Ring, Sum, Tolerance};
 use num_traits::One;
 
 /// A sum of floats, and the sum of the magnitudes of its terms.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct FloatSum {
     value: f64,
     magnitude: f64,
 }
 
 impl Sum<f64> for FloatSum {
-    #[inline]
-    fn term(a: &f64) -> Self {
-        FloatSum { value: *a, magnitude: a.abs() }
-    }
-    #[inline]
-    fn product(a: &f64, b: &f64) -> Self {
-        Self::term(&(a * b))
-    }
     #[inline]
     fn add_term(&mut self, a: &f64) {
         self.value += a;
@@ -33,10 +25,7 @@ impl Sum<f64> for FloatSum {
     }
     #[inline]
     fn finish(&self, tolerance: Tolerance) -> Option<f64> {
-        let bound = tolerance.relative() * self.magnitude;
-        // magnitudes that overflow give no bound, and a NaN is never zero
-        let zero = self.value == 0.0 || (self.value.abs() <= bound && bound.is_finite());
-        (!zero).then_some(self.value)
+        (!tolerance.covers(self.value, self.magnitude)).then_some(self.value)
     }
 }
 
@@ -53,8 +42,7 @@ impl Ring for f64 {
         self.is_finite()
     }
     fn negligible(&self, beside: &Self, tolerance: Tolerance) -> bool {
-        let bound = tolerance.relative() * beside.abs();
-        *self == 0.0 || (self.abs() <= bound && bound.is_finite())
+        tolerance.covers(*self, beside.abs())
     }
     fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
         (denominator != 0).then(|| numerator as f64 / denominator as f64)
@@ -86,9 +74,6 @@ impl Notation for f64 {
             Some((mantissa, exponent)) => format!("{mantissa} \\times 10^{{{exponent}}}"),
             None => text,
         }
-    }
-    fn numerator_terms(&self) -> Vec<(Vec<(String, u32)>, Rational)> {
-        vec![]
     }
     fn to_f64(&self) -> Option<f64> {
         Some(*self)

@@ -2,9 +2,9 @@
 
 use super::operators::forward_operators;
 use super::{ExactSum, Field, Ring};
-use num_traits::{One, Zero};
+use num_traits::One;
 use std::fmt;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg};
 
 /// The value, gradient and Hessian of a function of coordinates at one point, in floats.
 ///
@@ -19,41 +19,31 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// assert_eq!(f.derivative(0).value(), 4.0 * 3f64.sin());
 /// assert_eq!(f.derivative(0).derivative(1).value(), 4.0 * 3f64.cos());
 /// ```
+#[must_use]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Jet {
     value: f64,
-    derivatives: Derivatives,
+    /// `None` if unknown; empty for a constant, whose derivatives vanish in any coordinates.
+    gradient: Option<Vec<f64>>,
+    /// Row by row; `None` and empty as for the gradient.
+    hessian: Option<Vec<f64>>,
 }
-
-#[derive(Clone, Debug, PartialEq)]
-enum Derivatives {
-    /// All zero, in any coordinates.
-    Constant,
-    /// Gradient and Hessian, row by row, as far as they are known.
-    Known(Option<Vec<f64>>, Option<Vec<f64>>),
-}
-
-use Derivatives::{Constant, Known};
 
 impl Jet {
     /// The coordinates at a point.
     pub fn coordinates<const N: usize>(point: [f64; N]) -> [Jet; N] {
-        let mut at = 0;
-        point.map(|value| {
-            at += 1;
-            Self::coordinate(value, at - 1, N)
-        })
+        std::array::from_fn(|at| Self::coordinate(point[at], at, N))
     }
 
     /// The coordinate function with number `at`, from 0, of `n` coordinates.
     pub fn coordinate(value: f64, at: usize, n: usize) -> Jet {
         let gradient = (0..n).map(|a| if a == at { 1.0 } else { 0.0 }).collect();
-        Jet { value, derivatives: Known(Some(gradient), Some(vec![0.0; n * n])) }
+        Jet { value, gradient: Some(gradient), hessian: Some(vec![0.0; n * n]) }
     }
 
     /// A constant.
     pub fn constant(value: f64) -> Jet {
-        Jet { value, derivatives: Constant }
+        Jet { value, gradient: Some(vec![]), hessian: Some(vec![]) }
     }
 
     /// The value.
@@ -63,75 +53,62 @@ impl Jet {
 
     /// Whether the value and all derivatives that are known are finite.
     pub fn is_finite(&self) -> bool {
-        let finite = |values: &Option<Vec<f64>>| values.iter().flatten().all(|v| v.is_finite());
-        self.value.is_finite()
-            && match &self.derivatives {
-                Constant => true,
-                Known(gradient, hessian) => finite(gradient) && finite(hessian),
-            }
+        self.value.is_finite() && self.known().all(|derivative| derivative.is_finite())
+    }
+
+    /// The derivatives that are known.
+    fn known(&self) -> impl Iterator<Item = &f64> {
+        self.gradient.iter().chain(&self.hessian).flatten()
     }
 
     /// The partial derivative by coordinate `at`, from 0.
-    #[must_use]
     pub fn derivative(&self, at: usize) -> Jet {
-        let Known(gradient, hessian) = &self.derivatives else { return Jet::constant(0.0) };
-        let Some(gradient) = gradient else {
-            return Jet { value: f64::NAN, derivatives: Known(None, None) };
+        let Some(gradient) = &self.gradient else {
+            return Jet { value: f64::NAN, gradient: None, hessian: None };
         };
         let n = gradient.len();
-        let Some(value) = gradient.get(at) else { return Jet::constant(0.0) };
-        let row = hessian.as_ref().map(|hessian| hessian[at * n..(at + 1) * n].to_vec());
-        Jet { value: *value, derivatives: Known(row, None) }
+        let Some(&value) = gradient.get(at) else { return Jet::constant(0.0) };
+        let row = self.hessian.as_ref().map(|hessian| hessian[at * n..(at + 1) * n].to_vec());
+        Jet { value, gradient: row, hessian: None }
     }
 
     /// The jet of `f(self)`, from the value and the first two derivatives of `f` at the value.
-    #[must_use]
     pub fn chain(&self, [f, df, ddf]: [f64; 3]) -> Jet {
-        let derivatives = match &self.derivatives {
-            Constant => Constant,
-            Known(gradient, hessian) => {
-                let first = gradient.as_ref().map(|g| g.iter().map(|g| df * g).collect());
-                let second = gradient.as_ref().zip(hessian.as_ref()).map(|(g, hessian)| {
-                    let n = g.len();
-                    let second = |(at, h): (usize, &f64)| df * h + ddf * g[at / n] * g[at % n];
-                    hessian.iter().enumerate().map(second).collect()
-                });
-                Known(first, second)
-            }
-        };
-        Jet { value: f, derivatives }
+        let gradient = self.gradient.as_ref();
+        let hessian = gradient.zip(self.hessian.as_ref()).map(|(g, hessian)| {
+            let n = g.len();
+            let second = |(at, h): (usize, &f64)| df * h + ddf * g[at / n] * g[at % n];
+            hessian.iter().enumerate().map(second).collect()
+        });
+        let gradient = gradient.map(|g| g.iter().map(|g| df * g).collect());
+        Jet { value: f, gradient, hessian }
     }
 
     /// The sine.
-    #[must_use]
     pub fn sin(&self) -> Jet {
         let (s, c) = self.value.sin_cos();
         self.chain([s, c, -s])
     }
 
     /// The cosine.
-    #[must_use]
     pub fn cos(&self) -> Jet {
         let (s, c) = self.value.sin_cos();
         self.chain([c, -s, -c])
     }
 
     /// The exponential.
-    #[must_use]
     pub fn exp(&self) -> Jet {
         let e = self.value.exp();
         self.chain([e, e, e])
     }
 
     /// The natural logarithm.
-    #[must_use]
     pub fn ln(&self) -> Jet {
         let r = self.value.recip();
         self.chain([self.value.ln(), r, -r * r])
     }
 
     /// The square root.
-    #[must_use]
     pub fn sqrt(&self) -> Jet {
         let r = self.value.sqrt();
         self.chain([r, 0.5 / r, -0.25 / (r * self.value)])
@@ -145,18 +122,17 @@ impl Jet {
         first: impl Fn(f64, f64) -> f64,
         second: impl Fn(f64, f64, [f64; 2], [f64; 2]) -> f64,
     ) -> Jet {
-        let zeros = |like: &Option<Vec<f64>>| like.as_ref().map(|like| vec![0.0; like.len()]);
-        let ((g, h), (k, l)) = match (self.derivatives, &other.derivatives) {
-            (Constant, Constant) => return Jet::constant(value),
-            (Known(g, h), Constant) => {
-                let none = (zeros(&g), zeros(&h));
-                ((g, h), none)
-            }
-            (Constant, Known(k, l)) => ((zeros(k), zeros(l)), (k.clone(), l.clone())),
-            (Known(g, h), Known(k, l)) => ((g, h), (k.clone(), l.clone())),
+        // the derivatives of a constant are as many zeros as the other operand needs
+        let both = |a: Option<Vec<f64>>, b: &Option<Vec<f64>>| {
+            let (mut a, mut b) = (a?, b.clone()?);
+            let n = a.len().max(b.len());
+            a.resize(n, 0.0);
+            b.resize(n, 0.0);
+            Some((a, b))
         };
-        let gradients = g.zip(k);
-        let hessian = gradients.as_ref().zip(h.zip(l)).map(|((g, k), (h, l))| {
+        let gradients = both(self.gradient, &other.gradient);
+        let hessians = both(self.hessian, &other.hessian);
+        let hessian = gradients.as_ref().zip(hessians).map(|((g, k), (h, l))| {
             let n = g.len();
             let part = |at: usize| {
                 let (a, b) = (at / n, at % n);
@@ -166,7 +142,7 @@ impl Jet {
         });
         let gradient =
             gradients.map(|(g, k)| g.iter().zip(&k).map(|(g, k)| first(*g, *k)).collect());
-        Jet { value, derivatives: Known(gradient, hessian) }
+        Jet { value, gradient, hessian }
     }
 }
 
@@ -175,14 +151,6 @@ impl Add<&Jet> for Jet {
     fn add(self, other: &Jet) -> Jet {
         let value = self.value + other.value;
         self.with(other, value, |g, k| g + k, |h, l, _, _| h + l)
-    }
-}
-
-impl Sub<&Jet> for Jet {
-    type Output = Jet;
-    fn sub(self, other: &Jet) -> Jet {
-        let value = self.value - other.value;
-        self.with(other, value, |g, k| g - k, |h, l, _, _| h - l)
     }
 }
 
@@ -219,21 +187,6 @@ impl Neg for Jet {
 forward_operators!(Jet: Add add AddAssign add_assign, Sub sub SubAssign sub_assign,
     Mul mul MulAssign mul_assign, Div div DivAssign div_assign);
 
-impl Zero for Jet {
-    fn zero() -> Self {
-        Jet::constant(0.0)
-    }
-    fn is_zero(&self) -> bool {
-        self.vanishes()
-    }
-}
-
-impl One for Jet {
-    fn one() -> Self {
-        Jet::constant(1.0)
-    }
-}
-
 impl Ring for Jet {
     type Sum = ExactSum<Self>;
 
@@ -241,18 +194,13 @@ impl Ring for Jet {
         Jet::constant(n as f64)
     }
     fn vanishes(&self) -> bool {
-        let zero = |values: &Option<Vec<f64>>| values.iter().flatten().all(|v| *v == 0.0);
-        let flat = match &self.derivatives {
-            Constant => true,
-            Known(gradient, hessian) => zero(gradient) && zero(hessian),
-        };
-        self.value == 0.0 && flat
+        self.value == 0.0 && self.known().all(|derivative| *derivative == 0.0)
     }
     fn is_number(&self) -> bool {
         self.is_finite()
     }
     fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
-        (denominator != 0).then(|| Jet::constant(numerator as f64 / denominator as f64))
+        f64::from_quotient(numerator, denominator).map(Jet::constant)
     }
 }
 

@@ -42,19 +42,18 @@ pub fn ring<S: Ring>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), Br
 /// The first law that is broken.
 pub fn field<S: Field>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), Broken> {
     ring(a, b, c, tolerance)?;
-    let same = Judge(tolerance);
     let one = S::one();
     holds("recip(0) does not exist", S::zero().recip().is_none(), &[a])?;
     match one.recip() {
-        Some(x) => same.equal("recip(1) = 1", &x, &one, &[])?,
+        Some(x) => same(tolerance, "recip(1) = 1", &x, &one, &[])?,
         None => return holds("recip(1) = 1", false, &[&one]),
     }
     for x in [a, b, c] {
         holds("pivot_weight(a) is a number", !x.pivot_weight().is_nan(), &[x])?;
         if let Some(inverse) = x.recip() {
-            same.equal("recip(a) a = 1", &(inverse.clone() * x), &one, &[(&inverse, x)])?;
+            same(tolerance, "recip(a) a = 1", &(inverse.clone() * x), &one, &[(&inverse, x)])?;
             match inverse.recip() {
-                Some(back) => same.equal("recip(recip(a)) = a", &back, x, &[])?,
+                Some(back) => same(tolerance, "recip(recip(a)) = a", &back, x, &[])?,
                 None => return holds("recip(recip(a)) = a", false, &[x, &inverse]),
             }
         }
@@ -63,7 +62,7 @@ pub fn field<S: Field>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), 
     let product = a.clone() * b;
     match (a.recip(), b.recip(), product.recip()) {
         (Some(x), Some(y), Some(z)) => {
-            same.equal("recip(a b) = recip(a) recip(b)", &(x.clone() * &y), &z, &[(&x, &y)])
+            same(tolerance, "recip(a b) = recip(a) recip(b)", &(x.clone() * &y), &z, &[(&x, &y)])
         }
         (x, y, z) => holds(
             "a b is a unit exactly if a and b are",
@@ -74,31 +73,29 @@ pub fn field<S: Field>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), 
 }
 
 fn addition<S: Ring>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), Broken> {
-    let same = Judge(tolerance);
     let one = S::one();
     let terms = [(a, &one), (b, &one), (c, &one)];
     let sum = a.clone() + b;
     let (left, right) = (sum.clone() + c, a.clone() + &(b.clone() + c));
-    same.equal("a + b = b + a", &sum, &(b.clone() + a), &terms)?;
-    same.equal("(a + b) + c = a + (b + c)", &left, &right, &terms)?;
-    same.equal("a + b by value = by reference", &(a.clone() + b.clone()), &sum, &terms)?;
-    same.equal("a + 0 = a", &(a.clone() + &S::zero()), a, &[])?;
-    same.equal("-(-a) = a", &-(-a.clone()), a, &[])?;
-    same.equal("a - b = a + (-b)", &(a.clone() - b), &(a.clone() + &-b.clone()), &terms)
+    same(tolerance, "a + b = b + a", &sum, &(b.clone() + a), &terms)?;
+    same(tolerance, "(a + b) + c = a + (b + c)", &left, &right, &terms)?;
+    same(tolerance, "a + b by value = by reference", &(a.clone() + b.clone()), &sum, &terms)?;
+    same(tolerance, "a + 0 = a", &(a.clone() + &S::zero()), a, &[])?;
+    same(tolerance, "-(-a) = a", &-(-a.clone()), a, &[])?;
+    same(tolerance, "a - b = a + (-b)", &(a.clone() - b), &(a.clone() + &-b.clone()), &terms)
 }
 
 fn multiplication<S: Ring>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), Broken> {
-    let same = Judge(tolerance);
     let (ab, ac, bc) = (a.clone() * b, a.clone() * c, b.clone() * c);
     let (left, right) = (ab.clone() * c, a.clone() * &bc);
-    same.equal("a b = b a", &ab, &(b.clone() * a), &[(a, b)])?;
-    same.equal("(a b) c = a (b c)", &left, &right, &[(&ab, c), (a, &bc)])?;
-    same.equal("a b by value = by reference", &(a.clone() * b.clone()), &ab, &[(a, b)])?;
+    same(tolerance, "a b = b a", &ab, &(b.clone() * a), &[(a, b)])?;
+    same(tolerance, "(a b) c = a (b c)", &left, &right, &[(&ab, c), (a, &bc)])?;
+    same(tolerance, "a b by value = by reference", &(a.clone() * b.clone()), &ab, &[(a, b)])?;
     let (left, right) = (a.clone() * &(b.clone() + c), ab.clone() + &ac);
-    same.equal("a (b + c) = a b + a c", &left, &right, &[(a, b), (a, c)])?;
-    same.equal("a 1 = a", &(a.clone() * &S::one()), a, &[])?;
-    same.equal("a 0 = 0", &(a.clone() * &S::zero()), &S::zero(), &[])?;
-    same.equal("(-a) b = -(a b)", &(-a.clone() * b), &-ab, &[(a, b)])
+    same(tolerance, "a (b + c) = a b + a c", &left, &right, &[(a, b), (a, c)])?;
+    same(tolerance, "a 1 = a", &(a.clone() * &S::one()), a, &[])?;
+    same(tolerance, "a 0 = 0", &(a.clone() * &S::zero()), &S::zero(), &[])?;
+    same(tolerance, "(-a) b = -(a b)", &(-a.clone() * b), &-ab, &[(a, b)])
 }
 
 /// All tests for zero agree, and mean the whole value.
@@ -119,20 +116,19 @@ fn zero<S: Ring>(a: &S, b: &S, tolerance: Tolerance) -> Result<(), Broken> {
 }
 
 fn sums<S: Ring>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), Broken> {
-    let same = Judge(tolerance);
     let one = S::one();
     let value = |sum: S::Sum| sum.finish(tolerance).unwrap_or_else(S::zero);
     let ab = a.clone() * b;
     let terms = [(a, b), (c, &one)];
-    same.equal("term(a) = a", &value(S::Sum::term(a)), a, &[])?;
-    same.equal("product(a, b) = a b", &value(S::Sum::product(a, b)), &ab, &[(a, b)])?;
+    same(tolerance, "term(a) = a", &value(S::Sum::term(a)), a, &[])?;
+    same(tolerance, "product(a, b) = a b", &value(S::Sum::product(a, b)), &ab, &[(a, b)])?;
     let expected = ab + c;
     let mut sum = S::Sum::product(a, b);
     sum.add_term(c);
-    same.equal("product(a, b).add_term(c) = a b + c", &value(sum), &expected, &terms)?;
+    same(tolerance, "product(a, b).add_term(c) = a b + c", &value(sum), &expected, &terms)?;
     let mut sum = S::Sum::term(c);
     sum.add_product(a, b);
-    same.equal("term(c).add_product(a, b) = a b + c", &value(sum), &expected, &terms)?;
+    same(tolerance, "term(c).add_product(a, b) = a b + c", &value(sum), &expected, &terms)?;
     let mut sum = S::Sum::product(a, b);
     sum.add_product(&-b.clone(), a);
     holds("the sum a b + (-b) a is zero", sum.finish(tolerance).is_none(), &[a, b])
@@ -140,21 +136,20 @@ fn sums<S: Ring>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), Broken
 
 /// `from_i64` is the ring homomorphism from the integers.
 fn integers<S: Ring>(tolerance: Tolerance) -> Result<(), Broken> {
-    let same = Judge(tolerance);
     let (of, one) = (S::from_i64, S::one());
-    same.equal("from_i64(0) = 0", &of(0), &S::zero(), &[])?;
-    same.equal("from_i64(1) = 1", &of(1), &one, &[])?;
+    same(tolerance, "from_i64(0) = 0", &of(0), &S::zero(), &[])?;
+    same(tolerance, "from_i64(1) = 1", &of(1), &one, &[])?;
     let samples = [0, 1, -1, 2, -3, 12, 1 << 31, -(1 << 53) - 1, i64::MAX, i64::MIN];
     for m in samples {
         for n in samples {
             let (x, y) = (of(m), of(n));
             if let Some(sum) = m.checked_add(n) {
                 let law = "from_i64(m + n) = from_i64(m) + from_i64(n)";
-                same.equal(law, &of(sum), &(x.clone() + &y), &[(&x, &one), (&y, &one)])?;
+                same(tolerance, law, &of(sum), &(x.clone() + &y), &[(&x, &one), (&y, &one)])?;
             }
             if let Some(product) = m.checked_mul(n) {
                 let law = "from_i64(m n) = from_i64(m) from_i64(n)";
-                same.equal(law, &of(product), &(x * &y), &[])?;
+                same(tolerance, law, &of(product), &(x * &y), &[])?;
             }
         }
     }
@@ -163,7 +158,6 @@ fn integers<S: Ring>(tolerance: Tolerance) -> Result<(), Broken> {
 
 /// `from_quotient(n, d)` is n / d and inverts `clear_denominators`.
 fn quotients<S: Ring>(values: &[&S], tolerance: Tolerance) -> Result<(), Broken> {
-    let same = Judge(tolerance);
     let parts = [0, 1, -1, 6, -10, i64::MAX, i64::MIN];
     for n in parts {
         holds("n / 0 does not exist", S::from_quotient(n, 0).is_none(), &[n])?;
@@ -172,7 +166,7 @@ fn quotients<S: Ring>(values: &[&S], tolerance: Tolerance) -> Result<(), Broken>
         for d in parts {
             if let Some(x) = S::from_quotient(n, d) {
                 let product = x * &S::from_i64(d);
-                same.equal("from_quotient(n, d) d = n", &product, &S::from_i64(n), &[])?;
+                same(tolerance, "from_quotient(n, d) d = n", &product, &S::from_i64(n), &[])?;
             }
         }
     }
@@ -189,27 +183,23 @@ fn quotients<S: Ring>(values: &[&S], tolerance: Tolerance) -> Result<(), Broken>
     Ok(())
 }
 
-/// Equality up to a tolerance.
-struct Judge(Tolerance);
-
-impl Judge {
-    /// Whether two sides are equal, relative to themselves and to these intermediate products.
-    fn equal<S: Ring>(
-        &self,
-        law: &'static str,
-        left: &S,
-        right: &S,
-        products: &[(&S, &S)],
-    ) -> Result<(), Broken> {
-        // the negative of `right` itself need not exist in a type of limited range
-        let mut difference = S::Sum::term(left);
-        difference.add_product(right, &-S::one());
-        for (a, b) in products {
-            difference.add_product(a, b);
-            difference.add_product(a, &-(*b).clone());
-        }
-        holds(law, difference.finish(self.0).is_none(), &[left, right])
+/// Whether two sides are equal up to the tolerance, relative to themselves and to these intermediate
+/// products.
+fn same<S: Ring>(
+    tolerance: Tolerance,
+    law: &'static str,
+    left: &S,
+    right: &S,
+    products: &[(&S, &S)],
+) -> Result<(), Broken> {
+    // the negative of `right` itself need not exist in a type of limited range
+    let mut difference = S::Sum::term(left);
+    difference.add_product(right, &-S::one());
+    for (a, b) in products {
+        difference.add_product(a, b);
+        difference.add_product(a, &-(*b).clone());
     }
+    holds(law, difference.finish(tolerance).is_none(), &[left, right])
 }
 
 fn holds<T: Debug>(law: &'static str, holds: bool, values: &[T]) -> Result<(), Broken> {

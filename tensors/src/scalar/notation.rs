@@ -1,6 +1,7 @@
 //! Scalars with a written form: conversion from numbers and parameters, to text and LaTeX.
 
 use super::{Field, Rational};
+use crate::expression::no_function;
 
 /// The three kinds of scalars that tables are computed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,8 +39,7 @@ pub trait Notation: Field {
     /// # Errors
     /// The reason in words: an unknown function, or an argument for which this scalar has no value.
     fn function(name: &str, argument: &Self) -> Result<Self, String> {
-        let _ = argument;
-        Err(format!("`{name}` is no function here"))
+        no_function(name, argument)
     }
 
     /// The partial derivative by the parameter of that name; zero for numbers.
@@ -50,7 +50,9 @@ pub trait Notation: Field {
 
     /// The terms of the numerator: monomials in the parameters (names and powers) with rational
     /// coefficients. The value vanishes exactly if there are none. Always empty for floats.
-    fn numerator_terms(&self) -> Vec<(Vec<(String, u32)>, Rational)>;
+    fn numerator_terms(&self) -> Vec<(Vec<(String, u32)>, Rational)> {
+        vec![]
+    }
 
     /// The value as a float; `None` if it depends on a parameter.
     fn to_f64(&self) -> Option<f64>;

@@ -1,7 +1,8 @@
-//! The operators of a scalar in all their forms, made from the one form that computes: `a + &b`.
+//! The operators of a scalar in all their forms, from the one form that computes: `a + &b`.
 
 /// Forwards operators by value, by reference and by assignment to `Scalar op &Scalar`, and adds
-/// `iter::Sum`, `iter::Product`, `Default` (zero), `From<i32>` and `From<i64>`.
+/// subtraction, `Zero`, `One`, `iter::Sum`, `iter::Product`, `Default` (zero), `From<i32>` and
+/// `From<i64>`.
 macro_rules! forward_operators {
     ($scalar:ty: $($operator:ident $method:ident $assign:ident $assigned:ident),*) => {
         $(
@@ -34,6 +35,25 @@ macro_rules! forward_operators {
                 }
             }
         )*
+        impl std::ops::Sub<&$scalar> for $scalar {
+            type Output = $scalar;
+            fn sub(self, other: &$scalar) -> $scalar {
+                self + &-other.clone()
+            }
+        }
+        impl num_traits::Zero for $scalar {
+            fn zero() -> Self {
+                $crate::Ring::from_i64(0)
+            }
+            fn is_zero(&self) -> bool {
+                $crate::Ring::vanishes(self)
+            }
+        }
+        impl num_traits::One for $scalar {
+            fn one() -> Self {
+                $crate::Ring::from_i64(1)
+            }
+        }
         impl<T: std::borrow::Borrow<$scalar>> std::iter::Sum<T> for $scalar {
             fn sum<I: Iterator<Item = T>>(terms: I) -> $scalar {
                 terms.fold(num_traits::Zero::zero(), |sum: $scalar, term| sum + term.borrow())

@@ -12,18 +12,12 @@ use num_rational::{BigRational, Ratio};
 use num_traits::Zero;
 
 /// A sum of rationals of another type, collected exactly in [`Rational`].
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct RatioSum(RationalSum);
 
 macro_rules! ratio_scalar {
     ($ratio:ty) => {
         impl Sum<$ratio> for RatioSum {
-            fn term(a: &$ratio) -> Self {
-                RatioSum(Sum::term(&a.clone().into()))
-            }
-            fn product(a: &$ratio, b: &$ratio) -> Self {
-                RatioSum(Sum::product(&a.clone().into(), &b.clone().into()))
-            }
             fn add_term(&mut self, a: &$ratio) {
                 self.0.add_term(&a.clone().into());
             }

@@ -14,11 +14,11 @@ use dashu_ratio::RBig;
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_rational::{BigRational, Ratio};
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{ToPrimitive, Zero};
 use std::cmp::Ordering;
 use std::fmt;
 use std::num::NonZeroI64;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg};
 pub use sum::RationalSum;
 
 /// An exact rational number in lowest terms with a positive denominator.
@@ -55,12 +55,11 @@ impl Rational {
 
     /// The integer with these decimal digits; `None` if there is another character.
     pub fn from_digits(digits: &str) -> Option<Self> {
-        if let Ok(small) = digits.parse::<i64>() {
-            return (!digits.starts_with(['+', '-'])).then(|| small.into());
+        if digits.is_empty() || !digits.bytes().all(|b| b.is_ascii_digit()) {
+            return None;
         }
-        let plain = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
-        let value = if plain { IBig::from_str_radix(digits, 10).ok()? } else { return None };
-        Some(Self::demote(RBig::from(value)))
+        let small = digits.parse::<i64>().ok().map(Self::from);
+        small.or_else(|| Some(Self::demote(IBig::from_str_radix(digits, 10).ok()?.into())))
     }
 
     /// The exact value of a float; `None` for infinities and NaN.
@@ -146,16 +145,17 @@ impl Rational {
 
     /// The quotient of coprime parts with a positive denominator.
     fn coprime(numerator: i128, denominator: i128) -> Self {
-        let words = i64::try_from(numerator)
-            .ok()
-            .zip(i64::try_from(denominator).ok().and_then(NonZeroI64::new));
-        match words {
-            Some((numerator, denominator)) => Rational(Small { numerator, denominator }),
-            None => Rational(Big(Box::new(RBig::from_parts(
-                IBig::from(numerator),
-                UBig::from(denominator.unsigned_abs()),
-            )))),
-        }
+        Self::small(numerator, denominator).unwrap_or_else(|| {
+            let denominator = UBig::from(denominator.unsigned_abs());
+            Rational(Big(Box::new(RBig::from_parts(numerator.into(), denominator))))
+        })
+    }
+
+    /// The quotient of coprime parts in words, if they fit and the denominator is positive.
+    #[inline]
+    fn small(numerator: impl TryInto<i64>, denominator: impl TryInto<i64>) -> Option<Self> {
+        let (numerator, denominator) = (numerator.try_into().ok()?, denominator.try_into().ok()?);
+        Some(Rational(Small { numerator, denominator: NonZeroI64::new(denominator)? }))
     }
 
     /// Numerator and denominator, if the value is stored in words.
@@ -178,13 +178,8 @@ impl Rational {
     }
 
     fn demote(value: RBig) -> Self {
-        let words = i64::try_from(value.numerator())
-            .ok()
-            .zip(i64::try_from(value.denominator()).ok().and_then(NonZeroI64::new));
-        match words {
-            Some((numerator, denominator)) => Rational(Small { numerator, denominator }),
-            None => Rational(Big(Box::new(value))),
-        }
+        Self::small(value.numerator(), value.denominator())
+            .unwrap_or_else(|| Rational(Big(Box::new(value))))
     }
 }
 
@@ -240,13 +235,6 @@ impl Add<&Rational> for Rational {
             }
             _ => Rational::demote(self.to_big() + other.to_big()),
         }
-    }
-}
-
-impl Sub<&Rational> for Rational {
-    type Output = Rational;
-    fn sub(self, other: &Rational) -> Rational {
-        self + &-other.clone()
     }
 }
 
@@ -309,21 +297,6 @@ impl Div<&Rational> for Rational {
 
 forward_operators!(Rational: Add add AddAssign add_assign, Sub sub SubAssign sub_assign,
     Mul mul MulAssign mul_assign, Div div DivAssign div_assign);
-
-impl Zero for Rational {
-    fn zero() -> Self {
-        0.into()
-    }
-    fn is_zero(&self) -> bool {
-        matches!(self.0, Small { numerator: 0, .. })
-    }
-}
-
-impl One for Rational {
-    fn one() -> Self {
-        1.into()
-    }
-}
 
 impl std::str::FromStr for Rational {
     type Err = ExpressionError;
@@ -389,7 +362,7 @@ impl Ring for Rational {
         Rational(Small { numerator: n, denominator: UNIT })
     }
     fn vanishes(&self) -> bool {
-        self.is_zero()
+        matches!(self.0, Small { numerator: 0, .. })
     }
     fn clear_denominators<'a>(
         values: impl Iterator<Item = &'a Self> + Clone,
@@ -439,13 +412,11 @@ impl Notation for Rational {
         Some(Rational::to_f64(self))
     }
     fn latex(&self) -> String {
-        let text = self.to_string();
-        match text.split_once('/') {
-            Some((numerator, denominator)) => match numerator.strip_prefix('-') {
-                Some(numerator) => format!("-\\frac{{{numerator}}}{{{denominator}}}"),
-                None => format!("\\frac{{{numerator}}}{{{denominator}}}"),
-            },
-            None => text,
+        let sign = if self.is_negative() { "-" } else { "" };
+        let size = self.clone().abs().to_string();
+        match size.split_once('/') {
+            Some((above, below)) => format!("{sign}\\frac{{{above}}}{{{below}}}"),
+            None => sign.to_owned() + &size,
         }
     }
     fn is_negative(&self) -> bool {

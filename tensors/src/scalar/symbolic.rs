@@ -69,10 +69,7 @@ impl Symbolic {
 
     /// The value in LaTeX's mathematics mode: `\frac{a}{b}`.
     pub fn to_latex(&self) -> String {
-        match &self.0 {
-            Form::Constant(c) => c.latex(),
-            Form::Fraction(f) => self.written(f, Markup::Latex),
-        }
+        self.written(Markup::Latex)
     }
 
     /// The names of the parameters on which the value depends, in alphabetical order; `x` for
@@ -115,12 +112,9 @@ impl Symbolic {
 
     /// The partial derivative by a variable of the fraction.
     fn partial(&self, name: &str) -> Self {
-        let Form::Fraction(f) = &self.0 else {
-            return Self::from_i64(0);
-        };
-        match f.variables.iter().position(|own| **own == *name) {
-            Some(variable) => f.derivative(variable),
-            None => Self::from_i64(0),
+        match (&self.0, self.variables().iter().position(|own| **own == *name)) {
+            (Form::Fraction(f), Some(variable)) => f.derivative(variable),
+            _ => Self::from_i64(0),
         }
     }
 
@@ -160,7 +154,7 @@ impl Ring for Symbolic {
         Self::constant(n.into())
     }
     fn vanishes(&self) -> bool {
-        num_traits::Zero::is_zero(self)
+        self.as_constant().is_some_and(Rational::vanishes)
     }
     fn clear_denominators<'a>(
         values: impl Iterator<Item = &'a Self> + Clone,
@@ -223,7 +217,7 @@ impl Notation for Symbolic {
         Symbolic::derivative(self, name)
     }
     fn numerator_terms(&self) -> Vec<(Vec<(String, u32)>, Rational)> {
-        self.numerator().terms()
+        self.terms()
     }
     fn parameters(&self) -> Vec<String> {
         Symbolic::parameters(self)
@@ -253,15 +247,13 @@ impl Symbolic {
         self.variables().iter().any(|name| elementary::angle(name).is_some())
     }
 
-    fn written(&self, f: &Fraction, markup: Markup) -> String {
-        if !self.has_angles() {
-            return writing::fraction(f, markup);
-        }
-        let value = normal_form::in_sines(self);
-        match &value.0 {
-            Form::Constant(c) if markup == Markup::Latex => c.latex(),
-            Form::Constant(c) => c.to_string(),
-            Form::Fraction(f) => writing::fraction(f, markup),
+    /// The value as text or as LaTeX, with functions of angles in sines and cosines.
+    fn written(&self, markup: Markup) -> String {
+        let in_sines = self.has_angles().then(|| normal_form::in_sines(self));
+        match (&in_sines.as_ref().unwrap_or(self).0, markup) {
+            (Form::Constant(c), Markup::Text) => c.to_string(),
+            (Form::Constant(c), Markup::Latex) => c.latex(),
+            (Form::Fraction(f), _) => writing::fraction(f, markup),
         }
     }
 
@@ -288,10 +280,7 @@ fn size(polynomial: &Polynomial) -> usize {
 
 impl fmt::Display for Symbolic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.0 {
-            Form::Constant(c) => c.fmt(f),
-            Form::Fraction(fraction) => f.write_str(&self.written(fraction, Markup::Text)),
-        }
+        f.write_str(&self.written(Markup::Text))
     }
 }
 

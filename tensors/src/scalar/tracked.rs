@@ -2,9 +2,8 @@
 
 use super::operators::forward_operators;
 use super::{Field, Kind, Notation, Rational, Ring, Sum, Tolerance};
-use num_traits::{One, Zero};
 use std::fmt;
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::{Add, Mul, Neg};
 
 /// An `f64` with its accumulated rounding error: computed value minus exact value, to first order.
 ///
@@ -109,7 +108,7 @@ fn multiplied(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// A sum with its rounding error, and the sum of the magnitudes of its terms.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct TrackedSum {
     value: f64,
     error: f64,
@@ -131,8 +130,7 @@ impl TrackedSum {
 
     /// Whether the value counts as zero beside the terms.
     fn is_small(&self, tolerance: Tolerance) -> bool {
-        let bound = tolerance.relative() * self.magnitude;
-        self.value == 0.0 || (self.value.abs() <= bound && bound.is_finite())
+        tolerance.covers(self.value, self.magnitude)
     }
 
     /// Whether the value is its error, or nothing.
@@ -195,13 +193,6 @@ impl Add<&Tracked> for Tracked {
     }
 }
 
-impl Sub<&Tracked> for Tracked {
-    type Output = Tracked;
-    fn sub(self, other: &Tracked) -> Tracked {
-        self + -*other
-    }
-}
-
 impl Mul<&Tracked> for Tracked {
     type Output = Tracked;
     fn mul(self, other: &Tracked) -> Tracked {
@@ -218,21 +209,6 @@ impl Neg for Tracked {
 
 forward_operators!(Tracked: Add add AddAssign add_assign, Sub sub SubAssign sub_assign,
     Mul mul MulAssign mul_assign);
-
-impl Zero for Tracked {
-    fn zero() -> Self {
-        Tracked::new(0.0)
-    }
-    fn is_zero(&self) -> bool {
-        self.value == 0.0
-    }
-}
-
-impl One for Tracked {
-    fn one() -> Self {
-        Tracked::new(1.0)
-    }
-}
 
 impl Ring for Tracked {
     type Sum = TrackedSum;
@@ -253,9 +229,8 @@ impl Ring for Tracked {
         self.value.is_finite()
     }
     fn negligible(&self, beside: &Self, tolerance: Tolerance) -> bool {
-        let bound = tolerance.relative() * beside.value.abs();
-        let small = self.value.abs() <= bound && bound.is_finite();
-        small || TrackedSum::term(self).finish(tolerance).is_none()
+        let sum = TrackedSum { magnitude: beside.value.abs(), ..TrackedSum::term(self) };
+        sum.finish(tolerance).is_none()
     }
     fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
         let value = f64::from_quotient(numerator, denominator)?;
@@ -291,9 +266,6 @@ impl Notation for Tracked {
     }
     fn latex(&self) -> String {
         self.value.latex()
-    }
-    fn numerator_terms(&self) -> Vec<(Vec<(String, u32)>, Rational)> {
-        self.value.numerator_terms()
     }
     fn to_f64(&self) -> Option<f64> {
         Some(self.value)

@@ -12,17 +12,6 @@ impl Indices {
     /// The highest rank of a tensor.
     pub const MAX: usize = 8;
 
-    /// The indices of the component at this position in the order of indices.
-    pub(super) fn new(mut key: u64, dimension: usize, rank: usize) -> Self {
-        let n = dimension as u64;
-        let mut indices = Indices([0; Indices::MAX], rank);
-        for index in indices.0[..rank].iter_mut().rev() {
-            *index = (key % n) as usize;
-            key /= n;
-        }
-        indices
-    }
-
     /// The same indices with two of them exchanged.
     pub(super) fn exchanged(mut self, a: usize, b: usize) -> Self {
         self.0.swap(a, b);
@@ -74,7 +63,13 @@ impl<'t, S: Ring> IntoIterator for &'t Tensor<S> {
 
 impl<S> Tensor<S> {
     /// The indices of the component with this key.
-    pub(super) fn indices(&self, key: u64) -> Indices {
-        Indices::new(key, self.dimension, self.slots.len())
+    pub(super) fn indices(&self, mut key: u64) -> Indices {
+        let (n, rank) = (self.dimension as u64, self.slots.len());
+        let mut indices = Indices([0; Indices::MAX], rank);
+        for index in indices.0[..rank].iter_mut().rev() {
+            *index = (key % n) as usize;
+            key /= n;
+        }
+        indices
     }
 }

@@ -3,7 +3,6 @@
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 use std::io;
-use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
@@ -20,10 +19,6 @@ pub struct Signals {
     /// Whether the next signal kills.
     armed: Arc<AtomicBool>,
 }
-
-/// A signal that asked the run to stop.
-#[derive(Clone, Copy)]
-pub struct Signal(u8);
 
 impl Signals {
     /// Installs the handlers.
@@ -49,18 +44,8 @@ impl Signals {
         self.armed.store(true, Ordering::Relaxed);
     }
 
-    /// The last signal received, if any.
-    pub fn arrived(&self) -> Option<Signal> {
-        match self.arrived.load(Ordering::Relaxed) {
-            0 => None,
-            signal => Some(Signal(signal as u8)),
-        }
-    }
-}
-
-impl Signal {
-    /// The exit status that shells use for it.
-    pub fn status(self) -> ExitCode {
-        ExitCode::from(128 + self.0)
+    /// The number of the last signal received, if any.
+    pub fn arrived(&self) -> Option<u8> {
+        u8::try_from(self.arrived.load(Ordering::Relaxed)).ok().filter(|signal| *signal > 0)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{MassProperties, positive};
 use crate::Error;
+use crate::mechanics::invalid_inertia;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::PI;
 
@@ -16,7 +17,7 @@ impl MassProperties {
             Self::of_moments(positive("a mass", *mass)?, *place, Matrix3::zeros())
         };
         let Some((first, others)) = masses.split_first() else {
-            return Err(Error::Invalid { what: "inertia", reason: "there are no masses".into() });
+            return Err(invalid_inertia("there are no masses"));
         };
         let body = others
             .iter()
@@ -74,8 +75,7 @@ impl MassProperties {
         }
         let mass = factor * lengths.product();
         if mass == 0.0 {
-            let reason = "the volume is below the range of floats".into();
-            return Err(Error::Invalid { what: "inertia", reason });
+            return Err(invalid_inertia("the volume is below the range of floats"));
         }
         Self::of_moments(mass, Vector3::zeros(), Matrix3::from_diagonal(&(squares * mass)))
     }

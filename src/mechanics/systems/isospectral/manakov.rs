@@ -2,7 +2,7 @@
 
 use super::{Isospectral, MatrixState, Symmetry, checked, spectrum};
 use crate::Error;
-use crate::mechanics::System;
+use crate::mechanics::invalid_inertia;
 use nalgebra::{Complex, DMatrix};
 
 /// The free rigid body in n dimensions, on so(n): `M' = [M, Omega]`, `M = A Omega + Omega A`, with the mass tensor
@@ -34,14 +34,12 @@ impl Manakov {
     /// finite.
     pub fn new(masses: &[f64]) -> Result<Self, Error> {
         if masses.len() < 2 {
-            let reason = format!("{} axes have no rotation", masses.len());
-            return Err(Error::Invalid { what: "inertia", reason });
+            return Err(invalid_inertia(format!("{} axes have no rotation", masses.len())));
         }
         for (i, j) in pairs(masses.len()) {
             let sum = masses[i] + masses[j];
             if sum.is_nan() || sum <= 0.0 || sum.is_infinite() {
-                let reason = format!("a_{} + a_{} = {sum}", i + 1, j + 1);
-                return Err(Error::Invalid { what: "inertia", reason });
+                return Err(invalid_inertia(format!("a_{} + a_{} = {sum}", i + 1, j + 1)));
             }
         }
         Ok(Manakov { masses: masses.to_vec() })
@@ -140,14 +138,6 @@ impl Manakov {
 /// `i < j`.
 fn pairs(n: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..n).flat_map(move |i| (i + 1..n).map(move |j| (i, j)))
-}
-
-impl System for Manakov {
-    type State = MatrixState<f64>;
-
-    fn time(&self, state: &MatrixState<f64>) -> f64 {
-        state.time
-    }
 }
 
 impl Isospectral for Manakov {

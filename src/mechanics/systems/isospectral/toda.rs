@@ -3,7 +3,7 @@
 use super::{Isospectral, MatrixState, Symmetry, checked, expect_square, spectrum};
 use crate::Error;
 use crate::group::series::exp;
-use crate::mechanics::System;
+use crate::mechanics::stopped;
 use nalgebra::DMatrix;
 
 /// The Toda lattice `q_k'' = exp(q_(k-1) - q_k) - exp(q_k - q_(k+1))` with free ends, as the flow of a real symmetric
@@ -75,8 +75,7 @@ impl Toda {
         let sums = start.matrix.column_iter().map(|column| column.lp_norm(1));
         let pieces = (length.abs() * sums.fold(0.0, f64::max)).max(1.0).ceil();
         if !length.is_finite() || !pieces.is_finite() || pieces > PIECES {
-            let reason = format!("the solution at {time} is too far away");
-            return Err(Error::Integration { t: start.time, reason });
+            return Err(stopped(start.time, format!("the solution at {time} is too far away")));
         }
         let mut matrix = start.matrix.clone();
         for _ in 0..pieces as u64 {
@@ -87,14 +86,6 @@ impl Toda {
             matrix = Symmetry::Hermitian.part(&matrix);
         }
         Ok(MatrixState { time, matrix })
-    }
-}
-
-impl System for Toda {
-    type State = MatrixState<f64>;
-
-    fn time(&self, state: &MatrixState<f64>) -> f64 {
-        state.time
     }
 }
 

@@ -4,7 +4,6 @@ mod laplacian;
 
 use super::{Isospectral, MatrixState, Symmetry, checked, spectrum};
 use crate::Error;
-use crate::mechanics::System;
 use laplacian::Laplacian;
 use nalgebra::{Complex, DMatrix};
 use std::f64::consts::PI;
@@ -197,14 +196,6 @@ fn random_unit(state: &mut u64) -> f64 {
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-}
-
-impl System for Zeitlin {
-    type State = MatrixState<Complex<f64>>;
-
-    fn time(&self, state: &Self::State) -> f64 {
-        state.time
-    }
 }
 
 impl Isospectral for Zeitlin {

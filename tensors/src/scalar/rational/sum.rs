@@ -4,90 +4,57 @@ use super::Rational;
 use crate::{Sum, Tolerance};
 use num_traits::Zero;
 
-/// A sum as an unreduced fraction, as long as its parts fit machine integers.
+/// A sum `numerator / denominator + rest`: an unreduced fraction in machine integers, and a
+/// remainder for the terms that do not fit there.
 #[derive(Clone, Debug)]
-pub struct RationalSum(State);
-
-#[derive(Clone, Debug)]
-enum State {
-    /// The denominator is positive.
-    Words {
-        numerator: i128,
-        denominator: i64,
-    },
-    Reduced(Rational),
+pub struct RationalSum {
+    numerator: i128,
+    /// Positive.
+    denominator: i64,
+    rest: Rational,
 }
-use State::{Reduced, Words};
 
-impl State {
-    /// `a b`, not reduced; `None` where the denominator exceeds a word.
-    #[inline]
-    fn product(a: &Rational, b: &Rational) -> Option<(i128, i64)> {
-        let ((a, d), (b, e)) = (a.words()?, b.words()?);
-        Some((i128::from(a) * i128::from(b), d.checked_mul(e)?))
-    }
-
-    fn value(&self) -> Rational {
-        match self {
-            Words { numerator, denominator } => {
-                Rational::reduced(*numerator, i128::from(*denominator))
-            }
-            Reduced(value) => value.clone(),
-        }
+impl Default for RationalSum {
+    fn default() -> Self {
+        RationalSum { numerator: 0, denominator: 1, rest: Rational::zero() }
     }
 }
 
 impl RationalSum {
-    /// Adds `n / d`. If the result does not fit, adds nothing and returns `false`.
+    /// Adds `n / d` to the fraction. If the result does not fit, adds nothing and returns `None`.
     #[inline]
-    fn add_words(&mut self, n: i128, d: i64) -> bool {
-        let Words { numerator, denominator } = &mut self.0 else { return false };
-        if *denominator == d {
-            return match numerator.checked_add(n) {
-                Some(sum) => {
-                    *numerator = sum;
-                    true
-                }
-                None => false,
-            };
+    fn add_words(&mut self, n: i128, d: i64) -> Option<()> {
+        if self.numerator == 0 {
+            (self.numerator, self.denominator) = (n, d);
+        } else if self.denominator == d {
+            self.numerator = self.numerator.checked_add(n)?;
+        } else {
+            // the products of words and their sum stay below 2^127
+            let [a, b] = [self.numerator, n].map(i64::try_from);
+            let (a, b) = (i128::from(a.ok()?), i128::from(b.ok()?));
+            let common = self.denominator.checked_mul(d)?;
+            self.numerator = a * i128::from(d) + b * i128::from(self.denominator);
+            self.denominator = common;
         }
-        // the products of words and their sum stay below 2^127
-        let (Ok(a), Ok(b)) = (i64::try_from(*numerator), i64::try_from(n)) else { return false };
-        let Some(common) = denominator.checked_mul(d) else { return false };
-        *numerator = i128::from(a) * i128::from(d) + i128::from(b) * i128::from(*denominator);
-        *denominator = common;
-        true
+        Some(())
     }
 
-    /// Adds `n / d`, after reducing both to lowest terms if necessary.
+    /// Adds `words` to the fraction if they exist and fit, otherwise `value` to the remainder.
     #[inline]
     fn add(&mut self, words: Option<(i128, i64)>, value: impl FnOnce() -> Rational) {
-        if words.is_some_and(|(n, d)| self.add_words(n, d)) {
-            return;
+        if words.and_then(|(n, d)| self.add_words(n, d)).is_none() {
+            self.rest = self.value() + &value();
+            self.numerator = 0;
         }
-        let sum = self.0.value() + &value();
-        self.0 = match sum.words() {
-            Some((numerator, denominator)) => Words { numerator: numerator.into(), denominator },
-            None => Reduced(sum),
-        };
+    }
+
+    fn value(&self) -> Rational {
+        let fraction = Rational::reduced(self.numerator, self.denominator.into());
+        if self.rest.is_zero() { fraction } else { fraction + &self.rest }
     }
 }
 
 impl Sum<Rational> for RationalSum {
-    #[inline]
-    fn term(a: &Rational) -> Self {
-        RationalSum(match a.words() {
-            Some((numerator, denominator)) => Words { numerator: numerator.into(), denominator },
-            None => Reduced(a.clone()),
-        })
-    }
-    #[inline]
-    fn product(a: &Rational, b: &Rational) -> Self {
-        match State::product(a, b) {
-            Some((numerator, denominator)) => RationalSum(Words { numerator, denominator }),
-            None => Self::term(&(a.clone() * b)),
-        }
-    }
     #[inline]
     fn add_term(&mut self, a: &Rational) {
         let words = a.words().map(|(n, d)| (n.into(), d));
@@ -95,14 +62,14 @@ impl Sum<Rational> for RationalSum {
     }
     #[inline]
     fn add_product(&mut self, a: &Rational, b: &Rational) {
-        self.add(State::product(a, b), || a.clone() * b);
+        let words = a
+            .words()
+            .zip(b.words())
+            .and_then(|((n, d), (m, e))| Some((i128::from(n) * i128::from(m), d.checked_mul(e)?)));
+        self.add(words, || a.clone() * b);
     }
     #[inline]
     fn finish(&self, _: Tolerance) -> Option<Rational> {
-        match &self.0 {
-            Words { numerator: 0, .. } => None,
-            Reduced(value) if value.is_zero() => None,
-            state => Some(state.value()),
-        }
+        Some(self.value()).filter(|value| !value.is_zero())
     }
 }

@@ -1,12 +1,12 @@
 //! Sines, cosines and exponentials of parameters, as rational functions.
 //!
-//! Everything that sin, cos and exp of a parameter `x` make is rational in `t = tan(x/2)` and
+//! Sines, cosines and exponentials of a parameter `x` are rational in `t = tan(x/2)` and
 //! `E = exp(x)`: `sin x = 2t/(1 + t^2)`, `cos x = (1 - t^2)/(1 + t^2)`, `dt/dx = (1 + t^2)/2`,
-//! `dE/dx = E`. As functions `x`, `t` and `E` are algebraically independent, so each is one more
-//! variable of the fractions: lowest terms stay unique, equality stays exact, and no simplifier
-//! decides what is zero. With variables `sin x` and `cos x` instead, `1 - sin^2 x - cos^2 x` would
-//! be such a question. Only reading and differentiating (here) and writing
-//! ([`normal_form`](super::normal_form)) know of it.
+//! `dE/dx = E`. The functions `x`, `t` and `E` are algebraically independent, so each is a variable
+//! of the fractions. Lowest terms are therefore unique, and equality is exact. The variables `sin x`
+//! and `cos x` would not be independent: `1 - sin^2 x - cos^2 x` is zero. Only parsing and
+//! differentiation (here) and writing ([`normal_form`](super::normal_form)) treat these variables
+//! in a special way.
 
 use super::Symbolic;
 use crate::expression::{MAX_SIZE, is_name};
@@ -16,7 +16,7 @@ use num_traits::{One, ToPrimitive, Zero};
 /// The largest sum of multiples in the argument of a function: `sin(2*x - y)` has 3.
 const MAX_MULTIPLES: u64 = 16;
 
-/// The functions that are known by name.
+/// The names of the functions.
 const FUNCTIONS: [&str; 8] = ["sin", "cos", "tan", "cot", "exp", "sinh", "cosh", "tanh"];
 
 /// The name of the variable that stands for `tan(x/2)`.
@@ -29,12 +29,12 @@ pub(super) fn exponential(x: &str) -> String {
     format!("exp({x})")
 }
 
-/// The `x` of a variable `tan(x/2)`.
+/// The parameter `x`, if the variable is `tan(x/2)`.
 pub(super) fn angle(variable: &str) -> Option<&str> {
     variable.strip_prefix("tan(")?.strip_suffix("/2)")
 }
 
-/// The `x` of a variable `exp(x)`.
+/// The parameter `x`, if the variable is `exp(x)`.
 fn exponent(variable: &str) -> Option<&str> {
     variable.strip_prefix("exp(")?.strip_suffix(')')
 }
@@ -44,7 +44,7 @@ pub(super) fn parameter(variable: &str) -> &str {
     angle(variable).or_else(|| exponent(variable)).unwrap_or(variable)
 }
 
-/// The value of a variable, given that of its parameter.
+/// The value of a variable; `lookup` returns the values of parameters.
 pub(super) fn value(variable: &str, lookup: impl Fn(&str) -> Option<f64>) -> Option<f64> {
     match (angle(variable), exponent(variable)) {
         (Some(x), _) => Some((lookup(x)? / 2.0).tan()),

@@ -1,25 +1,25 @@
-//! Polynomials in factors, as far as greatest common divisors and square roots lead.
+//! Partial factorisation of polynomials, by greatest common divisors and square roots.
 //!
-//! Contents in each variable, repeated factors, and the two factors of a quadratic whose
-//! discriminant is a square. That is not a complete factorisation; it serves writing, where a
-//! factor more or less changes no value.
+//! It finds contents in each variable, repeated factors, and the two factors of a quadratic whose
+//! discriminant is a square. It serves only the written form, so it need not be complete.
 
 use super::super::Rational;
 use super::polynomial::{Polynomial, cofactors, constant, content};
 use num_traits::One;
 use polycore::{Monomial, Order, Poly};
 
-/// Beyond as many terms, or this degree, nobody reads the factors, and finding them takes long.
+/// Polynomials with more terms or a higher degree are not factored: it takes long, and the result is
+/// too long to read.
 const MAX_TERMS: usize = 60;
 const MAX_DEGREE: u32 = 24;
 
-/// `content * f^e * g^d * ...`: primitive factors with positive leading coefficients, none twice.
+/// `content * f^e * g^d * ...`: different primitive factors with positive leading coefficients.
 pub(super) struct Factors {
     pub content: Rational,
     pub factors: Vec<(Polynomial, u32)>,
 }
 
-/// The factors of a polynomial other than zero; itself where it is beyond the limits.
+/// The factors of a nonzero polynomial; the primitive polynomial itself beyond the limits.
 pub(super) fn factors(f: &Polynomial) -> Factors {
     let (content, primitive) = primitive(f);
     let mut parts = Vec::new();
@@ -62,7 +62,7 @@ fn split(f: &Polynomial, parts: &mut Vec<Polynomial>) {
     }
 }
 
-/// A divisor that is neither constant nor the whole, if one is found.
+/// A divisor that is neither constant nor a multiple of the polynomial, if one is found.
 fn divisor(f: &Polynomial) -> Option<Polynomial> {
     let degrees = f.degrees();
     let proper = |g: &Polynomial| !g.is_constant() && g.total_degree() < f.total_degree();
@@ -109,7 +109,7 @@ fn coefficient(f: &Polynomial, x: usize, power: u32) -> Polynomial {
     Poly::new(terms.collect(), f.nvars, Order::GrLex)
 }
 
-/// The square root, where it is a polynomial: term by term from the highest.
+/// The square root, if it is a polynomial. Its terms are found one by one, the highest first.
 fn square_root(f: &Polynomial) -> Option<Polynomial> {
     let Some((m, c)) = f.terms.first() else { return Some(f.clone()) };
     let half: Option<Vec<u32>> =
@@ -118,7 +118,7 @@ fn square_root(f: &Polynomial) -> Option<Polynomial> {
     let (lead_monomial, lead_value) = lead.terms.first().cloned()?;
     let twice = lead_value * Rational::from(2);
     let mut square_root = lead;
-    // every step takes a term of the root, which has no more of them than the square
+    // every step finds a term of the root, which has at most as many terms as the square
     for _ in 0..=f.terms.len() {
         let rest = f - &(&square_root * &square_root);
         let Some((m, c)) = rest.terms.first() else { return Some(square_root) };

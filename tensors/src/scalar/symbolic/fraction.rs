@@ -1,7 +1,7 @@
 //! Quotients of polynomials in lowest terms.
 //!
-//! Sums and products cancel before they multiply (P. Henrici, *J. ACM* 3 (1956) 6-9): the
-//! operands are in lowest terms, so only the crosswise divisors are left to find.
+//! Sums and products cancel common divisors before they multiply (P. Henrici, *J. ACM* 3 (1956)
+//! 6-9). The operands are in lowest terms, so only divisors of opposite parts are left to find.
 
 use super::polynomial::{Polynomial, cofactors, constant, content, product, select};
 use super::variables::{Variables, union};
@@ -12,7 +12,7 @@ use polycore::{Monomial, Order, Poly};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// A quotient that depends on every one of its variables (so not on none).
+/// A quotient that depends on each of its variables, of which there is at least one.
 ///
 /// Numerator and denominator are coprime; the denominator has coprime integer coefficients, the
 /// leading one positive. Equal values have equal fractions.
@@ -37,7 +37,7 @@ impl Fraction {
         self.numerator.total_degree().max(self.denominator.total_degree())
     }
 
-    /// The part as a value of its own.
+    /// The numerator or the denominator as a value.
     pub(super) fn polynomial(&self, part: &Polynomial) -> Symbolic {
         let one = constant(Rational::one(), part.nvars);
         lowest_terms(&self.variables, part.clone(), one)
@@ -100,7 +100,7 @@ impl Fraction {
         lowest_terms(&self.variables, numerator, denominator)
     }
 
-    /// The same fraction over more variables.
+    /// The same fraction over these variables, which include those that it depends on.
     fn over(&self, variables: &Variables) -> Cow<'_, Self> {
         if self.variables == *variables {
             return Cow::Borrowed(self);
@@ -121,25 +121,21 @@ impl From<Fraction> for Symbolic {
     }
 }
 
-/// The value of a quotient that is in lowest terms but may have lost variables.
+/// The value of a quotient in lowest terms that may depend on only some of the variables.
 fn lowest_terms(variables: &Variables, numerator: Polynomial, denominator: Polynomial) -> Symbolic {
     if numerator.is_zero() {
         return Symbolic::zero();
     }
     let (above, below) = (numerator.degrees(), denominator.degrees());
-    let kept: Vec<_> = (0..variables.len()).filter(|&k| above[k] + below[k] > 0).collect();
+    let kept = (0..variables.len()).filter(|&k| above[k] + below[k] > 0);
+    let kept: Variables = kept.map(|k| variables[k].clone()).collect();
     if kept.is_empty() {
         // a primitive constant denominator is 1
         return Symbolic::constant(content(&numerator));
     }
-    if kept.len() == variables.len() {
-        return Fraction { variables: variables.clone(), numerator, denominator }.into();
+    let fraction = Fraction { variables: variables.clone(), numerator, denominator };
+    match kept.len() == variables.len() {
+        true => fraction.into(),
+        false => fraction.over(&kept).into_owned().into(),
     }
-    let columns: Vec<_> = kept.iter().copied().map(Some).collect();
-    Fraction {
-        variables: kept.iter().map(|&k| variables[k].clone()).collect(),
-        numerator: select(&numerator, &columns),
-        denominator: select(&denominator, &columns),
-    }
-    .into()
 }

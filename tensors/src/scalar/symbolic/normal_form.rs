@@ -1,20 +1,19 @@
-//! How functions of angles are written: in sines and cosines.
+//! The normal form in which functions of angles are written, in sines and cosines.
 //!
-//! Numerator and denominator, divided by the same power of `1 + t^2` with `t = tan(x/2)`, are
-//! polynomials in `sin x` and `cos x`, the sine to the first power: `1/(1 + t^2)` is
-//! `(1 + cos x)/2`, `t/(1 + t^2)` is `sin(x)/2`, `t^2/(1 + t^2)` is `(1 - cos x)/2`. The least
-//! power that serves makes this a normal form, and a short one. Factors `1 - cos^2 x` then become
-//! `sin^2 x`, and whole polynomials are written by sines, or in powers of one degree, where that
-//! takes fewer terms: `a^2*sin(x)^2 + b^2*cos(x)^2`. To free denominators of sines as well would be another, and a long one:
-//! `(1 - sin x)/cos^2 x` for `1/(1 + sin x)`.
+//! Numerator and denominator are divided by the least power of `1 + t^2`, with `t = tan(x/2)`, that
+//! makes both polynomials in `sin x` and `cos x`. They are linear in the sine: `1/(1 + t^2)` is
+//! `(1 + cos x)/2`, `t/(1 + t^2)` is `sin(x)/2`, `t^2/(1 + t^2)` is `(1 - cos x)/2`. Then factors
+//! `1 - cos^2 x` become `sin^2 x`. Polynomials are written in sines, or in powers of one total
+//! degree, if that takes fewer terms: `a^2*sin(x)^2 + b^2*cos(x)^2`. Sines stay in denominators:
+//! `1/(1 + sin x)` is shorter than `(1 - sin x)/cos^2 x`.
 
 use super::Symbolic;
 use super::elementary::{angle, half_tangent};
 use crate::scalar::Ring;
 use num_traits::{One, Zero, pow};
 
-/// The value over the variables `sin(x)`, `cos(x)` in the place of every `tan(x/2)`. They are for
-/// the eye only: that their squares add up to 1 is not known to the result.
+/// The value with variables `sin(x)` and `cos(x)` in place of every `tan(x/2)`. It is for writing
+/// only, because it does not contain the relation `sin^2 + cos^2 = 1`.
 pub(super) fn in_sines(value: &Symbolic) -> Symbolic {
     let variables = value.variables();
     let angles: Vec<&str> = variables.iter().filter_map(|name| angle(name)).collect();
@@ -84,7 +83,7 @@ fn homogeneous<'s>(
     })
 }
 
-/// Factors `1 - cos^2 x` as `sin^2 x`.
+/// Replaces factors `1 - cos^2 x` by `sin^2 x`.
 fn gathered(value: Symbolic, x: &str) -> Symbolic {
     if value.vanishes() {
         return value;
@@ -99,10 +98,10 @@ fn gathered(value: Symbolic, x: &str) -> Symbolic {
     value * &pow(ratio.clone(), above) / &pow(ratio, below)
 }
 
-/// Beyond this degree no other form is tried.
+/// Polynomials of a higher degree are written in only one form.
 const DEGREE: usize = 64;
 
-/// Numerator and denominator in the form with the fewest terms.
+/// The value with numerator and denominator each in the form with the fewest terms.
 fn shortest(value: &Symbolic, x: &str) -> Symbolic {
     let [above, below] = [value.numerator(), value.denominator()].map(|part| {
         let count = |form: &Symbolic| form.terms().len();
@@ -112,7 +111,7 @@ fn shortest(value: &Symbolic, x: &str) -> Symbolic {
     above / &below
 }
 
-/// The other forms of a polynomial: by cosines, by sines, in powers of one degree.
+/// The other forms of a polynomial: with as few sines or cosines as possible, and homogeneous.
 fn others(polynomial: &Symbolic, x: &str) -> Vec<Symbolic> {
     let (sin, cos) = (sine(x), cosine(x));
     let [sin2, cos2] = [&sin, &cos].map(|f| f.clone() * f);

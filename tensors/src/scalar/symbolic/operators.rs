@@ -1,12 +1,12 @@
 //! The operators of rational functions, and their conversions.
 
 use super::{Form, Rational, Symbolic};
-use crate::expression::{Expression, ExpressionError, Functions, Scalars};
+use crate::expression::{Expression, ExpressionError, Scalars};
+use crate::scalar::Field;
 use crate::scalar::operators::forward_operators;
-use crate::scalar::{Field, Notation};
 use num_traits::{One, Zero};
 use std::hash::{Hash, Hasher};
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg};
 
 impl Add<&Symbolic> for Symbolic {
     type Output = Symbolic;
@@ -19,13 +19,6 @@ impl Add<&Symbolic> for Symbolic {
             (Form::Constant(c), Form::Fraction(f)) => f.plus(&c).into(),
             (Form::Fraction(f), Form::Fraction(g)) => f.sum(g),
         }
-    }
-}
-
-impl Sub<&Symbolic> for Symbolic {
-    type Output = Symbolic;
-    fn sub(self, other: &Symbolic) -> Symbolic {
-        self + &-other.clone()
     }
 }
 
@@ -77,21 +70,6 @@ impl Neg for Symbolic {
 forward_operators!(Symbolic: Add add AddAssign add_assign, Sub sub SubAssign sub_assign,
     Mul mul MulAssign mul_assign, Div div DivAssign div_assign);
 
-impl Zero for Symbolic {
-    fn zero() -> Self {
-        Symbolic::constant(Rational::zero())
-    }
-    fn is_zero(&self) -> bool {
-        matches!(&self.0, Form::Constant(c) if c.is_zero())
-    }
-}
-
-impl One for Symbolic {
-    fn one() -> Self {
-        Symbolic::constant(Rational::one())
-    }
-}
-
 impl From<Rational> for Symbolic {
     fn from(value: Rational) -> Self {
         Symbolic::constant(value)
@@ -103,8 +81,8 @@ impl std::str::FromStr for Symbolic {
 
     /// Reads an [`Expression`] over any parameters: `(a^2 - b)/(4*c)`, `sin(2*x)`.
     fn from_str(text: &str) -> Result<Self, ExpressionError> {
-        let names = Scalars(|name: &str| Ok(Symbolic::parameter(name)));
-        Expression::parse(text)?.evaluate(&Functions(names, <Symbolic as Notation>::function))
+        let names = Scalars(|name: &str| Ok(Symbolic::parameter(name)), Self::function_of);
+        Expression::parse(text)?.evaluate(&names)
     }
 }
 

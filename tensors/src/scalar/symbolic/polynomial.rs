@@ -1,4 +1,4 @@
-//! Polynomials over the rationals: what fractions are made of.
+//! Polynomials over the rationals: the numerators and denominators of fractions.
 //!
 //! Terms stand in graded lexicographic order, highest first: by total degree, then by the order of
 //! the variables. Selecting or inserting variables keeps that order.
@@ -53,7 +53,7 @@ fn scaled(f: &Polynomial, c: &Polynomial) -> Polynomial {
 }
 
 /// `(h, f / h, g / h)` for the greatest common divisor `h`, primitive with positive leading
-/// coefficient. `g` must be so, too; `h` is 1 when a side is constant.
+/// coefficient. `g` must also have this form; `h` is 1 when `f` or `g` is constant.
 pub(super) fn cofactors(f: &Polynomial, g: &Polynomial) -> (Polynomial, Polynomial, Polynomial) {
     let one = || constant(Rational::one(), f.nvars);
     if f.is_constant() || g.is_constant() || disjoint(f, g) {
@@ -63,21 +63,16 @@ pub(super) fn cofactors(f: &Polynomial, g: &Polynomial) -> (Polynomial, Polynomi
         return (f.clone(), one(), one());
     }
     if f.terms.len() == 1 || g.terms.len() == 1 {
-        let least = f
-            .min_exps()
-            .exps()
-            .iter()
-            .zip(g.min_exps().exps())
-            .map(|(a, b)| *a.min(b))
-            .collect::<Vec<_>>();
-        let common = Monomial::new(least);
+        let (a, b) = (f.min_exps(), g.min_exps());
+        let least = a.exps().iter().zip(b.exps()).map(|(a, b)| *a.min(b));
+        let common = Monomial::new(least.collect::<Vec<_>>());
         let (f, g) = (lowered(f, &common), lowered(g, &common));
         return (Poly::monomial(common, Order::GrLex), f, g);
     }
     if certainly_coprime(f, g) {
         return (one(), f.clone(), g.clone());
     }
-    // repeated denominators make this likely, and it is cheap to refuse
+    // likely with repeated denominators, and a failure is found quickly
     if let Some(quotient) = f.exact(g) {
         return (g.clone(), quotient, one());
     }
@@ -90,7 +85,7 @@ pub(super) fn cofactors(f: &Polynomial, g: &Polynomial) -> (Polynomial, Polynomi
     (h, f, g)
 }
 
-/// Whether no variable occurs in both: then only constants divide both.
+/// Whether no variable occurs in both. Then only constants divide both.
 fn disjoint(f: &Polynomial, g: &Polynomial) -> bool {
     f.degrees().iter().zip(g.degrees()).all(|(a, b)| *a == 0 || b == 0)
 }
@@ -106,7 +101,7 @@ fn certainly_coprime(f: &Polynomial, g: &Polynomial) -> bool {
         let denominator = Residue::from_i64(*c.denom()).inverse()?;
         Some(Residue::from_i64(*c.numer()) * denominator)
     };
-    // beyond, Euclid's algorithm takes longer than the sparse search
+    // for higher degrees Euclid's algorithm takes longer than the sparse gcd
     if f.total_degree().max(g.total_degree()) > 1000 {
         return false;
     }
@@ -123,7 +118,8 @@ fn certainly_coprime(f: &Polynomial, g: &Polynomial) -> bool {
 
 type Residue = Gf<{ (1 << 61) - 1 }>;
 
-/// Multiples of the golden section of 2^64: no small relations between the coordinates.
+/// A coordinate of the point: a multiple of the golden section of 2^64, so that there are no small
+/// relations between the coordinates.
 fn coordinate(k: u64) -> Residue {
     Residue::new(k.wrapping_mul(0x9e37_79b9_7f4a_7c15))
 }
@@ -149,7 +145,7 @@ pub(super) fn common_denominator(f: &Polynomial) -> Rational {
     from_big(&BigRational::from(content.denom().clone()))
 }
 
-/// Words take the short way: the general conversion goes through bytes.
+/// Machine words are converted directly, because the general conversion goes through bytes.
 fn to_big(c: &Rational) -> BigRational {
     match Ratio::<i64>::try_from(c) {
         Ok(c) => Ratio::new_raw(BigInt::from(*c.numer()), BigInt::from(*c.denom())),
@@ -161,23 +157,5 @@ fn from_big(c: &BigRational) -> Rational {
     match c.numer().to_i64().zip(c.denom().to_i64()) {
         Some((n, d)) => Ratio::new_raw(n, d).into(),
         None => c.clone().into(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_unlucky_point_proves_nothing() {
-        // h is congruent to (x - p)(y - q) + 1, which is 1 along both lines through (p, q)
-        let (p, q) = (coordinate(1), coordinate(2));
-        let integer = |r: Residue| constant(Rational::from(r.value() as i64), 3);
-        let variable = |k| Poly::var(k, 3, Order::GrLex);
-        let (x, y, z, one) = (variable(0), variable(1), variable(2), integer(Residue::one()));
-        let linear = &(&x * &integer(-q)) + &(&y * &integer(-p));
-        let h = &(&(&x * &y) + &linear) + &integer(p * q + Residue::one());
-        let next = &z + &one;
-        assert_eq!(cofactors(&(&h * &z), &(&h * &next)), (h, z, next));
     }
 }

@@ -86,9 +86,9 @@ fn power(value: &Symbolic, exponent: u32) -> Symbolic {
     }
 }
 
-/// A bound for the total degrees of all intermediate numerators and denominators: the images of
-/// `N` and `D` have common denominators of degree at most the sum over the variables, a sum of
-/// two fractions at most doubles it.
+/// A bound for the total degrees of all intermediate numerators and denominators. The images of `N`
+/// and `D` have a common denominator, whose degree is at most the sum over the variables; adding two
+/// fractions at most doubles the degree.
 fn degree_bound(f: &Fraction, values: &[Symbolic]) -> u64 {
     let degrees = f.numerator.degrees().into_iter().zip(f.denominator.degrees());
     let degrees = degrees.map(|(n, d)| u64::from(n) + u64::from(d));

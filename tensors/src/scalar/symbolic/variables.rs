@@ -47,21 +47,3 @@ fn pieces(name: &str) -> impl Iterator<Item = (&str, usize, &str)> {
 fn digit(c: char) -> bool {
     c.is_ascii_digit()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_within_names_compare_by_value() {
-        let names =
-            ["J", "J02", "J2", "J10", "J10a", "J11", "J33", "K1", "a", "a1b2", "a1b10", "b"];
-        let functions = ["sin(x)", "cos(x)", "exp(x)", "sin(y)"];
-        let sorted = [&names[..], &functions[..]].concat();
-        for (i, a) in sorted.iter().enumerate() {
-            for (j, b) in sorted.iter().enumerate() {
-                assert_eq!(natural(a, b), i.cmp(&j), "{a} {b}");
-            }
-        }
-    }
-}

@@ -14,6 +14,21 @@ pub(super) enum Markup {
     Latex,
 }
 
+impl Markup {
+    /// An exponent after its base; 1 is not written.
+    fn exponent(self, exponent: u32) -> String {
+        match (exponent, self) {
+            (1, _) => String::new(),
+            (_, Markup::Text) => format!("^{exponent}"),
+            (_, Markup::Latex) => format!("^{{{exponent}}}"),
+        }
+    }
+
+    fn product(self, factors: impl Iterator<Item = String>) -> String {
+        factors.collect::<Vec<_>>().join(if self == Markup::Latex { " " } else { "*" })
+    }
+}
+
 /// `1/2*a` for one term without a denominator; otherwise integer polynomials above and below,
 /// in factors where that is shorter.
 pub(super) fn fraction(f: &Fraction, markup: Markup) -> String {
@@ -46,7 +61,7 @@ enum Place {
     Below,
 }
 
-/// The sum of the terms, in parentheses where `/` would tear it apart.
+/// The sum of the terms, in parentheses where a division would otherwise apply to a part of it.
 fn expanded(f: &Fraction, part: &Polynomial, place: Place, markup: Markup) -> String {
     let torn = match place {
         Place::Alone => false,
@@ -75,23 +90,19 @@ fn product(f: &Fraction, found: &Factors, markup: Markup) -> String {
     let number = Some(found.content.to_string()).filter(|_| !found.content.is_one());
     let factor = |(factor, exponent): &(Polynomial, u32)| {
         if let [(monomial, _)] = &factor.terms[..] {
-            // a variable, which may be a function and carry its power inside
+            // a variable; the power of an exponential stands in its argument
             let at = monomial.exps().iter().position(|e| *e > 0).unwrap_or(0);
             return power(&f.variables[at], *exponent, markup);
         }
         let sum = polynomial(f, factor, markup);
-        match (exponent, markup) {
-            (1, Markup::Text) => format!("({sum})"),
-            (e, Markup::Text) => format!("({sum})^{e}"),
-            (1, Markup::Latex) => format!("\\left({sum}\\right)"),
-            (e, Markup::Latex) => format!("\\left({sum}\\right)^{{{e}}}"),
-        }
+        let [left, right] =
+            if markup == Markup::Latex { ["\\left(", "\\right)"] } else { ["(", ")"] };
+        format!("{left}{sum}{right}{}", markup.exponent(*exponent))
     };
-    let factors = number.into_iter().chain(found.factors.iter().map(factor));
-    factors.collect::<Vec<_>>().join(if markup == Markup::Latex { " " } else { "*" })
+    markup.product(number.into_iter().chain(found.factors.iter().map(factor)))
 }
 
-/// Whether the leading coefficient is below zero: then the text starts with a minus sign.
+/// Whether the leading coefficient is negative. Then the text starts with a minus sign.
 pub(super) fn leads_negative(f: &Polynomial) -> bool {
     f.lc().is_some_and(Rational::is_negative)
 }
@@ -100,7 +111,7 @@ fn enclosed(text: String, needed: bool) -> String {
     if needed { format!("({text})") } else { text }
 }
 
-/// How many factors, or terms, `/` would tear apart.
+/// The number of factors of a single term, otherwise the number of terms.
 fn factors_in(f: &Polynomial) -> usize {
     match &f.terms[..] {
         [(m, c)] => m.exps().iter().filter(|e| **e > 0).count() + usize::from(!c.is_one()),
@@ -130,36 +141,28 @@ fn term(f: &Fraction, coefficient: &Rational, monomial: &Monomial, markup: Marku
     };
     let powers = f.variables.iter().zip(monomial.exps()).filter(|(_, e)| **e > 0);
     let powers = powers.map(|(name, &exponent)| power(name, exponent, markup));
-    let factors: Vec<String> = number.into_iter().chain(powers).collect();
-    factors.join(if markup == Markup::Latex { " " } else { "*" })
+    markup.product(number.into_iter().chain(powers))
 }
 
 fn power(name: &str, exponent: u32, markup: Markup) -> String {
     if let Some((function, argument)) = name.strip_suffix(')').and_then(|n| n.split_once('(')) {
         return function_power(function, argument, exponent, markup);
     }
-    match (markup, exponent) {
-        (Markup::Text, 1) => name.to_owned(),
-        (Markup::Text, _) => format!("{name}^{exponent}"),
-        (Markup::Latex, 1) => latex_name(name),
-        (Markup::Latex, _) => format!("{}^{{{exponent}}}", latex_name(name)),
-    }
+    let base = if markup == Markup::Latex { latex_name(name) } else { name.to_owned() };
+    base + &markup.exponent(exponent)
 }
 
 /// `sin(x)^2`, `exp(2*x)`, `\sin^{2} x`, `e^{2 x}`.
 fn function_power(function: &str, argument: &str, exponent: u32, markup: Markup) -> String {
-    let multiple = if exponent == 1 { String::new() } else { exponent.to_string() };
-    match (markup, function, exponent) {
-        (Markup::Text, _, 1) => format!("{function}({argument})"),
-        (Markup::Text, "exp", _) => format!("exp({multiple}*{argument})"),
-        (Markup::Text, _, _) => format!("{function}({argument})^{multiple}"),
-        (Markup::Latex, "exp", _) => {
-            format!("e^{{{}}}", format!("{multiple} {}", latex_name(argument)).trim_start())
+    let power = markup.exponent(exponent);
+    match (markup, function) {
+        (Markup::Text, "exp") if exponent > 1 => format!("exp({exponent}*{argument})"),
+        (Markup::Text, _) => format!("{function}({argument}){power}"),
+        (Markup::Latex, "exp") if exponent > 1 => {
+            format!("e^{{{exponent} {}}}", latex_name(argument))
         }
-        (Markup::Latex, _, 1) => format!("\\{function} {}", latex_name(argument)),
-        (Markup::Latex, _, _) => {
-            format!("\\{function}^{{{multiple}}} {}", latex_name(argument))
-        }
+        (Markup::Latex, "exp") => format!("e^{{{}}}", latex_name(argument)),
+        (Markup::Latex, _) => format!("\\{function}{power} {}", latex_name(argument)),
     }
 }
 
@@ -184,7 +187,7 @@ fn latex_name(name: &str) -> String {
 
 fn latex_stem(stem: &str) -> String {
     let mut letters = stem.chars();
-    if GREEK.contains(&stem) {
+    if GREEK.split(' ').any(|letter| letter == stem) {
         format!("\\{stem}")
     } else if letters.next().is_some_and(char::is_alphabetic) && letters.next().is_none() {
         stem.to_owned()
@@ -194,45 +197,6 @@ fn latex_stem(stem: &str) -> String {
 }
 
 /// The Greek letters that LaTeX knows by name.
-const GREEK: [&str; 40] = [
-    "alpha",
-    "beta",
-    "gamma",
-    "delta",
-    "epsilon",
-    "varepsilon",
-    "zeta",
-    "eta",
-    "theta",
-    "vartheta",
-    "iota",
-    "kappa",
-    "lambda",
-    "mu",
-    "nu",
-    "xi",
-    "pi",
-    "varpi",
-    "rho",
-    "varrho",
-    "sigma",
-    "varsigma",
-    "tau",
-    "upsilon",
-    "phi",
-    "varphi",
-    "chi",
-    "psi",
-    "omega",
-    "Gamma",
-    "Delta",
-    "Theta",
-    "Lambda",
-    "Xi",
-    "Pi",
-    "Sigma",
-    "Upsilon",
-    "Phi",
-    "Psi",
-    "Omega",
-];
+const GREEK: &str = "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa \
+    lambda mu nu xi pi varpi rho varrho sigma varsigma tau upsilon phi varphi chi psi omega \
+    Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega";

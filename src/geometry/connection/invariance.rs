@@ -1,9 +1,9 @@
-//! Bi-invariant connections in the right-invariant frame.
+//! Invariance of connections under ad, and bi-invariant connections in the right-invariant frame.
 
 use super::Connection;
 use crate::Error;
 use crate::algebra::LieAlgebra;
-use affinor_tensors::{Ring, Tensor};
+use affinor_tensors::{Down, Field, Ring, Tensor, Up, contract};
 
 impl<S: Ring> Connection<S> {
     /// The action of `ad_{e_m}` on the affinities, slots `^i_mjk`:
@@ -45,7 +45,24 @@ impl<S: Ring> Connection<S> {
             });
         }
         let operands = [("L", &self.gamma), ("c", algebra.structure())];
-        let gamma = affinor_tensors::contract("L^i_jk - c^i_jk -> ^i_jk", &operands)?;
+        let gamma = contract("L^i_jk - c^i_jk -> ^i_jk", &operands)?;
         Connection::new(algebra.right_frame(), gamma)
+    }
+}
+
+impl<S: Field> Connection<S> {
+    /// A basis of the bi-invariant connections of an algebra, as affinities `Lambda^i_jk` in the
+    /// left-invariant frame: the solutions of `L_x Lambda = 0` for all `x`. Those for some `x` alone are
+    /// [`LieAlgebra::invariant_tensors`].
+    ///
+    /// They form a vector space that contains `c`. On a simple compact group it is spanned by `c`,
+    /// except for SU(n), n >= 3, which has a symmetric solution as well (H. T. Laquer, *Trans. Amer. Math. Soc.* 331
+    /// (1992) 541-551).
+    ///
+    /// # Errors
+    /// [`Error::Size`] beyond [`MAX_UNKNOWNS`](crate::algebra::invariants::MAX_UNKNOWNS) components.
+    pub fn bi_invariant(algebra: &LieAlgebra<S>) -> Result<Vec<Tensor<S>>, Error> {
+        let directions: Vec<_> = algebra.basis().collect();
+        algebra.invariant_tensors(&[Up, Down, Down], &directions)
     }
 }

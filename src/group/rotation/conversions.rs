@@ -1,0 +1,147 @@
+//! Rotations from and to four numbers, matrices and Rodrigues parameters.
+
+use crate::Error;
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+
+/// `w, x, y, z` with the first that is not zero positive: one list for one rotation.
+pub fn wxyz(g: &UnitQuaternion<f64>) -> [f64; 4] {
+    let q = [g.w, g.i, g.j, g.k];
+    let negative = q.iter().find(|q| **q != 0.0).is_some_and(|q| *q < 0.0);
+    if negative { q.map(|q| 0.0 - q) } else { q.map(|q| q + 0.0) }
+}
+
+/// The rotation of a quaternion `w, x, y, z` of any length but zero.
+///
+/// ```
+/// use affinor::group::rotation::{from_wxyz, wxyz};
+/// assert_eq!(wxyz(&from_wxyz([0.0, -3e200, 0.0, 4e200])?), [0.0, 0.6, 0.0, -0.8]);
+/// assert!(from_wxyz([0.0; 4]).is_err());
+/// # Ok::<(), affinor::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Invalid`] if it is zero or not finite.
+pub fn from_wxyz([w, x, y, z]: [f64; 4]) -> Result<UnitQuaternion<f64>, Error> {
+    let q = Quaternion::new(w, x, y, z);
+    let largest = q.coords.amax();
+    if !(largest > 0.0 && q.coords.iter().all(|q| q.is_finite())) {
+        let reason = format!("the quaternion {w}, {x}, {y}, {z} has no direction");
+        return Err(Error::Invalid { what: "rotation", reason });
+    }
+    // denormal components need two steps
+    let scaled = if largest < 1e-300 { q * 1e300 } else { q };
+    let unit = scaled / scaled.coords.amax();
+    Ok(UnitQuaternion::new_unchecked(unit / unit.norm()))
+}
+
+/// The matrix `R = ((w^2 - |v|^2) 1 + 2 w spin(v) + 2 v v^T)/|q|^2`: columns are the turned basis vectors.
+///
+/// In this form, homogeneous of degree 0, `R` is orthogonal to 4 machine epsilons even if the length of the
+/// quaternion has drifted from 1.
+pub fn matrix(g: &UnitQuaternion<f64>) -> Matrix3<f64> {
+    let [x, y, z, w] = g.coords.into();
+    let [xx, yy, zz, ww] = [x * x, y * y, z * z, w * w];
+    let square = (ww + xx) + (yy + zz);
+    Matrix3::new(
+        (ww + xx) - (yy + zz),
+        2.0 * (x * y - w * z),
+        2.0 * (x * z + w * y),
+        2.0 * (x * y + w * z),
+        (ww + yy) - (xx + zz),
+        2.0 * (y * z - w * x),
+        2.0 * (x * z - w * y),
+        2.0 * (y * z + w * x),
+        (ww + zz) - (xx + yy),
+    ) / square
+}
+
+/// The rotation of a matrix with `R^T R = 1` up to `tolerance` in every entry, and positive
+/// determinant.
+///
+/// S. W. Shepperd, *J. Guidance and Control* 1 (1978) 223-224: the quaternion is read off around its largest
+/// component, so no difference of near equals is divided by.
+///
+/// ```
+/// use affinor::group::rotation::{from_matrix, wxyz};
+/// let half_turn = nalgebra::Matrix3::from_diagonal(&[-1.0, 1.0, -1.0].into());
+/// assert_eq!(wxyz(&from_matrix(&half_turn, 0.0)?), [0.0, 0.0, 1.0, 0.0]);
+/// assert!(from_matrix(&-half_turn, 0.0).is_err());
+/// # Ok::<(), affinor::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Invalid`] with the defect.
+pub fn from_matrix(r: &Matrix3<f64>, tolerance: f64) -> Result<UnitQuaternion<f64>, Error> {
+    let defect = (r.transpose() * r - Matrix3::identity()).abs();
+    // by sum and not by max, in which NaN is lost
+    if !(defect.sum().is_finite() && defect.max() <= tolerance) {
+        let reason = format!("R^T R differs from 1 by {:e}", defect.max());
+        return Err(Error::Invalid { what: "rotation", reason });
+    }
+    if r.determinant() < 0.0 {
+        return Err(Error::Invalid {
+            what: "rotation",
+            reason: "the matrix is a reflection".into(),
+        });
+    }
+    let [a, b, c] = [r[(0, 0)], r[(1, 1)], r[(2, 2)]];
+    let sum = |i: usize, j: usize| r[(i, j)] + r[(j, i)];
+    let difference = |i: usize, j: usize| r[(i, j)] - r[(j, i)];
+    let (w, x, y, z) = (difference(2, 1), difference(0, 2), difference(1, 0), a + b + c);
+    let largest = [z, a, b, c].into_iter().fold(f64::NEG_INFINITY, f64::max);
+    // four times one component, times all of them
+    from_wxyz(if largest == z {
+        [1.0 + z, w, x, y]
+    } else if largest == a {
+        [w, 1.0 + a - b - c, sum(0, 1), sum(0, 2)]
+    } else if largest == b {
+        [x, sum(0, 1), 1.0 + b - c - a, sum(1, 2)]
+    } else {
+        [y, sum(0, 2), sum(1, 2), 1.0 + c - a - b]
+    })
+}
+
+/// The vector of Gibbs (Cayley, Rodrigues) `v/w = tan(angle/2) n`.
+///
+/// ```
+/// use affinor::group::rotation::{from_wxyz, gibbs};
+/// let third = from_wxyz([0.5, 0.5, 0.5, 0.5])?; // a third of a turn
+/// assert_eq!(gibbs(&third)?, nalgebra::Vector3::repeat(1.0));
+/// assert!(gibbs(&from_wxyz([0.0, 0.0, 0.0, 1.0])?).is_err());
+/// # Ok::<(), affinor::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Invalid`] at the angle `pi`, or so near to it that a component leaves the range of floats.
+pub fn gibbs(g: &UnitQuaternion<f64>) -> Result<Vector3<f64>, Error> {
+    let vector = g.imag() / g.w;
+    if vector.iter().all(|c| c.is_finite()) {
+        return Ok(vector);
+    }
+    Err(Error::Invalid { what: "Gibbs vector", reason: "the angle is pi".into() })
+}
+
+/// The rotation of a vector of Gibbs: `(1 + r)/sqrt(1 + |r|^2)`.
+pub fn from_gibbs(r: &Vector3<f64>) -> UnitQuaternion<f64> {
+    let scale = r.amax().max(1.0);
+    let (w, v) = (1.0 / scale, r / scale);
+    let length = (w * w + v.norm_squared()).sqrt();
+    UnitQuaternion::new_unchecked(Quaternion::from_parts(w / length, v / length))
+}
+
+/// Modified Rodrigues parameters `v/(1 + w) = tan(angle/4) n` for the angle up to `pi`, where their length
+/// reaches 1; at `pi` with the sign of [`wxyz`].
+pub fn modified(g: &UnitQuaternion<f64>) -> Vector3<f64> {
+    let [w, x, y, z] = wxyz(g);
+    Vector3::new(x, y, z) / (w + g.norm())
+}
+
+/// The rotation of modified Rodrigues parameters: `(1 - |p|^2 + 2 p)/(1 + |p|^2)`. Those of length above
+/// 1 are angles between `pi` and `2 pi`.
+pub fn from_modified(p: &Vector3<f64>) -> UnitQuaternion<f64> {
+    let scale = p.amax().max(1.0);
+    let (one, p) = (1.0 / scale, p / scale);
+    let (first, second) = (one * one, p.norm_squared());
+    let q = Quaternion::from_parts(first - second, p * (2.0 * one));
+    UnitQuaternion::new_unchecked(q / (first + second))
+}
