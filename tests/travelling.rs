@@ -99,10 +99,11 @@ fn metric(body: &Body, [length, mass, _]: [f64; 3]) -> Matrix6<f64> {
     all
 }
 
-/// A change of the basis of se(3) with determinant 1.
-fn change() -> Matrix6<f64> {
+/// A change of the basis of se(3) with determinant 1, the same one in every unit of length: 0.5 km in the place of 0.5 m would
+/// put moments of inertia below the rounding of the mass.
+fn change(length: f64) -> Matrix6<f64> {
     let mut there = Matrix6::identity();
-    for (i, j, share) in [(3, 0, 0.5), (4, 2, -0.25), (1, 0, 1.0), (5, 4, 0.5)] {
+    for (i, j, share) in [(3, 0, 0.5 * length), (4, 2, -0.25 * length), (1, 0, 1.0), (5, 4, 0.5)] {
         let sum = there.column(j) + there.column(i) * share;
         there.set_column(j, &sum);
     }
@@ -115,7 +116,7 @@ fn problem(body: &Body, frame: &Frame, how: How) -> String {
     let How { space, method, step, tolerance, end } = how;
     let [length, mass, time] = frame.units;
     let mut all = metric(body, frame.units);
-    let there = change();
+    let there = change(length);
     let is_mixed = space == "se3 in another basis";
     let is_product = space == "SO(3) x R^3 by matrices";
     if is_product {
@@ -266,7 +267,7 @@ fn end(body: &Body, frame: &Frame, how: How) -> End {
     let [length, _, time] = frame.units;
     let mut twist = Vector6::from_column_slice(&row[..6]);
     if how.space == "se3 in another basis" {
-        twist = change() * twist;
+        twist = change(length) * twist;
     }
     let size = if how.space == "SO(3) x R^3 by matrices" { 7 } else { 4 };
     let entry = |i: usize, j: usize| row[6 + i * size + j];
