@@ -25,6 +25,24 @@ mod definition_from_gap;
 #[path = "../../examples/06_matrix_basis.rs"]
 mod matrix_basis;
 
+#[path = "../../examples/07_group_and_exponential.rs"]
+mod group_and_exponential;
+
+#[path = "../../examples/08_poses.rs"]
+mod poses;
+
+#[path = "../../examples/09_parallel_transport.rs"]
+mod parallel_transport;
+
+#[path = "../../examples/10_top_with_torque.rs"]
+mod top_with_torque;
+
+#[path = "../../examples/11_events_and_dense_output.rs"]
+mod events_and_dense_output;
+
+#[path = "../../examples/12_own_scalar.rs"]
+mod own_scalar;
+
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 #[test]
@@ -50,6 +68,36 @@ fn moving_frames() -> Outcome {
 #[test]
 fn matrix_basis() -> Outcome {
     matrix_basis::main()
+}
+
+#[test]
+fn group_and_exponential() -> Outcome {
+    group_and_exponential::main()
+}
+
+#[test]
+fn poses() -> Outcome {
+    poses::main()
+}
+
+#[test]
+fn parallel_transport() -> Outcome {
+    parallel_transport::main()
+}
+
+#[test]
+fn top_with_torque() -> Outcome {
+    top_with_torque::main()
+}
+
+#[test]
+fn events_and_dense_output() -> Outcome {
+    events_and_dense_output::main()
+}
+
+#[test]
+fn own_scalar() -> Outcome {
+    own_scalar::main()
 }
 
 struct Dimension;

@@ -17,6 +17,8 @@ mod examples;
 mod figures;
 mod float_tables;
 mod group_commands;
+#[cfg(feature = "plot")]
+mod guide;
 mod paper_page;
 #[cfg(feature = "plot")]
 mod plot;

@@ -93,6 +93,88 @@ fn from_json(text: &str) -> Components {
     tensors.filter(|(_, components)| !components.is_empty()).collect()
 }
 
+/// The symbols of the tensors in text, and their names in CSV and JSON.
+const SYMBOLS: [(&str, &str); 8] = [
+    ("c", "structure"),
+    ("Lambda", "affinities"),
+    ("tau", "torsion"),
+    ("R", "curvature"),
+    ("Ric", "ricci"),
+    ("S", "scalar_curvature"),
+    ("g", "metric"),
+    ("Q", "nonmetricity"),
+];
+
+/// A component such as `-R^1_221`: whether it has a minus sign, its tensor and its indices.
+fn component(text: &str) -> Option<(bool, &'static str, Vec<usize>)> {
+    let positive = text.strip_prefix('-');
+    let unsigned = positive.unwrap_or(text);
+    let (symbol, indices) = unsigned.split_at(unsigned.find(['^', '_']).unwrap_or(unsigned.len()));
+    let (_, tensor) = SYMBOLS.iter().find(|(known, _)| *known == symbol)?;
+    let digits = indices.chars().filter(|c| !['^', '_'].contains(c));
+    let digits = digits.map(|c| Some(c.to_digit(10)? as usize)).collect::<Option<_>>()?;
+    Some((positive.is_some(), tensor, digits))
+}
+
+/// The components of the lines `g_12 = g_21 = J12`. Lines of other things, such as brackets, are skipped.
+fn from_lines(lines: impl Iterator<Item = String>) -> Components {
+    let mut components = Components::new();
+    for line in lines {
+        let mut members: Vec<&str> = line.split(" = ").map(str::trim).collect();
+        let last = members.pop().unwrap();
+        for (negative, tensor, indices) in members.iter().filter_map(|text| component(text)) {
+            let found = if negative { -value(last) } else { value(last) };
+            let tensor = components.entry(tensor.into()).or_default();
+            assert!(tensor.insert(indices, found).is_none(), "{line} stands twice");
+        }
+    }
+    // a tensor of rank 0 is written even where it is zero
+    components.retain(|_, tensor| tensor.values().any(|v| *v != value("0")));
+    components
+}
+
+/// Values continue on the next line with four spaces and an equals sign.
+fn from_text(text: &str) -> Components {
+    from_lines(text.replace("\n    =", " =").lines().map(str::to_string))
+}
+
+/// Rows `| component = component | value |`.
+fn from_markdown(text: &str) -> Components {
+    let rows = text.lines().map(|line| line.trim_matches(['|', ' ']).replace('`', ""));
+    from_lines(rows.map(|row| row.replace(" | ", " = ")))
+}
+
+fn from_latex(text: &str) -> Components {
+    from_lines(ascii(&text.replace(" \\\\*\n&=", " =").replace('&', "")).lines().map(|line| {
+        // a space between a number and a letter is a product
+        let (members, last) = line.rsplit_once(" = ").unwrap_or(("", line));
+        let factors = last.trim_end_matches("\\\\").trim().replace(" J", "*J");
+        format!("{members} = {}", factors.replace("+*", "+ ").replace("-*", "- "))
+    }))
+}
+
+/// Formulas of LaTeX as text writes them.
+fn ascii(latex: &str) -> String {
+    let mut text = latex.replace("{}", "").replace("J_{", "J{").replace("e_{", "e{");
+    for (command, word) in [
+        ("\\dot u", "du/dt"),
+        ("\\frac{1}{2}", "1/2"),
+        ("\\frac{1}{4}", "1/4"),
+        ("\\frac{3}{4}", "3/4"),
+        ("\\hangindent=2em", ""),
+        ("\\newline", ""),
+        ("\\par", ""),
+        ("\\mathrm", ""),
+        ("\\_", "_"),
+    ] {
+        text = text.replace(command, word);
+    }
+    for name in ["Lambda", "tau", "nabla"] {
+        text = text.replace(&format!("\\{name}"), name);
+    }
+    text.replace(['{', '}', '$'], "")
+}
+
 /// The components that `f` does not make zero.
 fn all<const R: usize>(f: impl Fn([usize; R]) -> Symbolic) -> BTreeMap<Vec<usize>, Symbolic> {
     let places = (0..3usize.pow(R as u32)).map(|mut at| {
@@ -117,6 +199,13 @@ fn inertia([i, j]: [usize; 2]) -> Symbolic {
     value(&format!("J{}{}", i.min(j), i.max(j)))
 }
 
+fn in_every_format(object: &str, expected: &Components) {
+    let readers = [from_text, from_markdown, from_latex, from_csv, from_json];
+    for (format, read) in FORMATS.into_iter().zip(readers as [fn(&str) -> Components; 5]) {
+        assert_eq!(read(&stored(&format!("{object}_{format}"))), *expected, "{object} {format}");
+    }
+}
+
 #[test]
 fn every_number_of_the_m3_table_is_the_papers() {
     // (46), after (38), (99); nabla g by (B3) for covectors: -eps_mki J_mj - eps_mkj J_im
@@ -135,8 +224,7 @@ fn every_number_of_the_m3_table_is_the_papers() {
     ]);
     let count: Vec<usize> = expected.values().map(BTreeMap::len).collect();
     assert_eq!(count, [6, 9, 24, 6, 6]);
-    assert_eq!(from_csv(&stored("m3_table_csv")), expected);
-    assert_eq!(from_json(&stored("m3_table_json")), expected);
+    in_every_format("m3_table", &expected);
 }
 
 #[test]
@@ -161,8 +249,7 @@ fn every_number_of_the_so3_table_is_the_papers() {
         ("metric".into(), all(delta("2"))),
     ]);
     assert_eq!(expected["curvature"].len(), 12);
-    assert_eq!(from_csv(&stored("so3_table_csv")), expected);
-    assert_eq!(from_json(&stored("so3_table_json")), expected);
+    in_every_format("so3_table", &expected);
 }
 
 #[test]
@@ -202,6 +289,85 @@ fn the_comparison_holds_the_papers_tables() {
         for (side, name) in ["M(3)", "SO(3)"].into_iter().enumerate() {
             let holds = claim["verdicts"][side]["holds"].as_bool().unwrap();
             assert_eq!(holds, about.iter().any(|about| about == name), "{claim}");
+        }
+    }
+}
+
+/// The rows of the boxes that text draws, cell by cell; the heads give the columns.
+fn boxed(text: &str) -> Vec<Vec<String>> {
+    let (mut rows, mut starts) = (Vec::<Vec<String>>::new(), vec![]);
+    let mut lines = text.lines().peekable();
+    while let Some(line) = lines.next() {
+        let Some(inside) = line.strip_prefix('│').and_then(|line| line.strip_suffix('│'))
+        else {
+            continue;
+        };
+        let inside: Vec<char> = inside.chars().collect();
+        if lines.peek().is_some_and(|next| next.starts_with('╞')) {
+            // a column begins behind two spaces; the first head may be empty
+            let begins = |at: &usize| inside[at - 2..*at] == [' '; 2] && inside[*at] != ' ';
+            starts = [1].into_iter().chain((3..inside.len()).filter(begins)).collect();
+            continue;
+        }
+        let ends = starts.iter().skip(1).copied().chain([inside.len()]);
+        let cells = starts.iter().zip(ends).map(|(from, to)| inside[*from..to].iter().collect());
+        let cells: Vec<String> = cells.collect();
+        match rows.last_mut() {
+            // only the first line of a row has both its title and the next cell
+            Some(row) if cells[..2].iter().any(|cell| cell.trim().is_empty()) => {
+                row.iter_mut().zip(&cells).for_each(|(cell, more)| cell.push_str(more));
+            }
+            _ => rows.push(cells),
+        }
+    }
+    rows
+}
+
+/// Rows of cells without the separators, spaces left out.
+fn rows<'t>(lines: impl Iterator<Item = &'t str>, separator: &str) -> Vec<Vec<String>> {
+    lines.map(|line| line.split(separator).map(str::to_string).collect()).collect()
+}
+
+/// The rows of both tables are the same in every format, up to the marks of the format.
+#[test]
+fn the_comparison_is_the_same_in_every_format() {
+    let of = |format: &str| stored(&format!("m3_so3_comparison_{format}"));
+    let json: Value = serde_json::from_str(&of("json")).unwrap();
+    let list = |value: &Value| value.as_array().unwrap().clone();
+    let strings = |value: &Value| -> Vec<String> {
+        list(value).iter().map(|text| text.as_str().unwrap().to_string()).collect()
+    };
+    let mut expected = vec![];
+    for row in list(&json["rows"]) {
+        let cells = list(&row["cells"]);
+        let title = row["title"].as_str().unwrap().to_string();
+        expected.push([vec![title], cells.iter().map(|c| strings(c).concat()).collect()].concat());
+    }
+    for claim in list(&json["claims"]) {
+        let about = strings(&claim["about"]);
+        let about = if about.len() == 2 { "both".to_string() } else { about[0].clone() };
+        let verdicts = list(&claim["verdicts"]).into_iter().map(|verdict| {
+            let found = verdict["residual"].as_str().unwrap_or_default();
+            if verdict["holds"] == true { "yes".into() } else { format!("no: {found}") }
+        });
+        let word = |key: &str| claim[key].as_str().unwrap();
+        let title = format!("{} {}", word("equation"), word("statement"));
+        expected.push([vec![title, about], verdicts.collect()].concat());
+    }
+    let unspaced = |row: &Vec<String>| -> Vec<String> {
+        row.iter().map(|cell| cell.split_whitespace().collect()).collect()
+    };
+    let (markdown, latex) = (of("markdown").replace("<br>", ""), ascii(&of("latex")));
+    let piped = markdown.lines().filter_map(|line| line.strip_prefix("| ")?.strip_suffix(" |"));
+    let markdown = rows(piped, " | ").into_iter();
+    let markdown = markdown.map(|row| row.iter().map(|cell| cell.replace('\\', "")).collect());
+    let latex = rows(latex.lines().filter_map(|line| line.strip_suffix(" \\\\")), " & ");
+    for (format, found) in
+        [("text", boxed(&of("text"))), ("markdown", markdown.collect()), ("latex", latex)]
+    {
+        let found: Vec<Vec<String>> = found.iter().map(unspaced).collect();
+        for row in &expected {
+            assert!(found.contains(&unspaced(row)), "{format}: {row:?}\n{found:#?}");
         }
     }
 }

@@ -10,5 +10,6 @@ mod mass_properties;
 mod parameters;
 mod places;
 mod problems;
+mod read_back;
 mod report;
 mod right_invariant;

@@ -119,7 +119,7 @@ impl<S: Ring> Frame<S> {
     /// other frame.
     ///
     /// # Errors
-    /// When the dimension is beyond the engine.
+    /// If the dimension exceeds the limit of tensors of rank 4.
     pub fn isotropy(&self) -> Result<Tensor<S>, Error> {
         match &self.isotropy {
             Some(isotropy) => Ok(isotropy.clone()),

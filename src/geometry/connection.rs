@@ -43,7 +43,7 @@ impl<S: Ring> Connection<S> {
     /// The connection with the affinities `Lambda^i_jk`, slots `[Up, Down, Down]`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::NotFinite`].
+    /// [`Error::Shape`] if the affinities do not fit the frame; [`Error::NotFinite`] if one is NaN or infinite.
     pub fn new(frame: Frame<S>, gamma: Tensor<S>) -> Result<Self, Error> {
         expect_slots("the affinities", &gamma, frame.dimension(), &[Up, Down, Down])?;
         expect_numbers("the affinities", &gamma)?;

@@ -10,7 +10,7 @@ use affinor_tensors::{Down, Notation, Rational, Symbolic, Tensor};
 /// `J33`; equations (41)-(61) and section 5.
 ///
 /// # Errors
-/// None: the catalogue has so(3).
+/// Never, because the catalogue contains so(3).
 pub fn m3() -> Result<Geometry<Symbolic>, Error> {
     let entry =
         |[i, j]: [usize; 2]| Symbolic::parameter(&format!("J{}{}", i.min(j) + 1, i.max(j) + 1));
@@ -21,7 +21,7 @@ pub fn m3() -> Result<Geometry<Symbolic>, Error> {
 /// "SO(3)": the connection `zero` (31) and the bi-invariant metric `tr(A^T B)` (102); equations (62)-(71).
 ///
 /// # Errors
-/// None: the catalogue has so(3).
+/// Never, because the catalogue contains so(3).
 pub fn so3() -> Result<Geometry<Rational>, Error> {
     let product =
         |entry: &Entry| entry.matrices.as_ref().expect("the entry so(3) has matrices").frobenius();

@@ -190,7 +190,7 @@ impl<S: Field> ReductivePair<S> {
 }
 
 impl<S: Ring> ReductivePair<S> {
-    /// The algebra in the basis adapted to the pair: `e1..` that of `m`, then that of `h`.
+    /// The Lie algebra in the adapted basis: first the basis of `m`, then that of `h`.
     pub fn algebra(&self) -> &LieAlgebra<S> {
         &self.algebra
     }

@@ -7,7 +7,7 @@ use super::{Coordinates, LieGroup};
 use crate::Error;
 use nalgebra::{DMatrix, DVector};
 
-/// A law that does not hold, with the two sides that show it.
+/// A violated law of a group, with its two sides.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{law} fails: {sides} differ by {defect:e}, relative to their size")]
 pub struct Broken {
@@ -15,7 +15,7 @@ pub struct Broken {
     pub law: &'static str,
     /// The relative difference, infinite if a side does not exist.
     pub defect: f64,
-    /// Both sides, or the error of the one that does not exist.
+    /// Both sides, or the error of a side that does not exist.
     pub sides: String,
 }
 

@@ -160,7 +160,7 @@ impl LieGroup for So3 {
 
 impl So3 {
     /// The logarithm nearest to a given rotation vector: `log(g) + 2 pi k n` along its own axis
-    /// `n`. It follows a motion past `pi`, where [`LieGroup::log`] jumps.
+    /// `n`. Along a motion it is continuous past `pi`, where [`LieGroup::log`] jumps.
     ///
     /// ```
     /// use affinor::group::{LieGroup, So3};

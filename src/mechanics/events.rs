@@ -53,10 +53,10 @@ impl<'a, T> Event<'a, T> {
     }
 }
 
-/// An event that happened.
+/// An occurrence of an event, with the state there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crossing<T> {
-    /// Its number among the watched events, from 0.
+    /// The index of the event among the watched events, from 0.
     pub event: usize,
     /// The state at the event: the first, to the rounding of time, after the sign change.
     pub state: T,

@@ -106,7 +106,7 @@ impl Formula {
         self.value_in(variables, &mut Workspace::default())
     }
 
-    /// The same [`value`](Self::value) with buffers of the caller: no allocation once they have grown.
+    /// As [`value`](Self::value), with buffers of the caller, so that no memory is allocated once they have grown.
     #[inline]
     pub fn value_in(&self, variables: &[f64], workspace: &mut Workspace) -> f64 {
         self.evaluate(variables, &mut workspace.results);
@@ -118,7 +118,7 @@ impl Formula {
         self.gradient_in(variables, slopes, &mut Workspace::default())
     }
 
-    /// The same [`gradient`](Self::gradient) with buffers of the caller.
+    /// As [`gradient`](Self::gradient), with buffers of the caller, so that no memory is allocated once they have grown.
     #[inline]
     pub fn gradient_in(
         &self,

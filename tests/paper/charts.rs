@@ -4,7 +4,7 @@ use crate::common::charts::{self, Chart, constant, sum};
 use crate::common::{inverse, labels};
 use crate::paper::value;
 use affinor::Frame;
-use affinor_tensors::{Down, Symbolic, Tensor, Up, contract};
+use affinor_tensors::{Down, Symbolic, Tensor, Up};
 use std::sync::Arc;
 
 /// A group in coordinates with its left- and right-invariant fields; the fields are columns of
@@ -88,12 +88,16 @@ impl Group {
 
     /// The left frame, whose vectors differentiate functions of the coordinates.
     pub fn frame(&self) -> Frame<Symbolic> {
+        self.frame_of(self.chart.algebra.structure().clone())
+    }
+
+    /// A frame with the derivatives of the left one, and any structure.
+    pub fn frame_of(&self, structure: Tensor<Symbolic>) -> Frame<Symbolic> {
         let (fields, names) = (self.chart.fields.clone(), self.chart.names);
         let derive = move |k: usize, f: &Symbolic| {
             let along = |(a, name): (usize, &&str)| fields.get(&[a, k]) * &f.derivative(name);
             sum(names.iter().enumerate().map(along))
         };
-        let structure = self.chart.algebra.structure().clone();
         Frame::moving(labels(self.n()), structure, Arc::new(derive)).unwrap()
     }
 
@@ -125,16 +129,9 @@ impl Group {
         [x.collect(), y.collect()]
     }
 
-    /// `(X^j e_j(Y^i) - Y^j e_j(X^i) + sign c^i_jk X^j Y^k) e_i`: (32), with the engine's frame.
-    pub fn bracket(&self, x: &[Symbolic], y: &[Symbolic], sign: i64) -> Vec<Symbolic> {
-        let frame = self.frame();
-        let [x, y] = [x, y].map(|v| Tensor::vector(v, Up));
-        let [dx, dy] = [&x, &y].map(|v| frame.derivative(v).unwrap());
-        let c = frame.structure().scale(&constant(sign));
-        let ad = contract("c^i_jk X^j -> ^i_k", &[("c", &c), ("X", &x)]).unwrap();
-        let operands = [("X", &x), ("Y", &y), ("dX", &dx), ("dY", &dy), ("ad", &ad)];
-        let bracket = "X^j dY_j^i - Y^j dX_j^i + ad^i_k Y^k -> ^i";
-        contract(bracket, &operands).unwrap().to_vector().unwrap()
+    /// The bracket of two fields by the library, in the left frame.
+    pub fn bracket(&self, x: &[Symbolic], y: &[Symbolic]) -> Vec<Symbolic> {
+        self.frame().bracket(x, y).unwrap()
     }
 }
 

@@ -11,10 +11,10 @@ use crate::paper::on_groups::{
 use crate::paper::{assert_tensors, epsilons};
 use affinor::algebra::Complex;
 use affinor::group::fields::{InvariantField, Side};
-use affinor::group::{Coordinates, LieGroup, MatrixGroup, Sl2, So3, Velocity};
+use affinor::group::{AnyGroup, Coordinates, LieGroup, MatrixGroup, Sl2, So3, Velocity};
 use affinor::{Error, MatrixBasis};
 use affinor_tensors::{Rational, Tensor, Tolerance};
-use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{DMatrix, DVector, Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::{PI, TAU};
 
 fn phi<G: LieGroup>(group: &G, x: &G::Vector) -> DMatrix<f64> {
@@ -79,13 +79,23 @@ fn eq_73_product_of_canonical_coordinates() {
         let ones = DMatrix::identity(basis.0[0].nrows(), basis.0[0].nrows());
         let expected = factors.iter().fold(ones, |g, x| g * hat(basis, x).exp());
         same(&basis.combine(found.components()).exp(), &expected, name);
+        // the group chosen by its name, and near the identity the series, to 0.2^14
+        let [x, y] = [&factors[0], &factors[1]].map(|x| column(x) * 0.1);
+        let expected = (basis.combine(x.as_slice()).exp()) * basis.combine(y.as_slice()).exp();
+        let chosen = AnyGroup::named(name).unwrap();
+        let found = chosen.log(&chosen.compose(&chosen.exp(&x), &chosen.exp(&y))).unwrap();
+        same(&basis.combine(found.as_slice()).exp(), &expected, name);
+        let parts = group.algebra().unwrap().bch(x.as_slice(), y.as_slice(), 14).unwrap();
+        let sum = |i: usize| parts.iter().map(|part| part[i]).sum::<f64>();
+        let series = DVector::from_fn(group.dimension(), |i, _| sum(i));
+        same(&basis.combine(series.as_slice()).exp(), &expected, name);
     }
     use affinor::group::{Se2, Se3};
-    law("SO(3)", &So3, &matrices::so3());
-    law("SE(2)", &Se2, &matrices::se2());
-    law("SE(3)", &Se3, &matrices::se3());
-    law("SL(2,R)", &Sl2, &on_groups::sl2());
-    law("Aff(1)", &on_groups::affine(), &matrices::affine());
+    law("so(3)", &So3, &matrices::so3());
+    law("se(2)", &Se2, &matrices::se2());
+    law("se(3)", &Se3, &matrices::se3());
+    law("sl(2)", &Sl2, &on_groups::sl2());
+    law("aff(1)", &on_groups::affine(), &matrices::affine());
 
     // rotations, to length 8: half angles as in the product of quaternions
     let half = |x: Vector3<f64>| {

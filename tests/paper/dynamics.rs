@@ -6,6 +6,7 @@ use crate::paper::{
     affine, algebras, assert_tensors, epsilons, float, heisenberg, inertia, metric,
 };
 use crate::paper::{parameters, se2, se3, sl2, so3, symbolic, tensor, value, values};
+use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::{BasisChange, Canonical, Connection, LieAlgebra, Metric};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up, contract};
 
@@ -20,6 +21,26 @@ fn gyroscopic(
     let omega = Tensor::vector(omega, Up);
     let along = contract("D_ki O^k -> _i", &[("D", &nabla), ("O", &omega)]).unwrap();
     along.to_vector().unwrap()
+}
+
+/// `g_ij dOmega^j/dt` of the library's equations of motion, under a torque.
+fn euler_poincare(
+    connection: &Connection<Symbolic>,
+    metric: &Metric<Symbolic>,
+    (omega, torque): (&[Symbolic], &[Symbolic]),
+) -> Vec<Symbolic> {
+    let equations = Equations::euler_poincare(connection, metric).unwrap();
+    metric.lower(&equations.rate(omega, torque).unwrap()).unwrap()
+}
+
+/// `M - share Omega x H`: (15) for a share of 1.
+fn euler(
+    share: &str,
+    (omega, torque): (&[Symbolic], &[Symbolic]),
+    h: &[Symbolic],
+) -> Vec<Symbolic> {
+    let terms = scaled(&cross(omega, h), share);
+    torque.iter().zip(&terms).map(|(m, term)| m.clone() - term).collect()
 }
 
 fn canonical(algebra: &LieAlgebra<Rational>, which: Canonical) -> Connection<Symbolic> {
@@ -96,10 +117,16 @@ fn eq_104_lowering_does_not_commute_with_d_dt() {
     let operands = [("D", &nabla), ("O", &Tensor::vector(&omega, Up))];
     let of_vector = contract("D^i_k O^k -> ^i", &operands).unwrap();
     assert!(of_vector.is_empty(), "J Domega/Dt is J domega/dt");
+    let autoparallel = Equations::new(EquationKind::Autoparallel, &plus, None).unwrap();
+    assert_eq!(autoparallel.rate(&omega, &[]).unwrap(), values(["0", "0", "0"]));
     // of the covector: the gyroscopic term
     let of_covector = gyroscopic(&plus, &omega, &h);
     let first = "w2*(J13*w1 + J23*w2 + J33*w3) - w3*(J12*w1 + J22*w2 + J23*w3)";
     assert_eq!(of_covector[0], value(first));
+    // and that is what the equations have: J dOmega/dt = M - Omega x H
+    let torque = parameters("M", 3);
+    let found = euler_poincare(&plus, &inertia(), (&omega, &torque));
+    assert_eq!(found, euler("1", (&omega, &torque), &h));
 }
 
 #[test]
@@ -139,6 +166,9 @@ fn eq_106_and_108_plus_gives_euler_equations() {
     let found = gyroscopic(&plus, &omega, &principal.lower(&omega).unwrap());
     let expected = ["(J3 - J2)*w2*w3", "(J1 - J3)*w3*w1", "(J2 - J1)*w1*w2"];
     assert_eq!(found, values(expected));
+    let found = euler_poincare(&plus, &principal, (&omega, &parameters("M", 3)));
+    let expected = ["M1 + (J2 - J3)*w2*w3", "M2 + (J3 - J1)*w3*w1", "M3 + (J1 - J2)*w1*w2"];
+    assert_eq!(found, values(expected));
 }
 
 #[test]
@@ -157,6 +187,13 @@ fn eq_106_on_other_algebras_is_the_coadjoint_action() {
     // [e1, e2] = e3, [e1, e3] = -e2
     let expected = ["w2*h3 - w3*h2", "-w1*h3", "w1*h2"];
     assert_eq!(terms(&se2(), &w3, &h3), values(expected));
+    // the equations of motion have these terms with the other sign
+    let g = metric(&[&["2", "1", "0"], &["1", "3", "-1"], &["0", "-1", "5"]]);
+    for algebra in [so3(), sl2(), se2(), heisenberg()] {
+        let moving = scaled(&terms(&algebra, &w3, &g.lower(&w3).unwrap()), "-1");
+        let plus = canonical(&algebra, Canonical::Plus);
+        assert_eq!(euler_poincare(&plus, &g, (&w3, &values(["0", "0", "0"]))), moving);
+    }
 }
 
 #[test]
@@ -203,20 +240,19 @@ fn eq_107_is_spin_with_the_lower_index_as_the_row() {
 fn after_108_zero_gives_half_of_the_gyroscopic_term() {
     let omega = parameters("w", 3);
     let h = inertia().lower(&omega).unwrap();
-    let euler = cross(&omega, &h);
-    let zero = gyroscopic(&canonical(&so3(), Canonical::Zero), &omega, &h);
-    assert_eq!(zero, scaled(&euler, "1/2"));
-    assert_ne!(zero, euler);
-    let minus = gyroscopic(&canonical(&so3(), Canonical::Minus), &omega, &h);
-    assert_eq!(minus, scaled(&euler, "0"));
+    let torque = parameters("M", 3);
+    let moving = |which| euler_poincare(&canonical(&so3(), which), &inertia(), (&omega, &torque));
+    let of = |share| euler(share, (&omega, &torque), &h);
+    assert_eq!(moving(Canonical::Plus), of("1"));
+    assert_eq!(moving(Canonical::Zero), of("1/2"));
+    assert_eq!(moving(Canonical::Minus), of("0"));
+    assert_ne!(of("1/2"), of("1"));
     // numbers: J = diag(1,2,3), Omega = (1,1,1): Omega x H = (1,-2,1)
     let g = metric(&[&["1", "0", "0"], &["0", "2", "0"], &["0", "0", "3"]]);
-    let omega = values(["1", "1", "1"]);
-    let h = g.lower(&omega).unwrap();
-    let plus = gyroscopic(&canonical(&so3(), Canonical::Plus), &omega, &h);
-    assert_eq!(plus, values(["1", "-2", "1"]));
-    let zero = gyroscopic(&canonical(&so3(), Canonical::Zero), &omega, &h);
-    assert_eq!(zero, values(["1/2", "-1", "1/2"]));
+    let (omega, free) = (values(["1", "1", "1"]), values(["0", "0", "0"]));
+    let moving = |which| euler_poincare(&canonical(&so3(), which), &g, (&omega, &free));
+    assert_eq!(moving(Canonical::Plus), values(["-1", "2", "-1"]));
+    assert_eq!(moving(Canonical::Zero), values(["-1/2", "1", "-1/2"]));
 }
 
 /// `Lambda^j_mi Omega^i Omega^m H_j`

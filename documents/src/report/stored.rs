@@ -10,7 +10,8 @@ use affinor_tensors::{Kind, Notation, Rational, Sum, Tensor};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-/// A table read from JSON (`affinor.table/1`) or CSV. Values stay texts until the scalar is known.
+/// A table read from JSON (`affinor.table/1`) or CSV. Values are kept as text until the scalar type
+/// is known.
 #[derive(Clone, Debug)]
 pub struct StoredTable {
     /// The file.

@@ -203,6 +203,38 @@ pub const CHECKS: &[Check] = &[
             assert!(error < 1e-9, "{error:e}");
         }
     }),
+    // free until the thrusters fire, then slower and slower
+    ("satellite", |name| {
+        let run = Run::new(&open(name), 0);
+        let (fire, last) = (run.at(58.0), run.rows.len() - 1);
+        let kinetic = run.column("kinetic");
+        assert!(kinetic[..=fire].iter().all(|energy| (energy / kinetic[0] - 1.0).abs() < 1e-8));
+        assert!(kinetic[run.at(62.0)..].windows(2).all(|pair| pair[1] <= pair[0]));
+        let second = run.column("Omega2");
+        assert!(second[..=fire].windows(2).any(|pair| pair[0] * pair[1] < 0.0), "it tumbles");
+        let rate = |row: usize| run.vector(row, "Omega").iter().map(|x| x * x).sum::<f64>().sqrt();
+        let limit = std::f64::consts::PI / 360.0;
+        assert!(rate(run.at(214.0)) > limit && rate(run.at(216.0)) < limit && rate(last) < 1e-6);
+    }),
+    // the axis turns about the vertical at a constant tilt and a constant rate
+    ("precessing_top", |name| {
+        let run = Run::new(&open(name), 0);
+        let (sin, cos) = std::f64::consts::FRAC_PI_6.sin_cos();
+        for (row, t) in run.column("t").into_iter().enumerate() {
+            let axis = run.values(row, &["g13", "g23", "g33"]);
+            let expected = [sin * (12.0 * t).sin(), -sin * (12.0 * t).cos(), cos];
+            assert!(off(&axis, &expected) < 1e-8, "{axis:?} at {t}");
+        }
+        run.keeps(&["energy", "h3"], 1e-9);
+    }),
+    ("million_steps", |name| {
+        let mut problem = open(name);
+        assert_eq!(problem.times(0).unwrap().len(), 1001);
+        problem.set("steps=2000").unwrap();
+        let run = Run::new(&problem, 0);
+        run.keeps(&["energy"], 1e-8);
+        run.keeps(&["h3"], 1e-12);
+    }),
     // (109): the energy changes by the power, here integrated by Simpson's rule
     ("friction", |name| {
         let run = Run::new(&open(name), 0);

@@ -4,7 +4,7 @@ use crate::algebra::roots::MAX_DIMENSION;
 use affinor_tensors::expression::ExpressionError;
 use std::ops::Range;
 
-/// A name that does not denote one algebra of the catalogue.
+/// A name that denotes no algebra of the catalogue, or more than one.
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CatalogueError {

@@ -3,7 +3,7 @@
 use crate::Error;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-/// `w, x, y, z` with the first that is not zero positive: one list for one rotation.
+/// The components `w, x, y, z`, with the sign that makes the first nonzero one positive. So each rotation has one list.
 pub fn wxyz(g: &UnitQuaternion<f64>) -> [f64; 4] {
     let q = [g.w, g.i, g.j, g.k];
     let negative = q.iter().find(|q| **q != 0.0).is_some_and(|q| *q < 0.0);

@@ -95,7 +95,7 @@ impl Inertia {
         &self.axes
     }
 
-    /// `A diag(J_1, J_2, J_3) A^T`, the matrix in body components.
+    /// The inertia matrix in body components, `A diag(J_1, J_2, J_3) A^T`.
     pub fn matrix(&self) -> Matrix3<f64> {
         self.axes * Matrix3::from_diagonal(&self.moments) * self.axes.transpose()
     }
@@ -119,12 +119,12 @@ impl Inertia {
         expect_masses(&self.moments, self.moments.max())
     }
 
-    /// `H = J Omega` (103).
+    /// The momentum `H = J Omega` (103) of a velocity, in the body frame.
     pub fn momentum(&self, velocity: &Vector3<f64>) -> Vector3<f64> {
         self.axes * (self.axes.tr_mul(velocity)).component_mul(&self.moments)
     }
 
-    /// `Omega = J^-1 H`.
+    /// The velocity `Omega = J^-1 H` of a momentum, in the body frame.
     pub fn velocity(&self, momentum: &Vector3<f64>) -> Vector3<f64> {
         self.axes * (self.axes.tr_mul(momentum)).component_div(&self.moments)
     }

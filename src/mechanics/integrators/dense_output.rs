@@ -34,18 +34,18 @@ pub struct Step<'a, S: System, I> {
 }
 
 impl<S: System, I: Integrator<S>> Step<'_, S, I> {
-    /// The state at a time. A time beyond the step gives that of a longer step.
+    /// The state at a time. A time after the end of the step gives the result of a longer step.
     ///
     /// # Errors
-    /// Those of the method.
+    /// As a step of the method.
     pub fn at(&self, time: f64) -> Result<S::State, Error> {
         self.after(time - self.system.time(&self.start))
     }
 
-    /// The state some time after the start.
+    /// The state after an elapsed time.
     ///
     /// # Errors
-    /// Those of the method.
+    /// As a step of the method.
     pub fn after(&self, elapsed: f64) -> Result<S::State, Error> {
         let mut state = self.start.clone();
         if elapsed != 0.0 {

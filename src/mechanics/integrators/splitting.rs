@@ -10,10 +10,9 @@ use crate::mechanics::systems::euler_poincare::{EulerPoincare, Torque};
 use crate::mechanics::{BodyState, Inertia};
 use nalgebra::{Quaternion, UnitQuaternion};
 
-/// Compositions of rotations.
+/// A composition of rotations about the principal axes.
 ///
-/// With `X` the rotations about the axes 1, 2, 3 and `X*` those about 3, 2, 1, a step is `X X* X X* ..`, each for a fraction of
-/// `h`.
+/// `X` rotates about the axes 1, 2, 3 and `X*` about 3, 2, 1. A step is `X X* X X* ..`, each factor for a fraction of `h`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Composition {
     /// Order 2, five rotations: both halves of the step.

@@ -12,7 +12,7 @@ use crate::mechanics::{
     System,
 };
 
-/// A way to advance the state of a system.
+/// How a motion advances: fixed steps, controlled steps or an exact solution.
 pub enum Drive<S: System> {
     /// Steps of one length.
     Fixed {
@@ -25,7 +25,7 @@ pub enum Drive<S: System> {
     Adaptive {
         /// [`Adaptive::step`](crate::mechanics::Adaptive::step).
         control: Box<Control<S>>,
-        /// The most steps from one output time to the next.
+        /// The largest number of steps from one output time to the next.
         max_steps: usize,
         /// The first step to try.
         first: f64,
@@ -98,7 +98,7 @@ impl<S: System> Drive<S> {
         }
     }
 
-    /// Whether a memory could be one of this drive.
+    /// Whether a memory fits this drive.
     pub fn fits(&self, memory: &Memory) -> bool {
         match (self, memory) {
             (Drive::Fixed { step, .. }, Memory::Pace(pace)) => Pace::new(*step).fits(pace),

@@ -124,7 +124,7 @@ impl<G: SimulationGroup> Forces<G> {
         self.terms.is_empty() && self.table.is_none() && timeless
     }
 
-    /// `V`.
+    /// The potential `V` at a point.
     pub(super) fn potential(&self, at: &Point<G>) -> f64 {
         let Some((formula, _)) = &self.potential else { return 0.0 };
         let (buffers, _) = &mut *self.buffers.borrow_mut();
@@ -132,7 +132,7 @@ impl<G: SimulationGroup> Forces<G> {
         formula.value_in(&buffers.values, &mut buffers.workspace)
     }
 
-    /// `M(Omega)`.
+    /// The power `M(Omega)` of all forces.
     pub(super) fn power(&self, at: &Point<G>) -> f64 {
         let force = self.total(at);
         force.components().iter().zip(at.velocity.components()).map(|(m, omega)| m * omega).sum()

@@ -32,7 +32,7 @@ impl GivenVelocity {
     /// Adds the next component.
     ///
     /// # Errors
-    /// As [`Formula::parse`]; also for quantities other than the time and parameters.
+    /// As [`Formula::parse`], and if the formula uses other names than `t` and parameters.
     pub fn add(&mut self, text: &str, names: &Names) -> Result<(), ExpressionError> {
         let allowed = |quantity| matches!(quantity, Quantity::Time | Quantity::Parameter(_));
         self.formulas.push(self.scope.read(text, names, &allowed)?);

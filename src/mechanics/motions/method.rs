@@ -120,12 +120,12 @@ impl Method {
         }
     }
 
-    /// Whether its steps have one length.
+    /// Whether the method has a fixed step size.
     pub fn has_steps(self) -> bool {
         self != Method::Exact && !self.is_controlled()
     }
 
-    /// Whether it has step-size control.
+    /// Whether the method has step-size control.
     pub fn is_controlled(self) -> bool {
         matches!(self, Method::Adaptive(_) | Method::ProjectedAdaptive(_))
     }

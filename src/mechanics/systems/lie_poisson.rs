@@ -10,10 +10,9 @@ use crate::group::LieGroup;
 /// H' = ad*_Omega H,   Omega = dE/dH,   g' = g Omega
 /// ```
 ///
-/// The spatial momentum `h`, with `H = Ad*_g h`, and all Casimir functions are conserved to rounding; the equation to be solved
-/// is `g' = g Omega`. A kinetic energy `E = H . J^-1 H/2` makes it
-/// [`EulerPoincare`](super::EulerPoincare); the heavy top is one on se(3), with the vertical in the body as the second part of
-/// the momentum. J. E. Marsden and T. S. Ratiu, *Introduction to Mechanics and Symmetry* (1999), 13.
+/// The spatial momentum `h`, with `H = Ad*_g h`, and all Casimir functions are conserved to rounding. The element solves
+/// `g' = g Omega`. With the kinetic energy `E = H . J^-1 H/2` this is [`EulerPoincare`](super::EulerPoincare). The heavy top
+/// is an example on se(3): the second half of the momentum is the vertical in body components. J. E. Marsden and T. S. Ratiu, *Introduction to Mechanics and Symmetry* (1999), 13.
 ///
 /// ```
 /// use affinor::mechanics::{Adaptive, LiePoissonSystem};

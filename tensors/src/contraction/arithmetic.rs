@@ -69,7 +69,8 @@ pub(super) struct OnIntegers<S> {
 }
 
 impl<S: Ring> OnIntegers<S> {
-    /// Clears the denominators of all terms, if the scalar can and the sums provably fit 64 bits.
+    /// Brings all terms over a common denominator. `None` if the scalar has no denominators or a sum
+    /// may exceed 64 bits.
     pub fn clear<'t>(
         products: &'t [Product<S>],
         dimension: usize,

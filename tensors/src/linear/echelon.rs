@@ -96,8 +96,7 @@ impl<S: Field> Echelon<S> {
         Ok(true)
     }
 
-    /// What is left of a vector after subtracting its part in the subspace; the remainder is zero
-    /// at every pivot.
+    /// The remainder of a vector modulo the subspace; it is zero at every pivot column.
     pub fn reduce(&self, row: impl IntoIterator<Item = (usize, S)>) -> Row<S> {
         let row = collect(row, self.tolerance);
         // the basis is reduced, so the coordinates stand in the vector itself

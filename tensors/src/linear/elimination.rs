@@ -10,7 +10,7 @@ impl<S: Field> Matrix<S> {
     /// The reduced row echelon form.
     ///
     /// # Errors
-    /// [`LinearError::NotInvertible`]; never in a field.
+    /// [`LinearError::NotInvertible`] if a pivot has no inverse; this cannot happen over a field.
     pub fn echelon(&self) -> Result<Echelon<S>, LinearError> {
         let pivots = eliminate(self.rows.iter().cloned(), self.tolerance)?;
         Ok(reduced(pivots, self.tolerance))

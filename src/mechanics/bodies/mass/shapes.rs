@@ -41,7 +41,7 @@ impl MassProperties {
         Self::shape(half_axes, 4.0 / 3.0 * PI, &(half_axes.component_mul(half_axes) / 5.0))
     }
 
-    /// A ball.
+    /// A ball of unit density, centred at the origin.
     ///
     /// # Errors
     /// As [`cuboid`](Self::cuboid).

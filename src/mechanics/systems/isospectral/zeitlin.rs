@@ -154,12 +154,12 @@ impl Zeitlin {
         self.vorticity(&coefficients)
     }
 
-    /// `-int w psi/2 = 2 pi/N tr P W`, the kinetic energy.
+    /// The kinetic energy, `-int w psi/2 = 2 pi/N tr(P W)`, with `P` the matrix of the stream function and `W` of the vorticity.
     pub fn energy(&self, vorticity: &Matrix) -> f64 {
         -0.5 * self.integral(&self.stream(vorticity), vorticity)
     }
 
-    /// `int w^2 = -4 pi/N tr W^2`, a Casimir.
+    /// The enstrophy `int w^2 = -4 pi/N tr W^2`, a Casimir function.
     pub fn enstrophy(&self, vorticity: &Matrix) -> f64 {
         self.integral(vorticity, vorticity)
     }

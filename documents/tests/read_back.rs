@@ -1,0 +1,128 @@
+//! A stored table agrees with the space it was computed from: every tensor, in both formats that are read back, of the
+//! catalogue up to dimension 30 and of the examples.
+
+use crate::common::root;
+use affinor::algebra::catalogue;
+use affinor_documents::definition::{
+    Definition, InputError, Reading, Request, ScalarChoice, Space, Work,
+};
+use affinor_documents::report::{Format, Quantity, Report, StoredTable, Table};
+use affinor_tensors::{Notation, Tolerance};
+
+/// The largest dimension of the catalogue's algebras that are read back.
+const LARGEST: usize = 30;
+
+/// Stores and reads a table of each tensor alone, and of all together; the number of tables read.
+struct ReadBack<'a>(&'a [Quantity]);
+
+impl Work for ReadBack<'_> {
+    type Output = usize;
+
+    fn run<S: Notation>(
+        self,
+        definition: &Definition,
+        reading: &Reading<S>,
+    ) -> Result<usize, InputError> {
+        let geometry = definition.geometry(reading)?;
+        let alone = self.0.iter().map(std::slice::from_ref);
+        let mut read = 0;
+        for quantities in alone.chain([self.0]) {
+            let table = Table::new(&geometry, quantities)?;
+            for format in [Format::Csv, Format::Json] {
+                let mut text = vec![];
+                table.write(format, &mut text).unwrap();
+                let text = String::from_utf8(text).unwrap();
+                // a table without a tensor has nothing to read, in CSV also one without components
+                let components =
+                    table.tensors.iter().map(|entry| entry.tensor.len()).sum::<usize>();
+                if table.tensors.is_empty() || (format == Format::Csv && components == 0) {
+                    continue;
+                }
+                let stored = StoredTable::parse("stored", &text)?;
+                stored.expect_dimension(definition.dimension())?;
+                assert_eq!(stored.remarks(&table), [""; 0]);
+                let differences = stored.differences(&table)?;
+                assert!(differences.is_empty(), "{quantities:?}: {differences:?}");
+                read += 1;
+            }
+        }
+        Ok(read)
+    }
+}
+
+/// Reads back the tables of a space; the number of tables.
+#[track_caller]
+fn read_back(request: &Request, quantities: &[Quantity]) -> usize {
+    let space = Space::open(request).unwrap();
+    let read = space.run(ScalarChoice::Exact, Tolerance::default(), ReadBack(quantities));
+    read.unwrap_or_else(|error| panic!("{request:?}: {error:?}"))
+}
+
+/// The names of the catalogue up to a dimension: every family by its pattern, with the arguments that it takes.
+fn names() -> Vec<String> {
+    let mut names = vec![];
+    for family in catalogue::families() {
+        let stem = family.pattern.split(['(', '^']).next().unwrap();
+        let stem = if stem.len() == 2 { stem.trim_end_matches('n') } else { stem };
+        let written: Vec<String> = match family.pattern {
+            "so(p,q)" => (1..8).flat_map(|p| (1..8).map(move |q| format!("so({p},{q})"))).collect(),
+            "bianchi(TYPE,h=v)" => {
+                let types = ["I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX", "VI,h=-1/2"];
+                types.map(|name| format!("bianchi({name})")).to_vec()
+            }
+            pattern if pattern.contains('(') => {
+                (1..=LARGEST).map(|n| format!("{stem}({n})")).collect()
+            }
+            _ => (1..=LARGEST).map(|n| format!("{stem}{n}")).collect(),
+        };
+        let found = written
+            .into_iter()
+            .filter(|name| catalogue::find(name).is_ok_and(|entry| entry.dimension() <= LARGEST));
+        let before = names.len();
+        names.extend(found);
+        let is_large = ["E", "F"].contains(&stem);
+        assert!(is_large || names.len() > before, "no name of {}", family.pattern);
+    }
+    names
+}
+
+/// With the connection `zero`, and with the Levi-Civita connection of the identity up to dimension 6, where curvature
+/// has components enough.
+#[test]
+fn every_table_of_the_catalogue_is_read_back() {
+    let names = names();
+    assert!(names.len() > 100, "{names:?}");
+    let mut read = 0;
+    for name in &names {
+        let space = Request { space: Some(name.clone()), ..Request::default() };
+        let dimension = Space::open(&space).unwrap().definition.dimension();
+        let metric = Some("identity".to_string());
+        let [zero, own] = ["zero", "levi-civita"].map(|connection| Request {
+            connection: Some(connection.into()),
+            metric: metric.clone(),
+            ..space.clone()
+        });
+        read += read_back(&zero, &Quantity::ALL);
+        if dimension <= 6 {
+            read += read_back(&own, &Quantity::ALL);
+        }
+    }
+    println!("{read} tables of {} algebras", names.len());
+    assert!(read > 10 * names.len());
+}
+
+#[test]
+fn every_table_of_the_examples_is_read_back() {
+    let mut files = 0;
+    for entry in std::fs::read_dir(root().join("examples/definitions")).unwrap() {
+        let path = entry.unwrap().path().to_str().unwrap().to_string();
+        // the Kretschmann scalar of Kerr is longer than a value may be
+        let short = |quantity: &Quantity| *quantity != Quantity::Kretschmann;
+        let long = path.ends_with("kerr.toml");
+        let quantities: Vec<_> = Quantity::ALL.into_iter().filter(|q| !long || short(q)).collect();
+        let request = Request { space: Some(path), ..Request::default() };
+        assert!(read_back(&request, &quantities) > 0, "{request:?}");
+        files += 1;
+    }
+    assert!(files > 20, "{files}");
+}

@@ -1,0 +1,47 @@
+//! What happens to a vector that is carried along a curve of a group?
+//!
+//! The connection decides. With `plus` the result depends on the end points only; with `zero` a loop
+//! rotates the vector.
+
+use affinor::group::transport::ParallelTranslation;
+use affinor::group::{LieGroup, So3};
+use affinor::{Canonical, Connection, Metric};
+use nalgebra::{Matrix3, Vector3};
+use std::f64::consts::TAU;
+
+/// Loops on the rotation group, and a geodesic of a body.
+pub fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let so3 = So3.algebra()?;
+    let on = |which| ParallelTranslation::new(So3, Connection::canonical(&so3, which));
+
+    // once around the rotations about z: the identity, and a half turn
+    let loop_about_z = Vector3::new(0.0, 0.0, TAU);
+    for (which, trace) in [(Canonical::Plus, 3.0), (Canonical::Zero, -1.0), (Canonical::Minus, 3.0)]
+    {
+        let carried = on(which)?.along_subgroup(&loop_about_z)?;
+        println!("{}: trace {:.3} after a closed subgroup", which.name(), carried.trace());
+        assert!((carried.trace() - trace).abs() < 1e-14);
+    }
+
+    // a loop that can be contracted: forth along two arcs, back to the start by a third one
+    let (x, y) = (Vector3::new(0.3, 0.0, 0.0), Vector3::new(0.0, 0.4, 0.0));
+    let back = -So3.log(&So3.compose(&So3.exp(&x), &So3.exp(&y)))?;
+    let plus = on(Canonical::Plus)?.along_arcs(&[x, y, back])?;
+    assert!((&plus - Matrix3::identity()).norm() < 1e-15); // no curvature
+    let zero = on(Canonical::Zero)?.along_arcs(&[x, y, back])?;
+    println!("zero: the loop rotates by {:.5}", ((zero.trace() - 1.0) / 2.0).acos());
+    assert!((zero.trace() - 3.0).abs() > 1e-4);
+
+    // the free motion of a body is a geodesic of its inertia: the velocity is carried along itself
+    let inertia = Metric::diagonal([1.0, 2.0, 3.0])?;
+    let body = ParallelTranslation::new(So3, Connection::levi_civita(so3.left_frame(), &inertia)?)?;
+    let start = Vector3::new(0.1, 1.0, 0.2);
+    let reached = body.autoparallel(&So3.identity(), &start, &[5.0], 1e-12)?.remove(0);
+    let momentum = |at: &nalgebra::UnitQuaternion<f64>, v: &Vector3<f64>| {
+        at * v.component_mul(&Vector3::new(1.0, 2.0, 3.0))
+    };
+    let drift = momentum(&reached.base, &reached.left) - momentum(&So3.identity(), &start);
+    println!("spatial momentum drifts by {:.1e}", drift.norm());
+    assert!(drift.norm() < 1e-10);
+    Ok(())
+}
