@@ -24,6 +24,7 @@ mod events;
 mod float_bases;
 mod floats;
 mod forms;
+mod formulas;
 mod frames;
 mod frames_at_a_point;
 mod free_body;

@@ -4,6 +4,8 @@
 mod checkpoints;
 mod events;
 mod forces;
+mod messages;
+mod options;
 mod running;
 mod signals;
 mod stops;

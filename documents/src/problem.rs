@@ -34,7 +34,7 @@ use crate::definition::source::Source;
 use affinor::mechanics::Magnus;
 use affinor::mechanics::motions::Method;
 use ensemble::Ensemble;
-use integration::{Integration, Member, values_of};
+use integration::{Integration, Member, method_of, values_of};
 use keys::Keys;
 use matrix_flow::MatrixFlow;
 use on_group::{GroupClass, OnGroup};
@@ -175,6 +175,54 @@ impl Problem {
             }
         }
         Ok(())
+    }
+
+    /// Replaces the method, step and tolerance of the file by those of the options `--method`, `--step` and
+    /// `--tolerance`: formulas in the parameters, as in the file.
+    ///
+    /// # Errors
+    /// As for the keys of the file.
+    pub fn replace_integration(
+        &mut self,
+        method: Option<&str>,
+        step: Option<&str>,
+        tolerance: Option<&str>,
+    ) -> Result<(), InputError> {
+        let method = method.map(|name| {
+            let source = Source::new("--method", name);
+            method_of(name, &source.whole(&source.text))
+        });
+        let (step, tolerance) =
+            (self.option("--step", step)?, self.option("--tolerance", tolerance)?);
+        self.integration = self.integration.replaced(method.transpose()?, step, tolerance);
+        Ok(())
+    }
+
+    /// Replaces the end and the interval between rows of the file by those of the options `--end` and `--every`. A list of times
+    /// ends at its last time.
+    ///
+    /// # Errors
+    /// As for the keys of the file.
+    pub fn replace_times(
+        &mut self,
+        end: Option<&str>,
+        every: Option<&str>,
+    ) -> Result<(), InputError> {
+        if end.or(every).is_some() {
+            let (end, every) = (self.option("--end", end)?, self.option("--every", every)?);
+            self.output.times = self.output.times.replaced(end, every);
+        }
+        Ok(())
+    }
+
+    /// The number that an option gives.
+    fn option(&self, name: &str, text: Option<&str>) -> Result<Option<Value>, InputError> {
+        let Some(text) = text else { return Ok(None) };
+        let source = Source::new(name, text);
+        let names = self.parameters.iter().map(|parameter| parameter.name.clone()).collect();
+        let mut reader = Reader::new(&source, Path::new(""));
+        reader.names = names;
+        reader.whole().map(Some)
     }
 
     /// The values of the parameters for a member of the ensemble, from 0.

@@ -147,7 +147,7 @@ fn numbers_are_found_where_they_stand() {
     assert_eq!(error.at.as_ref().unwrap().text(), Some("diag(J, 1, k)"));
 }
 
-/// A space whose own connection is not that of Newton's equations says so, unless the problem names one.
+/// A connection that is not that of the Euler-Poincare equations is said, with the rate of its equations.
 #[test]
 fn another_connection_is_said() {
     let notes = |text: &str| Problem::parse("body.toml", text).unwrap().motion(0).unwrap().notes;
@@ -155,5 +155,6 @@ fn another_connection_is_said() {
     assert!(notes(&free).is_empty());
     let other = free.replace("\"so3\"", "\"SO3\"");
     assert!(notes(&other).iter().any(|note| note.contains("not plus")), "{:?}", notes(&other));
-    assert!(notes(&format!("connection = \"zero\"\n{other}")).is_empty());
+    let named = notes(&format!("connection = \"zero\"\n{other}"));
+    assert!(named[0].contains("H' is 0.5 times that of theirs"), "{named:?}");
 }

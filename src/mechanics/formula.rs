@@ -43,6 +43,8 @@ enum Operation {
     Negate(usize),
     Reciprocal(usize),
     Call(&'static Function, usize),
+    /// A function of two numbers.
+    CallTwo(&'static FunctionOfTwo, usize, usize),
 }
 
 /// A function of one number. `slope(x, y)` is its derivative at `x`, where `y` is its value there.
@@ -53,6 +55,16 @@ struct Function {
     slope: fn(f64, f64) -> f64,
 }
 
+/// A function of two numbers. `slopes(x, y)` are its partial derivatives.
+#[derive(Debug)]
+struct FunctionOfTwo {
+    name: &'static str,
+    value: fn(f64, f64) -> f64,
+    slopes: fn(f64, f64) -> [f64; 2],
+    /// Whether it takes longer lists of arguments, two by two.
+    folds: bool,
+}
+
 // pointers to functions need not be unique
 impl PartialEq for Function {
     fn eq(&self, other: &Self) -> bool {
@@ -60,8 +72,15 @@ impl PartialEq for Function {
     }
 }
 
-/// The functions that formulas may call.
-static FUNCTIONS: [Function; 13] = [
+impl PartialEq for FunctionOfTwo {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+/// The functions of one number that formulas may call. Where there is no derivative, the slope is the mean of those on both
+/// sides.
+static FUNCTIONS: [Function; 16] = [
     Function { name: "sin", value: f64::sin, slope: |x, _| x.cos() },
     Function { name: "cos", value: f64::cos, slope: |x, _| -x.sin() },
     Function { name: "tan", value: f64::tan, slope: |_, y| 1.0 + y * y },
@@ -74,13 +93,52 @@ static FUNCTIONS: [Function; 13] = [
     Function { name: "exp", value: f64::exp, slope: |_, y| y },
     Function { name: "log", value: f64::ln, slope: |x, _| 1.0 / x },
     Function { name: "sqrt", value: f64::sqrt, slope: |_, y| 0.5 / y },
-    // at 0 the mean of the one-sided derivatives
+    Function { name: "abs", value: f64::abs, slope: |x, _| sign(x) },
+    Function { name: "sign", value: sign, slope: |_, _| 0.0 },
+    // 1 from 0 on
     Function {
-        name: "abs",
-        value: f64::abs,
-        slope: |x, _| if x == 0.0 { 0.0 } else { x.signum() },
+        name: "step",
+        value: |x| if x.is_nan() { x } else { f64::from(x >= 0.0) },
+        slope: |_, _| 0.0,
+    },
+    Function { name: "floor", value: f64::floor, slope: |_, _| 0.0 },
+];
+
+/// The functions of two numbers that formulas may call.
+static FUNCTIONS_OF_TWO: [FunctionOfTwo; 3] = [
+    FunctionOfTwo {
+        name: "min",
+        value: |x, y| if x.is_nan() || x < y { x } else { y },
+        slopes: |x, y| selected(x < y, y < x),
+        folds: true,
+    },
+    FunctionOfTwo {
+        name: "max",
+        value: |x, y| if x.is_nan() || x > y { x } else { y },
+        slopes: |x, y| selected(x > y, y > x),
+        folds: true,
+    },
+    FunctionOfTwo {
+        name: "atan2",
+        value: f64::atan2,
+        slopes: |y, x| {
+            let square = x * x + y * y;
+            [x / square, -y / square]
+        },
+        folds: false,
     },
 ];
+
+/// `-1`, `0` or `1`.
+fn sign(x: f64) -> f64 {
+    if x == 0.0 { 0.0 } else { x.signum() }
+}
+
+/// The derivatives by two numbers of the selected one; of neither, their mean.
+fn selected(first: bool, second: bool) -> [f64; 2] {
+    let share = 0.5 * (1.0 + f64::from(first) - f64::from(second));
+    [share, 1.0 - share]
+}
 
 impl Formula {
     /// Parses a formula; `variable` gives the number of the variable of a name. `pi` and `tau` are constants.
@@ -152,6 +210,11 @@ impl Formula {
                 Operation::Negate(a) => shares[a] -= share,
                 Operation::Reciprocal(a) => shares[a] -= share * results[at] * results[at],
                 Operation::Call(f, a) => shares[a] += share * (f.slope)(results[a], results[at]),
+                Operation::CallTwo(f, a, b) => {
+                    let [by_a, by_b] = (f.slopes)(results[a], results[b]);
+                    shares[a] += share * by_a;
+                    shares[b] += share * by_b;
+                }
             }
         }
         results[self.last]
@@ -179,6 +242,7 @@ impl Formula {
                 Operation::Negate(a) => -results[a],
                 Operation::Reciprocal(a) => 1.0 / results[a],
                 Operation::Call(f, a) => (f.value)(results[a]),
+                Operation::CallTwo(f, a, b) => (f.value)(results[a], results[b]),
             });
         }
     }
@@ -240,9 +304,30 @@ impl Meaning for Reader<'_> {
         match FUNCTIONS.iter().find(|f| f.name == name) {
             Some(function) => Ok(self.push(Operation::Call(function, argument))),
             None => {
-                let all: Vec<&str> = FUNCTIONS.iter().map(|f| f.name).collect();
+                let two = FUNCTIONS_OF_TWO.iter().map(|f| f.name);
+                let all: Vec<&str> = FUNCTIONS.iter().map(|f| f.name).chain(two).collect();
                 Err(format!("`{name}` is no function: there are {}", all.join(", ")))
             }
         }
+    }
+
+    fn call(&self, name: &str, arguments: Vec<usize>) -> Result<usize, String> {
+        let of_two = FUNCTIONS_OF_TWO.iter().find(|f| f.name == name);
+        let takes = match (of_two, arguments.as_slice()) {
+            (None, &[argument]) => return self.function(name, argument),
+            (Some(f), [first, others @ ..])
+                if others.len() == 1 || (f.folds && others.len() > 1) =>
+            {
+                let fold = |a, b: &usize| self.push(Operation::CallTwo(f, a, *b));
+                return Ok(others.iter().fold(*first, fold));
+            }
+            (None, several) => {
+                several.first().map_or(Ok(0), |first| self.function(name, *first))?;
+                "one argument"
+            }
+            (Some(f), _) if f.folds => "two arguments or more",
+            (Some(_), _) => "two arguments",
+        };
+        Err(format!("`{name}` takes {takes}, not {}", arguments.len()))
     }
 }

@@ -38,7 +38,7 @@ pub use hamiltonian::{Hamiltonian, on_hamiltonian};
 pub use matrices::{MatrixFlow, Started, on_matrices};
 pub use method::Method;
 pub use observables::{Observables, Point};
-pub use on_group::{Setup, is_plus, on_group};
+pub use on_group::{Setup, is_plus, on_group, share_of_plus};
 pub use simulated::{Body, SimulationGroup};
 pub use snapshot::{Reader, Saved, Snapshot};
 pub use table::Table;

@@ -52,8 +52,8 @@ enum Node {
     /// Factors, each with whether it divides.
     Product(Vec<(bool, Expression)>),
     Power(Box<Expression>, i64),
-    /// A function and its argument.
-    Call(String, Box<Expression>),
+    /// A function and its arguments.
+    Call(String, Vec<Expression>),
 }
 
 /// An interpretation of expressions: the values of numbers and names, and the operations on values.
@@ -77,6 +77,15 @@ pub trait Meaning {
     /// The value of a function at an argument. By default no function is known.
     fn function(&self, name: &str, argument: Self::Value) -> Result<Self::Value, String> {
         no_function(name, &argument)
+    }
+    /// The value of a function at a list of arguments. By default functions take one.
+    fn call(&self, name: &str, arguments: Vec<Self::Value>) -> Result<Self::Value, String> {
+        match <[_; 1]>::try_from(arguments) {
+            Ok([argument]) => self.function(name, argument),
+            Err(several) => {
+                Err(format!("there is no function `{name}` of {} arguments here", several.len()))
+            }
+        }
     }
 }
 
@@ -149,8 +158,9 @@ impl Expression {
                 }
                 power(meaning, value, exponent.unsigned_abs()).map_err(here)
             }
-            Node::Call(name, argument) => {
-                meaning.function(name, argument.evaluate(meaning)?).map_err(here)
+            Node::Call(name, arguments) => {
+                let values = arguments.iter().map(|argument| argument.evaluate(meaning));
+                meaning.call(name, values.collect::<Result<_, _>>()?).map_err(here)
             }
         }
     }
@@ -384,19 +394,8 @@ impl Parser<'_> {
         match self.peek() {
             None => self.error(from..from, "the expression ends where a value is expected"),
             Some('(') => {
-                self.at += 1;
-                self.depth += 1;
-                if self.depth > MAX_DEPTH {
-                    let reason = format!("more than {MAX_DEPTH} nested parentheses");
-                    return self.error(from..from + 1, reason);
-                }
-                let inside = self.sum()?;
-                self.depth -= 1;
-                match (self.take(&[')']), self.peek()) {
-                    (Some(_), _) => Ok(Expression { span: from..self.at, node: inside.node }),
-                    (None, Some(symbol)) => Err(self.unexpected(symbol)),
-                    (None, None) => self.error(from..from + 1, "this parenthesis is not closed"),
-                }
+                let inside = self.parenthesis(Self::sum)?;
+                Ok(Expression { span: from..self.at, node: inside.node })
             }
             Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
             Some(c) if begins_name(c) => {
@@ -406,12 +405,41 @@ impl Parser<'_> {
                 if self.peek() != Some('(') {
                     return Ok(Expression { span: from..self.at, node: Node::Name(name) });
                 }
-                let argument = self.atom()?;
-                let node = Node::Call(name, Box::new(argument));
+                let node = Node::Call(name, self.parenthesis(Self::arguments)?);
                 Ok(Expression { span: from..self.at, node })
             }
             Some(c) => Err(self.unexpected(c)),
         }
+    }
+
+    /// What stands in parentheses, from the opening one on.
+    fn parenthesis<T>(
+        &mut self,
+        inside: fn(&mut Self) -> Result<T, ExpressionError>,
+    ) -> Result<T, ExpressionError> {
+        let from = self.at;
+        self.at += 1;
+        self.depth += 1;
+        if self.depth > MAX_DEPTH {
+            let reason = format!("more than {MAX_DEPTH} nested parentheses");
+            return self.error(from..from + 1, reason);
+        }
+        let found = inside(self)?;
+        self.depth -= 1;
+        match (self.take(&[')']), self.peek()) {
+            (Some(_), _) => Ok(found),
+            (None, Some(symbol)) => Err(self.unexpected(symbol)),
+            (None, None) => self.error(from..from + 1, "this parenthesis is not closed"),
+        }
+    }
+
+    /// The arguments of a function, separated by commas.
+    fn arguments(&mut self) -> Result<Vec<Expression>, ExpressionError> {
+        let mut all = vec![self.sum()?];
+        while self.take(&[',']).is_some() {
+            all.push(self.sum()?);
+        }
+        Ok(all)
     }
 
     fn digits(&mut self) -> String {

@@ -6,6 +6,7 @@ use super::note::note;
 use super::output::deliver;
 use super::stages::Stages;
 use affinor_documents::definition::{InputError, Request, ScalarChoice, Space, Work};
+use affinor_documents::problem::Problem;
 use affinor_documents::report::{Format, Report};
 use affinor_tensors::Tolerance;
 use clap::{Args, ValueEnum};
@@ -48,6 +49,29 @@ pub struct Settings {
     /// The number of threads [default: all cores]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub threads: Option<i64>,
+}
+
+/// A problem of mechanics, with options that replace keys of its file.
+#[derive(Args)]
+pub struct ProblemOptions {
+    /// The problem, a TOML file; - for standard input
+    #[arg(value_name = "FILE")]
+    pub problem: String,
+    /// New values of parameters of the problem, as in "m=15,g=9.81"; may be repeated
+    #[arg(long, value_name = "NAME=VALUE,..", allow_hyphen_values = true)]
+    pub set: Vec<String>,
+    /// The step size, instead of that of the file: like T and DT a number, or a formula in the parameters
+    #[arg(long, value_name = "H", allow_hyphen_values = true)]
+    pub step: Option<String>,
+    /// The tolerance of step-size control, instead of that of the file
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub tolerance: Option<String>,
+    /// The final time, instead of that of the file
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub end: Option<String>,
+    /// The time between rows, instead of that of the file
+    #[arg(long, value_name = "DT", allow_hyphen_values = true)]
+    pub every: Option<String>,
 }
 
 /// The settings of a computation, its scalars, and its output.
@@ -117,6 +141,34 @@ impl Settings {
         })?;
         note_parameters(&space);
         Ok(space)
+    }
+}
+
+impl ProblemOptions {
+    /// Reads the problem, with the values of the options; `method` replaces the method of the file.
+    pub fn open(&self, method: Option<&str>) -> Result<Problem, Failure> {
+        let mut problem = Problem::read(&self.problem)?;
+        for set in &self.set {
+            problem.set(set)?;
+        }
+        let ProblemOptions { step, tolerance, end, every, .. } = self;
+        problem.replace_integration(method, step.as_deref(), tolerance.as_deref())?;
+        problem.replace_times(end.as_deref(), every.as_deref())?;
+        Ok(problem)
+    }
+
+    /// The options by name, as they are given.
+    pub fn given(&self) -> Vec<(String, Option<String>)> {
+        let ProblemOptions { set, step, tolerance, end, every, .. } = self;
+        let set = (!set.is_empty()).then(|| set.join(","));
+        let all = [
+            ("--set", &set),
+            ("--step", step),
+            ("--tolerance", tolerance),
+            ("--end", end),
+            ("--every", every),
+        ];
+        all.map(|(name, value)| (name.into(), value.clone())).into()
     }
 }
 

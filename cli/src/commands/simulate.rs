@@ -9,6 +9,7 @@ mod summary;
 use super::color::ColorOption;
 use super::failure::Failure;
 use super::note::{counted, line, note};
+use super::options::ProblemOptions;
 use super::output::{deliver, expect_place};
 use affinor_documents::definition::InputError;
 use affinor_documents::problem::{Problem, Progress as Step, Ready, Walk};
@@ -29,12 +30,11 @@ const CHUNK: u64 = 128;
 /// A problem of mechanics, and the output of its trajectory.
 #[derive(Args)]
 pub struct Arguments {
-    /// The problem, a TOML file; - for standard input
-    #[arg(value_name = "FILE")]
-    pub problem: String,
-    /// New values of parameters of the problem, as in "m=15,g=9.81"
-    #[arg(long, value_name = "NAME=VALUE,..", allow_hyphen_values = true)]
-    pub set: Option<String>,
+    #[command(flatten)]
+    pub problem: ProblemOptions,
+    /// The method of integration, instead of that of the file
+    #[arg(long, value_name = "M")]
+    pub method: Option<String>,
     /// Integrate every member of the ensemble of the problem, in parallel
     #[arg(long)]
     pub ensemble: bool,
@@ -85,13 +85,10 @@ const WITH_PARQUET: &str =
 
 impl Arguments {
     pub fn run(&self) -> Result<(), Failure> {
-        let mut problem = Problem::read(&self.problem)?;
-        if let Some(set) = &self.set {
-            problem.set(set)?;
-        }
+        let problem = self.problem.open(self.method.as_deref())?;
         let format = self.format()?;
         let begun = Instant::now();
-        let files = std::iter::once(&self.problem).chain(problem.files());
+        let files = std::iter::once(&self.problem.problem).chain(problem.files());
         let inputs: Vec<PathBuf> = files.map(PathBuf::from).collect();
         if let Some(file) = &self.file {
             expect_place(file, &inputs)?;
@@ -158,6 +155,13 @@ impl Arguments {
             summary::show(&head, &columns, spool).map_err(spool::failed)?;
         }
         line(&format!("{rows} in {:.3} s", begun.elapsed().as_secs_f64()));
+        if let Some(file) = self.file.as_deref().filter(|_| store.resumed().is_some()) {
+            let incomplete = partial(file);
+            if incomplete != file {
+                // what an earlier part of the run wrote; a file that remains does no harm
+                let _ = fs::remove_file(incomplete);
+            }
+        }
         store.finished();
         Ok(())
     }

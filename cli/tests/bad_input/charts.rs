@@ -109,7 +109,7 @@ fn functions() {
         ("log(x)", &["a.toml:3:19", "`log` is no function here: there are sin, cos, tan"]),
         (
             "sin(z)^2",
-            &["a.toml:3:22", "`z` is neither a basis vector here nor a coordinate nor a declared"],
+            &["a.toml:3:23", "`z` is neither a basis vector here nor a coordinate nor a declared"],
         ),
         ("sin(a)", &["a.toml:3:19", "sin takes coordinates, and `a` is none"]),
         ("sin(x/2)", &["a sum of integer multiples"]),

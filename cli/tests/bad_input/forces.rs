@@ -10,7 +10,7 @@ fn forces() {
     problems("a.toml", with).usage(&[
         ("forces.body = [1, 2]", &["a.toml:5:", "the force has 2 components, the dimension is 3"]),
         ("forces.space = [1, 2, 3, 4]", &["the force has 4 components"]),
-        ("forces.body = [1, 'cos(wind)', 3]", &["a.toml:5:23", "^^^^", "`wind` is no name here"]),
+        ("forces.body = [1, 'cos(wind)', 3]", &["a.toml:5:24", "^^^^", "`wind` is no name here"]),
         ("forces.body = [1, 'power', 3]", &["`power` is no name here"]),
         (
             "forces.potential = 'H1^2'",
@@ -19,6 +19,11 @@ fn forces() {
         ("forces.table = 'none.csv'", &["a.toml:5:", "cannot read"]),
         ("forces.table = '.'", &["a.toml:5:", "cannot read"]),
         ("forces.table_in = 'space'", &["there is no table"]),
+        ("forces.interpolation = 'hold'", &["a.toml:5:", "there is no table"]),
+        (
+            "forces.table = 'a'\nforces.interpolation = 'cubic'",
+            &["a.toml:6:", "`cubic` is neither linear nor hold"],
+        ),
         ("forces.table = 'a'\nforces.table_in = 'mars'", &["`mars` is neither body nor space"]),
     ]);
 }
@@ -52,7 +57,7 @@ fn tables() {
     let problem = format!("{GOOD}forces.table = 'pushes.csv'\n");
     std::fs::write(folder.path().join("a.toml"), problem).unwrap();
     let cases = [
-        ("t,M1,M2,M3\n0,1,2,3\n0,1,2,3\n", "increasing times"),
+        ("t,M1,M2,M3\n0,1,2,3\n0,1,2,3\n0,1,2,3\n", "at most two rows at one time"),
         ("t,M1,M2,M3\n1,1,2,3\n0,1,2,3\n", "increasing times"),
         ("t,M1,M2,M3\n", "none"),
         ("", "none"),

@@ -68,7 +68,7 @@ fn numbers() {
             "initial.velocity = [1, 'speed', 3]",
             &["a.toml:3:25", "`speed` is no name here", "only pi and tau"],
         ),
-        ("initial.velocity = [1, '2*sin(speed)', 3]", &["a.toml:3:30", "^^^^^"]),
+        ("initial.velocity = [1, '2*sin(speed)', 3]", &["a.toml:3:31", "^^^^^"]),
         ("initial.velocity = [1, 'sine(2)', 3]", &["a.toml:3:25", "`sine` is no function"]),
         ("initial.velocity = [1, nan, 3]", &["a.toml:3", "NaN"]),
         ("initial.velocity = [1, inf, 3]", &["a.toml:3", "inf"]),
@@ -105,7 +105,10 @@ fn starts() {
     )]);
     problems("a.toml", after(SPACE)).usage(&[
         ("initial.quaternion = [1, 0, 0]", &["a quaternion is four numbers"]),
-        ("initial.position = [0, 0, 1]", &["a position stands beside a quaternion"]),
+        (
+            "initial.position = [0, 0, 1]",
+            &["a.toml:2:", "a position is three numbers x, y, z, for se(3)"],
+        ),
         (
             "initial.quaternion = [1, 0, 0, 0]\ninitial.position = [0, 0, 1]",
             &["a quaternion is for so(3), and with a position for se(3)"],

@@ -260,5 +260,12 @@ fn a_checkpoint_without_its_rows_is_told() {
     fs::remove_file(folder.join("c.rows")).unwrap();
     let message = refused(simulate(folder).args(resume), 2);
     assert!(message.contains("c.rows is missing: c counts"), "{message}");
+    let mut counted = saved(folder);
+    for (rows, expected) in [(1, "counts 1 row in it"), (2, "counts 2 rows in it")] {
+        counted["rows"] = rows.into();
+        fs::write(folder.join("c"), counted.to_string()).unwrap();
+        let message = refused(simulate(folder).args(resume), 2);
+        assert!(message.contains(expected), "{message}");
+    }
     assert!(!folder.join("c.rows").exists());
 }

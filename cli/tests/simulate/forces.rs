@@ -108,3 +108,129 @@ fn tables_have_names_and_numbers() {
         assert!(message.contains(what) && message.contains(place), "{message}");
     }
 }
+
+/// Steps under control end at the jumps of a table, and a stage there takes the value on its own side: the impulse is exact at
+/// a tolerance that would allow a large error, in both directions of time. So is that of fixed steps that end there.
+#[test]
+fn tables_jump_and_hold() {
+    // pairs of a table and its impulse
+    let pulse = ("t,a,b,c\n1,0,0,0\n1,8,0,0\n1.25,8,0,0\n1.25,0,0,0\n", 2.0);
+    let saw = ("t,a,b,c\n0,0,0,0\n1,4,0,0\n1,-1,0,0\n3,-1,0,0\n3,2,0,0\n4,0,0,0\n", 1.0);
+    let held = ("t,a,b,c\n0.5,1,0,0\n1,-3,0,0\n2,0.5,0,0\n4,0,0,0\n", 0.5 + 0.5 - 3.0 + 1.0);
+    let methods = [
+        "method = \"rkmk853\"\ntolerance = 1e-3",
+        "method = \"rkmk54\"\ntolerance = 1e-3",
+        "method = \"rkmk4\"\nstep = 0.25",
+    ];
+    for ((table, impulse), key) in [(pulse, ""), (saw, "linear"), (held, "hold")] {
+        let key =
+            if key.is_empty() { String::new() } else { format!("interpolation = \"{key}\"\n") };
+        for (start, stop, sign) in [(0, 4, 1.0), (4, 0, -1.0)] {
+            for (method, every) in methods.iter().flat_map(|method| [(method, 4.0), (method, 0.5)])
+            {
+                let problem = format!(
+                    "space = \"so3\"\nmetric = \"diag(2, 3, 4)\"\n\
+                     [initial]\ntime = {start}\nvelocity = [0.5, 0, 0]\n\
+                     [forces]\ntable = \"table.csv\"\n{key}\
+                     [integrator]\n{method}\n\
+                     [output]\nend = {stop}\nevery = {every}\ncolumns = [\"Omega1\"]\n"
+                );
+                let folder = folder(&problem);
+                fs::write(folder.path().join("table.csv"), table).unwrap();
+                let found = times(folder.path());
+                let off = (found[found.len() - 1] - (0.5 + sign * impulse / 2.0)).abs();
+                assert!(off < 1e-14, "{method}, {every}, {start}: off by {off:e}\n{table}");
+            }
+        }
+    }
+}
+
+/// A row at a jump has the value after it, also where the run resumes there.
+#[test]
+fn rows_at_a_jump_have_the_value_after_it() {
+    let problem = "space = \"so2\"\nmetric = \"identity\"\ninitial.velocity = [1]\n\
+                   forces = { table = \"table.csv\" }\n\
+                   [output]\nend = 2\nevery = 1\ncolumns = [\"power\", \"Omega1\"]\n";
+    let folder = folder(problem);
+    fs::write(folder.path().join("table.csv"), "t,a\n1,0\n1,3\n").unwrap();
+    let columns = columns(folder.path());
+    for (found, expected) in columns.iter().zip([[0.0, 3.0, 12.0], [1.0, 1.0, 4.0]]) {
+        let off = found.1.iter().zip(expected).map(|(a, b)| (a - b).abs());
+        assert!(off.fold(0.0, f64::max) < 1e-13, "{found:?}");
+    }
+}
+
+/// Functions that jump or have corners: their values, and a potential with them that conserves the energy.
+#[test]
+fn formulas_with_corners() {
+    let cases: [(&str, fn(f64) -> f64); 9] = [
+        ("min(t, 1/2)", |t| t.min(0.5)),
+        ("max(t, 1/2, 1 - t, 2*t - 1)", |t| t.max(0.5).max(1.0 - t)),
+        ("sign(t - 1/2)", |t| if t == 0.5 { 0.0 } else { (t - 0.5).signum() }),
+        ("step(t - 1/2)", |t| f64::from(u8::from(t >= 0.5))),
+        ("floor(2*t - 1/4)", |t| (2.0 * t - 0.25).floor()),
+        ("atan2(t - 1/2, -1)", |t| (t - 0.5).atan2(-1.0)),
+        ("atan2(0, -1)", |_| std::f64::consts::PI),
+        ("(1 + step(t - 1/2))*min(t, t^2)", |t| (1.0 + f64::from(u8::from(t >= 0.5))) * t * t),
+        ("max(-t, min(t, 1, 3))", |t| t),
+    ];
+    let named: Vec<String> =
+        cases.iter().enumerate().map(|(k, (text, _))| format!("k{k} = \"{text}\"\n")).collect();
+    let problem = format!(
+        "space = \"so2\"\nmetric = \"identity\"\ninitial.velocity = [\"max(1, 2)\"]\n\
+         output = {{ end = 1, every = 0.125, columns = [\"t\", \"Omega1\"] }}\n[quantities]\n{}",
+        named.concat()
+    );
+    let columns = columns(folder(&problem).path());
+    assert_eq!(columns[1].1, [2.0; 9]);
+    for ((text, value), (_, found)) in cases.iter().zip(&columns[2..]) {
+        let expected: Vec<f64> = columns[0].1.iter().map(|t| value(*t)).collect();
+        assert_eq!(*found, expected, "{text}");
+    }
+}
+
+/// A point that bounces on a spring, and one that slides down a corner: potentials that are smooth but at one place.
+#[test]
+fn potentials_with_corners_conserve_the_energy() {
+    for potential in [
+        "x1 + 50*max(0, -x1)^2",
+        "x1 + 50*max(-x1, 0, -2)^2",
+        "x1 + 25*step(-x1)*(1 - sign(x1))*x1^2",
+        "x1 - 50*min(0, x1)*max(-x1, 0)",
+        "x1 + 50*(abs(x1) - x1)^2/4",
+        "cos(2*atan2(x1, x2 + 2)) + x1^2 + floor(0.25)*x1",
+    ] {
+        let problem = format!(
+            "space = \"R^2\"\nmetric = \"identity\"\n\
+             initial = {{ velocity = [0, 0.1], coordinates = [1, 0] }}\nforces.potential = \"{potential}\"\n\
+             integrator = {{ tolerance = 1e-12, max_step = 0.01 }}\n\
+             output = {{ end = 6, every = 0.1, columns = [\"energy\", \"Omega1\", \"x1\"] }}\n"
+        );
+        let columns = columns(folder(&problem).path());
+        let off = columns[0].1.iter().map(|e| (e - columns[0].1[0]).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-9, "{potential}: {off:e}");
+        // it goes down and comes back
+        let turns = columns[1].1.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
+        assert!(turns >= 1, "{potential}");
+    }
+}
+
+/// A function says how many arguments it takes.
+#[test]
+fn functions_take_their_arguments() {
+    let cases = [
+        ("min(t)", "`min` takes two arguments or more, not 1"),
+        ("atan2(t)", "`atan2` takes two arguments, not 1"),
+        ("atan2(t, 1, 2)", "`atan2` takes two arguments, not 3"),
+        ("sin(t, 1)", "`sin` takes one argument, not 2"),
+        ("wind(t, 1)", "`wind` is no function: there are sin, cos"),
+        ("hold(t)", "sign, step, floor, min, max, atan2"),
+        ("min(t, )", "`)` is not expected here"),
+        ("(t, 1)", "`,` is not expected here"),
+    ];
+    for (formula, expected) in cases {
+        let quantity = format!("{TOP}[quantities]\nk = \"{formula}\"\n");
+        let message = refused(&mut simulate(folder(&quantity).path()), 2);
+        assert!(message.contains(expected), "{message}");
+    }
+}

@@ -10,7 +10,9 @@ use super::ready::Ready;
 use crate::definition::file;
 use crate::definition::input::{InputError, shown};
 use crate::definition::source::Place;
-use affinor::mechanics::motions::{Forces, Setup, Side, SimulationGroup, Table, is_plus, on_group};
+use affinor::mechanics::motions::{
+    Forces, Setup, Side, SimulationGroup, Table, is_plus, on_group, share_of_plus,
+};
 use affinor::{Canonical, Connection, Error, Metric};
 use affinor_tensors::Symbolic;
 use nalgebra::DMatrix;
@@ -23,7 +25,6 @@ use std::sync::OnceLock;
 pub(super) struct Dynamics {
     /// The body that moves, instead of a metric.
     body: Option<Body>,
-    names_connection: bool,
     initial: InitialMomentum,
     forces: ForceFormulas,
     casimirs: Vec<Symbolic>,
@@ -65,7 +66,6 @@ impl Dynamics {
         let initial = InitialMomentum::read(&keys.initial, reader)?;
         Ok(Dynamics {
             body,
-            names_connection: keys.connection.is_some(),
             initial,
             forces,
             casimirs: on_group.casimirs(),
@@ -142,9 +142,13 @@ impl Dynamics {
         }
         let inertia = energy.metric.components().to_dmatrix().map_err(affinor::Error::from)?;
         let mut notes = notes(group, &inertia);
-        if !self.names_connection && !is_plus(&energy.connection) {
-            let own = "the connection of the space is not plus, so the equations are not those of Euler and Poincare";
-            notes.push(own.into());
+        if !is_plus(&energy.connection) {
+            let rate = share_of_plus(&energy.connection).map_or(String::new(), |share| {
+                format!(": without forces, H' is {share} times that of theirs")
+            });
+            let not =
+                "the connection is not plus, so the equations are not those of Euler and Poincare";
+            notes.push(format!("{not}{rate}"));
         }
         start.expect_new_names(group, &energy.of_body)?;
         let parameters = [&member.parameters[..], &energy.of_body].concat();
@@ -188,19 +192,31 @@ impl ForceFormulas {
                 return Err(source.refused("forces.table_in", message));
             }
         };
+        let held = match keys.interpolation.as_deref() {
+            None | Some("linear") => false,
+            Some("hold") => true,
+            Some(other) => {
+                let message = format!("`{}` is neither linear nor hold", shown(other));
+                return Err(source.refused("forces.interpolation", message));
+            }
+        };
         let table = match &keys.table {
             Some(name) => {
                 let place = source.at(name);
                 let rows = file::read_rows(&reader.file(name));
                 let (_, rows) = rows.map_err(|error| error.or_at(&place))?;
                 let refused = |error: Error| InputError::usage(error.to_string()).at(&place);
-                Some((side, Table::new(rows).map_err(refused)?))
+                let table = Table::new(rows).map_err(refused)?;
+                Some((side, if held { table.held() } else { table }))
             }
-            None if keys.table_in.is_some() => {
-                let error = source.refused("forces.table_in", "there is no table");
-                return Err(error.help("give table = \"FILE.csv\""));
+            None => {
+                let idle = ["forces.table_in", "forces.interpolation"];
+                if let Some(key) = idle.into_iter().find(|key| source.has_key(key)) {
+                    let error = source.refused(key, "there is no table");
+                    return Err(error.help("give table = \"FILE.csv\""));
+                }
+                None
             }
-            None => None,
         };
         let potential = keys.potential.as_ref().map(|text| reader.written(text));
         Ok(ForceFormulas { components, potential, table, place: source.key("forces") })
@@ -229,7 +245,8 @@ impl ForceFormulas {
         for (side, components) in &self.components {
             for (index, written) in components.iter().enumerate() {
                 let added = forces.add(*side, index, written.text());
-                let help = || format!("the names here are {}", forces.names().all());
+                let allowed = &Forces::<G>::may_depend_on;
+                let help = || format!("the names here are {}", forces.names().all(allowed));
                 added.map_err(|error| written.refused(error, help()))?;
             }
         }

@@ -15,14 +15,16 @@ pub(super) enum InitialElement {
     Coordinates(Vec<Value>, Place),
     /// The rows of its matrix.
     Rows(Vec<Vec<Value>>, Place),
-    /// A quaternion `w, x, y, z`, and the position of the body.
-    Pose(Vec<Value>, Vec<Value>, Place),
+    /// A quaternion `w, x, y, z`, by default 1, and the position of the body.
+    Pose(Option<Vec<Value>>, Vec<Value>, Place),
 }
 
 impl InitialElement {
     pub fn read(keys: &InitialKeys, reader: &Reader) -> Result<Self, InputError> {
         let source = reader.source;
-        let element = match (&keys.element, &keys.coordinates, &keys.quaternion) {
+        let pose = keys.quaternion.as_ref().map(|_| "initial.quaternion");
+        let pose = pose.or(keys.position.as_ref().map(|_| "initial.position"));
+        let element = match (&keys.element, &keys.coordinates, pose) {
             (None, None, None) => Self::Identity,
             (Some(rows), None, None) => {
                 Self::Rows(reader.rows(rows)?, source.key("initial.element"))
@@ -30,19 +32,17 @@ impl InitialElement {
             (None, Some(x), None) => {
                 Self::Coordinates(reader.values(x)?, source.key("initial.coordinates"))
             }
-            (None, None, Some(q)) => {
+            (None, None, Some(key)) => {
                 let position = keys.position.as_deref().unwrap_or(&[]);
-                let (q, position) = (reader.values(q)?, reader.values(position)?);
-                Self::Pose(q, position, source.key("initial.quaternion"))
+                let q = reader.optional_values(&keys.quaternion)?;
+                Self::Pose(q, reader.values(position)?, source.key(key))
             }
             _ => {
                 let error = source.refused("initial", "the element is given more than once");
-                return Err(error.help("give one of element, coordinates, quaternion"));
+                let help = "give one of element, coordinates, quaternion; a position stands beside a quaternion or alone";
+                return Err(error.help(help));
             }
         };
-        if keys.position.is_some() && keys.quaternion.is_none() {
-            return Err(source.refused("initial.position", "a position stands beside a quaternion"));
-        }
         Ok(element)
     }
 
@@ -65,16 +65,19 @@ impl InitialElement {
                 let (size, along) = (matrix.shape(), position.len());
                 let of_rotations = group.names().first() == Some(&"qw");
                 if !(of_rotations && matches!((size, along), ((3, 3), 0) | ((4, 4), 0 | 3))) {
-                    return Err(refused(
-                        "a quaternion is for so(3), and with a position for se(3)",
-                    ));
+                    return Err(refused(match quaternion {
+                        Some(_) => "a quaternion is for so(3), and with a position for se(3)",
+                        None => "a position is three numbers x, y, z, for se(3)",
+                    }));
                 }
-                let Ok(q) = <[f64; 4]>::try_from(Value::all(quaternion, values)?) else {
-                    return Err(refused("a quaternion is four numbers w, x, y, z"));
-                };
-                let rotation = rotation::from_wxyz(q);
-                let rotation = rotation.map_err(|error| InputError::from(error).at(place))?;
-                matrix.view_mut((0, 0), (3, 3)).copy_from(&rotation::matrix(&rotation));
+                if let Some(quaternion) = quaternion {
+                    let Ok(q) = <[f64; 4]>::try_from(Value::all(quaternion, values)?) else {
+                        return Err(refused("a quaternion is four numbers w, x, y, z"));
+                    };
+                    let rotation = rotation::from_wxyz(q);
+                    let rotation = rotation.map_err(|error| InputError::from(error).at(place))?;
+                    matrix.view_mut((0, 0), (3, 3)).copy_from(&rotation::matrix(&rotation));
+                }
                 for (i, value) in Value::all(position, values)?.into_iter().enumerate() {
                     matrix[(i, 3)] = value;
                 }

@@ -4,7 +4,7 @@ use super::keys::IntegratorKeys;
 use super::output::Output;
 use super::reader::{Reader, Value};
 use crate::definition::input::{InputError, shown};
-use crate::definition::source::Source;
+use crate::definition::source::{Place, Source};
 use crate::definition::written::OneOrMore;
 use affinor::mechanics::Adaptive;
 use affinor::mechanics::motions::Method;
@@ -31,11 +31,7 @@ impl Integration {
         let source = reader.source;
         let method = match &keys.method {
             None => None,
-            Some(name) => Some(Method::from_name(name).ok_or_else(|| {
-                let all = Method::ALL.map(Method::name).join(", ");
-                let error = InputError::usage(format!("`{}` is no method", shown(name)));
-                error.at(&source.at(name)).help(format!("the methods are {all}"))
-            })?),
+            Some(name) => Some(method_of(name, &source.at(name))?),
         };
         let absolute = keys.absolute_tolerance.as_ref().map(|OneOrMore(numbers)| {
             match &reader.values(numbers)?[..] {
@@ -77,6 +73,26 @@ impl Integration {
         }
     }
 
+    /// The same with another method, step, or tolerance, instead of those of the file. Keys of the file that serve the other way
+    /// to choose steps, fixed or controlled, are left out.
+    pub fn replaced(
+        &self,
+        method: Option<Method>,
+        step: Option<Value>,
+        tolerance: Option<Value>,
+    ) -> Self {
+        let has_steps = method.is_none_or(Method::has_steps);
+        let controlled = method.map_or(step.is_none(), Method::is_controlled);
+        Integration {
+            method: method.or(self.method),
+            step: step.or(self.step.clone().filter(|_| has_steps)),
+            tolerance: tolerance.or(self.tolerance.clone().filter(|_| controlled)),
+            absolute: self.absolute.clone().filter(|_| controlled),
+            max_step: self.max_step.clone().filter(|_| controlled),
+            max_steps: self.max_steps.filter(|_| controlled),
+        }
+    }
+
     /// Refuses keys that the method ignores.
     pub fn expect_no_ignored_keys(
         &self,
@@ -84,18 +100,33 @@ impl Integration {
         source: &Source,
     ) -> Result<(), InputError> {
         let (has_steps, controlled) = (method.has_steps(), method.is_controlled());
+        let place = |value: &Option<Value>| value.as_ref().map(Value::place);
+        let key = |key: &str| source.key(&format!("integrator.{key}"));
         let keys = [
-            ("step", self.step.is_some() && !has_steps),
-            ("tolerance", self.tolerance.is_some() && !controlled),
-            ("absolute_tolerance", self.absolute.is_some() && !controlled),
-            ("max_step", self.max_step.is_some() && !controlled),
-            ("max_steps", self.max_steps.is_some() && !controlled),
+            ("step", place(&self.step).filter(|_| !has_steps)),
+            ("tolerance", place(&self.tolerance).filter(|_| !controlled)),
+            (
+                "absolute_tolerance",
+                self.absolute.as_ref().filter(|_| !controlled).map(|_| key("absolute_tolerance")),
+            ),
+            ("max_step", place(&self.max_step).filter(|_| !controlled)),
+            ("max_steps", self.max_steps.filter(|_| !controlled).map(|_| key("max_steps"))),
         ];
-        let Some((key, _)) = keys.iter().find(|(_, ignored)| *ignored) else { return Ok(()) };
-        let message = format!("the method {method} has no `{key}`");
-        let error = source.refused(&format!("integrator.{key}"), message);
-        Err(error.help("leave the key out, or name another method"))
+        let Some((key, place)) = keys.into_iter().find_map(|(key, at)| Some((key, at?))) else {
+            return Ok(());
+        };
+        let error = InputError::usage(format!("the method {method} has no `{key}`"));
+        Err(error.at(&place).help("leave the key out, or name another method"))
     }
+}
+
+/// The method of a name.
+pub(super) fn method_of(name: &str, place: &Place) -> Result<Method, InputError> {
+    Method::from_name(name).ok_or_else(|| {
+        let all = Method::ALL.map(Method::name).join(", ");
+        let error = InputError::usage(format!("`{}` is no method", shown(name)));
+        error.at(place).help(format!("the methods are {all}"))
+    })
 }
 
 /// The parameters and times of one motion, and the parts of the problem that do not depend on its class.

@@ -7,7 +7,7 @@ use crate::definition::written::{
 use serde::Deserialize;
 
 /// The dotted paths of the keys that only problems on a group have.
-pub(super) const OF_GROUPS: [&str; 10] = [
+pub(super) const OF_GROUPS: [&str; 11] = [
     "space",
     "definition",
     "invariance",
@@ -15,6 +15,7 @@ pub(super) const OF_GROUPS: [&str; 10] = [
     "initial.element",
     "initial.coordinates",
     "initial.quaternion",
+    "initial.position",
     "output.columns",
     "quantities",
     "events",
@@ -94,6 +95,7 @@ pub(super) struct ForceKeys {
     pub potential: Option<Text>,
     pub table: Option<Text>,
     pub table_in: Option<Text>,
+    pub interpolation: Option<Text>,
 }
 
 /// The table `[integrator]`.

@@ -190,7 +190,7 @@ impl Start<'_> {
         taken.map_or(Ok(()), |(name, _)| {
             let message = format!("`{name}` has a meaning already");
             let error = self.member.source.refused(&format!("parameters.{name}"), message);
-            Err(error.help(format!("take another name than {}", names.all())))
+            Err(error.help(format!("take another name than {}", names.all(&|_| true))))
         })
     }
 }

@@ -76,7 +76,7 @@ impl Output {
         casimirs: &[Symbolic],
         source: &Source,
     ) -> Result<RowFormulas, InputError> {
-        let help = || format!("the names here are {}", names.all());
+        let help = || format!("the names here are {}", names.all(allowed));
         let (mut scope, mut columns, mut formulas) = (Scope::default(), vec![], vec![]);
         let mut add = |text: &str, written: &Written| {
             let formula = scope.read(text, names, allowed);
@@ -198,9 +198,10 @@ impl Times {
             Rows::Spaced(spaced) => {
                 let (end, every) = &**spaced;
                 let end = end.at(parameters)?;
-                let every = every.as_ref().map(|every| every.at(parameters)).transpose()?;
-                equally(start, end, every.unwrap_or((end - start).abs()))
-                    .map_err(|error| error.at(&source.key("output.every")))
+                let interval = every.as_ref().map(|every| every.at(parameters)).transpose()?;
+                equally(start, end, interval.unwrap_or((end - start).abs()))
+                    .map_err(|error| error.or_at(every.as_ref().map(Value::place).as_ref()))
+                    .map_err(|error| error.or_at(&source.key("output.every")))
             }
         }
     }
@@ -210,6 +211,19 @@ impl Times {
         let rows = match &self.rows {
             Rows::Listed(times) => Rows::Listed(times.last().into_iter().cloned().collect()),
             Rows::Spaced(spaced) => Rows::Spaced(Box::new((spaced.0.clone(), None))),
+        };
+        Times { start: self.start.clone(), rows }
+    }
+
+    /// The same with another end, or another interval between rows, instead of those of the file.
+    pub fn replaced(&self, end: Option<Value>, every: Option<Value>) -> Self {
+        let (old_end, old_every) = match &self.rows {
+            Rows::Listed(times) => (times.last().cloned(), None),
+            Rows::Spaced(spaced) => (Some(spaced.0.clone()), spaced.1.clone()),
+        };
+        let rows = match (end.or(old_end), every.or(old_every)) {
+            (Some(end), every) => Rows::Spaced(Box::new((end, every))),
+            (None, _) => self.rows.clone(),
         };
         Times { start: self.start.clone(), rows }
     }

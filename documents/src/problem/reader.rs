@@ -156,7 +156,15 @@ impl<'s> Reader<'s> {
     }
 
     pub fn value(&self, Number(text): &Number) -> Result<Value, InputError> {
-        let written = self.written(text);
+        self.value_of(self.written(text))
+    }
+
+    /// A number of the source that is read as a whole.
+    pub fn whole(&self) -> Result<Value, InputError> {
+        self.value_of(Written { source: self.source.clone(), own: None })
+    }
+
+    fn value_of(&self, written: Written) -> Result<Value, InputError> {
         let names = &self.names;
         let formula =
             Formula::parse(written.text(), &mut |name| names.iter().position(|own| own == name));

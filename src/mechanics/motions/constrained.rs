@@ -99,7 +99,10 @@ pub fn on_constraints<G: SimulationGroup>(
     columns: (Scope, Vec<Formula>),
     visible: usize,
 ) -> Result<Box<dyn Motion>, Error> {
-    let state = system.state(time, element, &velocity)?;
+    let state = system.state(time, element, &velocity).map_err(|error| {
+        let trouble = system.force().observables().trouble();
+        trouble.map_or(error, |reason| Error::Invalid { what: "state", reason })
+    })?;
     let (count, buffers) = (state.multipliers.len() + 1, RefCell::default());
     let (width, behind) = (columns.1.len() + count, visible + count);
     let values = move |system: &ConstrainedSystem<G>,

@@ -3,13 +3,13 @@
 use super::SimulationGroup;
 use super::observables::{Buffers, Observables, Point};
 use super::quantities::{Names, Quantity, Scope};
-use super::table::Table;
+use super::table::{Interval, Table};
 use crate::group::{Coordinates, Generator, Partial};
 use crate::mechanics::formula::Formula;
 use crate::mechanics::systems::euler_poincare::Torque;
 use affinor_tensors::expression::ExpressionError;
 use nalgebra::DMatrix;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 /// One of the two invariant frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,6 +31,8 @@ pub struct Forces<G: SimulationGroup> {
     terms: Vec<(Side, usize, Formula, String)>,
     potential: Option<(Formula, String)>,
     table: Option<(Side, Table)>,
+    /// The interval of the table in which the present step began.
+    interval: Cell<Option<Interval>>,
     generators: Vec<Generator>,
     buffers: RefCell<(Buffers, Sums)>,
 }
@@ -54,6 +56,7 @@ impl<G: SimulationGroup> Forces<G> {
             terms: vec![],
             potential: None,
             table: None,
+            interval: Cell::default(),
             generators: vec![],
             buffers: RefCell::default(),
         }
@@ -69,14 +72,18 @@ impl<G: SimulationGroup> Forces<G> {
         self.observables.names()
     }
 
+    /// Whether forces may depend on a quantity: not on energies and on the power.
+    pub fn may_depend_on(quantity: Quantity) -> bool {
+        use Quantity::{Energy, Kinetic, Potential, Power};
+        !matches!(quantity, Kinetic | Potential | Energy | Power)
+    }
+
     /// Adds a component (from 0) of a covector.
     ///
     /// # Errors
-    /// As [`Formula::parse`]; also for energies and the power, on which forces cannot depend.
+    /// As [`Formula::parse`]; also for quantities that no force [depends on](Self::may_depend_on).
     pub fn add(&mut self, side: Side, i: usize, text: &str) -> Result<(), ExpressionError> {
-        use Quantity::{Energy, Kinetic, Potential, Power};
-        let allowed = |q| !matches!(q, Kinetic | Potential | Energy | Power);
-        let formula = self.scope.read(text, self.observables.names(), &allowed)?;
+        let formula = self.scope.read(text, self.observables.names(), &Self::may_depend_on)?;
         self.terms.push((side, i, formula, text.trim().into()));
         Ok(())
     }
@@ -99,9 +106,11 @@ impl<G: SimulationGroup> Forces<G> {
         self.table = Some((side, table));
     }
 
-    /// The time at which a controlled step from one time towards another has to end: at a corner of the table, or at the
-    /// other time.
+    /// Begins a step from one time towards another. Returns the time at which it has to end, if its size is controlled: at a corner
+    /// of the table, or at the other time. No step is from a time to the same time.
     pub(super) fn pause(&self, from: f64, until: f64) -> f64 {
+        let table = self.table.as_ref().filter(|_| from != until);
+        self.interval.set(table.map(|(_, table)| table.interval(from, until)));
         let corner = self.table.as_ref().and_then(|(_, table)| table.corner(from, until));
         corner.unwrap_or(until)
     }
@@ -157,7 +166,7 @@ impl<G: SimulationGroup> Forces<G> {
             (if *side == own { &mut *mine } else { &mut *other })[*i] += value;
         }
         if let Some((side, table)) = &self.table {
-            table.add(at.time, if *side == own { mine } else { other });
+            table.add(at.time, self.interval.get(), if *side == own { mine } else { other });
         }
         let is_zero = other.iter().all(|component| *component == 0.0);
         let mut total = G::Vector::from_components(mine);

@@ -80,6 +80,15 @@ pub fn on_group<G: SimulationGroup>(
     Ok((on_cotangent(system, start, drive, setup.columns), method))
 }
 
+/// The factor `s` of a connection `Lambda = s c`, if it is of this family: its equations have `s` times the rate of change of
+/// `H` that those of Euler and Poincare have without forces.
+pub fn share_of_plus(connection: &Connection<f64>) -> Option<f64> {
+    let (gamma, structure) = (connection.gamma(), connection.frame().structure());
+    let (indices, value) = structure.components().next()?;
+    let share = gamma.get(&indices) / value;
+    (*gamma == structure.scale(&share)).then_some(share)
+}
+
 /// Whether the connection is `plus`, that of the Euler-Poincare equations.
 pub fn is_plus(connection: &Connection<f64>) -> bool {
     connection.gamma() == connection.frame().structure()

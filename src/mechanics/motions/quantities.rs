@@ -157,6 +157,10 @@ impl Names {
                 block.names.iter().map(|name| name.to_string()).collect()
             }
             _ if stem == "element" || stem == block.letter() => block.entries(),
+            // the other letter of matrices, unless it is a parameter
+            "R" if self.find(stem).is_none() && block.letter() == "g" => {
+                block.entries().iter().map(|entry| entry.replace('g', stem)).collect()
+            }
             _ => vec![],
         });
         if !names.is_empty() {
@@ -170,6 +174,10 @@ impl Names {
 
     /// The names of the entries of the element, for messages.
     pub fn entries(&self) -> String {
+        self.entry_ranges().join(", ")
+    }
+
+    fn entry_ranges(&self) -> Vec<String> {
         let of_block = |block: &Block| {
             let entries = block.entries();
             let mut names = vec![match entries.as_slice() {
@@ -180,15 +188,15 @@ impl Names {
             names.extend(positions.map(|name| name.to_string()));
             names
         };
-        self.of_factors(of_block).join(", ")
+        self.of_factors(of_block)
     }
 
-    /// All names, for messages.
-    pub fn all(&self) -> String {
+    /// All names of quantities that are allowed, for messages.
+    pub fn all(&self, allowed: &dyn Fn(Quantity) -> bool) -> String {
         let mut names: Vec<String> = vec!["t".into()];
         let n = self.dimension;
         names.extend(self.sides.as_flattened().iter().map(|stem| format!("{stem}1..{stem}{n}")));
-        names.push(self.entries());
+        names.extend(self.entry_ranges());
         let others = |block: &Block| {
             let others = block.names.iter().filter(|name| !Block::is_position(name));
             others.map(|name| name.to_string()).collect()
@@ -196,6 +204,8 @@ impl Names {
         names.extend(self.of_factors(others));
         names.extend(["kinetic", "potential", "energy", "power"].map(String::from));
         names.extend(self.parameters.iter().cloned());
+        let first = |name: &str| self.find(name.split("..").next().unwrap_or(name));
+        names.retain(|name| first(name).is_none_or(allowed));
         names.join(", ")
     }
 }

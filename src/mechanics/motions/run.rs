@@ -19,7 +19,8 @@ pub(super) struct Recorded<S: System> {
     values: Box<Values<S>>,
     /// The angular velocity of a state, or a rate like it.
     pub(super) rate: Box<Rate<S>>,
-    /// The time at which a controlled step from one time towards another has to end at the latest.
+    /// Begins a step from one time towards another, and returns the time at which it has to end at the latest, if its size is
+    /// controlled. A step from a time to the same time is none.
     pub(super) pause: fn(&S, f64, f64) -> f64,
     /// Takes away the reason for which a force was not a number.
     pub(super) trouble: fn(&S) -> Option<String>,
@@ -90,6 +91,8 @@ impl<S: System<State: Saved + Send> + Send> Run<S> {
             pause = time + longest.copysign(until - time);
         }
         let reached = self.drive.step(system, (state, memory), until, pause);
+        // the step is over
+        (self.recorded.pause)(system, until, until);
         let reached = reached.map_err(|error| match (error, trouble(system)) {
             (_, Some(reason)) => stopped(time, reason),
             (error @ Error::Integration { .. }, None) => error,

@@ -1,19 +1,29 @@
-//! Vectors over time, by linear interpolation of a table.
+//! Vectors over time, by interpolation of a table.
 
 use crate::Error;
 
-/// Vectors at increasing times, interpolated linearly between them.
+/// The relative rounding of times within a step.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// Vectors over time, interpolated linearly between rows, or [held](Self::held). Two rows at one time are a jump: from the values of the first row to those of
+/// the second.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     times: Vec<f64>,
     values: Vec<Vec<f64>>,
+    /// Whether values stay those of the last row, up to the next.
+    is_held: bool,
 }
+
+/// An interval between two rows of a [`Table`], or before the first or after the last: the number of rows before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Interval(usize);
 
 impl Table {
     /// The table of rows, each a time and the values at that time.
     ///
     /// # Errors
-    /// [`Error::Shape`] without rows, for rows of different lengths, and for times that do not increase.
+    /// [`Error::Shape`] without rows, for rows of different lengths, for times that decrease, and for three rows at one time.
     pub fn new(rows: Vec<Vec<f64>>) -> Result<Self, Error> {
         let shape =
             |expected: String, found: String| Error::Shape { what: "the table", expected, found };
@@ -25,14 +35,25 @@ impl Table {
                 let expected = format!("rows of a time and {} values", width.max(2) - 1);
                 return Err(shape(expected, format!("row {} of {} numbers", at + 1, row.len())));
             }
-            let ordered = row[0].is_finite() && (at == 0 || rows[at - 1][0] < row[0]);
+            let ordered = row[0].is_finite() && (at == 0 || rows[at - 1][0] <= row[0]);
             if !ordered {
                 let found = format!("{} in row {}", row[0], at + 1);
                 return Err(shape("increasing times".into(), found));
             }
+            if at > 1 && rows[at - 2][0] == row[0] {
+                let found = format!("{} in the rows {} to {}", row[0], at - 1, at + 1);
+                return Err(shape("at most two rows at one time".into(), found));
+            }
         }
         let times = rows.iter().map(|row| row[0]).collect();
-        Ok(Table { times, values: rows.into_iter().map(|row| row[1..].to_vec()).collect() })
+        let values = rows.into_iter().map(|row| row[1..].to_vec()).collect();
+        Ok(Table { times, values, is_held: false })
+    }
+
+    /// The same table with values that stay those of the last row, up to the next.
+    #[must_use]
+    pub fn held(self) -> Self {
+        Table { is_held: true, ..self }
     }
 
     /// The number of values at a time.
@@ -56,16 +77,34 @@ impl Table {
         next.copied().filter(|t| (*t < until) == forwards)
     }
 
-    /// Adds the values at a time to `sum`; before the first and after the last row they are constant.
-    pub fn add(&self, time: f64, sum: &mut [f64]) {
-        let behind = self.times.partition_point(|t| *t <= time);
+    /// The interval in which a step from one time towards another begins.
+    pub fn interval(&self, from: f64, until: f64) -> Interval {
+        let forwards = from <= until;
+        Interval(self.times.partition_point(|t| if forwards { *t <= from } else { *t < from }))
+    }
+
+    /// Adds the values at a time to `sum`; before the first and after the last row they are constant. At the ends of the interval
+    /// `inside` they are those of the interval, and elsewhere at a jump those after it.
+    pub fn add(&self, time: f64, inside: Option<Interval>, sum: &mut [f64]) {
+        let Interval(behind) = inside
+            .filter(|interval| self.holds(*interval, time))
+            .unwrap_or_else(|| self.interval(time, time));
         let (a, b) = (behind.saturating_sub(1), behind.min(self.times.len() - 1));
         let share = match self.times[b] - self.times[a] {
-            0.0 => 0.0,
-            length => ((time - self.times[a]) / length).clamp(0.0, 1.0),
+            length if length > 0.0 && !self.is_held => {
+                ((time - self.times[a]) / length).clamp(0.0, 1.0)
+            }
+            _ => 0.0,
         };
         for ((sum, a), b) in sum.iter_mut().zip(&self.values[a]).zip(&self.values[b]) {
             *sum += a + share * (b - a);
         }
+    }
+
+    /// Whether a time is in an interval, or at its ends up to rounding.
+    fn holds(&self, Interval(behind): Interval, time: f64) -> bool {
+        let slack = ROUNDING * time.abs();
+        let begun = behind == 0 || self.times[behind - 1] <= time + slack;
+        begun && self.times.get(behind).is_none_or(|end| time - slack <= *end)
     }
 }

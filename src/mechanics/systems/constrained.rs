@@ -100,6 +100,8 @@ impl<G: LieGroup> Clone for ConstrainedState<G> {
 
 /// The relative tolerance of the constraints at the initial condition.
 const OFF: f64 = 1e-8;
+/// The relative size of what is left of a gradient that depends on others.
+const DEPENDENT: f64 = 1e-10;
 /// The relative tolerance between a gradient and its difference quotient.
 const ROUGH: f64 = 1e-4;
 
@@ -191,10 +193,20 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
                 }
             }
         }
-        let (acceleration, multipliers) =
-            self.accelerated(time, &element, velocity).ok_or_else(|| {
-                none("the constraints depend on each other, or a force is not finite".into())
-            })?;
+        if let Some(force) = self.forces(time, &element, velocity).iter().find(|m| !m.is_finite()) {
+            return Err(none(format!("a force is {force}")));
+        }
+        if let Some(a) = first_dependent(&gradient) {
+            let why = if gradient.row(a).norm() == 0.0 {
+                "has no gradient here"
+            } else {
+                "depends on the ones before it: its gradient is a combination of theirs"
+            };
+            return Err(none(format!("constraint {} {why}", a + 1)));
+        }
+        let (acceleration, multipliers) = self
+            .accelerated(time, &element, velocity)
+            .ok_or_else(|| none("the constraints do not determine the acceleration".into()))?;
         let velocity = velocity.clone();
         Ok(ConstrainedState { time, element, velocity, acceleration, multipliers, lead: None })
     }
@@ -258,6 +270,21 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         let acceleration = G::Vector::from_components(&solution.as_slice()[..n]);
         Some((acceleration, solution.rows_range(n..).into_owned()))
     }
+}
+
+/// The first row of a matrix that is a linear combination of those before it, up to rounding.
+fn first_dependent(matrix: &DMatrix<f64>) -> Option<usize> {
+    let mut basis: Vec<DVector<f64>> = Vec::new();
+    matrix.row_iter().position(|row| {
+        let mut rest = row.transpose();
+        // twice, against rounding
+        for direction in basis.iter().chain(&basis) {
+            rest.axpy(-direction.dot(&rest), direction, 1.0);
+        }
+        let is_dependent = rest.norm() <= DEPENDENT * row.norm();
+        basis.push(rest.normalize());
+        is_dependent
+    })
 }
 
 /// `[[J, B^T], [C, 0]]`.

@@ -4,7 +4,7 @@
 //! which counts them, replaces the old one by a rename. So one of the two checkpoints is always complete.
 
 use super::super::failure::Failure;
-use super::super::note::note;
+use super::super::note::{counted, note};
 use super::super::output::{deliver, is_same};
 use super::spool::{Spool, failed};
 use affinor::mechanics::motions::Snapshot;
@@ -16,7 +16,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-const SCHEMA: &str = "affinor.checkpoint/2";
+const SCHEMA: &str = "affinor.checkpoint/3";
 
 /// The state of a run.
 #[derive(Serialize, Deserialize)]
@@ -28,7 +28,8 @@ pub struct Checkpoint {
     problem: String,
     /// The files that the problem reads, with their fingerprints.
     files: Vec<(String, u64)>,
-    settings: Option<String>,
+    /// The options that replace keys of the problem, by name.
+    options: Vec<(String, Option<String>)>,
     ensemble: bool,
     rows: u64,
     /// The number of output times reached, or of members of an ensemble completed.
@@ -60,12 +61,13 @@ impl Plan {
             let seconds = arguments.checkpoint_every;
             InputError::usage(format!("--checkpoint-every {seconds} is not a number of seconds"))
         })?;
+        let method = ("--method".into(), arguments.method.clone());
         let mut fresh = Checkpoint {
             schema: SCHEMA.into(),
             version: env!("CARGO_PKG_VERSION").into(),
             problem: problem.text().into(),
             files: vec![],
-            settings: arguments.set.clone(),
+            options: [arguments.problem.given(), vec![method]].concat(),
             ensemble: arguments.ensemble,
             rows: 0,
             done: 0,
@@ -117,7 +119,8 @@ impl Plan {
                 kept.ok_or_else(|| {
                     let is = if rows.exists() { "is too short" } else { "is missing" };
                     let (rows, path) = (shown(&rows), shown(path));
-                    let message = format!("{rows} {is}: {path} counts {count} rows in it");
+                    let message =
+                        format!("{rows} {is}: {path} counts {} in it", counted(count, "row"));
                     let help = "restore both files, or delete both and start again";
                     InputError::usage(message).help(help)
                 })?
@@ -201,9 +204,12 @@ fn read(path: &Path, fresh: &Checkpoint) -> Result<Option<Checkpoint>, Failure> 
         ("schema".to_string(), found.schema == fresh.schema),
         ("version of affinor".into(), found.version == fresh.version),
         ("problem".into(), found.problem == fresh.problem),
-        ("--set".into(), found.settings == fresh.settings),
         ("--ensemble".into(), found.ensemble == fresh.ensemble),
     ];
+    same.extend(fresh.options.iter().enumerate().map(|(at, option)| {
+        let before = found.options.get(at);
+        (option.0.clone(), before == Some(option))
+    }));
     // the same problem names its files in the same order, perhaps from another folder
     same.extend(fresh.files.iter().enumerate().map(|(at, (file, fingerprint))| {
         let before = found.files.get(at).map(|(_, before)| before);
