@@ -136,6 +136,8 @@ pub enum Error {
     Degenerate {
         /// A vector of the kernel.
         null: String,
+        /// Its nonzero components, each with the number of its basis vector, from 1.
+        components: Vec<(usize, String)>,
     },
     /// A tensor that lacks a required symmetry.
     #[error(

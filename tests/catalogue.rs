@@ -106,6 +106,7 @@ fn dimensions_are_those_of_the_closed_forms() {
     for n in 1..8 {
         rows.push((format!("R^{n}"), n));
         rows.push((format!("gl({n})"), n * n));
+        rows.push((format!("aff({n})"), n * (n + 1)));
         rows.push((format!("sp({})", 2 * n), n * (2 * n + 1)));
         rows.push((format!("heisenberg({})", 2 * n + 1), 2 * n + 1));
     }
@@ -116,7 +117,7 @@ fn dimensions_are_those_of_the_closed_forms() {
         rows.push((format!("se({n})"), n * (n + 1) / 2));
         rows.extend((1..n).map(|p| (format!("so({p},{})", n - p), n * (n - 1) / 2)));
     }
-    let others = "aff(1) 2, A1 3, A6 48, B3 21, C4 36, D5 45, E6 78, E7 133, E8 248, F4 52, G2 14, \
+    let others = "A1 3, A6 48, B3 21, C4 36, D5 45, E6 78, E7 133, E8 248, F4 52, G2 14, \
         bianchi(I) 3, bianchi(II) 3, bianchi(III) 3, bianchi(IV) 3, bianchi(V) 3, bianchi(VIII) 3, \
         bianchi(IX) 3, bianchi(VI,h=-1/2) 3, bianchi(VI,h=-1) 3, bianchi(VI,h=0) 3, \
         bianchi(VI,h=1) 3, bianchi(VI,h=7) 3, bianchi(VII,h=0) 3, bianchi(VII,h=1/3) 3";
@@ -313,6 +314,11 @@ fn heisenberg_r_n_and_aff_have_the_brackets_of_their_definition() {
     assert_eq!(bracket(&aff, "x", "y"), combination(&[("y", 1)]));
     // ad_x = diag(0, 1)
     assert_eq!(aff.killing_form(), form(&aff, |x, y| i64::from(x == "x" && y == "x")));
+    let aff = algebra("aff(2)");
+    assert_eq!(aff.labels().join(" "), "E11 E12 E21 E22 p1 p2");
+    assert_eq!(bracket(&aff, "E12", "E21"), combination(&[("E11", 1), ("E22", -1)]));
+    assert_eq!(bracket(&aff, "E12", "p2"), combination(&[("p1", 1)]));
+    assert!(bracket(&aff, "E12", "p1").is_empty() && bracket(&aff, "p1", "p2").is_empty());
 }
 
 /// On a Chevalley basis `K(h_i,h_j) = 2 h^∨ (α_i^∨, α_j^∨)` and `K(e_α, f_α) = h^∨ (α^∨, α^∨)`, all
@@ -364,7 +370,7 @@ fn simple_types_have_the_killing_form_of_their_dual_coxeter_number() {
 fn unimodular_or_not() {
     let yes = "R^3 so(5) so(3,1) su(3) sl(3) gl(3) sp(4) se(2) se(3) heisenberg(5) A2 B2 G2 \
         bianchi(I) bianchi(II) bianchi(VI,h=-1) bianchi(VII,h=0) bianchi(VIII) bianchi(IX)";
-    let no = "aff(1) bianchi(III) bianchi(IV) bianchi(V) bianchi(VI,h=-1/2) bianchi(VI,h=3) \
+    let no = "aff(1) aff(2) aff(3) bianchi(III) bianchi(IV) bianchi(V) bianchi(VI,h=-1/2) bianchi(VI,h=3) \
         bianchi(VII,h=1/2)";
     for (names, expected) in [(yes, true), (no, false)] {
         for name in names.split_whitespace() {

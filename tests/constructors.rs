@@ -44,7 +44,7 @@ fn metrics_by_their_diagonal() {
     assert_eq!(metric, Metric::new(so3().labels(), metric.components().clone()).unwrap());
     assert_eq!(Metric::<f64>::identity(2).unwrap().to_string(), "diag(1, 1)");
     let error = Metric::diagonal([1.0, 0.0]).unwrap_err();
-    assert_eq!(error, Error::Degenerate { null: "e2".into() });
+    assert_eq!(error, Error::Degenerate { null: "e2".into(), components: vec![(2, "1".into())] });
     assert!(matches!(Metric::diagonal([f64::NAN]), Err(Error::NotFinite { .. })));
     let full = affinor::Tensor::from_fn(2, [affinor::Down; 2], |[i, j]| (1 + i + j) as f64);
     assert_eq!(Metric::new(["x", "y"], full.unwrap()).unwrap().to_string(), "[[1, 2], [2, 3]]");

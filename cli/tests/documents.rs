@@ -163,6 +163,7 @@ fn the_readme_states_the_limits() -> Outcome {
         format!("at most {} digits", expression::MAX_DIGITS),
         format!("exponent is at most {}", expression::MAX_EXPONENT),
         format!("nest at most {} deep", expression::MAX_DEPTH),
+        format!("at most {} signs", expression::MAX_SIGNS),
         format!("Rust {}", env!("CARGO_PKG_RUST_VERSION")),
     ];
     for limit in stated {

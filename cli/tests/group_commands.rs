@@ -9,9 +9,11 @@ fn output(arguments: &[&str], input: &str) -> String {
     outcome.out
 }
 
-/// The numbers of the output.
+/// The numbers of the output, below its head.
 fn numbers(arguments: &[&str], input: &str) -> Vec<f64> {
     let text = output(arguments, input);
+    let begins_head = |line: &&str| line.starts_with(|c: char| c.is_ascii_alphabetic());
+    let text: String = text.lines().skip_while(begins_head).flat_map(|line| [line, " "]).collect();
     let apart = |c: char| c.is_whitespace() || ",[]".contains(c);
     let words = text.split(apart).filter(|word| !word.is_empty());
     words.map(|word| word.parse().unwrap_or_else(|_| panic!("{word}"))).collect()
@@ -139,7 +141,7 @@ fn what_is_refused() {
         (&["log", "so3", "-1,0,0,0,1,0,0,0,1"], "", 1, "reflection"),
         (&["log", "sl2", "-2,0,0,-0.5"], "", 1, "trace is -2.5"),
         (&["convert", "--from", "vector", "--to", "XXY", "1,2,3"], "", 2, "the kinds are"),
-        (&["exp", "examples/definitions/sphere.toml", "1,2"], "", 2, "chart"),
+        (&["exp", "examples/definitions/sphere.toml", "1,2"], "", 2, "help: give a Lie algebra"),
     ];
     for (arguments, input, code, part) in cases {
         let (found, message) = refusal(arguments, input);
@@ -163,4 +165,75 @@ fn what_is_refused() {
     // what stood before the bad row is written
     let outcome = run(root(), &["log", "so2"], b"0,-1,1,0\nx\n");
     assert_eq!((outcome.status, outcome.out.lines().count()), (2, 1));
+}
+
+/// The head of CSV names the columns, and is skipped when it is read back.
+#[test]
+fn columns_of_csv_have_names() {
+    let head = |arguments: &[&str]| {
+        let text = output(&[arguments, &["--format", "csv"]].concat(), "");
+        text.lines().next().unwrap().to_string()
+    };
+    let matrix = |letter: &str| {
+        let places = (1..=3).flat_map(|i| (1..=3).map(move |j| format!("{letter}{i}{j}")));
+        places.collect::<Vec<_>>().join(",")
+    };
+    assert_eq!(head(&["exp", "so3", "1,2,3"]), matrix("g"));
+    assert_eq!(head(&["adjoint", "so3", "1,2,3"]), matrix("Ad"));
+    assert_eq!(head(&["transport", "so3@plus", "--along", "1,2,3"]), matrix("P"));
+    assert_eq!(head(&["transport", "so3@plus", "--along", "1,2,3", "1,0,0"]), "u1,u2,u3");
+    assert_eq!(head(&["log", "so3", "1,0,0,0,1,0,0,0,1"]), "x1,x2,x3");
+    let convert = |to| head(&["convert", "--from", "vector", "--to", to, "1,2,3"]);
+    assert_eq!(convert("quaternion"), "w,x,y,z");
+    assert_eq!(convert("matrix"), matrix("R"));
+    assert_eq!(convert("ZYX"), "angle1,angle2,angle3");
+    // from the tenth row on, the two numbers are told apart
+    let large = head(&["exp", "so(10)", &["0"; 45].join(",")]);
+    assert!(large.starts_with("g1_1,g1_2,") && large.ends_with(",g10_10"), "{large}");
+}
+
+#[test]
+fn refused_rows_are_left_out_on_request() {
+    let input = "1,2,3\n4,5\n0,0,x\n0,0,0\n";
+    let skip = ["exp", "so3", "--format", "json", "--on-error", "skip"];
+    let outcome = run(root(), &skip, input.as_bytes());
+    let kept = output(&["exp", "so3", "--format", "json"], "1,2,3\n0,0,0\n");
+    assert_eq!((outcome.status, &outcome.out), (0, &kept));
+    let report: Vec<&str> = outcome.err.lines().collect();
+    assert_eq!(
+        report[..],
+        [
+            "note: <standard input>, line 2 is left out: a vector of this algebra of dimension 3 \
+             has 3 numbers, not 2",
+            "note: <standard input>, line 3 is left out: `x` is no number: names are pi and tau",
+            "note: 2 of 4 rows left out",
+        ]
+    );
+    // the rows of the arguments, and what the mathematics refuses
+    for (arguments, reason) in [
+        (&["log", "so3", "1,0,0,0,1,0,0,0,1", "1,0,0,0,1,0,0,0,2"][..], "R^T R differs from 1"),
+        (&["compose", "so3", "0,0,0,0,0,0", "1"], "has 6 numbers, not 1"),
+        (&["adjoint", "so3", "0,0,0", "nan,0,0"], "no number"),
+        (&["exp", "sl2", "0,0,0", "1,1,800"], "of the result is inf"),
+        (&["transport", "so3@plus", "--along", "0,0,0", "0,0,0", "1,2"], "has 3 numbers, not 2"),
+        (
+            &["convert", "--from", "quaternion", "--to", "vector", "1,0,0,0", "0,0,0,0"],
+            "no direction",
+        ),
+    ] {
+        let skipped = [arguments, &["--on-error", "skip"]].concat();
+        let outcome = run(root(), &skipped, b"");
+        let report = &outcome.err;
+        assert_eq!(outcome.status, 0, "{arguments:?}: {report}");
+        assert!(report.contains("note: row 2 is left out: "), "{arguments:?}: {report}");
+        assert!(report.contains(reason), "{arguments:?}: {report}");
+        assert!(report.ends_with("note: 1 of 2 rows left out\n"), "{arguments:?}: {report}");
+        let alone = output(&arguments[..arguments.len() - 1], "");
+        assert_eq!(outcome.out, alone, "{arguments:?}");
+        // by default the run ends there
+        for stop in [&[][..], &["--on-error", "stop"]] {
+            let (code, message) = refusal(&[arguments, stop].concat(), "");
+            assert!(code > 0 && message.contains(reason), "{arguments:?}: {message}");
+        }
+    }
 }

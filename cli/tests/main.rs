@@ -19,6 +19,7 @@ mod float_tables;
 mod group_commands;
 #[cfg(feature = "plot")]
 mod guide;
+mod heads;
 mod paper_page;
 #[cfg(feature = "plot")]
 mod plot;
@@ -26,4 +27,5 @@ mod range_of_floats;
 #[cfg(unix)]
 mod simulate;
 mod snapshots;
+mod values;
 mod verify;

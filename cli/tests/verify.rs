@@ -200,3 +200,85 @@ fn derived_tensors_are_verified() {
         assert!(differs.out.contains("(nabla R)^"), "{}", differs.out);
     }
 }
+
+/// A table of zeros has only a head in CSV.
+#[test]
+fn a_table_without_rows_verifies() {
+    let folder = TempDir::new().unwrap();
+    let verify = |arguments: &[&str]| run(folder.path(), &[&["verify"], arguments].concat(), b"");
+    let table = ["table", "so3@plus", "--show", "curvature", "--format", "csv", "-o", "zero.csv"];
+    assert_eq!(run(folder.path(), &table, b"").status, 0);
+    let stored = fs::read_to_string(folder.path().join("zero.csv")).unwrap();
+    assert_eq!(stored, "tensor,i,j,k,l,value\n");
+    let named = verify(&["so3@plus", "zero.csv", "--show", "curvature"]);
+    assert_eq!((named.status, &*named.out), (0, "the stored table agrees: curvature\n"));
+    let vanishing = verify(&["so3@plus", "zero.csv"]);
+    let agrees = "the stored table agrees: curvature, ricci\n";
+    assert_eq!((vanishing.status, &*vanishing.out), (0, agrees));
+    assert!(vanishing.err.contains("--show names the tensors"), "{}", vanishing.err);
+    let other = verify(&["so3@zero", "zero.csv", "--show", "curvature"]);
+    assert_eq!(other.status, 1);
+    // no tensor of this space is zero
+    let none = verify(&["so3@lambda=1/3;metric=diag(1,2,3)", "zero.csv"]);
+    assert_eq!(none.status, 1);
+    assert!(none.err.contains("no tensor of this space vanishes"), "{}", none.err);
+}
+
+#[test]
+fn tables_are_read_with_a_mark_of_byte_order_and_from_standard_input() {
+    let folder = TempDir::new().unwrap();
+    for format in ["csv", "json"] {
+        let text = stdout(folder.path(), &["table", "so3@zero", "--format", format]);
+        let marked = format!("\u{feff}{text}");
+        for input in [text, marked] {
+            let outcome = run(folder.path(), &["verify", "so3@zero", "-"], input.as_bytes());
+            assert_eq!(outcome.status, 0, "{format}: {}{}", outcome.out, outcome.err);
+        }
+    }
+}
+
+#[test]
+fn basis_names_and_variances_are_compared() {
+    let folder = TempDir::new().unwrap();
+    let text =
+        stdout(folder.path(), &["table", "so3@zero", "--show", "curvature", "--format", "json"]);
+    for (from, to, message) in [
+        ("\"e2\"", "\"y\"", "the stored basis vector 2 is `y`, the computed `e2`"),
+        (
+            "[\"up\",\"down\"",
+            "[\"down\",\"down\"",
+            "curvature: the stored indices are [\"down\",\"down\",\"down\",\"down\"], \
+             the computed [\"up\",\"down\",\"down\",\"down\"]",
+        ),
+        ("[1,2,1,2]", "[1,2,1,4]", "curvature: the component [1, 2, 1, 4] needs 4 indices from 1"),
+        ("[1,2,1,2]", "[1,2,1]", "curvature: the component [1, 2, 1] needs 4 indices from 1 to 3"),
+    ] {
+        assert!(text.contains(from), "{from}");
+        let outcome =
+            run(folder.path(), &["verify", "so3@zero", "-"], text.replacen(from, to, 1).as_bytes());
+        assert!(outcome.status > 0 && outcome.err.contains(message), "{}", outcome.err);
+    }
+}
+
+/// Values longer than an expression may become while it is evaluated.
+#[test]
+fn long_values_verify() {
+    let folder = TempDir::new().unwrap();
+    let kerr = crate::program::definition("kerr.toml");
+    let table = ["table", &kerr, "--show", "kretschmann", "--format", "csv", "-o", "kerr.csv"];
+    assert_eq!(run(folder.path(), &table, b"").status, 0);
+    let outcome = run(folder.path(), &["verify", &kerr, "kerr.csv"], b"");
+    assert_eq!(outcome.status, 0, "{}{}", outcome.out, outcome.err);
+}
+
+#[test]
+fn a_tensor_chosen_twice_is_shown_once() {
+    let folder = TempDir::new().unwrap();
+    for format in ["text", "markdown", "latex", "csv", "json"] {
+        let show = |tensors: &str| {
+            stdout(folder.path(), &["table", "so3@zero", "--show", tensors, "--format", format])
+        };
+        assert_eq!(show("ricci,ricci"), show("ricci"), "{format}");
+        assert_eq!(show("ricci,all"), show("ricci,all,ricci,all"), "{format}");
+    }
+}

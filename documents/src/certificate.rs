@@ -2,7 +2,7 @@
 
 use crate::definition::{Definition, InputError, Reading, Refusal};
 use affinor::geometry::conditions::conditions;
-use affinor::{ConnectionKind, FrameOrigin, LieAlgebra};
+use affinor::{ConnectionKind, Error, FrameOrigin, LieAlgebra};
 use affinor_tensors::text::written;
 use affinor_tensors::{Indices, Notation, Tensor};
 
@@ -43,8 +43,13 @@ pub fn certify<S: Notation>(
 ) -> Result<Vec<Check>, InputError> {
     let mut checks = Vec::new();
     let Some(ground) = ground(definition, reading, stage, &mut checks)? else { return Ok(checks) };
-    match passed("metric", definition.metric(&ground, reading), &mut checks)? {
-        None => return Ok(checks),
+    let metric = definition.metric(&ground, reading);
+    let witness = metric.as_ref().err().and_then(|error| of_metric(error, &definition.labels));
+    match passed("metric", metric, &mut checks)? {
+        None => {
+            checks.iter_mut().last().into_iter().for_each(|check| check.witness = witness.clone());
+            return Ok(checks);
+        }
         Some(None) => {}
         Some(Some(_)) => checks.push(held("metric", "symmetric and non-degenerate")),
     }
@@ -134,6 +139,21 @@ fn passed<T>(
             Ok(None)
         }
         Err(error) => Err(error),
+    }
+}
+
+/// Where a metric is not symmetric, or the vector that is orthogonal to all.
+fn of_metric(error: &InputError, labels: &[String]) -> Option<Witness> {
+    let number = |name: &String| labels.iter().position(|label| label == name).map(|at| at + 1);
+    match error.cause.as_deref()? {
+        Error::NotSymmetric { x, y, residual } => Some(Witness {
+            indices: vec![number(x)?, number(y)?],
+            residual: vec![(0, residual.clone())],
+        }),
+        Error::Degenerate { components, .. } => {
+            Some(Witness { indices: vec![], residual: components.clone() })
+        }
+        _ => None,
     }
 }
 

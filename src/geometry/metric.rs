@@ -56,11 +56,12 @@ impl<S: Field> Metric<S> {
         let tolerance = components.tolerance();
         let Some(entries) = inverse(&components) else {
             let kernel = to_matrix(&components).nullspace().ok();
-            let null = kernel.map(|kernel| {
-                let row = if kernel.rows() > 0 { kernel.row(0) } else { &[] };
-                combination(row.iter().map(|(i, v)| (v, label(*i))))
+            let row = kernel.as_ref().filter(|kernel| kernel.rows() > 0);
+            let row = row.map_or(&[][..], |kernel| kernel.row(0));
+            return Err(Error::Degenerate {
+                null: combination(row.iter().map(|(i, v)| (v, label(*i)))),
+                components: row.iter().map(|(i, v)| (i + 1, written(v))).collect(),
             });
-            return Err(Error::Degenerate { null: null.unwrap_or_default() });
         };
         // symmetric to the last bit, also in floats
         let upper = entries.into_iter().filter(|([i, j], _)| i <= j);

@@ -1,7 +1,7 @@
 //! Expressions: parsing and evaluating written scalars.
 //!
 //! The grammar has `+ - * / ^ ( )`, integers, quotients `p/q`, decimals, `1e-3`, names, and functions
-//! like `sin(x)`. Decimals are exact. A `*` or a space separates a number from a name; `2x` and
+//! like `sin(x)`. Decimals are exact. White space is that of ASCII. A `*` or a space separates a number from a name; `2x` and
 //! `a b` are errors. The caller gives names and operations their meaning ([`Meaning`]), so one
 //! grammar serves scalars, vectors written in basis names, and complex numbers.
 //!
@@ -23,6 +23,8 @@ pub const MAX_DIGITS: usize = 10_000;
 pub const MAX_EXPONENT: i64 = 10_000;
 /// The deepest nesting of parentheses.
 pub const MAX_DEPTH: usize = 100;
+/// The most signs in front of one value.
+pub const MAX_SIGNS: usize = 100;
 /// The largest [`Notation::size`] a value may reach.
 pub const MAX_SIZE: usize = 1 << 18;
 
@@ -268,7 +270,7 @@ impl Parser<'_> {
 
     fn skip_space(&mut self) {
         let rest = &self.text[self.at..];
-        self.at += rest.len() - rest.trim_start().len();
+        self.at += rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_whitespace()).len();
     }
 
     /// Consumes and returns the next symbol after white space, if it is one of `symbols`.
@@ -302,16 +304,32 @@ impl Parser<'_> {
         let from = self.at;
         let mut terms = Vec::new();
         loop {
-            let mut subtracted = false;
-            while let Some(sign) = self.take(&['+', '-']) {
-                subtracted ^= sign == '-';
-            }
-            terms.push((subtracted, self.product()?));
+            terms.push((self.signs()?, self.product()?));
             self.skip_space();
             if !matches!(self.peek(), Some('+' | '-')) {
                 return Ok(fold(terms, from..self.at, Node::Sum));
             }
         }
+    }
+
+    /// Whether an odd number of minus signs stands here.
+    fn signs(&mut self) -> Result<bool, ExpressionError> {
+        let mut negative = false;
+        for _ in 0..=MAX_SIGNS {
+            match self.take(&['+', '-']) {
+                Some(sign) => negative ^= sign == '-',
+                None => return Ok(negative),
+            }
+        }
+        self.error(self.at - 1..self.at, format!("more than {MAX_SIGNS} signs in a row"))
+    }
+
+    /// A factor behind `*` or `/`, perhaps with signs.
+    fn factor(&mut self) -> Result<Expression, ExpressionError> {
+        self.skip_space();
+        let from = self.at;
+        let sign = (self.signs()?, self.power()?);
+        Ok(fold(vec![sign], from..self.at, Node::Sum))
     }
 
     fn product(&mut self) -> Result<Expression, ExpressionError> {
@@ -321,7 +339,7 @@ impl Parser<'_> {
         loop {
             let end = self.at;
             if let Some(symbol) = self.take(&['*', '/']) {
-                factors.push((symbol == '/', self.power()?));
+                factors.push((symbol == '/', self.factor()?));
             } else if self.peek().is_some_and(begins_name) {
                 let number =
                     matches!(factors.last(), Some((_, Expression { node: Node::Number(_), .. })));

@@ -24,7 +24,8 @@ impl Arguments {
         let stages = self.shared.start()?;
         let space = self.shared.open(self.space.as_deref(), &self.options)?;
         let checks = self.shared.run(&space, Certificate { stages: &stages })?;
-        let report = certificate(&space.definition.name, &checks);
+        let tolerance = self.shared.float_tolerance()?;
+        let report = certificate(&space.definition.name, &checks, tolerance);
         self.shared.print(&stages, space.file.as_slice(), &report)?;
         if checks.iter().all(|check| check.ok) { Ok(()) } else { Err(Failure::Refuted) }
     }

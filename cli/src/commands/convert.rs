@@ -57,6 +57,16 @@ impl Kind {
         Expected { numbers, what: what.into() }
     }
 
+    /// The names of the columns.
+    fn head(self) -> &'static str {
+        match self {
+            Kind::Vector | Kind::Gibbs | Kind::Modified => "x,y,z",
+            Kind::Quaternion => "w,x,y,z",
+            Kind::Matrix => "R",
+            Kind::Euler(_) => "angle",
+        }
+    }
+
     fn rotation(self, row: &[f64], unit: f64) -> Result<UnitQuaternion<f64>, Error> {
         let vector = || Vector3::from_column_slice(row);
         Ok(match self {
@@ -97,7 +107,7 @@ impl Arguments {
     pub fn run(&self) -> Result<(), Failure> {
         let unit = if self.degrees { 1f64.to_radians() } else { 1.0 };
         let locked = Cell::new(0u64);
-        map_rows(&self.rows, &self.from.expected(), &self.output, |row| {
+        map_rows(&self.rows, &self.from.expected(), self.to.head(), &self.output, |row| {
             let g = self.from.rotation(row, unit)?;
             let (row, lock) = self.to.written(&g, unit)?;
             locked.set(locked.get() + u64::from(lock.is_some()));

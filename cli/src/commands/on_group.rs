@@ -53,7 +53,12 @@ impl Arguments {
             }
         };
         let angles = Angles::new(self.degrees, &group);
-        map_rows(&self.rows, &expected, &self.output, |row| {
+        let head = match operation {
+            Operation::Exp => "g",
+            Operation::Adjoint => "Ad",
+            Operation::Log | Operation::Compose => "x",
+        };
+        map_rows(&self.rows, &expected, head, &self.output, |row| {
             Ok(match operation {
                 Operation::Exp => group.write(&group.exp(&angles.read(row))),
                 Operation::Adjoint => {

@@ -39,9 +39,9 @@ pub struct GeometryOptions {
 /// Parameters, threads, and the tolerance of floating-point results.
 #[derive(Args)]
 pub struct Settings {
-    /// Values of parameters, as in "J1=1/2,h=-1"
+    /// Values of parameters, as in "J1=1/2,h=-1"; may be repeated
     #[arg(long, value_name = "NAME=VALUE,...")]
-    pub set: Option<String>,
+    pub set: Vec<String>,
     /// Relative tolerance: a float counts as zero below T times the sum of the absolute values of
     /// its terms [default: 64 machine epsilons]
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
@@ -109,6 +109,11 @@ pub enum Scalar {
 }
 
 impl Settings {
+    /// All values of parameters, separated by commas.
+    fn set(&self) -> Option<String> {
+        (!self.set.is_empty()).then(|| self.set.join(","))
+    }
+
     /// The tolerance below which a float counts as zero.
     pub fn tolerance(&self) -> Result<Tolerance, Failure> {
         let Some(relative) = self.tolerance else { return Ok(Tolerance::default()) };
@@ -137,7 +142,7 @@ impl Settings {
             brackets: options.bracket.clone(),
             connection: options.geometry.connection.clone(),
             metric: options.geometry.metric.clone(),
-            set: self.set.clone(),
+            set: self.set(),
         })?;
         note_parameters(&space);
         Ok(space)
@@ -197,6 +202,11 @@ impl Shared {
         Ok(space.run(scalar, self.settings.tolerance()?, work)?)
     }
 
+    /// The tolerance below which a float counts as zero, if the scalars are floats.
+    pub fn float_tolerance(&self) -> Result<Option<Tolerance>, Failure> {
+        (self.scalar == Scalar::Float).then(|| self.settings.tolerance()).transpose()
+    }
+
     /// Opens a space, and notes its new parameters.
     pub fn open(&self, space: Option<&str>, options: &SpaceOptions) -> Result<Space, Failure> {
         self.settings.open(space, options)
@@ -218,7 +228,7 @@ impl Shared {
         let open =
             |name: &str| Space::open(&Request { space: Some(name.into()), ..Request::default() });
         let mut spaces = [open(names[0])?, open(names[1])?];
-        if let Some(text) = &self.settings.set {
+        if let Some(text) = &self.settings.set() {
             let parameters = spaces.each_ref().map(|space| space.definition.parameters());
             for (space, others) in spaces.iter_mut().zip(parameters.iter().rev()) {
                 space.set(text, others)?;

@@ -2,7 +2,7 @@
 
 use super::color::ColorOption;
 use super::failure::Failure;
-use super::note::note;
+use super::note::{counted, note};
 use super::output::deliver;
 use affinor_documents::definition::{InputError, Source, numbers};
 use clap::{Args, ValueEnum};
@@ -19,8 +19,17 @@ pub struct RowOutput {
     /// Write to this file; a failed run leaves it as it was
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     file: Option<PathBuf>,
+    /// At a row that is refused: stop, or skip it with a note of its place and reason
+    #[arg(long, value_enum, default_value_t = OnError::Stop)]
+    on_error: OnError,
     #[command(flatten)]
     color: ColorOption,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum OnError {
+    Stop,
+    Skip,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -43,17 +52,32 @@ pub struct Expected {
 
 /// Maps each row of the arguments, or of standard input if there are none, and writes the results.
 ///
-/// A first line without any number is the header of a table, and is skipped.
+/// A first line without any number is the header of a table, and is skipped. `head` is as in [`write_rows`].
 pub fn map_rows(
     arguments: &[String],
     expected: &Expected,
+    head: &str,
     output: &RowOutput,
     mut map: impl FnMut(&[f64]) -> Result<DMatrix<f64>, Failure>,
 ) -> Result<(), Failure> {
-    write_rows(output, |write| {
-        let mut each = |name: &str, row: &str| write(map(&read(name, row, expected)?)?);
+    let (mut rows, mut skipped) = (0, 0);
+    write_rows(output, head, |write| {
+        let mut each = |name: &str, row: &str| {
+            rows += 1;
+            match read(name, row, expected).and_then(|row| write(map(&row)?)) {
+                Err(Failure::Input(error)) if output.on_error == OnError::Skip => {
+                    skipped += 1;
+                    let message = error.message.strip_prefix(&format!("{name}: "));
+                    let message = message.unwrap_or(&error.message);
+                    note(&format!("{name} is left out: {message}"));
+                    Ok(())
+                }
+                done => done,
+            }
+        };
         if !arguments.is_empty() {
-            return arguments.iter().try_for_each(|row| each("VECTOR", row));
+            let mut numbered = (1..).zip(arguments);
+            return numbered.try_for_each(|(number, row)| each(&format!("row {number}"), row));
         }
         lines(|number, line| {
             if number == 1 && is_header(line) {
@@ -62,12 +86,19 @@ pub fn map_rows(
             }
             each(&format!("<standard input>, line {number}"), line)
         })
-    })
+    })?;
+    if skipped > 0 {
+        note(&format!("{skipped} of {} left out", counted(rows, "row")));
+    }
+    Ok(())
 }
 
 /// Writes each matrix as soon as `rows` passes it on.
+///
+/// `head` names the columns of CSV: a list such as `w,x,y,z`, or a letter to be followed by the numbers of row and column.
 pub fn write_rows(
     output: &RowOutput,
+    head: &str,
     rows: impl FnOnce(&mut dyn FnMut(DMatrix<f64>) -> Result<(), Failure>) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let write: fn(&mut dyn Write, &DMatrix<f64>) -> io::Result<()> = match output.format {
@@ -75,11 +106,14 @@ pub fn write_rows(
         RowFormat::Csv => csv,
         RowFormat::Json => json,
     };
-    let mut refused = None;
+    let (mut refused, mut first) = (None, output.format == RowFormat::Csv);
     let done = deliver(output.file.as_deref(), &[], |out| {
         let mut each = |values: DMatrix<f64>| {
             finite(&values)?;
-            write(out, &values).map_err(|error| Failure::Output(error, String::new()))
+            let begun = if first { writeln!(out, "{}", columns(head, &values)) } else { Ok(()) };
+            first = false;
+            let done = begun.and_then(|()| write(out, &values));
+            done.map_err(|error| Failure::Output(error, String::new()))
         };
         match rows(&mut each) {
             Ok(()) => Ok(()),
@@ -151,6 +185,20 @@ fn text(out: &mut dyn Write, values: &DMatrix<f64>) -> io::Result<()> {
         }
     }
     if values.nrows() > 1 { writeln!(out) } else { Ok(()) }
+}
+
+/// The names of the columns of CSV.
+fn columns(head: &str, values: &DMatrix<f64>) -> String {
+    if head.contains(',') {
+        return head.into();
+    }
+    let (rows, columns) = values.shape();
+    let between = if rows.max(columns) < 10 { "" } else { "_" };
+    let name = |at: usize| match rows {
+        1 => format!("{head}{}", at + 1),
+        _ => format!("{head}{}{between}{}", at / columns + 1, at % columns + 1),
+    };
+    (0..rows * columns).map(name).collect::<Vec<_>>().join(",")
 }
 
 /// All numbers on one line, a matrix row by row.

@@ -44,7 +44,7 @@ pub enum Frame {
     Right,
 }
 
-/// A list of tensors.
+/// A list of different tensors.
 #[derive(Clone)]
 pub struct Quantities(pub Vec<Quantity>);
 
@@ -135,5 +135,11 @@ fn quantities(text: &str) -> Result<Quantities, String> {
             }
         }
     }
-    Ok(Quantities(chosen))
+    let mut distinct = Vec::new();
+    for quantity in chosen {
+        if !distinct.contains(&quantity) {
+            distinct.push(quantity);
+        }
+    }
+    Ok(Quantities(distinct))
 }

@@ -51,10 +51,10 @@ impl Arguments {
         let arcs = arcs.collect::<Result<Vec<_>, Failure>>()?;
         let carried = ParallelTranslation::new(group, connection)?.along_arcs(&arcs)?;
         if self.vectors.is_empty() {
-            return write_rows(&self.output, |write| write(carried));
+            return write_rows(&self.output, "P", |write| write(carried));
         }
         let given: &[String] = if self.vectors == ["-"] { &[] } else { &self.vectors };
-        map_rows(given, &expected, &self.output, |u| {
+        map_rows(given, &expected, "u", &self.output, |u| {
             Ok(vector((&carried * DVector::from_column_slice(u)).as_slice()))
         })
     }

@@ -6,7 +6,7 @@ use super::options::{Shared, SpaceOptions};
 use super::stages::Stages;
 use super::table::{Quantities, Selection};
 use affinor_documents::definition::{Definition, InputError, Reading, Work};
-use affinor_documents::report::{Differences, StoredTable};
+use affinor_documents::report::{Differences, Quantity, StoredTable};
 use affinor_tensors::Notation;
 use clap::Args;
 use std::path::PathBuf;
@@ -37,7 +37,7 @@ impl Arguments {
             stored.select(chosen)?;
         }
         let space = self.shared.open(space, &self.options)?;
-        stored.expect_dimension(space.definition.dimension())?;
+        stored.expect_basis(&space.definition.labels)?;
         let compare = Compare { selection: &self.selection, stored: &stored, stages: &stages };
         let found = self.shared.run(&space, compare)?;
         let inputs: Vec<_> = space.file.into_iter().chain([PathBuf::from(file)]).collect();
@@ -60,10 +60,13 @@ impl Work for Compare<'_> {
         definition: &Definition,
         reading: &Reading<S>,
     ) -> Result<Differences, InputError> {
-        let quantities = self.stored.quantities();
+        let mut quantities = self.stored.quantities();
+        if quantities.is_empty() {
+            quantities = Quantity::BASIC.to_vec();
+        }
         let table = self.selection.table(definition, reading, &quantities, self.stages)?;
         self.stored.remarks(&table).iter().for_each(|remark| note(remark));
         self.stages.begin("comparison");
-        self.stored.differences(&table)
+        self.stored.or_vanishing(&table)?.differences(&table)
     }
 }

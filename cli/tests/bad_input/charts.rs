@@ -131,7 +131,7 @@ fn functions() {
 #[test]
 fn metrics_and_connections() {
     definitions("a.toml", with_keys).usage(&[
-        ("metric = \"diag(1)\"", &["diag has 1 entries, the dimension is 2"]),
+        ("metric = \"diag(1)\"", &["diag has 1 entry, the dimension is 2"]),
         (
             "affinities = \"nabla[x, d_y] = d_x\"",
             &["a.toml:3:21", "`x` is not a basis vector", "the basis is d_x, d_y"],

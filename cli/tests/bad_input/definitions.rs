@@ -197,9 +197,9 @@ fn matrices_are_checked() {
         ),
         (
             "[['0','1'],['0','0']], [['1']]",
-            &["a.toml:1:39", "the matrix of `e2` has 1 rows of 1 entries, not 2 x 2"],
+            &["a.toml:1:39", "the matrix of `e2` has 1 row of 1 entry, not 2 x 2"],
         ),
-        ("[['0','1']]", &["the matrix of `e1` has 1 rows of 2 entries, not 1 x 1"]),
+        ("[['0','1']]", &["the matrix of `e1` has 1 row of 2 entries, not 1 x 1"]),
         ("[]", &["a.toml:1:1", "the matrix of `e1`"]),
         ("", &["the dimension 0 is not"]),
         ("[['0','1/0'],['0','0']]", &["a.toml:1:22", "division by zero"]),
@@ -227,15 +227,15 @@ fn matrices_are_checked() {
 fn metrics_are_checked() {
     let content = |value: &str| with(&format!("metric = {value}"));
     definitions("a.toml", content).usage(&[
-        ("'diag(1)'", &["a.toml:3:11", "diag has 1 entries, the dimension is 2"]),
+        ("'diag(1)'", &["a.toml:3:11", "diag has 1 entry, the dimension is 2"]),
         ("'diag(1, 2, 3)'", &["a.toml:3:11", "diag has 3 entries"]),
         (
             "[[1, 0], [0, 1], [0, 0]]",
             &["a.toml:3:1", "the metric has 3 rows of 2 entries, the dimension is 2"],
         ),
         ("[[1, 0], [0]]", &["a.toml:3:1", "2 rows of 1 or 2 entries"]),
-        ("[]", &["a.toml:3:1", "0 rows"]),
-        ("'[[1, 0]]'", &["a.toml:3:11", "1 rows of 2 entries"]),
+        ("[]", &["a.toml:3:1", "the metric has no rows"]),
+        ("'[[1, 0]]'", &["a.toml:3:11", "1 row of 2 entries"]),
         ("'[1, 2]'", &["a.toml:3:12", "a row of the metric is `[a, b, ...]`"]),
         (
             "'euclid'",

@@ -95,7 +95,7 @@ fn spaces_without_an_algebra() {
         ("sо(3)", &["names are ASCII; this is not: \\u{43e}"]),
         ("\u{1b}[31mred", &["no algebra named `\\u{1b}[31mred`"]),
         ("so3@plus;zero", &["SPACE:1:10", "named twice"]),
-        ("so3@metric=diag(1)", &["@metric:1:1", "diag has 1 entries, the dimension is 3"]),
+        ("so3@metric=diag(1)", &["@metric:1:1", "diag has 1 entry, the dimension is 3"]),
         ("so3@metrik=identity", &["@connection:1:1", "`metrik=identity` is not a connection"]),
         ("so3@lambda=1/0", &["@connection:1:10", "division by zero"]),
         ("so3@lambda=inf", &["@connection:1:8", "`inf` is not a number"]),

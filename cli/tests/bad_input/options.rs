@@ -48,12 +48,21 @@ fn values() {
     ]);
     commands(&["table", "so3", "--connection"]).usage(&[
         ("left", &["--connection:1:1", "`left` is not a connection"]),
+        ("lambda=2e1", &["write `*` or a space between the number and `e1`"]),
         ("lambda=1/0", &["--connection:1:10", "division by zero"]),
         ("lambda=nan", &["--connection:1:8", "`nan` is not"]),
         ("-1/2", &["`-1/2` is not a connection"]),
     ]);
     commands(&["table", "so3", "--metric"]).usage(&[
         ("diag(1,2)", &["--metric:1:1", "diag has 2 entries"]),
+        ("diag(1)", &["--metric:1:1", "diag has 1 entry,"]),
+        ("[[1]]", &["the metric has 1 row of 1 entry, the dimension is 3"]),
+        ("[[],[],[]]", &["the metric has 3 rows of 0 entries"]),
+        ("[]", &["the metric has no rows"]),
+        ("diag(2e1,1,1)", &["--metric:1:6", "write `*` or a space between the number and `e1`"]),
+        ("diag(1\u{a0}/2,1,1)", &["--metric:1:7", "\\u{a0} is not expected here"]),
+        (&format!("diag({}1,1,1)", "-".repeat(101)), &["more than 100 signs in a row"]),
+        (&format!("diag({}1,1,1)", "-".repeat(100_000)), &["more than 100 signs in a row"]),
         ("diag(1,2,inf)", &["--metric:1:10", "`inf` is not"]),
         ("diag(1,2,1/0)", &["--metric:1:12", "division by zero"]),
         ("[[1,0],[0,1]]", &["--metric:1:1", "2 rows of 2 entries"]),
@@ -74,6 +83,8 @@ fn settings() {
         ("J11=1/0", &["--set:1:7", "division by zero"]),
         ("J11=1,J12=nan", &["--set:1:11", "`nan` is not a number"]),
         ("", &["a setting is name=value"]),
+        ("J11=1 --set J11=2", &["`J11` is set twice"]),
+        ("J11=2e1", &["write `*` or a space between the number and `e1`"]),
         ("1=1", &["--set:1:1", "`1` is not a name"]),
         ("J11=1=2", &["--set:1:6", "`=` is not expected here"]),
     ]);
@@ -124,4 +135,16 @@ fn floats() {
         |constant: &str| format!("basis = ['x', 'y']\nbrackets = '[x, y] = {constant}*x'");
     let says = &["R^1_212", "left the range of f64", "without --scalar float"];
     definitions("a.toml", content).with(&["--scalar", "float"]).mathematics(&[("1e300", says)]);
+}
+
+#[test]
+fn spaces() {
+    let many = vec!["R"; 15_000].join("+").replace('R', "R^1");
+    commands(&["table"]).usage(&[
+        ("so3@", &["SPACE:1:4", "the connection is missing", "write so3@plus"]),
+        ("so3@plus@zero", &["SPACE:1:4", "a space has one connection"]),
+        ("so3;", &["SPACE:1:4", "the connection is missing"]),
+        (&many, &["the dimension 15000 is not between 1 and 2048"]),
+    ]);
+    commands(&["exp"]).usage(&[("so3 1\u{a0}0,2,3", &["\\u{a0} is not expected here"])]);
 }

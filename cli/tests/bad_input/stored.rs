@@ -53,7 +53,7 @@ fn csv() {
         ("tensor,i,value\nricci,1,1", &["a.csv", "the header is not"]),
     ]);
     stored("a.csv", below).usage(&[
-        ("", &["a.csv", "there is no component in it"]),
+        ("ricci,1,1,,,\"1\nricci,2,2,,,1\n", &["a.csv", "a quote `\"` is not closed"]),
         ("ricci,1,1\n", &["a.csv", "3"]),
         ("bach,1,1,,,1\n", &["a.csv", "row 2: `bach` is no tensor"]),
         ("ricci,1,1,,,1\nricci,x,1,,,1\n", &["a.csv", "row 3: an index is no number"]),

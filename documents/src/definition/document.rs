@@ -3,7 +3,7 @@
 use super::chart::OnChart;
 use super::input::{InputError, shown};
 use super::notation::{
-    Names, basis, check_name, connection, lines, metric, metric_rows, statement,
+    Names, basis, check_name, connection, lines, metric, metric_rows, shape, statement,
 };
 use super::source::{Place, Source};
 use super::written::{
@@ -51,8 +51,7 @@ impl Document {
         let parameters = self.declared(&indices, source)?;
         let declared = parameters.iter().cloned().collect();
         let coordinates: Vec<_> = self.coordinates().iter().map(|name| name.to_string()).collect();
-        let scalars = Names { parameters: Some(&parameters), ..Names::open(&coordinates) };
-        let names = Names { labels: &indices, ..scalars };
+        let names = Names { parameters: Some(&parameters), ..Names::open(&indices, &coordinates) };
         let origin = match (&self.brackets, &self.structure_constants, &self.matrices) {
             (None, None, None) if self.chart.is_some() => self.fields(&names, source)?,
             _ if self.chart.is_some() => {
@@ -61,9 +60,9 @@ impl Document {
             }
             (Some(block), None, None) => Origin::Brackets(block.statements("", &names, source)?),
             (None, Some(rows), None) => {
-                Origin::Brackets(structure_constants(rows, labels.len(), &scalars, source)?)
+                Origin::Brackets(structure_constants(rows, labels.len(), &names, source)?)
             }
-            (None, None, Some(matrices)) => matrix_basis(matrices, &labels, &scalars, source)?,
+            (None, None, Some(matrices)) => matrix_basis(matrices, &labels, &names, source)?,
             (None, None, None) => {
                 return Err(InputError::usage(format!("{} defines no bracket", source.name))
                     .help("give one of brackets, structure_constants, matrices, chart"));
@@ -74,7 +73,7 @@ impl Document {
                     .help("give exactly one of brackets, structure_constants, matrices"));
             }
         };
-        let metric = self.metric.as_ref().map(|text| text.read(labels.len(), &scalars, source));
+        let metric = self.metric.as_ref().map(|text| text.read(labels.len(), &names, source));
         let metric = metric.transpose()?;
         let table = self.connection.as_ref();
         let kind = table.and_then(|table| table.kind.as_ref());
@@ -91,7 +90,7 @@ impl Document {
             (None, None) => None,
             (Some(text), None) => {
                 let source = source.excerpt(text);
-                Some(connection(&scalars, &source)?)
+                Some(connection(&names, &source)?)
             }
             (None, Some(block)) if within.is_none() || self.affinities.is_none() => {
                 let given = block.statements("nabla", &names, source)?;
@@ -274,11 +273,9 @@ fn matrix_basis(
             let (name, place) = (shown(name), source.at(name));
             return refuse(&place, format!("the matrix of `{label}` is named `{name}`"));
         }
-        let widths = matrix.rows.iter().map(Vec::len);
-        if size == 0 || matrix.rows.len() != size || widths.clone().any(|width| width != size) {
-            let (rows, widths) = (matrix.rows.len(), widths.collect::<BTreeSet<_>>());
-            let widths: Vec<_> = widths.iter().map(usize::to_string).collect();
-            let form = format!("{rows} rows of {} entries", widths.join(" or "));
+        let mut widths = matrix.rows.iter().map(Vec::len);
+        if size == 0 || matrix.rows.len() != size || widths.any(|width| width != size) {
+            let form = shape(&matrix.rows);
             let square = format!("not {0} x {0}", size.max(1));
             return refuse(place, format!("the matrix of `{label}` has {form}, {square}"));
         }

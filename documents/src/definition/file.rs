@@ -9,7 +9,7 @@ use serde::de::DeserializeOwned;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
-use toml::de::DeTable;
+use toml::de::{DeTable, DeValue};
 
 /// The largest size of a file in bytes.
 pub(crate) const MAX_BYTES: u64 = 1 << 28;
@@ -153,14 +153,41 @@ pub(crate) fn keys<T: DeserializeOwned>(
     } else {
         DeTable::parse(text).map_err(|error| (error.message().into(), error.span()))
     };
-    let table = match table {
+    let mut table = match table {
         Ok(table) => table,
         Err((message, span)) => return refused(&message, span),
     };
     let placed = source.with_keys(table.get_ref());
+    table.get_mut().iter_mut().for_each(|(_, value)| quote_huge(value.get_mut()));
     match T::deserialize(toml::Deserializer::from(table)) {
         Ok(keys) => Ok((keys, placed)),
-        Err(error) => refused(error.message(), error.span()),
+        Err(error) => {
+            let written = error.span().and_then(|span| text.get(span)).unwrap_or_default();
+            let digits =
+                written.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit());
+            // an integer of which `quote_huge` made a string
+            let overflow = digits && error.message().starts_with("invalid type: string");
+            let message = if overflow { "the integer overflows 64 bits" } else { error.message() };
+            refused(message, error.span())
+        }
+    }
+}
+
+/// Makes strings of the decimal integers beyond 64 bits, which the parser would refuse.
+fn quote_huge(value: &mut DeValue) {
+    match value {
+        DeValue::Integer(number)
+            if number.radix() == 10
+                && number.as_str().parse::<i64>().is_err()
+                && number.as_str().parse::<u64>().is_err() =>
+        {
+            *value = DeValue::String(number.as_str().to_string().into());
+        }
+        DeValue::Array(items) => items.iter_mut().for_each(|item| quote_huge(item.get_mut())),
+        DeValue::Table(table) => {
+            table.iter_mut().for_each(|(_, value)| quote_huge(value.get_mut()));
+        }
+        _ => {}
     }
 }
 

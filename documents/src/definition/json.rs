@@ -8,17 +8,26 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
+/// The message of the parser about a number that no float holds.
+const OUT_OF_RANGE: &str = "number out of range";
+/// The deepest nesting, that of the parser.
+const MAX_DEPTH: usize = 128;
+
 /// What is wrong, and where.
 type Refused = (String, Range<usize>);
 
 /// The table that an object of JSON holds. A key with the value `null` counts as absent.
 pub(super) fn table(text: &str) -> Result<Spanned<DeTable<'_>>, Refused> {
     // raw values are read without limits of numbers and nesting, and with vaguer messages
-    serde_json::from_str::<Value>(text).map_err(|error| refused(&error, text, 0))?;
+    match serde_json::from_str::<Value>(text) {
+        // an integer that no float holds is one of ours
+        Err(error) if error.to_string().starts_with(OUT_OF_RANGE) => {}
+        checked => drop(checked.map_err(|error| refused(&error, text, 0))?),
+    }
     let json = Json(text);
     let raw: &RawValue = json.parse_from(text, 0)?;
     let span = json.span(raw);
-    match json.value(raw)?.map(Spanned::into_inner) {
+    match json.value(raw, 0)?.map(Spanned::into_inner) {
         Some(DeValue::Table(table)) => Ok(Spanned::new(span, table)),
         _ => Err(("a JSON definition is an object of keys, {...}".into(), span)),
     }
@@ -35,8 +44,15 @@ impl<'t> Json<'t> {
     }
 
     /// The value; nothing for `null`.
-    fn value(self, raw: &'t RawValue) -> Result<Option<Spanned<DeValue<'t>>>, Refused> {
+    fn value(
+        self,
+        raw: &'t RawValue,
+        depth: usize,
+    ) -> Result<Option<Spanned<DeValue<'t>>>, Refused> {
         let (span, written) = (self.span(raw), raw.get());
+        if depth > MAX_DEPTH {
+            return Err(("recursion limit exceeded".into(), span));
+        }
         let value = match written.as_bytes().first() {
             Some(b'{') => {
                 let Entries::<&RawValue, &RawValue>(entries) = self.parse(raw)?;
@@ -47,7 +63,7 @@ impl<'t> Json<'t> {
                     if table.contains_key(key.as_str()) {
                         return Err((format!("duplicate field `{key}`"), place));
                     }
-                    if let Some(value) = self.value(value)? {
+                    if let Some(value) = self.value(value, depth + 1)? {
                         table.insert(Spanned::new(place, Cow::Owned(key)), value);
                     }
                 }
@@ -56,7 +72,7 @@ impl<'t> Json<'t> {
             Some(b'[') => {
                 let mut array = DeArray::new();
                 for item in self.parse::<Vec<&RawValue>>(raw)? {
-                    let value = self.value(item)?;
+                    let value = self.value(item, depth + 1)?;
                     let null = || ("invalid type: null, expected a value".into(), self.span(item));
                     array.push(value.ok_or_else(null)?);
                 }
@@ -68,7 +84,13 @@ impl<'t> Json<'t> {
             // every number of JSON is one of TOML
             _ => {
                 let number = DeValue::parse(written);
-                number.map_err(|error| (error.message().into(), span.clone()))?.into_inner()
+                let number = number.map_err(|error| (error.message().into(), span.clone()))?;
+                if matches!(number.get_ref(), DeValue::Float(_))
+                    && written.parse().is_ok_and(f64::is_infinite)
+                {
+                    return Err((OUT_OF_RANGE.into(), span));
+                }
+                number.into_inner()
             }
         };
         Ok(Some(Spanned::new(span, value)))

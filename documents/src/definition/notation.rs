@@ -20,13 +20,10 @@ pub(crate) struct Names<'n> {
     pub coordinates: &'n [String],
 }
 
-/// No basis vectors: those of scalars.
-static NO_LABELS: BTreeMap<String, usize> = BTreeMap::new();
-
 impl<'n> Names<'n> {
-    /// The names of scalars in which every unknown name is a parameter.
-    pub fn open(coordinates: &'n [String]) -> Self {
-        Names { labels: &NO_LABELS, parameters: None, coordinates }
+    /// The names of scalars beside these basis vectors; every unknown name is a parameter.
+    pub fn open(labels: &'n BTreeMap<String, usize>, coordinates: &'n [String]) -> Self {
+        Names { labels, parameters: None, coordinates }
     }
 
     /// Parses `text`, a piece of `source`, and evaluates it.
@@ -194,10 +191,10 @@ pub(super) fn metric(
         _ => {}
     }
     if let Some(inside) = enclosed(trimmed, "diag(", ')') {
-        let entries = split(inside);
+        let entries = list(inside);
         if entries.len() != dimension {
-            let found = entries.len();
-            let message = format!("diag has {found} entries, the dimension is {dimension}");
+            let found = entries_of(entries.len());
+            let message = format!("diag has {found}, the dimension is {dimension}");
             return Err(InputError::usage(message).at(&place));
         }
         let mut components = Vec::new();
@@ -208,12 +205,12 @@ pub(super) fn metric(
     }
     if let Some(inside) = enclosed(trimmed, "[", ']') {
         let mut rows = Vec::new();
-        for row in split(inside) {
+        for row in list(inside) {
             let Some(row) = enclosed(row.trim(), "[", ']') else {
                 let at = source.whole(row.trim());
                 return Err(InputError::usage("a row of the metric is `[a, b, ...]`").at(&at));
             };
-            rows.push(split(row));
+            rows.push(list(row));
         }
         return metric_rows(&rows, dimension, |entry| names.scalar(entry, source), place);
     }
@@ -231,12 +228,8 @@ pub(super) fn metric_rows<T>(
 ) -> Result<MetricChoice, InputError> {
     let square = rows.len() == dimension && rows.iter().all(|row| row.len() == dimension);
     if !square {
-        let widths: BTreeSet<usize> = rows.iter().map(Vec::len).collect();
-        let widths: Vec<String> = widths.iter().map(usize::to_string).collect();
-        let (found, widths) = (rows.len(), widths.join(" or "));
-        let message = format!(
-            "the metric has {found} rows of {widths} entries, the dimension is {dimension}"
-        );
+        let found = shape(rows);
+        let message = format!("the metric has {found}, the dimension is {dimension}");
         return Err(InputError::usage(message).at(&place));
     }
     let mut components = Vec::new();
@@ -246,6 +239,28 @@ pub(super) fn metric_rows<T>(
         }
     }
     Ok(MetricChoice::Components(components, Some(place)))
+}
+
+/// `3 rows of 2 or 3 entries`.
+pub(super) fn shape<T>(rows: &[Vec<T>]) -> String {
+    let widths: BTreeSet<usize> = rows.iter().map(Vec::len).collect();
+    let last = widths.last().copied().unwrap_or(0);
+    let others = widths.iter().filter(|width| **width != last);
+    let others: String = others.map(|width| format!("{width} or ")).collect();
+    match rows.len() {
+        0 => "no rows".into(),
+        1 => format!("1 row of {}", entries_of(last)),
+        n => format!("{n} rows of {others}{}", entries_of(last)),
+    }
+}
+
+fn entries_of(count: usize) -> String {
+    if count == 1 { "1 entry".into() } else { format!("{count} entries") }
+}
+
+/// The parts of a list between commas; none in an empty list.
+fn list(text: &str) -> Vec<&str> {
+    if text.trim().is_empty() { vec![] } else { split(text) }
 }
 
 /// The text between `open` at the start and `close` at the end.

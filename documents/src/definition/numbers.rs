@@ -24,7 +24,7 @@ pub fn numbers(source: &Source) -> Result<Vec<f64>, InputError> {
 
 /// The numbers in a piece of a source.
 pub(crate) fn numbers_in(text: &str, source: &Source) -> Result<Vec<f64>, InputError> {
-    let apart = |c: char| c.is_whitespace() || ",;[]".contains(c);
+    let apart = |c: char| c.is_ascii_whitespace() || ",;[]".contains(c);
     let words = text.split(apart).filter(|word| !word.is_empty());
     words.map(|word| number(word, source)).collect()
 }

@@ -6,7 +6,7 @@ use super::notation::{self, Names, basis, lines, metric, statement};
 use super::setting::settings;
 use super::source::Source;
 use super::written::{MetricText, Text};
-use super::{Definition, MetricChoice, Origin, Reading};
+use super::{Definition, MetricChoice, Origin, Reading, check_dimension};
 use affinor::algebra::catalogue::CatalogueError;
 use affinor::geometry::paper;
 use affinor_tensors::{Notation, Rational, Symbolic, Tolerance, Tracked};
@@ -133,16 +133,26 @@ impl Space {
         Ok(self)
     }
 
+    /// The numbers of the basis vectors by their names.
+    fn labels(&self) -> BTreeMap<String, usize> {
+        let labels = self.definition.labels.iter().enumerate();
+        labels.map(|(at, label)| (label.clone(), at)).collect()
+    }
+
     fn set_metric(
         &mut self,
         read: impl FnOnce(&Names) -> Result<MetricChoice, InputError>,
     ) -> Result<(), InputError> {
-        self.definition.metric = Some(read(&Names::open(self.definition.coordinates()))?);
+        let labels = self.labels();
+        let names = Names::open(&labels, self.definition.coordinates());
+        self.definition.metric = Some(read(&names)?);
         Ok(())
     }
 
     fn set_connection(&mut self, source: &Source) -> Result<(), InputError> {
-        let choice = notation::connection(&Names::open(self.definition.coordinates()), source)?;
+        let labels = self.labels();
+        let names = Names::open(&labels, self.definition.coordinates());
+        let choice = notation::connection(&names, source)?;
         self.definition.connection = Some(choice);
         Ok(())
     }
@@ -154,7 +164,9 @@ impl Space {
     pub fn set(&mut self, text: &str, others: &[String]) -> Result<(), InputError> {
         let source = Source::new("--set", text);
         let before = self.definition.parameters();
-        let mut values = settings(&source, &Names::open(self.definition.coordinates()))?;
+        let labels = self.labels();
+        let names = Names::open(&labels, self.definition.coordinates());
+        let mut values = settings(&source, &names)?;
         values.retain(|name, _| before.contains(name) || !others.contains(name));
         let set = self.definition.set(&values);
         set.map_err(|error| error.or_at(&source.whole(&source.text)))?;
@@ -181,6 +193,9 @@ impl Space {
     ) -> Result<W::Output, InputError> {
         let parameters = self.definition.parameters();
         match choice {
+            ScalarChoice::Float if self.definition.is_on_chart() => {
+                Err(on_chart().help("leave --scalar float away"))
+            }
             ScalarChoice::Float => self
                 .in_floats::<Tracked, _>(tolerance, |definition, reading| {
                     work.run(definition, reading)
@@ -206,8 +221,7 @@ impl Space {
         work: impl FnOnce(&Definition, &Reading<S>) -> Result<R, InputError>,
     ) -> Result<R, InputError> {
         if self.definition.is_on_chart() {
-            let message = "functions on a chart are differentiated, so they are exact";
-            return Err(InputError::usage(message).help("leave --scalar float away"));
+            return Err(on_chart().help("give a Lie algebra: this command computes in floats"));
         }
         let parameters = self.definition.parameters();
         if !parameters.is_empty() {
@@ -220,6 +234,11 @@ impl Space {
     }
 }
 
+/// The refusal to compute on a chart in floats.
+fn on_chart() -> InputError {
+    InputError::usage("functions on a chart are differentiated, so they are exact")
+}
+
 /// The parts of `NAME@connection;metric=...`.
 fn split_space(space: &str) -> Result<Request, InputError> {
     let mut parts = Request::default();
@@ -230,6 +249,16 @@ fn split_space(space: &str) -> Result<Request, InputError> {
     let space = &*source.text;
     let split = space.rsplit_once('@').or_else(|| space.split_once(';'));
     let (name, behind) = split.unwrap_or((space, ""));
+    if split.is_some() && behind.trim().is_empty() {
+        let error = InputError::usage("the connection is missing behind the name of the space");
+        let place = source.find(space, name.len()..space.len());
+        return Err(error.at(&place).help("write so3@plus, or the name alone"));
+    }
+    if let Some(first) = name.find('@').filter(|_| !is_path(name)) {
+        let error = InputError::usage("a space has one connection, behind one `@`");
+        let place = source.find(space, first..space.len());
+        return Err(error.at(&place).help("write so3@levi-civita;metric=diag(1,2,3)"));
+    }
     parts.space = Some(name.trim().into());
     for part in behind.split(';').map(str::trim).filter(|part| !part.is_empty()) {
         let (place, value) = match part.split_once('=') {
@@ -259,9 +288,13 @@ fn find(name: &str) -> Result<Definition, InputError> {
         return Definition::read(name);
     }
     let source = Source::new("SPACE", name);
-    let mut parts = affinor::group::registry::summands(&source.text).into_iter();
+    let parts = affinor::group::registry::summands(&source.text).into_iter();
+    let parts: Vec<_> = parts.map(|part| entry(part, &source)).collect::<Result<_, _>>()?;
+    check_dimension(parts.iter().map(Definition::dimension).sum::<usize>())
+        .map_err(|error| error.at(&source.whole(&source.text)))?;
+    let mut parts = parts.into_iter();
     let first = parts.next().ok_or_else(|| InputError::usage("no SPACE is named"))?;
-    parts.try_fold(entry(first, &source)?, |sum, part| sum.direct_sum(entry(part, &source)?))
+    parts.try_fold(first, Definition::direct_sum)
 }
 
 /// A catalogue entry by its name, a piece of `source`.

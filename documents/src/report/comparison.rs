@@ -2,13 +2,13 @@
 
 use super::components::groups;
 use super::grid::{Cell, Grid, pretty};
-use super::{Format, Quantity, Report, latex, text};
+use super::{Format, Quantity, Report, head, latex, text};
 use affinor::geometry::claims::{Claim, Residual, Verdict};
 use affinor::geometry::conditions::conditions;
 use affinor::{ConnectionKind, Error, Geometry, LieAlgebra};
 use affinor_tensors::contract;
 use affinor_tensors::text::combination;
-use affinor_tensors::{Notation, Tensor};
+use affinor_tensors::{Kind, Notation, Tensor};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -24,6 +24,8 @@ pub struct ComparedSide {
     connection: String,
     rows: Vec<(&'static str, Cell)>,
     verdicts: Vec<(Claim, Verdict)>,
+    /// The rule by which a float counts as zero.
+    zero: Option<String>,
 }
 
 /// Two geometries side by side.
@@ -61,7 +63,9 @@ impl ComparedSide {
             ConnectionKind::Family(lambda) => format!("lambda={lambda}"),
             _ => kind.name().into(),
         };
-        Ok(ComparedSide { name: geometry.name().into(), connection, rows, verdicts })
+        let tolerance = geometry.frame().structure().tolerance();
+        let zero = (S::KIND == Kind::Float).then(|| head::zero(tolerance));
+        Ok(ComparedSide { name: geometry.name().into(), connection, rows, verdicts, zero })
     }
 }
 
@@ -86,6 +90,7 @@ impl Comparison {
         let rows = rows.map(|((title, a), (_, b))| vec![(*title).into(), a.clone(), b.clone()]);
         let title = format!("{} and {}", left.name, right.name);
         Grid::new(title, &["", &left.name, &right.name], rows.collect(), Value::Null)
+            .with_head(head::head_of_grid(left.zero.as_deref()))
     }
 
     fn claims(&self) -> Grid {
@@ -138,6 +143,7 @@ impl Comparison {
         json!({
             "schema": "affinor.compare/1",
             "spaces": [left.name, right.name],
+            "conventions": head::conventions_in_json(left.zero.as_deref()),
             "rows": rows.collect::<Vec<_>>(),
             "claims": claims.collect::<Vec<_>>(),
         })

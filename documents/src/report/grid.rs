@@ -2,6 +2,7 @@
 
 use super::latex::escape;
 use super::markdown::escaped;
+use super::text::head_line;
 use super::{Format, Report};
 use comfy_table::presets::UTF8_BORDERS_ONLY;
 use comfy_table::{ContentArrangement, Table};
@@ -15,6 +16,8 @@ const WIDTH: u16 = 80;
 #[derive(Clone, Debug)]
 pub(super) struct Grid {
     pub title: String,
+    /// Lines between the title and the rows, each with its title.
+    pub head: Vec<(&'static str, Cell)>,
     /// One heading for each column.
     pub header: Vec<String>,
     /// The rows, as wide as the header.
@@ -45,6 +48,11 @@ impl From<String> for Cell {
 }
 
 impl Cell {
+    /// The lines in LaTeX.
+    fn in_latex(&self) -> Vec<String> {
+        self.latex.clone().unwrap_or_else(|| self.lines(escape))
+    }
+
     /// The lines of plain text, escaped for a format.
     fn lines(&self, escape: impl Fn(&str) -> String) -> Vec<String> {
         self.text.iter().map(|text| escape(text)).collect()
@@ -77,7 +85,11 @@ impl Grid {
         json: Value,
     ) -> Self {
         let header = header.iter().map(|name| name.to_string()).collect();
-        Grid { title: title.into(), header, rows, json }
+        Grid { title: title.into(), head: vec![], header, rows, json }
+    }
+
+    pub fn with_head(self, head: Vec<(&'static str, Cell)>) -> Self {
+        Grid { head, ..self }
     }
 
     fn text(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -88,12 +100,20 @@ impl Grid {
         for row in &self.rows {
             table.add_row(row.iter().map(|cell| cell.text.join("\n")));
         }
-        writeln!(out, "{}\n{table}", self.title)
+        writeln!(out, "{}", self.title)?;
+        self.head.iter().try_for_each(|(title, cell)| head_line(title, &cell.text, out))?;
+        writeln!(out, "{table}")
     }
 
     fn markdown(&self, out: &mut dyn Write) -> io::Result<()> {
         let escape = |text: &str| escaped(text, r"|*_`<>[]\^");
         writeln!(out, "## {}\n", escape(&self.title))?;
+        for (title, cell) in &self.head {
+            writeln!(out, "- {title}: {}", cell.lines(escape).join(" "))?;
+        }
+        if !self.head.is_empty() {
+            writeln!(out)?;
+        }
         let line = |cells: Vec<String>| format!("| {} |", cells.join(" | "));
         writeln!(out, "{}", line(self.header.iter().map(|text| escape(text)).collect()))?;
         writeln!(out, "{}", line(vec!["---".into(); self.header.len()]))?;
@@ -110,14 +130,14 @@ impl Grid {
         let column = format!(">{{\\raggedright\\arraybackslash}}p{{{share:.2}\\textwidth}}");
         writeln!(out, "% A fragment: it needs \\usepackage{{amsmath,array,longtable}}.")?;
         writeln!(out, "\\section*{{{}}}", escape(&self.title))?;
+        for (title, cell) in &self.head {
+            writeln!(out, "{title}: {}\\par", cell.in_latex().join(" "))?;
+        }
         writeln!(out, "\\begin{{longtable}}{{@{{}}{}@{{}}}}", column.repeat(columns))?;
         let header: Vec<_> = self.header.iter().map(|text| escape(text)).collect();
         writeln!(out, "\\hline\n{} \\\\\n\\hline\\endhead", header.join(" & "))?;
         for row in &self.rows {
-            let cell = |cell: &Cell| match &cell.latex {
-                Some(lines) => lines.join(" \\newline "),
-                None => cell.lines(escape).join(" \\newline "),
-            };
+            let cell = |cell: &Cell| cell.in_latex().join(" \\newline ");
             writeln!(out, "{} \\\\", row.iter().map(cell).collect::<Vec<_>>().join(" & "))?;
         }
         writeln!(out, "\\hline\n\\end{{longtable}}")
@@ -126,6 +146,10 @@ impl Grid {
     fn csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let mut writer = csv::Writer::from_writer(out);
         writer.write_record(&self.header)?;
+        let empty = vec![""; self.header.len().saturating_sub(2)];
+        for (title, cell) in &self.head {
+            writer.write_record([&[*title, &cell.text.join("; ")], &empty[..]].concat())?;
+        }
         for row in &self.rows {
             writer.write_record(row.iter().map(|cell| cell.text.join("; ")))?;
         }

@@ -1,12 +1,46 @@
 //! The head of a table: the space, its connection and its scalar.
 
+use super::grid::Cell;
+use super::latex::CONVENTIONS;
 use super::{OnChart, Table};
 use affinor::conventions;
-use affinor_tensors::{Kind, Notation};
+use affinor_tensors::{Kind, Notation, Tolerance};
+use serde_json::{Value, json};
 
 /// The conventions in brief.
 pub(super) fn conventions() -> String {
     [conventions::BRACKET, conventions::AFFINITIES, conventions::CURVATURE].join("; ")
+}
+
+/// The rule by which a float counts as zero.
+pub(super) fn zero(tolerance: Tolerance) -> String {
+    let tolerance = tolerance.relative();
+    format!("|v| <= {tolerance:.3e} times the sum of the absolute values of its terms")
+}
+
+fn float(zero: &str) -> String {
+    format!("float; a component v is zero when {zero}")
+}
+
+/// The head of a grid: the conventions in brief, and the rule by which a float counts as zero.
+pub(super) fn head_of_grid(zero: Option<&str>) -> Vec<(&'static str, Cell)> {
+    let conventions = Cell { text: vec![conventions()], latex: Some(vec![CONVENTIONS.into()]) };
+    let scalar = zero.map(|zero| ("scalar", float(zero).into()));
+    [("conventions", conventions)].into_iter().chain(scalar).collect()
+}
+
+/// The same in JSON.
+pub(super) fn conventions_in_json(zero: Option<&str>) -> Value {
+    let mut json = json!({
+        "indices": "from 1",
+        "structure": conventions::BRACKET,
+        "affinities": conventions::AFFINITIES,
+        "curvature": conventions::CURVATURE,
+    });
+    if let Some(zero) = zero {
+        json["zero"] = zero.into();
+    }
+    json
 }
 
 impl<S: Notation> Table<S> {
@@ -34,10 +68,7 @@ impl<S: Notation> Table<S> {
 
     /// The tolerance of zero, for floats.
     pub(super) fn zero_line(&self) -> Option<String> {
-        let tolerance = self.tolerance.relative();
-        (S::KIND == Kind::Float).then(|| {
-            format!("|v| <= {tolerance:.3e} times the sum of the absolute values of its terms")
-        })
+        (S::KIND == Kind::Float).then(|| zero(self.tolerance))
     }
 
     fn connection_line(&self) -> String {
@@ -51,7 +82,7 @@ impl<S: Notation> Table<S> {
 
     fn scalar_line(&self) -> String {
         match (S::KIND, self.zero_line()) {
-            (_, Some(zero)) => format!("float; a component v is zero when {zero}"),
+            (_, Some(zero)) => float(&zero),
             (Kind::Symbolic, _) if !self.parameters.is_empty() => {
                 format!("symbolic in {}", printable_list(&self.parameters))
             }

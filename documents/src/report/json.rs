@@ -3,7 +3,7 @@
 use super::components::append;
 use super::head::kind_name;
 use super::{OnChart, Quantity, Table, TableEntry};
-use affinor_tensors::{Kind, Notation, Up};
+use affinor_tensors::{Kind, Notation, Up, Variance};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -50,6 +50,11 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
     writeln!(out, "\n  }}\n}}")
 }
 
+/// The variances of slots, `["up","down"]`.
+pub(super) fn variances(slots: &[Variance]) -> Value {
+    slots.iter().map(|slot| if *slot == Up { "up" } else { "down" }).collect()
+}
+
 /// Writes one tensor directly, because a tree of a million components takes much memory.
 fn tensor<S: Notation>(
     table: &Table<S>,
@@ -57,8 +62,7 @@ fn tensor<S: Notation>(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let (quantity, shown) = (entry.quantity, table.shown(entry));
-    let slots = shown.slots().iter().map(|slot| if *slot == Up { "up" } else { "down" });
-    let slots: Value = slots.collect();
+    let slots = variances(shown.slots());
     let (key, symbol) = (quantity.key(), quantity.symbol());
     write!(
         out,

@@ -2,6 +2,7 @@
 
 use super::components::{GROUPED, Group, groups, scripts, summary};
 use super::head::printable;
+use super::text::brackets;
 use super::{Quantity, Table, TableEntry};
 use affinor_tensors::{Notation, Symbolic, Tensor, Up, Variance};
 use std::io::{self, Write};
@@ -10,7 +11,7 @@ use std::io::{self, Write};
 pub(super) const WIDTH: usize = 58;
 
 /// The conventions in brief.
-const CONVENTIONS: &str = "$[e_j, e_k] = c^{i}{}_{jk} e_i$, \
+pub(super) const CONVENTIONS: &str = "$[e_j, e_k] = c^{i}{}_{jk} e_i$, \
     $\\nabla_{e_j} e_k = \\Lambda^{i}{}_{jk} e_i$, $R(e_k, e_l) e_j = R^{i}{}_{jkl} e_i$";
 
 pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
@@ -49,6 +50,12 @@ fn tensor<S: Notation>(
         return writeln!(out, "\\begin{{align*}}\n{general} &= 0\n\\end{{align*}}");
     }
     if shown.len() <= GROUPED {
+        if quantity == Quantity::Structure {
+            let labels: Vec<String> = table.labels.iter().map(|label| in_formula(label)).collect();
+            for (left, right) in brackets(&entry.tensor, &labels, Notation::latex) {
+                writeln!(out, "\\hangindent=2em ${left} = {}$\\par", right.replace('*', " "))?;
+            }
+        }
         let equations: Vec<Equation> =
             groups(&shown).iter().map(|group| Equation::new(quantity, &shown, group)).collect();
         for run in equations.chunk_by(|a, b| a.is_long() == b.is_long()) {
@@ -179,6 +186,14 @@ fn label_name(label: &str) -> String {
     match <Symbolic as Notation>::parameter(label) {
         Some(name) => format!("${}$", name.latex()),
         None => escape(&printable(label)),
+    }
+}
+
+/// A basis vector within a formula.
+fn in_formula(label: &str) -> String {
+    match <Symbolic as Notation>::parameter(label) {
+        Some(name) => name.latex(),
+        None => format!("\\text{{{}}}", escape(&printable(label))),
     }
 }
 

@@ -1,9 +1,10 @@
 //! Short lists: the conventions, the catalogue, and the checks of a certificate.
 
-use super::Report;
 use super::grid::Grid;
+use super::{Report, head};
 use crate::certificate::Check;
 use affinor::algebra::catalogue::families;
+use affinor_tensors::Tolerance;
 use serde_json::{Map, Value, json};
 
 /// The conventions of signs and indices. JSON has the schema `affinor.conventions/1`.
@@ -34,8 +35,14 @@ pub fn catalogue(pattern: &str) -> Option<impl Report + use<>> {
     (!rows.is_empty()).then(|| Grid::new("Catalogue; + forms direct sums", &header, cells, json))
 }
 
-/// The checks of a definition of this name. JSON has the schema `affinor.check/1`.
-pub fn certificate(name: &str, checks: &[Check]) -> impl Report + use<> {
+/// The checks of a definition of this name, with their tolerance if they were made in floats. JSON has the schema
+/// `affinor.check/1`.
+pub fn certificate(
+    name: &str,
+    checks: &[Check],
+    tolerance: Option<Tolerance>,
+) -> impl Report + use<> {
+    let zero = tolerance.map(head::zero);
     let rows = checks.iter().map(|check| {
         let verdict = if check.ok { "ok" } else { "FAILS" };
         vec![check.name.into(), verdict.into(), check.detail.as_str().into()]
@@ -51,6 +58,7 @@ pub fn certificate(name: &str, checks: &[Check]) -> impl Report + use<> {
         "schema": "affinor.check/1",
         "name": name,
         "ok": checks.iter().all(|check| check.ok),
+        "conventions": head::conventions_in_json(zero.as_deref()),
         "checks": checks.iter().map(object).collect::<Vec<_>>(),
     });
     let name: String = name.chars().flat_map(char::escape_debug).collect();
@@ -60,4 +68,5 @@ pub fn certificate(name: &str, checks: &[Check]) -> impl Report + use<> {
         rows.collect(),
         json,
     )
+    .with_head(head::head_of_grid(zero.as_deref()))
 }

@@ -2,8 +2,8 @@
 
 use super::components::{GROUPED, groups, plain, summary};
 use super::head::{conventions, printable};
-use super::text::{component, general};
-use super::{Table, TableEntry};
+use super::text::{brackets, component, general};
+use super::{Quantity, Table, TableEntry};
 use affinor_tensors::Notation;
 use std::io::{self, Write};
 
@@ -27,8 +27,16 @@ fn tensor<S: Notation>(
     if shown.is_empty() {
         return writeln!(out, "`{} = 0`", general(entry.quantity, &shown));
     }
+    let grouped = shown.len() <= GROUPED;
+    if grouped && entry.quantity == Quantity::Structure {
+        let labels: Vec<String> = table.labels.iter().map(|label| printable(label)).collect();
+        for (left, right) in brackets(&entry.tensor, &labels, plain) {
+            writeln!(out, "- `{left} = {right}`")?;
+        }
+        writeln!(out)?;
+    }
     writeln!(out, "| component | value |\n| --- | --- |")?;
-    if shown.len() <= GROUPED {
+    if grouped {
         for group in groups(&shown) {
             let members = group.names(name).join("` = `");
             writeln!(out, "| `{members}` | `{}` |", plain(&group.value))?;

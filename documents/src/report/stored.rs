@@ -2,12 +2,15 @@
 
 use super::components::plain;
 use super::grid::Grid;
+use super::head::{conventions_in_json, head_of_grid};
+use super::json::variances;
 use super::{Format, Quantity, Report, Table, TableEntry, text};
 use crate::definition::file::{bytes, decode};
 use crate::definition::{InputError, Place, Source};
 use affinor_tensors::expression::{Expression, Scalars};
-use affinor_tensors::{Kind, Notation, Rational, Sum, Tensor};
+use affinor_tensors::{Kind, Notation, Rational, Sum, Tensor, Variance};
 use serde_json::{Value, json};
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 /// A table read from JSON (`affinor.table/1`) or CSV. Values are kept as text until the scalar type
@@ -18,6 +21,8 @@ pub struct StoredTable {
     place: Place,
     /// The name of the connection, if the file has it.
     connection: Option<String>,
+    /// The names of the basis vectors, if the file has them.
+    basis: Option<Vec<String>>,
     /// The dimension, if the file has it.
     dimension: Option<usize>,
     /// The frame, such as `left-invariant`, if the file has it.
@@ -27,6 +32,8 @@ pub struct StoredTable {
     /// Whether only independent components are listed.
     independent: bool,
     tensors: Vec<(Quantity, Vec<Component>)>,
+    /// The variances of the slots, such as `["up","down"]`, of the tensors for which the file has them.
+    slots: Vec<(Quantity, Value)>,
     /// Whether the format lists tensors without components: JSON does, CSV does not.
     lists_zeros: bool,
 }
@@ -39,6 +46,9 @@ const MAX_BYTES: u64 = 1 << 32;
 /// The largest number of differing components that are shown; all are counted.
 const SHOWN: usize = 20;
 
+/// How to choose the tensors of a table without rows.
+const NAMED: &str = "--show names the tensors";
+
 /// The components whose stored values differ from the computed ones.
 #[derive(Clone, Debug)]
 pub struct Differences {
@@ -46,6 +56,8 @@ pub struct Differences {
     compared: Vec<Quantity>,
     /// The component, `R^1_212`, its stored and its computed value.
     found: Vec<[String; 3]>,
+    /// The rule by which a float counts as zero.
+    zero: Option<String>,
 }
 
 impl Differences {
@@ -79,12 +91,14 @@ impl Report for Differences {
         let json = json!({
             "schema": "affinor.verify/1",
             "ok": self.is_empty(),
+            "conventions": conventions_in_json(self.zero.as_deref()),
             "compared": keys,
             "differences": self.found.len(),
             "first": shown().map(entry).collect::<Vec<_>>(),
         });
         let rows = shown().map(|row| row.each_ref().map(|cell| cell.as_str().into()).to_vec());
         Grid::new(title, &["component", "stored", "computed"], rows.collect(), json)
+            .with_head(head_of_grid(self.zero.as_deref()))
             .write(format, out)
     }
 }
@@ -113,11 +127,13 @@ impl StoredTable {
             // the text itself is not kept
             place: Place::within(Source::new(source.name, "")),
             connection: None,
+            basis: None,
             dimension: None,
             frame: None,
             scalar: None,
             independent: false,
             tensors: vec![],
+            slots: vec![],
             lists_zeros: text.trim_start().starts_with('{'),
         };
         let read = if table.lists_zeros { table.json(&text) } else { table.csv(&text) };
@@ -130,26 +146,63 @@ impl StoredTable {
         self.tensors.iter().map(|(quantity, _)| *quantity).collect()
     }
 
-    /// Checks that the components fit a space of this dimension.
+    /// Checks that the components fit a space with this basis.
     ///
     /// # Errors
-    /// A table of another dimension, or with a larger index.
-    pub fn expect_dimension(&self, computed: usize) -> Result<(), InputError> {
+    /// A table of another dimension, with a larger index, or with another name of a basis vector.
+    pub fn expect_basis(&self, labels: &[String]) -> Result<(), InputError> {
+        let computed = labels.len();
         let components = self.tensors.iter().flat_map(|(_, components)| components);
         let least = components.flat_map(|(indices, _)| indices).max().map_or(0, |index| index + 1);
         let stored = match self.dimension {
             Some(dimension) if dimension != computed => dimension.to_string(),
             None if least > computed => format!("at least {least}"),
-            _ => return Ok(()),
+            _ => return self.expect_names(labels),
         };
         let message = format!("the stored dimension is {stored}, the computed one {computed}");
         Err(InputError::mathematics(message).at(&self.place))
+    }
+
+    fn expect_names(&self, labels: &[String]) -> Result<(), InputError> {
+        let stored = self.basis.iter().flatten();
+        let mut pairs = (1..).zip(stored.zip(labels));
+        let Some((at, (stored, computed))) =
+            pairs.find(|(_, (stored, computed))| stored != computed)
+        else {
+            return Ok(());
+        };
+        let (stored, computed) = (stored.escape_debug(), computed.escape_debug());
+        let message =
+            format!("the stored basis vector {at} is `{stored}`, the computed `{computed}`");
+        Err(InputError::mathematics(message).at(&self.place))
+    }
+
+    /// The table itself; if it lists no component, which is so in CSV where all tensors vanish, the tensors of the computed
+    /// table that vanish.
+    ///
+    /// # Errors
+    /// No component, and no tensor that vanishes.
+    pub fn or_vanishing<S: Notation>(&self, table: &Table<S>) -> Result<Cow<'_, Self>, InputError> {
+        if !self.tensors.is_empty() {
+            return Ok(Cow::Borrowed(self));
+        }
+        let vanishing = table.tensors.iter().filter(|entry| entry.tensor.is_empty());
+        let tensors: Vec<_> = vanishing.map(|entry| (entry.quantity, vec![])).collect();
+        if tensors.is_empty() {
+            let message = "no component is stored, and no tensor of this space vanishes";
+            return Err(InputError::mathematics(message).at(&self.place).help(NAMED));
+        }
+        Ok(Cow::Owned(StoredTable { tensors, ..self.clone() }))
     }
 
     /// The settings of the stored table that differ from those of the computed one, each with the option that changes it,
     /// if there is one.
     pub fn remarks<S: Notation>(&self, table: &Table<S>) -> Vec<String> {
         let mut remarks = Vec::new();
+        if self.tensors.is_empty() {
+            remarks
+                .push(format!("the stored table has no rows: compared is what vanishes; {NAMED}"));
+        }
         if let Some(stored) = self.connection.as_ref().filter(|name| **name != table.connection) {
             let (stored, computed) = (stored.escape_debug(), &table.connection);
             remarks.push(format!("the stored connection is {stored}, the computed one {computed}"));
@@ -205,10 +258,21 @@ impl StoredTable {
                 return Err(refused(format!("{key} is stored, and does not apply to this space")));
             };
             let shown = if table.independent { &super::independent(tensor) } else { tensor };
+            self.expect_slots(*quantity, shown.slots())?;
             let mut values = Vec::new();
             for (indices, value) in components {
-                let read =
-                    read(value).map_err(|reason| refused(format!("{key}: `{value}`: {reason}")))?;
+                let numbers: Vec<usize> = indices.iter().map(|index| index + 1).collect();
+                let (rank, n) = (shown.rank(), shown.dimension());
+                if indices.len() != rank || numbers.iter().any(|number| *number > n) {
+                    let expected = format!("{rank} indices from 1 to {n}");
+                    return Err(refused(format!(
+                        "{key}: the component {numbers:?} needs {expected}"
+                    )));
+                }
+                // the text of a long value reads back, though its evaluation would exceed a limit
+                let computed = shown.get(indices);
+                let read = if plain(&computed) == *value { Ok(computed) } else { read(value) };
+                let read = read.map_err(|reason| refused(format!("{key}: `{value}`: {reason}")))?;
                 values.push((indices.clone(), read));
             }
             values.sort_by(|a, b| a.0.cmp(&b.0));
@@ -221,7 +285,20 @@ impl StoredTable {
                 .with_tolerance(table.tolerance);
             found.extend(compare(*quantity, &stored, shown));
         }
-        Ok(Differences { compared: self.quantities(), found })
+        Ok(Differences { compared: self.quantities(), found, zero: table.zero_line() })
+    }
+
+    fn expect_slots(&self, quantity: Quantity, slots: &[Variance]) -> Result<(), InputError> {
+        let computed = variances(slots);
+        match self.slots.iter().find(|(other, _)| *other == quantity) {
+            Some((_, stored)) if *stored != computed => {
+                let key = quantity.key();
+                let message =
+                    format!("{key}: the stored indices are {stored}, the computed {computed}");
+                Err(InputError::mathematics(message).at(&self.place))
+            }
+            _ => Ok(()),
+        }
     }
 
     fn json(&mut self, text: &str) -> Result<(), InputError> {
@@ -246,6 +323,9 @@ impl StoredTable {
                 components.push(component.ok_or_else(message)?);
             }
             self.tensors.push((quantity, components));
+            if let Some(slots) = tensor.get("indices") {
+                self.slots.push((quantity, slots.clone()));
+            }
         }
         if self.tensors.is_empty() {
             return Err(refused("there is no tensor in it"));
@@ -253,6 +333,8 @@ impl StoredTable {
         let text = |value: &Value| value.as_str().map(str::to_string);
         let conventions = &root["conventions"];
         self.connection = text(&root["connection"]["name"]);
+        let names = root["algebra"]["basis"].as_array();
+        self.basis = names.and_then(|names| names.iter().map(text).collect());
         self.dimension = root["algebra"]["dimension"].as_u64().and_then(|n| n.try_into().ok());
         self.frame = text(&conventions["frame"]);
         self.scalar = text(&root["scalar"]);
@@ -262,6 +344,9 @@ impl StoredTable {
 
     fn csv(&mut self, text: &str) -> Result<(), InputError> {
         let failed = |error: csv::Error| InputError::usage(error.to_string());
+        if text.matches('"').count() % 2 == 1 {
+            return Err(InputError::usage("a quote `\"` is not closed"));
+        }
         let mut reader = csv::Reader::from_reader(text.as_bytes());
         let header = reader.headers().map_err(failed)?.clone();
         let columns = header.len();
@@ -282,10 +367,7 @@ impl StoredTable {
                 None => self.tensors.push((quantity, vec![component])),
             }
         }
-        match self.tensors.is_empty() {
-            true => Err(InputError::usage("there is no component in it")),
-            false => Ok(()),
-        }
+        Ok(())
     }
 }
 

@@ -3,6 +3,7 @@
 use super::components::{GROUPED, Group, count, groups, others, plain, scripts};
 use super::head::{conventions, printable};
 use super::{Quantity, Table, TableEntry};
+use affinor_tensors::text::combination;
 use affinor_tensors::{Notation, Tensor, Up, Variance};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -19,13 +20,18 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
     let mut lines = table.head();
     lines.push(("conventions", conventions()));
     for (title, line) in lines {
-        fill(out, &format!("  {title:TITLE$}"), &[line])?;
+        head_line(title, &[line], out)?;
     }
     for entry in &table.tensors {
         writeln!(out)?;
         tensor(table, entry, &labels, out)?;
     }
     Ok(())
+}
+
+/// A line of the head, with its title.
+pub(super) fn head_line(title: &str, pieces: &[String], out: &mut dyn Write) -> io::Result<()> {
+    fill(out, &format!("  {title:TITLE$}"), pieces)
 }
 
 /// `R^1_212`
@@ -63,7 +69,9 @@ fn tensor<S: Notation>(
     }
     if grouped {
         if quantity == Quantity::Structure && labels.len() == shown.dimension() {
-            brackets(&entry.tensor, labels, out)?;
+            for (left, right) in brackets(&entry.tensor, labels, plain) {
+                fill(out, "  ", &[format!("{left} ="), right])?;
+            }
         }
         for group in groups(&shown) {
             let pieces = equation(&group, |at| component(quantity, &shown, at));
@@ -78,21 +86,18 @@ fn tensor<S: Notation>(
     others(&entry.tensor, &shown).map_or(Ok(()), |others| writeln!(out, "  {others}"))
 }
 
-/// The brackets of the basis vectors, `[e1, e2] = e3`.
-fn brackets<S: Notation>(
+/// The brackets of the basis vectors, `[e1, e2]` and `e3`; `written` writes a value.
+pub(super) fn brackets<S: Notation>(
     structure: &Tensor<S>,
     labels: &[String],
-    out: &mut dyn Write,
-) -> io::Result<()> {
+    written: impl Fn(&S) -> String,
+) -> Vec<(String, String)> {
     let mut brackets: BTreeMap<_, Vec<_>> = BTreeMap::new();
     for (at, value) in structure.components().filter(|(at, _)| at[1] < at[2]) {
-        brackets.entry((at[1], at[2])).or_default().push((plain(value), labels[at[0]].clone()));
+        brackets.entry((at[1], at[2])).or_default().push((written(value), labels[at[0]].clone()));
     }
-    for ((j, k), terms) in brackets {
-        let left = format!("[{}, {}] =", labels[j], labels[k]);
-        fill(out, "  ", &[left, affinor_tensors::text::combination(terms)])?;
-    }
-    Ok(())
+    let pair = |(j, k): (usize, usize)| format!("[{}, {}]", labels[j], labels[k]);
+    brackets.into_iter().map(|(at, terms)| (pair(at), combination(terms))).collect()
 }
 
 /// The pieces `R^1_212`, `= -R^1_221`, ..., `= 1/4`; a line may break between them.

@@ -20,8 +20,8 @@ pub(super) const DEFINITE: Family = Family {
 pub(super) const INDEFINITE: Family = Family {
     pattern: "so(p,q)",
     needs: "p, q >= 1",
-    summary: "preserves η = diag(1 (p times), -1 (q times)); basis e1.. = \
-              (-1)^(i+j) (E_ij - η_i η_j E_ji) for i < j, the last pair (n-1,n) first, n = p + q",
+    summary: "preserves eta = diag(1 (p times), -1 (q times)); basis e1.. = \
+              (-1)^(i+j) (E_ij - eta_i eta_j E_ji) for i < j, the last pair (n-1,n) first, n = p + q",
     example: "so(3,1)",
     reader: Reader::Integers {
         count: 2,

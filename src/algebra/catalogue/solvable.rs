@@ -1,4 +1,4 @@
-//! Solvable families: R^n, the affine maps of the line, the Heisenberg algebras.
+//! Solvable families: R^n, the Heisenberg algebras.
 
 use super::{Entry, Family, Reader, numbered};
 
@@ -12,22 +12,6 @@ pub(super) const ABELIAN: Family = Family {
         count: 1,
         dimension: |n| (n[0] >= 1).then_some(n[0]),
         build: |name, n| Entry::new(name, numbered("e", n[0]), []),
-    },
-};
-
-/// aff(1): `x = E_11` scales and `y = E_12` translates.
-pub(super) const AFFINE: Family = Family {
-    pattern: "aff(n)",
-    needs: "n = 1",
-    summary: "affine maps of the line, not unimodular; basis x (scaling), y (translation): [x,y] = y",
-    example: "aff(1)",
-    reader: Reader::Integers {
-        count: 1,
-        dimension: |n| (n[0] == 1).then_some(2),
-        build: |name, _| {
-            let labels = ["x", "y"].map(String::from).to_vec();
-            Entry::of_integer_matrices(name, labels, 2, [vec![(0, 0, 1)], vec![(0, 1, 1)]])
-        },
     },
 };
 
