@@ -3,16 +3,20 @@
 //! A rotation is drawn at its canonical coordinates (61), (74): its rotation vector, in the ball of radius `pi`.
 //! Opposite points of the sphere are one rotation.
 
+mod animation;
 mod autoparallels;
 pub mod ball;
 pub mod diagram;
+pub mod drift;
 mod frames;
 mod images;
 mod motion;
 mod path;
 pub mod run;
+pub mod series;
 mod transport;
 
+pub use animation::animation;
 pub use autoparallels::autoparallels;
 pub use frames::frames;
 pub use images::images;
@@ -22,7 +26,7 @@ pub use transport::transport;
 
 use affinor::group::So3;
 use affinor::group::transport::ParallelTranslation;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 /// A connection on the rotation group, and its name.
 pub struct Connected {
@@ -48,6 +52,8 @@ pub struct Panel {
     pub title: String,
     /// The radius of the ball.
     pub radius: f64,
+    /// Whether its sphere is drawn.
+    pub sphere: bool,
     /// The symbols of the three axes.
     pub axes: [&'static str; 3],
     /// The curves.
@@ -56,6 +62,27 @@ pub struct Panel {
     pub arrows: Vec<Arrow>,
     /// The points.
     pub marks: Vec<Mark>,
+    /// A body in motion.
+    pub body: Option<Body>,
+}
+
+/// A box in motion, with its axes of inertia.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Half the lengths of its edges, along the axes.
+    pub half: [f64; 3],
+    /// The length of the axes, from the centre of the box.
+    pub reach: f64,
+    /// The captions of the axes.
+    pub captions: [String; 3],
+    /// The axes, as columns, and the centre, at equal intervals of time.
+    pub poses: Vec<(Matrix3<f64>, Vector3<f64>)>,
+    /// The times of the first and the last pose.
+    pub times: [f64; 2],
+    /// The mean rotation between two poses, in radians.
+    pub turn: f64,
+    /// The duration of the film in seconds.
+    pub seconds: f64,
 }
 
 /// A line through points.
@@ -69,6 +96,8 @@ pub struct Curve {
     pub caption: String,
     /// The vertices, in order.
     pub points: Vec<Vector3<f64>>,
+    /// Whether it is a path in time: with arrowheads, marks at both ends, and a paler far side.
+    pub directed: bool,
 }
 
 /// A vector from a point.
@@ -134,7 +163,8 @@ impl Panel {
 
     fn new(title: impl Into<String>, radius: f64, axes: [&'static str; 3]) -> Self {
         let title = title.into();
-        Panel { title, radius, axes, curves: vec![], arrows: vec![], marks: vec![] }
+        let (curves, arrows, marks) = (vec![], vec![], vec![]);
+        Panel { title, radius, sphere: true, axes, curves, arrows, marks, body: None }
     }
 
     fn mark(&mut self, label: &str, caption: &str, at: Vector3<f64>) {
@@ -145,8 +175,15 @@ impl Panel {
         // only the first piece has the symbol
         for (i, points) in pieces.into_iter().enumerate() {
             let label = if i == 0 { label.into() } else { String::new() };
-            self.curves.push(Curve { role, label, caption: caption.into(), points });
+            let caption = caption.into();
+            self.curves.push(Curve { role, label, caption, points, directed: false });
         }
+    }
+
+    /// A path in time.
+    fn path(&mut self, role: Role, caption: &str, points: Vec<Vector3<f64>>) {
+        let (label, caption) = (String::new(), caption.into());
+        self.curves.push(Curve { role, label, caption, points, directed: true });
     }
 
     fn arrow(&mut self, role: Role, [label, caption]: [&str; 2], ends: [Vector3<f64>; 2]) {

@@ -7,6 +7,7 @@ mod arrow;
 mod backend;
 mod diagram;
 mod draw;
+mod film;
 mod label;
 mod legend;
 #[cfg(feature = "png")]
@@ -70,6 +71,19 @@ pub enum Shape {
         radius: f64,
         /// Its colour.
         ink: Ink,
+    },
+    /// A closed polygon in motion, which repeats from the start; as PNG the first frame.
+    Film {
+        /// Its vertices at equal intervals of time.
+        frames: Vec<Vec<Point>>,
+        /// Whether each frame is visible.
+        shown: Vec<bool>,
+        /// Its colour inside, if it has one.
+        fill: Option<Ink>,
+        /// Its edge.
+        stroke: Stroke,
+        /// Its duration in seconds.
+        seconds: f64,
     },
     /// A line of text.
     Text {

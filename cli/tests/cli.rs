@@ -96,8 +96,8 @@ fn help_and_version_are_results() {
     let mut all = vec![vec!["--help"], vec!["--version"], vec!["help", "check"]];
     all.extend(commands.split_whitespace().map(|command| vec![command, "--help"]));
     if cfg!(feature = "plot") {
-        let figures =
-            "images transport autoparallels motion frames attitude momentum drift convergence";
+        let figures = "images transport autoparallels motion frames attitude momentum animation series phase \
+             section drift convergence";
         all.push(vec!["plot", "--help"]);
         all.extend(figures.split_whitespace().map(|figure| vec!["plot", figure, "--help"]));
     }

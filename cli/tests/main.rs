@@ -23,6 +23,8 @@ mod heads;
 mod paper_page;
 #[cfg(feature = "plot")]
 mod plot;
+#[cfg(feature = "plot")]
+mod plot_motions;
 mod range_of_floats;
 #[cfg(unix)]
 mod simulate;

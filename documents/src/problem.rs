@@ -256,14 +256,15 @@ impl Problem {
         self.output.times.at(&self.source, &values_of(&self.values(member)?))
     }
 
-    /// The same problem with another method, with steps of this length, or with this relative tolerance.
+    /// The same problem with another method, with steps of this length, or with this relative tolerance; without them those
+    /// of the file remain, if the method has them.
     #[must_use]
-    pub fn with_method(&self, method: Method, step: Option<f64>, tolerance: f64) -> Self {
+    pub fn with_method(&self, method: Method, step: Option<f64>, tolerance: Option<f64>) -> Self {
         let integration = self.integration.with_method(method, step, tolerance, &self.source);
         Problem { integration, ..self.clone() }
     }
 
-    /// The same problem with other columns, by their names in a file, and no named quantities.
+    /// The same problem with other columns, by their names in a file. A named quantity gives way to a column of its name.
     #[must_use]
     pub fn with_columns(&self, names: &[&str]) -> Self {
         Problem { output: self.output.with_columns(names, &self.source), ..self.clone() }
@@ -284,6 +285,16 @@ impl Problem {
             Class::OnGroup(_, GroupClass::GivenVelocity(_)) => Some(Method::Magnus(Magnus::Six)),
             Class::OnGroup(..) => None,
         }
+    }
+
+    /// The terminal event, at which the motion ends.
+    pub fn terminal_event(&self) -> Option<&str> {
+        self.output.stop.as_deref()
+    }
+
+    /// The event at which rows are written, instead of times.
+    pub fn section(&self) -> Option<&str> {
+        self.output.section.as_deref()
     }
 
     /// The text of the file.

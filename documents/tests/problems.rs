@@ -145,8 +145,9 @@ fn projected_methods_agree() {
         "thrown_ball",
     ] {
         let problem = open(name);
-        let rows =
-            |method, step| Run::new(&problem.with_method(method, step, 1e-12), 0).rows.concat();
+        let rows = |method, step| {
+            Run::new(&problem.with_method(method, step, Some(1e-12)), 0).rows.concat()
+        };
         let expected = rows(Method::Adaptive(Pair::Eight), None);
         for (method, step, tolerance) in [
             (Method::ProjectedAdaptive(Pair::Five), None, 1e-9),
@@ -159,7 +160,7 @@ fn projected_methods_agree() {
         }
     }
     for name in ["euler_poincare_so4", "fluid_se2"] {
-        let problem = open(name).with_method(Method::Projected, Some(0.1), 1.0);
+        let problem = open(name).with_method(Method::Projected, Some(0.1), Some(1.0));
         let Err(error) = problem.motion(0) else { panic!("{name}: projected") };
         assert!(error.to_string().contains("it is for so(2), so(3)"), "{error}");
     }

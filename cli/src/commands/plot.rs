@@ -1,11 +1,13 @@
 //! `affinor plot`: figures of the paper and of trajectories, as SVG or PNG.
 
 mod convergence;
+mod curve;
+mod drift;
 mod run;
 
 use super::color::ColorOption;
 use super::failure::Failure;
-use super::note::line;
+use super::note::{line, note};
 use super::output::deliver;
 use super::rows::{Expected, read};
 use affinor::group::So3;
@@ -21,8 +23,14 @@ use affinor_tensors::Tolerance;
 use clap::{Args, Subcommand};
 use convergence::Comparison;
 use nalgebra::Vector3;
-use run::Trajectory;
+use run::{Columns, Trajectory};
 use std::path::PathBuf;
+
+/// The shortest and the longest film.
+const LEAST_SECONDS: f64 = 0.1;
+const MOST_SECONDS: f64 = 90.0;
+/// The largest rotation between frames of a clear film, in radians.
+const MOST_TURN: f64 = 0.5;
 
 #[derive(Args)]
 pub struct Arguments {
@@ -59,10 +67,24 @@ enum Kind {
     Attitude(OnTrajectory),
     /// Problem of mechanics: body momentum on its sphere, and the energy ellipsoid
     Momentum(OnTrajectory),
-    /// Problem of mechanics: drift of the conserved quantities over time
+    /// Problem of mechanics: film of the body as a box with its axes of inertia, as animated SVG
+    Animation {
+        #[command(flatten)]
+        on: OnTrajectory,
+        /// The duration of the film in seconds
+        #[arg(long, value_name = "S", default_value_t = 10.0)]
+        seconds: f64,
+    },
+    /// Problem of mechanics: columns over time
+    Series(OnColumns),
+    /// Problem of mechanics: one column over another, as a curve
+    Phase(OnColumns),
+    /// Problem of mechanics: one column over another, as points at the section of the problem
+    Section(OnColumns),
+    /// Problem of mechanics: drift of the conserved quantities over time, by one or several methods
     Drift {
         #[command(flatten)]
-        trajectory: Trajectory,
+        comparison: drift::Comparison,
         #[command(flatten)]
         image: Image,
     },
@@ -97,6 +119,14 @@ struct OnTrajectory {
     trajectory: Trajectory,
     #[command(flatten)]
     scene: Scene,
+}
+
+#[derive(Args)]
+struct OnColumns {
+    #[command(flatten)]
+    columns: Columns,
+    #[command(flatten)]
+    image: Image,
 }
 
 /// A motion of the body, and a time.
@@ -168,7 +198,26 @@ impl Arguments {
             }
             Kind::Attitude(on) => on.scene.print(&on.trajectory.attitude()?),
             Kind::Momentum(on) => on.scene.print(&on.trajectory.momentum()?),
-            Kind::Drift { trajectory, image } => image.print_diagram(&trajectory.drift()?),
+            Kind::Animation { on, seconds } => {
+                if !(LEAST_SECONDS..=MOST_SECONDS).contains(&seconds) {
+                    let message = format!(
+                        "--seconds {seconds} is not between {LEAST_SECONDS} and {MOST_SECONDS}"
+                    );
+                    return Err(InputError::usage(message).into());
+                }
+                let figure = on.trajectory.animation(seconds)?;
+                let bodies = figure.panels.iter().filter_map(|panel| panel.body.as_ref());
+                for turn in bodies.map(|body| body.turn).filter(|turn| *turn > MOST_TURN) {
+                    note(&format!(
+                        "the body rotates by {turn:.2} radians between frames: a shorter motion is clearer"
+                    ));
+                }
+                on.scene.print(&figure)
+            }
+            Kind::Series(OnColumns { columns, image }) => image.print_diagram(&columns.series()?),
+            Kind::Phase(OnColumns { columns, image }) => image.print_diagram(&columns.phase()?),
+            Kind::Section(OnColumns { columns, image }) => image.print_diagram(&columns.section()?),
+            Kind::Drift { comparison, image } => image.print_diagram(&comparison.drift()?),
             Kind::Convergence { comparison, image } => {
                 let (name, trials) = comparison.trials()?;
                 for trials in &trials {

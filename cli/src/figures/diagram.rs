@@ -1,11 +1,11 @@
-//! Diagrams: graphs side by side.
+//! Diagrams: graphs above each other.
 
-/// Graphs side by side.
+/// Graphs above each other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagram {
     /// The title.
     pub title: String,
-    /// The graphs, from left to right.
+    /// The graphs, from top to bottom.
     pub graphs: Vec<Graph>,
 }
 
@@ -16,6 +16,8 @@ pub struct Graph {
     pub x: Scale,
     /// The vertical axis.
     pub y: Scale,
+    /// Whether a unit has the same length on both axes.
+    pub equal: bool,
     /// The lines.
     pub lines: Vec<Line>,
 }
@@ -36,8 +38,23 @@ pub struct Line {
     pub caption: String,
     /// The values on the two axes.
     pub points: Vec<[f64; 2]>,
-    /// Whether its points are marked.
-    pub marked: bool,
+    /// The way in which it is drawn.
+    pub drawn: Drawn,
+}
+
+/// The ways in which a line is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drawn {
+    /// A line.
+    Line,
+    /// A line with its points.
+    Marked,
+    /// The points alone.
+    Points,
+    /// A curve with arrowheads along its direction and with marks at its start and end.
+    Directed,
+    /// An auxiliary line.
+    Guide,
 }
 
 impl Scale {

@@ -1,6 +1,5 @@
-//! Trajectories of problems: attitude, body momentum, drift of conserved quantities.
+//! Trajectories of problems: attitude and body momentum.
 
-use super::diagram::{Diagram, Graph, Line, Scale};
 use super::{Figure, Panel, Role};
 use affinor::Error;
 use affinor::mechanics::Inertia;
@@ -11,8 +10,6 @@ use std::f64::consts::TAU;
 const SAMPLES: u32 = 96;
 /// Orthogonality tolerance of an attitude. Rows may have few digits; a picture resolves a pixel.
 const TOLERANCE: f64 = 1e-3;
-/// The least change drawn; smaller ones, also zero, are drawn here.
-const ROUNDING: f64 = 1e-17;
 
 /// The rows of a trajectory, with the names of their columns.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,14 +33,14 @@ impl RunRows {
         Ok(self.rows.iter().map(|row| row[at]).collect())
     }
 
-    fn vectors(&self, names: [&str; 3]) -> Result<Vec<Vector3<f64>>, Error> {
+    pub(super) fn vectors(&self, names: [&str; 3]) -> Result<Vec<Vector3<f64>>, Error> {
         let [x, y, z] = names.map(|name| self.column(name));
         let (x, y, z) = (x?, y?, z?);
         Ok((0..x.len()).map(|k| Vector3::new(x[k], y[k], z[k])).collect())
     }
 
     /// The rotation matrices, by their entries or by quaternions.
-    fn attitudes(&self) -> Result<Vec<Matrix3<f64>>, Error> {
+    pub(super) fn attitudes(&self) -> Result<Vec<Matrix3<f64>>, Error> {
         if let (Ok(w), Ok(v)) = (self.column("qw"), self.vectors(["qx", "qy", "qz"])) {
             let turn = |(w, v): (f64, Vector3<f64>)| {
                 let q = nalgebra::Quaternion::from_parts(w, v);
@@ -79,7 +76,7 @@ pub fn attitude(run: &RunRows) -> Result<Figure, Error> {
         let tip = points.last().copied().unwrap_or_default();
         let axis = ["E₁", "E₂", "E₃"][i];
         let caption = format!("body axis {axis} (arrow at the final time)");
-        panel.curve(Role::Frame(i), ["", &caption], vec![points]);
+        panel.path(Role::Frame(i), &caption, points);
         panel.arrow(Role::Frame(i), [&format!("R {axis}"), ""], [Vector3::zeros(), tip]);
     }
     Ok(Figure { title: format!("{}: body axes in space", run.name), panels: vec![panel] })
@@ -97,7 +94,6 @@ pub fn momentum(run: &RunRows, inertia: &Inertia) -> Result<Figure, Error> {
     let radius = if longest > 0.0 { longest } else { 1.0 };
     let (axes, moments) = (inertia.axes(), inertia.moments());
     let mut panel = Panel::new("", radius, ["H₁", "H₂", "H₃"]);
-    panel.mark("", "initial H", start);
     // semi-axes of H . J^-1 H = 2 E
     let energy = inertia.energy(&start);
     let half = moments.map(|moment| (2.0 * energy * moment).sqrt());
@@ -108,29 +104,6 @@ pub fn momentum(run: &RunRows, inertia: &Inertia) -> Result<Figure, Error> {
         let caption = "energy ellipsoid";
         panel.curve(Role::Guide, ["", caption], vec![ellipse]);
     }
-    panel.curve(Role::Motion, ["H", "body momentum"], vec![points]);
+    panel.path(Role::Motion, "body momentum H", points);
     Ok(Figure { title: format!("{}: body momentum", run.name), panels: vec![panel] })
-}
-
-/// The largest change of conserved quantities up to each time, over time.
-///
-/// # Errors
-/// [`Error::NoColumn`].
-pub fn drift(run: &RunRows, conserved: &[String]) -> Result<Diagram, Error> {
-    let times = run.column("t")?;
-    let mut lines = Vec::new();
-    for name in conserved {
-        let values = run.column(name)?;
-        let first = values.first().copied().unwrap_or_default();
-        let farther = |most: &mut f64, value: &f64| {
-            *most = (value - first).abs().max(*most);
-            Some(*most)
-        };
-        let change = values.iter().scan(ROUNDING, farther);
-        let points = times.iter().copied().zip(change).map(|(t, change)| [t, change]);
-        lines.push(Line { caption: name.clone(), points: points.skip(1).collect(), marked: false });
-    }
-    let (x, y) = (Scale::linear("time t"), Scale::logarithmic("largest change"));
-    let title = format!("{}: conserved quantities", run.name);
-    Ok(Diagram { title, graphs: vec![Graph { x, y, lines }] })
 }

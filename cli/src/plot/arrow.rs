@@ -1,9 +1,11 @@
-//! Arrows of figures and of their legend.
+//! Arrows of figures and of their legend, arrowheads along paths, and marks at their ends.
 
-use super::{Point, Shape, Stroke, style};
+use super::{Ink, Point, Shape, Stroke, style};
 
 /// The length of an arrowhead.
 const HEAD: f64 = 11.0;
+/// The places of arrowheads along a path, as shares of its length.
+const PLACES: [f64; 3] = [0.16, 0.5, 0.84];
 
 /// An arrow: a shaft on a white edge, and a head; a disc where it is shorter than a pixel.
 pub(super) fn arrow(from: Point, to: Point, stroke: Stroke) -> Vec<Shape> {
@@ -12,21 +14,54 @@ pub(super) fn arrow(from: Point, to: Point, stroke: Stroke) -> Vec<Shape> {
     if length < 1.0 {
         return vec![Shape::Disc { at: to, radius: stroke.width, ink: stroke.ink }];
     }
-    let [x, y] = [x / length, y / length];
-    let head = HEAD.min(0.6 * length);
-    let neck = [to[0] - 0.8 * head * x, to[1] - 0.8 * head * y];
-    let corner = |side: f64| {
-        let across = side * 0.36 * head;
-        [to[0] - head * x - across * y, to[1] - head * y + across * x]
-    };
+    let (head, neck) = head(to, [x / length, y / length], HEAD.min(0.6 * length), stroke.ink);
     let shaft = |stroke| Shape::Line { points: vec![from, neck], stroke };
     // a dashed arrow has no edge: what lies behind it shows through its gaps
     let edge = stroke.dash.is_empty().then(|| shaft(edge(stroke)));
-    let head = Shape::Area { points: vec![to, corner(1.0), neck, corner(-1.0)], ink: stroke.ink };
     edge.into_iter().chain([shaft(stroke), head]).collect()
 }
 
 /// The white edge that sets a line apart from the lines behind it.
 pub(super) fn edge(stroke: Stroke) -> Stroke {
     Stroke { ink: style::WHITE, width: stroke.width + 2.4, dash: &[] }
+}
+
+/// An arrowhead at a tip, along a unit vector, and the point where its shaft ends.
+fn head(to: Point, [x, y]: Point, size: f64, ink: Ink) -> (Shape, Point) {
+    let neck = [to[0] - 0.8 * size * x, to[1] - 0.8 * size * y];
+    let corner = |side: f64| {
+        let across = side * 0.36 * size;
+        [to[0] - size * x - across * y, to[1] - size * y + across * x]
+    };
+    (Shape::Area { points: vec![to, corner(1.0), neck, corner(-1.0)], ink }, neck)
+}
+
+/// Arrowheads along a path, where its length is divided into equal parts.
+pub(super) fn heads(path: &[Point], ink: Ink) -> Vec<Shape> {
+    let length = |pair: &[Point]| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
+    let whole: f64 = path.windows(2).map(length).sum();
+    if whole < 4.0 * HEAD {
+        return vec![];
+    }
+    let mut next = PLACES.iter().map(|share| share * whole).peekable();
+    let (mut passed, mut found) = (0.0, vec![]);
+    for pair in path.windows(2) {
+        let here = length(pair);
+        while let Some(at) = next.next_if(|at| *at <= passed + here) {
+            let share = (at - passed) / here;
+            let [x, y] = [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
+            // the middle of the head is at the place
+            let tip = |k: usize, step: f64| pair[0][k] + share * step + 0.5 * HEAD * step / here;
+            found.push(head([tip(0, x), tip(1, y)], [x / here, y / here], HEAD, ink).0);
+        }
+        passed += here;
+    }
+    found
+}
+
+/// A ring at the start of a path, and a disc at its end.
+pub(super) fn ends(path: &[Point], ink: Ink) -> Vec<Shape> {
+    let (Some(&start), Some(&end)) = (path.first(), path.last()) else { return vec![] };
+    let disc = |at, radius, ink| Shape::Disc { at, radius, ink };
+    vec![disc(end, 4.2, ink), disc(start, 5.2, ink), disc(start, 2.8, style::WHITE)]
 }

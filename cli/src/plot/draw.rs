@@ -1,11 +1,13 @@
 //! Figures as pictures: panels side by side, each in its ball, above a legend.
 
-use super::arrow::{arrow, edge};
+use super::arrow::{arrow, edge, ends, heads};
+use super::film;
 use super::label::Labels;
 use super::legend::Legend;
 use super::{Anchor, Font, Picture, Point, Shape, Stroke, View, style};
 use crate::figures::{Arrow, Curve, Figure, Panel, Role};
 use nalgebra::{Rotation3, Vector3};
+use std::cmp::Ordering;
 use std::f64::consts::{PI, TAU};
 
 const WIDTH: f64 = 800.0;
@@ -15,6 +17,8 @@ const COLUMNS: usize = 2;
 const HEADS: [f64; 2] = [44.0, 26.0];
 /// The margin around a panel.
 const MARGIN: f64 = 22.0;
+/// The length from which a path in time is thin, in radii.
+const LONG: f64 = 60.0;
 /// The length of the axes, in radii.
 const AXES: f64 = 1.12;
 
@@ -50,6 +54,9 @@ pub fn draw(figure: &Figure, view: &View) -> Picture {
         plane.ball(panel);
         plane.contents(panel);
         shapes.append(&mut plane.shapes);
+        if let Some(body) = &panel.body {
+            shapes.extend(film::clock(body, [left + 40.0, left + width - 40.0], top + row - 8.0));
+        }
     }
     let top = HEADS[0] + figure.panels.len().div_ceil(columns) as f64 * row;
     let legend = Legend::of(figure);
@@ -89,9 +96,22 @@ impl Plane<'_> {
         self.shapes.push(Shape::Line { points, stroke });
     }
 
-    /// The circles on the sphere, the far ones first, and the axes.
+    /// The axes, and the sphere.
     fn ball(&mut self, panel: &Panel) {
         let r = panel.radius;
+        for (i, label) in panel.axes.iter().enumerate() {
+            let end = Vector3::ith(i, AXES * r);
+            self.line(&[Vector3::zeros(), end], style::AXIS);
+            let at = self.place(&(end * 1.06));
+            self.shapes.push(text([at[0], at[1] + 5.0], label, Font::symbol(14.0, style::GREY)));
+        }
+        if panel.sphere {
+            self.sphere(r);
+        }
+    }
+
+    /// The circles on the sphere, the far ones first.
+    fn sphere(&mut self, r: f64) {
         let parallels = (1..6).map(|i| ring(Vector3::z(), PI / 6.0 * f64::from(i), r));
         let meridians = (0..6).map(|i| {
             let azimuth = PI / 6.0 * f64::from(i);
@@ -109,20 +129,41 @@ impl Plane<'_> {
             }
         }
         self.line(&ring(self.view.axes()[0], 0.5 * PI, r), style::RIM);
-        for (i, label) in panel.axes.iter().enumerate() {
-            let end = Vector3::ith(i, AXES * r);
-            self.line(&[Vector3::zeros(), end], style::AXIS);
-            let at = self.place(&(end * 1.06));
-            self.shapes.push(text([at[0], at[1] + 5.0], label, Font::symbol(14.0, style::GREY)));
+    }
+
+    /// The length of a path in time in the picture; 0 for other curves.
+    fn length(&self, curve: &Curve) -> f64 {
+        let points = if curve.directed { &curve.points[..] } else { &[] };
+        self.scale * points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum::<f64>()
+    }
+
+    /// A path in time: the far side of a sphere paler, arrowheads along it, and marks at its ends.
+    fn path(&mut self, Curve { points, .. }: &Curve, sphere: bool, stroke: Stroke) {
+        for (near, stroke) in [(false, style::far(stroke)), (true, stroke)] {
+            for arc in arcs(points, |x| (!sphere || self.view.depth(x) >= 0.0) == near) {
+                self.line(&arc, stroke);
+            }
         }
+        let flat: Vec<Point> = points.iter().map(|x| self.place(x)).collect();
+        self.shapes.extend(heads(&flat, stroke.ink));
+        self.shapes.extend(ends(&flat, stroke.ink));
     }
 
     fn contents(&mut self, panel: &Panel) {
         let background = self.shapes.len();
         let mut curves: Vec<&Curve> = panel.curves.iter().collect();
-        curves.sort_by_key(|curve| style::stroke(curve.role).1);
+        // longer paths are below shorter ones
+        let layer = |curve: &Curve| (style::stroke(curve.role).1, -self.length(curve));
+        curves.sort_by(|a, b| layer(a).partial_cmp(&layer(b)).unwrap_or(Ordering::Equal));
         for curve in curves {
             let (stroke, _) = style::stroke(curve.role);
+            if curve.directed {
+                // a path that fills the sphere is thin
+                let thin = self.length(curve) > LONG * panel.radius * self.scale;
+                let width = if thin { 0.5 * stroke.width } else { stroke.width };
+                self.path(curve, panel.sphere, Stroke { width, ..stroke });
+                continue;
+            }
             if curve.role == Role::Motion {
                 self.line(&curve.points, edge(stroke));
             }
@@ -157,6 +198,11 @@ impl Plane<'_> {
             }
         }
         self.shapes.append(&mut labels.shapes());
+        if let Some(body) = &panel.body {
+            let place = |x: &Vector3<f64>| self.place(x);
+            let shapes = film::body(body, self.view, place);
+            self.shapes.extend(shapes);
+        }
     }
 }
 

@@ -29,7 +29,7 @@ impl Labels {
                 Shape::Disc { at, radius, .. } => boxes.push(square(*at, *radius)),
                 Shape::Area { points, .. } => lines.extend(dense(points).map(|p| (p, 8.0))),
                 Shape::Text { at, text, font } => boxes.push(extent(*at, text, font.size)),
-                Shape::Line { .. } => {}
+                Shape::Line { .. } | Shape::Film { .. } => {}
             }
         }
         Labels { lines, boxes, shapes: vec![] }

@@ -2,7 +2,7 @@
 
 use super::arrow::arrow;
 use super::{Anchor, Font, Shape, Stroke, style};
-use crate::figures::Figure;
+use crate::figures::{Figure, Role};
 
 const LINE: f64 = 24.0;
 const COLUMNS: usize = 2;
@@ -16,6 +16,8 @@ enum Sample {
     Arrow(Stroke),
     Line(Stroke),
     Point,
+    /// The start of a path.
+    Ring,
 }
 
 impl Legend {
@@ -26,16 +28,33 @@ impl Legend {
                 entries.push((sample, caption.into()));
             }
         };
-        for panel in &figure.panels {
+        let panels = || figure.panels.iter();
+        for panel in panels() {
             for curve in &panel.curves {
                 add(Sample::Line(style::stroke(curve.role).0), &curve.caption);
             }
             for arrow in &panel.arrows {
                 add(Sample::Arrow(style::stroke(arrow.role).0), &arrow.caption);
             }
+            for (i, caption) in panel.body.iter().flat_map(|body| body.captions.iter().enumerate())
+            {
+                add(Sample::Line(style::stroke(Role::Frame(i)).0), caption);
+            }
             for mark in &panel.marks {
                 add(Sample::Point, &mark.caption);
             }
+        }
+        let paths = |sphere: bool| {
+            let panels = panels().filter(|panel| panel.sphere || !sphere);
+            panels.flat_map(|panel| &panel.curves).any(|curve| curve.directed)
+        };
+        if paths(false) {
+            add(Sample::Ring, "start of a path");
+            add(Sample::Point, "end of a path");
+        }
+        if paths(true) {
+            let pale = style::far(style::stroke(Role::Motion).0);
+            add(Sample::Line(pale), "far side: thin and pale");
         }
         Legend(entries)
     }
@@ -58,6 +77,11 @@ impl Legend {
                 Sample::Arrow(stroke) => shapes.extend(arrow(from, to, stroke)),
                 Sample::Line(stroke) => {
                     shapes.push(Shape::Line { points: vec![from, to], stroke });
+                }
+                Sample::Ring => {
+                    let at = [left + 0.5 * SAMPLE, y];
+                    shapes.push(Shape::Disc { at, radius: 5.2, ink: style::BLACK });
+                    shapes.push(Shape::Disc { at, radius: 2.8, ink: style::WHITE });
                 }
                 Sample::Point => {
                     let at = [left + 0.5 * SAMPLE, y];

@@ -69,6 +69,15 @@ impl Canvas {
                 let disc = PathBuilder::from_circle(*x as f32, *y as f32, *radius as f32);
                 self.fill(disc, *ink, self.scale);
             }
+            Shape::Film { frames, shown, fill, stroke, .. } => {
+                if let (Some(points), Some(true)) = (frames.first(), shown.first()) {
+                    if let Some(ink) = fill {
+                        self.fill(polyline(points, true), *ink, self.scale);
+                    }
+                    let edge = polyline(points, true);
+                    self.stroke(edge, &pen(stroke.width), stroke.ink, self.scale);
+                }
+            }
             Shape::Text { at, text, font } => self.text(*at, text, font),
         }
     }

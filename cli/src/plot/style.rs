@@ -10,11 +10,11 @@ pub(super) const WHITE: Ink = Ink::opaque(0xffffff);
 /// The width of the white edge around symbols.
 pub(super) const EDGE: f64 = 3.0;
 
-const SOLID: &[f64] = &[];
-const DASHED: &[f64] = &[7.0, 4.0];
-const DOTTED: &[f64] = &[2.0, 3.0];
+pub(super) const SOLID: &[f64] = &[];
+pub(super) const DASHED: &[f64] = &[7.0, 4.0];
+pub(super) const DOTTED: &[f64] = &[2.0, 3.0];
 const LONG: &[f64] = &[9.0, 2.0];
-const SHORT: &[f64] = &[4.0, 2.0];
+pub(super) const SHORT: &[f64] = &[4.0, 2.0];
 
 /// The outline of the ball.
 pub(super) const RIM: Stroke = Stroke { ink: Ink::opaque(0x8a8a8a), width: 1.2, dash: SOLID };
@@ -41,11 +41,22 @@ pub(super) fn stroke(role: Role) -> (Stroke, u8) {
         Role::Frame(0) => (Ink::opaque(0xa3173f), 2.0, SOLID, 5),
         Role::Frame(1) => (Ink::opaque(0x0b7a5c), 2.0, LONG, 5),
         Role::Frame(_) => (Ink::opaque(0x1f4e9c), 2.0, SHORT, 5),
-        Role::Direction => (GREY, 2.2, SOLID, 6),
+        Role::Direction => (Ink::opaque(0x8a6d00), 2.2, SOLID, 6),
         Role::Left => (Ink::opaque(0x0a5fa8), 2.8, SOLID, 7),
         Role::Right => (Ink::opaque(0x1aa67a), 2.8, SOLID, 8),
         Role::Carried => (Ink::opaque(0x7d1d5e), 2.0, DASHED, 9),
         Role::Velocity => (Ink::opaque(0xd05a00), 2.8, SOLID, 10),
     };
     (Stroke { ink, width, dash }, layer)
+}
+
+/// The stroke of a path on the far side.
+pub(super) fn far(stroke: Stroke) -> Stroke {
+    Stroke { ink: tint(stroke.ink, 0.6), width: 0.7 * stroke.width, ..stroke }
+}
+
+/// A colour with a share of white.
+pub(super) fn tint(ink: Ink, white: f64) -> Ink {
+    let mixed = |part: u8| (f64::from(part) * (1.0 - white) + 255.0 * white).round() as u8;
+    Ink { rgb: ink.rgb.map(mixed), ..ink }
 }

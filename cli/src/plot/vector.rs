@@ -2,7 +2,7 @@
 
 use super::{Anchor, Ink, Picture, Point, Shape, style};
 use std::fmt::Write;
-use svg::node::element::{Circle, Polygon, Polyline, Rectangle, Text, Title};
+use svg::node::element::{Animate, Circle, Polygon, Polyline, Rectangle, Text, Title};
 use svg::{Document, Node};
 
 /// The picture as SVG, `width` pixels wide. Text stays text; the viewer needs the DejaVu fonts for exact widths.
@@ -44,6 +44,37 @@ fn add(document: Document, shape: &Shape) -> Document {
             let circle = Circle::new().set("cx", short(at[0])).set("cy", short(at[1]));
             document.add(painted(circle.set("r", *radius), "fill", *ink))
         }
+        Shape::Film { frames, shown, fill, stroke, seconds } => {
+            let first = frames.first().map(|points| written(points)).unwrap_or_default();
+            let mut polygon = Polygon::new()
+                .set("points", first)
+                .set("stroke-width", stroke.width)
+                .set("stroke-linejoin", "round")
+                .add(
+                    animated("points", *seconds)
+                        .set("values", joined(frames.iter().map(|points| written(points)))),
+                );
+            let visibility = |shown: bool| if shown { "visible" } else { "hidden" };
+            polygon.assign("visibility", visibility(shown.first().is_none_or(|first| *first)));
+            // the frames at which it appears or disappears
+            let turns = (0..shown.len()).filter(|k| *k == 0 || shown[*k] != shown[k - 1]);
+            let turns: Vec<usize> = turns.collect();
+            if turns.len() > 1 {
+                let last = (shown.len() - 1) as f64;
+                // a change in the last frame would be at the end of the film
+                let inside = || turns.iter().filter(|k| (**k as f64) < last);
+                let times = inside().map(|k| format!("{:.6}", *k as f64 / last));
+                let values = inside().map(|k| visibility(shown[*k]).to_string());
+                let node = animated("visibility", *seconds).set("calcMode", "discrete");
+                let node = node.set("keyTimes", joined(times)).set("values", joined(values));
+                polygon = polygon.add(node);
+            }
+            match fill {
+                Some(ink) => polygon = painted(polygon, "fill", *ink),
+                None => polygon.assign("fill", "none"),
+            }
+            document.add(painted(polygon, "stroke", stroke.ink))
+        }
         Shape::Text { at: [x, y], text, font } => {
             let (x, y) = (short(*x), short(*y));
             let mut node = Text::new(text.as_str()).set("x", x).set("y", y);
@@ -70,6 +101,18 @@ fn add(document: Document, shape: &Shape) -> Document {
             document.add(painted(node, "fill", font.ink))
         }
     }
+}
+
+/// The animation of an attribute, repeated without end.
+fn animated(attribute: &str, seconds: f64) -> Animate {
+    Animate::new()
+        .set("attributeName", attribute)
+        .set("dur", format!("{seconds}s"))
+        .set("repeatCount", "indefinite")
+}
+
+fn joined(values: impl Iterator<Item = String>) -> String {
+    values.collect::<Vec<_>>().join(";")
 }
 
 /// The node with its `fill` or `stroke` in a colour.

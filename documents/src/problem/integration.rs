@@ -54,19 +54,23 @@ impl Integration {
         })
     }
 
-    /// The same for another method, with steps of this length, or with this relative tolerance.
+    /// The same for another method, with steps of this length, or with this relative tolerance; without them those of the
+    /// file remain, if the method has them.
     pub fn with_method(
         &self,
         method: Method,
         step: Option<f64>,
-        tolerance: f64,
+        tolerance: Option<f64>,
         source: &Source,
     ) -> Self {
         let controlled = method.is_controlled();
+        let of = |given: Option<f64>, own: &Option<Value>| {
+            given.map_or(own.clone(), |given| Some(Value::constant(source, given)))
+        };
         Integration {
             method: Some(method),
-            step: step.map(|step| Value::constant(source, step)),
-            tolerance: controlled.then(|| Value::constant(source, tolerance)),
+            step: of(step, &self.step).filter(|_| method.has_steps()),
+            tolerance: of(tolerance, &self.tolerance).filter(|_| controlled),
             absolute: self.absolute.clone().filter(|_| controlled),
             max_step: self.max_step.clone().filter(|_| controlled),
             max_steps: self.max_steps.filter(|_| controlled),

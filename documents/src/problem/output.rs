@@ -61,10 +61,12 @@ impl Output {
         Ok(Output { times, columns, quantities, events, stop, section })
     }
 
-    /// The same with other columns and no named quantities.
+    /// The same with other columns; a named quantity gives way to a column of its name.
     pub fn with_columns(&self, names: &[&str], source: &Source) -> Self {
         let columns = names.iter().map(|name| Written::beside(source, *name)).collect();
-        Output { columns, quantities: vec![], ..self.clone() }
+        let mut output = Output { columns, ..self.clone() };
+        output.quantities.retain(|(name, _)| !names.contains(&name.as_str()));
+        output
     }
 
     /// The columns and events in the names of a motion. Formulas use only quantities that are `allowed`; `casimirs` are

@@ -67,7 +67,7 @@ pub const CHECKS: &[Check] = &[
         let problem = open(name);
         let method = problem.motion(0).unwrap().method;
         let (whole, half) =
-            (error(&problem), error(&problem.with_method(method, Some(0.0001), 1.0)));
+            (error(&problem), error(&problem.with_method(method, Some(0.0001), Some(1.0))));
         let order = (whole / half).log2();
         println!("{name}: {whole:.1e} {half:.1e}, order {order}");
         assert!(whole < 1e-2 && (order - 2.0).abs() < 0.1, "{whole:e} {half:e}");
@@ -183,7 +183,7 @@ pub const CHECKS: &[Check] = &[
         let run = Run::new(&open(name), 0);
         run.keeps(&["enstrophy", "L1", "L2", "L3", "lambda1", "lambda17", "lambda33"], 1e-13);
         let halved = open(name);
-        let halved = halved.with_method(halved.motion(0).unwrap().method, Some(0.025), 1.0);
+        let halved = halved.with_method(halved.motion(0).unwrap().method, Some(0.025), Some(1.0));
         let order = (run.drift("energy") / Run::new(&halved, 0).drift("energy")).log2();
         assert!((order - 2.0).abs() < 0.1, "{order}");
     }),

@@ -3,7 +3,7 @@
 use super::super::failure::Failure;
 use super::super::stages::Stages;
 use affinor::mechanics::motions::Method;
-use affinor_cli::figures::diagram::{Diagram, Graph, Line, Scale};
+use affinor_cli::figures::diagram::{Diagram, Drawn, Graph, Line, Scale};
 use affinor_documents::definition::InputError;
 use affinor_documents::problem::{Problem, Ready};
 use clap::Args;
@@ -36,6 +36,13 @@ impl Trials {
         };
         self.trials.windows(2).map(pair)
     }
+
+    /// The slope of the error over the step size: the median of the observed orders.
+    fn slope(&self) -> Option<f64> {
+        let mut orders: Vec<f64> = self.orders().filter(|order| order.is_finite()).collect();
+        orders.sort_by(f64::total_cmp);
+        orders.get(orders.len() / 2).copied()
+    }
 }
 
 /// A problem of mechanics, and the methods to compare on it.
@@ -59,13 +66,7 @@ impl Comparison {
     /// The name of the problem, and the runs of each method.
     pub fn trials(&self) -> Result<(String, Vec<Trials>), Failure> {
         let problem = Problem::read(&self.problem)?;
-        let method = |name: &str| {
-            Method::from_name(name.trim()).ok_or_else(|| {
-                let all = Method::ALL.map(Method::name).join(", ");
-                let message = format!("--methods: there is no method `{}`", name.escape_debug());
-                Failure::from(InputError::usage(message).help(format!("the methods are {all}")))
-            })
-        };
+        let method = |name| method_of("--methods", name);
         let methods = self.methods.split(',').map(method).collect::<Result<Vec<_>, _>>()?;
         let times = problem.times(0)?;
         let whole = times[times.len() - 1] - times[0];
@@ -83,6 +84,15 @@ impl Comparison {
     }
 }
 
+/// The method of a name that an option gives.
+pub fn method_of(option: &str, name: &str) -> Result<Method, Failure> {
+    Method::from_name(name.trim()).ok_or_else(|| {
+        let all = Method::ALL.map(Method::name).join(", ");
+        let message = format!("{option}: there is no method `{}`", name.escape_debug());
+        InputError::usage(message).help(format!("the methods are {all}")).into()
+    })
+}
+
 /// Runs of each method with the step halved `halvings` times. The reference is the exact motion if there is one, and
 /// otherwise a run with step-size control to a tolerance of 1e-13. `each` is called before every run.
 fn trials(
@@ -93,7 +103,7 @@ fn trials(
     mut each: impl FnMut(),
 ) -> Result<Vec<Trials>, InputError> {
     let problem = problem.to_the_end();
-    let exact = end(&problem.with_method(Method::Exact, None, 1e-13));
+    let exact = end(&problem.with_method(Method::Exact, None, Some(1e-13)));
     let (reference, ..) = match exact {
         Ok(found) => found,
         Err(_) => end(&reference(&problem, step, halvings))?,
@@ -104,10 +114,10 @@ fn trials(
         for halving in 0..=halvings {
             let step = step * 0.5_f64.powi(halving as i32);
             let run = if method.has_steps() {
-                problem.with_method(method, Some(step), 1e-13)
+                problem.with_method(method, Some(step), Some(1e-13))
             } else {
                 let digits = 2.0 + 10.0 * f64::from(halving) / f64::from(halvings.max(1));
-                problem.with_method(method, None, 10.0_f64.powf(-digits))
+                problem.with_method(method, None, Some(10.0_f64.powf(-digits)))
             };
             each();
             let (found, step, seconds) = match end(&run) {
@@ -131,8 +141,8 @@ fn trials(
 fn reference(problem: &Problem, step: f64, halvings: u32) -> Problem {
     let fine = step * 0.5_f64.powi(halvings as i32 + 2);
     match problem.own_class() {
-        Some(method) => problem.with_method(method, Some(fine), 1e-13),
-        None => problem.with_method(Method::to(1e-13), None, 1e-13),
+        Some(method) => problem.with_method(method, Some(fine), Some(1e-13)),
+        None => problem.with_method(Method::to(1e-13), None, Some(1e-13)),
     }
 }
 
@@ -154,21 +164,52 @@ fn end(problem: &Problem) -> Result<(Vec<f64>, f64, f64), InputError> {
     Ok((row.collect(), whole / motion.steps().max(1) as f64, seconds))
 }
 
-/// The error over the step size, and over the computing time.
+/// The error over the step size, with lines of whole slopes, and over the computing time.
 pub fn diagram(name: &str, trials: &[Trials]) -> Diagram {
     let lines = |x: fn(&Trial) -> f64| -> Vec<Line> {
-        let line = |trials: &Trials| Line {
-            caption: trials.method.name().into(),
-            points: trials.trials.iter().map(|trial| [x(trial), trial.error]).collect(),
-            marked: true,
+        let line = |trials: &Trials| {
+            let method = trials.method;
+            let caption = match trials.slope() {
+                Some(slope) => format!("{method}, slope {slope:.1}"),
+                None => method.name().into(),
+            };
+            let points = trials.trials.iter().map(|trial| [x(trial), trial.error]).collect();
+            Line { caption, points, drawn: Drawn::Marked }
         };
         trials.iter().map(line).collect()
     };
     let y = Scale::logarithmic("error at the end time");
-    let over = |label: &str, lines| Graph { x: Scale::logarithmic(label), y: y.clone(), lines };
+    let over = |label: &str, lines| {
+        let (x, y) = (Scale::logarithmic(label), y.clone());
+        Graph { x, y, equal: false, lines }
+    };
+    let over_step = [lines(|trial| trial.step), guides(trials)].concat();
     let graphs = vec![
-        over("step size", lines(|trial| trial.step)),
+        over("step size", over_step),
         over("computing time / s", lines(|trial| trial.seconds)),
     ];
     Diagram { title: format!("{name}: error over step size and computing time"), graphs }
+}
+
+/// A line of each whole slope that a method has, below its errors.
+fn guides(all: &[Trials]) -> Vec<Line> {
+    let mut slopes: Vec<i32> = vec![];
+    let mut guides = vec![];
+    for trials in all {
+        let (Some(slope), Some(first)) = (trials.slope(), trials.trials.first()) else { continue };
+        let slope = slope.round() as i32;
+        if slope < 1 || slopes.contains(&slope) {
+            continue;
+        }
+        slopes.push(slope);
+        let least = trials.trials.iter().map(|trial| trial.error).fold(f64::INFINITY, f64::min);
+        let (from, error) = (first.step, 0.3 * first.error);
+        let finest = trials.trials.iter().map(|trial| trial.step).fold(from, f64::min);
+        // no lower than the errors, whose slope ends at rounding
+        let lowest = from * (least.max(f64::MIN_POSITIVE) / error).powf(1.0 / f64::from(slope));
+        let to = finest.max(lowest).min(from);
+        let points = vec![[from, error], [to, error * (to / from).powi(slope)]];
+        guides.push(Line { caption: format!("slope {slope}"), points, drawn: Drawn::Guide });
+    }
+    guides
 }

@@ -2,18 +2,25 @@
 
 use super::super::failure::Failure;
 use super::super::stages::Stages;
+use super::curve::Curve;
 use affinor::Error;
 use affinor::mechanics::Inertia;
 use affinor_cli::figures;
 use affinor_cli::figures::Figure;
 use affinor_cli::figures::diagram::Diagram;
 use affinor_cli::figures::run::RunRows;
+use affinor_cli::figures::series;
 use affinor_documents::definition::{InputError, read_rows};
 use affinor_documents::problem::{Problem, Ready};
 use clap::Args;
+use nalgebra::Matrix3;
 
 /// The entries of a rotation.
 const ENTRIES: [&str; 9] = ["g11", "g12", "g13", "g21", "g22", "g23", "g31", "g32", "g33"];
+/// The entries of a position.
+const POSITION: [&str; 3] = ["g14", "g24", "g34"];
+/// The reason why a problem has no attitude.
+const NO_ATTITUDE: &str = "an attitude needs a rotating body, as on so(3) and se(3)";
 
 /// A problem of mechanics, and its trajectory if it is computed already.
 #[derive(Args)]
@@ -26,33 +33,157 @@ pub struct Trajectory {
     rows: Option<String>,
 }
 
-impl Trajectory {
-    /// The rows of a problem, read from the file or integrated.
-    fn rows(&self, problem: &Problem, mut ready: Ready) -> Result<(RunRows, Ready), Failure> {
-        let name = problem.name.clone();
-        if let Some(file) = &self.rows {
+/// Columns of a trajectory.
+#[derive(Args)]
+pub struct Columns {
+    #[command(flatten)]
+    trajectory: Trajectory,
+    /// The columns, separated by commas: names of the output, such as H or g11, or of `[quantities]`
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', required = true)]
+    columns: Vec<String>,
+}
+
+impl Columns {
+    /// The columns over time.
+    pub fn series(&self) -> Result<Diagram, Failure> {
+        let (rows, names) = self.curve()?;
+        Ok(series::over_time(&rows, &names)?)
+    }
+
+    /// One column over the other, as a curve.
+    pub fn phase(&self) -> Result<Diagram, Failure> {
+        let (rows, names) = self.curve()?;
+        Ok(series::phase(&rows, &two(names)?)?)
+    }
+
+    /// One column over the other, as points at the section of the problem.
+    pub fn section(&self) -> Result<Diagram, Failure> {
+        let Columns { trajectory, .. } = self;
+        let problem = Problem::read(&trajectory.problem)?;
+        let Some(event) = problem.section() else {
+            let help = "name an event: `section = \"NAME\"` in [output]";
+            return Err(InputError::mathematics("the problem has no section").help(help).into());
+        };
+        if let Some(file) = &trajectory.rows {
             let (columns, rows) = read_rows(file)?;
-            return Ok((RunRows { name, columns, rows }, ready));
+            let run = RunRows { name: problem.name.clone(), columns, rows };
+            return Ok(series::section(&run, &two(self.columns.clone())?, event)?);
         }
-        let stages = Stages::new(false);
-        stages.begin("the motion");
-        let mut columns: Vec<String> =
-            ready.columns.iter().map(|column| column.name.clone()).collect();
-        let is_timed = columns.iter().any(|name| name == "t");
-        if !is_timed {
-            columns.insert(0, "t".into());
+        let (problem, names) = self.extended(&problem)?;
+        let names = two(names)?;
+        let ready = problem.motion(0)?;
+        let columns = ready.columns.iter().map(|column| column.name.clone()).collect();
+        let mut walk = problem.walk(ready);
+        let mut rows = vec![];
+        loop {
+            let progress = walk.step()?;
+            rows.extend(progress.rows);
+            if progress.done {
+                break;
+            }
         }
-        let mut rows = Vec::new();
-        for &time in &ready.times.clone() {
-            while !ready.motion.step(time)? {}
-            let before = if is_timed { &[][..] } else { &[time] };
-            rows.push([before, &ready.motion.row()].concat());
+        let run = RunRows { name: problem.name.clone(), columns, rows };
+        Ok(series::section(&run, &names, event)?)
+    }
+
+    fn curve(&self) -> Result<(RunRows, Vec<String>), Failure> {
+        let problem = Problem::read(&self.trajectory.problem)?;
+        if let Some(file) = &self.trajectory.rows {
+            let (columns, rows) = read_rows(file)?;
+            return Ok((RunRows { name: problem.name, columns, rows }, self.columns.clone()));
         }
-        Ok((RunRows { name, columns, rows }, ready))
+        let (problem, names) = self.extended(&problem)?;
+        let (rows, _) = curve(&problem, &names)?;
+        Ok((rows, names))
+    }
+
+    /// The problem with the columns, and their names in its rows: `H` is `H1`, `H2`, ..
+    fn extended(&self, problem: &Problem) -> Result<(Problem, Vec<String>), Failure> {
+        let own = problem.motion(0)?.columns;
+        let (mut names, mut others) = (vec![], vec![]);
+        for wanted in self.columns.iter().map(|name| name.trim()) {
+            if own.iter().any(|column| column.name == wanted && column.formula.is_some()) {
+                names.push(wanted.into());
+                continue;
+            }
+            others.push(wanted);
+            let all = problem.with_columns(&[wanted]).motion(0)?.columns;
+            // named quantities and Casimir functions go by their own names
+            let all = all.into_iter().filter(|column| column.formula.is_none());
+            let all: Vec<String> = all.map(|column| column.name).collect();
+            let exactly = |name: &&String| *name == wanted;
+            let stem =
+                |name: &&String| *name != "t" && (name.starts_with(wanted) || wanted == "element");
+            let mut found: Vec<String> = all.iter().filter(exactly).cloned().collect();
+            if found.is_empty() {
+                found = all.iter().filter(stem).cloned().collect();
+            }
+            if found.is_empty() || wanted.is_empty() {
+                let message = format!("`{}` is no column of this motion", wanted.escape_debug());
+                let help = format!("the columns are {}", all.join(", "));
+                return Err(InputError::usage(message).help(help).into());
+            }
+            names.append(&mut found);
+        }
+        Ok((problem.with_columns(&others), names))
+    }
+}
+
+/// The names of the two columns of a plane.
+fn two(names: Vec<String>) -> Result<[String; 2], Failure> {
+    <[String; 2]>::try_from(names).map_err(|names| {
+        let message = format!("a plane has two columns, not {}: {}", names.len(), names.join(", "));
+        InputError::usage(message).help("for example `--columns H1,H2`").into()
+    })
+}
+
+/// The times of a problem, up to its terminal event.
+pub fn times(problem: &Problem) -> Result<Vec<f64>, Failure> {
+    let ready = problem.motion(0)?;
+    let mut times = ready.times.clone();
+    let Some(stop) = problem.terminal_event() else { return Ok(times) };
+    let mut walk = problem.walk(ready);
+    loop {
+        let progress = walk.step()?;
+        if let Some((_, end)) = progress.events.iter().find(|(event, _)| event == stop) {
+            let forwards = *end >= times[0];
+            times.retain(|time| if forwards { time < end } else { time > end });
+            times.push(*end);
+            return Ok(times);
+        }
+        if progress.done {
+            return Ok(times);
+        }
+    }
+}
+
+/// The rows of some columns along the motion, dense enough for a curve.
+fn curve(problem: &Problem, names: &[String]) -> Result<(RunRows, Ready), Failure> {
+    let stages = Stages::new(false);
+    stages.begin("the motion");
+    let mut ready = problem.motion(0)?;
+    let at = |name: &String| ready.columns.iter().position(|column| column.name == *name);
+    let mut columns: Vec<usize> = names.iter().filter_map(at).collect();
+    columns.retain(|column| ready.columns[*column].name != "t");
+    let names = columns.iter().map(|column| ready.columns[*column].name.clone());
+    let columns_of_rows = ["t".into()].into_iter().chain(names).collect();
+    let rows = Curve::along(ready.motion.as_mut(), &times(problem)?, &columns)?;
+    Ok((RunRows { name: problem.name.clone(), columns: columns_of_rows, rows }, ready))
+}
+
+impl Trajectory {
+    /// The rows of some columns of a problem, read from the file or integrated.
+    fn rows(&self, problem: &Problem, columns: &[&str]) -> Result<(RunRows, Ready), Failure> {
+        let Some(file) = &self.rows else {
+            let names: Vec<String> = columns.iter().map(|name| name.to_string()).collect();
+            return curve(problem, &names);
+        };
+        let (columns, rows) = read_rows(file)?;
+        Ok((RunRows { name: problem.name.clone(), columns, rows }, problem.motion(0)?))
     }
 
     /// The problem with the columns that a figure needs; `reason` says which problems have them.
-    fn with_columns(&self, columns: &[&str], reason: &str) -> Result<(Problem, Ready), Failure> {
+    fn with_columns(&self, columns: &[&str], reason: &str) -> Result<Problem, Failure> {
         let problem = Problem::read(&self.problem)?;
         // errors of the problem itself come first
         problem.motion(0)?;
@@ -62,31 +193,23 @@ impl Trajectory {
             columns.iter().all(|name| ready.columns.iter().any(|column| column.name == *name))
         };
         match extended.motion(0) {
-            Ok(ready) if has(&ready) => Ok((extended, ready)),
+            Ok(ready) if has(&ready) => Ok(extended),
             _ => Err(InputError::mathematics(reason).into()),
         }
     }
 
     pub fn attitude(&self) -> Result<Figure, Failure> {
-        let reason = "an attitude needs a rotating body, as on so(3) and se(3)";
-        let (problem, ready) = self.with_columns(&ENTRIES, reason)?;
-        let (rows, _) = self.rows(&problem, ready)?;
-        figures::run::attitude(&rows).map_err(|error| {
-            let turns = matches!(error, Error::Invalid { what: "rotation", .. });
-            let help = if turns {
-                reason
-            } else {
-                "the rows need the columns `g11` to `g33`, or `qw` to `qz`"
-            };
-            InputError::from(error).help(help).into()
-        })
+        let problem = self.with_columns(&ENTRIES, NO_ATTITUDE)?;
+        let (rows, _) = self.rows(&problem, &ENTRIES)?;
+        figures::run::attitude(&rows).map_err(|error| no_attitude(error).into())
     }
 
     pub fn momentum(&self) -> Result<Figure, Failure> {
         let reason = "a momentum sphere needs a rotating body: space = \"so3\"";
         // only rotations have a quaternion
-        let (problem, ready) = self.with_columns(&["H1", "H2", "H3", "qw"], reason)?;
-        let (rows, ready) = self.rows(&problem, ready)?;
+        let columns = ["H1", "H2", "H3", "qw"];
+        let problem = self.with_columns(&columns, reason)?;
+        let (rows, ready) = self.rows(&problem, &columns[..3])?;
         let inertia = ready.inertia.filter(|inertia| inertia.shape() == (3, 3));
         let Some(inertia) = inertia else {
             let message = "an energy ellipsoid needs a body with an inertia";
@@ -98,12 +221,27 @@ impl Trajectory {
         })
     }
 
-    pub fn drift(&self) -> Result<Diagram, Failure> {
-        let problem = Problem::read(&self.problem)?;
-        let ready = problem.motion(0)?;
-        let (rows, ready) = self.rows(&problem, ready)?;
-        let conserved = ready.columns.into_iter().filter(|column| column.watched);
-        let conserved: Vec<String> = conserved.map(|column| column.name).collect();
-        Ok(figures::run::drift(&rows, &conserved)?)
+    /// The body in motion, as a box with its axes of inertia, in a film of some seconds.
+    pub fn animation(&self, seconds: f64) -> Result<Figure, Failure> {
+        let moved = [&ENTRIES[..], &POSITION].concat();
+        let (problem, columns) = match self.with_columns(&moved, "") {
+            Ok(problem) => (problem, &moved[..]),
+            Err(_) => (self.with_columns(&ENTRIES, NO_ATTITUDE)?, &ENTRIES[..]),
+        };
+        let (rows, ready) = self.rows(&problem, columns)?;
+        // a motion with a given velocity has no metric
+        let inertia = match &ready.inertia {
+            Some(inertia) => inertia.fixed_view::<3, 3>(0, 0).into_owned(),
+            None => Matrix3::identity(),
+        };
+        let inertia = Inertia::new(&inertia)?;
+        figures::animation(&rows, &inertia, seconds).map_err(|error| no_attitude(error).into())
     }
+}
+
+/// The error of rows without attitudes.
+fn no_attitude(error: Error) -> InputError {
+    let turns = matches!(error, Error::Invalid { what: "rotation", .. });
+    let rows = "the rows need the columns `g11` to `g33`, or `qw` to `qz`";
+    InputError::from(error).help(if turns { NO_ATTITUDE } else { rows })
 }

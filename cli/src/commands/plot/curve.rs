@@ -1,0 +1,97 @@
+//! Rows dense enough to be drawn as curves, whatever the spacing of the rows of a problem.
+
+use affinor::Error;
+use affinor::mechanics::motions::Motion;
+
+/// The largest distance of a curve from its chords, in widths of the picture.
+const FLAT: f64 = 5e-4;
+/// The largest number of halvings of a step.
+const HALVINGS: u32 = 6;
+/// The largest number of intervals of a curve.
+const INTERVALS: f64 = 1e4;
+/// The least width of a picture, relative to the values: less is rounding.
+const RELATIVE: f64 = 1e-9;
+
+/// The curve of some columns along a motion.
+pub struct Curve<'m> {
+    motion: &'m mut dyn Motion,
+    columns: &'m [usize],
+    /// The least and the largest value of each column so far.
+    ranges: Vec<[f64; 2]>,
+    /// The least time between rows.
+    least: f64,
+    rows: Vec<Vec<f64>>,
+}
+
+impl<'m> Curve<'m> {
+    /// Rows of the time and the columns, through the times of a problem. Long steps are halved by dense output until each
+    /// chord is close to the curve.
+    ///
+    /// # Errors
+    /// The reason why the motion cannot go on.
+    pub fn along(
+        motion: &'m mut dyn Motion,
+        times: &[f64],
+        columns: &'m [usize],
+    ) -> Result<Vec<Vec<f64>>, Error> {
+        let span = times.last().map_or(0.0, |last| (last - times[0]).abs());
+        let least = span / INTERVALS;
+        let mut curve = Curve { motion, columns, ranges: vec![], least, rows: vec![] };
+        let first = curve.row();
+        curve.ranges = first[1..].iter().map(|value| [*value, *value]).collect();
+        curve.rows.push(first);
+        for &time in times {
+            while !curve.step(time)? {}
+        }
+        Ok(curve.rows)
+    }
+
+    /// The time and the columns.
+    fn row(&self) -> Vec<f64> {
+        let all = self.motion.row();
+        let values = self.columns.iter().map(|column| all[*column]);
+        [self.motion.time()].into_iter().chain(values).collect()
+    }
+
+    /// One step towards a time, and the rows within it.
+    fn step(&mut self, until: f64) -> Result<bool, Error> {
+        let from = self.row();
+        self.motion.keep();
+        let reached = self.motion.short_step(until)?;
+        let to = self.row();
+        for (range, value) in self.ranges.iter_mut().zip(&to[1..]) {
+            *range = [range[0].min(*value), range[1].max(*value)];
+        }
+        if self.halve(&from, &to, HALVINGS)? {
+            self.motion.back();
+            self.motion.short_step(until)?;
+        }
+        let passed = self.rows.last().map_or(f64::INFINITY, |last| (to[0] - last[0]).abs());
+        if passed >= self.least || reached && passed > 0.0 {
+            self.rows.push(to);
+        }
+        Ok(reached)
+    }
+
+    /// Adds rows between two ends of a part of the step; returns whether the motion was moved.
+    fn halve(&mut self, from: &[f64], to: &[f64], halvings: u32) -> Result<bool, Error> {
+        let half = 0.5 * (to[0] - from[0]);
+        if halvings == 0 || half.abs() < self.least {
+            return Ok(false);
+        }
+        self.motion.back();
+        while !self.motion.step(from[0] + half)? {}
+        let middle = self.row();
+        let bends = (0..self.ranges.len()).any(|k| {
+            let [low, high] = self.ranges[k];
+            let size = (high - low).max(RELATIVE * high.abs().max(low.abs()));
+            (middle[k + 1] - 0.5 * (from[k + 1] + to[k + 1])).abs() > FLAT * size
+        });
+        if bends {
+            self.halve(from, &middle, halvings - 1)?;
+            self.rows.push(middle.clone());
+            self.halve(&middle, to, halvings - 1)?;
+        }
+        Ok(true)
+    }
+}

@@ -1,0 +1,111 @@
+//! Drift of the conserved quantities, by one or several methods.
+
+use super::super::failure::Failure;
+use super::super::stages::Stages;
+use super::convergence::method_of;
+use super::run::times;
+use affinor::mechanics::motions::Method;
+use affinor_cli::figures::diagram::Diagram;
+use affinor_cli::figures::drift::{Change, Drift, diagram};
+use affinor_cli::figures::run::RunRows;
+use affinor_documents::definition::{InputError, read_rows};
+use affinor_documents::problem::Problem;
+use clap::Args;
+
+/// The number of intervals of a motion in closed form, which has no steps.
+const SAMPLES: u32 = 400;
+
+/// A problem of mechanics, and the methods whose drift is drawn.
+#[derive(Args)]
+pub struct Comparison {
+    /// The problem, a TOML file
+    #[arg(value_name = "FILE")]
+    problem: String,
+    /// Draw the rows of this CSV file of `affinor simulate`, instead of integrating the problem
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["methods", "step", "tolerance"])]
+    rows: Option<String>,
+    /// A method to compare; may be repeated [default: that of the problem]
+    #[arg(long = "method", value_name = "NAME")]
+    methods: Vec<String>,
+    /// The step size of methods with fixed steps [default: that of the problem]
+    #[arg(long, value_name = "H", requires = "methods")]
+    step: Option<f64>,
+    /// The relative tolerance of methods with step-size control [default: that of the problem]
+    #[arg(long, value_name = "TOL", requires = "methods")]
+    tolerance: Option<f64>,
+    /// Divide each change by the size of the initial value, where that is not zero
+    #[arg(long)]
+    relative: bool,
+}
+
+impl Comparison {
+    pub fn drift(&self) -> Result<Diagram, Failure> {
+        let problem = Problem::read(&self.problem)?;
+        let change = if self.relative { Change::Relative } else { Change::Absolute };
+        let mut drifts = vec![];
+        if let Some(file) = &self.rows {
+            let (columns, rows) = read_rows(file)?;
+            let run = RunRows { name: problem.name.clone(), columns, rows };
+            drifts.push(Drift::of_rows(&run, &watched(&problem)?.0)?);
+        } else {
+            let stages = Stages::new(false);
+            let methods = self.methods.iter().map(|name| method_of("--method", name));
+            let methods = methods.collect::<Result<Vec<_>, _>>()?;
+            if methods.is_empty() {
+                stages.begin("the motion");
+                drifts.push(along(&problem, String::new())?);
+            }
+            for (at, method) in methods.iter().enumerate() {
+                if methods[..at].contains(method) {
+                    let message = format!("--method {method} is given twice");
+                    return Err(InputError::usage(message).into());
+                }
+                stages.begin(method.name());
+                let problem = problem.with_method(*method, self.step, self.tolerance);
+                let drift = along(&problem, method.name().into());
+                drifts.push(drift.map_err(|failure| match failure {
+                    Failure::Input(error) if method.has_steps() && self.step.is_none() => {
+                        Failure::from(
+                            error.help("--step H gives the step of methods with fixed steps"),
+                        )
+                    }
+                    other => other,
+                })?);
+            }
+        }
+        Ok(diagram(&problem.name, &drifts, change))
+    }
+}
+
+/// The names of the columns that are expected to be conserved, and their places.
+fn watched(problem: &Problem) -> Result<(Vec<String>, Vec<usize>), Failure> {
+    let columns = problem.motion(0)?.columns;
+    let found = columns.iter().enumerate().filter(|(_, column)| column.watched);
+    Ok(found.map(|(at, column)| (column.name.clone(), at)).unzip())
+}
+
+/// The drift along a motion, at each of its steps.
+fn along(problem: &Problem, method: String) -> Result<Drift, Failure> {
+    let (names, columns) = watched(problem)?;
+    let mut times = times(problem)?;
+    let mut ready = problem.motion(0)?;
+    if ready.method == Method::Exact {
+        let (first, last) = (times[0], times[times.len() - 1]);
+        let at = |k: u32| first + (last - first) * f64::from(k) / f64::from(SAMPLES);
+        times = (1..SAMPLES).map(at).chain([last]).collect();
+    }
+    let mut drift = Drift::new(names, method, times[times.len() - 1] - ready.motion.time());
+    let values = |row: Vec<f64>| columns.iter().map(|at| row[*at]).collect::<Vec<f64>>();
+    drift.add(ready.motion.time(), &values(ready.motion.row()));
+    for time in times {
+        loop {
+            let reached = ready.motion.step(time)?;
+            drift.add(ready.motion.time(), &values(ready.motion.row()));
+            if reached {
+                break;
+            }
+        }
+    }
+    drift.end();
+    Ok(drift)
+}

@@ -1,0 +1,108 @@
+//! Drift of conserved quantities along a motion.
+
+use super::diagram::{Diagram, Drawn, Graph, Line, Scale};
+use super::run::RunRows;
+use affinor::Error;
+
+/// The least change drawn; smaller ones, also zero, are drawn here.
+const ROUNDING: f64 = 1e-17;
+/// The largest number of points of a line.
+const POINTS: f64 = 2000.0;
+
+/// The way in which a change is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// `|q(t) - q(0)|`.
+    Absolute,
+    /// `|q(t) - q(0)| / |q(0)|`; absolute for a quantity that starts at zero.
+    Relative,
+}
+
+/// The largest changes of some quantities up to each time.
+#[derive(Clone, Debug)]
+pub struct Drift {
+    names: Vec<String>,
+    /// The method; may be empty.
+    method: String,
+    /// The least time between points.
+    least: f64,
+    first: Vec<f64>,
+    largest: Vec<f64>,
+    /// The time of the last values, unless it has a point.
+    pending: Option<f64>,
+    points: Vec<(f64, Vec<f64>)>,
+}
+
+impl Drift {
+    /// No changes yet, of quantities over a time span.
+    pub fn new(names: Vec<String>, method: String, span: f64) -> Self {
+        let (first, largest, points) = (vec![], vec![0.0; names.len()], vec![]);
+        Drift { names, method, least: span.abs() / POINTS, first, largest, pending: None, points }
+    }
+
+    /// The changes of columns of rows.
+    ///
+    /// # Errors
+    /// [`Error::NoColumn`].
+    pub fn of_rows(run: &RunRows, names: &[String]) -> Result<Self, Error> {
+        let times = run.column("t")?;
+        let columns = names.iter().map(|name| run.column(name));
+        let columns = columns.collect::<Result<Vec<_>, _>>()?;
+        let mut drift = Drift::new(names.to_vec(), String::new(), 0.0);
+        for (k, time) in times.iter().enumerate() {
+            drift.add(*time, &columns.iter().map(|column| column[k]).collect::<Vec<_>>());
+        }
+        Ok(drift)
+    }
+
+    /// The values at the next time; the first ones are those that changes are measured from.
+    pub fn add(&mut self, time: f64, values: &[f64]) {
+        if self.first.is_empty() {
+            self.first = values.to_vec();
+            self.points.push((time, self.largest.clone()));
+            return;
+        }
+        for (largest, (value, first)) in self.largest.iter_mut().zip(values.iter().zip(&self.first))
+        {
+            *largest = (value - first).abs().max(*largest);
+        }
+        let before = self.points.last().map_or(time, |(before, _)| *before);
+        self.pending = Some(time);
+        if (time - before).abs() >= self.least {
+            self.end();
+        }
+    }
+
+    /// Adds the point of the last values.
+    pub fn end(&mut self) {
+        if let Some(time) = self.pending.take() {
+            self.points.push((time, self.largest.clone()));
+        }
+    }
+
+    fn lines(&self, change: Change) -> impl Iterator<Item = Line> {
+        self.names.iter().enumerate().map(move |(k, name)| {
+            let size = self.first.get(k).map_or(0.0, |first| first.abs());
+            let is_relative = change == Change::Relative && size > 0.0;
+            let unit = if is_relative { size } else { 1.0 };
+            let method = if self.method.is_empty() { "" } else { &format!(", {}", self.method) };
+            let kind = if change == Change::Relative && !is_relative { " (absolute)" } else { "" };
+            let at = |(time, largest): &(f64, Vec<f64>)| [*time, (largest[k] / unit).max(ROUNDING)];
+            // at the start nothing has changed
+            let points = self.points.iter().skip(1).map(at).collect();
+            Line { caption: format!("{name}{method}{kind}"), points, drawn: Drawn::Line }
+        })
+    }
+}
+
+/// The largest changes over time, by one or several methods.
+pub fn diagram(name: &str, drifts: &[Drift], change: Change) -> Diagram {
+    let lines = drifts.iter().flat_map(|drift| drift.lines(change)).collect();
+    let label = match change {
+        Change::Absolute => "largest absolute change |q(t) − q(0)|",
+        Change::Relative => "largest relative change |q(t) − q(0)| / |q(0)|",
+    };
+    let (x, y) = (Scale::linear("time t"), Scale::logarithmic(label));
+    let title = format!("{name}: conserved quantities");
+    Diagram { title, graphs: vec![Graph { x, y, equal: false, lines }] }
+}

@@ -1,0 +1,347 @@
+//! Pictures of trajectories: curves, ends and directions, captions and colours, drift, slopes, films.
+
+use crate::plot::{affinor, texts};
+use crate::program::{root, run};
+use roxmltree::{Document, Node};
+use std::collections::BTreeSet;
+use std::fs;
+use tempfile::TempDir;
+
+/// A turn about the third axis in space and body, with one row at its end.
+const WHEEL: &str = "space = \"so3\"\nmetric = \"diag(1, 2, 2.5)\"\ninitial.velocity = [0, 0, 1]\n\
+                     output = { end = 6.283185307179586 }\n";
+/// A ball that is thrown to the right, in steps that meet only seven points of its path.
+const BALL: &str = "space = \"R^2\"\nmetric = \"diag(2, 2)\"\ninitial.velocity = [3, 12]\n\
+                    forces.potential = \"12*x2\"\nintegrator.step = 0.5\noutput = { end = 3 }\n";
+
+fn folder(files: &[(&str, &str)]) -> TempDir {
+    let folder = TempDir::new().unwrap();
+    for (name, content) in files {
+        fs::write(folder.path().join(name), content).unwrap();
+    }
+    folder
+}
+
+fn drawn(folder: &TempDir, arguments: &[&str]) -> String {
+    let outcome = affinor(folder, arguments);
+    assert_eq!(outcome.status, 0, "{arguments:?}: {}", outcome.err);
+    texts(&outcome.out);
+    outcome.out
+}
+
+fn example(name: &str) -> String {
+    format!("{}/examples/motions/{name}.toml", root().display())
+}
+
+fn points(text: &str) -> Vec<[f64; 2]> {
+    let point = |pair: &str| {
+        let (x, y) = pair.split_once(',').unwrap();
+        [x.parse().unwrap(), y.parse().unwrap()]
+    };
+    text.split_whitespace().map(point).collect()
+}
+
+fn distance(a: &[f64; 2], b: &[f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+/// The elements of a name.
+fn all<'a>(svg: &'a Document, name: &'a str) -> impl Iterator<Item = Node<'a, 'a>> {
+    svg.descendants().filter(move |node| node.tag_name().name() == name)
+}
+
+/// The polylines of a colour, or of all colours.
+fn lines(svg: &str, stroke: &str) -> Vec<Vec<[f64; 2]>> {
+    let svg = Document::parse(svg).unwrap();
+    let lines = all(&svg, "polyline");
+    let lines = lines.filter(|node| node.attribute("stroke").unwrap().starts_with(stroke));
+    lines.map(|node| points(node.attribute("points").unwrap())).collect()
+}
+
+#[test]
+fn curves_are_smooth_whatever_the_rows() {
+    for (name, integrator) in [
+        ("exact", ""),
+        ("controlled", "integrator = { method = \"rkmk853\", tolerance = 1e-9 }\n"),
+        ("fixed", "integrator = { method = \"rkmk4\", step = 0.7 }\n"),
+    ] {
+        let folder = folder(&[("wheel.toml", &format!("{WHEEL}{integrator}"))]);
+        let svg = drawn(&folder, &["attitude", "wheel.toml"]);
+        // the first axis, on both sides of the sphere: of a radius of 249
+        for stroke in ["#a3173f", "#daa2b2"] {
+            let path = lines(&svg, stroke).into_iter().max_by_key(Vec::len).unwrap();
+            assert!(path.len() > 12, "{name} {stroke}: {}", path.len());
+            let longest =
+                path.windows(2).map(|pair| distance(&pair[0], &pair[1])).fold(0.0, f64::max);
+            assert!(longest < 40.0, "{name} {stroke}: {longest}");
+        }
+    }
+    // five rows of a top that turns three hundred radians
+    let folder = TempDir::new().unwrap();
+    let svg = drawn(&folder, &["attitude", &example("heavy_top")]);
+    let count: usize = lines(&svg, "#1f4e9c").iter().map(Vec::len).sum();
+    assert!(count > 1000, "{count}");
+    assert!(svg.len() < 2_000_000);
+}
+
+#[test]
+fn both_sides_of_the_sphere_and_both_ends_differ() {
+    let folder = folder(&[("wheel.toml", WHEEL)]);
+    let svg = drawn(&folder, &["attitude", "wheel.toml"]);
+    for caption in ["start of a path", "end of a path", "far side: thin and pale"] {
+        assert!(texts(&svg).contains(caption), "{caption}");
+    }
+    // the circle of the first axis is drawn once on each side, below and above the middle
+    let height = |stroke| {
+        let path = lines(&svg, stroke).into_iter().max_by_key(Vec::len).unwrap();
+        path.iter().map(|point| point[1]).sum::<f64>() / path.len() as f64
+    };
+    assert!(height("#a3173f") > height("#daa2b2") + 100.0);
+}
+
+/// The arrowheads of a ball that is thrown to the right point right; its parabola is no polygon of its steps.
+#[test]
+fn a_phase_plot_has_a_direction_a_start_and_an_end() {
+    let folder = folder(&[("ball.toml", BALL)]);
+    let svg = drawn(&folder, &["phase", "ball.toml", "--columns", "x1,x2"]);
+    assert!(texts(&svg).is_superset(&["start", "end", "x1", "x2"].map(String::from).into()));
+    let path = lines(&svg, "#111111").into_iter().max_by_key(Vec::len).unwrap();
+    assert!(path.len() > 4 * 7, "{}", path.len());
+    let document = Document::parse(&svg).unwrap();
+    let heads: Vec<_> = all(&document, "polygon").collect();
+    assert_eq!(heads.len(), 3);
+    for head in heads {
+        let corners = points(head.attribute("points").unwrap());
+        // from the neck to the tip
+        assert!(corners[2][0] < corners[0][0], "{corners:?}");
+    }
+    let discs: Vec<[f64; 2]> = all(&document, "circle")
+        .map(|disc| ["cx", "cy"].map(|key| disc.attribute(key).unwrap().parse().unwrap()))
+        .collect();
+    // a disc at the end, a ring at the start
+    assert_eq!(discs, [path[path.len() - 1], path[0], path[0]]);
+}
+
+#[test]
+fn a_section_has_a_point_for_each_row() {
+    let problem = "space = \"so3\"\nmetric = \"diag(2, 3, 4)\"\ninitial.velocity = [1, 0.4, 0.3]\n\
+                   forces.potential = \"R33 + R11\"\nevents.crossing = \"H3\"\n\
+                   output = { end = 30, section = \"crossing\" }\n";
+    let folder = folder(&[("section.toml", problem), ("wheel.toml", WHEEL)]);
+    let svg = drawn(&folder, &["section", "section.toml", "--columns", "H1,H2"]);
+    let simulated = run(folder.path(), &["simulate", "section.toml", "-o", "x.csv"], b"");
+    assert_eq!(simulated.status, 0, "{}", simulated.err);
+    let rows = fs::read_to_string(folder.path().join("x.csv")).unwrap().lines().count() - 1;
+    assert!(rows > 3);
+    let document = Document::parse(&svg).unwrap();
+    assert_eq!(all(&document, "circle").count(), rows);
+    let title = format!("section: section at crossing, {rows} points");
+    assert!(texts(&svg).contains(&title));
+    let rows = ["section", "section.toml", "--columns", "H1,H2", "--rows", "x.csv"];
+    assert!(drawn(&folder, &rows) == svg);
+    let cases: [(&[&str], i32, &str); 5] = [
+        (&["section", "wheel.toml", "--columns", "H1,H2"], 1, "no section"),
+        (&["phase", "wheel.toml", "--columns", "H"], 2, "two columns, not 3: H1, H2, H3"),
+        (&["phase", "wheel.toml", "--columns", "H1"], 2, "not 1"),
+        (&["series", "wheel.toml", "--columns", "height"], 2, "height"),
+        (&["series", "wheel.toml"], 2, "--columns"),
+    ];
+    for (arguments, status, message) in cases {
+        let refused = affinor(&folder, arguments);
+        assert_eq!((refused.status, &*refused.out), (status, ""), "{arguments:?}");
+        assert!(refused.err.contains(message), "{arguments:?}: {}", refused.err);
+    }
+}
+
+/// Columns of the output, of the problem, and named quantities; each line has its caption in its own colour.
+#[test]
+fn no_colour_is_used_twice() {
+    let folder = folder(&[("wheel.toml", &format!("{WHEEL}quantities.half = \"H3/2\"\n"))]);
+    let svg =
+        drawn(&folder, &["series", "wheel.toml", "--columns", "half,g,H,h,Omega,omega,energy"]);
+    let document = Document::parse(&svg).unwrap();
+    let names: Vec<String> = ["half", "energy"].map(String::from).into_iter().collect();
+    let mut names: BTreeSet<String> = names.into_iter().collect();
+    for stem in ["H", "h", "Omega", "omega", "g1", "g2", "g3"] {
+        names.extend((1..=3).map(|i| format!("{stem}{i}")));
+    }
+    assert!(texts(&svg).is_superset(&names), "{:?}", texts(&svg));
+    let captions =
+        all(&document, "text").filter(|node| names.contains(node.text().unwrap().trim()));
+    let colours: Vec<&str> = captions.map(|node| node.attribute("fill").unwrap()).collect();
+    assert_eq!(colours.len(), names.len());
+    assert_eq!(colours.iter().collect::<BTreeSet<_>>().len(), names.len());
+    // the axes end before the captions begin
+    let plain = drawn(&folder, &["series", "wheel.toml", "--columns", "energy"]);
+    assert!(texts(&plain).contains("energy") && texts(&plain).contains("time t"));
+}
+
+#[test]
+fn the_drift_of_methods_is_compared() {
+    let folder = TempDir::new().unwrap();
+    let problem = example("body_in_potential");
+    let methods = ["--method", "rkmk4", "--method", "cf4", "--method", "kick2", "--step", "0.1"];
+    let absolute = drawn(&folder, &[&["drift", &problem][..], &methods].concat());
+    let relative = drawn(&folder, &[&["drift", &problem, "--relative"][..], &methods].concat());
+    for method in ["rkmk4", "cf4", "kick2"] {
+        for quantity in ["energy", "vertical"] {
+            let caption = format!("{quantity}, {method}");
+            assert!(texts(&absolute).contains(&caption) && texts(&relative).contains(&caption));
+        }
+    }
+    assert!(texts(&absolute).contains("largest absolute change |q(t) − q(0)|"));
+    assert!(texts(&relative).contains("largest relative change |q(t) − q(0)| / |q(0)|"));
+    // the height of the end of a line is the logarithm of its largest change: relative to an energy of 4.205
+    assert_ne!(absolute, relative);
+    let cases: [(&[&str], i32, &str); 4] = [
+        (&["--method", "euler"], 2, "there is no method `euler`"),
+        (&["--method", "rkmk4"], 1, "--step H gives the step"),
+        (&["--method", "rkmk54", "--method", "rkmk54"], 2, "is given twice"),
+        (&["--step", "0.1"], 2, "--method"),
+    ];
+    for (arguments, status, message) in cases {
+        let refused = affinor(&folder, &[&["drift", &problem][..], arguments].concat());
+        assert_eq!((refused.status, &*refused.out), (status, ""), "{arguments:?}");
+        assert!(refused.err.contains(message), "{arguments:?}: {}", refused.err);
+    }
+}
+
+/// The slope in a caption is the median of the observed orders, and lines of whole slopes stand beside.
+#[test]
+fn convergence_has_slopes() {
+    let folder = TempDir::new().unwrap();
+    let outcome =
+        affinor(&folder, &["convergence", &example("body_in_potential"), "--halvings", "5"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.err);
+    let texts = texts(&outcome.out);
+    for line in outcome.err.lines() {
+        let (method, orders) = line.split_once(": observed orders: ").unwrap();
+        let mut orders: Vec<f64> = orders.split(' ').map(|order| order.parse().unwrap()).collect();
+        orders.sort_by(f64::total_cmp);
+        let median = orders[orders.len() / 2];
+        let slope = texts.iter().find_map(|text| text.strip_prefix(&format!("{method}, slope ")));
+        let slope: f64 = slope.unwrap().parse().unwrap();
+        assert!((slope - median).abs() <= 0.056, "{method}: {slope} {median}");
+        assert!(texts.contains(&format!("slope {median:.0}")), "{texts:?}");
+    }
+}
+
+/// The frames of the polygons of a film.
+fn frames(svg: &str) -> Vec<(String, Vec<Vec<[f64; 2]>>)> {
+    let document = Document::parse(svg).unwrap();
+    let films =
+        all(&document, "animate").filter(|node| node.attribute("attributeName") == Some("points"));
+    let film = |node: Node| {
+        let values = node.attribute("values").unwrap().split(';').map(points).collect();
+        let stroke = node.parent_element().unwrap().attribute("stroke").unwrap();
+        (stroke.to_string(), values)
+    };
+    films.map(film).collect()
+}
+
+#[test]
+fn a_film_shows_the_body_turn() {
+    let folder = folder(&[("wheel.toml", WHEEL)]);
+    let svg = drawn(&folder, &["animation", "wheel.toml", "--seconds", "4"]);
+    assert!(drawn(&folder, &["animation", "wheel.toml", "--seconds", "4"]) == svg);
+    for caption in
+        ["axis 2 of inertia, moment 2", "axis 3 of inertia, moment 2.5", "t = 0", "t = 6.283185"]
+    {
+        assert!(texts(&svg).contains(caption), "{caption}");
+    }
+    let films = frames(&svg);
+    // six faces, three axes before and behind the box, the time
+    assert_eq!(films.len(), 6 + 3 + 3 + 1);
+    let axis = |stroke: &str| {
+        &films.iter().find(|(found, frames)| found == stroke && frames[0].len() == 2).unwrap().1
+    };
+    // the axis of the rotation stands still; the first axis points the other way after half a turn
+    let (first, third) = (axis("#a3173f"), axis("#1f4e9c"));
+    assert_eq!(first.len(), 101);
+    assert!(third.iter().all(|frame| distance(&frame[1], &third[0][1]) < 0.02));
+    for k in 0..=50 {
+        let (now, then) = (&first[k], &first[k + 50]);
+        let sum = |end: usize| [now[end][0] + then[end][0], now[end][1] + then[end][1]];
+        assert!(distance(&sum(0), &sum(1)) < 0.5, "{k}");
+    }
+    let document = Document::parse(&svg).unwrap();
+    for node in all(&document, "animate") {
+        assert_eq!(node.attribute("dur"), Some("4s"));
+        assert_eq!(node.attribute("repeatCount"), Some("indefinite"));
+        let Some(times) = node.attribute("keyTimes") else { continue };
+        let times: Vec<f64> = times.split(';').map(|time| time.parse().unwrap()).collect();
+        assert!(times[0] == 0.0 && times.windows(2).all(|pair| pair[0] < pair[1]), "{times:?}");
+        let values = node.attribute("values").unwrap().split(';').count();
+        assert!(values == times.len() && times[values - 1] < 1.0);
+    }
+    // of two opposite faces one is visible
+    let faces: Vec<_> = all(&document, "polygon")
+        .filter(|node| node.attribute("stroke") == Some("#111111"))
+        .collect();
+    assert_eq!(faces.len(), 6);
+    for pair in faces.chunks(2) {
+        assert_ne!(pair[0].attribute("visibility"), pair[1].attribute("visibility"));
+    }
+    for seconds in ["0", "nan", "1000"] {
+        let refused = affinor(&folder, &["animation", "wheel.toml", "--seconds", seconds]);
+        assert_eq!((refused.status, &*refused.out), (2, ""), "{seconds}");
+        assert!(refused.err.contains("--seconds"), "{}", refused.err);
+    }
+}
+
+#[test]
+fn films_stay_small_and_follow_the_position() {
+    let fast = WHEEL.replace("[0, 0, 1]", "[0, 30, 200]");
+    let folder = folder(&[("fast.toml", &fast)]);
+    let outcome = affinor(&folder, &["animation", "fast.toml"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.err);
+    assert!(outcome.err.contains("radians between frames"), "{}", outcome.err);
+    assert!(outcome.out.len() < 2_000_000, "{}", outcome.out.len());
+    let body = drawn(&folder, &["animation", &example("kirchhoff")]);
+    let films = frames(&body);
+    let (_, face) = films.iter().find(|(stroke, _)| stroke == "#111111").unwrap();
+    let centre = |frame: &Vec<[f64; 2]>| {
+        let sum = frame.iter().fold([0.0, 0.0], |sum, at| [sum[0] + at[0], sum[1] + at[1]]);
+        sum.map(|sum| sum / frame.len() as f64)
+    };
+    assert!(distance(&centre(&face[0]), &centre(&face[face.len() - 1])) > 100.0);
+    assert!(texts(&body).contains("path of the body"));
+    #[cfg(feature = "png")]
+    {
+        let still = affinor(&folder, &["animation", &example("kirchhoff"), "-o", "x.png"]);
+        assert_eq!(still.status, 0, "{}", still.err);
+        assert_eq!(fs::read(folder.path().join("x.png")).unwrap()[..4], *b"\x89PNG");
+    }
+}
+
+/// A motion ends at its terminal event, in a picture too.
+#[test]
+fn a_picture_ends_at_the_terminal_event() {
+    let stopping = format!("{BALL}events.floor = \"x2\"\n")
+        .replace("{ end = 3 }", "{ end = 9, stop = \"floor\" }");
+    // at rest at the start, the height changes its sign at t = 4
+    let folder = folder(&[("ball.toml", &stopping.replace("12*x2", "12*x2 + 0*x1"))]);
+    let svg = drawn(&folder, &["series", "ball.toml", "--columns", "x1"]);
+    let numbers: Vec<f64> = texts(&svg).iter().filter_map(|text| text.parse().ok()).collect();
+    let last = numbers.into_iter().fold(0.0, f64::max);
+    // x1 = 3 t ends at 12
+    assert!((10.0..13.0).contains(&last), "{last}");
+}
+
+/// A circle in the plane of two components is drawn as a circle.
+#[test]
+fn components_of_one_quantity_have_equal_units() {
+    let folder = folder(&[("wheel.toml", WHEEL)]);
+    let svg = drawn(&folder, &["phase", "wheel.toml", "--columns", "g11,g21"]);
+    let path = lines(&svg, "#111111").into_iter().max_by_key(Vec::len).unwrap();
+    let width = |k: usize| {
+        let values = path.iter().map(|point| point[k]);
+        values.clone().fold(f64::MIN, f64::max) - values.fold(f64::MAX, f64::min)
+    };
+    assert!(width(0) > 300.0 && (width(0) - width(1)).abs() < 3.0, "{} {}", width(0), width(1));
+    // the angle of the rotation and its cosine have units of their own
+    let svg = drawn(&folder, &["phase", "wheel.toml", "--columns", "t,g11"]);
+    let path = lines(&svg, "#111111").into_iter().max_by_key(Vec::len).unwrap();
+    let end = path[path.len() - 1];
+    assert!(end[0] - path[0][0] > 400.0 && (end[1] - path[0][1]).abs() < 0.1);
+}
