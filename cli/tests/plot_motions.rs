@@ -112,8 +112,7 @@ fn a_phase_plot_has_a_direction_a_start_and_an_end() {
     assert_eq!(heads.len(), 3);
     for head in heads {
         let corners = points(head.attribute("points").unwrap());
-        // from the neck to the tip
-        assert!(corners[2][0] < corners[0][0], "{corners:?}");
+        assert!(corners[1..].iter().all(|corner| corner[0] < corners[0][0]), "{corners:?}");
     }
     let discs: Vec<[f64; 2]> = all(&document, "circle")
         .map(|disc| ["cx", "cy"].map(|key| disc.attribute(key).unwrap().parse().unwrap()))
@@ -328,20 +327,26 @@ fn a_picture_ends_at_the_terminal_event() {
     assert!((10.0..13.0).contains(&last), "{last}");
 }
 
-/// A circle in the plane of two components is drawn as a circle.
+/// The options of `simulate` replace keys of the file in every picture of a trajectory.
 #[test]
-fn components_of_one_quantity_have_equal_units() {
-    let folder = folder(&[("wheel.toml", WHEEL)]);
-    let svg = drawn(&folder, &["phase", "wheel.toml", "--columns", "g11,g21"]);
-    let path = lines(&svg, "#111111").into_iter().max_by_key(Vec::len).unwrap();
-    let width = |k: usize| {
-        let values = path.iter().map(|point| point[k]);
-        values.clone().fold(f64::MIN, f64::max) - values.fold(f64::MAX, f64::min)
+fn options_replace_keys_of_the_file() {
+    let parameters = BALL.replace("end = 3", "end = \"T\"") + "parameters.T = 3\n";
+    let other = parameters.replace("step = 0.5", "step = 0.25").replace("T = 3", "T = 2");
+    let folder = folder(&[("a.toml", &parameters), ("b.toml", &other)]);
+    let series = |file: &str, options: &[&str]| {
+        let picture = ["series", file, "--columns", "x1,x2"];
+        drawn(&folder, &[&picture[..], options].concat()).replace("b:", "a:")
     };
-    assert!(width(0) > 300.0 && (width(0) - width(1)).abs() < 3.0, "{} {}", width(0), width(1));
-    // the angle of the rotation and its cosine have units of their own
-    let svg = drawn(&folder, &["phase", "wheel.toml", "--columns", "t,g11"]);
-    let path = lines(&svg, "#111111").into_iter().max_by_key(Vec::len).unwrap();
-    let end = path[path.len() - 1];
-    assert!(end[0] - path[0][0] > 400.0 && (end[1] - path[0][1]).abs() < 0.1);
+    let other = series("b.toml", &[]);
+    for options in [
+        &["--set", "T=2", "--step", "0.25"][..],
+        &["--end", "2", "--step", "1/4"],
+        &["--end=T - 1", "--method", "rkmk4", "--step", "1/4"],
+    ] {
+        assert_eq!(lines(&series("a.toml", options), ""), lines(&other, ""), "{options:?}");
+    }
+    assert_ne!(lines(&series("a.toml", &[]), ""), lines(&other, ""));
+    let refused = affinor(&folder, &["attitude", "a.toml", "--rows", "r.csv", "--end", "1"]);
+    assert_eq!(refused.status, 2, "{}", refused.err);
+    assert!(refused.err.contains("cannot be used with"), "{}", refused.err);
 }

@@ -32,12 +32,14 @@ impl Work for ReadBack<'_> {
                 let mut text = vec![];
                 table.write(format, &mut text).unwrap();
                 let text = String::from_utf8(text).unwrap();
-                // a table without a tensor has nothing to read
                 if table.tensors.is_empty() {
                     continue;
                 }
-                let stored = StoredTable::parse("stored", &text)?;
-                stored.expect_basis(&definition.labels)?;
+                let mut stored = StoredTable::parse("stored", &text)?;
+                let shown: Vec<_> = table.tensors.iter().map(|entry| entry.quantity).collect();
+                // a tensor without rows in CSV is zero
+                stored.select(&shown)?;
+                stored.expect_basis(&table.labels)?;
                 assert_eq!(stored.remarks(&table), [""; 0]);
                 let differences = stored.differences(&table)?;
                 assert!(differences.is_empty(), "{quantities:?}: {differences:?}");
@@ -114,12 +116,8 @@ fn every_table_of_the_examples_is_read_back() {
     let mut files = 0;
     for entry in std::fs::read_dir(root().join("examples/definitions")).unwrap() {
         let path = entry.unwrap().path().to_str().unwrap().to_string();
-        // the Kretschmann scalar of Kerr is longer than a value may be
-        let short = |quantity: &Quantity| *quantity != Quantity::Kretschmann;
-        let long = path.ends_with("kerr.toml");
-        let quantities: Vec<_> = Quantity::ALL.into_iter().filter(|q| !long || short(q)).collect();
         let request = Request { space: Some(path), ..Request::default() };
-        assert!(read_back(&request, &quantities) > 0, "{request:?}");
+        assert!(read_back(&request, &Quantity::ALL) > 0, "{request:?}");
         files += 1;
     }
     assert!(files > 20, "{files}");

@@ -1,6 +1,7 @@
 //! Figures of the trajectory of a problem.
 
 use super::super::failure::Failure;
+use super::super::options::ProblemOptions;
 use super::super::stages::Stages;
 use super::curve::Curve;
 use affinor::Error;
@@ -25,11 +26,13 @@ const NO_ATTITUDE: &str = "an attitude needs a rotating body, as on so(3) and se
 /// A problem of mechanics, and its trajectory if it is computed already.
 #[derive(Args)]
 pub struct Trajectory {
-    /// The problem, a TOML file
-    #[arg(value_name = "FILE")]
-    problem: String,
+    #[command(flatten)]
+    problem: ProblemOptions,
+    /// The method of integration, instead of that of the file
+    #[arg(long, value_name = "M")]
+    method: Option<String>,
     /// Draw the rows of this CSV file of `affinor simulate`, instead of integrating the problem
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["method", "step", "tolerance", "end", "every"])]
     rows: Option<String>,
 }
 
@@ -59,7 +62,7 @@ impl Columns {
     /// One column over the other, as points at the section of the problem.
     pub fn section(&self) -> Result<Diagram, Failure> {
         let Columns { trajectory, .. } = self;
-        let problem = Problem::read(&trajectory.problem)?;
+        let problem = trajectory.problem()?;
         let Some(event) = problem.section() else {
             let help = "name an event: `section = \"NAME\"` in [output]";
             return Err(InputError::mathematics("the problem has no section").help(help).into());
@@ -87,7 +90,7 @@ impl Columns {
     }
 
     fn curve(&self) -> Result<(RunRows, Vec<String>), Failure> {
-        let problem = Problem::read(&self.trajectory.problem)?;
+        let problem = self.trajectory.problem()?;
         if let Some(file) = &self.trajectory.rows {
             let (columns, rows) = read_rows(file)?;
             return Ok((RunRows { name: problem.name, columns, rows }, self.columns.clone()));
@@ -172,6 +175,11 @@ fn curve(problem: &Problem, names: &[String]) -> Result<(RunRows, Ready), Failur
 }
 
 impl Trajectory {
+    /// The problem, with the values of the options.
+    fn problem(&self) -> Result<Problem, Failure> {
+        self.problem.open(self.method.as_deref())
+    }
+
     /// The rows of some columns of a problem, read from the file or integrated.
     fn rows(&self, problem: &Problem, columns: &[&str]) -> Result<(RunRows, Ready), Failure> {
         let Some(file) = &self.rows else {
@@ -184,7 +192,7 @@ impl Trajectory {
 
     /// The problem with the columns that a figure needs; `reason` says which problems have them.
     fn with_columns(&self, columns: &[&str], reason: &str) -> Result<Problem, Failure> {
-        let problem = Problem::read(&self.problem)?;
+        let problem = self.problem()?;
         // errors of the problem itself come first
         problem.motion(0)?;
         let extended = problem.with_columns(columns);
