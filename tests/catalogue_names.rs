@@ -69,7 +69,7 @@ none; so(n) needs; so(3,)|so(,)|so(\u{663})|so 3 1|so^3|so3)|so3x
 none; even; sp(5)|sp(0)
 none; odd; heisenberg(4)|heisenberg(1)
 none; n >= 1; R^0|R^-1|A0|gl(0)
-none; n = 1; aff(2)|aff(0)
+none; n >= 1; aff(0)|aff(-1)
 none; su(n); su(2,1)
 none; n = 6, 7, 8; E5|E9
 none; n >= 3; D2

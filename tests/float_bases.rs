@@ -123,7 +123,11 @@ proptest! {
         for (at, value) in moved.components() {
             prop_assert_eq!(*value, moved.get(&[at[1], at[0]]));
         }
-        prop_assert!(Metric::new(labels(n), moved).is_ok());
+        // beyond this condition number the determinant is rounding
+        let matrix = DMatrix::from_fn(n, n, |i, k| moved.get(&[i, k]));
+        let moments = matrix.symmetric_eigenvalues().abs();
+        let is_regular = moments.min() > 1e-13 * moments.max();
+        prop_assert!(Metric::new(labels(n), moved).is_ok() || !is_regular);
         // a form of degree 3 out of the same numbers
         let term = |[i, j, k]: [usize; 3]| {
             let x = |a: usize, i: usize| numbers[(a * n + i) % numbers.len()];

@@ -82,7 +82,7 @@ fn list(numbers: &[f64]) -> String {
 
 fn rows(entry: impl Fn(usize, usize) -> f64, size: usize) -> String {
     let row =
-        |i| (0..size).map(|j| format!("\"{:e}\"", entry(i, j))).collect::<Vec<_>>().join(", ");
+        |i| (0..size).map(|j| format!("\"{:?}\"", entry(i, j))).collect::<Vec<_>>().join(", ");
     let rows: Vec<String> = (0..size).map(|i| format!("[{}]", row(i))).collect();
     format!("[{}]", rows.join(", "))
 }

@@ -1,6 +1,6 @@
 //! Work over precision, as a diagram.
 
-use affinor_cli::figures::diagram::{Diagram, Graph, Line, Scale};
+use affinor_cli::figures::diagram::{Diagram, Drawn, Graph, Line, Scale};
 use affinor_cli::plot::{diagram, svg};
 
 /// Reads rows and writes SVG: a panel for each problem, a line for each method.
@@ -18,12 +18,12 @@ pub fn draw() {
         let at = graphs.iter().position(|(problem, _)| *problem == row[0]).unwrap_or_else(|| {
             let x = Scale::logarithmic(&format!("error: {}", &row[0]));
             let y = Scale::logarithmic("CPU seconds");
-            graphs.push((row[0].into(), Graph { x, y, lines: vec![] }));
+            graphs.push((row[0].into(), Graph { x, y, equal: false, lines: vec![] }));
             graphs.len() - 1
         });
         let lines = &mut graphs[at].1.lines;
         let line = lines.iter().position(|line| line.caption == row[1]).unwrap_or_else(|| {
-            lines.push(Line { caption: row[1].into(), points: vec![], marked: true });
+            lines.push(Line { caption: row[1].into(), points: vec![], drawn: Drawn::Marked });
             lines.len() - 1
         });
         lines[line].points.push([error, seconds]);

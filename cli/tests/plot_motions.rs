@@ -112,7 +112,8 @@ fn a_phase_plot_has_a_direction_a_start_and_an_end() {
     assert_eq!(heads.len(), 3);
     for head in heads {
         let corners = points(head.attribute("points").unwrap());
-        assert!(corners[1..].iter().all(|corner| corner[0] < corners[0][0]), "{corners:?}");
+        // from the neck to the tip
+        assert!(corners[2][0] < corners[0][0], "{corners:?}");
     }
     let discs: Vec<[f64; 2]> = all(&document, "circle")
         .map(|disc| ["cx", "cy"].map(|key| disc.attribute(key).unwrap().parse().unwrap()))
@@ -349,4 +350,22 @@ fn options_replace_keys_of_the_file() {
     let refused = affinor(&folder, &["attitude", "a.toml", "--rows", "r.csv", "--end", "1"]);
     assert_eq!(refused.status, 2, "{}", refused.err);
     assert!(refused.err.contains("cannot be used with"), "{}", refused.err);
+}
+
+/// A circle in the plane of two components is drawn as a circle.
+#[test]
+fn components_of_one_quantity_have_equal_units() {
+    let folder = folder(&[("wheel.toml", WHEEL)]);
+    let svg = drawn(&folder, &["phase", "wheel.toml", "--columns", "g11,g21"]);
+    let path = lines(&svg, "#111111").into_iter().max_by_key(Vec::len).unwrap();
+    let width = |k: usize| {
+        let values = path.iter().map(|point| point[k]);
+        values.clone().fold(f64::MIN, f64::max) - values.fold(f64::MAX, f64::min)
+    };
+    assert!(width(0) > 300.0 && (width(0) - width(1)).abs() < 3.0, "{} {}", width(0), width(1));
+    // the angle of the rotation and its cosine have units of their own
+    let svg = drawn(&folder, &["phase", "wheel.toml", "--columns", "t,g11"]);
+    let path = lines(&svg, "#111111").into_iter().max_by_key(Vec::len).unwrap();
+    let end = path[path.len() - 1];
+    assert!(end[0] - path[0][0] > 400.0 && (end[1] - path[0][1]).abs() < 0.1);
 }

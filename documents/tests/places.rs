@@ -43,7 +43,7 @@ fn keys() {
          \"output\": {\"end\": 1}, \"forces\": {«\"space\"»: []}}",
     );
     problem(&BODY.replace("velocity = [1, 0, 0]", "«velocity» = [1, 0]"));
-    problem(&format!("{BODY}[integrator]\nmethod = 'exact'\n«step» = 0.1\n"));
+    problem(&format!("{BODY}[integrator]\nmethod = 'exact'\nstep = «0.1»\n"));
     definition("dimension = 2\nbrackets = ''\n[connection]\nkind = 'zero'\n«affinities» = ''\n");
 }
 

@@ -121,7 +121,7 @@ where
         join(r.inverse_transform_vector(&m), f.map(|f| r.inverse_transform_vector(&f)))
     }
 
-    /// As [`coadjoint`](Self::coadjoint), where `R^T (f_a cross t_a) = R^T f_a cross T_left(w) u_a`.
+    /// As [`coadjoint`](LieGroup::coadjoint), where `R^T (f_a cross t_a) = R^T f_a cross T_left(w) u_a`.
     #[inline]
     fn coadjoint_exp(&self, x: &Self::Vector, h: &Self::Vector) -> Self::Vector {
         let ((w, u), (m, f)) = (split::<N, K>(x), split::<N, K>(h));

@@ -163,7 +163,8 @@ fn rows_at_a_jump_have_the_value_after_it() {
 /// Functions that jump or have corners: their values, and a potential with them that conserves the energy.
 #[test]
 fn formulas_with_corners() {
-    let cases: [(&str, fn(f64) -> f64); 9] = [
+    type Function = fn(f64) -> f64;
+    let cases: [(&str, Function); 9] = [
         ("min(t, 1/2)", |t| t.min(0.5)),
         ("max(t, 1/2, 1 - t, 2*t - 1)", |t| t.max(0.5).max(1.0 - t)),
         ("sign(t - 1/2)", |t| if t == 0.5 { 0.0 } else { (t - 0.5).signum() }),

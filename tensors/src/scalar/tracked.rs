@@ -5,16 +5,17 @@ use super::{Field, Kind, Notation, Rational, Ring, Sum, Tolerance};
 use std::fmt;
 use std::ops::{Add, Mul, Neg};
 
-/// An `f64` with its accumulated rounding error: computed value minus exact value, to first order.
+/// An `f64` with its accumulated rounding error: computed value minus exact value, up to the rounding of the error itself.
 ///
 /// A plain `f64` is compared with the terms of the last sum only; a remainder of terms that cancel
 /// enters the next sum as if it were exact. Here the rounding error of every product and sum is
-/// computed, which floating point can do exactly, and propagated to first order:
+/// computed, which floating point can do exactly, and propagated. Terms of second order are kept: where a metric is
+/// ill-conditioned, sums of large terms leave little else.
 ///
 /// ```text
 /// a + b:  e_a + e_b + (fl(a + b) - (a + b))
 /// a b:    e_a b + a e_b - e_a e_b + (fl(a b) - a b)
-/// 1/a:    -e_a/a^2 + (fl(1/a) - 1/a)
+/// 1/a:    -e_a/(a (a - e_a)) + (fl(1/a) - 1/a)
 /// ```
 ///
 /// A value `v` with error `e` counts as zero in two cases:
@@ -26,7 +27,7 @@ use std::ops::{Add, Mul, Neg};
 /// The values are those of `f64`.
 ///
 /// The error-free transformations are those of T. J. Dekker, *Numer. Math.* 18 (1971) 224-242, and
-/// D. E. Knuth; the first-order correction is that of P. Langlois, *BIT* 41 (2001) 515-526.
+/// D. E. Knuth; the correction follows P. Langlois, *BIT* 41 (2001) 515-526, who keeps the first order.
 ///
 /// ```
 /// use affinor_tensors::{Notation, Rational, Ring, Sum, Tolerance, Tracked};
@@ -65,7 +66,7 @@ impl Tracked {
         self.value
     }
 
-    /// The rounding error, to first order: computed value minus exact value.
+    /// The rounding error: computed value minus exact value.
     pub const fn error(self) -> f64 {
         self.error
     }
@@ -237,7 +238,7 @@ impl Ring for Tracked {
         let (n, d) = (Self::from_i64(numerator), Self::from_i64(denominator));
         let (product, rounding) = multiplied(value, d.value);
         let residual = (product - n.value) - rounding + n.error - value * d.error;
-        Some(Tracked { value, error: residual / d.value, small: false })
+        Some(Tracked { value, error: residual / (d.value - d.error), small: false })
     }
 }
 
@@ -247,7 +248,7 @@ impl Field for Tracked {
         // 1 - value self.value, and so the rounding of the division
         let (product, rounding) = multiplied(value, self.value);
         let residual = (1.0 - product) + rounding;
-        let error = -(residual + self.error * value) * value;
+        let error = -(residual + self.error * value) / (self.value - self.error);
         Some(Tracked { value, error, small: false })
     }
     fn pivot_weight(&self) -> f64 {
