@@ -12,6 +12,7 @@ mod constrained;
 mod dynamics;
 mod ensemble;
 mod given_velocity;
+mod group_class;
 mod initial;
 mod integration;
 mod keys;
@@ -34,10 +35,11 @@ use crate::definition::source::Source;
 use affinor::mechanics::Magnus;
 use affinor::mechanics::motions::Method;
 use ensemble::Ensemble;
+use group_class::GroupClass;
 use integration::{Integration, Member, method_of, values_of};
 use keys::Keys;
 use matrix_flow::MatrixFlow;
-use on_group::{GroupClass, OnGroup};
+use on_group::OnGroup;
 use output::{Output, expect_distinct};
 use reader::{Reader, Value};
 use std::path::Path;
@@ -333,7 +335,7 @@ impl Problem {
         let member = Member { source, parameters, times, integration, output };
         let ready = match &self.class {
             Class::MatrixFlow(flow) => flow.motion(&member),
-            Class::OnGroup(on_group, class) => on_group.motion(class, &member),
+            Class::OnGroup(on_group, class) => class.motion(on_group, &member),
         }?;
         integration.expect_no_ignored_keys(ready.method, source)?;
         let of_ensemble =

@@ -1,6 +1,6 @@
 //! Errors of the input: what is wrong, where, and what to write instead.
 
-use super::source::Place;
+use super::source::{Place, Source};
 use affinor::Error;
 use affinor_tensors::TensorError;
 use std::fmt;
@@ -76,6 +76,13 @@ impl InputError {
             **at = Place { span: span.or(Some(whole.clone())), ..part.clone() };
         }
         self
+    }
+}
+
+impl Source {
+    /// An error at the place of a key, by its dotted path.
+    pub(crate) fn refused(&self, path: &str, message: impl Into<String>) -> InputError {
+        InputError::usage(message).at(&self.key(path))
     }
 }
 

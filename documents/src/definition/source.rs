@@ -1,6 +1,5 @@
 //! Texts that were read, and places in them.
 
-use super::input::InputError;
 use super::literal;
 use super::written::Text;
 use std::collections::BTreeMap;
@@ -111,11 +110,6 @@ impl Source {
             let Some(dot) = path.rfind('.') else { return self.place(None) };
             path.truncate(dot);
         }
-    }
-
-    /// An error at the place of a key, by its dotted path.
-    pub(crate) fn refused(&self, path: &str, message: impl Into<String>) -> InputError {
-        InputError::usage(message).at(&self.key(path))
     }
 
     /// Whether a key is given, by its dotted path.

@@ -1,19 +1,13 @@
 //! Problems on a Lie group: the group, its initial element, and the start of a motion on it.
 
-use super::constrained::Constrained;
-use super::dynamics::Dynamics;
-use super::given_velocity::GivenVelocity;
 use super::initial::InitialElement;
 use super::integration::Member;
 use super::keys::Keys;
-use super::lie_poisson::LiePoisson;
 use super::reader::Reader;
-use super::ready::Ready;
 use crate::definition::input::{InputError, shown};
 use crate::definition::source::Place;
 use crate::definition::written::MetricText;
 use crate::definition::{Definition, Reading, Request, Space};
-use affinor::group::{Opposite, Se2, Se3, Sl2, So2, So3};
 use affinor::mechanics::motions::SimulationGroup;
 use affinor::mechanics::motions::quantities::Names;
 use affinor::{LieAlgebra, LiePoisson as Dual};
@@ -32,38 +26,6 @@ pub(super) struct OnGroup {
     /// Whether the equations are right-invariant.
     right: bool,
     element: InitialElement,
-}
-
-/// The classes of problems on a group.
-#[derive(Clone, Debug)]
-pub(super) enum GroupClass {
-    EulerPoincare(Box<Dynamics>),
-    Constrained(Box<Constrained>),
-    LiePoisson(Box<LiePoisson>),
-    GivenVelocity(Box<GivenVelocity>),
-}
-
-impl GroupClass {
-    pub fn read(keys: &Keys, on_group: &OnGroup, reader: &Reader) -> Result<Self, InputError> {
-        Ok(if let Some(given) = &keys.given {
-            Self::GivenVelocity(GivenVelocity::read(given, reader)?.into())
-        } else if let Some(hamiltonian) = &keys.hamiltonian {
-            Self::LiePoisson(LiePoisson::read(hamiltonian, keys, on_group, reader)?.into())
-        } else if keys.constraints.is_some() {
-            Self::Constrained(Constrained::read(keys, on_group, reader)?.into())
-        } else {
-            Self::EulerPoincare(Dynamics::read(keys, on_group, reader)?.into())
-        })
-    }
-
-    fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
-        match self {
-            Self::EulerPoincare(class) => class.motion(group, start),
-            Self::Constrained(class) => class.motion(group, start),
-            Self::LiePoisson(class) => class.motion(group, start),
-            Self::GivenVelocity(class) => class.motion(group, start),
-        }
-    }
 }
 
 /// The start of a motion on a group.
@@ -126,8 +88,8 @@ impl OnGroup {
         &self.element
     }
 
-    /// The motion of a class of problems on this group.
-    pub fn motion(&self, class: &GroupClass, member: &Member) -> Result<Ready, InputError> {
+    /// The space with the values of its parameters for a member.
+    pub fn valued(&self, member: &Member) -> Result<Cow<'_, Space>, InputError> {
         let mut values = BTreeMap::new();
         for name in self.space.definition.parameters() {
             let Some((_, value)) = member.parameters.iter().find(|(own, _)| *own == name) else {
@@ -145,23 +107,12 @@ impl OnGroup {
             let set = space.to_mut().definition.set(&values);
             set.map_err(|error| error.or_at(&self.metric_place))?;
         }
-        space.in_floats(Tolerance::default(), |definition, reading| {
-            let start = Start { on_group: self, member, definition, reading };
-            let group = definition.group(reading)?;
-            if self.right {
-                return class.motion(Opposite(group), &start);
-            }
-            // with its own type, a group in closed form needs no allocation in a step
-            macro_rules! with_its_type {
-                ($($Group:ty)*) => {
-                    $(if let Some(group) = group.downcast_ref::<$Group>() {
-                        return class.motion(*group, &start);
-                    })*
-                };
-            }
-            with_its_type!(So2 So3 Se2 Se3 Sl2);
-            class.motion(group, &start)
-        })
+        Ok(space)
+    }
+
+    /// Whether the equations are right-invariant.
+    pub fn is_right(&self) -> bool {
+        self.right
     }
 
     /// The Casimir functions of the algebra up to the second degree, if it is small and without parameters: polynomials

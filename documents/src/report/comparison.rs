@@ -1,7 +1,7 @@
 //! Two geometries side by side.
 
 use super::components::groups;
-use super::grid::{Cell, Grid, pretty};
+use super::grid::{Cell, Grid, head_of_grid, pretty};
 use super::{Format, Quantity, Report, head, latex, text};
 use affinor::geometry::claims::{Claim, Residual, Verdict};
 use affinor::geometry::conditions::conditions;
@@ -90,7 +90,7 @@ impl Comparison {
         let rows = rows.map(|((title, a), (_, b))| vec![(*title).into(), a.clone(), b.clone()]);
         let title = format!("{} and {}", left.name, right.name);
         Grid::new(title, &["", &left.name, &right.name], rows.collect(), Value::Null)
-            .with_head(head::head_of_grid(left.zero.as_deref()))
+            .with_head(head_of_grid(left.zero.as_deref()))
     }
 
     fn claims(&self) -> Grid {

@@ -1,6 +1,7 @@
 //! Grids of short cells, for reports that are not tables of tensors.
 
-use super::latex::escape;
+use super::head::{conventions, float};
+use super::latex::{CONVENTIONS, escape};
 use super::markdown::escaped;
 use super::text::head_line;
 use super::{Format, Report};
@@ -69,6 +70,13 @@ impl Report for Grid {
             Format::Json => pretty(&self.json, out),
         }
     }
+}
+
+/// The head of a grid: the conventions in brief, and the rule by which a float counts as zero.
+pub(super) fn head_of_grid(zero: Option<&str>) -> Vec<(&'static str, Cell)> {
+    let conventions = Cell { text: vec![conventions()], latex: Some(vec![CONVENTIONS.into()]) };
+    let scalar = zero.map(|zero| ("scalar", float(zero).into()));
+    [("conventions", conventions)].into_iter().chain(scalar).collect()
 }
 
 /// Writes JSON with indentation.

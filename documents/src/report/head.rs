@@ -1,7 +1,5 @@
 //! The head of a table: the space, its connection and its scalar.
 
-use super::grid::Cell;
-use super::latex::CONVENTIONS;
 use super::{OnChart, Table};
 use affinor::conventions;
 use affinor_tensors::{Kind, Notation, Tolerance};
@@ -18,18 +16,12 @@ pub(super) fn zero(tolerance: Tolerance) -> String {
     format!("|v| <= {tolerance:.3e} times the sum of the absolute values of its terms")
 }
 
-fn float(zero: &str) -> String {
+/// The scalar of a table in floats, with the rule by which one counts as zero.
+pub(super) fn float(zero: &str) -> String {
     format!("float; a component v is zero when {zero}")
 }
 
-/// The head of a grid: the conventions in brief, and the rule by which a float counts as zero.
-pub(super) fn head_of_grid(zero: Option<&str>) -> Vec<(&'static str, Cell)> {
-    let conventions = Cell { text: vec![conventions()], latex: Some(vec![CONVENTIONS.into()]) };
-    let scalar = zero.map(|zero| ("scalar", float(zero).into()));
-    [("conventions", conventions)].into_iter().chain(scalar).collect()
-}
-
-/// The same in JSON.
+/// The conventions in JSON, and the rule by which a float counts as zero.
 pub(super) fn conventions_in_json(zero: Option<&str>) -> Value {
     let mut json = json!({
         "indices": "from 1",

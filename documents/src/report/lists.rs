@@ -1,6 +1,6 @@
 //! Short lists: the conventions, the catalogue, and the checks of a certificate.
 
-use super::grid::Grid;
+use super::grid::{Grid, head_of_grid};
 use super::{Report, head};
 use crate::certificate::Check;
 use affinor::algebra::catalogue::families;
@@ -68,5 +68,5 @@ pub fn certificate(
         rows.collect(),
         json,
     )
-    .with_head(head::head_of_grid(zero.as_deref()))
+    .with_head(head_of_grid(zero.as_deref()))
 }

@@ -1,8 +1,8 @@
 //! Stored tables, and their comparison with computed tables.
 
 use super::components::plain;
-use super::grid::Grid;
-use super::head::{conventions_in_json, head_of_grid};
+use super::grid::{Grid, head_of_grid};
+use super::head::conventions_in_json;
 use super::json::variances;
 use super::{Format, Quantity, Report, Table, TableEntry, text};
 use crate::definition::file::{bytes, decode};
