@@ -115,6 +115,16 @@ pub enum Error {
         /// An entry of the remainder.
         residual: String,
     },
+    /// A subspace that is no subalgebra.
+    #[error("the subspace is no subalgebra: [{x}, {y}] = {bracket} is not in it")]
+    NotSubalgebra {
+        /// A vector of the subspace.
+        x: String,
+        /// Another one.
+        y: String,
+        /// Their bracket.
+        bracket: String,
+    },
     /// Matrices that are linearly dependent over the reals.
     #[error("the matrices are linearly dependent over the reals: {relation} = 0")]
     Dependent {

@@ -147,6 +147,12 @@ impl Definition {
         }
     }
 
+    /// The algebra or the fields alone, without a metric and a connection.
+    #[must_use]
+    pub fn algebra_alone(&self) -> Self {
+        Definition { metric: None, connection: None, ..self.clone() }
+    }
+
     /// The dimension.
     pub fn dimension(&self) -> usize {
         self.labels.len()
