@@ -4,12 +4,14 @@
 //! - [`Subspace`]: subspaces in reduced row echelon form; `products`: brackets of vectors;
 //! - [`Structure`]: an algebra with its brackets tabulated; `series`, `killing`, `radical`, `cartan`, `levi`;
 //! - [`reduction`]: the algebra modulo a prime, for ranks; `derivations`, `cohomology`;
-//! - [`dynkin`], `ideals`, [`real_forms`]: Dynkin types, simple ideals over the reals and their names.
+//! - [`dynkin`], `ideals`, [`real_forms`]: Dynkin types, simple ideals over the reals and their names;
+//! - `constructions`: quotients, extensions, semidirect sums, contractions, complexifications.
 //!
 //! W. A. de Graaf, *Lie Algebras: Theory and Algorithms*, North-Holland 2000.
 
 mod cartan;
 mod cohomology;
+mod constructions;
 mod derivations;
 pub mod dynkin;
 mod ground;

@@ -62,7 +62,7 @@ fn dimensions(series: &[Subspace<Rational>]) -> Vec<usize> {
 }
 
 /// What is compared: the keys of the data that do not depend on the basis.
-fn invariants(algebra: Algebra) -> Value {
+pub fn invariants(algebra: Algebra) -> Value {
     let structure = Structure::new(algebra);
     let [plus, minus, zero] = structure.killing().signature().unwrap();
     let types = structure.dynkin_type().unwrap_or_default();
@@ -90,7 +90,7 @@ fn invariants(algebra: Algebra) -> Value {
     })
 }
 
-fn expect(found: &Value, expected: &Value, name: &str) {
+pub fn expect(found: &Value, expected: &Value, name: &str) {
     for (key, value) in found.as_object().unwrap() {
         if expected.get(key).is_some_and(|expected| !expected.is_null()) || key == "levi_type" {
             assert_eq!(value, &expected[key], "{key} of {name}");

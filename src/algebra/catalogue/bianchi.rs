@@ -84,8 +84,8 @@ fn read(name: &str, arguments: &[Argument]) -> Result<Entry, CatalogueError> {
     Ok(Entry::new(full, numbered("e", 3), constants(n, n12, a)))
 }
 
-/// The value of `h`, errors placed in the whole name.
-fn evaluate(name: &str, value: Argument) -> Result<Symbolic, CatalogueError> {
+/// The value of a parameter, errors placed in the whole name.
+pub(super) fn evaluate(name: &str, value: Argument) -> Result<Symbolic, CatalogueError> {
     let parameter = |name: &str| Notation::parameter(name).ok_or("this is no name".to_string());
     let result = Expression::parse(value.text)
         .and_then(|expression| expression.evaluate(&Scalars(parameter, no_function)));
