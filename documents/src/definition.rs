@@ -8,6 +8,7 @@
 //! `document` has the keys of a definition, `notation` its expressions; `space` has the SPACE of a command.
 
 mod chart;
+mod construction;
 pub(crate) mod document;
 mod entry;
 pub(crate) mod file;

@@ -26,7 +26,7 @@ pub use comparison::{ComparedSide, Comparison};
 pub use components::{GROUPED, Group, groups, independent};
 pub use equations::EquationReport;
 pub use info::Info;
-pub use lists::{catalogue, certificate, conventions};
+pub use lists::{catalogue, catalogue_where, certificate, conventions};
 pub use quantity::Quantity;
 pub use stored::{Differences, StoredTable};
 

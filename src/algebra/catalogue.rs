@@ -92,6 +92,17 @@ pub fn families() -> &'static [Family] {
     FAMILIES
 }
 
+/// The names of the algebras of a dimension, family by family. Borel and parabolic subalgebras are left out;
+/// parameters stay open.
+///
+/// ```
+/// let names = affinor::algebra::catalogue::names(2);
+/// assert!(names.contains(&"aff(1)".to_string()) && !names.contains(&"so(3)".to_string()));
+/// ```
+pub fn names(dimension: usize) -> Vec<String> {
+    FAMILIES.iter().flat_map(|family| family.names(dimension)).collect()
+}
+
 static FAMILIES: &[Family] = &[
     solvable::ABELIAN,
     orthogonal::DEFINITE,
@@ -267,6 +278,30 @@ impl Family {
     fn head(&self) -> &'static str {
         let end = self.pattern.find(['(', '^']).unwrap_or(self.pattern.len() - 1);
         &self.pattern[..end]
+    }
+
+    /// The names of the algebras of a dimension.
+    fn names(&self, dimension: usize) -> Vec<String> {
+        let Reader::Integers { count, dimension: of, .. } = self.reader else {
+            let all = match self.head() {
+                "bianchi" => bianchi::names(),
+                _ => tables::names(self),
+            };
+            let fits = |name: &String| find(name).is_ok_and(|e| e.dimension() == dimension);
+            return all.into_iter().filter(fits).collect();
+        };
+        // no family has a smaller dimension than its arguments minus two
+        let most = dimension + 2;
+        let first = (1..=most).map(|n| vec![n]);
+        let arguments: Vec<Vec<usize>> = match count {
+            1 => first.collect(),
+            _ => first.flat_map(|p| (1..=most).map(move |q| vec![p[0], q])).collect(),
+        };
+        let fits = |numbers: &Vec<usize>| of(numbers) == Some(dimension);
+        let written = |numbers: Vec<usize>| {
+            numbers.iter().map(usize::to_string).collect::<Vec<_>>().join(",")
+        };
+        arguments.into_iter().filter(fits).map(|numbers| self.name(&written(numbers))).collect()
     }
 
     /// The last argument where it is a letter: the field in `sl(n,C)`.

@@ -15,8 +15,9 @@ use std::io::{self, Write};
 
 /// The name of the schema.
 const SCHEMA: &str = "affinor.info/1";
-/// Longer bases are written in JSON only.
+/// Bases of more vectors, or with more characters, are written in JSON only.
 const SHOWN: usize = 12;
+const LONGEST: usize = 240;
 
 /// The structure of an algebra, ready to be printed.
 #[derive(Clone, Debug)]
@@ -199,10 +200,11 @@ impl Notes {
         let dimension = subspace.dimension();
         let basis: Vec<String> =
             subspace.basis().iter().take(SHOWN).map(|row| self.vector(row)).collect();
+        let basis = basis.join(", ");
         let answer = match dimension {
             0 => "0".to_string(),
             all if all == subspace.ambient() => "the whole algebra".into(),
-            1..=SHOWN => format!("dimension {dimension}: {}", basis.join(", ")),
+            1..=SHOWN if basis.len() <= LONGEST => format!("dimension {dimension}: {basis}"),
             _ => format!("dimension {dimension}; basis in --format json"),
         };
         let trivial = dimension == 0 || dimension == subspace.ambient();

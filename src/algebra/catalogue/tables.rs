@@ -84,6 +84,17 @@ const DE_GRAAF_TABLE: &str = "\
 6,25|12>3:1 13>5:1 14>6:1
 6,26|12>4:1 13>5:1 23>6:1";
 
+/// The names of all rows of a family; none for a family without a table.
+pub(super) fn names(family: &Family) -> Vec<String> {
+    let table = match family.pattern {
+        pattern if pattern == PATERA.pattern => PATERA_TABLE,
+        pattern if pattern == DE_GRAAF.pattern => DE_GRAAF_TABLE,
+        _ => return vec![],
+    };
+    let number = |row: &str| row.split([' ', '|']).next().unwrap_or_default().to_string();
+    table.lines().map(|row| format!("{}({})", family.head(), number(row))).collect()
+}
+
 fn read(
     family: &Family,
     table: &'static str,
