@@ -24,9 +24,11 @@ pub use code::Language;
 pub use comparison::{ComparedSide, Comparison};
 pub use components::{GROUPED, Group, groups, independent};
 pub use equations::EquationReport;
+pub use latex::components_in_latex;
 pub use lists::{catalogue, certificate, conventions};
 pub use quantity::Quantity;
 pub use stored::{Differences, StoredTable};
+pub use text::components_in_text;
 
 use affinor::{Error, Geometry};
 use affinor_tensors::{Kind, Notation, Tensor, Tolerance};
