@@ -77,11 +77,6 @@ impl<'a> Rows<'a> {
         let start = at * self.step;
         &self.data[start..start + self.width]
     }
-
-    /// All numbers, if there is one row for every element.
-    pub fn all(&self) -> Option<&[f64]> {
-        (self.step == self.width).then_some(&self.data)
-    }
 }
 
 /// A new array of zeros.

@@ -1,5 +1,6 @@
 //! Problems of motion, and their integration in short pieces between which Python can interrupt.
 
+use crate::arrays::{Floats, Rows, batch};
 use crate::errors::raise;
 use crate::run::{run, run_here};
 use affinor_documents::definition::InputError;
@@ -47,6 +48,9 @@ impl Piece {
 
 /// The rows of one member of an ensemble, or the reason why there are none, after it the rows so far.
 type Member<'py> = (Bound<'py, PyArray2<f64>>, Option<String>);
+
+/// The columns, the last rows, and the reasons of runs that failed.
+type Many<'py> = (Vec<String>, Bound<'py, PyArray2<f64>>, Vec<Option<String>>);
 
 fn table<'py>(
     py: Python<'py>,
@@ -170,6 +174,49 @@ impl PyProblem {
         found.set_item("failed", failed.map(|error| raise(py, &error)))?;
         found.set_item("interrupt", interrupt)?;
         Ok(found)
+    }
+
+    /// Integrates the problem once for each row of values of parameters, on all threads: the columns, the last row of each
+    /// run, and the reason of its end if it failed.
+    fn run_many<'py>(
+        &self,
+        py: Python<'py>,
+        names: Vec<String>,
+        values: Floats<'py>,
+    ) -> PyResult<Many<'py>> {
+        let own = batch("values", &values, &[names.len()])?;
+        let rows = Rows::new(&values, own, own);
+        let count: usize = own.iter().product();
+        let problem = self.0.to_the_end();
+        let one = |row: &[f64]| {
+            let settings = names.iter().zip(row).map(|(name, value)| format!("{name}={value:?}"));
+            let mut problem = problem.clone();
+            problem.set(&settings.collect::<Vec<_>>().join(","))?;
+            let ready = problem.motion(0)?;
+            let columns: Vec<String> =
+                ready.columns.iter().map(|column| column.name.clone()).collect();
+            let mut found = Vec::new();
+            let failed = Piece::walk(&mut problem.walk(ready), &mut found, None).failed;
+            let last = found.split_off(found.len().saturating_sub(columns.len()));
+            failed.map_or(Ok((columns, last)), Err)
+        };
+        let found = run(py, || {
+            Ok((0..count).into_par_iter().map(|at| one(rows.row(at))).collect::<Vec<_>>())
+        })?;
+        let columns = found.iter().find_map(|row| row.as_ref().ok());
+        let columns = columns.map_or(vec![], |(columns, _)| columns.clone());
+        let (mut last, mut failed) = (Vec::with_capacity(count * columns.len()), vec![]);
+        for row in found {
+            let (row, reason) = match row {
+                Ok((_, row)) if row.len() == columns.len() => (row, None),
+                Ok(_) => (vec![], Some("no row was reached".into())),
+                Err(error) => (vec![], Some(error.message)),
+            };
+            last.extend(if reason.is_some() { vec![f64::NAN; columns.len()] } else { row });
+            failed.push(reason);
+        }
+        let width = columns.len();
+        Ok((columns, PyArray1::from_vec(py, last).reshape([count, width])?, failed))
     }
 
     /// Integrates several members of the ensemble on all threads: the rows of each, and the reason of its end if it failed.

@@ -7,6 +7,7 @@ count from 0 in Python and from 1 in printed output. Quaternions are ``w, x, y, 
 from importlib.metadata import version as _version
 
 from affinor._engine import set_threads, threads
+from affinor._sweep import Draw, Motions, Sweep, sweep
 from affinor.algebra import Check, LieAlgebra, catalogue, check
 from affinor.errors import (
     AffinorError,
@@ -24,6 +25,7 @@ from affinor.errors import (
 )
 from affinor.geometry import Geodesic, Geometry, Property, compare, conventions
 from affinor.group import SE2, SE3, SE23, SL2, SO2, SO3, Group, RotationGroup, groups
+from affinor.motion import Problem, Trajectory, convergence, simulate
 from affinor.tensor import Tensor, contract
 
 __version__ = _version("affinor")
@@ -40,6 +42,7 @@ __all__ = [
     "Check",
     "ClosureError",
     "DependentError",
+    "Draw",
     "Geodesic",
     "Geometry",
     "Group",
@@ -50,17 +53,24 @@ __all__ = [
     "LieAlgebra",
     "MathematicsError",
     "MetricError",
+    "Motions",
+    "Problem",
     "Property",
     "RotationGroup",
     "ShapeError",
+    "Sweep",
     "SymmetryError",
     "Tensor",
+    "Trajectory",
     "catalogue",
     "check",
     "compare",
     "contract",
+    "convergence",
     "conventions",
     "groups",
     "set_threads",
+    "simulate",
+    "sweep",
     "threads",
 ]

@@ -184,6 +184,9 @@ class Problem:
     def run(
         self, member: int = 0, progress: Callable[[float], object] | None = None
     ) -> dict[str, Any]: ...
+    def run_many(
+        self, names: list[str], values: ArrayLike
+    ) -> tuple[list[str], _Floats, list[str | None]]: ...
     def run_members(
         self, members: list[int]
     ) -> tuple[list[str], list[tuple[_Floats, str | None]]]: ...

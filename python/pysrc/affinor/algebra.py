@@ -130,7 +130,8 @@ def _entries(constants: Any, dimension: int | None) -> tuple[list[Any], list[Any
     if isinstance(constants, Tensor):
         if constants.slots != "^__":
             raise ValueError(f"structure constants have the slots '^__', not {constants.slots!r}")
-        return _coo(*constants.to_coo(float if constants.scalar == "float" else object)), constants.dimension  # type: ignore[return-value]
+        indices, values = constants.to_coo(float if constants.scalar == "float" else object)
+        return indices.T.tolist(), list(values), constants.dimension
     if hasattr(constants, "tocoo") or hasattr(constants, "coords"):
         return _sparse(constants)
     if is_matrix(constants):
@@ -156,10 +157,6 @@ def _entries(constants: Any, dimension: int | None) -> tuple[list[Any], list[Any
         raise TypeError(f"structure constants are numbers or expressions, not {array.dtype}")
     places = np.nonzero(array != 0)
     return np.array(places).T.tolist(), list(array[places]), array.shape[0]
-
-
-def _coo(indices: Any, values: Any) -> tuple[list[Any], list[Any]]:
-    return indices.T.tolist(), list(values)
 
 
 def _sparse(constants: Any) -> tuple[list[Any], list[Any], int | None]:
