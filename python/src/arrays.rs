@@ -58,10 +58,10 @@ impl<'a> Rows<'a> {
         let width = array.shape()[own.len()..].iter().product();
         let single = own.iter().product::<usize>() == 1;
         if own == batch || single {
-            let data = array.as_slice().map_or_else(
-                |_| Cow::Owned(array.as_array().iter().copied().collect()),
-                Cow::Borrowed,
-            );
+            // a slice alone may also stand in the order of Fortran
+            let slice = array.as_slice().ok().filter(|_| array.is_c_contiguous());
+            let copy = || Cow::Owned(array.as_array().iter().copied().collect());
+            let data = slice.map_or_else(copy, Cow::Borrowed);
             return Rows { data, width, step: if single { 0 } else { width } };
         }
         let whole: Vec<usize> = batch.iter().chain(&array.shape()[own.len()..]).copied().collect();

@@ -76,6 +76,9 @@ def text_of(
 def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) -> str:
     import sympy
 
+    if floats and expression.is_real and expression.is_number and not expression.is_rational:
+        return repr(float(expression))
+
     def write(node: Any) -> str:
         if node.is_Symbol:
             return _symbol(node, symbols)
@@ -90,7 +93,7 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
             raise TypeError(f"{node} is a float, and exact numbers are needed: {_HELP}")
         if node is sympy.I and imaginary:
             return "i"
-        if node is sympy.pi:
+        if node is sympy.pi and floats:
             return "pi"
         if node.is_Add:
             return "(" + " + ".join(map(write, node.args)) + ")"
@@ -104,7 +107,7 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
                 return f"(sqrt({write(base)}))^{int(exponent.p)}"
             if base is sympy.E:
                 return f"exp({write(exponent)})"
-        elif node is sympy.E:
+        elif node is sympy.E and floats:
             return "exp(1)"
         elif node.is_Function:
             name = _FUNCTIONS.get(node.func.__name__, node.func.__name__)

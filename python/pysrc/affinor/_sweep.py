@@ -159,7 +159,8 @@ def sweep(
     keep = tempfile.TemporaryDirectory(prefix="affinor-sweep-") if out is None else None
     folder = Path(keep.name if keep is not None else out).absolute()  # type: ignore[arg-type]
     folder.mkdir(parents=True, exist_ok=True)
-    head = {"version": 1, "hash": _fingerprint(task, source, chunk), "rows": len(source), "chunk": chunk}
+    identity = _fingerprint(task, source, chunk)
+    head = {"version": 1, "hash": identity, "rows": len(source), "chunk": chunk}
     done = _begin(folder, head)
     starts = range(0, len(source), chunk)
     missing = [start for start in starts if _name(start // chunk) not in done]
@@ -176,7 +177,7 @@ def sweep(
         bar = tqdm(total=len(source), initial=len(source) - sum(min(chunk, len(source) - s) for s in missing))
     engine, close = _engine_of(on)
     try:
-        for name, rows, digest in engine(parts(), head["hash"]):
+        for name, rows, digest in engine(parts(), identity):
             done[name] = {"rows": rows, "sha256": digest}
             if bar is not None:
                 bar.update(rows)

@@ -54,8 +54,7 @@ def source_of(
     """The source of a name, a path, brackets as text, a dict, or structure constants."""
     if isinstance(space, LieAlgebra):
         if scalar != "exact" or tolerance is not None:
-            request, symbols, _, _ = space._source.of()
-            return Source(request, symbols, scalar, tolerance)
+            return Source(space._source.request, space._source.symbols, scalar, tolerance)
         return space._source
     if isinstance(space, os.PathLike):
         space = os.fspath(space)

@@ -112,8 +112,8 @@ class Geometry:
     ) -> None:
         source = source_of(space, basis=basis, scalar=scalar, tolerance=tolerance)
         extra = {"affinities": (affinities, "^__"), "torsion": (torsion, "^__"), "nonmetricity": (nonmetricity, "___")}
-        tensors = {key: _tensor(given, slots, key, source.scalar) for key, (given, slots) in extra.items()}
-        tensors = {key: tensor for key, tensor in tensors.items() if tensor is not None}
+        made = {key: _tensor(given, slots, key, source.scalar) for key, (given, slots) in extra.items()}
+        tensors = {key: tensor for key, tensor in made.items() if tensor is not None}
         if tensors and connection is not None:
             raise ValueError("give a connection, or affinities, or torsion and nonmetricity: only one of them")
         self._set(completed(source, connection, metric), tensors, frame)

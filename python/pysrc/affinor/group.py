@@ -123,9 +123,11 @@ class Group:
             raise ValueError(f"the elements of {self.name} are no matrices that act on points")
         size = points.shape[-1] if points.ndim else 0
         if size == rows:
-            return np.einsum("...ij,...j->...i", matrix, points)
+            moved: Floats = np.einsum("...ij,...j->...i", matrix, points)
+            return moved
         if size == rows - 1 and self.name.startswith(("se", "SE")) and rows == columns:
-            return np.einsum("...ij,...j->...i", matrix[..., :-1, :-1], points) + matrix[..., :-1, -1]
+            turned: Floats = np.einsum("...ij,...j->...i", matrix[..., :-1, :-1], points)
+            return turned + matrix[..., :-1, -1]
         raise ValueError(f"points should have the shape (..., {rows}), not {points.shape}")
 
     def interpolate(self, g: ArrayLike, h: ArrayLike, t: ArrayLike) -> Floats:
@@ -174,8 +176,8 @@ class RotationGroup(Group):
         norm = np.linalg.norm(q, axis=-1, keepdims=True)
         if not (np.isfinite(norm) & (norm > 0)).all():
             raise ValueError("a quaternion should be finite and not zero")
-        q = q / norm
-        return q if scalar_first else np.roll(q, 1, axis=-1)
+        unit: Floats = q / norm
+        return unit if scalar_first else np.roll(unit, 1, axis=-1)
 
     def to_quaternion(self, g: ArrayLike, *, scalar_first: bool = True) -> Floats:
         """The quaternions; ``scalar_first=False`` gives the order ``x, y, z, w``."""

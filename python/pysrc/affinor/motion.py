@@ -87,7 +87,7 @@ class Problem:
     def _table(self, table: Any) -> str:
         """The path of a file with the rows of a table."""
         if isinstance(table, os.PathLike):
-            return os.fspath(table)
+            return str(os.fspath(table))
         columns = [str(name) for name in table.columns] if hasattr(table, "columns") else None
         rows = np.asarray(table, dtype=np.float64)
         if rows.ndim != 2 or rows.shape[1] < 2:

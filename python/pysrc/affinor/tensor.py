@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from affinor import _engine
+from affinor._engine import Tensor as Components
 from affinor._scalars import Scalar, Symbols, is_matrix, merged, text_of, to_sympy, value_of
 
 __all__ = ["Tensor", "contract"]
@@ -38,7 +39,7 @@ class Tensor:
 
     __slots__ = ("_engine", "_latex_symbol", "_letters", "_symbol", "_symbols", "_title")
 
-    _engine: _engine.Tensor
+    _engine: Components
     _symbols: Symbols
 
     def __init__(
@@ -90,7 +91,7 @@ class Tensor:
 
     def _set(
         self,
-        engine: _engine.Tensor,
+        engine: Components,
         symbols: Mapping[str, Any],
         symbol: str = "T",
         latex: str | None = None,
@@ -106,7 +107,7 @@ class Tensor:
         self._letters = letters
 
     @classmethod
-    def _of(cls, engine: _engine.Tensor, symbols: Mapping[str, Any], *names: Any) -> Tensor:
+    def _of(cls, engine: Components, symbols: Mapping[str, Any], *names: Any) -> Tensor:
         tensor = cls.__new__(cls)
         tensor._set(engine, symbols, *names)
         return tensor
@@ -205,7 +206,7 @@ class Tensor:
     def items(self) -> Iterable[tuple[tuple[int, ...], Any]]:
         """The nonzero components in the order of their indices: indices from 0, and value."""
         places = self._engine.indices().T.tolist()
-        values = self._engine.values()
+        values: list[Any] = [*self._engine.values()]
         return ((tuple(at), value_of(value, self._symbols)) for at, value in zip(places, values, strict=True))
 
     def to_coo(self, dtype: Any = float) -> tuple[NDArray[np.int64], NDArray[Any]]:
