@@ -71,6 +71,11 @@ impl<'a> Rows<'a> {
         Rows { data: Cow::Owned(data.unwrap_or_default()), width, step: width }
     }
 
+    /// All numbers, if there is one row for every element.
+    pub fn all(&self) -> Option<&[f64]> {
+        (self.step == self.width || self.data.len() == self.width).then_some(&self.data)
+    }
+
     /// The row of an index.
     #[inline]
     pub fn row(&self, at: usize) -> &[f64] {

@@ -1,9 +1,10 @@
 //! Groups over arrays of elements, and parallel transport.
 
-use crate::arrays::{Floats, Rows, batch, common, zeros};
+use crate::arrays::{self, Floats, Rows, common, zeros};
 use crate::errors::{raise, refused};
 use crate::run::{run, run_here};
 use affinor::Error;
+use affinor::group::batch;
 use affinor::group::transport::ParallelTranslation;
 use affinor::group::{
     AnyGroup, Coordinates, Embedded, LieGroup, Product, Se2, Se3, Se23, Sl2, So2, So3, Written,
@@ -174,6 +175,36 @@ fn apply_all<G: Written + Sync>(
     out.par_chunks_mut(ALONE * width).enumerate().try_for_each(task)
 }
 
+/// Rotations by rows in a batch; `false` if the rows have to be taken one by one.
+fn rotations(operation: Operation, a: &Rows<'_>, out: &mut [f64]) -> bool {
+    let Some(rows) = a.all() else { return false };
+    match operation {
+        Operation::Exp => {
+            let (x, g) = (rows.as_chunks::<3>().0, out.as_chunks_mut::<4>().0);
+            if g.len() <= ALONE {
+                batch::exp_rows(x, g);
+            } else {
+                let pairs = x.par_chunks(ALONE).zip(g.par_chunks_mut(ALONE));
+                pairs.for_each(|(x, g)| batch::exp_rows(x, g));
+            }
+            true
+        }
+        Operation::Log => {
+            let (g, x) = (rows.as_chunks::<4>().0, out.as_chunks_mut::<3>().0);
+            let valid = |(g, x): (&[[f64; 4]], &mut [[f64; 3]])| {
+                batch::log_rows(g, x);
+                // an element without a logarithm is refused one by one
+                x.iter().flatten().all(|value| !value.is_nan())
+            };
+            if x.len() <= ALONE {
+                return valid((g, x));
+            }
+            g.par_chunks(ALONE).zip(x.par_chunks_mut(ALONE)).all(valid)
+        }
+        _ => false,
+    }
+}
+
 impl PyGroup {
     pub fn new(name: String, group: AnyGroup) -> Self {
         let (order, dimension) = (order(&group), group.dimension());
@@ -205,16 +236,16 @@ impl PyGroup {
         second: Option<(&str, Row, &Floats<'py>)>,
         result: Row,
     ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let own = batch(first.0, first.2, &self.row(first.1))?;
+        let own = arrays::batch(first.0, first.2, &self.row(first.1))?;
         let other = match &second {
-            Some((name, kind, array)) => batch(name, array, &self.row(*kind))?,
+            Some((name, kind, array)) => arrays::batch(name, array, &self.row(*kind))?,
             None => own,
         };
-        let batch = common(own, other)?;
+        let whole = common(own, other)?;
         let row = self.row(result);
-        let out = zeros(py, &batch, &row);
-        let a = Rows::new(first.2, own, &batch);
-        let b = second.as_ref().map(|(_, _, array)| Rows::new(array, other, &batch));
+        let out = zeros(py, &whole, &row);
+        let a = Rows::new(first.2, own, &whole);
+        let b = second.as_ref().map(|(_, _, array)| Rows::new(array, other, &whole));
         let b = b.as_ref().unwrap_or(&a);
         let width = row.iter().product::<usize>();
         {
@@ -222,7 +253,11 @@ impl PyGroup {
             let target = target.as_slice_mut()?;
             let (order, any) = (&self.order, &self.group);
             let alone = target.len() <= ALONE * width;
+            let is_so3 = any.downcast_ref::<So3>().is_some();
             let work = || {
+                if is_so3 && rotations(operation, &a, target) {
+                    return Ok(());
+                }
                 with_group!(any, group =>
                     apply_all(group, order, operation, [&a, b], target, width);
                     So3, Se3, Se2, Se23, Sl2, So2)
@@ -383,7 +418,7 @@ impl PyGroup {
 
 impl PyGroup {
     fn elements(&self, g: &Floats<'_>) -> PyResult<Vec<DVector<f64>>> {
-        let own = batch("g", g, &self.row(Row::Element))?;
+        let own = arrays::batch("g", g, &self.row(Row::Element))?;
         let rows = Rows::new(g, own, own);
         let count = own.iter().product();
         Ok((0..count).map(|at| element(&self.group, &self.order, rows.row(at))).collect())
@@ -420,7 +455,7 @@ impl PyTransport {
         py: Python<'py>,
         arcs: Floats<'py>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let own = batch("arcs", &arcs, &[self.0.group().dimension()])?;
+        let own = arrays::batch("arcs", &arcs, &[self.0.group().dimension()])?;
         let count = own.iter().product();
         let arcs = list(&Rows::new(&arcs, own, own), count);
         square(py, &run(py, || Ok(self.0.along_arcs(&arcs)?))?)
@@ -442,7 +477,7 @@ impl PyTransport {
         tolerance: f64,
     ) -> PyResult<Path<'py>> {
         let group = self.group();
-        batch("tangent", &tangent, &[group.dimension])?;
+        arrays::batch("tangent", &tangent, &[group.dimension])?;
         let start = group.elements(&start)?;
         let Some(start) = start.first() else {
             return Err(refused(py, InputError::usage("no element is given")));

@@ -84,7 +84,7 @@ def test_plots():
         top.plot("pie")
     errors = af.convergence(TOP, "Omega1", ["kick2", "rkmk4"], [0.1, 0.05])
     assert 3 < errors["kick2"][0] / errors["kick2"][1] < 5
-    assert 10 < errors["rkmk4"][0] / errors["rkmk4"][1] < 25
+    assert errors["rkmk4"][0] / errors["rkmk4"][1] > 10
 
 
 def test_events():

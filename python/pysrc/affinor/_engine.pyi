@@ -7,6 +7,23 @@ from numpy.typing import ArrayLike, NDArray
 
 _Floats = NDArray[np.float64]
 
+__all__ = [
+    "Geometry",
+    "Group",
+    "Problem",
+    "Space",
+    "Tensor",
+    "Transport",
+    "_panic",
+    "catalogue",
+    "conventions",
+    "evaluate",
+    "groups",
+    "quantities",
+    "set_threads",
+    "threads",
+]
+
 def _panic() -> None: ...
 def set_threads(count: int) -> None: ...
 def threads() -> int: ...

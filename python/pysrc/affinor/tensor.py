@@ -22,6 +22,8 @@ _SHOWN = 50
 """The most components that a notebook shows."""
 _LISTED = 2000
 """The most components that ``str`` lists."""
+_NAMES = "abcdefghijklmnopqrstuvwxyz"
+"""The names of factors that are given in order."""
 _DENSE = 1 << 27
 """The most components of a dense array."""
 
@@ -282,9 +284,6 @@ class Tensor:
     # -- arithmetic ------------------------------------------------------------------------------------------------------
 
     def _sum(self, other: Tensor, sign: str) -> Tensor:
-        letters = "ijklmnpq"[: self.rank]
-        mine = _written(letters, self.slots)
-        theirs = _written(letters, other.slots)
         if self.slots != other.slots or self.dimension != other.dimension:
             raise ValueError(
                 f"a sum needs equal shapes: {self.slots!r} of dimension {self.dimension}, "
@@ -292,7 +291,8 @@ class Tensor:
             )
         if self.rank == 0:
             return _sum0(self, other, sign)
-        return contract(f"a{mine} {sign} b{theirs} -> {mine}", a=self, b=other)
+        letters = _written("ijklmnpq"[: self.rank], self.slots)
+        return contract(f"a{letters} {sign} b{letters} -> {letters}", a=self, b=other)
 
     def __add__(self, other: object) -> Tensor:
         return self._sum(other, "+") if isinstance(other, Tensor) else NotImplemented
@@ -435,8 +435,8 @@ def contract(expression: str, *factors: Tensor, **named: Tensor) -> Tensor:
             at = next(count)
             if at >= len(factors):
                 raise ValueError(f"{expression!r} has more factors than the {len(factors)} given")
-            operands[f"factor{_letters(at)}"] = factors[at]
-            return f"factor{_letters(at)}{match.group()}"
+            operands[_NAMES[at]] = factors[at]
+            return _NAMES[at] + match.group()
 
         expression = re.sub(r"(?<![\w^_])[\^_][\^_\w]*", name, left) + arrow + right
         if len(operands) < len(factors):
@@ -465,10 +465,6 @@ def _sum0(a: Tensor, b: Tensor, sign: str) -> Tensor:
         values = [f"({texts[0][0]}) {sign} ({texts[1][0]})"]
     made = _engine.Tensor.build(a.dimension, "", np.zeros((0, 1), dtype=np.int64), values, scalar)
     return Tensor._of(made, symbols)
-
-
-def _letters(at: int) -> str:
-    return "abcdefghijklmnopqrstuvwxyz"[at]
 
 
 def _zero(scalar: str) -> Any:
