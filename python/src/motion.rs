@@ -5,10 +5,12 @@ use crate::errors::raise;
 use crate::run::{run, run_here};
 use affinor_documents::definition::InputError;
 use affinor_documents::problem::{Problem, Walk};
+use affinor::mechanics::motions::{ForceFunction, Side};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use rayon::prelude::*;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// The time between two looks for a signal.
@@ -16,7 +18,35 @@ const PIECE: Duration = Duration::from_millis(20);
 
 /// A problem of motion.
 #[pyclass(name = "Problem", frozen, module = "affinor._engine")]
-pub struct PyProblem(Problem);
+pub struct PyProblem(Problem, Failure);
+
+/// The exception of a force that is a function of Python.
+type Failure = Arc<Mutex<Option<PyErr>>>;
+
+/// The force that a function of Python computes: `force(t, g, omega)`, with the element as a matrix.
+fn force(function: Py<PyAny>, failure: Failure) -> ForceFunction {
+    ForceFunction(Arc::new(move |t, g, omega| {
+        Python::attach(|py| {
+            let call = || -> PyResult<Vec<f64>> {
+                let rows: Vec<f64> = g.transpose().as_slice().to_vec();
+                let g = PyArray1::from_vec(py, rows).reshape([g.nrows(), g.ncols()])?;
+                let omega = PyArray1::from_slice(py, omega);
+                function.call1(py, (t, g, omega))?.extract(py)
+            };
+            call().unwrap_or_else(|error| {
+                failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+                vec![]
+            })
+        })
+    }))
+}
+
+impl PyProblem {
+    /// The exception that a force raised.
+    fn failure(&self) -> Option<PyErr> {
+        self.1.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+}
 
 /// The events of a piece of a walk, and whether it has ended.
 #[derive(Default)]
@@ -65,7 +95,7 @@ fn table<'py>(
 impl PyProblem {
     /// A problem from a file, or from a text with a name for messages; options replace keys of the file.
     #[new]
-    #[pyo3(signature = (path=None, text=None, set=None, method=None, step=None, tolerance=None, end=None, every=None))]
+    #[pyo3(signature = (path=None, text=None, set=None, method=None, step=None, tolerance=None, end=None, every=None, body=None, space=None))]
     fn new(
         py: Python<'_>,
         path: Option<String>,
@@ -76,7 +106,14 @@ impl PyProblem {
         tolerance: Option<String>,
         end: Option<String>,
         every: Option<String>,
+        body: Option<Py<PyAny>>,
+        space: Option<Py<PyAny>>,
     ) -> PyResult<Self> {
+        let failure = Failure::default();
+        let given = [(Side::Body, body), (Side::Space, space)];
+        let given = given.into_iter().filter_map(|(side, function)| Some((side, function?)));
+        let functions: Vec<_> =
+            given.map(|(side, function)| (side, force(function, failure.clone()))).collect();
         let problem = run(py, || {
             let mut problem = match (&path, &text) {
                 (Some(path), None) => Problem::read(path)?,
@@ -90,9 +127,12 @@ impl PyProblem {
                 [&method, &step, &tolerance, &end, &every].map(Option::as_deref);
             problem.replace_integration(method, step, tolerance)?;
             problem.replace_times(end, every)?;
+            for (side, function) in functions {
+                problem = problem.with_force(side, function)?;
+            }
             Ok(problem)
         })?;
-        Ok(PyProblem(problem))
+        Ok(PyProblem(problem, failure))
     }
 
     #[getter]
@@ -138,7 +178,8 @@ impl PyProblem {
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let problem = &self.0;
-        let ready = run(py, || problem.motion(member))?;
+        let ready = run(py, || problem.motion(member));
+        let ready = ready.map_err(|error| self.failure().unwrap_or(error))?;
         let names: Vec<String> = ready.columns.iter().map(|column| column.name.clone()).collect();
         let watched: Vec<bool> = ready.columns.iter().map(|column| column.watched).collect();
         let (method, why) = (ready.method.name(), ready.method.why());
@@ -150,6 +191,9 @@ impl PyProblem {
             let piece =
                 run(py, || Ok(Piece::walk(&mut walk, &mut rows, Some(Instant::now() + PIECE))))?;
             events.extend(piece.events);
+            if let Some(error) = self.failure() {
+                return Err(error);
+            }
             failed = failed.or(piece.failed);
             let told = progress.as_ref().map(|progress| progress.call1((walk.share(),)));
             let told = told.transpose().and_then(|_| py.check_signals());

@@ -68,6 +68,31 @@ def test_forces():
     np.testing.assert_array_equal(af.simulate({**TOP, "forces": {"table": frame}}).rows, by_table.rows)
 
 
+def test_a_function_of_python_is_a_force():
+    seen = []
+
+    def force(t, g, omega):
+        seen.append((g.shape, omega.shape))
+        return [np.cos(t), -omega[0] / 2, g[2, 2]]
+
+    by_function = af.simulate({**TOP, "forces": {"body": force}})
+    by_formula = af.simulate({**TOP, "forces": {"body": ["cos(t)", "-Omega1/2", "R33"]}})
+    np.testing.assert_allclose(by_function.rows, by_formula.rows, atol=1e-13)
+    assert set(seen) == {((3, 3), (3,))}
+    in_space = af.simulate({**TOP, "forces": {"space": lambda t, g, omega: [t, 0, 0]}})
+    np.testing.assert_allclose(in_space.rows, af.simulate({**TOP, "forces": {"space": ["t", 0, 0]}}).rows, atol=1e-13)
+
+    def broken(t, g, omega):
+        raise LookupError("no torque")
+
+    with pytest.raises(LookupError, match="no torque"):
+        af.simulate({**TOP, "forces": {"body": broken}})
+    with pytest.raises(TypeError):
+        af.simulate({**TOP, "forces": {"body": lambda t, g, omega: "text"}})
+    with pytest.raises(af.AffinorError, match="component 3 of the force"):
+        af.simulate({**TOP, "forces": {"body": lambda t, g, omega: [0, 0]}})
+
+
 def test_tables():
     top = af.simulate(TOP)
     frame, arrow = top.to_pandas(), top.to_arrow()

@@ -186,6 +186,8 @@ class Problem:
         tolerance: str | None = None,
         end: str | None = None,
         every: str | None = None,
+        body: Callable[[float, _Floats, _Floats], Any] | None = None,
+        space: Callable[[float, _Floats, _Floats], Any] | None = None,
     ) -> Problem: ...
     @property
     def name(self) -> str: ...

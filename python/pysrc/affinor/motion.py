@@ -26,7 +26,9 @@ class Problem:
 
     ``Problem(space="so3", metric=[2, 2, 1], initial={"velocity": [0, 0, 5]}, forces={"potential": "R33"},
     output={"end": 10, "every": 0.1})``. Formulas are texts or expressions of SymPy. A table of forces is a path, an array
-    with a first column of times, or a DataFrame.
+    with a first column of times, or a DataFrame. Components may be a function of Python, ``{"body": force}`` or
+    ``{"space": force}``: ``force(t, g, omega)`` takes the time, the matrix of the element and the body velocity, and returns
+    the components of the covector. Such a force is slow: a formula is some hundred times faster.
 
     ``set`` gives parameters other values; ``method``, ``step``, ``tolerance``, ``end`` and ``every`` replace the keys of
     the integration and of the output.
@@ -47,7 +49,7 @@ class Problem:
         **keys: Any,
     ) -> None:
         symbols: Symbols = {}
-        options = {
+        options: dict[str, Any] = {
             "set": _settings(set, symbols),
             "method": method,
             **{
@@ -62,7 +64,9 @@ class Problem:
                 raise TypeError(f"a file has its own keys: {', '.join(keys)} cannot be added")
             path = os.fspath(problem)
         elif problem is None or isinstance(problem, Mapping):
-            text = json.dumps(self._document({**(problem or {}), **keys}, symbols))
+            keys, functions = _functions({**(problem or {}), **keys})
+            options.update(functions)
+            text = json.dumps(self._document(keys, symbols))
         else:
             raise TypeError(f"a problem is a path, a dict or keys, not {type(problem).__name__}")
         self._arguments = (path, text, options)
@@ -127,6 +131,18 @@ class Problem:
         if self._folder is not None:
             raise TypeError("a problem with a table in memory cannot be pickled: write the table to a file")
         return _restore, self._arguments
+
+
+def _functions(keys: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """The keys without the forces that are functions of Python, and these."""
+    forces = keys.get("forces")
+    if not isinstance(forces, Mapping):
+        return keys, {}
+    functions = {name: force for name, force in forces.items() if callable(force)}
+    if not set(functions) <= {"body", "space"}:
+        raise TypeError(f"forces.{next(iter(functions))} is no function: body and space may be functions")
+    rest = {name: force for name, force in forces.items() if name not in functions}
+    return {**keys, "forces": rest}, functions
 
 
 def _restore(*arguments: Any) -> Problem:
