@@ -3,9 +3,9 @@
 use crate::arrays::{Floats, Rows, batch};
 use crate::errors::raise;
 use crate::run::{run, run_here};
+use affinor::mechanics::motions::{ForceFunction, Side};
 use affinor_documents::definition::InputError;
 use affinor_documents::problem::{Problem, Walk};
-use affinor::mechanics::motions::{ForceFunction, Side};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};

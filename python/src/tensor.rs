@@ -271,33 +271,27 @@ impl PyTensor {
 
     /// The indices of the nonzero components, shape (rank, count), from 0.
     fn indices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<i64>>> {
-        let (rank, count) = (self.slots().len(), self.nnz());
-        let values = &self.0;
-        let list = run(py, || {
-            let mut list = vec![0i64; rank * count];
-            each!(values, tensor => {
-                for (column, (at, _)) in tensor.components().enumerate() {
-                    for (row, index) in at.iter().enumerate() {
-                        list[row * count + column] = *index as i64;
-                    }
-                }
-            });
-            Ok(list)
-        })?;
+        let rank = self.slots().len();
+        let (list, count) =
+            run(py, || Ok(each!(&self.0, tensor => (tensor.coordinates(), tensor.len()))))?;
         PyArray1::from_vec(py, list).reshape([rank, count])
     }
 
     /// The nonzero components as floats.
     fn floats<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let values = &self.0;
+        let parameters = || {
+            let error = InputError::usage("components with parameters are no floats");
+            error.help("substitute numbers for the parameters, or take to_sympy()")
+        };
         let list = run(py, || {
-            let numbers = each!(values, tensor => {
-                tensor.components().map(|(_, value)| Notation::to_f64(value)).collect::<Option<Vec<f64>>>()
+            let numbers = each!(&self.0, tensor => {
+                let mut numbers = Vec::with_capacity(tensor.len());
+                for value in tensor.nonzero() {
+                    numbers.push(Notation::to_f64(value).ok_or_else(parameters)?);
+                }
+                numbers
             });
-            numbers.ok_or_else(|| {
-                let error = InputError::usage("components with parameters are no floats");
-                error.help("substitute numbers for the parameters, or take to_sympy()")
-            })
+            Ok(numbers)
         })?;
         Ok(PyArray1::from_vec(py, list))
     }
@@ -306,7 +300,7 @@ impl PyTensor {
     fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         match &self.0 {
             Values::Exact(tensor) => {
-                let values = tensor.components().map(|(_, value)| values::fraction(py, value));
+                let values = tensor.nonzero().map(|value| values::fraction(py, value));
                 PyList::new(py, values.collect::<PyResult<Vec<_>>>()?)
             }
             Values::Symbolic(tensor) => PyList::new(
@@ -322,7 +316,7 @@ impl PyTensor {
 
     /// The nonzero components as texts.
     fn texts(&self) -> Vec<String> {
-        each!(&self.0, tensor => tensor.components().map(|(_, value)| value.to_string()).collect())
+        each!(&self.0, tensor => tensor.nonzero().map(|value| value.to_string()).collect())
     }
 
     /// The first components as text, at most `limit`.

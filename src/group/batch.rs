@@ -129,7 +129,10 @@ pub fn exp_rows(vectors: &[[f64; 3]], rotations: &mut [[f64; 4]]) {
         let (n, x) = (vectors.len(), columns(vectors));
         let mut y = [[0.0; ROWS]; 4];
         let [w, i, j, k] = &mut y;
-        exp_part(x.each_ref().map(|x| &x[..n]), (&mut w[..n], &mut i[..n], &mut j[..n], &mut k[..n]));
+        exp_part(
+            x.each_ref().map(|x| &x[..n]),
+            (&mut w[..n], &mut i[..n], &mut j[..n], &mut k[..n]),
+        );
         into_rows(&y, rotations);
     }
 }
@@ -170,16 +173,12 @@ type Chunk<'a> = &'a mut [f64];
 type Three<'a> = (Chunk<'a>, Chunk<'a>, Chunk<'a>);
 type Four<'a> = (Chunk<'a>, Chunk<'a>, Chunk<'a>, Chunk<'a>);
 
-fn tasks3(
-    vectors: &mut Vectors,
-) -> impl IndexedParallelIterator<Item = Three<'_>> {
+fn tasks3(vectors: &mut Vectors) -> impl IndexedParallelIterator<Item = Three<'_>> {
     let [x, y, z] = vectors.0.each_mut().map(|column| column.par_chunks_mut(TASK));
     (x, y, z).into_par_iter()
 }
 
-fn tasks4(
-    rotations: &mut Quaternions,
-) -> impl IndexedParallelIterator<Item = Four<'_>> {
+fn tasks4(rotations: &mut Quaternions) -> impl IndexedParallelIterator<Item = Four<'_>> {
     let [w, x, y, z] = rotations.0.each_mut().map(|column| column.par_chunks_mut(TASK));
     (w, x, y, z).into_par_iter()
 }
