@@ -402,7 +402,8 @@ impl PyGroup {
         self.map(py, Operation::Matrix, ("g", Row::Element, &g), None, Row::Matrix)
     }
 
-    fn from_matrix<'py>(&self, py: Python<'py>, matrix: Floats<'py>) -> PyResult<Array<'py>> {
+    #[pyo3(name = "from_matrix")]
+    fn read<'py>(&self, py: Python<'py>, matrix: Floats<'py>) -> PyResult<Array<'py>> {
         self.map(py, Operation::Read, ("matrix", Row::Matrix, &matrix), None, Row::Element)
     }
 

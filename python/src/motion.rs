@@ -25,7 +25,7 @@ type Failure = Arc<Mutex<Option<PyErr>>>;
 
 /// The force that a function of Python computes: `force(t, g, omega)`, with the element as a matrix.
 fn force(function: Py<PyAny>, failure: Failure) -> ForceFunction {
-    ForceFunction(Arc::new(move |t, g, omega| {
+    ForceFunction::new(move |t, g, omega| {
         Python::attach(|py| {
             let call = || -> PyResult<Vec<f64>> {
                 let rows: Vec<f64> = g.transpose().as_slice().to_vec();
@@ -38,7 +38,7 @@ fn force(function: Py<PyAny>, failure: Failure) -> ForceFunction {
                 vec![]
             })
         })
-    }))
+    })
 }
 
 impl PyProblem {
@@ -95,6 +95,7 @@ fn table<'py>(
 impl PyProblem {
     /// A problem from a file, or from a text with a name for messages; options replace keys of the file.
     #[new]
+    #[allow(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     #[pyo3(signature = (path=None, text=None, set=None, method=None, step=None, tolerance=None, end=None, every=None, body=None, space=None))]
     fn new(
         py: Python<'_>,

@@ -191,6 +191,7 @@ impl PySpace {
 impl PySpace {
     /// A space from the arguments of the command line, or from the text of a definition file.
     #[new]
+    #[allow(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     #[pyo3(signature = (space=None, definition=None, basis=None, brackets=vec![], connection=None, metric=None, set=None))]
     fn new(
         py: Python<'_>,

@@ -96,11 +96,9 @@ fn tensor<S: Notation>(
         Some(count) => writeln!(out, "{title}: {count}{style}")?,
         None => writeln!(out, "{title}")?,
     }
-    if grouped {
-        if quantity == Quantity::Structure && labels.len() == shown.dimension() {
-            for (left, right) in brackets(&entry.tensor, labels, plain) {
-                fill(out, "  ", &[format!("{left} ="), right])?;
-            }
+    if grouped && quantity == Quantity::Structure && labels.len() == shown.dimension() {
+        for (left, right) in brackets(&entry.tensor, labels, plain) {
+            fill(out, "  ", &[format!("{left} ="), right])?;
         }
     }
     components(quantity.symbol(), &shown, out)?;

@@ -25,7 +25,18 @@ pub enum Side {
 /// A covector as a function of time, of the [written](crate::group::Written::write) element and of the body velocity
 /// (for right-invariant equations, the spatial one). Components that are missing count as NaN.
 #[derive(Clone)]
-pub struct ForceFunction(pub Arc<dyn Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64> + Send + Sync>);
+pub struct ForceFunction(Arc<Covector>);
+
+type Covector = dyn Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64> + Send + Sync;
+
+impl ForceFunction {
+    /// The force of a function.
+    pub fn new(
+        function: impl Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64> + Send + Sync + 'static,
+    ) -> Self {
+        ForceFunction(Arc::new(function))
+    }
+}
 
 impl fmt::Debug for ForceFunction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
