@@ -252,3 +252,34 @@ fn the_catalogue_by_properties() {
     }
     assert_eq!(run(root(), &["list", "--where", "semisimple, abelian"], b"").status, 2);
 }
+
+#[test]
+fn properties_of_geometries() {
+    let of = |arguments: &[&str]| -> Value {
+        let arguments = [&["properties"], arguments, &["--format", "json"]].concat();
+        serde_json::from_str(&stdout(root(), &arguments)).unwrap()
+    };
+    let find = |all: &Value, name: &str| {
+        let found = all["properties"].as_array().unwrap().iter().find(|p| p["name"] == name);
+        found.unwrap_or_else(|| panic!("{name}")).clone()
+    };
+    let so3 = of(&["SO3"]);
+    assert_eq!(so3["schema"], "affinor.properties/1");
+    assert_eq!(find(&so3, "constant curvature K")["value"], "K = 1/8");
+    assert_eq!(find(&so3, "holonomy algebra")["value"], "dimension 3: su(2)");
+    let m3 = of(&["M3"]);
+    assert_eq!(find(&m3, "flat")["holds"], true);
+    assert_eq!(find(&m3, "torsion-free")["witness"], "tau^i_jk = 1 at i = 1, j = 2, k = 3");
+    assert_eq!(find(&m3, "metric-compatible")["holds"], false);
+    let heisenberg = of(&["heisenberg(3)", "--metric", "identity"]);
+    assert_eq!(find(&heisenberg, "algebraic Ricci soliton")["value"], "c = -3/2");
+    assert_eq!(find(&heisenberg, "Einstein (Ric = c g)")["holds"], false);
+    // no metric, no claims on one
+    let bare = of(&["so3@zero"]);
+    let names: Vec<&Value> =
+        bare["properties"].as_array().unwrap().iter().map(|p| &p["name"]).collect();
+    assert!(!names.contains(&&json!("metric-compatible")) && names.contains(&&json!("flat")));
+    // a chart has no algebra
+    let sphere = of(&[&definition("sphere.toml")]);
+    assert_eq!(find(&sphere, "constant curvature K")["value"], "K = 1/a^2");
+}

@@ -2,7 +2,8 @@
 //!
 //! In reading order: [`Quantity`] names the tensors, [`Table`] computes them, and one module for each format writes them;
 //! [`Comparison`] sets two geometries side by side; [`EquationReport`] writes equations of motion, also as source code;
-//! [`StoredTable`] compares a table with a stored one; [`Info`] is the structure of an algebra. Each is a [`Report`]; short lists are [`conventions`], the
+//! [`StoredTable`] compares a table with a stored one; [`Info`] is the structure of an algebra,
+//! [`Properties`] those of a geometry. Each is a [`Report`]; short lists are [`conventions`], the
 //! [`catalogue`] and a [`certificate`].
 
 mod code;
@@ -17,6 +18,7 @@ mod json;
 mod latex;
 mod lists;
 mod markdown;
+mod properties;
 mod quantity;
 mod stored;
 mod text;
@@ -27,6 +29,7 @@ pub use components::{GROUPED, Group, groups, independent};
 pub use equations::EquationReport;
 pub use info::Info;
 pub use lists::{catalogue, catalogue_where, certificate, conventions};
+pub use properties::Properties;
 pub use quantity::Quantity;
 pub use stored::{Differences, StoredTable};
 

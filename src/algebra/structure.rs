@@ -5,6 +5,7 @@
 //! - [`Structure`]: an algebra with its brackets tabulated; `series`, `killing`, `radical`, `cartan`, `levi`;
 //! - [`reduction`]: the algebra modulo a prime, for ranks; `derivations`, `cohomology`;
 //! - [`dynkin`], `ideals`, [`real_forms`]: Dynkin types, simple ideals over the reals and their names;
+//! - `identification`: names of algebras of low dimension;
 //! - `constructions`: quotients, extensions, semidirect sums, contractions, complexifications.
 //!
 //! W. A. de Graaf, *Lie Algebras: Theory and Algorithms*, North-Holland 2000.
@@ -16,6 +17,7 @@ mod derivations;
 pub mod dynkin;
 mod ground;
 mod ideals;
+mod identification;
 mod killing;
 mod levi;
 mod products;
@@ -29,6 +31,7 @@ pub use cohomology::MAX_DIMENSION as MAX_BETTI;
 pub use derivations::MAX_DIMENSION as MAX_DERIVATIONS;
 pub use ground::Ground;
 pub use ideals::{RealIdeal, SimpleIdeals};
+pub use identification::Identification;
 pub use killing::Killing;
 pub use subspace::Subspace;
 

@@ -5,7 +5,7 @@ use super::head::{printable, printable_list};
 use super::{Format, Report};
 use crate::definition::{Definition, InputError, Reading};
 use affinor::algebra::structure::{
-    Ground, Killing, MAX_BETTI, MAX_DERIVATIONS, RealIdeal, Structure, Subspace,
+    Ground, Identification, Killing, MAX_BETTI, MAX_DERIVATIONS, RealIdeal, Structure, Subspace,
 };
 use affinor_tensors::linear::Row;
 use affinor_tensors::text::combination;
@@ -133,7 +133,8 @@ impl Info {
             forms,
             "dimension of B([x,y],z) = B(x,[y,z])",
         );
-        notes.json.insert("identification".into(), Value::Null);
+        stage("identification");
+        notes.identification(identification(structure)?);
         Ok(notes.finish(name, n, S::KIND, parameters))
     }
 }
@@ -153,6 +154,18 @@ fn simple_ideals<S: Ground>(
     }
     let rational = inside.algebra().map(|value| value.rational().unwrap_or_default())?;
     Ok(Structure::new(rational).simple_ideals()?.map(|ideals| ideals.real))
+}
+
+/// The name of the algebra, where its constants are rational.
+fn identification<S: Ground>(
+    structure: &Structure<S>,
+) -> Result<Option<Identification>, InputError> {
+    let constants = structure.algebra().structure();
+    if structure.dimension() > 6 || constants.components().any(|(_, v)| v.rational().is_none()) {
+        return Ok(None);
+    }
+    let rational = structure.algebra().map(|value| value.rational().unwrap_or_default())?;
+    Ok(Structure::new(rational).identify())
 }
 
 /// The rows and the keys, as they are found.
@@ -310,6 +323,37 @@ impl Notes {
         let text = count.map_or_else(|| "-".into(), |count| count.to_string());
         self.row(title, text, witness);
         self.json.insert(key.into(), json!(count));
+    }
+
+    fn identification(&mut self, found: Option<Identification>) {
+        let Some(Identification { names, parameter, isomorphism }) = found else {
+            self.json.insert("identification".into(), Value::Null);
+            return;
+        };
+        let name = names.join(" or ");
+        let images = isomorphism.map(|rows| {
+            rows.iter()
+                .map(|row| row.iter().map(Rational::to_string).collect())
+                .collect::<Vec<Vec<_>>>()
+        });
+        let written = images.as_ref().map(|rows| {
+            let vector = |row: &Vec<String>| {
+                let terms = row.iter().cloned().zip(self.labels.iter().cloned());
+                combination(terms.filter(|(value, _)| value != "0"))
+            };
+            rows.iter().map(vector).collect::<Vec<_>>().join(", ")
+        });
+        let witness = match written {
+            Some(images) => format!("its basis is {images}"),
+            None => "by invariants".into(),
+        };
+        let text = match &parameter {
+            Some(equation) => format!("{name}, {equation}"),
+            None => name.clone(),
+        };
+        self.row("identification", text, &witness);
+        let json = json!({ "name": name, "parameter": parameter, "isomorphism": images });
+        self.json.insert("identification".into(), json);
     }
 
     fn finish(self, name: &str, dimension: usize, kind: Kind, parameters: &[String]) -> Info {
