@@ -65,7 +65,7 @@ fn sources(folders: &[&str]) -> Vec<File> {
 }
 
 /// The packages, from the bottom up.
-const PACKAGES: [&str; 4] = ["tensors/src", "src", "documents/src", "cli/src"];
+const PACKAGES: [&str; 5] = ["tensors/src", "src", "documents/src", "cli/src", "python/src"];
 /// The rooms of the library, from the bottom up: each may use those before it.
 const ROOMS: [&str; 4] = ["algebra", "geometry", "group", "mechanics"];
 
@@ -164,7 +164,7 @@ fn the_page_on_architecture_is_true() {
 #[test]
 fn every_dependency_is_justified() {
     let (page, root) = (architecture(), Path::new(env!("CARGO_MANIFEST_DIR")));
-    for manifest in ["", "tensors/", "documents/", "cli/", "benches/"] {
+    for manifest in ["", "tensors/", "documents/", "cli/", "benches/", "python/"] {
         let manifest = format!("{manifest}Cargo.toml");
         let text = fs::read_to_string(root.join(&manifest)).expect("a manifest");
         let table: toml::Table = text.parse().expect("a manifest is TOML");

@@ -124,3 +124,22 @@ fn a_smaller_tolerance_is_kept_to() {
     let all = ["tensor", "torsion", "torsion", "curvature", "curvature"];
     assert_eq!(shown(&["--tolerance", "1e-17"]), all);
 }
+
+/// An ill-conditioned metric, where `f64` has no digit of these: what consists of rounding is kept for later sums, and
+/// the rounding is subtracted from what is written.
+#[test]
+fn rounding_is_corrected_in_ill_conditioned_metrics() {
+    let metric = "[[-18,-1/3,37/7,38/3,10/3],[-1/3,14/9,-2/3,-23/9,-7/9],[37/7,-2/3,-58/49,-443/189,-13/21],\
+                  [38/3,-23/9,-443/189,-319/81,-2/3],[10/3,-7/9,-13/21,-2/3,2/3]]";
+    let show = "scalar_curvature,kretschmann";
+    let [exact, float] = ["exact", "float"].map(|scalar| {
+        let csv = table("heisenberg(5)", metric, scalar, show);
+        let values = csv.lines().skip(1).map(|line| line.rsplit_once(',').unwrap().1);
+        let value =
+            |text: &str| text.split('/').map(|n| n.parse::<f64>().unwrap()).reduce(|a, b| a / b);
+        values.map(|text| value(text).unwrap()).collect::<Vec<_>>()
+    });
+    for (at, bound) in [1e-11, 1e-2].into_iter().enumerate() {
+        assert!((float[at] - exact[at]).abs() <= bound * exact[at].abs(), "{exact:?} {float:?}");
+    }
+}

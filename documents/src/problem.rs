@@ -33,7 +33,7 @@ use crate::definition::numbers::numbers_in;
 use crate::definition::setting::no_parameter;
 use crate::definition::source::Source;
 use affinor::mechanics::Magnus;
-use affinor::mechanics::motions::Method;
+use affinor::mechanics::motions::{ForceFunction, Method, Side};
 use ensemble::Ensemble;
 use group_class::GroupClass;
 use integration::{Integration, Member, method_of, values_of};
@@ -264,6 +264,23 @@ impl Problem {
     pub fn with_method(&self, method: Method, step: Option<f64>, tolerance: Option<f64>) -> Self {
         let integration = self.integration.with_method(method, step, tolerance, &self.source);
         Problem { integration, ..self.clone() }
+    }
+
+    /// The same problem with a force as a function, beside the forces of the file. Columns of the power and Casimir functions know
+    /// of it; the function is called several times in a step.
+    ///
+    /// # Errors
+    /// A problem without forces: of constraints, a Hamiltonian, a given velocity or a flow of matrices.
+    pub fn with_force(&self, side: Side, function: ForceFunction) -> Result<Self, InputError> {
+        let mut problem = self.clone();
+        match &mut problem.class {
+            Class::OnGroup(_, GroupClass::EulerPoincare(dynamics)) => {
+                dynamics.add_force(side, function);
+                Ok(problem)
+            }
+            _ => Err(InputError::usage("a force as a function needs Euler-Poincare equations")
+                .help("give a metric, and no constraints")),
+        }
     }
 
     /// The same problem with other columns, by their names in a file. A named quantity gives way to a column of its name.

@@ -28,10 +28,12 @@ pub use comparison::{ComparedSide, Comparison};
 pub use components::{GROUPED, Group, groups, independent};
 pub use equations::EquationReport;
 pub use info::Info;
+pub use latex::components_in_latex;
 pub use lists::{catalogue, catalogue_where, certificate, conventions};
 pub use properties::Properties;
 pub use quantity::Quantity;
 pub use stored::{Differences, StoredTable};
+pub use text::components_in_text;
 
 use affinor::{Error, Geometry};
 use affinor_tensors::{Kind, Notation, Tensor, Tolerance};

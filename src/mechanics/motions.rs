@@ -32,7 +32,7 @@ pub mod table;
 pub use constrained::{ConstrainedSystem, Equations, on_constraints};
 pub use crossings::{Crossing, Crossings};
 pub use drive::Drive;
-pub use forces::{Forces, Side};
+pub use forces::{ForceFunction, Forces, Side};
 pub use given::{GivenVelocity, on_given};
 pub use hamiltonian::{Hamiltonian, on_hamiltonian};
 pub use matrices::{MatrixFlow, Started, on_matrices};

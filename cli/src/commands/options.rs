@@ -143,6 +143,7 @@ impl Settings {
             connection: options.geometry.connection.clone(),
             metric: options.geometry.metric.clone(),
             set: self.set(),
+            ..Request::default()
         })?;
         note_parameters(&space);
         Ok(space)

@@ -108,7 +108,8 @@ impl From<Error> for InputError {
 
 impl From<TensorError> for InputError {
     fn from(error: TensorError) -> Self {
-        InputError::usage(error.to_string())
+        let cause = Some(Arc::new(Error::from(error.clone())));
+        InputError { cause, ..InputError::usage(error.to_string()) }
     }
 }
 

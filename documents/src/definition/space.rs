@@ -18,6 +18,8 @@ use std::path::{Path, PathBuf};
 pub struct Request {
     /// The SPACE, perhaps with `@connection;metric=...`.
     pub space: Option<String>,
+    /// Instead of a SPACE: a name for messages, and the text of a definition file.
+    pub definition: Option<(String, String)>,
     /// The basis names of inline brackets.
     pub basis: Option<String>,
     /// Inline brackets.
@@ -73,18 +75,20 @@ impl Space {
     /// A name that is unknown or ambiguous, a file that cannot be read, a value that is refused: with the place.
     pub fn open(request: &Request) -> Result<Self, InputError> {
         let inside = request.space.as_deref().map_or(Ok(Request::default()), split_space)?;
-        let definition = match (&inside.space, &request.basis, request.brackets.is_empty()) {
-            (Some(name), None, true) => find(name)?,
-            (None, Some(labels), _) => inline(labels, &request.brackets)?,
-            (Some(_), _, _) => {
-                return Err(InputError::usage("give a SPACE or --basis and --bracket, not both"));
-            }
-            (None, None, _) => {
+        let inline_brackets = !request.brackets.is_empty();
+        let definition = match (&request.definition, &inside.space, &request.basis) {
+            (Some((name, text)), None, None) if !inline_brackets => Definition::parse(name, text)?,
+            (None, Some(name), None) if !inline_brackets => find(name)?,
+            (None, None, Some(labels)) => inline(labels, &request.brackets)?,
+            (None, None, None) => {
                 return Err(InputError::usage("no SPACE is given")
                     .help("name one (so3, E8, file.toml), or give --basis and --bracket"));
             }
+            _ => {
+                return Err(InputError::usage("give a SPACE or --basis and --bracket, not both"));
+            }
         };
-        let declared = if inside.space.is_some() { definition.parameters() } else { vec![] };
+        let declared = if request.basis.is_none() { definition.parameters() } else { vec![] };
         let mut space = Self::of(definition);
         space.file = inside.space.filter(|name| is_path(name)).map(|name| match name.as_str() {
             // a path for messages and comparisons, where the system has it

@@ -11,7 +11,7 @@ use crate::definition::file;
 use crate::definition::input::{InputError, shown};
 use crate::definition::source::Place;
 use affinor::mechanics::motions::{
-    Forces, Setup, Side, SimulationGroup, Table, is_plus, on_group, share_of_plus,
+    ForceFunction, Forces, Setup, Side, SimulationGroup, Table, is_plus, on_group, share_of_plus,
 };
 use affinor::{Canonical, Connection, Error, Metric};
 use affinor_tensors::Symbolic;
@@ -71,6 +71,11 @@ impl Dynamics {
             casimirs: on_group.casimirs(),
             shared: OnceLock::new(),
         })
+    }
+
+    /// Adds a force as a function.
+    pub fn add_force(&mut self, side: Side, function: ForceFunction) {
+        self.forces.functions.push((side, function));
     }
 
     /// The motion without constraints.
@@ -170,6 +175,7 @@ struct ForceFormulas {
     components: [(Side, Vec<Written>); 2],
     potential: Option<Written>,
     table: Option<(Side, Table)>,
+    functions: Vec<(Side, ForceFunction)>,
     place: Place,
 }
 
@@ -219,7 +225,8 @@ impl ForceFormulas {
             }
         };
         let potential = keys.potential.as_ref().map(|text| reader.written(text));
-        Ok(ForceFormulas { components, potential, table, place: source.key("forces") })
+        let (functions, place) = (vec![], source.key("forces"));
+        Ok(ForceFormulas { components, potential, table, functions, place })
     }
 
     /// Adds the forces to those of a motion on a group of this dimension.
@@ -259,6 +266,9 @@ impl ForceFormulas {
         }
         if let Some((side, table)) = &self.table {
             forces.set_table(*side, table.clone());
+        }
+        for (side, function) in &self.functions {
+            forces.add_function(*side, function.clone());
         }
         Ok(())
     }

@@ -42,11 +42,12 @@ fn tensor<S: Notation>(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let (quantity, shown) = (entry.quantity, table.shown(entry));
+    let symbol = quantity.latex();
     writeln!(out, "\\subsection*{{{}}}", table.title(quantity))?;
     if shown.is_empty() {
         let letters = quantity.letters();
         let letters = letters.chars().map(String::from);
-        let general = join(quantity, scripts(0, shown.slots(), letters));
+        let general = join(&symbol, scripts(0, shown.slots(), letters));
         return writeln!(out, "\\begin{{align*}}\n{general} &= 0\n\\end{{align*}}");
     }
     if shown.len() <= GROUPED {
@@ -57,7 +58,7 @@ fn tensor<S: Notation>(
             }
         }
         let equations: Vec<Equation> =
-            groups(&shown).iter().map(|group| Equation::new(quantity, &shown, group)).collect();
+            groups(&shown).iter().map(|group| Equation::new(&symbol, &shown, group)).collect();
         for run in equations.chunk_by(|a, b| a.is_long() == b.is_long()) {
             if run[0].is_long() {
                 run.iter().try_for_each(|equation| writeln!(out, "{}", equation.inline()))?;
@@ -71,7 +72,7 @@ fn tensor<S: Notation>(
         // TeX reads a whole align* into memory before it sets it; paragraphs have no such limit
         for (at, value) in shown.components() {
             let group = Group { value: value.clone(), members: vec![(at.to_vec(), false)] };
-            writeln!(out, "{}", Equation::new(quantity, &shown, &group).inline())?;
+            writeln!(out, "{}", Equation::new(&symbol, &shown, &group).inline())?;
         }
     }
     summary(&entry.tensor, &shown).map_or(Ok(()), |summary| writeln!(out, "{summary}\\par"))
@@ -84,10 +85,10 @@ struct Equation {
 }
 
 impl Equation {
-    fn new<S: Notation>(quantity: Quantity, tensor: &Tensor<S>, group: &Group<S>) -> Self {
+    fn new<S: Notation>(symbol: &str, tensor: &Tensor<S>, group: &Group<S>) -> Self {
         let members = group.names(|at| {
             let numbers = at.iter().map(|index| (index + 1).to_string());
-            join(quantity, scripts(tensor.dimension(), tensor.slots(), numbers))
+            join(symbol, scripts(tensor.dimension(), tensor.slots(), numbers))
         });
         Equation { members, value: group.value.latex() }
     }
@@ -137,12 +138,12 @@ impl Equation {
 }
 
 /// The symbol with its indices: `R^{1}{}_{212}`.
-fn join(quantity: Quantity, scripts: Vec<(Variance, String)>) -> String {
+fn join(symbol: &str, scripts: Vec<(Variance, String)>) -> String {
     let scripts = scripts.into_iter().map(|(variance, indices)| {
         let mark = if variance == Up { '^' } else { '_' };
         format!("{mark}{{{indices}}}")
     });
-    quantity.latex() + &scripts.collect::<Vec<_>>().join("{}")
+    symbol.to_string() + &scripts.collect::<Vec<_>>().join("{}")
 }
 
 /// The sign and the two parts of `-\frac{a}{b}`; `None` for anything but one fraction.
@@ -197,13 +198,18 @@ fn in_formula(label: &str) -> String {
     }
 }
 
+/// The groups of components of a tensor with a symbol of its own, as lines of an `align*`.
+pub fn components_in_latex<S: Notation>(symbol: &str, tensor: &Tensor<S>) -> Vec<String> {
+    groups(tensor).iter().map(|group| Equation::new(symbol, tensor, group).aligned()).collect()
+}
+
 /// One group of components as a formula within text.
 pub(super) fn equation<S: Notation>(
     quantity: Quantity,
     tensor: &Tensor<S>,
     group: &Group<S>,
 ) -> String {
-    Equation::new(quantity, tensor, group).inline().trim_end_matches("\\par").into()
+    Equation::new(&quantity.latex(), tensor, group).inline().trim_end_matches("\\par").into()
 }
 
 /// Text in which no character is a command.

@@ -41,12 +41,41 @@ pub(super) fn component<S: Notation>(
     indices: &[usize],
 ) -> String {
     let numbers = indices.iter().map(|index| (index + 1).to_string());
-    join(quantity, scripts(tensor.dimension(), tensor.slots(), numbers))
+    join(quantity.symbol(), scripts(tensor.dimension(), tensor.slots(), numbers))
+}
+
+/// The components of a tensor with a symbol of its own, as in a table: `T^1_2 = T^2_1 = 1/2`, in lines of at most 80 columns.
+pub fn components_in_text<S: Notation>(symbol: &str, tensor: &Tensor<S>) -> String {
+    let mut text = Vec::new();
+    // a vector takes every byte
+    let _ = components(symbol, tensor, &mut text);
+    String::from_utf8_lossy(&text).into_owned()
+}
+
+/// Groups of components, or one a line for a long tensor.
+fn components<S: Notation>(
+    symbol: &str,
+    tensor: &Tensor<S>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let name = |at: &[usize]| {
+        let numbers = at.iter().map(|index| (index + 1).to_string());
+        join(symbol, scripts(tensor.dimension(), tensor.slots(), numbers))
+    };
+    if tensor.len() > GROUPED {
+        return tensor.components().try_for_each(|(at, value)| {
+            fill(out, "  ", &[name(&at), format!("= {}", plain(value))])
+        });
+    }
+    groups(tensor).iter().try_for_each(|group| fill(out, "  ", &equation(group, name)))
 }
 
 /// `R^i_jkl`
 pub(super) fn general<S: Notation>(quantity: Quantity, tensor: &Tensor<S>) -> String {
-    join(quantity, scripts(0, tensor.slots(), quantity.letters().chars().map(String::from)))
+    join(
+        quantity.symbol(),
+        scripts(0, tensor.slots(), quantity.letters().chars().map(String::from)),
+    )
 }
 
 fn tensor<S: Notation>(
@@ -67,22 +96,12 @@ fn tensor<S: Notation>(
         Some(count) => writeln!(out, "{title}: {count}{style}")?,
         None => writeln!(out, "{title}")?,
     }
-    if grouped {
-        if quantity == Quantity::Structure && labels.len() == shown.dimension() {
-            for (left, right) in brackets(&entry.tensor, labels, plain) {
-                fill(out, "  ", &[format!("{left} ="), right])?;
-            }
-        }
-        for group in groups(&shown) {
-            let pieces = equation(&group, |at| component(quantity, &shown, at));
-            fill(out, "  ", &pieces)?;
-        }
-    } else {
-        for (at, value) in shown.components() {
-            let name = component(quantity, &shown, &at);
-            fill(out, "  ", &[name, format!("= {}", plain(value))])?;
+    if grouped && quantity == Quantity::Structure && labels.len() == shown.dimension() {
+        for (left, right) in brackets(&entry.tensor, labels, plain) {
+            fill(out, "  ", &[format!("{left} ="), right])?;
         }
     }
+    components(quantity.symbol(), &shown, out)?;
     others(&entry.tensor, &shown).map_or(Ok(()), |others| writeln!(out, "  {others}"))
 }
 
@@ -112,8 +131,8 @@ pub(super) fn equation<S: Notation>(
 }
 
 /// The symbol with its indices, `^` before upper and `_` before lower ones.
-fn join(quantity: Quantity, scripts: Vec<(Variance, String)>) -> String {
-    scripts.into_iter().fold(quantity.symbol().into(), |text, (variance, indices)| {
+fn join(symbol: &str, scripts: Vec<(Variance, String)>) -> String {
+    scripts.into_iter().fold(symbol.into(), |text, (variance, indices)| {
         text + if variance == Up { "^" } else { "_" } + &indices
     })
 }

@@ -1,4 +1,4 @@
-//! Forces and potentials as formulas, and forces as tables over time.
+//! Forces and potentials as formulas, forces as tables over time, and forces as functions of a program.
 
 use super::SimulationGroup;
 use super::observables::{Buffers, Observables, Point};
@@ -10,6 +10,8 @@ use crate::mechanics::systems::euler_poincare::Torque;
 use affinor_tensors::expression::ExpressionError;
 use nalgebra::DMatrix;
 use std::cell::{Cell, RefCell};
+use std::fmt;
+use std::sync::Arc;
 
 /// One of the two invariant frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,6 +20,28 @@ pub enum Side {
     Body,
     /// Right-invariant: components in space.
     Space,
+}
+
+/// A covector as a function of time, of the [written](crate::group::Written::write) element and of the body velocity
+/// (for right-invariant equations, the spatial one). Components that are missing count as NaN.
+#[derive(Clone)]
+pub struct ForceFunction(Arc<Covector>);
+
+type Covector = dyn Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64> + Send + Sync;
+
+impl ForceFunction {
+    /// The force of a function.
+    pub fn new(
+        function: impl Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64> + Send + Sync + 'static,
+    ) -> Self {
+        ForceFunction(Arc::new(function))
+    }
+}
+
+impl fmt::Debug for ForceFunction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a function")
+    }
 }
 
 /// The forces on a system: components of covectors as formulas, a potential, and a table over time.
@@ -31,6 +55,7 @@ pub struct Forces<G: SimulationGroup> {
     terms: Vec<(Side, usize, Formula, String)>,
     potential: Option<(Formula, String)>,
     table: Option<(Side, Table)>,
+    functions: Vec<(Side, ForceFunction)>,
     /// The interval of the table in which the present step began.
     interval: Cell<Option<Interval>>,
     generators: Vec<Generator>,
@@ -56,6 +81,7 @@ impl<G: SimulationGroup> Forces<G> {
             terms: vec![],
             potential: None,
             table: None,
+            functions: vec![],
             interval: Cell::default(),
             generators: vec![],
             buffers: RefCell::default(),
@@ -106,6 +132,11 @@ impl<G: SimulationGroup> Forces<G> {
         self.table = Some((side, table));
     }
 
+    /// Adds a covector as a function.
+    pub fn add_function(&mut self, side: Side, function: ForceFunction) {
+        self.functions.push((side, function));
+    }
+
     /// Begins a step from one time towards another. Returns the time at which it has to end, if its size is controlled: at a corner
     /// of the table, or at the other time. No step is from a time to the same time.
     pub(super) fn pause(&self, from: f64, until: f64) -> f64 {
@@ -117,20 +148,23 @@ impl<G: SimulationGroup> Forces<G> {
 
     /// Whether there are no forces.
     pub fn is_empty(&self) -> bool {
-        self.terms.is_empty() && self.potential.is_none() && self.table.is_none()
+        self.terms.is_empty()
+            && self.potential.is_none()
+            && self.table.is_none()
+            && self.functions.is_empty()
     }
 
     /// Whether no force depends on the velocity.
     pub fn are_positional(&self) -> bool {
         use Quantity::{Entry, Named, Parameter, Time};
         let of_place = |q: &Quantity| matches!(q, Time | Parameter(_) | Entry(..) | Named(_));
-        self.scope.quantities().iter().all(of_place)
+        self.functions.is_empty() && self.scope.quantities().iter().all(of_place)
     }
 
     /// Whether the only force is a potential that does not depend on time, so that the energy is conserved.
     pub fn are_conservative(&self) -> bool {
         let timeless = !self.scope.quantities().contains(&Quantity::Time);
-        self.terms.is_empty() && self.table.is_none() && timeless
+        self.terms.is_empty() && self.table.is_none() && self.functions.is_empty() && timeless
     }
 
     /// The potential `V` at a point.
@@ -167,6 +201,17 @@ impl<G: SimulationGroup> Forces<G> {
         }
         if let Some((side, table)) = &self.table {
             table.add(at.time, self.interval.get(), if *side == own { mine } else { other });
+        }
+        for (side, function) in &self.functions {
+            let found = (function.0)(at.time, &group.write(at.element), at.velocity.components());
+            let sums = if *side == own { &mut *mine } else { &mut *other };
+            for (i, sum) in sums.iter_mut().enumerate() {
+                let value = found.get(i).copied().unwrap_or(f64::NAN);
+                if !value.is_finite() {
+                    self.note(&format!("component {} of the force", i + 1), value, at);
+                }
+                *sum += value;
+            }
         }
         let is_zero = other.iter().all(|component| *component == 0.0);
         let mut total = G::Vector::from_components(mine);

@@ -18,13 +18,18 @@ use std::ops::{Add, Mul, Neg};
 /// 1/a:    -e_a/(a (a - e_a)) + (fl(1/a) - 1/a)
 /// ```
 ///
-/// A value `v` with error `e` counts as zero in two cases:
-/// - it consists of its error: `|v - e| <= |v|/1024`. It is then dropped. So the error never makes a
+/// A value `v` with error `e` counts as zero in three cases:
+/// - it consists of its error: `|v - e| <= |v|/1024`. So the error never makes a
 ///   value zero that has a correct digit, however ill-conditioned the computation is;
-/// - it is below the tolerance, as for an `f64`: `|v| <= tau (sum of the |terms|)`. A tensor does not
-///   show such a component, but keeps it: in the next sum it may cancel a component that is shown.
+/// - it is below the tolerance, as for an `f64`: `|v| <= tau (sum of the |terms|)`;
+/// - it is a sum of terms that all count as zero.
 ///
-/// The values are those of `f64`.
+/// A tensor does not show such a component, but keeps it. In the next sum the value may cancel a
+/// component that is shown, and what the error leaves of it, `v - e`, may be large beside the result.
+/// It is dropped if nothing is left: `|v - e| <= 2^-40 |v|`.
+///
+/// The values are those of `f64`. What is written ([`Display`](fmt::Display), [`Notation`]) is the
+/// corrected value, `v - e`.
 ///
 /// The error-free transformations are those of T. J. Dekker, *Numer. Math.* 18 (1971) 224-242, and
 /// D. E. Knuth; the correction follows P. Langlois, *BIT* 41 (2001) 515-526, who keeps the first order.
@@ -49,6 +54,9 @@ pub struct Tracked {
 /// A value consists of its error if at most this share of it remains after subtracting the error.
 const LEFT: f64 = 1.0 / 1024.0;
 
+/// Nothing remains if it is at most this share: the digits that an error is known to.
+const NOTHING: f64 = 1.0 / (1u64 << 40) as f64;
+
 impl Tracked {
     /// An exact number.
     pub const fn new(value: f64) -> Self {
@@ -70,6 +78,12 @@ impl Tracked {
     pub const fn error(self) -> f64 {
         self.error
     }
+
+    /// Value minus error; the value if its error overflows.
+    pub fn corrected(self) -> f64 {
+        let corrected = self.value - self.error;
+        if corrected.is_finite() { corrected } else { self.value }
+    }
 }
 
 impl From<f64> for Tracked {
@@ -78,10 +92,11 @@ impl From<f64> for Tracked {
     }
 }
 
-/// Whether a value consists of its error. False if the error is not finite.
-#[inline]
-fn is_error(value: f64, error: f64) -> bool {
-    (value - error).abs() <= LEFT * value.abs()
+/// The sum of two magnitudes, negative if both are: then all terms count as zero.
+#[inline(always)]
+fn magnitudes(a: f64, b: f64) -> f64 {
+    let sign = a.to_bits() & b.to_bits() & (1 << 63);
+    f64::from_bits((a.abs() + b.abs()).to_bits() | sign)
 }
 
 /// `fl(a + b)` and its rounding error.
@@ -109,11 +124,19 @@ fn multiplied(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// A sum with its rounding error, and the sum of the magnitudes of its terms.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct TrackedSum {
     value: f64,
     error: f64,
+    /// Negative if all terms count as zero.
     magnitude: f64,
+}
+
+/// No terms.
+impl Default for TrackedSum {
+    fn default() -> Self {
+        TrackedSum { value: 0.0, error: 0.0, magnitude: -0.0 }
+    }
 }
 
 impl TrackedSum {
@@ -122,36 +145,46 @@ impl TrackedSum {
         let (value, rounding) = added(self.value, other.value);
         self.value = value;
         self.error += other.error + rounding;
-        self.magnitude += other.magnitude;
+        self.magnitude = magnitudes(self.magnitude, other.magnitude);
     }
 
     fn plain(&self) -> Tracked {
-        Tracked { value: self.value, error: self.error, small: false }
+        let small = self.magnitude.is_sign_negative();
+        Tracked { value: self.value, error: self.error, small }
     }
 
-    /// Whether the value counts as zero beside the terms.
+    /// Whether the value counts as zero.
     fn is_small(&self, tolerance: Tolerance) -> bool {
-        tolerance.covers(self.value, self.magnitude)
+        self.magnitude.is_sign_negative()
+            || tolerance.covers(self.value, self.magnitude)
+            || self.leaves(LEFT, tolerance)
     }
 
-    /// Whether the value is its error, or nothing.
-    fn is_nothing(&self, tolerance: Tolerance) -> bool {
+    /// Whether the error leaves at most this share of the value. False if the error is not finite.
+    fn leaves(&self, share: f64, tolerance: Tolerance) -> bool {
         let tolerates = tolerance.relative() > 0.0;
         let exact = self.value == 0.0 && (self.error == 0.0 || !tolerates);
-        exact || (tolerates && self.value != 0.0 && is_error(self.value, self.error))
+        let left = (self.value - self.error).abs();
+        exact || (tolerates && self.value != 0.0 && left <= share * self.value.abs())
+    }
+
+    /// The magnitude of a term: negative if it counts as zero.
+    #[inline(always)]
+    fn size(value: f64, small: bool) -> f64 {
+        if small || value == 0.0 { -value.abs() } else { value.abs() }
     }
 }
 
 impl Sum<Tracked> for TrackedSum {
     #[inline(always)]
     fn term(a: &Tracked) -> Self {
-        TrackedSum { value: a.value, error: a.error, magnitude: a.value.abs() }
+        TrackedSum { value: a.value, error: a.error, magnitude: Self::size(a.value, a.small) }
     }
     #[inline(always)]
     fn product(a: &Tracked, b: &Tracked) -> Self {
         let (value, rounding) = multiplied(a.value, b.value);
         let error = a.error * b.value + a.value * b.error - a.error * b.error + rounding;
-        TrackedSum { value, error, magnitude: value.abs() }
+        TrackedSum { value, error, magnitude: Self::size(value, a.small || b.small) }
     }
     #[inline(always)]
     fn add_term(&mut self, a: &Tracked) {
@@ -162,13 +195,11 @@ impl Sum<Tracked> for TrackedSum {
         self.add(Self::product(a, b));
     }
     fn finish(&self, tolerance: Tolerance) -> Option<Tracked> {
-        (!self.is_small(tolerance) && !self.is_nothing(tolerance)).then(|| self.plain())
+        (!self.is_small(tolerance)).then(|| self.plain())
     }
     fn kept(&self, tolerance: Tolerance) -> Option<Tracked> {
-        if self.is_nothing(tolerance) {
-            return None;
-        }
-        Some(Tracked { small: self.is_small(tolerance), ..self.plain() })
+        let kept = Tracked { small: self.is_small(tolerance), ..self.plain() };
+        (!self.leaves(NOTHING, tolerance)).then_some(kept)
     }
 }
 
@@ -197,7 +228,7 @@ impl Add<&Tracked> for Tracked {
 impl Mul<&Tracked> for Tracked {
     type Output = Tracked;
     fn mul(self, other: &Tracked) -> Tracked {
-        Tracked { small: self.small || other.small, ..TrackedSum::product(&self, other).plain() }
+        TrackedSum::product(&self, other).plain()
     }
 }
 
@@ -266,20 +297,20 @@ impl Notation for Tracked {
         Some(Tracked { value, error, small: false })
     }
     fn latex(&self) -> String {
-        self.value.latex()
+        self.corrected().latex()
     }
     fn to_f64(&self) -> Option<f64> {
-        Some(self.value)
+        Some(self.corrected())
     }
     fn size(&self) -> usize {
         1
     }
 }
 
-/// The value, without the error.
+/// The corrected value.
 impl fmt::Display for Tracked {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.value.fmt(f)
+        self.corrected().fmt(f)
     }
 }
 

@@ -61,6 +61,44 @@ impl<'t, S: Ring> IntoIterator for &'t Tensor<S> {
     }
 }
 
+impl<S: Ring> Tensor<S> {
+    /// The nonzero components without their indices, in the order of these.
+    pub fn nonzero(&self) -> impl Iterator<Item = &S> {
+        self.values.iter().filter(|value| !value.is_small())
+    }
+
+    /// The indices of the nonzero components, from 0, in one list: those of the first slot in the order of the components, then
+    /// those of the second slot, and so on. This is the coordinate format of sparse arrays.
+    ///
+    /// ```
+    /// use affinor_tensors::{Down, Tensor};
+    /// let form = Tensor::from_components(3, &[Down, Down], [([0, 1], 5.0), ([2, 0], 7.0)])?;
+    /// assert_eq!(form.coordinates(), [0, 2, 1, 0]);
+    /// assert!(form.nonzero().eq(&[5.0, 7.0]));
+    /// # Ok::<(), affinor_tensors::TensorError>(())
+    /// ```
+    pub fn coordinates(&self) -> Vec<i64> {
+        let (rank, n) = (self.rank(), self.dimension as u64);
+        let count = self.len();
+        let mut list = vec![0; rank * count];
+        let Some(last) = rank.checked_sub(1) else { return list };
+        let shown = self.keys.iter().zip(&self.values).filter(|(_, value)| !value.is_small());
+        // neighbours mostly share all indices but the last: these are divided out once
+        let (mut front, mut before) = (u64::MAX, Indices([0; Indices::MAX], rank));
+        for (at, (&key, _)) in shown.enumerate() {
+            if key / n != front {
+                front = key / n;
+                before = self.indices(key);
+            }
+            for slot in 0..last {
+                list[slot * count + at] = before.0[slot] as i64;
+            }
+            list[last * count + at] = (key % n) as i64;
+        }
+        list
+    }
+}
+
 impl<S> Tensor<S> {
     /// The indices of the component with this key.
     pub(super) fn indices(&self, mut key: u64) -> Indices {

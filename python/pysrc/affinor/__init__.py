@@ -1,0 +1,76 @@
+"""Differential geometry of Lie groups: torsion, curvature, groups and motions; exact, symbolic or in floats.
+
+Conventions: ``[e_j, e_k] = c^i_jk e_i``, ``nabla_{e_j} e_k = Lambda^i_jk e_i``, ``R(e_k, e_l) e_j = R^i_jkl e_i``. Indices
+count from 0 in Python and from 1 in printed output. Quaternions are ``w, x, y, z``.
+"""
+
+from importlib.metadata import version as _version
+
+from affinor._engine import set_threads, threads
+from affinor._sweep import Draw, Motions, Sweep, sweep
+from affinor.algebra import Check, LieAlgebra, catalogue, check
+from affinor.errors import (
+    AffinorError,
+    AntisymmetryError,
+    ClosureError,
+    DependentError,
+    InputError,
+    IntegrationError,
+    InternalError,
+    JacobiError,
+    MathematicsError,
+    MetricError,
+    ShapeError,
+    SymmetryError,
+)
+from affinor.geometry import Geodesic, Geometry, Property, compare, conventions
+from affinor.group import SE2, SE3, SE23, SL2, SO2, SO3, Group, RotationGroup, groups
+from affinor.motion import Problem, Trajectory, convergence, simulate
+from affinor.tensor import Tensor, contract
+
+__version__ = _version("affinor")
+
+__all__ = [
+    "SE2",
+    "SE3",
+    "SE23",
+    "SL2",
+    "SO2",
+    "SO3",
+    "AffinorError",
+    "AntisymmetryError",
+    "Check",
+    "ClosureError",
+    "DependentError",
+    "Draw",
+    "Geodesic",
+    "Geometry",
+    "Group",
+    "InputError",
+    "IntegrationError",
+    "InternalError",
+    "JacobiError",
+    "LieAlgebra",
+    "MathematicsError",
+    "MetricError",
+    "Motions",
+    "Problem",
+    "Property",
+    "RotationGroup",
+    "ShapeError",
+    "Sweep",
+    "SymmetryError",
+    "Tensor",
+    "Trajectory",
+    "catalogue",
+    "check",
+    "compare",
+    "contract",
+    "convergence",
+    "conventions",
+    "groups",
+    "set_threads",
+    "simulate",
+    "sweep",
+    "threads",
+]

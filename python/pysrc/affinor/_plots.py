@@ -1,0 +1,89 @@
+"""Plots of trajectories with matplotlib."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from affinor.motion import Trajectory
+
+KINDS = ("conserved", "series", "attitude", "momentum")
+
+
+def plot(trajectory: Trajectory, kind: str, columns: Sequence[str] | None, ax: Any) -> Any:
+    """The plot of a kind; the axes."""
+    if kind not in KINDS:
+        raise ValueError(f"the plots are {', '.join(KINDS)}, not {kind!r}")
+    import matplotlib.pyplot as plt
+
+    space = kind in ("attitude", "momentum")
+    if ax is None:
+        ax = plt.figure().add_subplot(projection="3d" if space else None)
+    if kind == "series":
+        shown = list(columns) if columns is not None else [name for name in trajectory.columns if name != "t"][:6]
+        for name in shown:
+            ax.plot(trajectory.t, trajectory[name], label=name)
+        ax.set_ylabel("value")
+    elif kind == "conserved":
+        shown = list(columns) if columns is not None else trajectory.watched
+        for name in shown:
+            change = np.abs(trajectory[name] - trajectory[name][0])
+            ax.semilogy(trajectory.t, np.maximum(change, 1e-18), label=name)
+        ax.set_ylabel("change of conserved quantities")
+    elif kind == "attitude":
+        axes = _axes(trajectory)
+        for axis in range(3):
+            path = axes[:, :, axis].T
+            ax.plot(*path, label=f"body axis {axis + 1}")
+            ax.scatter(*path[:, -1:])
+        _sphere(ax, 1.0)
+    else:
+        path = trajectory["H"].T
+        ax.plot(*path, label="H")
+        _sphere(ax, float(np.linalg.norm(path[:, 0])))
+        for name, letter in zip(("set_xlabel", "set_ylabel", "set_zlabel"), "123", strict=True):
+            getattr(ax, name)(f"H{letter}")
+    if not space:
+        ax.set_xlabel("time")
+    ax.set_title(trajectory.name)
+    if ax.get_legend_handles_labels()[0]:
+        ax.legend()
+    return ax
+
+
+def plot_convergence(errors: Mapping[str, Any], steps: Sequence[float], ax: Any = None) -> Any:
+    """The errors of methods over the step size, on logarithmic axes."""
+    import matplotlib.pyplot as plt
+
+    ax = plt.figure().add_subplot() if ax is None else ax
+    for method, error in errors.items():
+        ax.loglog(steps, error, "o-", label=method)
+    ax.set_xlabel("step size")
+    ax.set_ylabel("error at the end")
+    ax.legend()
+    return ax
+
+
+def _axes(trajectory: Trajectory) -> Any:
+    """Rotation matrices, from the quaternion or from the entries of the element."""
+    from affinor.group import SO3
+
+    if "qw" in trajectory:
+        return SO3.matrix(np.stack([trajectory[name] for name in ("qw", "qx", "qy", "qz")], axis=-1))
+    entries = [trajectory[f"g{row}{column}"] for row in range(1, 4) for column in range(1, 4)]
+    return np.stack(entries, axis=-1).reshape(-1, 3, 3)
+
+
+def _sphere(ax: Any, radius: float) -> None:
+    u, v = np.mgrid[0 : 2 * np.pi : 25j, 0 : np.pi : 13j]
+    ax.plot_wireframe(
+        radius * np.cos(u) * np.sin(v),
+        radius * np.sin(u) * np.sin(v),
+        radius * np.cos(v),
+        linewidth=0.3,
+        color="grey",
+    )
+    ax.set_box_aspect((1, 1, 1))

@@ -1,0 +1,193 @@
+"""Numbers and expressions as text of the engine, and back as fractions, floats or SymPy."""
+
+from __future__ import annotations
+
+import numbers
+import re
+import sys
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from affinor import _engine
+
+Scalar: TypeAlias = Any
+"""A number (int, Fraction), a SymPy expression, or an expression as text."""
+
+Symbols: TypeAlias = dict[str, Any]
+"""The SymPy symbols of the parameters, by name, with their assumptions."""
+
+_NAMES = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?!\s*\()")
+_FUNCTIONS = {"Abs": "abs", "Max": "max", "Min": "min", "log": "log", "ceiling": None}
+_HELP = "write Fraction(1, 10) or the text '0.1' for an exact number, or choose scalar='float'"
+
+
+def is_sympy(value: object) -> bool:
+    """Whether the value is an expression of SymPy, which need not be installed."""
+    sympy = sys.modules.get("sympy")
+    return sympy is not None and isinstance(value, sympy.Basic)
+
+
+def is_matrix(value: object) -> bool:
+    """Whether the value is a matrix or an array of SymPy."""
+    sympy = sys.modules.get("sympy")
+    return sympy is not None and isinstance(value, (sympy.MatrixBase, sympy.NDimArray))
+
+
+def text_of(
+    value: Scalar, symbols: Symbols, *, floats: bool = False, imaginary: bool = False
+) -> str:
+    """The value in the notation of definition files; the symbols of SymPy are added to ``symbols``."""
+    if isinstance(value, str):
+        return value.strip()
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"a number or an expression was expected, not the bool {value}")
+    if isinstance(value, numbers.Integral):
+        return str(int(value))
+    if is_sympy(value):
+        return _of_sympy(value, symbols, floats, imaginary)
+    if isinstance(value, numbers.Rational):
+        return f"{value.numerator}/{value.denominator}"
+    if isinstance(value, (float, np.floating)):
+        number = float(value)
+        if number.is_integer() and abs(number) < 2**53:
+            return str(int(number))
+        if floats and np.isfinite(number):
+            return repr(number)
+        if not np.isfinite(number):
+            raise ValueError(f"{number} is no number that can be computed with")
+        raise TypeError(f"{number!r} is a float, and exact numbers are needed: {_HELP}")
+    if isinstance(value, (complex, np.complexfloating)):
+        if value.imag == 0:
+            return text_of(float(value.real), symbols, floats=floats)
+        if imaginary:
+            parts = [text_of(float(part), symbols, floats=floats) for part in (value.real, value.imag)]
+            return f"({parts[0]}) + ({parts[1]})*i"
+        raise TypeError(f"a real number was expected, not {value!r}")
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        return text_of(value.item(), symbols, floats=floats, imaginary=imaginary)
+    raise TypeError(
+        f"a number (int, Fraction), a SymPy expression or a text was expected, not {type(value).__name__}"
+    )
+
+
+def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) -> str:
+    import sympy
+
+    if floats and expression.is_real and expression.is_number and not expression.is_rational:
+        return repr(float(expression))
+
+    def write(node: Any) -> str:
+        if node.is_Symbol:
+            return _symbol(node, symbols)
+        if node.is_Integer:
+            return f"({node})" if node.is_negative else str(node)
+        if node.is_Rational:
+            return f"({node.p}/{node.q})"
+        if node.is_Float:
+            number = float(node)
+            if floats or number.is_integer():
+                return f"({text_of(number, symbols, floats=True)})"
+            raise TypeError(f"{node} is a float, and exact numbers are needed: {_HELP}")
+        if node is sympy.I and imaginary:
+            return "i"
+        if node is sympy.pi and floats:
+            return "pi"
+        if node.is_Add:
+            return "(" + " + ".join(map(write, node.args)) + ")"
+        if node.is_Mul:
+            return "*".join(map(write, node.args))
+        if node.is_Pow:
+            base, exponent = node.args
+            if exponent.is_Integer:
+                return f"({write(base)})^{int(exponent)}"
+            if exponent.is_Rational and exponent.q == 2:
+                return f"(sqrt({write(base)}))^{int(exponent.p)}"
+            if base is sympy.E:
+                return f"exp({write(exponent)})"
+        elif node is sympy.E and floats:
+            return "exp(1)"
+        elif node.is_Function:
+            name = _FUNCTIONS.get(node.func.__name__, node.func.__name__)
+            if name is not None:
+                return f"{name}({', '.join(map(write, node.args))})"
+        raise TypeError(f"{node} has no counterpart among rational functions and elementary functions")
+
+    return write(expression)
+
+
+def _symbol(symbol: Any, symbols: Symbols) -> str:
+    name = str(symbol.name)
+    if not re.fullmatch(r"[A-Za-z_][A-Za-z_0-9]{0,63}", name):
+        raise ValueError(
+            f"the symbol {name!r} needs a name of ASCII letters, digits and _, at most 64, not beginning with a digit"
+        )
+    known = symbols.setdefault(name, symbol)
+    if known != symbol:
+        raise ValueError(f"two different symbols are called {name!r}: their assumptions differ")
+    return name
+
+
+def merged(*several: Mapping[str, Any]) -> Symbols:
+    """The symbols of several objects; one name stands for one symbol."""
+    result: Symbols = {}
+    for symbols in several:
+        for symbol in symbols.values():
+            _symbol(symbol, result)
+    return result
+
+
+def names_in(texts: Iterable[str], *, without: Iterable[str] = ()) -> list[str]:
+    """The names that occur in expressions, sorted, except those of functions."""
+    found = {name for text in texts for name in _NAMES.findall(text)}
+    return sorted(found.difference(without))
+
+
+def to_sympy(text: str, symbols: Mapping[str, Any]) -> Any:
+    """The expression of a text of the engine in SymPy, with the symbols that were given."""
+    import sympy
+
+    def name(name: str) -> Any:
+        return symbols[name] if name in symbols else sympy.Symbol(name)
+
+    def function(name: str, argument: Any) -> Any:
+        return getattr(sympy, name)(argument)
+
+    return _engine.evaluate(text, sympy.Rational, name, function)
+
+
+def value_of(found: Fraction | float | str, symbols: Mapping[str, Any]) -> Any:
+    """A component as users see it: a Fraction, a float, or an expression of SymPy (a text without SymPy)."""
+    if not isinstance(found, str):
+        return found
+    try:
+        return to_sympy(found, symbols)
+    except ImportError:
+        return found
+
+
+def document(value: Any, symbols: Symbols) -> Any:
+    """A value as a definition file or a problem file writes it."""
+    if isinstance(value, Mapping):
+        return {str(key): document(item, symbols) for key, item in value.items() if item is not None}
+    if is_matrix(value):
+        return document(value.tolist(), symbols)
+    if isinstance(value, (list, tuple)):
+        return [document(item, symbols) for item in value]
+    if isinstance(value, np.ndarray):
+        return document(value.tolist(), symbols)
+    if isinstance(value, (str, bool, int)):
+        return value
+    if isinstance(value, np.bool_):
+        return bool(value)
+    if isinstance(value, (float, np.floating)):
+        if not np.isfinite(value):
+            raise ValueError(f"{value} is no number that can be computed with")
+        return float(value)
+    if isinstance(value, np.integer):
+        return int(value)
+    if hasattr(value, "to_document"):
+        return value.to_document()
+    return text_of(value, symbols, floats=True, imaginary=True)

@@ -1,0 +1,423 @@
+"""Sweeps: one task over many parameters, in this process, on Dask or on Ray, with rows in a Parquet data set."""
+
+from __future__ import annotations
+
+import hashlib
+import inspect
+import itertools
+import json
+import os
+import re
+import tempfile
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from affinor import _engine
+from affinor.motion import Problem
+
+__all__ = ["Draw", "Motions", "Sweep", "sweep"]
+
+Columns = dict[str, list[Any]]
+_BLOCK = 4096
+"""The number of draws of one random stream."""
+_MANIFEST = "_affinor.json"
+"""The name begins with a mark that readers of data sets skip."""
+
+
+class Draw:
+    """A seeded random grid: ``Draw(1000, seed=7, a="uniform(-1, 1)", b="normal(0, 0.1)", c=[1, 2, 3])``.
+
+    Row ``i`` depends on the seed and on ``i`` only.
+    """
+
+    def __init__(self, samples: int, *, seed: int = 0, **laws: str | Sequence[Any]) -> None:
+        if samples < 0 or not laws:
+            raise ValueError("a draw needs a number of samples and a law for each parameter")
+        self.samples, self.seed, self.laws = int(samples), int(seed), laws
+        for name, law in laws.items():
+            if isinstance(law, str):
+                _law(name, law)
+
+    def __len__(self) -> int:
+        return self.samples
+
+    def rows(self, start: int, stop: int) -> Columns:
+        """The values of the rows ``start`` to ``stop``."""
+        parts = [self._block(block) for block in range(start // _BLOCK, (max(stop, 1) - 1) // _BLOCK + 1)]
+        offset = start // _BLOCK * _BLOCK
+        joined = {name: list(itertools.chain(*(part[name] for part in parts))) for name in self.laws}
+        return {name: values[start - offset : stop - offset] for name, values in joined.items()}
+
+    def _block(self, block: int) -> Columns:
+        generator = np.random.Generator(np.random.Philox(key=[self.seed % 2**64, block]))
+        found: Columns = {}
+        for name, law in self.laws.items():
+            if isinstance(law, str):
+                kind, a, b = _law(name, law)
+                values = generator.uniform(a, b, _BLOCK) if kind == "uniform" else generator.normal(a, b, _BLOCK)
+                found[name] = values.tolist()
+            else:
+                found[name] = [law[at] for at in generator.integers(0, len(law), _BLOCK)]
+        return found
+
+
+def _law(name: str, law: str) -> tuple[str, float, float]:
+    match = re.fullmatch(r"\s*(uniform|normal)\s*\(([^,()]+),([^,()]+)\)\s*", law)
+    if match is None:
+        raise ValueError(f"the law of {name} is uniform(a, b) or normal(mean, deviation), not {law!r}")
+    return match.group(1), float(match.group(2)), float(match.group(3))
+
+
+class Motions:
+    """The task that integrates a problem with the parameters of a row, and keeps the last row of the trajectory.
+
+    ``columns`` chooses some of its columns. All runs of a partition share the cores.
+    """
+
+    def __init__(self, problem: Any = None, *, columns: Sequence[str] | None = None, **keys: Any) -> None:
+        self.problem = problem if isinstance(problem, Problem) else Problem(problem, **keys)
+        self.columns = None if columns is None else list(columns)
+
+    def run_rows(self, rows: Columns) -> tuple[Columns, list[str | None]]:
+        """The last row of each run, and the reason of each failure."""
+        names = list(rows)
+        values = np.array([rows[name] for name in names], dtype=np.float64).T.reshape(-1, len(names))
+        columns, last, failed = self.problem._engine.run_many(names, values)
+        chosen = self.columns if self.columns is not None else [name for name in columns if name not in rows]
+        if columns and not set(chosen) <= set(columns):
+            raise KeyError(f"no columns {sorted(set(chosen) - set(columns))}; the columns are {columns}")
+        return {name: last[:, columns.index(name)].tolist() for name in chosen if columns}, failed
+
+    def fingerprint(self) -> str:
+        """What the result depends on."""
+        return repr((self.problem._arguments, self.columns))
+
+
+class Sweep:
+    """The rows of a sweep: a Parquet data set in ``folder``, a file for each partition."""
+
+    def __init__(self, folder: Path, computed: int, keep: Any = None) -> None:
+        self.folder = folder
+        self.computed = computed
+        """The number of partitions that were computed now, and not before."""
+        self._keep = keep
+
+    @property
+    def manifest(self) -> dict[str, Any]:
+        """The partitions with their numbers of rows and hashes."""
+        found: dict[str, Any] = json.loads((self.folder / _MANIFEST).read_text(encoding="utf-8"))
+        return found
+
+    def to_arrow(self) -> Any:
+        """All rows as a table of Arrow, in the order of the grid."""
+        import pyarrow as pa
+        import pyarrow.parquet as pq
+
+        names = sorted(self.manifest["partitions"])
+        tables = [pq.read_table(self.folder / name) for name in names]
+        return pa.concat_tables(tables, promote_options="permissive")
+
+    def to_pandas(self) -> Any:
+        """All rows as a DataFrame."""
+        return self.to_arrow().to_pandas()
+
+    def __len__(self) -> int:
+        return sum(part["rows"] for part in self.manifest["partitions"].values())
+
+    def __repr__(self) -> str:
+        return f"<Sweep {self.folder}, {len(self)} rows>"
+
+
+def sweep(
+    task: Callable[[dict[str, Any]], Mapping[str, Any]] | Motions,
+    grid: Mapping[str, Sequence[Any]] | Draw | Any,
+    *,
+    on: Any = "process",
+    out: str | os.PathLike[str] | None = None,
+    chunk: int = 1000,
+    progress: bool = False,
+) -> Sweep:
+    """Runs a task for every row of a grid, and writes a Parquet data set with a file for each ``chunk`` of rows.
+
+    ``task`` takes a dict of parameters and returns a dict of results; or it is :class:`Motions`. ``grid`` is a dict of lists
+    (every combination, the last name fastest), a DataFrame, or a :class:`Draw`. ``on`` is ``"process"`` (this process, all
+    cores), a ``dask.distributed.Client``, ``"dask"`` (a client of a local cluster that ends with the sweep), or ``"ray"``.
+
+    The rows are the same on every engine: the number of the row, its parameters, its results, and ``error``, the reason why
+    a task failed. ``out`` is the folder; a sweep that was killed goes on where it was when it is called again. A folder of
+    another task or grid is refused.
+    """
+    if chunk < 1:
+        raise ValueError(f"a chunk has at least one row, not {chunk}")
+    source = _Grid(grid)
+    keep = tempfile.TemporaryDirectory(prefix="affinor-sweep-") if out is None else None
+    folder = Path(keep.name if keep is not None else out).absolute()  # type: ignore[arg-type]
+    folder.mkdir(parents=True, exist_ok=True)
+    identity = _fingerprint(task, source, chunk)
+    head = {"version": 1, "hash": identity, "rows": len(source), "chunk": chunk}
+    done = _begin(folder, head)
+    starts = range(0, len(source), chunk)
+    missing = [start for start in starts if _name(start // chunk) not in done]
+
+    def parts() -> Iterator[tuple[Any, ...]]:
+        for start in missing:
+            stop = min(start + chunk, len(source))
+            yield task, start, source.rows(start, stop), str(folder), _name(start // chunk)
+
+    bar: Any = None
+    if progress:
+        from tqdm.auto import tqdm
+
+        bar = tqdm(total=len(source), initial=len(source) - sum(min(chunk, len(source) - s) for s in missing))
+    engine, close = _engine_of(on)
+    try:
+        for name, rows, digest in engine(parts(), identity):
+            done[name] = {"rows": rows, "sha256": digest}
+            if bar is not None:
+                bar.update(rows)
+    finally:
+        close()
+        if bar is not None:
+            bar.close()
+    _write_json(folder / _MANIFEST, {**head, "partitions": dict(sorted(done.items()))})
+    return Sweep(folder, len(missing), keep)
+
+
+# -- grids ---------------------------------------------------------------------------------------------------------------
+
+
+class _Grid:
+    """The rows of any grid, by their numbers."""
+
+    def __init__(self, grid: Any) -> None:
+        self.grid = grid
+        if isinstance(grid, Draw):
+            self.length, self.description = len(grid), repr(("draw", grid.samples, grid.seed, grid.laws))
+            return
+        if isinstance(grid, Mapping):
+            self.values = {str(name): list(values) for name, values in grid.items()}
+            self.length = int(np.prod([len(values) for values in self.values.values()], dtype=np.int64))
+            self.description = repr(("product", self.values))
+            return
+        if hasattr(grid, "columns") and hasattr(grid, "to_dict"):
+            self.values = {str(name): grid[name].tolist() for name in grid.columns}
+            self.length = len(grid)
+            digest = hashlib.sha256(repr(self.values).encode()).hexdigest()
+            self.description = repr(("table", digest))
+            return
+        raise TypeError(f"a grid is a dict of lists, a DataFrame or a Draw, not {type(grid).__name__}")
+
+    def __len__(self) -> int:
+        return self.length
+
+    def rows(self, start: int, stop: int) -> Columns:
+        if isinstance(self.grid, Draw):
+            return self.grid.rows(start, stop)
+        if not isinstance(self.grid, Mapping):
+            return {name: values[start:stop] for name, values in self.values.items()}
+        found: Columns = {}
+        step = 1
+        for name, values in reversed(self.values.items()):
+            found[name] = [values[row // step % len(values)] for row in range(start, stop)]
+            step *= len(values)
+        return dict(reversed(found.items()))
+
+
+# -- partitions ------------------------------------------------------------------------------------------------------------
+
+
+def _name(part: int) -> str:
+    return f"part-{part:06d}.parquet"
+
+
+def _partition(
+    task: Any, start: int, rows: Columns, folder: str, name: str, threads: int | None = None
+) -> tuple[str, int, str]:
+    """Computes a partition and writes it: its name, its number of rows, and the hash of the file."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    if threads is not None and _engine.threads() != threads:
+        _engine.set_threads(threads)
+    count = len(next(iter(rows.values()), []))
+    if isinstance(task, Motions):
+        results, errors = task.run_rows(rows)
+    else:
+        results, errors = _each(task, rows, count)
+    columns = {"row": list(range(start, start + count)), **rows, **results, "error": errors}
+    table = pa.table({key: _array(pa, key, values) for key, values in columns.items()})
+    sink = pa.BufferOutputStream()
+    pq.write_table(table, sink, compression="zstd")
+    data = sink.getvalue().to_pybytes()
+    # an equal run of this partition writes equal bytes in its place
+    path = os.path.join(folder, f".{name}.{os.getpid()}.{time.time_ns()}.tmp")
+    with open(path, "wb") as file:
+        file.write(data)
+        file.flush()
+        os.fsync(file.fileno())
+    os.replace(path, os.path.join(folder, name))
+    return name, count, hashlib.sha256(data).hexdigest()
+
+
+def _each(task: Callable[[dict[str, Any]], Mapping[str, Any]], rows: Columns, count: int) -> tuple[Columns, list[str | None]]:
+    """The results of a function, row by row."""
+
+    def one(at: int) -> tuple[dict[str, Any], str | None]:
+        try:
+            found = task({name: values[at] for name, values in rows.items()})
+            return {str(key): _plain(value) for key, value in found.items()}, None
+        except Exception as error:
+            return {}, f"{type(error).__name__}: {str(error).splitlines()[0] if str(error) else ''}"
+
+    workers = min(_engine.threads(), max(count, 1))
+    if workers > 1:
+        with ThreadPoolExecutor(workers) as pool:
+            found = list(pool.map(one, range(count)))
+    else:
+        found = [one(at) for at in range(count)]
+    keys = list(dict.fromkeys(key for result, _ in found for key in result))
+    for key in keys:
+        if key in rows or key in ("row", "error"):
+            raise ValueError(f"the result {key!r} has the name of another column")
+    return {key: [result.get(key) for result, _ in found] for key in keys}, [error for _, error in found]
+
+
+def _plain(value: Any) -> Any:
+    """A value that Parquet has."""
+    if value is None or isinstance(value, (bool, int, float, str)):
+        return value
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, np.ndarray):
+        return value.tolist()
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    return str(value)
+
+
+def _array(pa: Any, name: str, values: list[Any]) -> Any:
+    if name == "error":
+        return pa.array(values, pa.string())
+    if any(isinstance(value, float) for value in values) and all(
+        value is None or isinstance(value, (int, float)) for value in values
+    ):
+        return pa.array([None if value is None else float(value) for value in values], pa.float64())
+    return pa.array([str(value) if isinstance(value, Fraction) else value for value in values])
+
+
+def _fingerprint(task: Any, source: _Grid, chunk: int) -> str:
+    """A hash of the task and the grid."""
+    if isinstance(task, Motions):
+        written = task.fingerprint()
+    else:
+        if not callable(task):
+            raise TypeError(f"a task is a function of a dict or Motions, not {type(task).__name__}")
+        inner = getattr(task, "func", task)
+        bound = (getattr(task, "args", ()), getattr(task, "keywords", {}))
+        try:
+            text = inspect.getsource(inner)
+        except (OSError, TypeError):
+            text = ""
+        written = repr((getattr(inner, "__qualname__", repr(type(inner))), text, bound))
+    from affinor import __version__
+
+    return hashlib.sha256(repr((written, source.description, chunk, __version__)).encode()).hexdigest()
+
+
+def _begin(folder: Path, head: Mapping[str, Any]) -> dict[str, Any]:
+    """The partitions that are there; a folder of another sweep is refused."""
+    path = folder / _MANIFEST
+    if not path.exists():
+        foreign = [item.name for item in folder.iterdir() if item.suffix == ".parquet"]
+        if foreign:
+            raise ValueError(f"{folder} has {foreign[0]}, which belongs to no sweep: choose another folder")
+        _write_json(path, {**head, "partitions": {}})
+        return {}
+    before = json.loads(path.read_text(encoding="utf-8"))
+    if before.get("hash") != head["hash"]:
+        raise ValueError(f"{folder} has rows of another task, grid, chunk or version: choose another folder")
+    done: dict[str, Any] = {}
+    for item in folder.glob("part-*.parquet"):
+        data = item.read_bytes()
+        digest = hashlib.sha256(data).hexdigest()
+        known = before["partitions"].get(item.name)
+        if known is None or known["sha256"] == digest:
+            import pyarrow.parquet as pq
+
+            done[item.name] = {"rows": pq.read_metadata(item).num_rows, "sha256": digest}
+    return done
+
+
+def _write_json(path: Path, value: Any) -> None:
+    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    temporary.write_text(json.dumps(value, indent=1), encoding="utf-8")
+    os.replace(temporary, path)
+
+
+# -- engines ---------------------------------------------------------------------------------------------------------------
+
+Engine = Callable[[Iterator[tuple[Any, ...]], str], Iterator[tuple[str, int, str]]]
+
+
+def _engine_of(on: Any) -> tuple[Engine, Callable[[], Any]]:
+    """The function that runs partitions, and one that ends what was begun for it."""
+    if on == "process":
+        return _in_process, lambda: None
+    if on == "dask":
+        from dask.distributed import Client, LocalCluster
+
+        cluster = LocalCluster(threads_per_worker=1, dashboard_address=None)
+        client = Client(cluster)
+
+        def close() -> None:
+            client.close()
+            cluster.close()
+
+        return lambda parts, key: _on_dask(client, parts, key), close
+    if hasattr(on, "submit") and hasattr(on, "scheduler_info"):
+        return lambda parts, key: _on_dask(on, parts, key), lambda: None
+    if on == "ray" or getattr(on, "__name__", None) == "ray":
+        return lambda parts, key: _on_ray(parts), lambda: None
+    raise ValueError(f"a sweep runs on 'process', 'dask', a Client of dask.distributed, or 'ray', not {on!r}")
+
+
+def _in_process(parts: Iterator[tuple[Any, ...]], key: str) -> Iterator[tuple[str, int, str]]:
+    for part in parts:
+        yield _partition(*part)
+
+
+def _on_dask(client: Any, parts: Iterator[tuple[Any, ...]], key: str) -> Iterator[tuple[str, int, str]]:
+    """As many partitions in flight as keep all workers busy; each future is released when it is done."""
+    from dask.distributed import as_completed
+
+    def submit(part: tuple[Any, ...]) -> Any:
+        return client.submit(_partition, *part, 1, key=f"affinor-{key[:16]}-{part[-1]}", pure=True)
+
+    threads = sum(worker["nthreads"] for worker in client.scheduler_info(n_workers=-1)["workers"].values())
+    first = [submit(part) for part in itertools.islice(parts, 2 * max(threads, 1) + 2)]
+    flying = as_completed(first)
+    for future in flying:
+        yield future.result()
+        future.release()
+        for part in itertools.islice(parts, 1):
+            flying.add(submit(part))
+
+
+def _on_ray(parts: Iterator[tuple[Any, ...]]) -> Iterator[tuple[str, int, str]]:
+    import ray
+
+    if not ray.is_initialized():
+        ray.init(include_dashboard=False, log_to_driver=False)
+    remote = ray.remote(num_cpus=1)(_partition)
+    cores = int(ray.cluster_resources().get("CPU", 1))
+    flying = [remote.remote(*part, 1) for part in itertools.islice(parts, 2 * cores + 2)]
+    while flying:
+        ready, flying = ray.wait(flying, num_returns=1)
+        yield from ray.get(ready)
+        flying.extend(remote.remote(*part, 1) for part in itertools.islice(parts, 1))

@@ -1,0 +1,208 @@
+"""Lie groups over arrays of elements."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from affinor import _engine
+
+__all__ = ["SE2", "SE3", "SE23", "SL2", "SO2", "SO3", "Group", "RotationGroup", "groups"]
+
+Floats = NDArray[np.float64]
+
+
+class Group:
+    """A Lie group. All operations take and give arrays, with the axes of a batch in front and NumPy's broadcasting.
+
+    Vectors are components in the basis of the algebra, of the shape (..., dimension). Elements are arrays of coordinates of
+    the shape (..., coordinates): a unit quaternion ``w, x, y, z`` for rotations, a quaternion and a position for SE(3),
+    entries column by column for groups of matrices, coordinates for R^n and nilpotent groups. Vectors of se(3) have the
+    rotation first.
+
+    ``Group("se3")`` takes a name of the catalogue or a sum of names.
+    """
+
+    __slots__ = ("_engine",)
+
+    def __init__(self, name: str) -> None:
+        if not isinstance(name, str):
+            raise TypeError(f"the name of a group is a text, not {type(name).__name__}")
+        self._engine = _engine.Group(name)
+
+    @classmethod
+    def _of(cls, engine: _engine.Group) -> Group:
+        group = cls.__new__(cls)
+        group._engine = engine
+        return group
+
+    @property
+    def name(self) -> str:
+        """The name of the algebra."""
+        return self._engine.name
+
+    @property
+    def dimension(self) -> int:
+        """The dimension of the algebra."""
+        return self._engine.dimension
+
+    @property
+    def coordinates(self) -> int:
+        """The number of coordinates of an element."""
+        return self._engine.coordinates
+
+    def identity(self) -> Floats:
+        """The neutral element."""
+        return self._engine.identity()
+
+    def exp(self, x: ArrayLike) -> Floats:
+        """The exponential of vectors (..., dimension)."""
+        return self._engine.exp(x)
+
+    def log(self, g: ArrayLike) -> Floats:
+        """The logarithm of elements, near the identity the one near 0."""
+        return self._engine.log(g)
+
+    def compose(self, g: ArrayLike, h: ArrayLike) -> Floats:
+        """The products ``g h``."""
+        return self._engine.compose(g, h)
+
+    def inverse(self, g: ArrayLike) -> Floats:
+        """The inverse elements."""
+        return self._engine.inverse(g)
+
+    def between(self, g: ArrayLike, h: ArrayLike) -> Floats:
+        """``g^-1 h``."""
+        return self._engine.between(g, h)
+
+    def restored(self, g: ArrayLike) -> Floats:
+        """Drifted elements projected back onto the group."""
+        return self._engine.restored(g)
+
+    def adjoint(self, g: ArrayLike, x: ArrayLike) -> Floats:
+        """``Ad_g x``."""
+        return self._engine.adjoint(g, x)
+
+    def adjoint_matrix(self, g: ArrayLike) -> Floats:
+        """The matrices of ``Ad_g``, (..., dimension, dimension)."""
+        g = np.asarray(g, dtype=np.float64)
+        images = self._engine.adjoint(g[..., None, :], np.eye(self.dimension))
+        return np.swapaxes(images, -1, -2)
+
+    def coadjoint(self, g: ArrayLike, h: ArrayLike) -> Floats:
+        """``Ad*_g h``: spatial to body momentum."""
+        return self._engine.coadjoint(g, h)
+
+    def bracket(self, x: ArrayLike, y: ArrayLike) -> Floats:
+        """The bracket of vectors."""
+        return self._engine.bracket(x, y)
+
+    def tangent_left(self, x: ArrayLike, v: ArrayLike) -> Floats:
+        """``T_left(x) v``: ``exp(x + dx) = exp(x) exp(T_left(x) dx + ..)``."""
+        return self._engine.tangent_left(x, v)
+
+    def tangent_left_inverse(self, x: ArrayLike, v: ArrayLike) -> Floats:
+        """``T_left(x)^-1 v``."""
+        return self._engine.tangent_left_inverse(x, v)
+
+    def matrix(self, g: ArrayLike) -> Floats:
+        """Elements as matrices (..., rows, columns), or as columns (..., rows) for vector groups and products."""
+        return self._engine.matrix(g)
+
+    def from_matrix(self, matrix: ArrayLike) -> Floats:
+        """The elements of matrices, which are checked."""
+        return self._engine.from_matrix(matrix)
+
+    def act(self, g: ArrayLike, points: ArrayLike) -> Floats:
+        """The action of a group of matrices on points: of size k, or k - 1 for homogeneous matrices."""
+        matrix, points = self.matrix(g), np.asarray(points, dtype=np.float64)
+        rows, columns = self._engine.shape
+        if rows != columns:
+            raise ValueError(f"the elements of {self.name} are no matrices that act on points")
+        size = points.shape[-1] if points.ndim else 0
+        if size == rows:
+            moved: Floats = np.einsum("...ij,...j->...i", matrix, points)
+            return moved
+        if size == rows - 1 and self.name.startswith(("se", "SE")) and rows == columns:
+            turned: Floats = np.einsum("...ij,...j->...i", matrix[..., :-1, :-1], points)
+            return turned + matrix[..., :-1, -1]
+        raise ValueError(f"points should have the shape (..., {rows}), not {points.shape}")
+
+    def interpolate(self, g: ArrayLike, h: ArrayLike, t: ArrayLike) -> Floats:
+        """``g exp(t log(g^-1 h))``."""
+        steps = np.asarray(t, dtype=np.float64)[..., None] * self.log(self.between(g, h))
+        return self.compose(g, self.exp(steps))
+
+    def mean(self, g: ArrayLike) -> Floats:
+        """The mean of elements (count, coordinates): ``sum log(m^-1 g_i) = 0``."""
+        return self._engine.mean(g)
+
+    def random(
+        self, shape: int | tuple[int, ...] = (), *, rng: np.random.Generator | int | None = None, scale: float = 1.0
+    ) -> Floats:
+        """Exponentials of normal vectors of this scale."""
+        generator = rng if isinstance(rng, np.random.Generator) else np.random.default_rng(rng)
+        shape = (shape,) if isinstance(shape, int) else tuple(shape)
+        return self.exp(generator.normal(scale=scale, size=(*shape, self.dimension)))
+
+    def __repr__(self) -> str:
+        return f"<Group {self.name}, dimension {self.dimension}, {self.coordinates} coordinates>"
+
+    def __eq__(self, other: object) -> bool:
+        return self.name == other.name if isinstance(other, Group) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self.name)
+
+    def __reduce__(self) -> Any:
+        return type(self), (self.name,)
+
+
+class RotationGroup(Group):
+    """The rotations SO(3): elements are unit quaternions ``w, x, y, z``, vectors rotation vectors in radians."""
+
+    __slots__ = ()
+
+    def __init__(self, name: str = "so3") -> None:
+        super().__init__(name)
+
+    def from_quaternion(self, q: ArrayLike, *, scalar_first: bool = True) -> Floats:
+        """The elements of quaternions of any length but zero; ``scalar_first=False`` takes the order ``x, y, z, w``."""
+        q = np.asarray(q, dtype=np.float64)
+        if q.ndim == 0 or q.shape[-1] != 4:
+            raise ValueError(f"quaternions should have the shape (..., 4), not {q.shape}")
+        norm = np.linalg.norm(q, axis=-1, keepdims=True)
+        if not (np.isfinite(norm) & (norm > 0)).all():
+            raise ValueError("a quaternion should be finite and not zero")
+        unit: Floats = q / norm
+        return unit if scalar_first else np.roll(unit, 1, axis=-1)
+
+    def to_quaternion(self, g: ArrayLike, *, scalar_first: bool = True) -> Floats:
+        """The quaternions; ``scalar_first=False`` gives the order ``x, y, z, w``."""
+        g = np.array(g, dtype=np.float64)
+        return g if scalar_first else np.roll(g, -1, axis=-1)
+
+    def from_scipy(self, rotation: Any) -> Floats:
+        """The elements of a ``scipy.spatial.transform.Rotation``."""
+        return np.roll(np.asarray(rotation.as_quat(), dtype=np.float64), 1, axis=-1)
+
+    def to_scipy(self, g: ArrayLike) -> Any:
+        """A ``scipy.spatial.transform.Rotation``."""
+        from scipy.spatial.transform import Rotation
+
+        return Rotation.from_quat(self.to_quaternion(g, scalar_first=False))
+
+
+def groups() -> list[tuple[str, str]]:
+    """The groups in closed form: pattern of the name, and how elements are written as matrices."""
+    return _engine.groups()
+
+
+SO2 = Group("so2")
+SO3 = RotationGroup()
+SE2 = Group("se2")
+SE3 = Group("se3")
+SE23 = Group("se_2(3)")
+SL2 = Group("sl2")

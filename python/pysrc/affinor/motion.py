@@ -1,0 +1,314 @@
+"""Motion: problems of mechanics on Lie groups, and their trajectories."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import tempfile
+import warnings
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from affinor import _engine
+from affinor._scalars import Symbols, document, text_of
+
+__all__ = ["Problem", "Trajectory", "convergence", "simulate"]
+
+Floats = NDArray[np.float64]
+
+
+class Problem:
+    """A problem of motion: a file, a dict with the keys of such a file, or these keys as arguments.
+
+    ``Problem(space="so3", metric=[2, 2, 1], initial={"velocity": [0, 0, 5]}, forces={"potential": "R33"},
+    output={"end": 10, "every": 0.1})``. Formulas are texts or expressions of SymPy. A table of forces is a path, an array
+    with a first column of times, or a DataFrame. Components may be a function of Python, ``{"body": force}`` or
+    ``{"space": force}``: ``force(t, g, omega)`` takes the time, the matrix of the element and the body velocity, and returns
+    the components of the covector. Such a force is slow: a formula is some hundred times faster.
+
+    ``set`` gives parameters other values; ``method``, ``step``, ``tolerance``, ``end`` and ``every`` replace the keys of
+    the integration and of the output.
+    """
+
+    __slots__ = ("_arguments", "_engine", "_folder")
+
+    def __init__(
+        self,
+        problem: str | os.PathLike[str] | Mapping[str, Any] | None = None,
+        *,
+        set: Mapping[str, Any] | str | None = None,
+        method: str | None = None,
+        step: Any = None,
+        tolerance: Any = None,
+        end: Any = None,
+        every: Any = None,
+        **keys: Any,
+    ) -> None:
+        symbols: Symbols = {}
+        options: dict[str, Any] = {
+            "set": _settings(set, symbols),
+            "method": method,
+            **{
+                name: None if value is None else text_of(value, symbols, floats=True)
+                for name, value in (("step", step), ("tolerance", tolerance), ("end", end), ("every", every))
+            },
+        }
+        path = text = None
+        self._folder: tempfile.TemporaryDirectory[str] | None = None
+        if isinstance(problem, (str, os.PathLike)):
+            if keys:
+                raise TypeError(f"a file has its own keys: {', '.join(keys)} cannot be added")
+            path = os.fspath(problem)
+        elif problem is None or isinstance(problem, Mapping):
+            keys, functions = _functions({**(problem or {}), **keys})
+            options.update(functions)
+            text = json.dumps(self._document(keys, symbols))
+        else:
+            raise TypeError(f"a problem is a path, a dict or keys, not {type(problem).__name__}")
+        self._arguments = (path, text, options)
+        self._open()
+
+    def _open(self) -> None:
+        path, text, options = self._arguments
+        named = None if text is None else ("problem", text)
+        self._engine = _engine.Problem(path, named, **options)
+
+    def _document(self, keys: Mapping[str, Any], symbols: Symbols) -> Any:
+        forces = keys.get("forces")
+        if isinstance(forces, Mapping) and not isinstance(forces.get("table"), (str, type(None))):
+            keys = {**keys, "forces": {**forces, "table": self._table(forces["table"])}}
+        metric = keys.get("metric")
+        if metric is not None and not isinstance(metric, str):
+            from affinor.geometry import metric_text
+
+            keys = {**keys, "metric": metric_text(metric, symbols, floats=True)}
+        return document(keys, symbols)
+
+    def _table(self, table: Any) -> str:
+        """The path of a file with the rows of a table."""
+        if isinstance(table, os.PathLike):
+            return str(os.fspath(table))
+        columns = [str(name) for name in table.columns] if hasattr(table, "columns") else None
+        rows = np.asarray(table, dtype=np.float64)
+        if rows.ndim != 2 or rows.shape[1] < 2:
+            raise ValueError(f"a table of forces has rows of a time and components, not the shape {rows.shape}")
+        self._folder = tempfile.TemporaryDirectory(prefix="affinor-")
+        path = os.path.join(self._folder.name, "forces.csv")
+        with open(path, "w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file)
+            writer.writerow(columns or ["t", *(f"M{i}" for i in range(1, rows.shape[1]))])
+            writer.writerows(rows.tolist())
+        return path
+
+    @property
+    def name(self) -> str:
+        """The name."""
+        return self._engine.name
+
+    @property
+    def members(self) -> int | None:
+        """The number of members of the ensemble; None without one."""
+        return self._engine.members
+
+    @property
+    def varied(self) -> list[str]:
+        """The names of the parameters that the ensemble varies."""
+        return self._engine.varied
+
+    def variation(self, member: int) -> dict[str, float]:
+        """The values of these parameters for a member, from 0."""
+        return dict(zip(self.varied, self._engine.variation(member), strict=True))
+
+    def __repr__(self) -> str:
+        members = "" if self.members is None else f", {self.members} members"
+        return f"<Problem {self.name}{members}>"
+
+    def __reduce__(self) -> Any:
+        if self._folder is not None:
+            raise TypeError("a problem with a table in memory cannot be pickled: write the table to a file")
+        return _restore, self._arguments
+
+
+def _functions(keys: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """The keys without the forces that are functions of Python, and these."""
+    forces = keys.get("forces")
+    if not isinstance(forces, Mapping):
+        return keys, {}
+    functions = {name: force for name, force in forces.items() if callable(force)}
+    if not set(functions) <= {"body", "space"}:
+        raise TypeError(f"forces.{next(iter(functions))} is no function: body and space may be functions")
+    rest = {name: force for name, force in forces.items() if name not in functions}
+    return {**keys, "forces": rest}, functions
+
+
+def _restore(*arguments: Any) -> Problem:
+    problem = Problem.__new__(Problem)
+    problem._folder = None
+    problem._arguments = arguments
+    problem._open()
+    return problem
+
+
+def _settings(values: Mapping[str, Any] | str | None, symbols: Symbols) -> str | None:
+    if values is None or isinstance(values, str):
+        return values
+    return ",".join(f"{name}={text_of(value, symbols, floats=True)}" for name, value in values.items())
+
+
+class Trajectory:
+    """The rows of a motion, with a column for each quantity.
+
+    ``trajectory["Omega1"]`` is a view of a column, ``trajectory["Omega"]`` of all components of a stem, shape
+    (rows, components). ``rows`` has all of them.
+    """
+
+    __slots__ = ("columns", "error", "events", "interrupted", "method", "name", "notes", "rows", "watched")
+
+    def __init__(self, found: Mapping[str, Any]) -> None:
+        self.name: str = found["name"]
+        self.rows: Floats = found["rows"]
+        self.columns: list[str] = list(found["columns"])
+        self.watched: list[str] = [
+            name for name, watched in zip(self.columns, found["watched"], strict=True) if watched
+        ]
+        self.events: list[tuple[str, float]] = list(found["events"])
+        self.method: str = found["method"]
+        self.notes: list[str] = list(found["notes"])
+        self.error: BaseException | None = found["failed"]
+        self.interrupted: bool = found["interrupt"] is not None
+
+    def __getitem__(self, name: str) -> Floats:
+        if name in self.columns:
+            return self.rows[:, self.columns.index(name)]
+        stem = [at for at, column in enumerate(self.columns) if column.rstrip("0123456789_") == name]
+        if not stem:
+            raise KeyError(f"no column {name!r}; the columns are {', '.join(self.columns)}")
+        if stem == list(range(stem[0], stem[-1] + 1)):
+            return self.rows[:, stem[0] : stem[-1] + 1]
+        return self.rows[:, stem]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.columns
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.columns)
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    @property
+    def t(self) -> Floats:
+        """The times."""
+        return self["t"]
+
+    def drift(self) -> dict[str, float]:
+        """The largest change of each conserved quantity from its initial value."""
+        if not len(self):
+            return {}
+        return {name: float(np.abs(self[name] - self[name][0]).max()) for name in self.watched}
+
+    def to_pandas(self) -> Any:
+        """A DataFrame."""
+        import pandas as pd
+
+        return pd.DataFrame(self.rows, columns=self.columns)
+
+    def to_arrow(self) -> Any:
+        """A table of Arrow."""
+        import pyarrow as pa
+
+        return pa.table({name: np.ascontiguousarray(self[name]) for name in self.columns})
+
+    def plot(self, kind: str = "conserved", *, columns: Sequence[str] | None = None, ax: Any = None) -> Any:
+        """A plot of matplotlib: ``conserved``, ``series``, ``attitude`` or ``momentum``. Returns the axes."""
+        from affinor import _plots
+
+        return _plots.plot(self, kind, columns, ax)
+
+    def __repr__(self) -> str:
+        state = ", interrupted" if self.interrupted else ", stopped by an error" if self.error else ""
+        return f"<Trajectory {self.name}, {len(self)} rows of {len(self.columns)} columns, {self.method}{state}>"
+
+    def _repr_html_(self) -> str | None:
+        try:
+            frame = self.to_pandas()
+        except ImportError:
+            return None
+        return str(frame._repr_html_())
+
+
+def simulate(
+    problem: Problem | str | os.PathLike[str] | Mapping[str, Any] | None = None,
+    *,
+    member: int = 0,
+    progress: bool | Callable[[float], object] = False,
+    on_error: str = "raise",
+    on_interrupt: str = "return",
+    **keys: Any,
+) -> Trajectory:
+    """The trajectory of a problem: a file, a dict, or keys as arguments (:class:`Problem`).
+
+    ``member`` chooses one of an ensemble, from 0. ``progress`` shows a bar of tqdm, or is called with the share of the time
+    that is passed. An interrupt (Ctrl-C) ends the run: the trajectory has the rows so far and ``interrupted`` is set;
+    ``on_interrupt="raise"`` raises KeyboardInterrupt instead. An error of the integration is raised, with the rows so far
+    in its ``trajectory``; ``on_error="keep"`` returns them, with the error in ``error``.
+    """
+    if on_error not in ("raise", "keep") or on_interrupt not in ("return", "raise"):
+        raise ValueError("on_error is raise or keep, on_interrupt is return or raise")
+    if not isinstance(problem, Problem):
+        problem = Problem(problem, **keys)
+    elif keys:
+        raise TypeError(f"a Problem has its own keys: {', '.join(keys)} cannot be added")
+    bar = None
+    tell: Callable[[float], object] | None = progress if callable(progress) else None
+    if progress is True:
+        from tqdm.auto import tqdm
+
+        bar = tqdm(total=1.0, bar_format="{percentage:3.0f}%|{bar}| {elapsed}<{remaining}")
+
+        def tell(share: float) -> None:
+            bar.update(share - bar.n)
+
+    try:
+        found = problem._engine.run(member, tell)
+    finally:
+        if bar is not None:
+            bar.close()
+    trajectory = Trajectory(found)
+    interrupt, failed = found["interrupt"], found["failed"]
+    if interrupt is not None:
+        if on_interrupt == "raise" or not isinstance(interrupt, KeyboardInterrupt):
+            interrupt.trajectory = trajectory
+            raise interrupt
+        last = f" at t = {trajectory.rows[-1, 0]:g}" if len(trajectory) else ""
+        warnings.warn(f"interrupted{last}; the rows so far are kept", RuntimeWarning, stacklevel=2)
+    if failed is not None and on_error == "raise":
+        failed.trajectory = trajectory
+        raise failed
+    return trajectory
+
+
+def convergence(
+    problem: str | os.PathLike[str] | Mapping[str, Any],
+    column: str,
+    methods: Sequence[str],
+    steps: Sequence[float],
+    *,
+    reference: float | None = None,
+) -> dict[str, Floats]:
+    """The error of a column at the end, for each method and step size.
+
+    Without a ``reference`` the value of ``rkmk853`` with the tolerance 1e-13 is taken.
+    """
+    if reference is None:
+        reference = float(simulate(problem, method="rkmk853", tolerance=1e-13)[column][-1])
+    return {
+        method: np.array(
+            [abs(simulate(problem, method=method, step=step)[column][-1] - reference) for step in steps]
+        )
+        for method in methods
+    }

@@ -1,0 +1,90 @@
+//! Arrays of NumPy as lists of rows, with broadcasting.
+
+use crate::errors::wrong;
+use numpy::{AllowTypeChange, PyArrayDyn, PyArrayLikeDyn, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+use std::borrow::Cow;
+
+/// An argument of floats: any array, list or number that NumPy casts to float64.
+pub type Floats<'py> = PyArrayLikeDyn<'py, f64, AllowTypeChange>;
+
+/// The shape of one row of an argument, in front of which stand the axes of the batch.
+pub fn batch<'a>(name: &str, array: &'a Floats<'_>, row: &[usize]) -> PyResult<&'a [usize]> {
+    let shape = array.shape();
+    match shape.len().checked_sub(row.len()) {
+        Some(axes) if shape[axes..] == *row => Ok(&shape[..axes]),
+        _ => {
+            let row: Vec<String> = row.iter().map(usize::to_string).collect();
+            let expected = format!("an array of the shape (..., {})", row.join(", "));
+            Err(wrong(name, &expected, &format!("of the shape {}", written(shape))))
+        }
+    }
+}
+
+/// A shape as Python writes it.
+fn written(shape: &[usize]) -> String {
+    let list: Vec<String> = shape.iter().map(usize::to_string).collect();
+    if list.len() == 1 { format!("({},)", list[0]) } else { format!("({})", list.join(", ")) }
+}
+
+/// The shape to which both batches are broadcast.
+pub fn common(a: &[usize], b: &[usize]) -> PyResult<Vec<usize>> {
+    let rank = a.len().max(b.len());
+    let axis =
+        |shape: &[usize], at: usize| (at + shape.len()).checked_sub(rank).map_or(1, |at| shape[at]);
+    let joined = (0..rank).map(|at| match (axis(a, at), axis(b, at)) {
+        (m, n) if m == n || n == 1 => Ok(m),
+        (1, n) => Ok(n),
+        _ => {
+            let shapes = format!("{} and {}", written(a), written(b));
+            Err(pyo3::exceptions::PyValueError::new_err(format!(
+                "the batches {shapes} cannot be broadcast together"
+            )))
+        }
+    });
+    joined.collect()
+}
+
+/// The rows of an argument. A single row stands for all of the batch.
+pub struct Rows<'a> {
+    data: Cow<'a, [f64]>,
+    width: usize,
+    step: usize,
+}
+
+impl<'a> Rows<'a> {
+    /// The rows of an array of the batch shape `own`, broadcast to `batch`.
+    pub fn new(array: &'a Floats<'_>, own: &[usize], batch: &[usize]) -> Self {
+        let width = array.shape()[own.len()..].iter().product();
+        let single = own.iter().product::<usize>() == 1;
+        if own == batch || single {
+            // a slice alone may also stand in the order of Fortran
+            let slice = array.as_slice().ok().filter(|_| array.is_c_contiguous());
+            let copy = || Cow::Owned(array.as_array().iter().copied().collect());
+            let data = slice.map_or_else(copy, Cow::Borrowed);
+            return Rows { data, width, step: if single { 0 } else { width } };
+        }
+        let whole: Vec<usize> = batch.iter().chain(&array.shape()[own.len()..]).copied().collect();
+        let view = array.as_array();
+        // the shapes are compatible: `common` has joined them
+        let data = view.broadcast(whole).map(|all| all.iter().copied().collect());
+        Rows { data: Cow::Owned(data.unwrap_or_default()), width, step: width }
+    }
+
+    /// All numbers, if there is one row for every element.
+    pub fn all(&self) -> Option<&[f64]> {
+        (self.step == self.width || self.data.len() == self.width).then_some(&self.data)
+    }
+
+    /// The row of an index.
+    #[inline]
+    pub fn row(&self, at: usize) -> &[f64] {
+        let start = at * self.step;
+        &self.data[start..start + self.width]
+    }
+}
+
+/// A new array of zeros.
+pub fn zeros<'py>(py: Python<'py>, batch: &[usize], row: &[usize]) -> Bound<'py, PyArrayDyn<f64>> {
+    PyArrayDyn::zeros(py, [batch, row].concat(), false)
+}

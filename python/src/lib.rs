@@ -1,0 +1,30 @@
+//! The module `affinor._engine`: spaces, tensors, groups and motions for the Python package `affinor`.
+
+mod arrays;
+mod errors;
+mod geometry;
+mod group;
+mod motion;
+mod run;
+mod space;
+mod tensor;
+mod values;
+
+/// The extension module.
+#[pyo3::pymodule]
+mod _engine {
+    #[pymodule_export]
+    use crate::geometry::{PyGeometry, catalogue, conventions, quantities};
+    #[pymodule_export]
+    use crate::group::{PyGroup, PyTransport, groups};
+    #[pymodule_export]
+    use crate::motion::PyProblem;
+    #[pymodule_export]
+    use crate::run::{_panic, set_threads, threads};
+    #[pymodule_export]
+    use crate::space::PySpace;
+    #[pymodule_export]
+    use crate::tensor::PyTensor;
+    #[pymodule_export]
+    use crate::values::evaluate;
+}

@@ -1,0 +1,81 @@
+//! The one door to computations: without the interpreter lock, in a pool of this process, and without panics.
+
+use crate::errors;
+use affinor_documents::definition::InputError;
+use pyo3::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// The threads of a process. A pool does not survive `fork`: a child makes its own.
+struct Pool {
+    process: u32,
+    threads: Arc<ThreadPool>,
+}
+
+/// The pool, and the number of threads that was asked for; 0 for all cores.
+static POOL: Mutex<(Option<Pool>, usize)> = Mutex::new((None, 0));
+
+fn pool() -> Result<Arc<ThreadPool>, InputError> {
+    let mut state = POOL.lock().unwrap_or_else(PoisonError::into_inner);
+    let process = std::process::id();
+    if let Some(pool) = state.0.as_ref().filter(|pool| pool.process == process) {
+        return Ok(pool.threads.clone());
+    }
+    // the threads of a parent do not exist here, so that its pool can only be forgotten
+    std::mem::forget(state.0.take());
+    let threads = ThreadPoolBuilder::new().num_threads(state.1).build();
+    let threads = threads.map_err(|error| InputError::usage(format!("no threads: {error}")))?;
+    let threads = Arc::new(threads);
+    state.0 = Some(Pool { process, threads: threads.clone() });
+    Ok(threads)
+}
+
+/// Runs a computation on the threads of this process.
+pub fn run<T: Send>(
+    py: Python<'_>,
+    work: impl FnOnce() -> Result<T, InputError> + Send,
+) -> PyResult<T> {
+    let pool = pool().map_err(|error| errors::raise(py, &error))?;
+    let done = py.detach(|| catch_unwind(AssertUnwindSafe(|| pool.install(work))));
+    finish(py, done)
+}
+
+/// Runs a computation that is shorter than a change of threads.
+pub fn run_here<T>(py: Python<'_>, work: impl FnOnce() -> Result<T, InputError>) -> PyResult<T> {
+    finish(py, catch_unwind(AssertUnwindSafe(work)))
+}
+
+fn finish<T>(
+    py: Python<'_>,
+    done: Result<Result<T, InputError>, Box<dyn Any + Send>>,
+) -> PyResult<T> {
+    match done {
+        Ok(result) => result.map_err(|error| errors::raise(py, &error)),
+        Err(panic) => {
+            let text = panic.downcast_ref::<&str>().map(|text| (*text).to_string());
+            let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
+            Err(errors::internal(py, &text.unwrap_or_default()))
+        }
+    }
+}
+
+/// Sets the number of threads of computations in this process; 0 stands for all cores.
+#[pyfunction]
+pub fn set_threads(count: usize) {
+    let mut state = POOL.lock().unwrap_or_else(PoisonError::into_inner);
+    *state = (None, count);
+}
+
+/// The number of threads of computations in this process.
+#[pyfunction]
+pub fn threads(py: Python<'_>) -> PyResult<usize> {
+    run(py, || Ok(rayon::current_num_threads()))
+}
+
+/// Panics inside of the door; the tests show that Python gets an exception.
+#[pyfunction]
+pub fn _panic(py: Python<'_>) -> PyResult<()> {
+    run(py, || -> Result<(), InputError> { panic!("a panic for the tests") })
+}

@@ -1,0 +1,322 @@
+//! Spaces as documents read them: names, definition files, brackets, with a connection and a metric.
+
+use crate::errors::raise;
+use crate::geometry::{PyGeometry, Values as Geometries};
+use crate::group::PyGroup;
+use crate::run::run;
+use crate::tensor::{PyTensor, Values};
+use affinor::{Canonical, Connection, ConnectionKind, Error, Geometry};
+use affinor_documents::certificate::{Check, certify};
+use affinor_documents::definition::{
+    Definition, InputError, Reading, Request, ScalarChoice, Space, Work,
+};
+use affinor_documents::report::{Format, Report, certificate};
+use affinor_tensors::{Down, Notation, Rational, Ring, Symbolic, Tensor, Tolerance, Tracked};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+/// A space that is read, over no scalar yet.
+#[pyclass(name = "Space", frozen, module = "affinor._engine")]
+pub struct PySpace(pub Space);
+
+/// The connection of a geometry beside that of its definition.
+#[derive(Clone, Copy)]
+enum Given<'t> {
+    Definition,
+    /// The zero connection without a metric: for questions about the algebra alone.
+    None,
+    Affinities(&'t Values),
+    /// Torsion and nonmetricity.
+    TorsionAndNonmetricity(Option<&'t Values>, Option<&'t Values>),
+}
+
+impl Given<'_> {
+    fn has_parameters(&self) -> bool {
+        let tensors = match self {
+            Given::Definition | Given::None => [None, None],
+            Given::Affinities(tensor) => [Some(*tensor), None],
+            Given::TorsionAndNonmetricity(torsion, nonmetricity) => [*torsion, *nonmetricity],
+        };
+        tensors.into_iter().flatten().any(|tensor| matches!(tensor, Values::Symbolic(_)))
+    }
+}
+
+/// The tensor over the scalar of a reading.
+fn read<S: Notation>(values: &Values, reading: &Reading<S>) -> Result<Tensor<S>, InputError> {
+    fn convert<S: Notation, T: Ring>(
+        tensor: &Tensor<T>,
+        reading: &Reading<S>,
+        exact: impl Fn(&T) -> Option<Symbolic>,
+    ) -> Result<Tensor<S>, InputError> {
+        let mut components = Vec::new();
+        for (at, value) in tensor.components() {
+            let converted = exact(value).and_then(|value| (reading.convert)(&value));
+            let refused = || InputError::usage(format!("{value} is no value of this scalar"));
+            components.push((at, converted.ok_or_else(refused)?));
+        }
+        let tensor = Tensor::from_components(tensor.dimension(), tensor.slots(), components)?;
+        Ok(tensor.with_tolerance(reading.tolerance))
+    }
+    match values {
+        Values::Exact(tensor) => {
+            convert(tensor, reading, |value| Some(Symbolic::constant(value.clone())))
+        }
+        Values::Symbolic(tensor) => convert(tensor, reading, |value| Some(value.clone())),
+        Values::Float(tensor) => convert(tensor, reading, |value: &Tracked| {
+            Rational::from_f64(value.to_f64()?).map(Symbolic::constant)
+        }),
+    }
+}
+
+impl Work for Given<'_> {
+    type Output = Geometries;
+
+    fn run<S: Notation>(
+        self,
+        definition: &Definition,
+        reading: &Reading<S>,
+    ) -> Result<Geometries, InputError> {
+        let ground = definition.ground(reading)?;
+        let name = definition.name.clone();
+        let geometry = match self {
+            Given::Definition => definition.geometry_over(ground, reading)?,
+            Given::None => {
+                Geometry::new(name, ground, ConnectionKind::Canonical(Canonical::Zero), None)?
+            }
+            Given::Affinities(gamma) => {
+                let metric = definition.metric(&ground, reading)?;
+                let kind = ConnectionKind::Affinities(read(gamma, reading)?);
+                Geometry::new(name, ground, kind, metric)?
+            }
+            Given::TorsionAndNonmetricity(torsion, nonmetricity) => {
+                let metric = definition.metric(&ground, reading)?.ok_or(Error::NoMetric)?;
+                let (frame, n) = (ground.frame(), ground.frame().dimension());
+                let connection = match (torsion, nonmetricity) {
+                    (Some(torsion), None) => {
+                        Connection::with_torsion(frame, &metric, &read(torsion, reading)?)?
+                    }
+                    (torsion, nonmetricity) => {
+                        let zero = |slots: &[_]| Tensor::zero(n, slots).map_err(InputError::from);
+                        let up = [affinor_tensors::Up, Down, Down];
+                        let torsion = torsion.map_or_else(|| zero(&up), |t| read(t, reading))?;
+                        let given = nonmetricity.map(|values| read(values, reading));
+                        let nonmetricity = given.unwrap_or_else(|| zero(&[Down; 3]))?;
+                        Connection::with_torsion_and_nonmetricity(
+                            frame,
+                            &metric,
+                            &torsion,
+                            &nonmetricity,
+                        )?
+                    }
+                };
+                let kind = ConnectionKind::Affinities(connection.gamma().clone());
+                Geometry::new(name, ground, kind, Some(metric))?
+            }
+        };
+        Geometries::wrap(geometry)
+    }
+}
+
+/// The checks of a certificate.
+struct Certificate;
+
+impl Work for Certificate {
+    type Output = Vec<Check>;
+
+    fn run<S: Notation>(
+        self,
+        definition: &Definition,
+        reading: &Reading<S>,
+    ) -> Result<Vec<Check>, InputError> {
+        certify(definition, reading, &|_| ())
+    }
+}
+
+/// A check: its name, whether it holds, the detail, and the indices and residual of its witness.
+type Checked = (String, bool, String, Option<(Vec<usize>, Vec<(usize, String)>)>);
+
+fn choice(scalar: &str) -> PyResult<ScalarChoice> {
+    match scalar {
+        "exact" => Ok(ScalarChoice::Exact),
+        "float" => Ok(ScalarChoice::Float),
+        other => Err(PyValueError::new_err(format!("the scalar is exact or float, not {other:?}"))),
+    }
+}
+
+fn tolerance(relative: Option<f64>) -> PyResult<Tolerance> {
+    relative.map_or(Ok(Tolerance::default()), |relative| {
+        Tolerance::new(relative).ok_or_else(|| {
+            PyValueError::new_err(format!("the tolerance {relative} is not in 0 <= x < 1"))
+        })
+    })
+}
+
+/// The format of a name.
+pub fn format(name: &str) -> PyResult<Format> {
+    Format::from_name(name).ok_or_else(|| {
+        let names: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
+        PyValueError::new_err(format!("the formats are {}, not {name:?}", names.join(", ")))
+    })
+}
+
+/// A report as text.
+pub fn written(report: &(impl Report + ?Sized), format: Format) -> Result<String, InputError> {
+    let mut bytes = Vec::new();
+    report.write(format, &mut bytes).map_err(|error| InputError::usage(error.to_string()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+impl PySpace {
+    fn build(
+        &self,
+        py: Python<'_>,
+        scalar: &str,
+        relative: Option<f64>,
+        given: Given<'_>,
+    ) -> PyResult<PyGeometry> {
+        let (choice, tolerance, space) = (choice(scalar)?, tolerance(relative)?, &self.0);
+        let geometry = run(py, || match choice {
+            // parameters of a tensor that the definition does not have
+            ScalarChoice::Exact if given.has_parameters() => {
+                let convert = |value: &Symbolic| Some(value.clone());
+                given.run::<Symbolic>(&space.definition, &Reading { convert: &convert, tolerance })
+            }
+            _ => space.run(choice, tolerance, given),
+        })?;
+        Ok(PyGeometry(geometry))
+    }
+}
+
+#[pymethods]
+impl PySpace {
+    /// A space from the arguments of the command line, or from the text of a definition file.
+    #[new]
+    #[allow(clippy::too_many_arguments, reason = "keyword arguments of Python")]
+    #[pyo3(signature = (space=None, definition=None, basis=None, brackets=vec![], connection=None, metric=None, set=None))]
+    fn new(
+        py: Python<'_>,
+        space: Option<String>,
+        definition: Option<(String, String)>,
+        basis: Option<String>,
+        brackets: Vec<String>,
+        connection: Option<String>,
+        metric: Option<String>,
+        set: Option<String>,
+    ) -> PyResult<Self> {
+        let request = Request { space, definition, basis, brackets, connection, metric, set };
+        run(py, || Space::open(&request)).map(PySpace)
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        &self.0.definition.name
+    }
+
+    #[getter]
+    fn labels(&self) -> Vec<String> {
+        self.0.definition.labels.clone()
+    }
+
+    #[getter]
+    fn parameters(&self) -> Vec<String> {
+        self.0.definition.parameters()
+    }
+
+    #[getter]
+    fn coordinates(&self) -> Vec<String> {
+        self.0.definition.coordinates().to_vec()
+    }
+
+    #[getter]
+    fn has_metric(&self) -> bool {
+        self.0.definition.has_metric()
+    }
+
+    /// The geometry; affinities, or torsion and nonmetricity, replace the connection of the definition.
+    #[pyo3(signature = (scalar="exact", tolerance=None, affinities=None, torsion=None, nonmetricity=None))]
+    fn geometry(
+        &self,
+        py: Python<'_>,
+        scalar: &str,
+        tolerance: Option<f64>,
+        affinities: Option<Py<PyTensor>>,
+        torsion: Option<Py<PyTensor>>,
+        nonmetricity: Option<Py<PyTensor>>,
+    ) -> PyResult<PyGeometry> {
+        let values = |tensor: &'_ Option<Py<PyTensor>>| tensor.as_ref().map(|t| t.clone_ref(py));
+        let [affinities, torsion, nonmetricity] =
+            [&affinities, &torsion, &nonmetricity].map(values);
+        let given = match (&affinities, &torsion, &nonmetricity) {
+            (None, None, None) => Given::Definition,
+            (Some(affinities), None, None) => Given::Affinities(&affinities.get().0),
+            (None, torsion, nonmetricity) => Given::TorsionAndNonmetricity(
+                torsion.as_ref().map(|t| &t.get().0),
+                nonmetricity.as_ref().map(|t| &t.get().0),
+            ),
+            _ => {
+                let reason = "give affinities, or torsion and nonmetricity, not both";
+                return Err(PyValueError::new_err(reason));
+            }
+        };
+        self.build(py, scalar, tolerance, given)
+    }
+
+    /// The algebra, with the connection zero and without a metric.
+    #[pyo3(signature = (scalar="exact", tolerance=None))]
+    fn algebra(
+        &self,
+        py: Python<'_>,
+        scalar: &str,
+        tolerance: Option<f64>,
+    ) -> PyResult<PyGeometry> {
+        self.build(py, scalar, tolerance, Given::None)
+    }
+
+    /// The checks: name, whether it holds, detail, witness.
+    #[pyo3(signature = (scalar="exact", tolerance=None))]
+    fn check(
+        &self,
+        py: Python<'_>,
+        scalar: &str,
+        tolerance: Option<f64>,
+    ) -> PyResult<Vec<Checked>> {
+        let checks = self.checks(py, scalar, tolerance)?;
+        let data = |check: Check| {
+            let witness = check.witness.map(|witness| (witness.indices, witness.residual));
+            (check.name.to_string(), check.ok, check.detail, witness)
+        };
+        Ok(checks.into_iter().map(data).collect())
+    }
+
+    /// The certificate as the program prints it.
+    #[pyo3(signature = (format, scalar="exact", tolerance=None))]
+    fn certificate(
+        &self,
+        py: Python<'_>,
+        format: &str,
+        scalar: &str,
+        tolerance: Option<f64>,
+    ) -> PyResult<String> {
+        let checks = self.checks(py, scalar, tolerance)?;
+        let format = self::format(format)?;
+        let tolerance = (scalar == "float").then_some(self::tolerance(tolerance)?);
+        let report = certificate(&self.0.definition.name, &checks, tolerance);
+        written(&report, format).map_err(|error| raise(py, &error))
+    }
+
+    /// The group of the algebra.
+    fn group(&self, py: Python<'_>) -> PyResult<PyGroup> {
+        let space = &self.0;
+        let group = run(py, || {
+            space.in_floats(Tolerance::default(), |definition, reading| definition.group(reading))
+        })?;
+        Ok(PyGroup::new(space.definition.name.clone(), group))
+    }
+}
+
+impl PySpace {
+    fn checks(&self, py: Python<'_>, scalar: &str, relative: Option<f64>) -> PyResult<Vec<Check>> {
+        let (choice, tolerance, space) = (choice(scalar)?, tolerance(relative)?, &self.0);
+        run(py, || space.run(choice, tolerance, Certificate))
+    }
+}

@@ -1,0 +1,99 @@
+//! Numbers between Rust and Python: fractions, floats, and expressions as text.
+
+use affinor_tensors::expression::{Expression, Meaning};
+use affinor_tensors::{Notation, Rational};
+use num_rational::{BigRational, Ratio};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use std::cell::RefCell;
+
+/// The class `fractions.Fraction`.
+fn fraction_class(py: Python<'_>) -> PyResult<&Bound<'_, PyAny>> {
+    static CLASS: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+    let class = CLASS.get_or_try_init(py, || -> PyResult<_> {
+        Ok(py.import("fractions")?.getattr("Fraction")?.unbind())
+    })?;
+    Ok(class.bind(py))
+}
+
+/// A rational number as a `Fraction`.
+pub fn fraction<'py>(py: Python<'py>, value: &Rational) -> PyResult<Bound<'py, PyAny>> {
+    let class = fraction_class(py)?;
+    match Ratio::<i64>::try_from(value) {
+        Ok(small) => class.call1((*small.numer(), *small.denom())),
+        Err(_) => {
+            let big = BigRational::from(value);
+            class.call1((big.numer().clone(), big.denom().clone()))
+        }
+    }
+}
+
+/// A number or an expression in the notation of definitions.
+pub fn read<S: Notation>(text: &str) -> PyResult<S> {
+    let names = |name: &str| S::parameter(name).ok_or_else(|| format!("`{name}` is no number"));
+    let scalars = affinor_tensors::expression::Scalars(names, S::function);
+    let value = Expression::parse(text).and_then(|expression| expression.evaluate(&scalars));
+    value.map_err(|error| PyValueError::new_err(format!("in `{text}`: {error}")))
+}
+
+/// The value of a text in other objects: `number(p, q)`, `name(text)`, `function(name, value)`, and the operators of
+/// Python.
+#[pyfunction]
+pub fn evaluate<'py>(
+    text: &str,
+    number: Bound<'py, PyAny>,
+    name: Bound<'py, PyAny>,
+    function: Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let objects = Objects { number, name, function, failed: RefCell::new(None) };
+    let value = Expression::parse(text).and_then(|expression| expression.evaluate(&objects));
+    value.map_err(|error| {
+        let failed = objects.failed.borrow_mut().take();
+        failed.unwrap_or_else(|| PyValueError::new_err(format!("in `{text}`: {error}")))
+    })
+}
+
+/// Objects of Python as the values of expressions.
+struct Objects<'py> {
+    number: Bound<'py, PyAny>,
+    name: Bound<'py, PyAny>,
+    function: Bound<'py, PyAny>,
+    failed: RefCell<Option<PyErr>>,
+}
+
+impl<'py> Objects<'py> {
+    /// Keeps an exception, of which an expression passes on only that there was one.
+    fn keep(&self, result: PyResult<Bound<'py, PyAny>>) -> Result<Bound<'py, PyAny>, String> {
+        result.map_err(|error| {
+            *self.failed.borrow_mut() = Some(error);
+            String::new()
+        })
+    }
+}
+
+impl<'py> Meaning for Objects<'py> {
+    type Value = Bound<'py, PyAny>;
+    fn number(&self, number: &Rational) -> Result<Self::Value, String> {
+        let big = BigRational::from(number);
+        self.keep(self.number.call1((big.numer().clone(), big.denom().clone())))
+    }
+    fn name(&self, name: &str) -> Result<Self::Value, String> {
+        self.keep(self.name.call1((name,)))
+    }
+    fn add(&self, a: Self::Value, b: Self::Value) -> Result<Self::Value, String> {
+        self.keep(a.add(b))
+    }
+    fn multiply(&self, a: Self::Value, b: Self::Value) -> Result<Self::Value, String> {
+        self.keep(a.mul(b))
+    }
+    fn negate(&self, a: Self::Value) -> Self::Value {
+        a.neg().unwrap_or(a)
+    }
+    fn reciprocal(&self, a: Self::Value) -> Result<Self::Value, String> {
+        self.keep(a.pow(-1, a.py().None()))
+    }
+    fn function(&self, name: &str, argument: Self::Value) -> Result<Self::Value, String> {
+        self.keep(self.function.call1((name, argument)))
+    }
+}

@@ -1,0 +1,152 @@
+"""Wrong arguments: each says what was expected. No panic and no abort reaches Python."""
+
+import pickle
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import affinor as af
+from affinor import SE3, SO3, _engine
+
+so3 = af.LieAlgebra("so3")
+t3 = af.Tensor(np.eye(3), "__")
+TOP = {"space": "so3", "metric": "identity", "initial": {"velocity": [0, 0, 1]}, "output": {"end": 1, "every": 1}}
+
+WRONG = [
+    (lambda: af.LieAlgebra(), TypeError, "space"),
+    (lambda: af.LieAlgebra(3), ValueError, r"\(n, n, n\)"),
+    (lambda: af.LieAlgebra(None), ValueError, r"\(n, n, n\)"),
+    (lambda: af.LieAlgebra("nothing(3)"), af.InputError, "no algebra named"),
+    (lambda: af.LieAlgebra(""), af.InputError, "missing"),
+    (lambda: af.LieAlgebra("missing.toml"), af.InputError, "cannot read"),
+    (lambda: af.LieAlgebra("[x,y]=w", basis="x y"), af.InputError, "w"),
+    (lambda: af.LieAlgebra("[x,y", basis="x y"), af.InputError, "bracket"),
+    (lambda: af.LieAlgebra("[x,y]=x", basis="x x"), af.InputError, "twice"),
+    (lambda: af.LieAlgebra({"bracket": ""}), af.InputError, "did you mean"),
+    (lambda: af.LieAlgebra({}), af.InputError, "basis"),
+    (lambda: af.LieAlgebra(np.zeros((2, 3, 3))), ValueError, r"\(2, 3, 3\)"),
+    (lambda: af.LieAlgebra(np.zeros((3, 3))), ValueError, r"\(3, 3\)"),
+    (lambda: af.LieAlgebra(np.full((2, 2, 2), np.nan)), ValueError, "nan"),
+    (lambda: af.LieAlgebra(np.full((2, 2, 2), 0.5)), TypeError, "float"),
+    (lambda: af.LieAlgebra(np.zeros((2, 2, 2), dtype=complex)), TypeError, "complex"),
+    (lambda: af.LieAlgebra(np.array([["a"]])), ValueError, r"\(1, 1\)"),
+    (lambda: af.LieAlgebra((np.zeros((2, 4)), np.zeros(4))), ValueError, r"\(3, count\)"),
+    (lambda: af.LieAlgebra.from_structure([(0, 1, 5, 1)], dimension=3), IndexError, "0..2"),
+    (lambda: af.LieAlgebra.from_structure([(0, 1, 2, 1)], basis="x y"), IndexError, "0..1"),
+    (lambda: af.LieAlgebra.from_structure(t3), ValueError, r"\^__"),
+    (lambda: af.LieAlgebra.from_matrices([[1, 2]]), TypeError, "matrix 0"),
+    (lambda: af.LieAlgebra.from_matrices([[[1, 2], [3]]]), af.InputError, "not 2 x 2"),
+    (lambda: af.LieAlgebra.from_matrices([]), af.InputError, "between 1"),
+    (lambda: af.LieAlgebra("so3", scalar="double"), ValueError, "exact or float"),
+    (lambda: af.LieAlgebra("so3", scalar="float", tolerance=2.0), ValueError, "tolerance"),
+    (lambda: so3 + 1, TypeError, "unsupported"),
+    (lambda: so3.direct_sum("R^3"), TypeError, "LieAlgebra"),
+    (lambda: so3.change_basis(np.zeros((3, 3))), af.MathematicsError, "dependent"),
+    (lambda: so3.change_basis(np.eye(2)), af.ShapeError, "dimension"),
+    (lambda: so3.bracket([1, 2], [1, 2, 3]), ValueError, "3 components"),
+    (lambda: so3.ad("x"), ValueError, "axes"),
+    (lambda: af.Geometry("so3", connection="left"), af.InputError, "levi-civita"),
+    (lambda: af.Geometry("so3", connection="levi-civita"), af.MetricError, "metric"),
+    (lambda: af.Geometry("so3", metric="diag(1,2)"), af.InputError, "dimension is 3"),
+    (lambda: af.Geometry("so3", metric=np.eye(2)), af.InputError, "dimension is 3"),
+    (lambda: af.Geometry("so3", metric=3), TypeError, "metric"),
+    (lambda: af.Geometry("so3", metric=[True, 1, 1]), TypeError, "bool"),
+    (lambda: af.Geometry("so3", metric=[1j, 1, 1]), TypeError, "real"),
+    (lambda: af.Geometry("so3", metric=[object(), 1, 1]), TypeError, "object"),
+    (lambda: af.Geometry("so3", torsion=so3.structure), af.MetricError, "metric"),
+    (lambda: af.Geometry("so3", affinities=np.zeros((3, 3))), ValueError, "axes"),
+    (lambda: af.Geometry("so3", affinities=t3), ValueError, r"\^__"),
+    (lambda: af.Geometry("so3", connection="plus", affinities=so3.structure), ValueError, "only one"),
+    (lambda: af.Geometry("so3", frame="up"), ValueError, "left or right"),
+    (lambda: af.Geometry("so3").ricci_, AttributeError, "ricci_"),
+    (lambda: af.Geometry("so3").metric, af.MathematicsError, "not defined"),
+    (lambda: af.Geometry("so3").quantity("riemann"), ValueError, "curvature"),
+    (lambda: af.Geometry("so3").table(format="xml"), ValueError, "markdown"),
+    (lambda: af.Geometry("so3").property("flat"), af.InputError, "flat"),
+    (lambda: af.Geometry("so3", metric="diag(a,1,1)").transport([0, 0, 1]), af.InputError, "parameters"),
+    (lambda: af.Geometry.on_chart("x y"), af.MetricError, "metric"),
+    (lambda: af.Tensor([[1, 2], [3]], "__"), ValueError, "axes|inhomogeneous"),
+    (lambda: af.Tensor([1, 2], "+"), ValueError, r"\^ and _"),
+    (lambda: af.Tensor([1, 2], 1), TypeError, "slots"),
+    (lambda: af.Tensor({(0,): 1}, "^"), TypeError, "dimension"),
+    (lambda: af.Tensor({(4,): 1}, "^", dimension=2), IndexError, "0..2"),
+    (lambda: af.Tensor(["a+"], "^"), ValueError, "a\\+"),
+    (lambda: t3[0], IndexError, "2 indices"),
+    (lambda: t3[0, 3], IndexError, "0..2"),
+    (lambda: t3[0, -1], IndexError, "negative"),
+    (lambda: t3[0, 1.0], TypeError, "float"),
+    (lambda: t3[0, 0:1], IndexError, "slice"),
+    (lambda: t3 + 1, TypeError, "unsupported"),
+    (lambda: t3 + so3.structure, ValueError, "equal shapes"),
+    (lambda: t3 * t3, TypeError, "contract"),
+    (lambda: t3 * 0.1, TypeError, "Fraction"),
+    (lambda: bool(t3), TypeError, "is_zero"),
+    (lambda: t3 / 0, ValueError, "zero"),
+    (lambda: af.contract("_ij _jk -> _ik", t3, t3), af.ShapeError, "j"),
+    (lambda: af.contract("_ij", t3), af.ShapeError, "->"),
+    (lambda: af.contract("_ij -> _ij", t3, t3), ValueError, "2 factors"),
+    (lambda: af.contract("a_ij -> _ij", a=1), TypeError, "Tensor"),
+    (lambda: t3.trace(0, 5), af.ShapeError, "rank 2"),
+    (lambda: t3.permute(0, 0), af.ShapeError, "rank"),
+    (lambda: af.Group("nothing"), af.InputError, "nothing"),
+    (lambda: af.Group(3), TypeError, "text"),
+    (lambda: SO3.exp([1, 2]), ValueError, r"\(\.\.\., 3\)"),
+    (lambda: SO3.exp(1.0), ValueError, r"\(\.\.\., 3\)"),
+    (lambda: SO3.exp("abc"), (TypeError, ValueError), ""),
+    (lambda: SO3.exp(None), (TypeError, ValueError), ""),
+    (lambda: SO3.log(np.zeros((2, 3))), ValueError, r"\(\.\.\., 4\)"),
+    (lambda: SO3.compose(np.ones((2, 4)), np.ones((3, 4))), ValueError, "broadcast"),
+    (lambda: SO3.from_matrix(np.eye(4)), ValueError, r"3, 3"),
+    (lambda: SO3.from_quaternion([0, 0, 0, 0]), ValueError, "zero"),
+    (lambda: SE3.act(SE3.identity(), [1, 2]), ValueError, "points"),
+    (lambda: SO3.mean(np.zeros((0, 4))), af.ShapeError, ""),
+    (lambda: af.simulate(), af.InputError, ""),
+    (lambda: af.simulate(3), TypeError, "path"),
+    (lambda: af.simulate("missing.toml"), af.InputError, "cannot read"),
+    (lambda: af.simulate({**TOP, "sapce": "so3"}), af.InputError, "did you mean"),
+    (lambda: af.simulate(TOP, method="euler"), af.InputError, "euler"),
+    (lambda: af.simulate(TOP, end=float("nan")), ValueError, "nan"),
+    (lambda: af.simulate(TOP, set={"m": 1}), af.InputError, "m"),
+    (lambda: af.simulate({**TOP, "forces": {"potential": "R44"}}), af.InputError, "R44"),
+    (lambda: af.simulate({**TOP, "forces": {"table": [1, 2]}}), ValueError, "rows"),
+    (lambda: af.simulate({**TOP, "forces": {"potential": sp.gamma(sp.Symbol("t"))}}), af.InputError, "gamma"),
+    (lambda: af.simulate(TOP, on_error="ignore"), ValueError, "raise or keep"),
+    (lambda: af.simulate("x.toml", space="so3"), TypeError, "keys"),
+    (lambda: af.sweep(3, {"a": [1]}), TypeError, "task"),
+    (lambda: af.sweep(len, [1, 2]), TypeError, "grid"),
+    (lambda: af.sweep(len, {"a": [1]}, on="cloud"), ValueError, "dask"),
+    (lambda: af.sweep(len, {"a": [1]}, chunk=0), ValueError, "chunk"),
+    (lambda: af.Draw(3, a="cauchy(0, 1)"), ValueError, "uniform"),
+]
+
+
+@pytest.mark.parametrize("at", range(len(WRONG)))
+def test_wrong_arguments(at):
+    call, error, words = WRONG[at]
+    with pytest.raises(error, match=words) as found:
+        call()
+    assert isinstance(found.value, Exception) and str(found.value)
+
+
+def test_there_are_sixty():
+    assert len(WRONG) >= 60
+
+
+def test_a_panic_is_an_exception():
+    for _ in range(3):
+        with pytest.raises(af.InternalError, match="a panic for the tests"):
+            _engine._panic()
+    assert af.threads() >= 1
+
+
+def test_errors_have_a_place_and_survive_pickle():
+    with pytest.raises(af.InputError) as found:
+        af.LieAlgebra({"basis": ["x", "y"], "brackets": "[x, y] = 1/0 x"})
+    error = pickle.loads(pickle.dumps(found.value))
+    assert type(error) is type(found.value) and str(error) == str(found.value)
+    assert error.place["text"] == "0" and error.place["line"] == 1 and "division by zero" in error.message
+    with pytest.raises(af.JacobiError) as found:
+        af.LieAlgebra("[x,y]=z; [y,z]=y", basis="x y z")
+    assert pickle.loads(pickle.dumps(found.value)).triple == ("x", "y", "z")
+    assert isinstance(found.value, ValueError)

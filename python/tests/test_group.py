@@ -1,0 +1,153 @@
+"""Groups over arrays: laws, broadcasting, and the rotations of SciPy and jaxlie."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
+
+import affinor as af
+from affinor import SE3, SO3
+
+NAMES = ["so2", "so3", "se2", "se3", "se_2(3)", "sl2", "R^3", "heisenberg(5)", "so(4)", "su(2)", "gl(2)", "so3+R^3", "se3+so3", "aff1"]
+rng = np.random.default_rng(5)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_laws(name):
+    group = af.Group(name)
+    x, y = rng.normal(scale=0.3, size=(2, 4, 5, group.dimension))
+    g, h = group.exp(x), group.exp(y)
+    assert g.shape == (4, 5, group.coordinates)
+    one = group.identity()
+    np.testing.assert_allclose(group.log(g), x, atol=1e-10)
+    np.testing.assert_allclose(group.compose(g, group.inverse(g)), np.broadcast_to(one, g.shape), atol=1e-10)
+    np.testing.assert_allclose(group.compose(one, g), g, atol=1e-12)
+    np.testing.assert_allclose(group.between(g, h), group.compose(group.inverse(g), h), atol=1e-12)
+    left = group.compose(group.compose(g, h), g)
+    np.testing.assert_allclose(left, group.compose(g, group.compose(h, g)), atol=1e-10)
+    moved = group.compose(group.compose(g, group.exp(y)), group.inverse(g))
+    np.testing.assert_allclose(group.exp(group.adjoint(g, y)), moved, atol=1e-9)
+    np.testing.assert_allclose(np.einsum("...ij,...j->...i", group.adjoint_matrix(g), y), group.adjoint(g, y), atol=1e-10)
+    np.testing.assert_allclose(group.tangent_left_inverse(x, group.tangent_left(x, y)), y, atol=1e-9)
+    np.testing.assert_allclose(group.bracket(x, y), -group.bracket(y, x), atol=1e-12)
+    np.testing.assert_allclose(group.from_matrix(group.matrix(g)), g, atol=1e-7)
+    np.testing.assert_allclose(group.interpolate(g, h, 1.0), h, atol=1e-10)
+    np.testing.assert_allclose(group.restored(g), g, atol=1e-10)
+
+
+def test_every_name_of_the_catalogue_has_its_group():
+    for _, _, example in af.catalogue():
+        try:
+            algebra = af.LieAlgebra(example)
+        except af.AffinorError:
+            continue
+        if algebra.dimension > 15 or algebra.parameters:
+            continue
+        try:
+            group = algebra.group()
+        except af.AffinorError as error:
+            assert "matrices" in str(error)
+            continue
+        x = rng.normal(scale=0.1, size=(3, group.dimension))
+        np.testing.assert_allclose(group.log(group.exp(x)), x, atol=1e-8)
+
+
+@given(st.integers(0, 2**32), st.floats(1e-12, 3.1))
+def test_rotations_of_scipy(seed, size):
+    x = np.random.default_rng(seed).normal(size=(2, 3, 3))
+    x *= size / np.linalg.norm(x, axis=-1, keepdims=True)
+    theirs = Rotation.from_rotvec(x.reshape(-1, 3))
+    g = SO3.exp(x)
+    np.testing.assert_allclose(SO3.matrix(g).reshape(-1, 3, 3), theirs.as_matrix(), atol=1e-14)
+    np.testing.assert_allclose(SO3.log(g), x, atol=1e-13)
+    np.testing.assert_allclose(SO3.log(SO3.from_scipy(theirs)).reshape(2, 3, 3), x, atol=1e-13)
+    np.testing.assert_allclose(SO3.to_scipy(g.reshape(-1, 4)).as_rotvec(), x.reshape(-1, 3), atol=1e-13)
+    points = np.random.default_rng(seed).normal(size=(6, 3))
+    np.testing.assert_allclose(SO3.act(g.reshape(-1, 4), points), theirs.apply(points), atol=1e-13)
+    h = SO3.compose(g, g[::-1]).reshape(-1, 4)
+    expected = theirs * Rotation.from_rotvec(x[::-1].reshape(-1, 3))
+    np.testing.assert_allclose(SO3.matrix(h), expected.as_matrix(), atol=1e-13)
+
+
+def test_quaternion_order():
+    q = SO3.exp([0, 0, np.pi / 2])
+    np.testing.assert_allclose(q, [np.sqrt(0.5), 0, 0, np.sqrt(0.5)])
+    np.testing.assert_allclose(SO3.to_quaternion(q, scalar_first=False), [0, 0, np.sqrt(0.5), np.sqrt(0.5)])
+    np.testing.assert_allclose(SO3.from_quaternion([0, 0, 2, 2], scalar_first=False), q)
+    np.testing.assert_allclose(SE3.exp([0, 0, np.pi / 2, 0, 0, 0])[:4], q)
+
+
+def test_jaxlie():
+    jaxlie = pytest.importorskip("jaxlie")
+    x = rng.normal(size=(20, 3))
+    for vector in x:
+        theirs = np.asarray(jaxlie.SO3.exp(vector).wxyz)
+        ours = SO3.exp(vector)
+        np.testing.assert_allclose(ours * np.sign(ours[0]), theirs * np.sign(theirs[0]), atol=1e-6)
+    twist = rng.normal(size=6)
+    theirs = np.asarray(jaxlie.SE3.exp(np.concatenate([twist[3:], twist[:3]])).as_matrix())
+    np.testing.assert_allclose(SE3.matrix(SE3.exp(twist)), theirs, atol=1e-5)
+
+
+def test_arrays_of_every_kind():
+    x = rng.normal(size=(6, 4, 3))
+    expected = SO3.exp(x)
+    for other in (np.asfortranarray(x), x.tolist(), x[::-1][::-1], x.astype(">f8")):
+        np.testing.assert_array_equal(SO3.exp(other), expected)
+    np.testing.assert_array_equal(SO3.exp(x[::2, ::-1]), expected[::2, ::-1])
+    readonly = x.copy()
+    readonly.flags.writeable = False
+    np.testing.assert_array_equal(SO3.exp(readonly), expected)
+    np.testing.assert_allclose(SO3.exp(x.astype(np.float32)), expected, atol=1e-6)
+    assert SO3.exp([1, 0, 0]).dtype == np.float64
+    assert SO3.exp(np.zeros((0, 3))).shape == (0, 4)
+    one = SO3.exp([0.1, 0.2, 0.3])
+    assert SO3.compose(expected, one).shape == SO3.compose(one, expected).shape == (6, 4, 4)
+    assert SO3.compose(expected[:, None], expected[None, :]).shape == (6, 6, 4, 4)
+    result = SO3.exp(x)
+    result[0] = 1  # fresh and writable
+
+
+def test_large_batches_agree_with_small_ones():
+    x = rng.normal(size=(5000, 3))
+    x[::7] *= 10
+    whole = SO3.exp(x)
+    np.testing.assert_array_equal(whole, np.array([SO3.exp(row) for row in x]))
+    np.testing.assert_array_equal(SO3.log(whole), np.array([SO3.log(row) for row in whole]))
+    products = SO3.compose(whole, whole[::-1])
+    np.testing.assert_array_equal(products, np.array([SO3.compose(g, h) for g, h in zip(whole, whole[::-1], strict=True)]))
+
+
+def test_failures_name_the_element():
+    with pytest.raises(af.AffinorError, match="element 2 of the batch"):
+        SO3.log([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0]])
+    with pytest.raises(af.AffinorError):
+        SO3.from_matrix(2 * np.eye(3))
+
+
+def test_points_and_means():
+    g = SE3.random((4,), rng=1)
+    points = rng.normal(size=(4, 3))
+    matrix = SE3.matrix(g)
+    np.testing.assert_allclose(SE3.act(g, points), np.einsum("nij,nj->ni", matrix[:, :3, :3], points) + matrix[:, :3, 3])
+    mean = SO3.mean(SO3.exp([[0.1, 0, 0], [0.3, 0, 0]]))
+    np.testing.assert_allclose(SO3.log(mean), [0.2, 0, 0], atol=1e-14)
+    np.testing.assert_array_equal(SE3.random(3, rng=7), SE3.random(3, rng=7))
+
+
+def test_transport_and_geodesics():
+    turn = [0, 0, 2 * np.pi]
+    np.testing.assert_allclose(af.Geometry("M3").subs({f"J{k}": int(k in ("11", "22", "33")) for k in ("11", "12", "13", "22", "23", "33")}).transport(turn), np.eye(3), atol=1e-13)
+    np.testing.assert_allclose(af.Geometry("SO3").transport(turn), np.diag([-1, -1, 1]), atol=1e-13)
+    body = af.Geometry("so3", metric="diag(1,2,3)")
+    path = body.geodesic([0.3, 1.0, -0.2], np.linspace(0.1, 2, 5))
+    energy = np.einsum("ti,i,ti->t", path.tangents, [1, 2, 3], path.tangents)
+    np.testing.assert_allclose(energy, energy[0], rtol=1e-10)
+    np.testing.assert_allclose(np.linalg.norm(path.elements, axis=-1), 1, rtol=1e-12)
+    there = body.geodesic([0.2, 0.1, 0.3], [1.0]).elements[0]
+    np.testing.assert_allclose(body.geodesic_between(SO3.identity(), there), [0.2, 0.1, 0.3], atol=1e-8)
+    loop = SO3.exp(np.linspace(0, 1, 200)[:, None] * np.array(turn))
+    np.testing.assert_allclose(af.Geometry("SO3").transport_samples(loop), np.diag([-1, -1, 1]), atol=1e-10)
+    by_affinities = af.Geometry("so3", affinities=af.LieAlgebra("so3").structure / 2)
+    np.testing.assert_allclose(by_affinities.transport(turn), np.diag([-1, -1, 1]), atol=1e-13)

@@ -1,0 +1,176 @@
+"""Motions: the values of the command line, every way in, interrupts and errors."""
+
+import os
+import pickle
+import signal
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import affinor as af
+
+MOTIONS = Path(__file__).resolve().parents[2] / "examples" / "motions"
+TOP = {
+    "space": "so3",
+    "metric": "diag(2, 2, 1)",
+    "parameters": {"tilt": 0.3, "spin": 5},
+    "initial": {"coordinates": ["tilt", 0, 0], "velocity": [0, 0, "spin"]},
+    "forces": {"potential": "R33"},
+    "output": {"end": 1, "every": 0.1},
+}
+
+
+def test_columns_are_views():
+    top = af.simulate(TOP)
+    assert top["Omega1"].base is not None and np.shares_memory(top["Omega1"], top.rows)
+    assert top["Omega"].shape == (11, 3) and np.shares_memory(top["Omega"], top.rows)
+    assert list(top) == top.columns and "energy" in top and len(top) == 11
+    np.testing.assert_allclose(top.t, np.linspace(0, 1, 11))
+    assert top.drift()["energy"] < 1e-11 and top.drift()["h3"] < 1e-11
+    with pytest.raises(KeyError, match="the columns are"):
+        top["nothing"]
+
+
+def test_every_way_in(tmp_path):
+    expected = af.simulate(TOP).rows
+    R33 = sp.Symbol("R33")
+    keys = {**TOP, "metric": np.diag([2, 2, 1]), "forces": {"potential": R33}}
+    np.testing.assert_array_equal(af.simulate(**keys).rows, expected)
+    np.testing.assert_array_equal(af.simulate({**TOP, "metric": [2, 2, 1]}).rows, expected)
+    np.testing.assert_array_equal(af.simulate(af.Problem(TOP)).rows, expected)
+    np.testing.assert_array_equal(af.simulate(pickle.loads(pickle.dumps(af.Problem(TOP)))).rows, expected)
+    path = tmp_path / "top.toml"
+    path.write_text(
+        'space = "so3"\nmetric = "diag(2, 2, 1)"\nparameters = {tilt = 0.3, spin = 5}\nforces.potential = "R33"\n'
+        'initial = {coordinates = ["tilt", 0, 0], velocity = [0, 0, "spin"]}\noutput = {end = 1, every = 0.1}\n'
+    )
+    np.testing.assert_array_equal(af.simulate(path).rows, expected)
+    np.testing.assert_array_equal(af.simulate(TOP, set={"spin": 4}).rows, af.simulate(path, set="spin=4").rows)
+    assert af.simulate(TOP, method="kick4", step=0.01).method == "kick4"
+    assert len(af.simulate(TOP, end=2, every=sp.Rational(1, 2))) == 5
+
+
+def test_forces():
+    t, o1 = sp.symbols("t Omega1")
+    body = {**TOP, "forces": {"body": [sp.cos(t), -o1 / 2, 0]}}
+    text = {**TOP, "forces": {"body": ["cos(t)", "-Omega1/2", 0]}}
+    np.testing.assert_array_equal(af.simulate(body).rows, af.simulate(text).rows)
+    table = np.array([[0, 0, 0, 0], [1, 1, 0, 0.0]])
+    by_table = af.simulate({**TOP, "forces": {"table": table}})
+    by_formula = af.simulate({**TOP, "forces": {"body": ["t", 0, 0]}})
+    np.testing.assert_allclose(by_table.rows, by_formula.rows, atol=1e-9)
+    pd = pytest.importorskip("pandas")
+    frame = pd.DataFrame(table, columns=["t", "M1", "M2", "M3"])
+    np.testing.assert_array_equal(af.simulate({**TOP, "forces": {"table": frame}}).rows, by_table.rows)
+
+
+def test_a_function_of_python_is_a_force():
+    seen = []
+
+    def force(t, g, omega):
+        seen.append((g.shape, omega.shape))
+        return [np.cos(t), -omega[0] / 2, g[2, 2]]
+
+    by_function = af.simulate({**TOP, "forces": {"body": force}})
+    by_formula = af.simulate({**TOP, "forces": {"body": ["cos(t)", "-Omega1/2", "R33"]}})
+    np.testing.assert_allclose(by_function.rows, by_formula.rows, atol=1e-13)
+    assert set(seen) == {((3, 3), (3,))}
+    in_space = af.simulate({**TOP, "forces": {"space": lambda t, g, omega: [t, 0, 0]}})
+    np.testing.assert_allclose(in_space.rows, af.simulate({**TOP, "forces": {"space": ["t", 0, 0]}}).rows, atol=1e-13)
+
+    def broken(t, g, omega):
+        raise LookupError("no torque")
+
+    with pytest.raises(LookupError, match="no torque"):
+        af.simulate({**TOP, "forces": {"body": broken}})
+    with pytest.raises(TypeError):
+        af.simulate({**TOP, "forces": {"body": lambda t, g, omega: "text"}})
+    with pytest.raises(af.AffinorError, match="component 3 of the force"):
+        af.simulate({**TOP, "forces": {"body": lambda t, g, omega: [0, 0]}})
+
+
+def test_tables():
+    top = af.simulate(TOP)
+    frame, arrow = top.to_pandas(), top.to_arrow()
+    np.testing.assert_array_equal(frame.to_numpy(), top.rows)
+    assert arrow.column_names == top.columns and arrow.num_rows == len(top)
+    assert "<table" in top._repr_html_()
+
+
+def test_plots():
+    top = af.simulate(TOP)
+    for kind in ("conserved", "series", "attitude", "momentum"):
+        assert top.plot(kind) is not None
+    with pytest.raises(ValueError, match="the plots are"):
+        top.plot("pie")
+    errors = af.convergence(TOP, "Omega1", ["kick2", "rkmk4"], [0.1, 0.05])
+    assert 3 < errors["kick2"][0] / errors["kick2"][1] < 5
+    assert errors["rkmk4"][0] / errors["rkmk4"][1] > 10
+
+
+def test_events():
+    found = af.simulate({**TOP, "events": {"half": "t - 1/2"}, "output": {"end": 1, "every": 0.1, "stop": "half"}})
+    assert found.events == [("half", pytest.approx(0.5))] and found.t[-1] == pytest.approx(0.5)
+
+
+def test_ensembles():
+    problem = af.Problem(MOTIONS / "ensemble_grid.toml")
+    assert problem.members == 15
+    assert problem.variation(3) == {"tilt": 0.2, "spin": 2.0}
+    assert not np.array_equal(af.simulate(problem, member=0).rows, af.simulate(problem, member=3).rows)
+
+
+def test_an_error_keeps_the_rows():
+    singular = {**TOP, "forces": {"body": ["1/(1/2 - t)", 0, 0]}}
+    with pytest.raises(af.IntegrationError) as found:
+        af.simulate(singular)
+    assert found.value.time == pytest.approx(0.5) and len(found.value.trajectory) == 5
+    kept = af.simulate(singular, on_error="keep")
+    assert len(kept) == 5 and isinstance(kept.error, af.IntegrationError)
+
+
+LONG = {**TOP, "output": {"end": 1e5, "every": 0.1}}
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals")
+def test_ctrl_c_keeps_the_rows():
+    def interrupt():
+        time.sleep(0.7)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    threading.Thread(target=interrupt).start()
+    begun = time.monotonic()
+    with pytest.warns(RuntimeWarning, match="interrupted"):
+        top = af.simulate(LONG)
+    assert top.interrupted and len(top) > 1 and time.monotonic() - begun < 10
+    threading.Thread(target=interrupt).start()
+    with pytest.raises(KeyboardInterrupt) as found:
+        af.simulate(LONG, on_interrupt="raise")
+    assert len(found.value.trajectory) > 1
+
+
+def test_progress():
+    shares = []
+    af.simulate(TOP, progress=shares.append)
+    assert shares[-1] == 1 and shares == sorted(shares)
+    af.simulate(TOP, progress=True)
+
+    def stop(share):
+        raise LookupError("enough")
+
+    with pytest.raises(LookupError, match="enough"):
+        af.simulate(LONG, progress=stop)
+
+
+def test_the_interpreter_is_free_meanwhile():
+    counted = 0
+    thread = threading.Thread(target=lambda: af.simulate({**TOP, "output": {"end": 60, "every": 0.1}}))
+    thread.start()
+    while thread.is_alive():
+        counted += 1
+        time.sleep(0.001)
+    assert counted > 5

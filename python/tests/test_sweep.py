@@ -1,0 +1,182 @@
+"""Sweeps: the same rows on every engine, failures as rows, and a killed worker that loses and doubles nothing."""
+
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+import pytest
+
+import affinor as af
+
+pytest.importorskip("pyarrow")
+TOP = {
+    "space": "so3",
+    "metric": "diag(2, 2, 1)",
+    "parameters": {"tilt": 0.3, "spin": 5},
+    "initial": {"coordinates": ["tilt", 0, 0], "velocity": [0, 0, "spin"]},
+    "forces": {"potential": "R33"},
+    "output": {"end": 1, "every": 1},
+}
+MOTIONS = af.Motions(TOP, columns=["Omega1", "energy"])
+DRAW = af.Draw(60, seed=3, tilt="uniform(0.1, 1)", spin="normal(5, 1)")
+METRICS = {"a": [1, 2, 0], "b": [1, 2], "c": [1, 2, 3]}
+NAMES = {"name": ["so3", "so3xx", "sl2", "heisenberg(3)", "bianchi(IV)", "aff1", "se2", "R^3"]}
+
+
+def is_einstein(row):
+    geometry = af.Geometry("so3", metric=[row["a"], row["b"], row["c"]])
+    found = geometry.property("einstein")
+    return {"einstein": found.holds, "constant": found.value, "scalar": geometry.scalar_curvature}
+
+
+def table_of(row):
+    geometry = af.Geometry(row["name"])
+    return {"ok": all(geometry.check()), "curvature": geometry.curvature.nnz, "killing": geometry.killing.nnz}
+
+
+TASKS = {
+    "motions": (MOTIONS, DRAW, 20),
+    "metrics": (is_einstein, METRICS, 5),
+    "algebras": (table_of, NAMES, 3),
+}
+
+
+def hashes(found):
+    return {name: part["sha256"] for name, part in found.manifest["partitions"].items()}
+
+
+@pytest.fixture(scope="module")
+def in_process():
+    return {name: af.sweep(task, grid, chunk=chunk) for name, (task, grid, chunk) in TASKS.items()}
+
+
+def test_rows(in_process):
+    frame = in_process["metrics"].to_pandas()
+    assert len(frame) == 18 and list(frame["row"]) == list(range(18))
+    assert frame["einstein"].sum() == 2 and set(frame[frame["einstein"] == True]["constant"]) == {"1/2", "1/4"}  # noqa: E712
+    failed = frame[frame["a"] == 0]
+    assert failed["error"].str.startswith("MetricError: the metric is degenerate").all() and failed["einstein"].isna().all()
+    tops = in_process["motions"].to_pandas()
+    one = af.simulate(TOP, set={"tilt": tops["tilt"][7], "spin": tops["spin"][7]})
+    assert tops["Omega1"][7] == one["Omega1"][-1] and tops["energy"][7] == one["energy"][-1]
+    algebras = in_process["algebras"].to_pandas()
+    assert algebras["ok"].sum() == 7 and "so3xx" in algebras["error"][1]
+
+
+def test_chunks_and_threads_change_no_row(in_process):
+    other = af.sweep(MOTIONS, DRAW, chunk=7).to_pandas()
+    assert other.equals(in_process["motions"].to_pandas())
+    af.set_threads(1)
+    try:
+        assert hashes(af.sweep(*TASKS["motions"][:2], chunk=20)) == hashes(in_process["motions"])
+    finally:
+        af.set_threads(0)
+
+
+def test_a_data_frame_is_a_grid():
+    pd = pytest.importorskip("pandas")
+    grid = pd.DataFrame({"a": [1, 2], "b": [1, 2], "c": [1, 2]})
+    assert af.sweep(is_einstein, grid).to_pandas()["einstein"].all()
+
+
+def test_draws_are_reproducible():
+    assert DRAW.rows(10, 20) == {name: values[10:20] for name, values in DRAW.rows(0, 60).items()}
+    long = af.Draw(9000, seed=3, tilt="uniform(0.1, 1)", spin="normal(5, 1)", which=["x", "y"])
+    assert long.rows(4090, 4100)["spin"] == long.rows(0, 9000)["spin"][4090:4100]
+    assert af.Draw(5, seed=4, x="uniform(0, 1)").rows(0, 5) != af.Draw(5, seed=5, x="uniform(0, 1)").rows(0, 5)
+
+
+def test_it_goes_on_where_it_was(tmp_path, in_process):
+    out = tmp_path / "rows"
+    whole = af.sweep(MOTIONS, DRAW, chunk=20, out=out)
+    assert whole.computed == 3 and af.sweep(MOTIONS, DRAW, chunk=20, out=out).computed == 0
+    (out / "part-000001.parquet").unlink()
+    (out / ".part-000001.parquet.1.2.tmp").write_bytes(b"half of a partition")
+    (out / "part-000002.parquet").write_bytes(b"damaged")
+    again = af.sweep(MOTIONS, DRAW, chunk=20, out=out)
+    assert again.computed == 2 and hashes(again) == hashes(in_process["motions"])
+    with pytest.raises(ValueError, match="another"):
+        af.sweep(MOTIONS, af.Draw(60, seed=4, tilt="uniform(0.1, 1)"), chunk=20, out=out)
+
+
+def test_a_killed_driver_goes_on(tmp_path):
+    script = tmp_path / "driver.py"
+    script.write_text(
+        textwrap.dedent(
+            f"""
+            import os, signal, sys
+            import affinor as af
+            def task(row):
+                if row["x"] == 7 and not os.path.exists({str(tmp_path / "mark")!r}):
+                    open({str(tmp_path / "mark")!r}, "w").close()
+                    os.kill(os.getpid(), signal.SIGKILL)
+                return {{"y": row["x"] ** 2}}
+            found = af.sweep(task, {{"x": list(range(10))}}, chunk=2, out={str(tmp_path / "rows")!r})
+            print(found.computed, found.to_pandas()["y"].tolist())
+            """
+        )
+    )
+    first = subprocess.run([sys.executable, script], capture_output=True, text=True, check=False)
+    assert first.returncode == -signal.SIGKILL
+    second = subprocess.run([sys.executable, script], capture_output=True, text=True, check=True)
+    assert second.stdout.split(" ", 1) == ["2", f"{[x * x for x in range(10)]}\n"]
+
+
+def kills_its_worker_once(row):
+    """The worker of row 9 kills itself; the marker file remembers that it did."""
+    mark = Path(row["mark"])
+    if row["x"] == 9 and not mark.exists():
+        mark.touch()
+        os.kill(os.getpid(), signal.SIGKILL)
+    return {"y": row["x"] ** 2}
+
+
+def harmless(row):
+    return {"y": row["x"] ** 2}
+
+
+@pytest.fixture(scope="module")
+def client():
+    distributed = pytest.importorskip("distributed")
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        # workers cannot import the tests
+        pytest.importorskip("cloudpickle").register_pickle_by_value(sys.modules[__name__])
+        yield client
+
+
+@pytest.fixture(scope="module")
+def ray():
+    if os.environ.get("AFFINOR_RAY") != "1":
+        pytest.skip("set AFFINOR_RAY=1 to test on Ray")
+    ray = pytest.importorskip("ray")
+    ray.cloudpickle.register_pickle_by_value(sys.modules[__name__])
+    ray.init(num_cpus=2, include_dashboard=False, object_store_memory=100 << 20, log_to_driver=False)
+    yield "ray"
+    ray.shutdown()
+
+
+@pytest.mark.cluster
+@pytest.mark.parametrize("engine", ["client", "ray"])
+def test_the_same_rows_on_a_cluster(engine, in_process, request):
+    on = request.getfixturevalue(engine)
+    for name, (task, grid, chunk) in TASKS.items():
+        assert hashes(af.sweep(task, grid, chunk=chunk, on=on)) == hashes(in_process[name]), name
+
+
+@pytest.mark.cluster
+@pytest.mark.parametrize("engine", ["client", "ray"])
+def test_a_killed_worker_loses_and_doubles_nothing(engine, tmp_path, request):
+    on = request.getfixturevalue(engine)
+    grid = {"mark": [str(tmp_path / "mark")], "x": list(range(20))}
+    found = af.sweep(kills_its_worker_once, grid, chunk=3, on=on)
+    assert (tmp_path / "mark").exists()
+    frame = found.to_pandas()
+    assert frame["row"].tolist() == list(range(20)) and frame["y"].tolist() == [x * x for x in range(20)]
+    assert hashes(found) == hashes(af.sweep(harmless, grid, chunk=3))
+    assert not list(found.folder.glob("*.tmp"))

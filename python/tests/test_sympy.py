@@ -1,0 +1,153 @@
+"""Thirty symbolic cases against SymPy's own computation, and expressions both ways."""
+
+import itertools
+import pickle
+
+import pytest
+import sympy as sp
+
+import affinor as af
+
+a, b, c, d = sp.symbols("a b c d", positive=True)
+half = sp.Rational(1, 2)
+
+
+def same(found, expected):
+    """Whether both arrays agree after simplification."""
+    found, expected = sp.flatten(sp.Array(found)), sp.flatten(sp.Array(expected))
+    assert len(found) == len(expected)
+    for one, other in zip(found, expected, strict=True):
+        rest = sp.cancel(one - other)
+        assert rest == 0 or sp.simplify(rest) == 0 or sp.simplify(rest.rewrite(sp.exp)) == 0, (one, other)
+
+
+def levi_civita(structure, g):
+    """Affinities by Koszul's formula for a left-invariant metric: L[i][j][k] = Lambda^i_jk."""
+    n, inverse = g.shape[0], g.inv()
+    lower = [[[sum(g[i, m] * structure[m, j, k] for m in range(n)) for k in range(n)] for j in range(n)] for i in range(n)]
+    koszul = [
+        [[(lower[i][j][k] - lower[j][k][i] + lower[k][i][j]) / 2 for k in range(n)] for j in range(n)] for i in range(n)
+    ]
+    return [
+        [[sp.cancel(sum(inverse[i, m] * koszul[m][j][k] for m in range(n))) for k in range(n)] for j in range(n)]
+        for i in range(n)
+    ]
+
+
+def curvature(structure, lam):
+    """R^i_jkl of constant affinities: R(e_k, e_l) e_j."""
+    n = len(lam)
+    span = range(n)
+
+    def component(i, j, k, l):
+        return sp.cancel(
+            sum(
+                lam[i][k][m] * lam[m][l][j] - lam[i][l][m] * lam[m][k][j] - structure[m, k, l] * lam[i][m][j]
+                for m in span
+            )
+        )
+
+    return [[[[component(i, j, k, l) for l in span] for k in span] for j in span] for i in span]
+
+
+METRICS = {
+    "diagonal": lambda n: sp.diag(*(a, b, c, d)[:n]),
+    "with one off the diagonal": lambda n: sp.Matrix(n, n, lambda i, j: (a, b, c, d)[i] if i == j else half * int(i + j == 1)),
+    "one parameter": lambda n: sp.diag(*([1] * (n - 1) + [a])),
+}
+ALGEBRAS = ["so3", "sl2", "heisenberg(3)", "aff1", "se2", "aff1+R^1", "bianchi(IV)", "bianchi(V)"]
+CASES = list(itertools.product(ALGEBRAS, METRICS))
+
+
+@pytest.mark.parametrize(("name", "metric"), CASES)
+def test_left_invariant_metrics(name, metric):
+    algebra = af.LieAlgebra(name)
+    n = algebra.dimension
+    g = METRICS[metric](n)
+    geometry = af.Geometry(algebra, metric=g)
+    structure = algebra.structure.to_sympy()
+    lam = levi_civita(structure, g)
+    r = curvature(structure, lam)
+    ricci = sp.Matrix(n, n, lambda j, l: sum(r[i][j][i][l] for i in range(n)))
+    same(geometry.affinities.to_sympy(), lam)
+    same(geometry.curvature.to_sympy(), r)
+    same(geometry.ricci.to_sympy(), ricci)
+    assert sp.simplify(geometry.scalar_curvature - (g.inv() * ricci).trace()) == 0
+    assert geometry.metric.to_sympy() == g
+
+
+x, y, r, theta, phi, t = sp.symbols("x y r theta phi t", real=True)
+CHARTS = {
+    "sphere": ([theta, phi], sp.diag(1, sp.sin(theta) ** 2)),
+    "sphere of radius a": ([theta, phi], a**2 * sp.diag(1, sp.sin(theta) ** 2)),
+    "half plane": ([x, y], sp.diag(1 / y**2, 1 / y**2)),
+    "horocycles": ([x, t], sp.diag(sp.exp(2 * t), 1)),
+    "polar": ([r, phi], sp.diag(1, r**2)),
+    "space in spherical coordinates": ([r, theta, phi], sp.diag(1, r**2, r**2 * sp.sin(theta) ** 2)),
+    "product": ([theta, phi, x], sp.diag(1, sp.cos(theta) ** 2, b)),
+}
+
+
+@pytest.mark.parametrize("name", CHARTS)
+def test_charts(name):
+    coordinates, g = CHARTS[name]
+    geometry = af.Geometry.on_chart(coordinates, metric=g)
+    n, inverse = len(coordinates), g.inv()
+
+    def christoffel(i, j, k):
+        terms = (
+            inverse[i, m] * (g[m, j].diff(coordinates[k]) + g[m, k].diff(coordinates[j]) - g[j, k].diff(coordinates[m]))
+            for m in range(n)
+        )
+        return sp.simplify(sum(terms) / 2)
+
+    span = range(n)
+    gamma = [[[christoffel(i, j, k) for k in span] for j in span] for i in span]
+
+    def component(i, j, k, l):
+        first = gamma[i][l][j].diff(coordinates[k]) - gamma[i][k][j].diff(coordinates[l])
+        return first + sum(gamma[i][k][m] * gamma[m][l][j] - gamma[i][l][m] * gamma[m][k][j] for m in span)
+
+    same(geometry.affinities.to_sympy(), gamma)
+    same(geometry.curvature.to_sympy(), [[[[component(i, j, k, l) for l in span] for k in span] for j in span] for i in span])
+    assert geometry.frame == "coordinate"
+
+
+def test_there_are_thirty_cases():
+    assert len(CASES) + len(CHARTS) >= 30
+
+
+def test_fields_on_a_chart():
+    moving = af.Geometry.on_chart(
+        [theta, phi], fields={"u": [1, 0], "v": [0, 1 / sp.sin(theta)]}, metric="identity"
+    )
+    assert moving.frame == "moving" and moving.scalar_curvature == 2
+    assert sp.simplify(moving.structure.to_sympy()[1, 0, 1] + sp.cot(theta)) == 0
+
+
+def test_assumptions_are_kept():
+    real = sp.Symbol("k", negative=True)
+    geometry = af.Geometry("so3", metric=[real, 1, 1])
+    assert geometry.ricci[0, 0].free_symbols == {real}
+    assert geometry.ricci.to_numpy()[0, 0] == geometry.ricci[0, 0]
+    assert pickle.loads(pickle.dumps(geometry)).ricci[0, 0].free_symbols == {real}
+    assert geometry.subs({real: -2}).ricci[0, 0] == geometry.ricci[0, 0].subs(real, -2)
+    with pytest.raises(ValueError, match="two different symbols"):
+        geometry.ricci + af.Tensor([[sp.Symbol("k"), 0, 0]] + [[0] * 3] * 2, "__")
+
+
+@pytest.mark.parametrize(
+    "value",
+    [sp.Rational(-7, 3), a, a**-2, (a + b) ** 3 / (c - d), sp.sqrt(4), sp.sqrt(sp.Rational(9, 4)), -a * b + 1, a * (b + c) ** -1],
+)
+def test_expressions_come_back(value):
+    tensor = af.Tensor({(0,): value}, "^", dimension=2)
+    assert sp.simplify(tensor[0] - value) == 0
+    assert sp.simplify((tensor * value)[0] - value**2) == 0
+    assert sp.simplify((tensor / value)[0] - 1) == 0
+
+
+@pytest.mark.parametrize("value", [sp.sqrt(2), sp.sqrt(a), sp.Float(0.1), sp.I, sp.zoo, sp.Symbol("x'"), sp.gamma(a), sp.pi])
+def test_what_has_no_exact_value_is_refused(value):
+    with pytest.raises((TypeError, ValueError)):
+        af.LieAlgebra.from_structure([(0, 0, 1, value)], dimension=2)

@@ -1,0 +1,118 @@
+"""Tensors: conversions, arithmetic, contraction, display."""
+
+import copy
+import pickle
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+import affinor as af
+
+ricci = af.Geometry("so3", metric="diag(a,b,c)").ricci
+curvature = af.Geometry("SO3").curvature
+integers = arrays.arrays(np.int64, (3, 3), elements=st.integers(-9, 9))
+
+
+def test_printed_as_on_the_command_line():
+    table = af.Geometry("SO3").table("curvature")
+    assert str(curvature) in table
+    assert repr(curvature) == "<Tensor R^i_jkl, dimension 3, 12 nonzero components, exact>"
+    assert str(af.Geometry("M3").curvature) == "Curvature (B14)\n  R^i_jkl = 0"
+    assert str(ricci) in af.Geometry("so3", metric="diag(a,b,c)").table("ricci")
+
+
+def test_notebooks_get_latex_or_a_table():
+    assert "R^{1}{}_{212}" in curvature._repr_latex_() and curvature._repr_html_() is None
+    large = af.Geometry("so(5)").curvature
+    assert large.nnz > 50
+    assert f"and {large.nnz - 50} more" in large._repr_latex_()
+    assert large._repr_html_().count("<tr>") == 51 and f"{large.nnz - 50} are not" in large._repr_html_()
+    assert "= 0" in af.Geometry("M3").curvature._repr_latex_()
+
+
+def test_arrays():
+    dense = curvature.to_numpy()
+    assert dense.dtype == float and dense.shape == (3, 3, 3, 3) and dense[0, 1, 0, 1] == 0.25
+    exact = curvature.to_numpy(object)
+    assert exact[0, 1, 0, 1] == Fraction(1, 4) and exact[0, 0, 0, 0] == 0
+    indices, values = curvature.to_coo()
+    assert indices.shape == (4, 12) and (dense[tuple(indices)] == values).all()
+    np.testing.assert_array_equal(np.asarray(curvature), dense)
+    assert ricci.to_numpy().dtype == object and isinstance(ricci.to_numpy()[0, 0], sp.Expr)
+    with pytest.raises(af.InputError, match="parameters"):
+        ricci.to_numpy(float)
+    with pytest.raises(ValueError, match="copy"):
+        np.array(curvature, copy=False)
+    with pytest.raises(MemoryError):
+        af.LieAlgebra("so(40)").structure.to_numpy()
+
+
+def test_pandas():
+    frame = curvature.to_pandas()
+    assert list(frame.columns) == ["i", "j", "k", "l", "value"] and len(frame) == 12
+    assert list(ricci.to_pandas().columns) == ["j", "l", "value"]
+
+
+def test_indices():
+    assert curvature[0, 1, 0, 1] == Fraction(1, 4)
+    assert curvature[0, :, 0, :] == af.Tensor(curvature.to_numpy()[0, :, 0, :] * 4, "__") / 4
+    assert dict(curvature.items())[0, 1, 0, 1] == Fraction(1, 4)
+    assert len(dict(curvature.items())) == curvature.nnz
+
+
+@given(integers, integers, st.fractions(max_denominator=9))
+def test_arithmetic(x, y, factor):
+    s, t = af.Tensor(x, "^_"), af.Tensor(y, "^_")
+    np.testing.assert_array_equal((s + t).to_numpy(), x + y)
+    np.testing.assert_array_equal((s - t).to_numpy(), x - y)
+    np.testing.assert_array_equal((-s).to_numpy(), -x)
+    np.testing.assert_array_equal((s * factor).to_numpy(object), x.astype(object) * factor)
+    assert factor * s == s * factor
+    np.testing.assert_array_equal(af.contract("^i_k ^k_j -> ^i_j", s, t).to_numpy(), x @ y)
+    assert af.contract("x^i_k y^k_j -> ^i_j", x=s, y=t) == s.contract("^i_k ^k_j -> ^i_j", t)
+    assert s.trace(0, 1)[()] == np.trace(x)
+    np.testing.assert_array_equal(s.permute(1, 0).to_numpy(), x.T)
+    assert s.permute(1, 0).slots == "_^"
+
+
+@given(integers)
+def test_equality_hash_pickle_copy(x):
+    tensor = af.Tensor(x, "^_")
+    for other in (af.Tensor(x.astype(float), "^_"), pickle.loads(pickle.dumps(tensor)), copy.deepcopy(tensor)):
+        assert other == tensor and hash(other) == hash(tensor)
+    assert tensor != af.Tensor(x, "__") and tensor != x.tolist()
+    floats = tensor.to_float()
+    assert floats.scalar == "float" and floats != tensor
+    assert pickle.loads(pickle.dumps(floats)) == floats
+    parameter = tensor * sp.Symbol("q", positive=True)
+    assert pickle.loads(pickle.dumps(parameter)) == parameter
+
+
+@given(integers)
+def test_ways_in(x):
+    indices = np.array(np.nonzero(x))
+    tensor = af.Tensor(x, "__")
+    assert af.Tensor.from_coo(indices, x[tuple(indices)], "__", 3) == tensor
+    assert af.Tensor({tuple(at): int(x[tuple(at)]) for at in indices.T}, "__", dimension=3) == tensor
+    assert af.Tensor(sp.Matrix(x.tolist()), "__") == tensor
+    assert af.Tensor(x.tolist(), "__") == tensor
+    np.testing.assert_array_equal(af.Tensor(x, "__", scalar="float").to_numpy(), x)
+
+
+def test_rank_0_and_floats():
+    one = af.Tensor({(): Fraction(1, 2)}, "", dimension=3)
+    assert (one + one)[()] == 1 and (one - one).is_zero
+    f = af.Tensor([0.1, 0.2, 0.3], "^", scalar="float")
+    assert (f * 2.5)[1] == 0.5
+    assert af.contract("^i _i -> ", f, af.Tensor([1, 1, 1], "_"))[()] == pytest.approx(0.6)
+
+
+def test_big_numbers():
+    big = 10**40 + 1
+    assert af.Tensor([big, Fraction(1, big)], "^")[0] == big
+    assert pickle.loads(pickle.dumps(af.Tensor([big, Fraction(1, big)], "^")))[1] == Fraction(1, big)
