@@ -283,3 +283,67 @@ fn properties_of_geometries() {
     let sphere = of(&[&definition("sphere.toml")]);
     assert_eq!(find(&sphere, "constant curvature K")["value"], "K = 1/a^2");
 }
+
+/// GAP reads the program; the list is what GAP 4.12.1 prints of the table of so(3).
+#[test]
+fn tables_of_gap_are_written_and_read() {
+    let code = stdout(root(), &["table", "so3", "--show", "structure", "--format", "gap"]);
+    let expected = "# so(3)\nT := EmptySCTable( 3, 0, \"antisymmetric\" );\n\
+                    SetEntrySCTable( T, 1, 2, [ 1, 3 ] );\nSetEntrySCTable( T, 1, 3, [ -1, 2 ] );\n\
+                    SetEntrySCTable( T, 2, 3, [ 1, 1 ] );\n\
+                    L := LieAlgebraByStructureConstants( Rationals, T );\n";
+    assert_eq!(code, expected);
+    let structure = |input: &str| {
+        let arguments = ["table", "-", "--show", "structure", "--format", "csv"];
+        let outcome = run(root(), &arguments, input.as_bytes());
+        assert_eq!(outcome.status, 0, "{input}: {}", outcome.err);
+        outcome.out
+    };
+    for space in ["so3", "bianchi(VI,h=-1/2)", "sl(3)", "damek_ricci(1,2)"] {
+        let table = ["table", space, "--show", "structure", "--format"];
+        let own = stdout(root(), &[&table[..], &["csv"]].concat());
+        assert_eq!(structure(&stdout(root(), &[&table[..], &["gap"]].concat())), own, "{space}");
+    }
+    let printed = "[ [ [ [  ], [  ] ], [ [ 3 ], [ 1 ] ], [ [ 2 ], [ -1 ] ] ],\n\
+                   [ [ [ 3 ], [ -1 ] ], [ [  ], [  ] ], [ [ 1 ], [ 1 ] ] ],\n\
+                   [ [ [ 2 ], [ 1 ] ], [ [ 1 ], [ -1 ] ], [ [  ], [  ] ] ], -1, 0 ]";
+    assert_eq!(structure(printed), structure(expected));
+    let refused = [
+        ("T := EmptySCTable( x, 0 );", "begins with the dimension"),
+        (
+            "T := EmptySCTable( 2, 0 );\nSetEntrySCTable( T, 1, 3, [ 1, 1 ] );",
+            "the index 3 is not in 1..2",
+        ),
+        (
+            "T := EmptySCTable( 2, 0 );\nSetEntrySCTable( T, 1, 2, [ 1 ] );",
+            "SetEntrySCTable( T, j, k",
+        ),
+        ("[ [ [ [ 1 ], [ ] ] ], -1, 0 ]", "as many values as indices"),
+    ];
+    for (input, says) in refused {
+        let outcome = run(root(), &["table", "-"], input.as_bytes());
+        assert!(outcome.status == 2 && outcome.err.contains(says), "{input}: {}", outcome.err);
+    }
+}
+
+#[test]
+fn other_programs_get_their_tables() {
+    let code = |space: &str, format: &str| {
+        stdout(root(), &["table", space, "--show", "structure", "--format", format])
+    };
+    let sage = code("bianchi(VI)", "sage");
+    assert!(sage.contains("FractionField(PolynomialRing(QQ, 'h'))"), "{sage}");
+    assert!(sage.contains("('e2', 'e3'): {'e2': h}"), "{sage}");
+    assert!(code("so3+so3", "sage").contains("('e4', 'e5'): {'e6': 1}"));
+    let maple = code("heisenberg(3)", "maple");
+    assert!(maple.contains("LieAlgebraData([\n  [x1, y1] = z\n], [x1, y1, z], Alg)"), "{maple}");
+    let sympy = code("bianchi(VI,h=-1/2)", "sympy");
+    assert!(sympy.contains("c[1, 1, 2] = Rational('-1/2')\nc[1, 2, 1] = -c[1, 1, 2]"), "{sympy}");
+    let refused = run(root(), &["table", "so3", "--format", "gap"], b"");
+    assert!(
+        refused.status == 2 && refused.err.contains("structure constants only"),
+        "{}",
+        refused.err
+    );
+    assert_eq!(run(root(), &["check", "so3", "--format", "sage"], b"").status, 2);
+}

@@ -38,6 +38,7 @@ pub use subspace::Subspace;
 use crate::Error;
 use crate::algebra::roots::CartanType;
 use crate::algebra::{Bracket, LieAlgebra};
+use affinor_tensors::linear::Matrix;
 use products::Products;
 use std::cell::OnceCell;
 
@@ -55,7 +56,9 @@ use std::cell::OnceCell;
 pub struct Structure<S> {
     algebra: LieAlgebra<S>,
     products: Products<S>,
+    form: OnceCell<Matrix<S>>,
     killing: OnceCell<Killing<S>>,
+    semisimple: OnceCell<bool>,
     derived: OnceCell<Vec<Subspace<S>>>,
     radical: OnceCell<Subspace<S>>,
     levi: OnceCell<Subspace<S>>,
@@ -69,7 +72,9 @@ impl<S: Ground> Structure<S> {
         Structure {
             algebra,
             products,
+            form: OnceCell::new(),
             killing: OnceCell::new(),
+            semisimple: OnceCell::new(),
             derived: OnceCell::new(),
             radical: OnceCell::new(),
             levi: OnceCell::new(),
