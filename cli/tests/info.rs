@@ -107,6 +107,9 @@ fn with_parameters_holds_for_generic_values() {
     let generic = info("bianchi(VI)");
     assert_eq!((&generic["generic"], &generic["parameters"]), (&json!(true), &json!(["h"])));
     assert_eq!(generic["unimodular"], false);
+    // VI_0, III and V
+    assert_eq!(generic["exceptional_values"], json!(["-1", "0", "1"]));
+    assert_eq!(info("bianchi(VII)")["exceptional_values"], json!(["0"]));
     let special = run(root(), &["info", "bianchi(VI)", "--set", "h=-1", "--format", "json"], b"");
     let special: Value = serde_json::from_str(&special.out).unwrap();
     assert_eq!((&special["generic"], &special["unimodular"]), (&json!(false), &json!(true)));

@@ -65,6 +65,56 @@ fn parameters_have_their_normal_form() {
     assert_eq!(complex.isomorphism, None::<Vec<Vec<Rational>>>);
 }
 
+#[test]
+fn real_algebras_of_dimension_four() {
+    let names = [
+        "bianchi(VIII)+R^1",
+        "bianchi(IX)+R^1",
+        "aff(1)+aff(1)",
+        "aff(1)+R^2",
+        "bianchi(IV)+R^1",
+        "bianchi(V)+R^1",
+        "bianchi(VI,h=-1/2)+R^1",
+        "bianchi(VII,h=2)+R^1",
+        "patera(4,2,a=1)",
+        "patera(4,2,a=-2)",
+        "patera(4,2,a=3)",
+        "patera(4,3)",
+        "patera(4,4)",
+        "patera(4,5,a=1,b=1)",
+        "patera(4,5,a=1/2,b=1)",
+        "patera(4,5,a=-1/2,b=1/3)",
+        "patera(4,6,a=1,b=0)",
+        "patera(4,6,a=-2,b=1)",
+        "patera(4,6,a=4/3,b=1/3)",
+        "patera(4,7)",
+        "patera(4,8)",
+        "patera(4,9,b=1)",
+        "patera(4,9,b=0)",
+        "patera(4,9,b=-1/2)",
+        "patera(4,10)",
+        "patera(4,11,a=1)",
+        "patera(4,11,a=1/2)",
+        "patera(4,12)",
+    ];
+    for name in names {
+        for seed in 0..3 {
+            let found = Structure::new(scrambled(&catalogued(name), seed)).identify().unwrap();
+            assert_eq!((found.names, found.parameter), (vec![name.to_string()], None));
+        }
+    }
+    let named = |name: &str| Structure::new(catalogued(name)).identify().unwrap().names.remove(0);
+    assert_eq!(named("oscillator(4)"), "patera(4,10)");
+    assert_eq!(named("sim(2)"), "patera(4,12)");
+    assert_eq!(named("gl(2)"), "bianchi(VIII)+R^1");
+    assert_eq!(named("u(2)"), "bianchi(IX)+R^1");
+    assert_eq!(named("patera(4,5,a=2,b=2)"), "patera(4,5,a=1/2,b=1)");
+    // eigenvalues 1, sqrt 2, -sqrt 2
+    let table = [(4, 1, 1, 1), (4, 2, 3, 1), (4, 3, 2, 2)];
+    let open = Structure::new(crate::common::algebras::by_table(4, &table)).identify().unwrap();
+    assert!(open.names == ["patera(4,5)"] && open.parameter.is_some());
+}
+
 /// Each nilpotent algebra has its own name among those found, and at most the sign of a parameter is open.
 #[test]
 fn nilpotent_algebras_up_to_dimension_six() {

@@ -26,6 +26,34 @@ pub struct Info {
     json: Map<String, Value>,
 }
 
+/// The values of a parameter at which the answers are compared with the generic ones.
+const TRIED: [&str; 7] = ["-2", "-1", "-1/2", "0", "1/2", "1", "2"];
+/// The answers that are compared.
+const COMPARED: [&str; 12] = [
+    "unimodular",
+    "derived_series",
+    "lower_central_series",
+    "upper_central_series",
+    "centre",
+    "radical",
+    "nilradical",
+    "rank",
+    "derivations",
+    "betti",
+    "index",
+    "invariant_forms",
+];
+
+fn fraction(text: &str) -> Option<Rational> {
+    let (above, below) = text.split_once('/').unwrap_or((text, "1"));
+    Rational::new(above.parse().ok()?, below.parse().ok()?)
+}
+
+/// The part of an answer that does not depend on a basis.
+fn dimensions(answer: &Value) -> &Value {
+    answer.get("dimension").unwrap_or(answer)
+}
+
 impl Info {
     /// The structure of the algebra of a definition; `stage` is called before each part.
     ///
@@ -43,7 +71,37 @@ impl Info {
         }
         let convert = |value: &Symbolic| Some(value.clone());
         let algebra = definition.algebra::<Symbolic>(&Reading { convert: &convert, tolerance })?;
-        Self::new(&definition.name, &Structure::new(algebra), &definition.parameters(), stage)
+        let parameters = definition.parameters();
+        let mut info = Self::new(&definition.name, &Structure::new(algebra), &parameters, stage)?;
+        if let [parameter] = &parameters[..] {
+            stage("exceptional values");
+            info.exceptional_values(parameter, &definition);
+        }
+        Ok(info)
+    }
+
+    /// Adds the values of a parameter, of a few, at which an answer differs from the generic one.
+    fn exceptional_values(&mut self, parameter: &str, definition: &Definition) {
+        let differs = |value: &&str| {
+            let number = Symbolic::constant(fraction(value)?);
+            let mut special = definition.clone();
+            special.set(&[(parameter.to_string(), number)].into()).ok()?;
+            let special = Info::of(&special, &|_| ()).ok()?;
+            Some(
+                COMPARED
+                    .iter()
+                    .any(|key| dimensions(&special.json[*key]) != dimensions(&self.json[*key])),
+            )
+        };
+        let found: Vec<&str> =
+            TRIED.into_iter().filter(|value| differs(value) == Some(true)).collect();
+        let answer = match found[..] {
+            [] => "none of those tried".to_string(),
+            _ => format!("{parameter} = {}", found.join(", ")),
+        };
+        let row = ["exceptional values", &answer, &format!("tried: {}", TRIED.join(", "))];
+        self.grid.rows.push(row.map(Cell::from).to_vec());
+        self.json.insert("exceptional_values".into(), json!(found));
     }
 
     /// The structure of an algebra of this name, whose structure constants depend on `parameters`.

@@ -1,8 +1,10 @@
-//! The name of an algebra of low dimension: real ones up to dimension 3, nilpotent ones up to 6.
+//! The name of an algebra of low dimension: real ones up to dimension 4, nilpotent ones up to 6.
 //!
 //! Up to dimension 3 the isomorphism is a witness where it is rational. Nilpotent algebras are told apart
 //! by the dimensions of both central series and of the derivations, and by the Betti numbers; these separate
 //! all real ones up to dimension 6 but for the sign of the parameter of four families.
+
+mod four;
 
 use super::subspace::collected;
 use super::{Structure, Subspace};
@@ -36,6 +38,7 @@ impl Structure<Rational> {
             }
             3 => self.bianchi(),
             4..=6 if self.is_nilpotent() => self.nilpotent_by_invariants(),
+            4 => self.real_of_dimension_four(),
             _ => None,
         }
     }
