@@ -51,6 +51,9 @@ iso(3,1): sl(2,C) 4 4
 iso(1,1):  3 2
 galilei(3): su(2) 7 7
 se_2(3): su(2) 6 6
+compact(G2): g2(-14) 0 0
+compact(A2): su(3) 0 0
+compact(B3): so(7) 0 0
 sim(2):  4 2
 sim(3): su(2) 4 3
 conformal(3,1): su(2,2) 0 0
@@ -78,7 +81,9 @@ damek_ricci(1,2):  7 6";
 /// The Killing forms of compact algebras are negative definite.
 #[test]
 fn compact_forms_are_compact() {
-    for name in ["so(5)", "su(3)", "usp(6)"] {
+    let names =
+        ["so(5)", "su(3)", "usp(6)", "compact(A1)", "compact(B2)", "compact(C3)", "compact(D4)"];
+    for name in names.into_iter().chain(["compact(G2)", "compact(F4)"]) {
         let all = structure(name);
         assert_eq!(all.killing().signature(), Some([0, all.dimension(), 0]), "{name}");
     }
