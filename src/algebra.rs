@@ -4,6 +4,7 @@
 //! - [`Bracket`]: antisymmetric structure constants; [`LieAlgebra`]: with the Jacobi identity;
 //! - [`BasisChange`], [`MatrixBasis`]: other bases, and structure constants from matrices;
 //! - [`roots`]: root systems and Chevalley bases; [`catalogue`]: Lie algebras by name;
+//! - [`structure`]: series, radicals, Levi subalgebras, types, simple ideals;
 //! - [`lie_derivative`]: Lie derivatives of tensors; [`invariants`]: invariant tensors;
 //! - [`lie_poisson`]: the dual space, its Poisson bracket, Casimir functions, coadjoint orbits.
 //!
@@ -19,6 +20,7 @@ pub mod lie_derivative;
 pub mod lie_poisson;
 mod matrices;
 pub mod roots;
+pub mod structure;
 
 pub use basis::BasisChange;
 pub(crate) use basis::{LETTERS, indices, inverse, to_matrix};

@@ -115,6 +115,84 @@ pub enum Error {
         /// An entry of the remainder.
         residual: String,
     },
+    /// A subspace that is no subalgebra.
+    #[error("the subspace is no subalgebra: [{x}, {y}] = {bracket} is not in it")]
+    NotSubalgebra {
+        /// A vector of the subspace.
+        x: String,
+        /// Another one.
+        y: String,
+        /// Their bracket.
+        bracket: String,
+    },
+    /// A subspace that is no ideal.
+    #[error("the subspace is no ideal: [{x}, {v}] = {bracket} is not in it")]
+    NotIdeal {
+        /// A basis vector of the algebra.
+        x: String,
+        /// A vector of the subspace.
+        v: String,
+        /// Their bracket.
+        bracket: String,
+    },
+    /// A form that is no cocycle.
+    #[error(
+        "the form is no cocycle: \
+         omega([{x},{y}],{z}) + omega([{y},{z}],{x}) + omega([{z},{x}],{y}) = {residual}"
+    )]
+    NotCocycle {
+        /// The first basis vector of the triple.
+        x: String,
+        /// The second basis vector.
+        y: String,
+        /// The third basis vector.
+        z: String,
+        /// The value of the left side, which must vanish, up to sign.
+        residual: String,
+    },
+    /// A matrix that is no derivation.
+    #[error(
+        "the matrix D of {d} is no derivation: D [{x},{y}] - [D {x},{y}] - [{x},D {y}] = {residual}"
+    )]
+    NotDerivation {
+        /// The vector that acts.
+        d: String,
+        /// The first basis vector.
+        x: String,
+        /// The second basis vector.
+        y: String,
+        /// The value of the left side, which must vanish.
+        residual: String,
+    },
+    /// Matrices that are no action of a Lie algebra.
+    #[error(
+        "the matrices are no action: (D_{x} D_{y} - D_{y} D_{x} - D_[{x},{y}]) {v} = {residual}"
+    )]
+    NotAction {
+        /// The first vector that acts.
+        x: String,
+        /// The second one.
+        y: String,
+        /// The vector on which they act.
+        v: String,
+        /// The value of the left side, which must vanish.
+        residual: String,
+    },
+    /// A contraction whose limit does not exist.
+    #[error(
+        "the contraction has no limit: the component {value} of [{x}, {y}] along {component} grows \
+         beyond all bounds"
+    )]
+    NoLimit {
+        /// The first basis vector.
+        x: String,
+        /// The second one.
+        y: String,
+        /// The basis vector of the component.
+        component: String,
+        /// The component.
+        value: String,
+    },
     /// Matrices that are linearly dependent over the reals.
     #[error("the matrices are linearly dependent over the reals: {relation} = 0")]
     Dependent {

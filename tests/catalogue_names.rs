@@ -12,6 +12,24 @@ so(3,1) <- so(3,1)|so( 3 , 1 )|so3,1|so (3,1)
 R^3 <- R^3|R3|R ^ 3|R(3)|R^(3)|R 3
 R^12 <- R12
 su(3) <- su3|su(3)
+su(2,1) <- su(2,1)
+sl(2) <- sl(2,R)
+sl(2,C) <- sl(2,C)|sl( 2 , C )
+sl(2,H) <- sl(2,H)
+so*(6) <- so*(6)|so*6
+sp(2,1) <- sp(2,1)
+sp(4,C) <- sp(4,C)
+usp(4) <- usp4
+u(3) <- u3
+iso(3,1) <- iso(3,1)
+filiform_q(6) <- filiform_q(6)
+filiform(5) <- filiform5
+free_nilpotent(2,3) <- free_nilpotent(2,3)
+borel(E6) <- borel(E6)|borel E6
+parabolic(E7,1,7) <- parabolic(E7,7,1)
+patera(4,5,a=1/2,b=b) <- patera(4,5,b=b,a=1/2)
+patera(4,11) <- patera(4,11)
+degraaf(6,22,e=-1) <- degraaf(6,22,e=-1)
 sl(12) <- sl12|sl( 12)
 gl(2) <- gl2
 sp(6) <- sp(6)|sp6
@@ -70,7 +88,8 @@ none; even; sp(5)|sp(0)
 none; odd; heisenberg(4)|heisenberg(1)
 none; n >= 1; R^0|R^-1|A0|gl(0)
 none; n >= 1; aff(0)|aff(-1)
-none; su(n); su(2,1)
+none; p, q >= 1; su(2,0)|so(3,R)
+none; n >= 2; sl(2,Q)
 none; n = 6, 7, 8; E5|E9
 none; n >= 3; D2
 none; n = 2; G3

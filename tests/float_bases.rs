@@ -41,6 +41,15 @@ fn names() -> Vec<String> {
         ["bianchi(V)", "bianchi(VI,h=-1/2)", "bianchi(VII,h=2)", "bianchi(VIII)", "bianchi(IX)"]
             .map(String::from)
             .to_vec(),
+        ["so*(4)", "u(2)", "usp(4)", "iso(2,1)", "galilei(2)", "sim(2)", "conformal(1,1)"]
+            .map(String::from)
+            .to_vec(),
+        ["schroedinger(1)", "oscillator(4)", "t(3)", "n(4)", "borel(A2)", "parabolic(A2,1)"]
+            .map(String::from)
+            .to_vec(),
+        ["free_nilpotent(2,3)", "filiform(5)", "damek_ricci(1,2)", "patera(4,8)", "degraaf(5,6)"]
+            .map(String::from)
+            .to_vec(),
         ["so(3)+heisenberg(3)", "sl(2)+R^2", "aff(1)+se(2)"].map(String::from).to_vec(),
     ];
     families.concat()

@@ -9,6 +9,7 @@ mod conventions;
 mod convert;
 mod equations;
 mod failure;
+mod info;
 mod list;
 mod note;
 mod on_group;
@@ -53,6 +54,8 @@ enum Command {
     Check(check::Arguments),
     /// Compare a space with a stored table (JSON or CSV)
     Verify(verify::Arguments),
+    /// Print the structure of a Lie algebra: series, radicals, types, ideals
+    Info(info::Arguments),
     /// Print the equations of motion of a space
     Equations(equations::Arguments),
     /// Map coordinates x to the group element exp(x)
@@ -89,6 +92,7 @@ pub fn main() -> ExitCode {
         Command::Table(arguments) => arguments.run(),
         Command::Check(arguments) => arguments.run(),
         Command::Verify(arguments) => arguments.run(),
+        Command::Info(arguments) => arguments.run(),
         Command::Equations(arguments) => arguments.run(),
         Command::Exp(arguments) => arguments.run(Operation::Exp),
         Command::Log(arguments) => arguments.run(Operation::Log),

@@ -20,6 +20,7 @@ mod group_commands;
 #[cfg(feature = "plot")]
 mod guide;
 mod heads;
+mod info;
 mod paper_page;
 #[cfg(feature = "plot")]
 mod plot;

@@ -8,10 +8,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 /// What is printed, and the name of its snapshots before the format.
-const OBJECTS: [(&str, &[&str]); 3] = [
+const OBJECTS: [(&str, &[&str]); 6] = [
     ("m3_table", &["table", "M3"]),
     ("so3_table", &["table", "SO3"]),
     ("m3_so3_comparison", &["compare"]),
+    ("poincare_info", &["info", "iso(3,1)"]),
+    ("bianchi_info", &["info", "bianchi(VII,h=2)"]),
+    ("scrambled_sum_info", &["info", "examples/definitions/scrambled_sum.json"]),
 ];
 const FORMATS: [&str; 5] = ["text", "markdown", "latex", "csv", "json"];
 

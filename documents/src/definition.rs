@@ -8,6 +8,7 @@
 //! `document` has the keys of a definition, `notation` its expressions; `space` has the SPACE of a command.
 
 mod chart;
+mod construction;
 pub(crate) mod document;
 mod entry;
 pub(crate) mod file;
@@ -145,6 +146,12 @@ impl Definition {
             declared: vec![],
             source: None,
         }
+    }
+
+    /// The algebra or the fields alone, without a metric and a connection.
+    #[must_use]
+    pub fn algebra_alone(&self) -> Self {
+        Definition { metric: None, connection: None, ..self.clone() }
     }
 
     /// The dimension.

@@ -2,7 +2,7 @@
 //!
 //! In reading order: [`Quantity`] names the tensors, [`Table`] computes them, and one module for each format writes them;
 //! [`Comparison`] sets two geometries side by side; [`EquationReport`] writes equations of motion, also as source code;
-//! [`StoredTable`] compares a table with a stored one. Each is a [`Report`]; short lists are [`conventions`], the
+//! [`StoredTable`] compares a table with a stored one; [`Info`] is the structure of an algebra. Each is a [`Report`]; short lists are [`conventions`], the
 //! [`catalogue`] and a [`certificate`].
 
 mod code;
@@ -12,6 +12,7 @@ mod csv;
 mod equations;
 mod grid;
 mod head;
+mod info;
 mod json;
 mod latex;
 mod lists;
@@ -24,8 +25,9 @@ pub use code::Language;
 pub use comparison::{ComparedSide, Comparison};
 pub use components::{GROUPED, Group, groups, independent};
 pub use equations::EquationReport;
+pub use info::Info;
 pub use latex::components_in_latex;
-pub use lists::{catalogue, certificate, conventions};
+pub use lists::{catalogue, catalogue_where, certificate, conventions};
 pub use quantity::Quantity;
 pub use stored::{Differences, StoredTable};
 pub use text::components_in_text;

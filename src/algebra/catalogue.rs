@@ -13,14 +13,20 @@
 //! so(31) and so(3,1) both exist.
 
 mod bianchi;
+mod complexified;
 mod error;
 mod euclidean;
+mod kinematical;
 mod linear;
 mod name;
+mod nilpotent;
 mod orthogonal;
+mod quaternionic;
 mod simple;
 mod solvable;
 mod symplectic;
+mod tables;
+mod triangular;
 mod unitary;
 
 pub use error::CatalogueError;
@@ -86,19 +92,55 @@ pub fn families() -> &'static [Family] {
     FAMILIES
 }
 
+/// The names of the algebras of a dimension, family by family. Borel and parabolic subalgebras are left out;
+/// parameters stay open.
+///
+/// ```
+/// let names = affinor::algebra::catalogue::names(2);
+/// assert!(names.contains(&"aff(1)".to_string()) && !names.contains(&"so(3)".to_string()));
+/// ```
+pub fn names(dimension: usize) -> Vec<String> {
+    FAMILIES.iter().flat_map(|family| family.names(dimension)).collect()
+}
+
 static FAMILIES: &[Family] = &[
     solvable::ABELIAN,
     orthogonal::DEFINITE,
     orthogonal::INDEFINITE,
+    quaternionic::SKEW,
+    complexified::ORTHOGONAL,
     unitary::FAMILY,
+    unitary::INDEFINITE,
+    unitary::FULL,
     linear::SPECIAL,
+    complexified::LINEAR,
+    quaternionic::LINEAR,
     linear::GENERAL,
     linear::AFFINE,
     symplectic::FAMILY,
+    complexified::SYMPLECTIC,
+    quaternionic::INDEFINITE,
+    quaternionic::COMPACT,
     euclidean::FAMILY,
     euclidean::EXTENDED,
+    kinematical::POINCARE,
+    kinematical::GALILEI,
+    kinematical::SIMILARITIES,
+    kinematical::CONFORMAL,
+    kinematical::SCHROEDINGER,
+    kinematical::OSCILLATOR,
+    triangular::TRIANGULAR,
+    triangular::STRICT,
+    triangular::BOREL,
+    triangular::PARABOLIC,
     solvable::HEISENBERG,
+    nilpotent::FREE,
+    nilpotent::FILIFORM,
+    nilpotent::FILIFORM_Q,
+    nilpotent::DAMEK_RICCI,
     bianchi::FAMILY,
+    tables::PATERA,
+    tables::DE_GRAAF,
     simple::A,
     simple::B,
     simple::C,
@@ -158,6 +200,17 @@ impl Entry {
         parameters.sort();
         parameters.dedup();
         Entry { name, labels, constants, parameters, matrices: None }
+    }
+
+    /// [`new`](Self::new) with integer constants.
+    fn of_integers(
+        name: String,
+        labels: Vec<String>,
+        constants: impl IntoIterator<Item = (usize, usize, usize, i64)>,
+    ) -> Self {
+        let constants = constants.into_iter();
+        let constants = constants.map(|(j, k, i, value)| (j, k, i, Symbolic::from_i64(value)));
+        Self::new(name, labels, constants)
     }
 
     /// The algebra of `size` x `size` matrices given by their nonzero entries, from 0.
@@ -227,9 +280,42 @@ impl Family {
         &self.pattern[..end]
     }
 
+    /// The names of the algebras of a dimension.
+    fn names(&self, dimension: usize) -> Vec<String> {
+        let Reader::Integers { count, dimension: of, .. } = self.reader else {
+            let all = match self.head() {
+                "bianchi" => bianchi::names(),
+                _ => tables::names(self),
+            };
+            let fits = |name: &String| find(name).is_ok_and(|e| e.dimension() == dimension);
+            return all.into_iter().filter(fits).collect();
+        };
+        // no family has a smaller dimension than its arguments minus two
+        let most = dimension + 2;
+        let first = (1..=most).map(|n| vec![n]);
+        let arguments: Vec<Vec<usize>> = match count {
+            1 => first.collect(),
+            _ => first.flat_map(|p| (1..=most).map(move |q| vec![p[0], q])).collect(),
+        };
+        let fits = |numbers: &Vec<usize>| of(numbers) == Some(dimension);
+        let written = |numbers: Vec<usize>| {
+            numbers.iter().map(usize::to_string).collect::<Vec<_>>().join(",")
+        };
+        arguments.into_iter().filter(fits).map(|numbers| self.name(&written(numbers))).collect()
+    }
+
+    /// The last argument where it is a letter: the field in `sl(n,C)`.
+    fn letter(&self) -> Option<&'static str> {
+        let last = self.pattern.strip_suffix(')')?.rsplit(',').next()?;
+        matches!(last, "C" | "H").then_some(last)
+    }
+
     /// The name with these arguments, in the form of the pattern.
     fn name(&self, arguments: &str) -> String {
         let head = self.head();
+        if let Some(letter) = self.letter() {
+            return format!("{head}({arguments},{letter})");
+        }
         match self.pattern[head.len()..].chars().next() {
             Some('(') => format!("{head}({arguments})"),
             Some('^') => format!("{head}^{arguments}"),

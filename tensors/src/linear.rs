@@ -11,6 +11,7 @@
 
 mod echelon;
 mod elimination;
+pub mod modular;
 mod row;
 
 use crate::{Ring, Sum, Tolerance};

@@ -3,19 +3,30 @@
 use super::failure::Failure;
 use super::options::Output;
 use affinor_documents::definition::InputError;
-use affinor_documents::report::catalogue;
+use affinor_documents::report::{catalogue, catalogue_where};
 use clap::Args;
 
 #[derive(Args)]
 pub struct Arguments {
     /// Only entries that contain this text, in upper or lower case
     pub pattern: Option<String>,
+    /// Algebras up to dimension 6 with properties, as in "dimension=4, nilpotent, not abelian"
+    #[arg(long = "where", value_name = "CONDITION", conflicts_with = "pattern")]
+    pub condition: Option<String>,
     #[command(flatten)]
     pub output: Output,
 }
 
 impl Arguments {
     pub fn run(&self) -> Result<(), Failure> {
+        if let Some(condition) = &self.condition {
+            let Some(entries) = catalogue_where(condition)? else {
+                let message =
+                    format!("no algebra of the catalogue is `{}`", condition.escape_debug());
+                return Err(InputError::usage(message).into());
+            };
+            return self.output.print(&[], &entries);
+        }
         let pattern = self.pattern.as_deref().unwrap_or_default().to_lowercase();
         let Some(entries) = catalogue(&pattern) else {
             let message =

@@ -1,6 +1,9 @@
 //! The keys of a definition file, read into a definition.
 
 use super::chart::OnChart;
+use super::construction::{
+    Contraction, Extension, OtherBasis, Quotient, Semidirect, Subalgebra, Truncated, pairs,
+};
 use super::input::{InputError, shown};
 use super::notation::{
     Names, basis, check_name, connection, lines, metric, metric_rows, shape, statement,
@@ -13,6 +16,7 @@ use super::{
     ConnectionChoice, Definition, Given, MatrixEntries, MetricChoice, Origin, Pairs,
     check_dimension,
 };
+use affinor::LieAlgebra;
 use affinor::geometry::chart::field_of;
 use affinor_tensors::{Ring, Symbolic};
 use std::collections::btree_map::Entry;
@@ -24,13 +28,22 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(crate) struct Document {
     name: Option<String>,
     basis: Option<Vec<Text>>,
-    dimension: Option<i64>,
+    pub(super) dimension: Option<i64>,
     #[serde(default)]
     parameters: Vec<Text>,
-    brackets: Option<Block>,
-    structure_constants: Option<Vec<Row>>,
-    matrices: Option<Vec<MatrixRows>>,
-    chart: Option<ChartText>,
+    pub(super) brackets: Option<Block>,
+    pub(super) structure_constants: Option<Vec<Row>>,
+    pub(super) matrices: Option<Vec<MatrixRows>>,
+    pub(super) sum: Option<Vec<Text>>,
+    pub(super) semidirect: Option<Semidirect>,
+    pub(super) subalgebra: Option<Subalgebra>,
+    pub(super) quotient: Option<Quotient>,
+    pub(super) central_extension: Option<Extension>,
+    pub(super) contraction: Option<Contraction>,
+    pub(super) change_of_basis: Option<OtherBasis>,
+    pub(super) truncated: Option<Truncated>,
+    pub(super) complexification: Option<Text>,
+    pub(super) chart: Option<ChartText>,
     frame: Option<Formulas>,
     metric: Option<MetricText>,
     connection: Option<ConnectionText>,
@@ -40,19 +53,30 @@ pub(crate) struct Document {
 impl Document {
     /// The definition.
     pub fn define(&self, source: &Source) -> Result<Definition, InputError> {
-        let labels = self.labels(source)?;
+        let built = self.constructed(source)?;
+        let labels = self.labels(built.as_ref(), source)?;
         let place = |at: usize| {
             let (_, text): &(String, Option<&Text>) = &labels[at];
             text.map_or_else(|| Place::within(source.clone()), |text| source.at(text))
         };
         let names: Vec<&str> = labels.iter().map(|(label, _)| &**label).collect();
-        let indices = basis(&names, &place)?;
+        let indices = match &built {
+            // labels of sums may have primes
+            Some(_) if self.basis.is_none() => {
+                names.iter().map(|name| name.to_string()).zip(0..).collect()
+            }
+            _ => basis(&names, &place)?,
+        };
         let labels: Vec<String> = labels.iter().map(|(label, _)| label.clone()).collect();
         let parameters = self.declared(&indices, source)?;
         let declared = parameters.iter().cloned().collect();
         let coordinates: Vec<_> = self.coordinates().iter().map(|name| name.to_string()).collect();
         let names = Names { parameters: Some(&parameters), ..Names::open(&indices, &coordinates) };
         let origin = match (&self.brackets, &self.structure_constants, &self.matrices) {
+            (None, None, None) if built.is_some() => {
+                let place = Place::within(source.clone());
+                Origin::Brackets(built.iter().flat_map(|algebra| pairs(algebra, &place)).collect())
+            }
             (None, None, None) if self.chart.is_some() => self.fields(&names, source)?,
             _ if self.chart.is_some() => {
                 let message = "a chart defines the brackets by its fields: give no others";
@@ -64,8 +88,9 @@ impl Document {
             }
             (None, None, Some(matrices)) => matrix_basis(matrices, &labels, &names, source)?,
             (None, None, None) => {
-                return Err(InputError::usage(format!("{} defines no bracket", source.name))
-                    .help("give one of brackets, structure_constants, matrices, chart"));
+                return Err(InputError::usage(format!("{} defines no bracket", source.name)).help(
+                    "give one of brackets, structure_constants, matrices, chart, or a construction",
+                ));
             }
             _ => {
                 let message = format!("{} defines its bracket more than once", source.name);
@@ -106,6 +131,11 @@ impl Document {
         let source = Some(source.clone());
         let definition = Definition::new(name, labels, origin);
         Ok(Definition { metric, connection, declared, source, ..definition })
+    }
+
+    /// The names of the parameters, unchecked.
+    pub(super) fn parameter_names(&self) -> BTreeSet<String> {
+        self.parameters.iter().map(|text| text.to_string()).collect()
     }
 
     /// The names of the coordinates; none without a chart.
@@ -166,9 +196,24 @@ impl Document {
 
     /// The basis from `basis`, `dimension`, or the names or the number of the matrices. Names that the file has come with
     /// their texts.
-    fn labels(&self, source: &Source) -> Result<Vec<(String, Option<&Text>)>, InputError> {
+    fn labels(
+        &self,
+        built: Option<&LieAlgebra<Symbolic>>,
+        source: &Source,
+    ) -> Result<Vec<(String, Option<&Text>)>, InputError> {
         fn named(text: &Text) -> (String, Option<&Text>) {
             (text.to_string(), Some(text))
+        }
+        if let Some(algebra) = built {
+            let n = algebra.dimension();
+            return match &self.basis {
+                None => Ok(algebra.labels().iter().map(|label| (label.clone(), None)).collect()),
+                Some(basis) if basis.len() == n => Ok(basis.iter().map(named).collect()),
+                Some(basis) => {
+                    let message = format!("{} names for dimension {n}", basis.len());
+                    Err(source.refused("basis", message))
+                }
+            };
         }
         let numbered = |at: usize| (format!("e{}", at + 1), None);
         if let Some(ChartText { coordinates }) = &self.chart {

@@ -291,11 +291,20 @@ fn find(name: &str) -> Result<Definition, InputError> {
     if is_path(name) {
         return Definition::read(name);
     }
-    let source = Source::new("SPACE", name);
-    let parts = affinor::group::registry::summands(&source.text).into_iter();
-    let parts: Vec<_> = parts.map(|part| entry(part, &source)).collect::<Result<_, _>>()?;
+    named(&Source::new("SPACE", name))
+}
+
+/// The sum of catalogue names that a source holds.
+pub(super) fn named(source: &Source) -> Result<Definition, InputError> {
+    let text = source.content();
+    if is_path(text) {
+        let error = InputError::usage("a construction takes names of the catalogue, not files");
+        return Err(error.at(&source.whole(text)));
+    }
+    let parts = affinor::group::registry::summands(text).into_iter();
+    let parts: Vec<_> = parts.map(|part| entry(part, source)).collect::<Result<_, _>>()?;
     check_dimension(parts.iter().map(Definition::dimension).sum::<usize>())
-        .map_err(|error| error.at(&source.whole(&source.text)))?;
+        .map_err(|error| error.at(&source.whole(text)))?;
     let mut parts = parts.into_iter();
     let first = parts.next().ok_or_else(|| InputError::usage("no SPACE is named"))?;
     parts.try_fold(first, Definition::direct_sum)

@@ -76,6 +76,12 @@ pub(crate) struct MatrixRows {
     pub rows: Vec<Vec<Cell>>,
 }
 
+/// An action by its name, or by its matrices.
+pub(crate) enum ActionText {
+    Word(Text),
+    Matrices(Vec<MatrixRows>),
+}
+
 /// How a string or a number is written.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
@@ -245,6 +251,18 @@ impl Form for MetricText {
     }
 }
 
+impl Form for ActionText {
+    const EXPECTED: &'static str = "adjoint, coadjoint, or an array of matrices";
+
+    fn scalar(kind: Kind, text: Text) -> Option<Self> {
+        (kind == Kind::Text).then_some(ActionText::Word(text))
+    }
+
+    fn list<'de, A: SeqAccess<'de>>(items: A) -> Result<Self, A::Error> {
+        all(items).map(ActionText::Matrices)
+    }
+}
+
 impl Form for ConnectionText {
     const EXPECTED: &'static str = "the name of a connection, or a table with kind or affinities";
 
@@ -357,6 +375,7 @@ deserialize!(
     Row,
     Block,
     MetricText,
+    ActionText,
     ConnectionText,
     Number,
     OneOrMore,

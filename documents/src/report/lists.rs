@@ -3,8 +3,10 @@
 use super::grid::{Grid, head_of_grid};
 use super::{Report, head};
 use crate::certificate::Check;
+use crate::definition::InputError;
 use affinor::algebra::catalogue::families;
-use affinor_tensors::Tolerance;
+use affinor::algebra::structure::Structure;
+use affinor_tensors::{Symbolic, Tolerance};
 use serde_json::{Map, Value, json};
 
 /// The conventions of signs and indices. JSON has the schema `affinor.conventions/1`.
@@ -33,6 +35,83 @@ pub fn catalogue(pattern: &str) -> Option<impl Report + use<>> {
     let cells = rows.iter().map(|row| row.map(Into::into).to_vec()).collect();
     let header = ["name", "space and basis", "example"];
     (!rows.is_empty()).then(|| Grid::new("Catalogue; + forms direct sums", &header, cells, json))
+}
+
+/// The algebras of the catalogue with all properties of a condition such as `dimension=4, nilpotent, not abelian`; none
+/// if there is no such algebra. JSON has the schema `affinor.list/1`.
+///
+/// # Errors
+/// A condition that is not understood.
+pub fn catalogue_where(condition: &str) -> Result<Option<impl Report + use<>>, InputError> {
+    let (dimensions, properties) = conditions(condition)?;
+    let (mut rows, mut entries) = (vec![], vec![]);
+    for name in dimensions.flat_map(affinor::algebra::catalogue::names) {
+        let structure = Structure::new(affinor::algebra::catalogue::algebra::<Symbolic>(&name)?);
+        let holds = |property: &str| match property {
+            "abelian" => structure.is_abelian(),
+            "nilpotent" => structure.is_nilpotent(),
+            "solvable" => structure.is_solvable(),
+            "unimodular" => structure.is_unimodular(),
+            "perfect" => structure.is_perfect(),
+            "reductive" => structure.is_reductive(),
+            _ => structure.is_semisimple(),
+        };
+        if properties.iter().all(|(property, wanted)| holds(property) == *wanted) {
+            let words: Vec<&str> = PROPERTIES.iter().filter(|p| holds(p)).copied().collect();
+            let dimension = structure.dimension();
+            entries.push(json!({ "name": name, "dimension": dimension, "properties": words }));
+            let words = if words.is_empty() { "-".into() } else { words.join(", ") };
+            rows.push(vec![name.into(), dimension.to_string().into(), words.into()]);
+        }
+    }
+    let json = json!({ "schema": "affinor.list/1", "where": condition, "spaces": entries });
+    let header = ["name", "dimension", "properties"];
+    let title = format!("Catalogue: {}", super::head::printable(condition));
+    Ok((!rows.is_empty()).then(|| Grid::new(title, &header, rows, json)))
+}
+
+/// The properties of a condition.
+const PROPERTIES: [&str; 7] =
+    ["abelian", "nilpotent", "solvable", "unimodular", "perfect", "reductive", "semisimple"];
+/// The dimensions that are searched.
+const SEARCHED: std::ops::RangeInclusive<usize> = 1..=10;
+
+/// The dimensions, and each property with whether it is wanted.
+fn conditions(
+    text: &str,
+) -> Result<(std::ops::RangeInclusive<usize>, Vec<(String, bool)>), InputError> {
+    let refuse = |part: &str| {
+        let message = format!("`{}` is not a condition", part.escape_debug());
+        let (low, high) = (SEARCHED.start(), SEARCHED.end());
+        let help = format!(
+            "write dimension=n with n from {low} to {high}, dimension<=n, or {}, each with or without `not`",
+            PROPERTIES.join(", ")
+        );
+        InputError::usage(message).help(help)
+    };
+    let mut dimensions = 1..=6;
+    let mut properties = vec![];
+    for part in text.split(',').map(str::trim) {
+        let (name, wanted) =
+            part.strip_prefix("not ").map_or((part, true), |rest| (rest.trim(), false));
+        let number = |text: &str| {
+            let n: Option<usize> = text.trim().parse().ok();
+            n.filter(|n| SEARCHED.contains(n)).ok_or_else(|| refuse(part))
+        };
+        if let Some(n) = part.strip_prefix("dimension<=") {
+            dimensions = 1..=number(n)?;
+        } else if let Some((_, n)) =
+            part.split_once('=').filter(|(key, _)| key.trim() == "dimension")
+        {
+            let n = number(n)?;
+            dimensions = n..=n;
+        } else if PROPERTIES.contains(&name) {
+            properties.push((name.to_string(), wanted));
+        } else {
+            return Err(refuse(part));
+        }
+    }
+    Ok((dimensions, properties))
 }
 
 /// The checks of a definition of this name, with their tolerance if they were made in floats. JSON has the schema

@@ -84,8 +84,14 @@ fn read(name: &str, arguments: &[Argument]) -> Result<Entry, CatalogueError> {
     Ok(Entry::new(full, numbered("e", 3), constants(n, n12, a)))
 }
 
-/// The value of `h`, errors placed in the whole name.
-fn evaluate(name: &str, value: Argument) -> Result<Symbolic, CatalogueError> {
+/// The names of all types.
+pub(super) fn names() -> Vec<String> {
+    let types = ["I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX"];
+    types.map(|name| format!("bianchi({name})")).to_vec()
+}
+
+/// The value of a parameter, errors placed in the whole name.
+pub(super) fn evaluate(name: &str, value: Argument) -> Result<Symbolic, CatalogueError> {
     let parameter = |name: &str| Notation::parameter(name).ok_or("this is no name".to_string());
     let result = Expression::parse(value.text)
         .and_then(|expression| expression.evaluate(&Scalars(parameter, no_function)));

@@ -43,7 +43,7 @@ pub(super) const AFFINE: Family = Family {
     },
 };
 
-fn special(name: String, n: usize) -> Entry {
+pub(super) fn special(name: String, n: usize) -> Entry {
     let places: Vec<_> = pairs(n).chain(pairs(n).map(|(i, j)| (j, i))).collect();
     let mut labels: Vec<_> = places.iter().map(|&place| at("E", place, n)).collect();
     labels.extend(numbered("H", n - 1));

@@ -45,9 +45,10 @@ pub(super) fn resolve(name: &str) -> Result<Reading<'_>, CatalogueError> {
     let letters = &whole.text[..whole.find(|c| !c.is_ascii_alphabetic())];
     // a head with more than letters, such as se_2, is longer than the head that its letters are
     let longer = |head: &&str| {
-        head.starts_with(letters) && head.contains('_') && whole.text.starts_with(head)
+        head.starts_with(letters) && head.contains(['_', '*']) && whole.text.starts_with(head)
     };
-    let word = FAMILIES.iter().map(|family| family.head()).find(longer).unwrap_or(letters);
+    let heads = FAMILIES.iter().map(|family| family.head()).filter(longer);
+    let word = heads.max_by_key(|head| head.len()).unwrap_or(letters);
     let begins = |family: &Family| match family.reader {
         Reader::Integers { .. } => word == family.head(),
         Reader::Words(_) => word.starts_with(family.head()),
@@ -166,6 +167,17 @@ fn integers<'t>(family: &'static Family, digits: Vec<&'t str>) -> Option<Reading
         return None;
     };
     let plain = |text: &&str| text.bytes().all(|b| b.is_ascii_digit()) && !text.starts_with('0');
+    let mut digits = digits;
+    let field = digits.last().copied().filter(|last| matches!(*last, "C" | "H" | "R"));
+    // the real numbers may be named: sl(2,R), sp(4,R)
+    let real = matches!(family.head(), "sl" | "gl" | "sp") && family.letter().is_none();
+    match (family.letter(), field) {
+        (letter, Some(field)) if letter.unwrap_or("R") == field && (letter.is_some() || real) => {
+            digits.pop();
+        }
+        (None, None) => {}
+        _ => return None,
+    }
     if digits.len() != count || !digits.iter().all(plain) || digits.contains(&"") {
         return None;
     }

@@ -38,7 +38,7 @@ pub(super) fn rotations(signs: &[i64]) -> impl Iterator<Item = Vec<(usize, usize
     })
 }
 
-fn build(name: String, signs: &[i64]) -> Entry {
+pub(super) fn build(name: String, signs: &[i64]) -> Entry {
     let n = signs.len();
     Entry::of_integer_matrices(name, numbered("e", pair_count(n)), n, rotations(signs))
 }

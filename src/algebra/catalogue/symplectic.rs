@@ -17,7 +17,7 @@ pub(super) const FAMILY: Family = Family {
     },
 };
 
-fn build(name: String, n: usize) -> Entry {
+pub(super) fn build(name: String, n: usize) -> Entry {
     let all: Vec<_> = (0..n * n).map(|place| (place / n, place % n)).collect();
     let mut symmetric: Vec<_> = pairs(n).chain((0..n).map(|i| (i, i))).collect();
     symmetric.sort_unstable();

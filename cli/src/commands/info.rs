@@ -1,0 +1,41 @@
+//! `affinor info`: the structure of a Lie algebra.
+
+use super::failure::Failure;
+use super::options::{Output, Settings, SpaceOptions};
+use super::stages::Stages;
+use affinor_documents::report::Info;
+use clap::Args;
+
+#[derive(Args)]
+pub struct Arguments {
+    /// The space, of which the algebra counts; see `affinor --help`
+    pub space: Option<String>,
+    /// The basis of an algebra without a name, as in "x y z"
+    #[arg(long, value_name = "NAMES")]
+    pub basis: Option<String>,
+    /// Brackets over --basis, separated by ; as in "[x,y]=z"; may be repeated
+    #[arg(long, value_name = "BRACKET")]
+    pub bracket: Vec<String>,
+    /// Values of parameters, as in "h=-1"; may be repeated
+    #[arg(long, value_name = "NAME=VALUE,...")]
+    pub set: Vec<String>,
+    /// Print the seconds of each stage on standard error
+    #[arg(long)]
+    pub timings: bool,
+    #[command(flatten)]
+    pub output: Output,
+}
+
+impl Arguments {
+    pub fn run(&self) -> Result<(), Failure> {
+        let stages = Stages::new(self.timings);
+        stages.begin("input");
+        let (basis, bracket) = (self.basis.clone(), self.bracket.clone());
+        let options = SpaceOptions { basis, bracket, ..SpaceOptions::default() };
+        let settings = Settings { set: self.set.clone(), tolerance: None, threads: None };
+        let space = settings.open(self.space.as_deref(), &options)?;
+        let info = Info::of(&space.definition, &|name| stages.begin(name))?;
+        stages.begin_output();
+        self.output.print(space.file.as_slice(), &info)
+    }
+}

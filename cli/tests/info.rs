@@ -1,0 +1,254 @@
+//! `affinor info`, the constructions of definition files, and the catalogue by properties.
+
+use crate::program::{definition, root, run, stdout};
+use serde_json::{Value, json};
+
+fn info(space: &str) -> Value {
+    serde_json::from_str(&stdout(root(), &["info", space, "--format", "json"])).unwrap()
+}
+
+/// The structure of an algebra that a file on standard input defines.
+fn info_of(file: &str) -> Value {
+    let outcome = run(root(), &["info", "-", "--format", "json"], file.as_bytes());
+    assert_eq!(outcome.status, 0, "{file}: {}", outcome.err);
+    serde_json::from_str(&outcome.out).unwrap()
+}
+
+/// The dimensions that most constructions change.
+fn shape(info: &Value) -> Value {
+    json!([
+        info["dimension"],
+        info["radical"]["dimension"],
+        info["centre"]["dimension"],
+        info["dynkin_type"]
+    ])
+}
+
+#[test]
+fn has_the_keys_of_its_schema() {
+    let keys = [
+        "dimension",
+        "abelian",
+        "nilpotent",
+        "nilpotency_class",
+        "solvable",
+        "derived_length",
+        "unimodular",
+        "perfect",
+        "reductive",
+        "semisimple",
+        "simple",
+        "centre",
+        "derived_series",
+        "lower_central_series",
+        "upper_central_series",
+        "killing",
+        "radical",
+        "nilradical",
+        "levi",
+        "rank",
+        "dynkin_type",
+        "simple_ideals",
+        "derivations",
+        "betti",
+        "identification",
+    ];
+    for space in ["iso(3,1)", "bianchi(VI)", "R^2", "so(3)"] {
+        let info = info(space);
+        assert_eq!(info["schema"], "affinor.info/1");
+        for key in keys {
+            assert!(info.get(key).is_some(), "{key} of {space}");
+        }
+        for key in ["centre", "radical", "nilradical", "levi"] {
+            let basis = info[key]["basis"].as_array().unwrap();
+            assert_eq!(basis.len() as u64, info[key]["dimension"].as_u64().unwrap(), "{key}");
+        }
+    }
+    let poincare = info("iso(3,1)");
+    assert_eq!(poincare["killing"]["signature"], json!([3, 3, 4]));
+    assert_eq!(poincare["betti"], json!([1, 0, 0, 2, 1, 0, 1, 2, 0, 0, 1]));
+    assert_eq!(poincare["derivations"], json!({ "dimension": 11, "inner": 10, "outer": 1 }));
+    assert_eq!(poincare["simple_ideals"][0]["real_form"], "sl(2,C)");
+    assert_eq!(poincare["simple_ideals"][0]["type"], "A1 + A1");
+    assert_eq!(info("R^2")["dynkin_type"], Value::Null);
+    assert_eq!(info("heisenberg(5)")["nilpotency_class"], 2);
+    assert_eq!(info("heisenberg(5)")["derived_length"], 2);
+}
+
+#[test]
+fn of_e8() {
+    let e8 = info("E8");
+    assert_eq!((&e8["dynkin_type"], &e8["rank"]), (&json!("E8"), &json!(8)));
+    assert_eq!(e8["killing"]["signature"], json!([128, 120, 0]));
+    assert_eq!(e8["simple_ideals"][0]["real_form"], "e8(8)");
+    assert_eq!(e8["betti"].as_array().unwrap().len(), 249);
+    let text = stdout(root(), &["info", "E8"]);
+    assert!(text.contains("e8(8): type E8"), "{text}");
+}
+
+/// Four simple algebras and a nilpotent one, in an anonymous basis.
+#[test]
+fn of_a_scrambled_sum() {
+    let sum = info(&definition("scrambled_sum.json"));
+    assert_eq!(sum["dynkin_type"], "A1 + A1 + A1 + A1 + A2");
+    let mut forms: Vec<&str> = sum["simple_ideals"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|ideal| ideal["real_form"].as_str().unwrap())
+        .collect();
+    forms.sort_unstable();
+    assert_eq!(forms, ["sl(2,C)", "sl(2,R)", "sl(3,R)", "su(2)"]);
+    assert_eq!(shape(&sum), json!([23, 3, 1, "A1 + A1 + A1 + A1 + A2"]));
+}
+
+#[test]
+fn with_parameters_holds_for_generic_values() {
+    let generic = info("bianchi(VI)");
+    assert_eq!((&generic["generic"], &generic["parameters"]), (&json!(true), &json!(["h"])));
+    assert_eq!(generic["unimodular"], false);
+    let special = run(root(), &["info", "bianchi(VI)", "--set", "h=-1", "--format", "json"], b"");
+    let special: Value = serde_json::from_str(&special.out).unwrap();
+    assert_eq!((&special["generic"], &special["unimodular"]), (&json!(false), &json!(true)));
+    // the inertia of M(3) does not concern its algebra
+    assert_eq!(info("M3")["generic"], false);
+}
+
+#[test]
+fn refuses_what_is_no_algebra() {
+    let space = ["info", "--basis", "x y z", "--bracket", "[x,y]=z; [y,z]=y"];
+    let outcome = run(root(), &space, b"");
+    assert_eq!(outcome.status, 1);
+    assert!(outcome.err.contains("the Jacobi identity fails"), "{}", outcome.err);
+    assert_eq!(run(root(), &["info", "so(3.5)"], b"").status, 2);
+}
+
+#[test]
+fn constructions_of_files() {
+    let rows = [
+        (r#"sum = ["so(3)", "R^3"]"#, "so(3)+R^3"),
+        (r#"semidirect = { of = "so(3)", by = "adjoint" }"#, "se(3)"),
+        (r#"semidirect = { of = "so(3)", by = "coadjoint" }"#, "se(3)"),
+        (
+            "[semidirect]\nof = 'R^1'\non = 'R^2'\nby = [[[1, 0], [0, '-1/2']]]",
+            "bianchi(VI,h=-1/2)",
+        ),
+        (
+            "[semidirect]\nof = 'R^1'\non = 'heisenberg(3)'\nby = [[[0, 1, 0], [-1, 0, 0], [0, 0, 0]]]",
+            "oscillator(4)",
+        ),
+        (r#"subalgebra = { of = "sl(3)", spanned_by = ["E12", "E23", "E13"] }"#, "heisenberg(3)"),
+        (r#"subalgebra = { of = "sl(4)", generated_by = ["E12", "E23", "E34"] }"#, "n(4)"),
+        (r#"subalgebra = { of = "gl(3)", centralizer_of = ["E33"] }"#, "gl(2)+R^1"),
+        (r#"quotient = { of = "heisenberg(5)", by = ["z"] }"#, "R^4"),
+        (r#"quotient = { of = "galilei(3)", by = ["p1", "p2", "p3"] }"#, "se(3)+R^1"),
+        (
+            r#"central_extension = { of = "R^2", centre = ["z"], cocycle = "[e1, e2] = z" }"#,
+            "heisenberg(3)",
+        ),
+        (r#"contraction = { of = "so(3)", weights = [1, 1, 0] }"#, "se(2)"),
+        (
+            r#"contraction = { of = "so(4,1)", weights = [0, 0, 0, 0, 0, 0, 1, 1, 1, 1] }"#,
+            "iso(3,1)",
+        ),
+        (r#"truncated = { of = "so(3)", order = 2 }"#, "se(3)"),
+        (r#"complexification = "sl(2)""#, "so(3,1)"),
+        (
+            r#"change_of_basis = { of = "sl(2)", vectors = ["E12 + E21", "E12 - E21", "H1"] }"#,
+            "sl(2)",
+        ),
+    ];
+    for (file, peer) in rows {
+        let (built, peer) = (info_of(file), info(peer));
+        for key in [
+            "derived_series",
+            "lower_central_series",
+            "upper_central_series",
+            "betti",
+            "derivations",
+        ] {
+            assert_eq!(built[key], peer[key], "{key} of {file}");
+        }
+        assert_eq!(built["killing"]["signature"], peer["killing"]["signature"], "{file}");
+        assert_eq!(shape(&built), shape(&peer), "{file}");
+    }
+}
+
+#[test]
+fn constructions_carry_names_metrics_and_connections() {
+    let file = "name = 'tangent'\nbasis = ['a','b','c','x','y','z']\nmetric = 'identity'\n\
+                connection = 'levi-civita'\ntruncated = { of = 'so(3)', order = 2 }";
+    let outcome = run(root(), &["table", "-", "--show", "structure"], file.as_bytes());
+    assert_eq!(outcome.status, 0, "{}", outcome.err);
+    assert!(
+        outcome.out.contains("[a, y] = z") && outcome.out.contains("levi-civita"),
+        "{}",
+        outcome.out
+    );
+}
+
+#[test]
+fn constructions_are_refused_with_a_witness() {
+    let rows = [
+        ("quotient = { of = 'so(3)', by = ['e1'] }", 1, "no ideal: [e2, e1] = -e3 is not in it"),
+        (
+            "subalgebra = { of = 'sl(3)', spanned_by = ['E12', 'E23'] }",
+            1,
+            "no subalgebra: [E12, E23] = E13 is not in it",
+        ),
+        (
+            "central_extension = { of = 'so(3)+R^1', centre = ['z'], cocycle = \"[e1, e1'] = z\" }",
+            1,
+            "no cocycle",
+        ),
+        (
+            "[semidirect]\nof = 'R^1'\non = 'heisenberg(3)'\nby = [[[1, 0, 0], [0, 1, 0], [0, 0, 1]]]",
+            1,
+            "the matrix D of e1 is no derivation: D [x1,y1] - [D x1,y1] - [x1,D y1] = -z",
+        ),
+        (
+            "[semidirect]\nof = 'R^2'\non = 'R^2'\nby = [[[0, 1], [0, 0]], [[0, 0], [1, 0]]]",
+            1,
+            "no action: (D_e1 D_e2 - D_e2 D_e1 - D_[e1,e2]) e1 = e1",
+        ),
+        ("contraction = { of = 'so(3)', weights = [1, 0, 0] }", 1, "no limit"),
+        ("contraction = { of = 'so(3)', weights = [1, 0] }", 1, "the number of weights"),
+        ("subalgebra = { of = 'so(3)', spanned_by = ['q'] }", 2, "q"),
+        ("change_of_basis = { of = 'R^2', vectors = ['e1', '2*e1'] }", 2, "linearly dependent"),
+        ("sum = ['so(3)', 'foo']", 2, "no algebra named `foo`"),
+        ("sum = ['a.toml']", 2, "names of the catalogue"),
+        ("sum = ['so(3)']\nquotient = { of = 'R^2', by = ['e1'] }", 2, "defines the algebra"),
+        ("sum = ['so(3)']\nbrackets = '[e1,e2]=e3'", 2, "defines the algebra"),
+        ("semidirect = { of = 'so(3)', by = 'what' }", 2, "adjoint, coadjoint, or a list"),
+        ("quotient = { of = 'R^2', by = ['e1', 'e2'] }", 2, "zero"),
+        ("truncated = { of = 'so(3)', order = 0 }", 2, "order"),
+        ("sum = ['so(3)']\nbasis = ['x']", 2, "1 names for dimension 3"),
+    ];
+    for (file, status, witness) in rows {
+        let outcome = run(root(), &["info", "-"], file.as_bytes());
+        let said = outcome.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(outcome.status, status, "{file}: {said}");
+        assert!(said.contains(witness), "{file}: {said}");
+    }
+}
+
+#[test]
+fn the_catalogue_by_properties() {
+    let list = |condition: &str| -> Vec<String> {
+        let text = stdout(root(), &["list", "--where", condition, "--format", "json"]);
+        let list: Value = serde_json::from_str(&text).unwrap();
+        let spaces = list["spaces"].as_array().unwrap().iter();
+        spaces.map(|space| space["name"].as_str().unwrap().to_string()).collect()
+    };
+    let nilpotent = list("dimension=4, nilpotent, not abelian");
+    assert_eq!(nilpotent, ["filiform(4)", "patera(4,1)", "degraaf(4,3)"]);
+    let simple = list("dimension=3, semisimple");
+    for name in ["so(3)", "so(2,1)", "su(2)", "sl(2)", "A1", "bianchi(IX)", "patera(3,8)"] {
+        assert!(simple.contains(&name.to_string()), "{name}: {simple:?}");
+    }
+    assert!(list("perfect, not semisimple").contains(&"se(3)".to_string()));
+    for condition in ["dimension=40", "big", "nilpotent and abelian", ""] {
+        assert_eq!(run(root(), &["list", "--where", condition], b"").status, 2, "{condition}");
+    }
+    assert_eq!(run(root(), &["list", "--where", "semisimple, abelian"], b"").status, 2);
+}

@@ -1,0 +1,360 @@
+//! The structure of a Lie algebra: one row a notion, with its answer and a witness.
+
+use super::grid::{Cell, Grid};
+use super::head::{printable, printable_list};
+use super::{Format, Report};
+use crate::definition::{Definition, InputError, Reading};
+use affinor::algebra::structure::{
+    Ground, Killing, MAX_BETTI, MAX_DERIVATIONS, RealIdeal, Structure, Subspace,
+};
+use affinor_tensors::linear::Row;
+use affinor_tensors::text::combination;
+use affinor_tensors::{Kind, Notation, Rational, Symbolic, Tolerance};
+use serde_json::{Map, Value, json};
+use std::io::{self, Write};
+
+/// The name of the schema.
+const SCHEMA: &str = "affinor.info/1";
+/// Bases of more vectors, or with more characters, are written in JSON only.
+const SHOWN: usize = 12;
+const LONGEST: usize = 240;
+
+/// The structure of an algebra, ready to be printed.
+#[derive(Clone, Debug)]
+pub struct Info {
+    grid: Grid,
+    json: Map<String, Value>,
+}
+
+impl Info {
+    /// The structure of the algebra of a definition; `stage` is called before each part.
+    ///
+    /// # Errors
+    /// Brackets that define no Lie algebra; a chart.
+    pub fn of(definition: &Definition, stage: &dyn Fn(&str)) -> Result<Self, InputError> {
+        let definition = definition.algebra_alone();
+        let tolerance = Tolerance::default();
+        stage("jacobi");
+        if definition.parameters().is_empty() {
+            let convert = |value: &Symbolic| value.as_constant().cloned();
+            let algebra =
+                definition.algebra::<Rational>(&Reading { convert: &convert, tolerance })?;
+            return Self::new(&definition.name, &Structure::new(algebra), &[], stage);
+        }
+        let convert = |value: &Symbolic| Some(value.clone());
+        let algebra = definition.algebra::<Symbolic>(&Reading { convert: &convert, tolerance })?;
+        Self::new(&definition.name, &Structure::new(algebra), &definition.parameters(), stage)
+    }
+
+    /// The structure of an algebra of this name, whose structure constants depend on `parameters`.
+    ///
+    /// # Errors
+    /// None for a Lie algebra.
+    pub fn new<S: Ground + Notation>(
+        name: &str,
+        structure: &Structure<S>,
+        parameters: &[String],
+        stage: &dyn Fn(&str),
+    ) -> Result<Self, InputError> {
+        let mut notes = Notes::new(structure.algebra().labels());
+        let n = structure.dimension();
+        stage("series");
+        let killing = structure.killing();
+        let derived = structure.derived_series();
+        let lower = structure.lower_central_series();
+        let upper = structure.upper_central_series();
+        let centre = structure.centre();
+        stage("radical");
+        let (radical, nilradical) = (structure.radical(), structure.nilradical());
+        stage("levi");
+        let levi = structure.levi()?;
+        stage("cartan");
+        let cartan = structure.cartan_subalgebra();
+        stage("type");
+        let types = structure.dynkin_type();
+        let ideals = simple_ideals(structure, levi)?;
+        stage("derivations");
+        let (derivations, inner) = (structure.derivations(), n - centre.dimension());
+        let forms = structure.invariant_forms();
+        stage("cohomology");
+        let betti = structure.betti();
+        let (index, unimodular) = (structure.index(), structure.is_unimodular());
+
+        let last = |series: &[Subspace<S>]| series.last().is_some_and(Subspace::is_zero);
+        let (solvable, nilpotent) = (last(derived), last(derived) && last(&lower));
+        let simple = ideals.as_ref().map(|ideals| ideals.len() == 1 && radical.is_zero());
+        let complete = derivations.map(|all| centre.is_zero() && all == inner);
+        let steps = |series: &[Subspace<S>], is: bool| is.then(|| series.len() - 1);
+        let (class, length) = (steps(&lower, nilpotent), steps(derived, solvable));
+        let words = |value: Option<usize>, unit: &str| value.map(|v| format!("{unit} {v}"));
+        notes.flags(&[
+            ("abelian", Some(structure.is_abelian()), None),
+            ("nilpotent", Some(nilpotent), words(class, "step")),
+            ("solvable", Some(solvable), words(length, "length")),
+            ("unimodular", Some(unimodular), None),
+            ("perfect", Some(structure.is_perfect()), None),
+            ("reductive", Some(structure.is_reductive()), None),
+            ("semisimple", Some(structure.is_semisimple()), None),
+            ("simple", simple, None),
+            ("complete", complete, None),
+        ]);
+        notes.json.insert("nilpotency_class".into(), json!(class));
+        notes.json.insert("derived_length".into(), json!(length));
+        notes.series("derived series", "derived_series", derived);
+        notes.series("lower central series", "lower_central_series", &lower);
+        notes.series("upper central series", "upper_central_series", &upper);
+        notes.subspace("centre", "centre", &centre, "commutes with the basis");
+        notes.killing(killing);
+        let why = "orthogonal to [L, L] for the Killing form";
+        notes.subspace("solvable radical", "radical", radical, why);
+        notes.subspace("nilradical", "nilradical", &nilradical, "largest nilpotent ideal");
+        let why = "closed, Killing form not degenerate";
+        notes.subspace("Levi subalgebra", "levi", levi, why);
+        notes.json.insert("rank".into(), json!(cartan.dimension()));
+        let why = "nilpotent, its own normalizer";
+        notes.subspace("Cartan subalgebra", "cartan_subalgebra", &cartan, why);
+        let types = types.map(|types| {
+            let names: Vec<String> = types.iter().map(ToString::to_string).collect();
+            if names.is_empty() { "none".into() } else { names.join(" + ") }
+        });
+        let written = types.clone().filter(|_| !levi.is_zero());
+        notes.json.insert("dynkin_type".into(), json!(written));
+        if !levi.is_zero() {
+            let text = types.unwrap_or_else(|| "not found".into());
+            notes.row("Dynkin type", text, "of the Levi subalgebra, over the complex numbers");
+        }
+        notes.ideals(ideals.as_deref(), levi.is_zero());
+        notes.derivations(derivations, inner);
+        notes.betti(betti.as_deref());
+        notes.count("index", "index", Some(index), "generic rank of the coadjoint invariants");
+        notes.count(
+            "invariant forms",
+            "invariant_forms",
+            forms,
+            "dimension of B([x,y],z) = B(x,[y,z])",
+        );
+        notes.json.insert("identification".into(), Value::Null);
+        Ok(notes.finish(name, n, S::KIND, parameters))
+    }
+}
+
+/// The real simple ideals of the Levi subalgebra, where its constants are rational.
+fn simple_ideals<S: Ground>(
+    structure: &Structure<S>,
+    levi: &Subspace<S>,
+) -> Result<Option<Vec<RealIdeal>>, InputError> {
+    if levi.is_zero() {
+        return Ok(Some(vec![]));
+    }
+    let inside = structure.subalgebra(levi)?;
+    let constants = inside.algebra().structure();
+    if constants.components().any(|(_, value)| value.rational().is_none()) {
+        return Ok(None);
+    }
+    let rational = inside.algebra().map(|value| value.rational().unwrap_or_default())?;
+    Ok(Structure::new(rational).simple_ideals()?.map(|ideals| ideals.real))
+}
+
+/// The rows and the keys, as they are found.
+struct Notes {
+    labels: Vec<String>,
+    rows: Vec<Vec<Cell>>,
+    json: Map<String, Value>,
+}
+
+impl Notes {
+    fn new(labels: &[String]) -> Self {
+        let labels = labels.iter().map(|label| printable(label)).collect();
+        Notes { labels, rows: vec![], json: Map::new() }
+    }
+
+    fn row(&mut self, notion: &str, answer: impl Into<Cell>, witness: &str) {
+        self.rows.push(vec![notion.into(), answer.into(), witness.into()]);
+    }
+
+    fn flags(&mut self, flags: &[(&str, Option<bool>, Option<String>)]) {
+        let of = |wanted: bool| {
+            let named = flags.iter().filter(|(_, value, _)| *value == Some(wanted));
+            let words = named.map(|(name, _, more)| match more {
+                Some(more) => format!("{name} ({more})"),
+                None => name.to_string(),
+            });
+            let words = words.collect::<Vec<_>>().join(", ");
+            if words.is_empty() { "-".into() } else { words }
+        };
+        self.row("it is", of(true), "");
+        self.row("it is not", of(false), "");
+        for (name, value, _) in flags {
+            self.json.insert(name.to_string(), json!(value));
+        }
+    }
+
+    fn series<S: Ground>(&mut self, title: &str, key: &str, series: &[Subspace<S>]) {
+        let dimensions: Vec<usize> = series.iter().map(Subspace::dimension).collect();
+        let text: Vec<String> = dimensions.iter().map(usize::to_string).collect();
+        self.row(title, text.join(", "), "dimensions, until stable");
+        self.json.insert(key.into(), json!(dimensions));
+    }
+
+    fn subspace<S: Ground>(&mut self, title: &str, key: &str, subspace: &Subspace<S>, why: &str) {
+        let dimension = subspace.dimension();
+        let basis: Vec<String> =
+            subspace.basis().iter().take(SHOWN).map(|row| self.vector(row)).collect();
+        let basis = basis.join(", ");
+        let answer = match dimension {
+            0 => "0".to_string(),
+            all if all == subspace.ambient() => "the whole algebra".into(),
+            1..=SHOWN if basis.len() <= LONGEST => format!("dimension {dimension}: {basis}"),
+            _ => format!("dimension {dimension}; basis in --format json"),
+        };
+        let trivial = dimension == 0 || dimension == subspace.ambient();
+        self.row(title, answer, if trivial { "" } else { why });
+        let dense = subspace.dense();
+        let rows: Vec<Vec<String>> =
+            dense.iter().map(|row| row.iter().map(S::to_string).collect()).collect();
+        self.json.insert(key.into(), json!({ "dimension": dimension, "basis": rows }));
+    }
+
+    fn vector<S: Ground>(&self, row: &Row<S>) -> String {
+        combination(row.iter().map(|(at, value)| (value.to_string(), self.labels[*at].clone())))
+    }
+
+    fn killing<S: Ground>(&mut self, killing: &Killing<S>) {
+        let (rank, signature) = (killing.rank(), killing.signature());
+        let determinant = killing.determinant().to_string();
+        let signs = match signature {
+            Some([plus, minus, zero]) => format!("signature ({plus}, {minus}, {zero})"),
+            None => "signature depends on the parameters".into(),
+        };
+        let size = determinant.len();
+        let shown =
+            if size > 40 { format!("a number of {size} characters") } else { determinant.clone() };
+        let values: Vec<String> = killing.values.iter().take(SHOWN).map(S::to_string).collect();
+        let short = killing.values.len() <= SHOWN && values.concat().len() <= 80;
+        let witness = if short { format!("diagonal {}", values.join(", ")) } else { String::new() };
+        let answer = format!("rank {rank}, {signs}, determinant {shown}");
+        self.row("Killing form", answer, &witness);
+        let rows: Vec<Vec<String>> = (killing.matrix.to_dense().iter())
+            .map(|row| row.iter().map(S::to_string).collect())
+            .collect();
+        let killing = json!({
+            "rank": rank, "signature": signature, "determinant": determinant, "matrix": rows,
+        });
+        self.json.insert("killing".into(), killing);
+    }
+
+    fn ideals(&mut self, ideals: Option<&[RealIdeal]>, solvable: bool) {
+        let entry = |ideal: &RealIdeal| {
+            json!({
+                "type": ideal.type_name(),
+                "dimension": ideal.dimension(),
+                "real_form": ideal.names.join(" or "),
+                "signature": ideal.signature,
+                "ideal_over_q": ideal.within + 1,
+            })
+        };
+        let all = ideals.map(|ideals| ideals.iter().map(entry).collect::<Vec<_>>());
+        self.json.insert("simple_ideals".into(), json!(all));
+        let Some(ideals) = ideals.filter(|_| !solvable) else { return };
+        let line = |ideal: &RealIdeal| {
+            let [plus, minus] = ideal.signature;
+            let name = ideal.names.join(" or ");
+            let dimension = ideal.dimension();
+            format!(
+                "{name}: type {}, dimension {dimension}, signature ({plus}, {minus})",
+                ideal.type_name()
+            )
+        };
+        let lines: Vec<String> = ideals.iter().map(line).collect();
+        let over_q = ideals.iter().map(|ideal| ideal.within + 1).max().unwrap_or(0);
+        let witness = match over_q == ideals.len() {
+            true => "of the Levi subalgebra, over the reals".to_string(),
+            false => format!("of the Levi subalgebra, over the reals; {over_q} over the rationals"),
+        };
+        self.row("simple ideals", lines.join("\n"), &witness);
+    }
+
+    fn derivations(&mut self, all: Option<usize>, inner: usize) {
+        let Some(all) = all else {
+            let why = format!("not counted beyond dimension {MAX_DERIVATIONS}");
+            self.row("derivations", "-", &why);
+            self.json.insert("derivations".into(), Value::Null);
+            return;
+        };
+        let outer = all - inner;
+        let text = format!("dimension {all}: {inner} inner, {outer} outer");
+        self.row("derivations", text, "the dimension of the automorphism group");
+        let json = json!({ "dimension": all, "inner": inner, "outer": outer });
+        self.json.insert("derivations".into(), json);
+    }
+
+    fn betti(&mut self, betti: Option<&[usize]>) {
+        match betti {
+            Some(numbers) => {
+                let text: Vec<String> = numbers.iter().map(usize::to_string).collect();
+                self.row(
+                    "Betti numbers",
+                    text.join(", "),
+                    "Chevalley-Eilenberg, trivial coefficients",
+                );
+            }
+            None => {
+                let why = format!("not computed beyond dimension {MAX_BETTI} unless reductive");
+                self.row("Betti numbers", "-", &why);
+            }
+        }
+        self.json.insert("betti".into(), json!(betti));
+    }
+
+    fn count(&mut self, title: &str, key: &str, count: Option<usize>, witness: &str) {
+        let text = count.map_or_else(|| "-".into(), |count| count.to_string());
+        self.row(title, text, witness);
+        self.json.insert(key.into(), json!(count));
+    }
+
+    fn finish(self, name: &str, dimension: usize, kind: Kind, parameters: &[String]) -> Info {
+        let mut json = Map::new();
+        let generic = !parameters.is_empty();
+        json.insert("schema".into(), SCHEMA.into());
+        json.insert("name".into(), name.into());
+        json.insert("basis".into(), json!(self.labels));
+        json.insert("parameters".into(), json!(parameters));
+        json.insert("generic".into(), json!(generic));
+        json.insert("dimension".into(), json!(dimension));
+        json.extend(self.json);
+        let field = match (kind, generic) {
+            (Kind::Symbolic, true) => format!(
+                "rational functions of {}; every answer holds for generic values",
+                printable_list(parameters)
+            ),
+            _ => "rational numbers; the answers hold over the real numbers".into(),
+        };
+        let head: Vec<(&str, Cell)> = vec![
+            ("dimension", dimension.to_string().into()),
+            ("basis", self.labels.join(", ").into()),
+            ("field", field.into()),
+        ];
+        let title = format!("Structure of {}", printable(name));
+        let header = ["notion", "answer", "witness"];
+        let grid = Grid::new(title, &header, self.rows, Value::Null).with_head(head);
+        Info { grid, json }
+    }
+}
+
+impl Report for Info {
+    fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        if format != Format::Json {
+            return self.grid.write(format, out);
+        }
+        // one key a line: bases are long
+        for (at, (key, value)) in self.json.iter().enumerate() {
+            write!(
+                out,
+                "{}  {}: {value}",
+                if at == 0 { "{\n" } else { ",\n" },
+                Value::from(key.as_str())
+            )?;
+        }
+        writeln!(out, "\n}}")
+    }
+}

@@ -1,0 +1,127 @@
+//! The structure of a Lie algebra, exact: series, radicals, Levi subalgebras, types. In reading order:
+//!
+//! - [`Ground`]: the scalars, rationals and rational functions of parameters;
+//! - [`Subspace`]: subspaces in reduced row echelon form; `products`: brackets of vectors;
+//! - [`Structure`]: an algebra with its brackets tabulated; `series`, `killing`, `radical`, `cartan`, `levi`;
+//! - [`reduction`]: the algebra modulo a prime, for ranks; `derivations`, `cohomology`;
+//! - [`dynkin`], `ideals`, [`real_forms`]: Dynkin types, simple ideals over the reals and their names;
+//! - `constructions`: quotients, extensions, semidirect sums, contractions, complexifications.
+//!
+//! W. A. de Graaf, *Lie Algebras: Theory and Algorithms*, North-Holland 2000.
+
+mod cartan;
+mod cohomology;
+mod constructions;
+mod derivations;
+pub mod dynkin;
+mod ground;
+mod ideals;
+mod killing;
+mod levi;
+mod products;
+mod radical;
+pub mod real_forms;
+pub mod reduction;
+mod series;
+mod subspace;
+
+pub use cohomology::MAX_DIMENSION as MAX_BETTI;
+pub use derivations::MAX_DIMENSION as MAX_DERIVATIONS;
+pub use ground::Ground;
+pub use ideals::{RealIdeal, SimpleIdeals};
+pub use killing::Killing;
+pub use subspace::Subspace;
+
+use crate::Error;
+use crate::algebra::roots::CartanType;
+use crate::algebra::{Bracket, LieAlgebra};
+use products::Products;
+use std::cell::OnceCell;
+
+/// A Lie algebra, prepared for questions about its structure. Answers are computed once.
+///
+/// ```
+/// use affinor::algebra::structure::Structure;
+/// use affinor::{Rational, algebra::catalogue};
+/// let motions = Structure::new(catalogue::algebra::<Rational>("se(3)")?);
+/// assert_eq!(motions.radical().dimension(), 3);
+/// assert_eq!(motions.levi()?.dimension(), 3);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Structure<S> {
+    algebra: LieAlgebra<S>,
+    products: Products<S>,
+    killing: OnceCell<Killing<S>>,
+    derived: OnceCell<Vec<Subspace<S>>>,
+    radical: OnceCell<Subspace<S>>,
+    levi: OnceCell<Subspace<S>>,
+    types: OnceCell<Option<Vec<CartanType>>>,
+}
+
+impl<S: Ground> Structure<S> {
+    /// The structure of an algebra.
+    pub fn new(algebra: LieAlgebra<S>) -> Self {
+        let products = Products::new(algebra.structure());
+        Structure {
+            algebra,
+            products,
+            killing: OnceCell::new(),
+            derived: OnceCell::new(),
+            radical: OnceCell::new(),
+            levi: OnceCell::new(),
+            types: OnceCell::new(),
+        }
+    }
+
+    /// The algebra.
+    pub fn algebra(&self) -> &LieAlgebra<S> {
+        &self.algebra
+    }
+
+    /// The dimension.
+    pub fn dimension(&self) -> usize {
+        self.algebra.dimension()
+    }
+
+    /// The whole algebra as a subspace.
+    pub fn whole(&self) -> Subspace<S> {
+        Subspace::whole(self.dimension())
+    }
+
+    /// A subalgebra in the basis of its echelon form.
+    ///
+    /// # Errors
+    /// [`Error::NotSubalgebra`] with two basis vectors whose bracket leaves the subspace.
+    pub fn subalgebra(&self, subspace: &Subspace<S>) -> Result<Structure<S>, Error> {
+        let basis = subspace.basis();
+        let mut constants = vec![];
+        for (j, x) in basis.iter().enumerate() {
+            let ad = self.products.ad(x);
+            for (k, y) in basis.iter().enumerate().skip(j + 1) {
+                let bracket = ad.image(y);
+                let Some(coordinates) = subspace.coordinates(&bracket) else {
+                    let write = |row| self.write(row);
+                    return Err(Error::NotSubalgebra {
+                        x: write(x),
+                        y: write(y),
+                        bracket: write(&bracket),
+                    });
+                };
+                let terms = coordinates.into_iter().map(|(i, value)| (j, k, i, value));
+                constants.extend(terms);
+            }
+        }
+        let labels = (1..=basis.len()).map(|at| format!("e{at}"));
+        // a subalgebra satisfies the identity of Jacobi
+        let bracket = Bracket::from_constants(labels, constants)?;
+        Ok(Structure::new(LieAlgebra { frame: bracket.into_frame() }))
+    }
+
+    /// A vector as a combination of the basis.
+    pub(crate) fn write(&self, row: &[(usize, S)]) -> String {
+        let labels = self.algebra.labels();
+        let terms = row.iter().map(|(i, value)| (value.to_string(), labels[*i].clone()));
+        affinor_tensors::text::combination(terms.collect::<Vec<_>>())
+    }
+}

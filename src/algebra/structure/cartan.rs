@@ -1,0 +1,80 @@
+//! Cartan subalgebras: nilpotent subalgebras that are their own normalizers (de Graaf 3.2).
+
+use super::radical::TRIALS;
+use super::{Ground, Structure, Subspace};
+use affinor_tensors::linear::Row;
+
+impl<S: Ground> Structure<S> {
+    /// A Cartan subalgebra: the null component of `ad x` for an element `x` for which that component
+    /// is nilpotent. Every null component is its own normalizer.
+    ///
+    /// The elements tried are first sums of basis vectors that commute, which keeps the numbers
+    /// short, then sums of more and more basis vectors.
+    pub fn cartan_subalgebra(&self) -> Subspace<S> {
+        let n = self.dimension();
+        if self.is_nilpotent() {
+            return self.whole();
+        }
+        let commuting = self.commuting_basis_vectors();
+        let mut seed = 0x9e37_79b9_7f4a_7c15_u64;
+        let mut draw = move |below: usize| {
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 33) as usize % below.max(1)
+        };
+        let mut best: Option<Subspace<S>> = None;
+        for trial in 0..TRIALS as usize {
+            let weight = |draw: &mut dyn FnMut(usize) -> usize| 1 + draw(4 + 4 * trial) as i64;
+            let mut x: Row<S> = vec![];
+            if trial % 2 == 0 {
+                x.extend(commuting.iter().map(|&at| (at, S::from_i64(weight(&mut draw)))));
+            } else {
+                for _ in 0..(2 + trial / 2).min(n) {
+                    x.push((draw(n), S::from_i64(weight(&mut draw))));
+                }
+            }
+            let null = self.null_component(&super::subspace::collected(x));
+            let smaller = best.as_ref().is_none_or(|best| null.dimension() < best.dimension());
+            if smaller {
+                let sub = self.subalgebra(&null).expect("a null component is a subalgebra");
+                if sub.is_nilpotent() {
+                    return null;
+                }
+                best = Some(null);
+            }
+        }
+        unreachable!("almost every element has a nilpotent null component")
+    }
+
+    /// The vectors that some power of `ad x` sends to zero.
+    pub fn null_component(&self, x: &[(usize, S)]) -> Subspace<S> {
+        let ad = self.products.ad(x);
+        let mut kernel = Subspace::zero(self.dimension());
+        loop {
+            let next = self.whole().kernel_of(|v| kernel.reduce(ad.image(v)));
+            if next.dimension() == kernel.dimension() {
+                return kernel;
+            }
+            kernel = next;
+        }
+    }
+
+    /// Basis vectors that commute, each with a Killing square that is not zero.
+    fn commuting_basis_vectors(&self) -> Vec<usize> {
+        let mut chosen: Vec<usize> = vec![];
+        for at in 0..self.dimension() {
+            let semisimple = !self.killing().matrix.get(at, at).vanishes();
+            let commutes = || self.products.of(at).iter().all(|(k, ..)| !chosen.contains(k));
+            if semisimple && commutes() {
+                chosen.push(at);
+            }
+        }
+        chosen
+    }
+
+    /// The rank: the dimension of the Cartan subalgebras.
+    pub fn rank(&self) -> usize {
+        self.cartan_subalgebra().dimension()
+    }
+}

@@ -1,0 +1,255 @@
+//! New Lie algebras from old: quotients, extensions, semidirect sums, contractions, complexifications.
+//!
+//! Each construction checks its conditions and refuses with a witness. Direct sums are
+//! [`LieAlgebra::direct_sum`], subalgebras [`Structure::subalgebra`], other bases
+//! [`LieAlgebra::change_basis`].
+
+use super::subspace::collected;
+use super::{Ground, Structure, Subspace};
+use crate::Error;
+use crate::algebra::{Bracket, LieAlgebra, join_labels};
+use affinor_tensors::linear::{Matrix, Row};
+
+/// `(j, k, i, v)`: `[e_j, e_k] = .. + v e_i`.
+type Constants<S> = Vec<(usize, usize, usize, S)>;
+
+impl<S: Ground> Structure<S> {
+    /// The constants with `j < k`.
+    fn constants(&self) -> Constants<S> {
+        let lines = (0..self.dimension()).flat_map(|j| {
+            let line = self.products.of(j).iter().filter(move |(k, ..)| j < *k);
+            line.map(move |(k, i, value)| (j, *k, *i, value.clone()))
+        });
+        lines.collect()
+    }
+
+    /// The quotient by an ideal, in the images of the basis vectors that complement it.
+    ///
+    /// # Errors
+    /// [`Error::NotIdeal`] with a bracket that leaves the subspace.
+    pub fn quotient(&self, ideal: &Subspace<S>) -> Result<LieAlgebra<S>, Error> {
+        let labels = self.algebra.labels();
+        for v in ideal.basis() {
+            let ad = self.products.ad(v);
+            if let Some((k, column)) = ad.columns().find(|(_, column)| !ideal.contains(column)) {
+                let minus: Row<S> = column.iter().map(|(at, v)| (*at, -v.clone())).collect();
+                return Err(Error::NotIdeal {
+                    x: labels[k].clone(),
+                    v: self.write(v),
+                    bracket: self.write(&minus),
+                });
+            }
+        }
+        let places: Vec<usize> = ideal.complement().collect();
+        let place = |at: &usize| places.binary_search(at).ok();
+        let mut constants = vec![];
+        for (j, at) in places.iter().enumerate() {
+            for (k, other) in places.iter().enumerate().skip(j + 1) {
+                let bracket = self.products.ad(&[(*at, S::one())]).column(*other).clone();
+                let rest = ideal.reduce(bracket).into_iter();
+                constants.extend(rest.filter_map(|(i, value)| Some((j, k, place(&i)?, value))));
+            }
+        }
+        let labels = places.iter().map(|at| labels[*at].clone());
+        Bracket::from_constants(labels, constants)?.try_into()
+    }
+
+    /// The central extension by the vectors `labels`: `[x, y]` gets the further components
+    /// `omega_a(x, y)`, given as `(j, k, a, omega_a(e_j, e_k))`.
+    ///
+    /// # Errors
+    /// [`Error::NotCocycle`] with three basis vectors for which the cyclic sum of `omega([x,y],z)` is not
+    /// zero.
+    pub fn central_extension(
+        &self,
+        labels: &[String],
+        cocycle: impl IntoIterator<Item = (usize, usize, usize, S)>,
+    ) -> Result<LieAlgebra<S>, Error> {
+        let n = self.dimension();
+        let further = cocycle.into_iter().map(|(j, k, a, value)| (j, k, n + a, value));
+        let constants = self.constants().into_iter().chain(further);
+        let labels = join_labels(self.algebra.labels(), labels);
+        let bracket = Bracket::from_constants(labels, constants)?;
+        LieAlgebra::try_from(bracket).map_err(|error| match error {
+            Error::Jacobi { x, y, z, residual } => Error::NotCocycle { x, y, z, residual },
+            error => error,
+        })
+    }
+
+    /// The semidirect sum of this algebra, which acts, and `on`: `[e_j, v] = D_j v`.
+    ///
+    /// # Errors
+    /// [`Error::NotDerivation`] with two vectors of `on`; [`Error::NotAction`] with two basis vectors
+    /// and the component in which `D_[x,y]` is not `[D_x, D_y]`; a wrong number or size of matrices.
+    pub fn semidirect(&self, on: &Structure<S>, by: &[Matrix<S>]) -> Result<LieAlgebra<S>, Error> {
+        let (n, m) = (self.dimension(), on.dimension());
+        let expected = format!("{n} matrices of size {m} x {m}");
+        if by.len() != n || by.iter().any(|d| d.rows() != m || d.columns() != m) {
+            let sizes: Vec<String> =
+                by.iter().map(|d| format!("{} x {}", d.rows(), d.columns())).collect();
+            let found = format!("{} of {}", by.len(), sizes.first().map_or("none", |s| s));
+            return Err(Error::Shape { what: "the action", expected, found });
+        }
+        let columns = |d: &Matrix<S>| -> Vec<Row<S>> {
+            let transposed = d.transpose();
+            (0..m).map(|k| transposed.row(k).to_vec()).collect()
+        };
+        let actions: Vec<Vec<Row<S>>> = by.iter().map(columns).collect();
+        let apply = |d: &[Row<S>], v: &Row<S>| super::subspace::combination(d, v);
+        let minus =
+            |row: Row<S>| row.into_iter().map(|(at, value)| (at, -value)).collect::<Row<S>>();
+        let labels = self.algebra.labels();
+        for (at, d) in actions.iter().enumerate() {
+            for j in 0..m {
+                let ad = on.products.ad(&[(j, S::one())]);
+                let moved = on.products.ad(&d[j]);
+                for k in j + 1..m {
+                    let right = [moved.column(k).clone(), ad.image(&d[k])].concat();
+                    let left = apply(d, ad.column(k));
+                    let residual = collected([left, minus(right)].concat());
+                    if !residual.is_empty() {
+                        return Err(Error::NotDerivation {
+                            d: labels[at].clone(),
+                            x: on.algebra.labels()[j].clone(),
+                            y: on.algebra.labels()[k].clone(),
+                            residual: on.write(&residual),
+                        });
+                    }
+                }
+            }
+        }
+        for j in 0..n {
+            let ad = self.products.ad(&[(j, S::one())]);
+            for k in j + 1..n {
+                for v in 0..m {
+                    let first = apply(&actions[j], &actions[k][v]);
+                    let second = apply(&actions[k], &actions[j][v]);
+                    let whole = ad.column(k).iter().flat_map(|(i, factor)| {
+                        actions[*i][v]
+                            .iter()
+                            .map(move |(at, value)| (*at, -(value.clone() * factor)))
+                    });
+                    let whole = whole.collect::<Row<S>>();
+                    let residual = collected([first, minus(second), whole].concat());
+                    if !residual.is_empty() {
+                        return Err(Error::NotAction {
+                            x: labels[j].clone(),
+                            y: labels[k].clone(),
+                            v: on.algebra.labels()[v].clone(),
+                            residual: on.write(&residual),
+                        });
+                    }
+                }
+            }
+        }
+        let shifted = on.constants().into_iter().map(|(j, k, i, v)| (j + n, k + n, i + n, v));
+        let acted = actions.iter().enumerate().flat_map(|(j, d)| {
+            d.iter().enumerate().flat_map(move |(k, column)| {
+                column.iter().map(move |(i, value)| (j, n + k, n + i, value.clone()))
+            })
+        });
+        let constants = self.constants().into_iter().chain(shifted).chain(acted);
+        let labels = join_labels(labels, on.algebra.labels());
+        Bracket::from_constants(labels, constants)?.try_into()
+    }
+
+    /// The semidirect sum with the dual space, by the coadjoint action: `[x, f](y) = -f([x, y])`. The
+    /// labels of the dual basis end in a star, written `_star`.
+    ///
+    /// # Errors
+    /// A dimension beyond the engine.
+    pub fn with_dual(&self) -> Result<LieAlgebra<S>, Error> {
+        let n = self.dimension();
+        let labels = self.algebra.labels().iter().map(|label| format!("{label}_star"));
+        let dual = Bracket::from_constants(labels, [])?.try_into()?;
+        let coadjoint = (0..n).map(|j| {
+            let mut rows = vec![vec![]; n];
+            for (k, i, value) in self.products.of(j) {
+                // row k, column i of minus the transpose of ad
+                rows[*k].push((*i, -value.clone()));
+            }
+            Matrix::from_rows(n, rows)
+        });
+        let coadjoint = coadjoint.collect::<Result<Vec<_>, _>>()?;
+        self.semidirect(&Structure::new(dual), &coadjoint)
+    }
+
+    /// The tensor product with the truncated polynomials `R[t]/(t^order)`: `[x t^a, y t^b] =
+    /// [x,y] t^(a+b)`. Order 2 are the dual numbers: the tangent algebra.
+    ///
+    /// # Errors
+    /// A dimension beyond the engine.
+    pub fn truncated(&self, order: usize) -> Result<LieAlgebra<S>, Error> {
+        let n = self.dimension();
+        let name = |power: usize| {
+            move |label: &String| match power {
+                0 => label.clone(),
+                _ => format!("{label}_t{power}"),
+            }
+        };
+        let labels = (0..order).flat_map(|power| self.algebra.labels().iter().map(name(power)));
+        let labels: Vec<String> = labels.collect();
+        let all = self.products_of_all();
+        let constants = (0..order).flat_map(|a| (0..order - a).map(move |b| (a, b)));
+        let constants = constants.flat_map(|(a, b)| {
+            let each = all.iter().filter(move |(j, k, ..)| a * n + j < b * n + k);
+            each.map(move |(j, k, i, v)| (a * n + j, b * n + k, (a + b) * n + i, v.clone()))
+        });
+        Bracket::from_constants(labels, constants)?.try_into()
+    }
+
+    /// The complexification as a real algebra, in the basis `x` and `i x`, labelled `ix`.
+    ///
+    /// # Errors
+    /// A dimension beyond the engine.
+    pub fn complexified(&self) -> Result<LieAlgebra<S>, Error> {
+        let n = self.dimension();
+        let imaginary: Vec<String> =
+            self.algebra.labels().iter().map(|label| format!("i{label}")).collect();
+        let labels = join_labels(self.algebra.labels(), &imaginary);
+        let constants = self.products_of_all().into_iter().flat_map(|(j, k, i, v)| {
+            let real = (j < k).then(|| (j, k, i, v.clone()));
+            let twice = (j < k).then(|| (j + n, k + n, i, -v.clone()));
+            [real, Some((j, k + n, i + n, v)), twice].into_iter().flatten()
+        });
+        Bracket::from_constants(labels, constants)?.try_into()
+    }
+
+    /// The contraction in which `e_i` is scaled by `t^w_i`, in the limit of `t` to 0: constants with `w_j +
+    /// w_k = w_i` stay, those with `w_j + w_k > w_i` vanish (Inonu and Wigner, *Proc. Natl. Acad. Sci.* 39
+    /// (1953) 510-524; E. J. Saletan, *J. Math. Phys.* 2 (1961) 1-21).
+    ///
+    /// # Errors
+    /// [`Error::NoLimit`] with a constant for which `w_j + w_k < w_i`; a wrong number of weights.
+    pub fn contraction(&self, weights: &[i64]) -> Result<LieAlgebra<S>, Error> {
+        if weights.len() != self.dimension() {
+            let (expected, found) = (self.dimension().to_string(), weights.len().to_string());
+            return Err(Error::Shape { what: "the number of weights", expected, found });
+        }
+        let labels = self.algebra.labels();
+        let mut kept = vec![];
+        for (j, k, i, value) in self.constants() {
+            match weights[j].saturating_add(weights[k]).cmp(&weights[i]) {
+                std::cmp::Ordering::Equal => kept.push((j, k, i, value)),
+                std::cmp::Ordering::Greater => {}
+                std::cmp::Ordering::Less => {
+                    return Err(Error::NoLimit {
+                        x: labels[j].clone(),
+                        y: labels[k].clone(),
+                        component: labels[i].clone(),
+                        value: value.to_string(),
+                    });
+                }
+            }
+        }
+        Bracket::from_constants(labels, kept)?.try_into()
+    }
+
+    /// All constants, also with `j > k`.
+    fn products_of_all(&self) -> Constants<S> {
+        let lines = (0..self.dimension()).flat_map(|j| {
+            self.products.of(j).iter().map(move |(k, i, value)| (j, *k, *i, value.clone()))
+        });
+        lines.collect()
+    }
+}

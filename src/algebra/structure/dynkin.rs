@@ -1,0 +1,359 @@
+//! The Dynkin type of a semisimple algebra over the algebraic closure, computed modulo a prime.
+//!
+//! Take a prime that does not divide the determinant of the Killing form. The Casimir element acts on
+//! the reduction as 1, so its second cohomology with adjoint coefficients vanishes: the reduction
+//! lifts in one way, and has the type of the algebra.
+//!
+//! Take a pseudorandom `x` with Cartan subalgebra `H = ker ad_x`, and a vector `v` that generates
+//! `V = [x, L]` under `X = ad_x`. A map `A` that commutes with all `ad` is a polynomial `q(X)` on `V`,
+//! and even, because opposite roots belong to the same factor. So `A [v,y] = [A v, y]`, projected to
+//! `V`, are linear equations in the coefficients of `q`. The solutions are the centroid; its
+//! idempotents are the factors. A factor of rank `r` and dimension `n` is known but for B, C and E6,
+//! which the power sums of the roots tell apart.
+
+use super::reduction::{Draw, Reduction};
+use super::{Ground, Structure};
+use crate::algebra::roots::{CartanType, Series};
+use affinor_tensors::linear::modular::{Prime, Residues, primes};
+use polycore::{Fp, Uni};
+
+impl<S: Ground> Structure<S> {
+    /// The types of the simple factors of the Levi subalgebras over the algebraic closure, in order.
+    /// `None` if no prime of a few serves.
+    pub fn dynkin_type(&self) -> Option<Vec<CartanType>> {
+        self.types.get_or_init(|| self.find_types()).clone()
+    }
+
+    fn find_types(&self) -> Option<Vec<CartanType>> {
+        if self.is_semisimple() {
+            return self.factors();
+        }
+        let levi = self.levi().ok()?;
+        if levi.is_zero() {
+            return Some(vec![]);
+        }
+        self.subalgebra(levi).ok()?.factors()
+    }
+
+    fn factors(&self) -> Option<Vec<CartanType>> {
+        let reductions = primes().filter_map(|prime| Reduction::new(self, prime));
+        let mut types = reductions.take(400).find_map(|reduction| reduction.factors())?;
+        types.sort_by_key(|factor| (factor.series() as usize, factor.rank()));
+        Some(types)
+    }
+}
+
+/// The exponents of a type: the invariants of its Weyl group have these degrees minus one.
+pub fn exponents(cartan_type: CartanType) -> Vec<usize> {
+    let r = cartan_type.rank();
+    match (cartan_type.series(), r) {
+        (Series::A, _) => (1..=r).collect(),
+        (Series::B | Series::C, _) => (0..r).map(|i| 2 * i + 1).collect(),
+        (Series::D, _) => (0..r - 1).map(|i| 2 * i + 1).chain([r - 1]).collect(),
+        (Series::E, 6) => vec![1, 4, 5, 7, 8, 11],
+        (Series::E, 7) => vec![1, 5, 7, 9, 11, 13, 17],
+        (Series::E, _) => vec![1, 7, 11, 13, 17, 19, 23, 29],
+        (Series::F, _) => vec![1, 5, 7, 11],
+        (Series::G, _) => vec![1, 5],
+    }
+}
+
+/// A Cartan subalgebra `H` and a cyclic vector of `V`, modulo a prime.
+pub(super) struct Split {
+    prime: Prime,
+    pub rank: usize,
+    /// A basis of H, then `X^k v`.
+    pub basis: Vec<Vec<u64>>,
+    /// Maps a vector to its coordinates in `basis`.
+    pub coordinates: Residues,
+    /// `X^m v = sum relation_k X^k v`
+    relation: Vec<u64>,
+    /// The even polynomials that are the centroid, by their coefficients.
+    pub centroid: Vec<Vec<u64>>,
+}
+
+impl Reduction {
+    /// The types of the simple factors; `None` if the prime or the random elements do not serve.
+    pub fn factors(&self) -> Option<Vec<CartanType>> {
+        let mut draw = Draw::new(3);
+        let split = Split::new(self, &mut draw)?;
+        let sums = split.power_sums();
+        if split.centroid.len() == 1 {
+            return Some(vec![split.recognise(self.dimension(), split.rank, &sums)?]);
+        }
+        let mut types = vec![];
+        for (idempotent, degree) in split.idempotents(&mut draw)? {
+            let sums: Vec<u64> = (0..=2 * split.rank + 2)
+                .map(|shift| {
+                    let terms = idempotent.iter().enumerate();
+                    terms.fold(0, |sum, (k, &e)| split.prime.reduce(sum + e * sums[k + shift]))
+                })
+                .collect();
+            let roots = usize::try_from(sums[0]).ok()?;
+            let rank = split.rank_within(self, &idempotent);
+            if rank % degree != 0 || roots % degree != 0 {
+                return None;
+            }
+            let sums = if degree == 1 { &sums[..] } else { &[] };
+            let factor = split.recognise((roots + rank) / degree, rank / degree, sums)?;
+            types.extend(std::iter::repeat_n(factor, degree));
+        }
+        Some(types)
+    }
+}
+
+impl Split {
+    pub fn new(algebra: &Reduction, draw: &mut Draw) -> Option<Self> {
+        let (n, p) = (algebra.dimension(), algebra.prime());
+        let ad = algebra.ad(&draw.vector(p, n));
+        let mut basis = ad.clone().kernel();
+        let rank = basis.len();
+        let m = n - rank;
+        let v = ad.apply(&draw.vector(p, n));
+        let mut power = v.clone();
+        for _ in 0..m {
+            let next = ad.apply(&power);
+            basis.push(std::mem::replace(&mut power, next));
+        }
+        let coordinates = inverse_of_columns(p, &basis)?;
+        let relation = coordinates.apply(&power)[rank..].to_vec();
+        let mut split = Split { prime: p, rank, basis, coordinates, relation, centroid: vec![] };
+        // A w = [A v, y] on V, for w = [v, y]
+        let right = algebra.ad(&draw.vector(p, n));
+        let mut w = split.roots_part(&right.apply(&v));
+        let mut columns = vec![];
+        for k in 0..m {
+            if k % 2 == 0 {
+                let image = split.roots_part(&right.apply(&split.basis[rank + k]));
+                let difference = w.iter().zip(&image).map(|(a, b)| p.add(*a, p.neg(*b)));
+                columns.push(difference.collect::<Vec<u64>>());
+            }
+            w = split.times_x(&w);
+        }
+        let rows = (0..m).map(|i| columns.iter().map(|column| column[i]).collect());
+        let kernel = Residues::new(p, columns.len(), rows.collect()).kernel();
+        split.centroid = kernel
+            .into_iter()
+            .map(|even| even.into_iter().flat_map(|q| [q, 0]).collect())
+            .collect();
+        (!split.centroid.is_empty()).then_some(split)
+    }
+
+    fn dimension_of_v(&self) -> usize {
+        self.basis.len() - self.rank
+    }
+
+    /// The coordinates of the part in V of a vector.
+    fn roots_part(&self, vector: &[u64]) -> Vec<u64> {
+        self.coordinates.apply(vector)[self.rank..].to_vec()
+    }
+
+    /// `X` times a polynomial in `X`.
+    pub fn times_x(&self, polynomial: &[u64]) -> Vec<u64> {
+        let (p, m) = (self.prime, polynomial.len());
+        let lead = polynomial[m - 1];
+        let shifted = [0].iter().chain(&polynomial[..m - 1]);
+        shifted.zip(&self.relation).map(|(a, r)| p.reduce(a + lead * r)).collect()
+    }
+
+    /// The product of two polynomials in `X`.
+    pub fn product(&self, a: &[u64], b: &[u64]) -> Vec<u64> {
+        let p = self.prime;
+        let mut sum = vec![0; a.len()];
+        let mut power = a.to_vec();
+        for &factor in b {
+            if factor != 0 {
+                let pairs = sum.iter_mut().zip(&power);
+                pairs.for_each(|(s, &v)| *s = p.reduce(*s + factor * v));
+            }
+            power = self.times_x(&power);
+        }
+        sum
+    }
+
+    /// The traces of `X^k` on V, for `k` below `2 m + 3`, by Newton's identities.
+    fn power_sums(&self) -> Vec<u64> {
+        let (p, m) = (self.prime, self.dimension_of_v());
+        // t^m - sum of relation_k t^k: the elementary functions up to sign
+        let mut sums = vec![p.integer(m as i64)];
+        for k in 1..2 * m + 3 {
+            let mut sum = 0;
+            for i in 1..=k.min(m) {
+                let factor = if i == k { p.integer(k as i64) } else { sums[k - i] };
+                sum = p.reduce(sum + self.relation[m - i] * factor);
+            }
+            sums.push(sum);
+        }
+        sums
+    }
+
+    /// The primitive idempotents of the centroid over the prime field, and their degrees.
+    fn idempotents(&self, draw: &mut Draw) -> Option<Vec<(Vec<u64>, usize)>> {
+        let (p, c) = (self.prime, self.centroid.len());
+        let combine = |coefficients: &[u64], of: &[Vec<u64>]| {
+            let mut sum = vec![0; of[0].len()];
+            for (factor, row) in coefficients.iter().zip(of) {
+                sum.iter_mut().zip(row).for_each(|(s, &v)| *s = p.reduce(*s + factor * v));
+            }
+            sum
+        };
+        let gamma = combine(&draw.vector(p, c), &self.centroid);
+        let mut powers = vec![self.one()];
+        for at in 0..c {
+            powers.push(self.product(&powers[at], &gamma));
+        }
+        let minimal = relation_of(p, &powers)?;
+        let to_fp = |v: &u64| Fp::new(*v, p.get());
+        let polynomial = Uni::new(minimal.iter().map(to_fp).collect());
+        let (_, factors) = polyfactor::factor_mod(&polynomial);
+        let mut idempotents = vec![];
+        for (factor, multiplicity) in factors {
+            if multiplicity > 1 {
+                return None;
+            }
+            // e = u h with h = g/factor, and u h = 1 modulo the factor
+            let h = polynomial.exact(&factor)?;
+            let (u, ..) = h.bezout(&factor);
+            let (_, e) = (&u * &h).divrem(&polynomial);
+            let coefficients: Vec<u64> = e.0.iter().map(|v| v.value()).collect();
+            idempotents.push((combine(&coefficients, &powers), factor.deg()));
+        }
+        Some(idempotents)
+    }
+
+    fn one(&self) -> Vec<u64> {
+        let mut one = vec![0; self.dimension_of_v()];
+        one[0] = 1;
+        one
+    }
+
+    /// The dimension of H within the factors of an idempotent: `[e v, X^k e v]` for odd `k` span it.
+    fn rank_within(&self, algebra: &Reduction, idempotent: &[u64]) -> usize {
+        let rows = self.coroots(algebra, idempotent, idempotent);
+        Residues::new(self.prime, self.rank, rows).rank()
+    }
+
+    /// The coordinates in H of `[a(X) v, X^k b(X) v]` for odd `k`.
+    pub fn coroots(&self, algebra: &Reduction, a: &[u64], b: &[u64]) -> Vec<Vec<u64>> {
+        let left = algebra.ad(&self.vector(a));
+        let mut polynomial = b.to_vec();
+        (0..self.rank)
+            .map(|_| {
+                let odd = self.times_x(&polynomial);
+                polynomial = self.times_x(&odd);
+                let image = self.coordinates.apply(&left.apply(&self.vector(&odd)));
+                image[..self.rank].to_vec()
+            })
+            .collect()
+    }
+
+    /// `q(X) v`
+    pub fn vector(&self, polynomial: &[u64]) -> Vec<u64> {
+        let mut sum = vec![0; self.basis.len()];
+        for (&factor, power) in polynomial.iter().zip(&self.basis[self.rank..]) {
+            if factor != 0 {
+                let pairs = sum.iter_mut().zip(power);
+                pairs.for_each(|(s, &v)| *s = self.prime.reduce(*s + factor * v));
+            }
+        }
+        sum
+    }
+
+    /// The simple type of dimension `n` and rank `r`; `sums` are the power sums of the roots, needed to
+    /// tell B, C and E6 apart.
+    fn recognise(&self, n: usize, r: usize, sums: &[u64]) -> Option<CartanType> {
+        let simple = |series| CartanType::new(series, r).ok().filter(|t| t.dimension() == n);
+        let mut fits: Vec<CartanType> =
+            [Series::A, Series::B, Series::C, Series::D, Series::E, Series::F, Series::G]
+                .into_iter()
+                .filter_map(simple)
+                .collect();
+        // C2 is B2, D3 is A3
+        if r <= 3 && fits.len() > 1 && fits.iter().any(|t| t.series() != Series::C || r == 2) {
+            fits.retain(|t| r > 2 || t.series() == Series::B);
+            fits.retain(|t| r != 3 || t.series() != Series::D);
+        }
+        if fits.len() <= 1 {
+            return fits.pop();
+        }
+        if sums.len() < 2 * r + 3 {
+            return None;
+        }
+        let (classical, others): (Vec<CartanType>, Vec<CartanType>) =
+            fits.into_iter().partition(|t| matches!(t.series(), Series::B | Series::C));
+        let fitting: Vec<CartanType> =
+            classical.into_iter().filter(|t| self.is_classical(t.series(), r, sums)).collect();
+        match (fitting.as_slice(), others.as_slice()) {
+            ([one], _) => Some(*one),
+            ([], [one]) => Some(*one),
+            _ => None,
+        }
+    }
+
+    /// Whether the roots are those of B_r or C_r in some `a_1, .., a_r`: with the power sums `s_k` of the
+    /// `a_i`, `tr X^2k = 2 sum over even m of binomial(2k,m) s_m s_(2k-m) + (2 - 4^k) s_2k` in B_r and
+    /// `.. + 4^k s_2k` in C_r. The `s_2k` that follow are those of `r` numbers if Newton's identity of
+    /// order `r + 1` holds.
+    fn is_classical(&self, series: Series, r: usize, sums: &[u64]) -> bool {
+        let p = self.prime;
+        let integer = |v: i64| p.integer(v);
+        let mut s = vec![integer(r as i64)];
+        for k in 1..=r + 1 {
+            let four = polycore::modp::pow(4, k as u64, p.get());
+            let own = match series {
+                Series::B => p.add(2, p.neg(four)),
+                _ => four,
+            };
+            let mut inner = 0;
+            for i in 1..k {
+                inner = p.reduce(inner + p.mul(binomial(p, 2 * k, 2 * i), s[i]) * s[k - i]);
+            }
+            let known = p.add(sums[2 * k], p.neg(p.mul(2, inner)));
+            let factor = p.add(integer(4 * r as i64), own);
+            let Some(unit) = p.inv(factor) else { return false };
+            s.push(p.mul(known, unit));
+        }
+        // k e_k = sum of (-1)^(i-1) e_(k-i) s_i
+        let mut e = vec![1];
+        for k in 1..=r + 1 {
+            let mut sum = 0;
+            for i in 1..=k {
+                let term = p.mul(e[k - i], s[i]);
+                sum = p.add(sum, if i % 2 == 1 { term } else { p.neg(term) });
+            }
+            let Some(unit) = p.inv(integer(k as i64)) else { return false };
+            e.push(p.mul(sum, unit));
+        }
+        e[r + 1] == 0
+    }
+}
+
+fn binomial(p: Prime, n: usize, k: usize) -> u64 {
+    (0..k).fold(1, |value, i| {
+        let unit = p.inv(p.integer(i as i64 + 1)).unwrap_or(1);
+        p.mul(p.mul(value, p.integer((n - i) as i64)), unit)
+    })
+}
+
+/// The inverse of the matrix with these columns.
+pub(super) fn inverse_of_columns(p: Prime, columns: &[Vec<u64>]) -> Option<Residues> {
+    let n = columns.len();
+    let row = |i: usize| {
+        let left = columns.iter().map(|column| column[i]);
+        left.chain((0..n).map(|j| u64::from(i == j))).collect()
+    };
+    let mut both = Residues::new(p, 2 * n, (0..n).map(row).collect());
+    let pivots = both.reduce();
+    let regular = pivots.len() == n && pivots.last().is_none_or(|last| *last < n);
+    regular.then(|| Residues::new(p, n, both.rows().iter().map(|row| row[n..].to_vec()).collect()))
+}
+
+/// The monic relation between the powers, ascending, if the last one is the first that depends.
+fn relation_of(p: Prime, powers: &[Vec<u64>]) -> Option<Vec<u64>> {
+    let rows = (0..powers[0].len()).map(|i| powers.iter().map(|power| power[i]).collect());
+    let kernel = Residues::new(p, powers.len(), rows.collect()).kernel();
+    match kernel.as_slice() {
+        [one] if one[powers.len() - 1] == 1 => Some(one.clone()),
+        _ => None,
+    }
+}

@@ -1,0 +1,322 @@
+//! The simple ideals of a semisimple algebra, over the rationals and over the reals.
+//!
+//! An algebra over the rationals is the sum of ideals that are simple over the rationals. The
+//! centroid of such an ideal is a number field. Over the reals the ideal is the sum of one absolutely
+//! simple ideal for each real place of the field and one complex algebra for each pair of complex places.
+
+use super::dynkin::{Split, inverse_of_columns};
+use super::killing::Killing;
+use super::real_forms::{complex_form, real_forms};
+use super::reduction::{Draw, Reduction};
+use super::{Structure, Subspace};
+use crate::Error;
+use crate::algebra::roots::CartanType;
+use affinor_tensors::linear::modular::{Images, Residues, primes};
+use affinor_tensors::linear::{Matrix, Row};
+use affinor_tensors::{Rational, Ring};
+use num_rational::BigRational;
+use polycore::Uni;
+
+/// The simple ideals over the reals.
+#[derive(Clone, Debug)]
+pub struct SimpleIdeals {
+    /// The ideals that are simple over the rationals.
+    pub rational: Vec<Subspace<Rational>>,
+    /// The ideals that are simple over the reals, with the number of the rational ideal that holds them.
+    pub real: Vec<RealIdeal>,
+}
+
+/// An ideal that is simple over the reals.
+#[derive(Clone, Debug)]
+pub struct RealIdeal {
+    /// The number of the ideal over the rationals, from 0.
+    pub within: usize,
+    /// The type over the complex numbers; of a complex algebra the type of one of its two factors.
+    pub cartan_type: CartanType,
+    /// Whether it is a complex algebra regarded as real.
+    pub is_complex: bool,
+    /// How many squares of the Killing form are positive and negative.
+    pub signature: [usize; 2],
+    /// Its names: one, or two where type and signature leave two.
+    pub names: Vec<String>,
+}
+
+impl RealIdeal {
+    /// The dimension over the reals.
+    pub fn dimension(&self) -> usize {
+        self.signature.iter().sum()
+    }
+
+    /// The type over the complex numbers: `A1`, of a complex algebra `A1 + A1`.
+    pub fn type_name(&self) -> String {
+        match self.is_complex {
+            true => format!("{0} + {0}", self.cartan_type),
+            false => self.cartan_type.to_string(),
+        }
+    }
+}
+
+/// How many primes are tried for the reconstruction of the centroid.
+const PRIMES: usize = 200;
+
+impl Structure<Rational> {
+    /// The simple ideals of a semisimple algebra; `None` where the search gives up.
+    ///
+    /// # Errors
+    /// None for a semisimple algebra; the errors of [`subalgebra`](Self::subalgebra).
+    pub fn simple_ideals(&self) -> Result<Option<SimpleIdeals>, Error> {
+        let Some(types) = self.dynkin_type() else { return Ok(None) };
+        let mut ideals = SimpleIdeals { rational: vec![], real: vec![] };
+        if let [one] = types[..] {
+            let Some([plus, minus, _]) = self.killing().signature() else { return Ok(None) };
+            ideals.rational.push(self.whole());
+            ideals.real.push(RealIdeal::real(0, one, [plus, minus]));
+            return Ok(Some(ideals));
+        }
+        let Some(centroid) = self.centroid(types.len()) else { return Ok(None) };
+        let Some((gamma, minimal)) = generator(&centroid) else { return Ok(None) };
+        for (factor, _) in polyfactor::factor(&minimal) {
+            let Some(complementary) = minimal.exact(&factor) else { return Ok(None) };
+            let projection = evaluate(&gamma, &complementary);
+            let image = projection.transpose();
+            let ideal = Subspace::span(
+                self.dimension(),
+                (0..image.rows()).map(|at| image.row(at).to_vec()),
+            );
+            let inside = self.subalgebra(&ideal)?;
+            let Some(types) = inside.dynkin_type() else { return Ok(None) };
+            let Some(&cartan_type) = types.first() else { return Ok(None) };
+            let within = ideals.rational.len();
+            // gamma in the basis of the ideal, column by column
+            let columns = ideal.basis().iter().map(|row| {
+                let image = super::subspace::combination(
+                    &(0..gamma.columns()).map(|k| column(&gamma, k)).collect::<Vec<_>>(),
+                    row,
+                );
+                ideal.coordinates(&image)
+            });
+            let Some(columns) = columns.collect::<Option<Vec<Row<Rational>>>>() else {
+                return Ok(None);
+            };
+            let theta = Matrix::from_rows(ideal.dimension(), columns)?.transpose();
+            let Some(real) = inside.real_places(within, cartan_type, &theta, &factor) else {
+                return Ok(None);
+            };
+            ideals.real.extend(real);
+            ideals.rational.push(ideal);
+        }
+        Ok(Some(ideals))
+    }
+
+    /// The real ideals of an ideal that is simple over the rationals, whose centroid `theta` generates.
+    ///
+    /// The signature at one real place is half the sum of the signatures of `K` and of `K(g(theta) x, y)`,
+    /// where `g` is positive at this place and negative at the others; complex places add nothing.
+    fn real_places(
+        &self,
+        within: usize,
+        cartan_type: CartanType,
+        theta: &Matrix<Rational>,
+        minimal: &Uni<BigRational>,
+    ) -> Option<Vec<RealIdeal>> {
+        let places = separated(minimal);
+        let n = cartan_type.dimension();
+        let excess = |killing: &Killing<Rational>| {
+            killing.signature().map(|[plus, minus, _]| plus as i64 - minus as i64)
+        };
+        let all = excess(self.killing())?;
+        let mut ideals = vec![];
+        for (lower, upper) in &places {
+            let own = if places.len() == 1 {
+                all
+            } else {
+                let linear = |root: &BigRational| {
+                    Uni::new(vec![-root.clone(), BigRational::from_integer(1.into())])
+                };
+                let g = &linear(lower) * &linear(upper);
+                let g = g.scale(&BigRational::from_integer((-1).into()));
+                let form = evaluate(theta, &g).transpose().mul(&self.killing().matrix).ok()?;
+                (all + excess(&Killing::new(form))?) / 2
+            };
+            let plus = usize::try_from((n as i64 + own) / 2).ok()?;
+            ideals.push(RealIdeal::real(within, cartan_type, [plus, n.checked_sub(plus)?]));
+        }
+        let complex = (minimal.deg() - places.len()) / 2;
+        ideals.extend((0..complex).map(|_| RealIdeal {
+            within,
+            cartan_type,
+            is_complex: true,
+            signature: [n, n],
+            names: vec![complex_form(cartan_type)],
+        }));
+        Some(ideals)
+    }
+
+    /// A basis of the maps that commute with all `ad`, reconstructed from residues and multiplied out.
+    fn centroid(&self, dimension: usize) -> Option<Vec<Matrix<Rational>>> {
+        let n = self.dimension();
+        let mut images = Images::new(dimension * n * n);
+        let mut draw = Draw::new(4);
+        let mut pivots: Option<Vec<usize>> = None;
+        for prime in primes().take(PRIMES) {
+            let Some(reduction) = Reduction::new(self, prime) else { continue };
+            let Some(rows) = reduction.centroid(&mut draw) else { continue };
+            let mut echelon = Residues::new(prime, n * n, rows);
+            let found = echelon.reduce();
+            if found.len() != dimension {
+                continue;
+            }
+            if pivots.as_ref().is_some_and(|pivots| *pivots != found) {
+                images = Images::new(dimension * n * n);
+            }
+            pivots = Some(found);
+            images.add(prime, &echelon.rows().concat());
+            let Some(values) = images.rationals() else { continue };
+            let matrices: Vec<Matrix<Rational>> = values
+                .chunks(n * n)
+                .filter_map(|entries| {
+                    Matrix::from_dense(&entries.chunks(n).map(<[_]>::to_vec).collect::<Vec<_>>())
+                        .ok()
+                })
+                .collect();
+            if matrices.iter().all(|matrix| self.commutes(matrix)) {
+                return Some(matrices);
+            }
+        }
+        None
+    }
+
+    /// Whether `A [e_j, e_k] = [e_j, A e_k]` for all `j`, `k`.
+    fn commutes(&self, a: &Matrix<Rational>) -> bool {
+        let n = self.dimension();
+        let columns: Vec<Row<Rational>> = (0..n).map(|k| column(a, k)).collect();
+        (0..n).all(|j| {
+            let ad = self.products.ad(&[(j, Rational::from_i64(1))]);
+            (0..n).all(|k| {
+                super::subspace::combination(&columns, ad.column(k)) == ad.image(&columns[k])
+            })
+        })
+    }
+}
+
+impl RealIdeal {
+    fn real(within: usize, cartan_type: CartanType, signature: [usize; 2]) -> Self {
+        let names = real_forms(cartan_type, signature[1]);
+        RealIdeal { within, cartan_type, is_complex: false, signature, names }
+    }
+}
+
+impl Reduction {
+    /// The centroid modulo the prime: matrices, row by row.
+    fn centroid(&self, draw: &mut Draw) -> Option<Vec<Vec<u64>>> {
+        let (n, p) = (self.dimension(), self.prime());
+        let split = Split::new(self, draw)?;
+        let (r, m) = (split.rank, n - split.rank);
+        let mut one = vec![0; m];
+        one[0] = 1;
+        // columns h_k of coordinates in H, and their images under each map
+        let coroots = split.coroots(self, &one, &one);
+        let from = inverse_of_columns(p, &coroots)?;
+        let mut matrices = vec![];
+        for polynomial in &split.centroid {
+            let images = split.coroots(self, polynomial, &one);
+            // the matrix on H in its basis: images times the inverse of the columns
+            let mut coordinates = vec![vec![0; n]; n];
+            for (at, column) in coordinates.iter_mut().enumerate() {
+                if at < r {
+                    for (k, image) in images.iter().enumerate() {
+                        let factor = from.rows()[k][at];
+                        let pairs = column.iter_mut().zip(image);
+                        pairs.for_each(|(c, &v)| *c = p.reduce(*c + factor * v));
+                    }
+                }
+            }
+            let mut power = polynomial.clone();
+            for column in &mut coordinates[r..] {
+                column[r..].copy_from_slice(&power);
+                power = split.times_x(&power);
+            }
+            // from coordinates to vectors on both sides
+            let columns: Vec<Vec<u64>> = coordinates
+                .iter()
+                .map(|column| {
+                    let mut sum = vec![0; n];
+                    for (&factor, vector) in column.iter().zip(&split.basis) {
+                        let pairs = sum.iter_mut().zip(vector);
+                        pairs.for_each(|(s, &v)| *s = p.reduce(*s + factor * v));
+                    }
+                    sum
+                })
+                .collect();
+            let mut matrix = vec![0; n * n];
+            for (k, column) in columns.iter().enumerate() {
+                for (i, &value) in column.iter().enumerate().filter(|(_, value)| **value != 0) {
+                    for (j, &entry) in split.coordinates.rows()[k].iter().enumerate() {
+                        matrix[i * n + j] = p.reduce(matrix[i * n + j] + value * entry);
+                    }
+                }
+            }
+            matrices.push(matrix);
+        }
+        Some(matrices)
+    }
+}
+
+fn column(matrix: &Matrix<Rational>, k: usize) -> Row<Rational> {
+    let entries = (0..matrix.rows()).map(|i| (i, matrix.get(i, k)));
+    entries.filter(|(_, value)| !value.vanishes()).collect()
+}
+
+/// An element that generates the algebra of commuting matrices, and its minimal polynomial.
+fn generator(matrices: &[Matrix<Rational>]) -> Option<(Matrix<Rational>, Uni<BigRational>)> {
+    let degree = matrices.len();
+    for trial in 1..64i64 {
+        let mut gamma = Matrix::zero(matrices[0].rows(), matrices[0].columns());
+        for (at, matrix) in matrices.iter().enumerate() {
+            let factor = Rational::from_i64((trial * (at as i64 + 1) * (at as i64 + trial)) % 11);
+            gamma = gamma.add(&matrix.map(|v| v.clone() * &factor)).ok()?;
+        }
+        let n = gamma.rows();
+        let start: Vec<Rational> =
+            (0..n).map(|i| Rational::from_i64((i as i64 * 7 + trial) % 13 + 1)).collect();
+        let mut powers = vec![start];
+        for at in 0..degree {
+            powers.push(gamma.apply(&powers[at]).ok()?);
+        }
+        let system = Matrix::from_dense(&powers[..degree]).ok()?.transpose();
+        if system.rank().ok()? < degree {
+            continue;
+        }
+        let solution = system.solve(&powers[degree]).ok()??;
+        let big = |value: &Rational| -BigRational::from(value);
+        let mut coefficients: Vec<BigRational> = solution.iter().map(big).collect();
+        coefficients.push(BigRational::from_integer(1.into()));
+        return Some((gamma, Uni::new(coefficients)));
+    }
+    None
+}
+
+/// A polynomial of a matrix.
+fn evaluate(matrix: &Matrix<Rational>, polynomial: &Uni<BigRational>) -> Matrix<Rational> {
+    let n = matrix.rows();
+    let square = "square matrices of one size";
+    polynomial.0.iter().rev().fold(Matrix::zero(n, n), |value, coefficient| {
+        let constant = Rational::from(coefficient.clone());
+        let shift = Matrix::diagonal(std::iter::repeat_n(constant, n));
+        value.mul(matrix).expect(square).add(&shift).expect(square)
+    })
+}
+
+/// Intervals, one around each real root, that contain no other.
+fn separated(polynomial: &Uni<BigRational>) -> Vec<(BigRational, BigRational)> {
+    let two = BigRational::from_integer(2.into());
+    polynomial
+        .isolate()
+        .into_iter()
+        .map(|(lower, upper)| {
+            // roots of irreducible polynomials of higher degree are not rational: no root is a bound
+            let room = (&upper - &lower) / &two;
+            if polynomial.deg() == 1 { (&lower - &room, &upper + &room) } else { (lower, upper) }
+        })
+        .collect()
+}

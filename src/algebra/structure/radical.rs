@@ -1,0 +1,88 @@
+//! The solvable radical and the nilradical.
+
+use super::{Ground, Structure, Subspace};
+use affinor_tensors::linear::{Matrix, Row};
+
+/// How many elements are tried before a search is given up.
+pub(super) const TRIALS: i64 = 64;
+
+impl<S: Ground> Structure<S> {
+    /// The radical, the largest solvable ideal: the orthogonal complement of `[L, L]` for the Killing
+    /// form (de Graaf 2.6).
+    pub fn radical(&self) -> &Subspace<S> {
+        self.radical.get_or_init(|| {
+            let n = self.dimension();
+            if self.is_semisimple() {
+                return Subspace::zero(n);
+            }
+            if self.is_solvable() {
+                return self.whole();
+            }
+            let derived = Matrix::from_rows(n, self.derived().basis().iter().cloned());
+            let derived = derived.expect("vectors of the algebra");
+            let forms = derived.mul(&self.killing().matrix).expect("vectors and a form");
+            Subspace::kernel(n, (0..forms.rows()).map(|at| forms.row(at).to_vec()))
+        })
+    }
+
+    /// The nilradical, the largest nilpotent ideal.
+    ///
+    /// The weights of the radical `R` on itself vanish on `[L, R]`, and the nilradical is their common
+    /// kernel. For an element `y` on which different weights differ it is the set of the `x` in `R`
+    /// with `tr(ad_x ad_y^k) = 0` on `R` for all `k`. For any `y` that set contains the nilradical, so
+    /// it is the nilradical as soon as it is a nilpotent ideal.
+    pub fn nilradical(&self) -> Subspace<S> {
+        let radical = self.radical();
+        let inside = self.subalgebra(radical).expect("the radical is a subalgebra");
+        if inside.is_nilpotent() {
+            return radical.clone();
+        }
+        let lower = self.bracket(&self.whole(), radical);
+        let lower = lower.basis().iter().filter_map(|row| radical.coordinates(row));
+        let lower = Subspace::span(radical.dimension(), lower);
+        let open: Vec<usize> = lower.complement().collect();
+        for trial in 1..=TRIALS {
+            let coefficients = (0..).scan(1, |power, _| {
+                *power = (*power * trial + 1) % 101;
+                Some(S::from_i64(*power))
+            });
+            let y: Row<S> = open.iter().copied().zip(coefficients).collect();
+            let found = inside.weightless(&lower, &open, &y);
+            let nilpotent =
+                inside.subalgebra(&found).is_ok_and(|candidate| candidate.is_nilpotent());
+            if nilpotent {
+                return radical.within(&found);
+            }
+        }
+        unreachable!("finitely many weights are separated by one of many elements")
+    }
+
+    /// The `x` with `tr(ad_x ad_y^k) = 0` for all `k`, as `lower` and combinations of the basis
+    /// vectors `open`.
+    fn weightless(&self, lower: &Subspace<S>, open: &[usize], y: &Row<S>) -> Subspace<S> {
+        let n = self.dimension();
+        let matrix = |x: &[(usize, S)]| {
+            let ad = self.products.ad(x);
+            // column by column: the transpose
+            Matrix::from_rows(n, (0..n).map(|k| ad.column(k).clone())).expect("a square matrix")
+        };
+        let ads: Vec<Matrix<S>> = open.iter().map(|&at| matrix(&[(at, S::one())])).collect();
+        let y = matrix(y);
+        let mut power = Matrix::identity(n);
+        let mut equations = vec![];
+        for _ in 0..n {
+            let trace = |(at, ad): (usize, &Matrix<S>)| {
+                let terms = ad.entries().map(|(i, j, value)| power.get(j, i) * value);
+                let trace = terms.fold(S::zero(), |sum, term| sum + &term);
+                (!trace.vanishes()).then_some((at, trace))
+            };
+            equations.push(ads.iter().enumerate().filter_map(trace).collect::<Row<S>>());
+            power = power.mul(&y).expect("square matrices");
+        }
+        let kernel = Subspace::kernel(open.len(), equations);
+        let vectors = kernel.basis().iter().map(|row| {
+            row.iter().map(|(at, value)| (open[*at], value.clone())).collect::<Row<S>>()
+        });
+        lower.sum(&Subspace::span(n, vectors))
+    }
+}

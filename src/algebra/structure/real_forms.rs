@@ -1,0 +1,95 @@
+//! The real forms of the simple complex algebras, by type and signature of the Killing form.
+//!
+//! The dimension of a maximal compact subalgebra is the number of negative squares. Type and
+//! signature decide the form, except for su(p,q) and su*(p+q) with `(p-q)^2 = p+q+2`, and so(p,q) and
+//! so*(p+q) with `(p-q)^2 = 2(p+q)`. S. Helgason, *Differential Geometry, Lie Groups, and Symmetric
+//! Spaces*, ch. X, table V.
+
+use crate::algebra::roots::{CartanType, Series};
+
+/// The names of the real forms of a type whose maximal compact subalgebras have this dimension: one, or
+/// two in the exceptional cases.
+///
+/// ```
+/// use affinor::algebra::roots::{CartanType, Series};
+/// use affinor::algebra::structure::real_forms::real_forms;
+/// let b2 = CartanType::new(Series::B, 2)?;
+/// assert_eq!(real_forms(b2, 6), ["so(4,1)"]);
+/// # Ok::<(), affinor::algebra::roots::RootError>(())
+/// ```
+pub fn real_forms(cartan_type: CartanType, compact: usize) -> Vec<String> {
+    let (r, series) = (cartan_type.rank(), cartan_type.series());
+    let all: Vec<(usize, String)> = match series {
+        Series::A => special_linear(r + 1),
+        Series::B => orthogonal(2 * r + 1).collect(),
+        Series::C => symplectic(r),
+        Series::D => orthogonal(2 * r).chain([(r * r, format!("so*({})", 2 * r))]).collect(),
+        _ => exceptional(cartan_type),
+    };
+    let mut names: Vec<String> = all
+        .into_iter()
+        .filter(|(dimension, _)| *dimension == compact)
+        .map(|(_, name)| name)
+        .collect();
+    if r == 4 && series == Series::D {
+        // so*(8) is so(6,2)
+        names.truncate(1);
+    }
+    names
+}
+
+/// The name of the complex algebra of a type, regarded as real.
+pub fn complex_form(cartan_type: CartanType) -> String {
+    let r = cartan_type.rank();
+    match cartan_type.series() {
+        Series::A => format!("sl({},C)", r + 1),
+        Series::B => format!("so({},C)", 2 * r + 1),
+        Series::C => format!("sp({},C)", 2 * r),
+        Series::D => format!("so({},C)", 2 * r),
+        _ => format!("{cartan_type}(C)"),
+    }
+}
+
+/// Name of a form with two arguments, the compact one with one.
+fn two(head: &str, p: usize, q: usize) -> String {
+    if q == 0 { format!("{head}({p})") } else { format!("{head}({p},{q})") }
+}
+
+fn special_linear(n: usize) -> Vec<(usize, String)> {
+    let split = (n * (n - 1) / 2, format!("sl({n},R)"));
+    // su(1,1) is sl(2,R)
+    let unitary = (0..=n / 2).filter(|q| (n, *q) != (2, 1));
+    let unitary = unitary.map(|q| (q * q + (n - q) * (n - q) - 1, two("su", n - q, q)));
+    // su*(2) is su(2)
+    let quaternionic =
+        (n > 2 && n.is_multiple_of(2)).then(|| (n / 2 * (n + 1), format!("su*({n})")));
+    [split].into_iter().chain(unitary).chain(quaternionic).collect()
+}
+
+fn orthogonal(n: usize) -> impl Iterator<Item = (usize, String)> {
+    let pairs = |n: usize| n * n.saturating_sub(1) / 2;
+    (0..=n / 2).map(move |q| (pairs(q) + pairs(n - q), two("so", n - q, q)))
+}
+
+/// sp(p,q) has quaternionic arguments, sp(2r,R) real ones.
+fn symplectic(r: usize) -> Vec<(usize, String)> {
+    let compact = |n: usize| n * (2 * n + 1);
+    let split = (r * r, format!("sp({},R)", 2 * r));
+    let others = (0..=r / 2).map(|q| (compact(q) + compact(r - q), two("sp", r - q, q)));
+    [split].into_iter().chain(others).collect()
+}
+
+/// The character `dim p - dim k` stands in parentheses.
+fn exceptional(cartan_type: CartanType) -> Vec<(usize, String)> {
+    let compact: &[usize] = match (cartan_type.series(), cartan_type.rank()) {
+        (Series::G, _) => &[6, 14],
+        (Series::F, _) => &[24, 36, 52],
+        (_, 6) => &[36, 38, 46, 52, 78],
+        (_, 7) => &[63, 69, 79, 133],
+        _ => &[120, 136, 248],
+    };
+    let n = cartan_type.dimension() as i64;
+    let letter = cartan_type.to_string().to_lowercase();
+    let name = |&k: &usize| (k, format!("{letter}({})", n - 2 * k as i64));
+    compact.iter().map(name).collect()
+}

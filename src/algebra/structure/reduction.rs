@@ -1,0 +1,175 @@
+//! A Lie algebra modulo a prime: brackets of residues, and ranks that do not depend on the prime.
+//!
+//! The rank of a matrix modulo a prime is at most its rank, and equal to it for all but finitely many
+//! primes. Ranks here are the larger one of two primes.
+
+use super::{Ground, Structure};
+use affinor_tensors::linear::modular::{PRIMES, Prime, Residues};
+
+/// The structure constants of an algebra modulo a prime.
+#[derive(Clone, Debug)]
+pub struct Reduction {
+    prime: Prime,
+    /// `(k, i, c^i_jk)` of each `j`
+    by_first: Vec<Vec<(usize, usize, u64)>>,
+}
+
+/// Pseudorandom residues, the same in every run.
+#[derive(Clone, Debug)]
+pub struct Draw(u64);
+
+impl Draw {
+    /// A sequence by its number.
+    pub fn new(seed: u64) -> Self {
+        Draw(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
+    }
+
+    /// The next residue.
+    pub fn residue(&mut self, prime: Prime) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 33) % prime.get()
+    }
+
+    /// A vector of residues.
+    pub fn vector(&mut self, prime: Prime, length: usize) -> Vec<u64> {
+        (0..length).map(|_| self.residue(prime)).collect()
+    }
+}
+
+impl Reduction {
+    /// The algebra modulo a prime; `None` if the prime divides a denominator.
+    pub fn new<S: Ground>(structure: &Structure<S>, prime: Prime) -> Option<Self> {
+        let line = |j: usize| {
+            let terms = structure.products.of(j).iter();
+            let residues = terms.map(|(k, i, value)| Some((*k, *i, value.residue(prime)?)));
+            residues.collect::<Option<Vec<_>>>()
+        };
+        let by_first = (0..structure.dimension()).map(line).collect::<Option<_>>()?;
+        Some(Reduction { prime, by_first })
+    }
+
+    /// The prime.
+    pub fn prime(&self) -> Prime {
+        self.prime
+    }
+
+    /// The dimension.
+    pub fn dimension(&self) -> usize {
+        self.by_first.len()
+    }
+
+    /// The constants `(k, i, c^i_jk)` of `[e_j, .]`.
+    pub fn of(&self, j: usize) -> &[(usize, usize, u64)] {
+        &self.by_first[j]
+    }
+
+    /// The matrix of `[x, .]`: row `i`, column `k`.
+    pub fn ad(&self, x: &[u64]) -> Residues {
+        let (n, p) = (self.dimension(), self.prime);
+        let mut rows = vec![vec![0; n]; n];
+        for (j, &factor) in x.iter().enumerate().filter(|(_, factor)| **factor != 0) {
+            for &(k, i, value) in self.of(j) {
+                rows[i][k] = p.reduce(rows[i][k] + factor * value);
+            }
+        }
+        Residues::new(p, n, rows)
+    }
+
+    /// The bracket of two vectors.
+    pub fn bracket(&self, x: &[u64], y: &[u64]) -> Vec<u64> {
+        let p = self.prime;
+        let mut result = vec![0; self.dimension()];
+        for (j, &factor) in x.iter().enumerate().filter(|(_, factor)| **factor != 0) {
+            for &(k, i, value) in self.of(j).iter().filter(|(k, ..)| y[*k] != 0) {
+                result[i] = p.reduce(result[i] + p.mul(factor, y[k]) * value);
+            }
+        }
+        result
+    }
+
+    /// The matrix of the Killing form.
+    pub fn killing(&self) -> Residues {
+        let (n, p) = (self.dimension(), self.prime);
+        let mut rows = vec![vec![0; n]; n];
+        let mut dense = vec![0; n * n];
+        for a in 0..n {
+            self.of(a).iter().for_each(|&(k, i, value)| dense[k * n + i] = value);
+            for (b, entry) in rows[a].iter_mut().enumerate() {
+                let terms = self.of(b).iter();
+                *entry = terms.fold(0, |sum, &(k, i, v)| p.reduce(sum + v * dense[i * n + k]));
+            }
+            self.of(a).iter().for_each(|&(k, i, _)| dense[k * n + i] = 0);
+        }
+        Residues::new(p, n, rows)
+    }
+
+    /// The rank of the form `f([x, y])` for a pseudorandom linear form `f`.
+    fn rank_of_generic_form(&self) -> usize {
+        let (n, p) = (self.dimension(), self.prime);
+        let form = Draw::new(1).vector(p, n);
+        let mut rows = vec![vec![0; n]; n];
+        for (j, row) in rows.iter_mut().enumerate() {
+            for &(k, i, value) in self.of(j) {
+                row[k] = p.reduce(row[k] + value * form[i]);
+            }
+        }
+        Residues::new(p, n, rows).rank()
+    }
+
+    /// Few vectors that generate the algebra: pseudorandom ones, as many as are needed.
+    pub(super) fn generators(&self) -> Vec<Vec<u64>> {
+        let (n, p) = (self.dimension(), self.prime);
+        let mut draw = Draw::new(2);
+        let mut generators = vec![];
+        loop {
+            generators.push(draw.vector(p, n));
+            if generators.len() >= n || (generators.len() > 1 && self.generates(&generators)) {
+                return generators;
+            }
+        }
+    }
+
+    /// Whether the vectors generate the algebra.
+    fn generates(&self, generators: &[Vec<u64>]) -> bool {
+        let (n, p) = (self.dimension(), self.prime);
+        let mut layer = generators.to_vec();
+        let mut span = Residues::new(p, n, generators.to_vec());
+        let mut rank = span.reduce().len();
+        while rank < n {
+            let images = layer.iter().flat_map(|x| generators.iter().map(|g| self.bracket(g, x)));
+            let images: Vec<Vec<u64>> = images.collect();
+            let mut next = Residues::new(p, n, [span.rows(), &images].concat());
+            let grown = next.reduce().len();
+            if grown == rank {
+                return false;
+            }
+            // random combinations of the images span as much as the images do
+            layer = match images.len() > 2 * n {
+                true => next.rows().to_vec(),
+                false => images,
+            };
+            (span, rank) = (next, grown);
+        }
+        true
+    }
+}
+
+impl<S: Ground> Structure<S> {
+    /// The algebra modulo primes that divide no denominator.
+    pub fn reductions(&self) -> impl Iterator<Item = Reduction> {
+        PRIMES.into_iter().filter_map(|prime| Reduction::new(self, prime))
+    }
+
+    /// The largest rank of two primes.
+    pub(super) fn rank_modulo_primes(&self, rank: impl Fn(&Reduction) -> usize) -> usize {
+        self.reductions().take(2).map(|reduction| rank(&reduction)).max().unwrap_or(0)
+    }
+
+    /// The index: the dimension minus the largest rank of the forms `f([x, y])`, the number of
+    /// independent invariants of the coadjoint representation.
+    pub fn index(&self) -> usize {
+        self.dimension() - self.rank_modulo_primes(Reduction::rank_of_generic_form)
+    }
+}

@@ -1,0 +1,163 @@
+//! Subspaces of an algebra, by the reduced row echelon form of a basis.
+
+use affinor_tensors::Field;
+use affinor_tensors::linear::{Echelon, Matrix, Row};
+
+/// A subspace of the vectors with `ambient` components. Equal subspaces have equal bases.
+#[derive(Clone, Debug)]
+pub struct Subspace<S> {
+    ambient: usize,
+    echelon: Echelon<S>,
+}
+
+/// Elimination over a field finds the inverse of every pivot.
+const FIELD: &str = "every pivot of a field has an inverse";
+
+impl<S: Field> Subspace<S> {
+    /// The zero subspace.
+    pub fn zero(ambient: usize) -> Self {
+        Subspace { ambient, echelon: Echelon::new() }
+    }
+
+    /// All vectors.
+    pub fn whole(ambient: usize) -> Self {
+        Self::span(ambient, (0..ambient).map(|at| vec![(at, S::one())]))
+    }
+
+    /// The span of vectors.
+    pub fn span(ambient: usize, vectors: impl IntoIterator<Item = Row<S>>) -> Self {
+        let mut subspace = Self::zero(ambient);
+        for vector in vectors {
+            if subspace.dimension() == ambient {
+                break;
+            }
+            subspace.add(vector);
+        }
+        subspace
+    }
+
+    /// The vectors `x` with `v_i x_i = 0` for all given rows `v`.
+    pub fn kernel(ambient: usize, rows: impl IntoIterator<Item = Row<S>>) -> Self {
+        let matrix = Matrix::from_rows(ambient, rows).expect("columns of the subspace");
+        let kernel = matrix.nullspace().expect(FIELD);
+        Self::span(ambient, (0..kernel.rows()).map(|at| kernel.row(at).to_vec()))
+    }
+
+    /// The number of components of its vectors.
+    pub fn ambient(&self) -> usize {
+        self.ambient
+    }
+
+    /// The dimension.
+    pub fn dimension(&self) -> usize {
+        self.echelon.rank()
+    }
+
+    /// Whether only zero is in it.
+    pub fn is_zero(&self) -> bool {
+        self.dimension() == 0
+    }
+
+    /// The basis in reduced row echelon form, as sparse rows.
+    pub fn basis(&self) -> &[Row<S>] {
+        self.echelon.rows()
+    }
+
+    /// The basis with all components.
+    pub fn dense(&self) -> Vec<Vec<S>> {
+        let dense = |row: &Row<S>| {
+            let mut vector = vec![S::zero(); self.ambient];
+            row.iter().for_each(|(at, value)| vector[*at] = value.clone());
+            vector
+        };
+        self.basis().iter().map(dense).collect()
+    }
+
+    /// Adds a vector; whether the subspace grew.
+    pub fn add(&mut self, vector: Row<S>) -> bool {
+        self.echelon.insert(vector).expect(FIELD)
+    }
+
+    /// The sum of two subspaces.
+    #[must_use]
+    pub fn sum(&self, other: &Self) -> Self {
+        let mut sum = self.clone();
+        for row in other.basis() {
+            sum.add(row.clone());
+        }
+        sum
+    }
+
+    /// Whether the vector lies in the subspace.
+    pub fn contains(&self, vector: &[(usize, S)]) -> bool {
+        self.echelon.contains(vector.iter().cloned())
+    }
+
+    /// Whether the other subspace lies in this one.
+    pub fn includes(&self, other: &Self) -> bool {
+        other.basis().iter().all(|row| self.contains(row))
+    }
+
+    /// The remainder of a vector, zero at every pivot.
+    pub fn reduce(&self, vector: Row<S>) -> Row<S> {
+        self.echelon.reduce(vector)
+    }
+
+    /// The coordinates in [`basis`](Self::basis) that are not zero; `None` outside the subspace.
+    pub fn coordinates(&self, vector: &[(usize, S)]) -> Option<Row<S>> {
+        let all = self.echelon.coordinates(vector.iter().cloned())?;
+        Some(all.into_iter().enumerate().filter(|(_, value)| !value.vanishes()).collect())
+    }
+
+    /// The vector with these coordinates in [`basis`](Self::basis).
+    pub fn vector(&self, coordinates: &[(usize, S)]) -> Row<S> {
+        combination(self.basis(), coordinates)
+    }
+
+    /// The subspace of this one that a subspace of coordinates stands for.
+    pub fn within(&self, coordinates: &Self) -> Self {
+        Self::span(self.ambient, coordinates.basis().iter().map(|row| self.vector(row)))
+    }
+
+    /// The vectors of this subspace that a linear map sends to zero; `image` maps a basis vector.
+    pub fn kernel_of(&self, image: impl Fn(&Row<S>) -> Row<S>) -> Self {
+        let mut rows: std::collections::BTreeMap<usize, Row<S>> = Default::default();
+        for (at, vector) in self.basis().iter().enumerate() {
+            for (component, value) in image(vector) {
+                rows.entry(component).or_default().push((at, value));
+            }
+        }
+        self.within(&Self::kernel(self.dimension(), rows.into_values()))
+    }
+
+    /// The basis vectors of the whole space outside the pivots: a complement.
+    pub fn complement(&self) -> impl Iterator<Item = usize> {
+        (0..self.ambient).filter(|at| self.echelon.pivots().binary_search(at).is_err())
+    }
+}
+
+/// Equal subspaces.
+impl<S: Field> PartialEq for Subspace<S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.ambient == other.ambient && self.basis() == other.basis()
+    }
+}
+
+/// A linear combination of rows.
+pub(crate) fn combination<S: Field>(rows: &[Row<S>], coefficients: &[(usize, S)]) -> Row<S> {
+    let terms = coefficients.iter().flat_map(|(at, factor)| {
+        rows[*at].iter().map(move |(i, value)| (*i, value.clone() * factor))
+    });
+    collected(terms.collect())
+}
+
+/// The sum of terms, sorted and without zeros.
+pub(crate) fn collected<S: Field>(mut terms: Row<S>) -> Row<S> {
+    terms.sort_by_key(|(at, _)| *at);
+    let sum = |run: &[(usize, S)]| {
+        let total = run[1..].iter().fold(run[0].1.clone(), |total, (_, value)| total + value);
+        (run[0].0, total)
+    };
+    let sums = terms.chunk_by(|a, b| a.0 == b.0).map(sum);
+    sums.filter(|(_, value)| !value.vanishes()).collect()
+}

@@ -1,0 +1,213 @@
+//! Dense linear algebra modulo a prime below 2^31: ranks, kernels and polynomials of matrices.
+//!
+//! The rank modulo a prime is at most the rank over the rationals, and equal to it for all but finitely
+//! many primes.
+
+use crate::Rational;
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::{BigRational, Ratio};
+use num_traits::ToPrimitive;
+
+/// A prime below 2^31, with the constant of Barrett's reduction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Prime {
+    p: u64,
+    inverse: u64,
+}
+
+/// The largest primes below 2^31.
+pub const PRIMES: [Prime; 6] = [
+    Prime::unchecked(2_147_483_647),
+    Prime::unchecked(2_147_483_629),
+    Prime::unchecked(2_147_483_587),
+    Prime::unchecked(2_147_483_579),
+    Prime::unchecked(2_147_483_563),
+    Prime::unchecked(2_147_483_549),
+];
+
+impl Prime {
+    const fn unchecked(p: u64) -> Self {
+        Prime { p, inverse: u64::MAX / p }
+    }
+
+    /// The prime, if it is an odd prime below 2^31.
+    pub fn new(p: u64) -> Option<Self> {
+        let odd = p > 2 && p < 1 << 31 && polycore::modp::is_prime(p);
+        odd.then_some(Self::unchecked(p))
+    }
+
+    /// The prime itself.
+    pub fn get(self) -> u64 {
+        self.p
+    }
+
+    /// The residue of `x`.
+    #[inline]
+    pub fn reduce(self, x: u64) -> u64 {
+        let quotient = ((u128::from(x) * u128::from(self.inverse)) >> 64) as u64;
+        let rest = x - quotient * self.p;
+        if rest >= self.p { rest - self.p } else { rest }
+    }
+
+    /// The product of two residues.
+    #[inline]
+    pub fn mul(self, a: u64, b: u64) -> u64 {
+        self.reduce(a * b)
+    }
+
+    /// The sum of two residues.
+    #[inline]
+    pub fn add(self, a: u64, b: u64) -> u64 {
+        let sum = a + b;
+        if sum >= self.p { sum - self.p } else { sum }
+    }
+
+    /// The residue `-a`.
+    #[inline]
+    pub fn neg(self, a: u64) -> u64 {
+        if a == 0 { 0 } else { self.p - a }
+    }
+
+    /// The inverse of a residue; `None` for zero.
+    pub fn inv(self, a: u64) -> Option<u64> {
+        polycore::modp::try_inv(a, self.p)
+    }
+
+    /// The residue of an integer.
+    pub fn integer(self, a: i64) -> u64 {
+        a.rem_euclid(self.p as i64) as u64
+    }
+
+    /// The residue of a rational; `None` if the prime divides its denominator.
+    pub fn rational(self, a: &Rational) -> Option<u64> {
+        if let Ok(words) = Ratio::<i64>::try_from(a) {
+            let numerator = self.integer(*words.numer());
+            return match *words.denom() {
+                1 => Some(numerator),
+                denominator => Some(self.mul(numerator, self.inv(self.integer(denominator))?)),
+            };
+        }
+        let (big, p) = (BigRational::from(a), BigInt::from(self.p));
+        let residue = |n: &BigInt| n.mod_floor(&p).to_u64();
+        Some(self.mul(residue(big.numer())?, self.inv(residue(big.denom())?)?))
+    }
+}
+
+/// A dense matrix of residues.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Residues {
+    prime: Prime,
+    columns: usize,
+    rows: Vec<Vec<u64>>,
+}
+
+impl Residues {
+    /// The matrix with these rows of residues, each of `columns` entries.
+    pub fn new(prime: Prime, columns: usize, rows: Vec<Vec<u64>>) -> Self {
+        debug_assert!(rows.iter().all(|row| row.len() == columns));
+        Residues { prime, columns, rows }
+    }
+
+    /// The residues of a matrix; `None` if the prime divides a denominator.
+    pub fn of_rationals(prime: Prime, matrix: &super::Matrix<Rational>) -> Option<Self> {
+        let residues = |row: Vec<Rational>| row.iter().map(|v| prime.rational(v)).collect();
+        let rows = matrix.to_dense().into_iter().map(residues).collect::<Option<_>>()?;
+        Some(Self::new(prime, matrix.columns(), rows))
+    }
+
+    /// The rows.
+    pub fn rows(&self) -> &[Vec<u64>] {
+        &self.rows
+    }
+
+    /// The number of columns.
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// Brings the rows to reduced row echelon form and drops zero rows; the pivot columns.
+    pub fn reduce(&mut self) -> Vec<usize> {
+        let p = self.prime;
+        let mut pivots = vec![];
+        for column in 0..self.columns {
+            let done = pivots.len();
+            if done == self.rows.len() {
+                break;
+            }
+            let Some(at) = (done..self.rows.len()).find(|&i| self.rows[i][column] != 0) else {
+                continue;
+            };
+            self.rows.swap(done, at);
+            let mut pivot = std::mem::take(&mut self.rows[done]);
+            let unit = p.inv(pivot[column]).unwrap_or(1);
+            pivot[column..].iter_mut().for_each(|v| *v = p.mul(*v, unit));
+            for row in self.rows.iter_mut().filter(|row| !row.is_empty()) {
+                let factor = p.neg(row[column]);
+                if factor != 0 {
+                    let pairs = row[column..].iter_mut().zip(&pivot[column..]);
+                    pairs.for_each(|(v, &w)| *v = p.reduce(*v + factor * w));
+                }
+            }
+            self.rows[done] = pivot;
+            pivots.push(column);
+        }
+        self.rows.truncate(pivots.len());
+        pivots
+    }
+
+    /// The rank.
+    pub fn rank(mut self) -> usize {
+        self.reduce().len()
+    }
+
+    /// A basis of the vectors `x` with `A x = 0`, one for each column without a pivot.
+    pub fn kernel(mut self) -> Vec<Vec<u64>> {
+        let pivots = self.reduce();
+        let free = (0..self.columns).filter(|j| pivots.binary_search(j).is_err());
+        let vector = |j: usize| {
+            let mut x = vec![0; self.columns];
+            x[j] = 1;
+            for (row, &pivot) in self.rows.iter().zip(&pivots) {
+                x[pivot] = self.prime.neg(row[j]);
+            }
+            x
+        };
+        free.map(vector).collect()
+    }
+
+    /// The vector `A x`.
+    pub fn apply(&self, x: &[u64]) -> Vec<u64> {
+        let p = self.prime;
+        let component =
+            |row: &Vec<u64>| row.iter().zip(x).fold(0, |sum, (a, b)| p.reduce(sum + a * b));
+        self.rows.iter().map(component).collect()
+    }
+}
+
+/// Rational numbers with given residues modulo several primes, as long as the numerators and
+/// denominators are below the square root of half the product of the primes.
+#[derive(Clone, Debug)]
+pub struct Images(polycore::crt::MixedRadixAccumulator);
+
+impl Images {
+    /// No images yet, of `length` numbers.
+    pub fn new(length: usize) -> Self {
+        Images(polycore::crt::MixedRadixAccumulator::new(length))
+    }
+
+    /// Adds the residues modulo a further prime; `false` if their number is wrong.
+    pub fn add(&mut self, prime: Prime, residues: &[u64]) -> bool {
+        self.0.add(prime.get(), residues).is_ok()
+    }
+
+    /// The numbers, if the primes are enough for short ones.
+    pub fn rationals(&self) -> Option<Vec<Rational>> {
+        Some(self.0.reconstruct()?.into_iter().map(Rational::from).collect())
+    }
+}
+
+/// The primes below 2^31 in decreasing order.
+pub fn primes() -> impl Iterator<Item = Prime> {
+    (1..1u64 << 31).rev().step_by(2).filter_map(Prime::new)
+}
