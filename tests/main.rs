@@ -29,6 +29,7 @@ mod frames;
 mod frames_at_a_point;
 mod free_body;
 mod full_turns;
+mod group_elements;
 mod group_laws;
 mod group_thresholds;
 mod holonomy;
