@@ -1,9 +1,10 @@
 //! Elements as numbers, elements brought back to the group, and `Ad*`, on every group.
 
 use affinor::group::{
-    Coordinates, Embedded, Heisenberg, LieGroup, Opposite, Se2, Se3, Se23, Sl2, So2, So3,
+    Coordinates, Embedded, Heisenberg, LieGroup, MatrixGroup, Opposite, Se2, Se3, Se23, Sl2, So2,
+    So3,
 };
-use nalgebra::{DVector, SVector, UnitQuaternion, Vector2, Vector3, Vector6};
+use nalgebra::{DMatrix, DVector, SVector, UnitQuaternion, Vector2, Vector3, Vector6};
 
 /// The covector that a group's own `Ad*` gives is that of `Ad`; elements that are off the group come back.
 #[test]
@@ -73,4 +74,28 @@ fn numbers_of_elements() {
     check(Opposite(So3));
     check(Opposite(Se3));
     check(Opposite(Sl2));
+}
+
+/// A basis that mixes rotations with translations: the coordinates of a matrix keep the digits of rotations, in any unit
+/// of length.
+#[test]
+fn rotations_beside_long_translations() {
+    for length in [1e-6, 1.0, 1e3, 1e6] {
+        let mut basis = vec![DMatrix::zeros(4, 4); 6];
+        for i in 0..3 {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            (basis[i][(k, j)], basis[i][(j, k)]) = (1.0, -1.0);
+            basis[i + 3][(i, 3)] = 1.0;
+        }
+        basis[0] = &basis[0] + &basis[3] * (0.5 * length);
+        basis[2] = &basis[2] + &basis[4] * (-0.25 * length) + &basis[0];
+        let group = MatrixGroup::new(&basis).unwrap();
+        let x = DVector::from_vec(vec![1.2, -0.7, 0.4, -0.6 * length, 0.3 * length, 0.1 * length]);
+        let again = group.coordinates(&group.generator(&x));
+        for i in 0..6 {
+            let off = (again[i] - x[i]).abs();
+            let terms = if i < 3 { 1.0 } else { 1.0 + length };
+            assert!(off <= 4.0 * f64::EPSILON * terms, "{length}: {again}");
+        }
+    }
 }

@@ -128,6 +128,8 @@ fn problem(body: &Body, frame: &Frame, how: How) -> String {
     }
     if is_mixed {
         all = there.transpose() * all * there;
+        // rounding beside large moments is no asymmetry
+        all = (all + all.transpose()) * 0.5;
     }
     let mut text = String::new();
     if space == "se3" {

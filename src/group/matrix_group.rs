@@ -81,8 +81,13 @@ impl MatrixGroup {
         }
         let columns: Vec<_> =
             basis.iter().map(|m| DVector::from_column_slice(m.as_slice())).collect();
-        let (q, r) = DMatrix::from_columns(&columns).qr().unpack();
+        let columns = DMatrix::from_columns(&columns);
+        let (q, r) = columns.clone().qr().unpack();
         let nearest = r.solve_upper_triangular(&q.transpose()).ok_or(Error::SingularBasis)?;
+        // beside translations of kilometres the factors know rotations to the rounding of a kilometre: Newton's step for
+        // nearest columns = 1 brings each entry to its own
+        let residual = DMatrix::identity(basis.len(), basis.len()) - &nearest * &columns;
+        let nearest = &nearest + residual * &nearest;
         let orthogonal = basis.iter().all(|m| *m == -m.transpose());
         let translations = if orthogonal { None } else { translations(bracket.structure()) };
         Ok(MatrixGroup { basis, nearest, bracket, translations, orthogonal })
