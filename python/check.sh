@@ -10,7 +10,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 step() {
-    printf '\n== %s\n' "$*"
+    printf '\n== %s\n' "$*" >&2
     "$@"
 }
 
@@ -39,5 +39,5 @@ run() {
 run python -m affinor >"$work/comparison.txt"
 cmp "$work/comparison.txt" <("$command" compare)
 run python -m mypy --config-file "$here/python/pyproject.toml"
-run python -m mypy.stubtest affinor --ignore-missing-stub --allowlist "$here/python/stubtest.txt"
+run python -m mypy.stubtest affinor --mypy-config-file "$here/python/pyproject.toml"
 run python -m pytest -q -c "$here/python/pyproject.toml" --rootdir "$here/python" "$here/python/tests"

@@ -52,6 +52,7 @@ mod right_frame;
 mod rotation_accuracy;
 mod rotation_conversions;
 mod scalars_agree;
+mod serial;
 mod structure;
 mod structure_constants;
 mod tableaux;

@@ -259,11 +259,14 @@ fn batches() {
             batch::exp_rows(&rows, &mut by_rows);
             let wxyz: Vec<[f64; 4]> =
                 (0..rows.len()).map(|at| rotations.columns().map(|column| column[at])).collect();
+            let mut pairs = vec![[0.0; 4]; rows.len()];
+            batch::compose_rows(&wxyz, &by_rows, &mut pairs);
             let mut back = vec![[0.0; 3]; rows.len()];
             batch::log_rows(&wxyz, &mut back);
             for (at, x) in vectors.iter().enumerate() {
                 let g = So3.exp(x);
                 assert_eq!(by_rows[at], found.columns().map(|column| column[at]), "{x}");
+                assert_eq!(pairs[at], squares.columns().map(|column| column[at]), "{x}");
                 assert_eq!(back[at], <[f64; 3]>::from(logarithms.get(at)), "{x}");
                 assert!((found.get(at).coords - g.coords).norm() <= 2.0 * EPS, "{x}");
                 assert!((squares.get(at).coords - (g * g).coords).norm() <= 4.0 * EPS, "{x}");

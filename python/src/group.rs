@@ -176,7 +176,7 @@ fn apply_all<G: Written + Sync>(
 }
 
 /// Rotations by rows in a batch; `false` if the rows have to be taken one by one.
-fn rotations(operation: Operation, a: &Rows<'_>, out: &mut [f64]) -> bool {
+fn rotations(operation: Operation, [a, b]: [&Rows<'_>; 2], out: &mut [f64]) -> bool {
     let Some(rows) = a.all() else { return false };
     match operation {
         Operation::Exp => {
@@ -200,6 +200,22 @@ fn rotations(operation: Operation, a: &Rows<'_>, out: &mut [f64]) -> bool {
                 return valid((g, x));
             }
             g.par_chunks(ALONE).zip(x.par_chunks_mut(ALONE)).all(valid)
+        }
+        Operation::Compose => {
+            let Some(others) = b.all() else { return false };
+            let (g, h) = (rows.as_chunks::<4>().0, others.as_chunks::<4>().0);
+            let out = out.as_chunks_mut::<4>().0;
+            if g.len() != h.len() || g.len() != out.len() {
+                return false;
+            }
+            if g.len() <= ALONE {
+                batch::compose_rows(g, h, out);
+            } else {
+                let pairs = g.par_chunks(ALONE).zip(h.par_chunks(ALONE));
+                let all = pairs.zip(out.par_chunks_mut(ALONE));
+                all.for_each(|((g, h), out)| batch::compose_rows(g, h, out));
+            }
+            true
         }
         _ => false,
     }
@@ -255,7 +271,7 @@ impl PyGroup {
             let alone = target.len() <= ALONE * width;
             let is_so3 = any.downcast_ref::<So3>().is_some();
             let work = || {
-                if is_so3 && rotations(operation, &a, target) {
+                if is_so3 && rotations(operation, [&a, b], target) {
                     return Ok(());
                 }
                 with_group!(any, group =>

@@ -104,12 +104,27 @@ pub fn compose(g: &Quaternions, h: &Quaternions, products: &mut Quaternions) {
         let [a, b, c, d] = part(&g.0, task);
         let [e, f, g, h] = part(&h.0, task);
         for t in 0..w.len().min(a.len()).min(e.len()) {
-            w[t] = a[t] * e[t] - b[t] * f[t] - c[t] * g[t] - d[t] * h[t];
-            x[t] = a[t] * f[t] + b[t] * e[t] + c[t] * h[t] - d[t] * g[t];
-            y[t] = a[t] * g[t] - b[t] * h[t] + c[t] * e[t] + d[t] * f[t];
-            z[t] = a[t] * h[t] + b[t] * g[t] - c[t] * f[t] + d[t] * e[t];
+            [w[t], x[t], y[t], z[t]] = product([a[t], b[t], c[t], d[t]], [e[t], f[t], g[t], h[t]]);
         }
     });
+}
+
+/// The product of two quaternions.
+#[inline(always)]
+fn product([a, b, c, d]: [f64; 4], [e, f, g, h]: [f64; 4]) -> [f64; 4] {
+    [
+        a * e - b * f - c * g - d * h,
+        a * f + b * e + c * h - d * g,
+        a * g - b * h + c * e + d * f,
+        a * h + b * g - c * f + d * e,
+    ]
+}
+
+/// [`compose`] of rows `w, x, y, z`, in the thread of the caller.
+pub fn compose_rows(g: &[[f64; 4]], h: &[[f64; 4]], products: &mut [[f64; 4]]) {
+    for ((g, h), gh) in g.iter().zip(h).zip(products) {
+        *gh = product(*g, *h);
+    }
 }
 
 /// The number of rows that are turned into columns together.

@@ -154,3 +154,23 @@ fn every_example_satisfies_the_jacobi_identity() {
         assert!(bracket.jacobi_violation().is_none(), "{}", family.example);
     }
 }
+
+/// Derivations and invariant forms of `s + R^z`, by the equations in low dimension and by the theory above it.
+#[test]
+fn reductive_algebras_on_both_sides_of_the_largest_dimension() {
+    for (name, factors, z) in [
+        ("A2+R^2", 1, 2),
+        ("so(3,1)+R^3", 2, 3),
+        ("A2+A1+R^1", 2, 1),
+        ("A2+A4+R^2", 2, 2),
+        ("so(3,1)+A4+R^3", 3, 3),
+        ("sl(3,C)+A3+R^1", 3, 1),
+        ("E6", 1, 0),
+    ] {
+        let all = structure(name);
+        let n = all.dimension();
+        assert_eq!(all.derivations(), Some(n - z + z * z), "{name}");
+        assert_eq!(all.invariant_forms(), Some(factors + z * (z + 1) / 2), "{name}");
+    }
+    assert_eq!(structure("se(8)").invariant_forms(), None);
+}
