@@ -108,15 +108,13 @@ impl Structure<Rational> {
                     image
                 })
                 .collect();
-            for k in 0..n {
-                for i in 0..n {
-                    let left = ad.column(k).iter().map(|(m, v)| (i * n + m, v.clone()));
-                    let right = (0..n).filter(|m| !dense[*m][i].vanishes());
-                    let right = right.map(|m| (m * n + k, -dense[m][i].clone()));
-                    let row = super::subspace::collected(left.chain(right).collect());
-                    if !row.is_empty() {
-                        equations.push(row);
-                    }
+            for (k, i) in (0..n).flat_map(|k| (0..n).map(move |i| (k, i))) {
+                let left = ad.column(k).iter().map(|(m, v)| (i * n + m, v.clone()));
+                let right = dense.iter().enumerate().filter(|(_, image)| !image[i].vanishes());
+                let right = right.map(|(m, image)| (m * n + k, -image[i].clone()));
+                let row = super::subspace::collected(left.chain(right).collect());
+                if !row.is_empty() {
+                    equations.push(row);
                 }
             }
         }
