@@ -5,7 +5,7 @@
 //! - [`Structure`]: an algebra with its brackets tabulated; `series`, `killing`, `radical`, `cartan`, `levi`;
 //! - [`reduction`]: the algebra modulo a prime, for ranks; `derivations`, `cohomology`;
 //! - [`dynkin`], `ideals`, [`real_forms`]: Dynkin types, simple ideals over the reals and their names;
-//! - `identification`: names of algebras of low dimension;
+//! - `decomposition`: indecomposable ideals; `identification`: names in low dimension;
 //! - `constructions`: quotients, extensions, semidirect sums, contractions, complexifications.
 //!
 //! W. A. de Graaf, *Lie Algebras: Theory and Algorithms*, North-Holland 2000.
@@ -13,6 +13,7 @@
 mod cartan;
 mod cohomology;
 mod constructions;
+mod decomposition;
 mod derivations;
 pub mod dynkin;
 mod ground;
@@ -28,6 +29,7 @@ mod series;
 mod subspace;
 
 pub use cohomology::MAX_DIMENSION as MAX_BETTI;
+pub use decomposition::{Indecomposable, MAX_DIMENSION as MAX_DECOMPOSED};
 pub use derivations::MAX_DIMENSION as MAX_DERIVATIONS;
 pub use ground::Ground;
 pub use ideals::{RealIdeal, SimpleIdeals};

@@ -115,6 +115,47 @@ fn dense_bases() {
     }
 }
 
+/// The dimensions of the indecomposable ideals, which commute and are a basis together.
+#[test]
+fn indecomposable_ideals() {
+    let decompose = |algebra: LieAlgebra<Rational>| {
+        let structure = Structure::new(algebra);
+        let found = structure.indecomposable_ideals().unwrap().unwrap();
+        for (at, one) in found.iter().enumerate() {
+            for other in &found[at + 1..] {
+                let both = brackets(structure.algebra(), &one.ideal.dense(), &other.ideal.dense());
+                assert_eq!(both.rank(), 0);
+            }
+        }
+        let all: Vec<Vector> = found.iter().flat_map(|one| one.ideal.dense()).collect();
+        assert!(regular(&all) && all.len() == structure.dimension());
+        let mut dimensions: Vec<usize> = found.iter().map(|one| one.ideal.dimension()).collect();
+        dimensions.sort_unstable();
+        (dimensions, found.iter().map(|one| one.real_parts).sum::<usize>())
+    };
+    for (at, (algebra, entry)) in stored().into_iter().enumerate() {
+        if algebra.dimension() > 10 {
+            continue;
+        }
+        let mut expected: Vec<usize> =
+            serde_json::from_value(entry["indecomposable_over_Q"].clone()).unwrap();
+        expected.sort_unstable();
+        assert_eq!(decompose(algebra.clone()).0, expected, "{}", entry["name"]);
+        if algebra.dimension() <= 6 {
+            let moved = decompose(scrambled(&algebra, at as i64));
+            assert_eq!(moved.0, expected, "{}", entry["name"]);
+        }
+    }
+    let named = |wanted: &str| {
+        let found = stored().into_iter().find(|(_, entry)| entry["name"] == wanted);
+        decompose(found.unwrap_or_else(|| panic!("{wanted}")).0)
+    };
+    assert_eq!(named("L6,22(2)"), (vec![6], 2));
+    assert_eq!(named("L6,22(-1)"), (vec![6], 1));
+    assert_eq!(named("sl(2) over Q(sqrt 2)"), (vec![6], 2));
+    assert_eq!(named("so(3,1)"), (vec![6], 1));
+}
+
 /// The names of the real simple ideals, sorted.
 fn ideals(algebra: LieAlgebra<Rational>) -> Vec<String> {
     let structure = Structure::new(algebra);

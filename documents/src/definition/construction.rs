@@ -117,7 +117,7 @@ impl Site<'_> {
         let built = if let Some(summands) = &file.sum {
             let mut parts = summands.iter().map(|text| self.algebra(text));
             let first = parts.next().unwrap_or_else(|| Err(self.refuse("a sum has summands")))?;
-            return parts.try_fold(first, |sum, next| Ok(self.placed(sum.direct_sum(&next?))?));
+            return parts.try_fold(first, |sum, next| self.placed(sum.direct_sum(&next?)));
         } else if let Some(of) = &file.complexification {
             self.structure(of)?.complexified()
         } else if let Some(Truncated { of, order }) = &file.truncated {

@@ -4,8 +4,10 @@ use super::grid::{Cell, Grid};
 use super::head::{printable, printable_list};
 use super::{Format, Report};
 use crate::definition::{Definition, InputError, Reading};
+use affinor::algebra::structure::dynkin::diagram;
 use affinor::algebra::structure::{
-    Ground, Identification, Killing, MAX_BETTI, MAX_DERIVATIONS, RealIdeal, Structure, Subspace,
+    Ground, Identification, Indecomposable, Killing, MAX_BETTI, MAX_DECOMPOSED, MAX_DERIVATIONS,
+    RealIdeal, Structure, Subspace,
 };
 use affinor_tensors::linear::Row;
 use affinor_tensors::text::combination;
@@ -171,6 +173,7 @@ impl Info {
         notes.json.insert("rank".into(), json!(cartan.dimension()));
         let why = "nilpotent, its own normalizer";
         notes.subspace("Cartan subalgebra", "cartan_subalgebra", &cartan, why);
+        let diagrams = types.iter().flatten().map(|one| diagram(*one)).collect::<Vec<_>>();
         let types = types.map(|types| {
             let names: Vec<String> = types.iter().map(ToString::to_string).collect();
             if names.is_empty() { "none".into() } else { names.join(" + ") }
@@ -180,6 +183,7 @@ impl Info {
         if !levi.is_zero() {
             let text = types.unwrap_or_else(|| "not found".into());
             notes.row("Dynkin type", text, "of the Levi subalgebra, over the complex numbers");
+            notes.row("Dynkin diagram", diagrams.join("\n\n"), "simple roots as in Bourbaki");
         }
         notes.ideals(ideals.as_deref(), levi.is_zero());
         notes.derivations(derivations, inner);
@@ -191,8 +195,10 @@ impl Info {
             forms,
             "dimension of B([x,y],z) = B(x,[y,z])",
         );
+        stage("decomposition");
+        notes.decomposition(over_the_rationals(structure)?)?;
         stage("identification");
-        notes.identification(identification(structure)?);
+        notes.identification(over_the_rationals(structure)?.and_then(|all| all.identify()));
         Ok(notes.finish(name, n, S::KIND, parameters))
     }
 }
@@ -214,16 +220,17 @@ fn simple_ideals<S: Ground>(
     Ok(Structure::new(rational).simple_ideals()?.map(|ideals| ideals.real))
 }
 
-/// The name of the algebra, where its constants are rational.
-fn identification<S: Ground>(
+/// The algebra with rational constants, if it has such and its dimension is low.
+fn over_the_rationals<S: Ground>(
     structure: &Structure<S>,
-) -> Result<Option<Identification>, InputError> {
+) -> Result<Option<Structure<Rational>>, InputError> {
     let constants = structure.algebra().structure();
-    if structure.dimension() > 6 || constants.components().any(|(_, v)| v.rational().is_none()) {
+    let rational = constants.components().all(|(_, value)| value.rational().is_some());
+    if structure.dimension() > MAX_DECOMPOSED || !rational {
         return Ok(None);
     }
-    let rational = structure.algebra().map(|value| value.rational().unwrap_or_default())?;
-    Ok(Structure::new(rational).identify())
+    let algebra = structure.algebra().map(|value| value.rational().unwrap_or_default())?;
+    Ok(Some(Structure::new(algebra)))
 }
 
 /// The rows and the keys, as they are found.
@@ -381,6 +388,27 @@ impl Notes {
         let text = count.map_or_else(|| "-".into(), |count| count.to_string());
         self.row(title, text, witness);
         self.json.insert(key.into(), json!(count));
+    }
+
+    fn decomposition(&mut self, structure: Option<Structure<Rational>>) -> Result<(), InputError> {
+        let ideals = structure.map(|all| all.indecomposable_ideals()).transpose()?.flatten();
+        let entry = |part: &Indecomposable| {
+            let rows = part.ideal.dense();
+            let rows: Vec<Vec<String>> =
+                rows.iter().map(|row| row.iter().map(Rational::to_string).collect()).collect();
+            json!({ "dimension": part.ideal.dimension(), "basis": rows, "real_parts": part.real_parts })
+        };
+        let json = ideals.as_ref().map(|ideals| ideals.iter().map(entry).collect::<Vec<_>>());
+        self.json.insert("indecomposable_ideals".into(), json!(json));
+        let Some(ideals) = ideals else { return Ok(()) };
+        let text: Vec<String> = ideals.iter().map(|p| p.ideal.dimension().to_string()).collect();
+        let real: usize = ideals.iter().map(|part| part.real_parts).sum();
+        let witness = match real == ideals.len() {
+            true => "dimensions; idempotents of the centroid".to_string(),
+            false => format!("dimensions over the rationals; {real} ideals over the reals"),
+        };
+        self.row("indecomposable ideals", text.join(" + "), &witness);
+        Ok(())
     }
 
     fn identification(&mut self, found: Option<Identification>) {

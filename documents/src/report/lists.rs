@@ -76,10 +76,10 @@ const PROPERTIES: [&str; 7] =
 /// The dimensions that are searched.
 const SEARCHED: std::ops::RangeInclusive<usize> = 1..=10;
 
+type Conditions = (std::ops::RangeInclusive<usize>, Vec<(String, bool)>);
+
 /// The dimensions, and each property with whether it is wanted.
-fn conditions(
-    text: &str,
-) -> Result<(std::ops::RangeInclusive<usize>, Vec<(String, bool)>), InputError> {
+fn conditions(text: &str) -> Result<Conditions, InputError> {
     let refuse = |part: &str| {
         let message = format!("`{}` is not a condition", part.escape_debug());
         let (low, high) = (SEARCHED.start(), SEARCHED.end());

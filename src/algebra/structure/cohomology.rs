@@ -26,7 +26,7 @@ impl<S: Ground> Structure<S> {
         if !self.is_reductive() {
             return None;
         }
-        let degrees = self.dynkin_type()?.into_iter().flat_map(|factor| exponents(factor));
+        let degrees = self.dynkin_type()?.into_iter().flat_map(exponents);
         let degrees = degrees.map(|m| 2 * m + 1);
         let lines = std::iter::repeat_n(1, self.radical().dimension());
         let mut polynomial = vec![1];

@@ -43,6 +43,38 @@ impl<S: Ground> Structure<S> {
     }
 }
 
+/// The Dynkin diagram of a type in text, with the numbers of Bourbaki; arrows point to the short roots.
+///
+/// ```
+/// use affinor::algebra::roots::{CartanType, Series};
+/// use affinor::algebra::structure::dynkin::diagram;
+/// assert_eq!(diagram(CartanType::new(Series::B, 3)?), "1---2==>3");
+/// # Ok::<(), affinor::algebra::roots::RootError>(())
+/// ```
+pub fn diagram(cartan_type: CartanType) -> String {
+    let r = cartan_type.rank();
+    let chain =
+        |from: usize, to: usize| (from..=to).map(|i| i.to_string()).collect::<Vec<_>>().join("---");
+    // a branch below the node that ends the given text
+    let below = |text: &str, node: &str, rest: &str, branch: usize| {
+        let indent = " ".repeat(text.len());
+        format!("{text}{node}{rest}\n{indent}|\n{indent}{branch}")
+    };
+    match (cartan_type.series(), r) {
+        (Series::A, _) => chain(1, r),
+        (Series::B, _) => format!("{}==>{r}", chain(1, r - 1)),
+        (Series::C, _) => format!("{}<=={r}", chain(1, r - 1)),
+        (Series::D, 3) => "2---1---3".into(),
+        (Series::D, _) => {
+            let before = format!("{}---", chain(1, r - 3));
+            below(&before, &(r - 2).to_string(), &format!("---{}", r - 1), r)
+        }
+        (Series::E, _) => below("1---3---", "4", &format!("---{}", chain(5, r)), 2),
+        (Series::F, _) => "1---2==>3---4".into(),
+        (Series::G, _) => "1<==2 (triple)".into(),
+    }
+}
+
 /// The exponents of a type: the invariants of its Weyl group have these degrees minus one.
 pub fn exponents(cartan_type: CartanType) -> Vec<usize> {
     let r = cartan_type.rank();

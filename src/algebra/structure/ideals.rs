@@ -296,8 +296,33 @@ fn generator(matrices: &[Matrix<Rational>]) -> Option<(Matrix<Rational>, Uni<Big
     None
 }
 
+/// The minimal polynomial of a matrix, from the first power that depends on those before.
+pub(super) fn minimal_polynomial(matrix: &Matrix<Rational>) -> Option<Uni<BigRational>> {
+    let n = matrix.rows();
+    let flat = |m: &Matrix<Rational>| m.to_dense().concat();
+    let mut power = Matrix::identity(n);
+    let mut powers = vec![];
+    loop {
+        let next = flat(&power);
+        if !powers.is_empty() {
+            let system = Matrix::from_dense(&powers).ok()?.transpose();
+            if let Some(solution) = system.solve(&next).ok()? {
+                let mut coefficients: Vec<BigRational> =
+                    solution.iter().map(|value| -BigRational::from(value)).collect();
+                coefficients.push(BigRational::from_integer(1.into()));
+                return Some(Uni::new(coefficients));
+            }
+        }
+        powers.push(next);
+        power = power.mul(matrix).ok()?;
+    }
+}
+
 /// A polynomial of a matrix.
-fn evaluate(matrix: &Matrix<Rational>, polynomial: &Uni<BigRational>) -> Matrix<Rational> {
+pub(super) fn evaluate(
+    matrix: &Matrix<Rational>,
+    polynomial: &Uni<BigRational>,
+) -> Matrix<Rational> {
     let n = matrix.rows();
     let square = "square matrices of one size";
     polynomial.0.iter().rev().fold(Matrix::zero(n, n), |value, coefficient| {

@@ -94,9 +94,9 @@ impl Reduction {
         let (n, p) = (self.dimension(), self.prime);
         let mut rows = vec![vec![0; n]; n];
         let mut dense = vec![0; n * n];
-        for a in 0..n {
+        for (a, row) in rows.iter_mut().enumerate() {
             self.of(a).iter().for_each(|&(k, i, value)| dense[k * n + i] = value);
-            for (b, entry) in rows[a].iter_mut().enumerate() {
+            for (b, entry) in row.iter_mut().enumerate() {
                 let terms = self.of(b).iter();
                 *entry = terms.fold(0, |sum, &(k, i, v)| p.reduce(sum + v * dense[i * n + k]));
             }

@@ -65,7 +65,7 @@ impl<S: Ground> Structure<S> {
         }
         loop {
             let last = &series[series.len() - 1];
-            let next = self.into_subspace(&self.whole(), last);
+            let next = self.transporter(&self.whole(), last);
             if next.dimension() == last.dimension() {
                 return series;
             }
@@ -78,11 +78,11 @@ impl<S: Ground> Structure<S> {
         if self.is_semisimple() {
             return Subspace::zero(self.dimension());
         }
-        self.into_subspace(&self.whole(), &Subspace::zero(self.dimension()))
+        self.transporter(&self.whole(), &Subspace::zero(self.dimension()))
     }
 
     /// The vectors `x` of `v` with `[x, L]` in `target`.
-    fn into_subspace(&self, v: &Subspace<S>, target: &Subspace<S>) -> Subspace<S> {
+    fn transporter(&self, v: &Subspace<S>, target: &Subspace<S>) -> Subspace<S> {
         let n = self.dimension();
         v.kernel_of(|x| {
             let ad = self.products.ad(x);

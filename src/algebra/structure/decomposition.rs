@@ -1,0 +1,123 @@
+//! Decomposition into indecomposable ideals (de Graaf 1.15; Rand, Winternitz, Zassenhaus, *Linear Algebra
+//! Appl.* 109 (1988) 197-246).
+//!
+//! Central lines outside the derived algebra split off. The rest is decomposed by its centroid, the maps that commute
+//! with all `ad`: the coprime factors of the minimal polynomial of a general element give the ideals.
+
+use super::ideals::{evaluate, minimal_polynomial};
+use super::{Structure, Subspace};
+use crate::Error;
+use affinor_tensors::linear::{Matrix, Row};
+use affinor_tensors::{Rational, Ring};
+
+/// The largest dimension at which the centroid is computed.
+pub const MAX_DIMENSION: usize = 12;
+
+/// An ideal that is indecomposable over the rationals.
+#[derive(Clone, Debug)]
+pub struct Indecomposable {
+    /// The ideal.
+    pub ideal: Subspace<Rational>,
+    /// The number of indecomposable ideals into which it falls over the reals.
+    pub real_parts: usize,
+}
+
+impl Structure<Rational> {
+    /// Ideals that are indecomposable over the rationals, with sum the algebra; `None` beyond
+    /// [`MAX_DIMENSION`].
+    ///
+    /// # Errors
+    /// None for a Lie algebra; the errors of [`subalgebra`](Self::subalgebra).
+    pub fn indecomposable_ideals(&self) -> Result<Option<Vec<Indecomposable>>, Error> {
+        let n = self.dimension();
+        if n > MAX_DIMENSION {
+            return Ok(None);
+        }
+        let mut span = self.derived().clone();
+        let mut ideals = vec![];
+        for line in self.centre().basis() {
+            if span.add(line.clone()) {
+                let ideal = Subspace::span(n, [line.clone()]);
+                ideals.push(Indecomposable { ideal, real_parts: 1 });
+            }
+        }
+        // a complement of the lines that contains the derived algebra
+        let mut rest = self.derived().clone();
+        for vector in self.whole().basis() {
+            if span.add(vector.clone()) {
+                rest.add(vector.clone());
+            }
+        }
+        if rest.is_zero() {
+            return Ok(Some(ideals));
+        }
+        let inside = self.subalgebra(&rest)?;
+        let Some(parts) = inside.parts_by_centroid() else { return Ok(None) };
+        ideals.extend(
+            parts
+                .into_iter()
+                .map(|(part, real_parts)| Indecomposable { ideal: rest.within(&part), real_parts }),
+        );
+        Ok(Some(ideals))
+    }
+
+    fn parts_by_centroid(&self) -> Option<Vec<(Subspace<Rational>, usize)>> {
+        let n = self.dimension();
+        let centroid = self.centroid_by_equations();
+        let mut best: Vec<(Subspace<Rational>, usize)> = vec![];
+        for trial in 1..=3i64 {
+            let mut gamma = Matrix::zero(n, n);
+            for (at, row) in centroid.basis().iter().enumerate() {
+                let factor =
+                    Rational::from((trial * 7 + (at as i64 + 1) * (at as i64 + trial)) % 23);
+                let rows = (0..n).map(|i| {
+                    let own = row.iter().filter(move |(unknown, _)| unknown / n == i);
+                    own.map(|(unknown, v)| (unknown % n, v.clone() * &factor)).collect::<Row<_>>()
+                });
+                gamma = gamma.add(&Matrix::from_rows(n, rows).ok()?).ok()?;
+            }
+            let minimal = minimal_polynomial(&gamma)?;
+            let factors = polyfactor::factor(&minimal);
+            let part = |(factor, multiplicity): &(polycore::Uni<_>, u32)| {
+                let kernel = evaluate(&gamma, &factor.pow(*multiplicity));
+                let kernel = Subspace::kernel(n, (0..n).map(|i| kernel.row(i).to_vec()));
+                let real = factor.isolate().len();
+                (kernel, real + (factor.deg() - real) / 2)
+            };
+            let count = |parts: &[(Subspace<Rational>, usize)]| {
+                (parts.len(), parts.iter().map(|p| p.1).sum::<usize>())
+            };
+            let parts: Vec<_> = factors.iter().map(part).collect();
+            if count(&parts) > count(&best) {
+                best = parts;
+            }
+        }
+        Some(best)
+    }
+
+    /// The maps `A^i_j`, at `i n + j`, with `A [e_a, e_k] = [e_a, A e_k]` for all `a` and `k`.
+    fn centroid_by_equations(&self) -> Subspace<Rational> {
+        let n = self.dimension();
+        let mut equations: Vec<Row<Rational>> = vec![];
+        for a in 0..n {
+            let ad = self.products.ad(&[(a, Rational::from_i64(1))]);
+            let dense: Vec<Vec<Rational>> = (0..n)
+                .map(|k| {
+                    let mut image = vec![Rational::from(0); n];
+                    ad.column(k).iter().for_each(|(i, v)| image[*i] = v.clone());
+                    image
+                })
+                .collect();
+            for (k, i) in (0..n).flat_map(|k| (0..n).map(move |i| (k, i))) {
+                let left = ad.column(k).iter().map(|(m, v)| (i * n + m, v.clone()));
+                let right = dense.iter().enumerate().filter(|(_, image)| !image[i].vanishes());
+                let right = right.map(|(m, image)| (m * n + k, -image[i].clone()));
+                let row = super::subspace::collected(left.chain(right).collect());
+                if !row.is_empty() {
+                    equations.push(row);
+                }
+            }
+        }
+        Subspace::kernel(n * n, equations)
+    }
+}
