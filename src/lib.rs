@@ -35,6 +35,8 @@ mod error;
 pub mod geometry;
 pub mod group;
 pub mod mechanics;
+#[cfg(feature = "serde")]
+mod serial;
 
 pub use affinor_tensors as tensors;
 pub use affinor_tensors::{

@@ -25,6 +25,7 @@ iso(3,1) <- iso(3,1)
 filiform_q(6) <- filiform_q(6)
 filiform(5) <- filiform5
 free_nilpotent(2,3) <- free_nilpotent(2,3)
+compact(E8) <- compact(E8)|compactE8
 borel(E6) <- borel(E6)|borel E6
 parabolic(E7,1,7) <- parabolic(E7,7,1)
 patera(4,5,a=1/2,b=b) <- patera(4,5,b=b,a=1/2)

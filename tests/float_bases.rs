@@ -44,9 +44,17 @@ fn names() -> Vec<String> {
         ["so*(4)", "u(2)", "usp(4)", "iso(2,1)", "galilei(2)", "sim(2)", "conformal(1,1)"]
             .map(String::from)
             .to_vec(),
-        ["schroedinger(1)", "oscillator(4)", "t(3)", "n(4)", "borel(A2)", "parabolic(A2,1)"]
-            .map(String::from)
-            .to_vec(),
+        [
+            "schroedinger(1)",
+            "oscillator(4)",
+            "compact(B2)",
+            "t(3)",
+            "n(4)",
+            "borel(A2)",
+            "parabolic(A2,1)",
+        ]
+        .map(String::from)
+        .to_vec(),
         ["free_nilpotent(2,3)", "filiform(5)", "damek_ricci(1,2)", "patera(4,8)", "degraaf(5,6)"]
             .map(String::from)
             .to_vec(),

@@ -2,4 +2,5 @@
 
 mod families;
 mod invariants;
+mod names;
 mod witnesses;

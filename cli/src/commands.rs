@@ -17,6 +17,7 @@ mod options;
 mod output;
 #[cfg(feature = "plot")]
 mod plot;
+mod properties;
 mod rows;
 mod simulate;
 mod stages;
@@ -56,6 +57,8 @@ enum Command {
     Verify(verify::Arguments),
     /// Print the structure of a Lie algebra: series, radicals, types, ideals
     Info(info::Arguments),
+    /// Print the properties of a connection and a metric, with witnesses
+    Properties(properties::Arguments),
     /// Print the equations of motion of a space
     Equations(equations::Arguments),
     /// Map coordinates x to the group element exp(x)
@@ -93,6 +96,7 @@ pub fn main() -> ExitCode {
         Command::Check(arguments) => arguments.run(),
         Command::Verify(arguments) => arguments.run(),
         Command::Info(arguments) => arguments.run(),
+        Command::Properties(arguments) => arguments.run(),
         Command::Equations(arguments) => arguments.run(),
         Command::Exp(arguments) => arguments.run(Operation::Exp),
         Command::Log(arguments) => arguments.run(Operation::Log),

@@ -11,8 +11,14 @@ use std::path::PathBuf;
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
-const DOCUMENTS: [&str; 5] =
-    ["README.md", "docs/formats.md", "docs/motion.md", "docs/translation.md", "docs/paper.md"];
+const DOCUMENTS: [&str; 6] = [
+    "README.md",
+    "docs/formats.md",
+    "docs/motion.md",
+    "docs/structure.md",
+    "docs/translation.md",
+    "docs/paper.md",
+];
 
 /// What `affinor ARGUMENTS` prints on standard output; double quotes hold words together.
 fn output(command: &str) -> Result<String, Box<dyn std::error::Error>> {
@@ -137,6 +143,11 @@ fn formats_names_every_key_of_every_schema() -> Outcome {
             "affinor equations examples/definitions/sphere.toml --motion autoparallel".into(),
         ),
         ("affinor.list/1", "affinor list".into()),
+        ("affinor.list/1", "affinor list --where \"dimension=2\"".into()),
+        ("affinor.info/1", "affinor info \"iso(2,1)\"".into()),
+        ("affinor.info/1", "affinor info \"bianchi(II)\"".into()),
+        ("affinor.properties/1", "affinor properties M3".into()),
+        ("affinor.properties/1", "affinor properties SO3".into()),
         ("affinor.conventions/1", "affinor conventions".into()),
     ];
     for (schema, command) in commands {

@@ -107,6 +107,9 @@ fn with_parameters_holds_for_generic_values() {
     let generic = info("bianchi(VI)");
     assert_eq!((&generic["generic"], &generic["parameters"]), (&json!(true), &json!(["h"])));
     assert_eq!(generic["unimodular"], false);
+    // VI_0, III and V
+    assert_eq!(generic["exceptional_values"], json!(["-1", "0", "1"]));
+    assert_eq!(info("bianchi(VII)")["exceptional_values"], json!(["0"]));
     let special = run(root(), &["info", "bianchi(VI)", "--set", "h=-1", "--format", "json"], b"");
     let special: Value = serde_json::from_str(&special.out).unwrap();
     assert_eq!((&special["generic"], &special["unimodular"]), (&json!(false), &json!(true)));
@@ -251,4 +254,99 @@ fn the_catalogue_by_properties() {
         assert_eq!(run(root(), &["list", "--where", condition], b"").status, 2, "{condition}");
     }
     assert_eq!(run(root(), &["list", "--where", "semisimple, abelian"], b"").status, 2);
+}
+
+#[test]
+fn properties_of_geometries() {
+    let of = |arguments: &[&str]| -> Value {
+        let arguments = [&["properties"], arguments, &["--format", "json"]].concat();
+        serde_json::from_str(&stdout(root(), &arguments)).unwrap()
+    };
+    let find = |all: &Value, name: &str| {
+        let found = all["properties"].as_array().unwrap().iter().find(|p| p["name"] == name);
+        found.unwrap_or_else(|| panic!("{name}")).clone()
+    };
+    let so3 = of(&["SO3"]);
+    assert_eq!(so3["schema"], "affinor.properties/1");
+    assert_eq!(find(&so3, "constant curvature K")["value"], "K = 1/8");
+    assert_eq!(find(&so3, "holonomy algebra")["value"], "dimension 3: su(2)");
+    let m3 = of(&["M3"]);
+    assert_eq!(find(&m3, "flat")["holds"], true);
+    assert_eq!(find(&m3, "torsion-free")["witness"], "tau^i_jk = 1 at i = 1, j = 2, k = 3");
+    assert_eq!(find(&m3, "metric-compatible")["holds"], false);
+    let heisenberg = of(&["heisenberg(3)", "--metric", "identity"]);
+    assert_eq!(find(&heisenberg, "algebraic Ricci soliton")["value"], "c = -3/2");
+    assert_eq!(find(&heisenberg, "Einstein (Ric = c g)")["holds"], false);
+    // no metric, no claims on one
+    let bare = of(&["so3@zero"]);
+    let names: Vec<&Value> =
+        bare["properties"].as_array().unwrap().iter().map(|p| &p["name"]).collect();
+    assert!(!names.contains(&&json!("metric-compatible")) && names.contains(&&json!("flat")));
+    // a chart has no algebra
+    let sphere = of(&[&definition("sphere.toml")]);
+    assert_eq!(find(&sphere, "constant curvature K")["value"], "K = 1/a^2");
+}
+
+/// GAP reads the program; the list is what GAP 4.12.1 prints of the table of so(3).
+#[test]
+fn tables_of_gap_are_written_and_read() {
+    let code = stdout(root(), &["table", "so3", "--show", "structure", "--format", "gap"]);
+    let expected = "# so(3)\nT := EmptySCTable( 3, 0, \"antisymmetric\" );\n\
+                    SetEntrySCTable( T, 1, 2, [ 1, 3 ] );\nSetEntrySCTable( T, 1, 3, [ -1, 2 ] );\n\
+                    SetEntrySCTable( T, 2, 3, [ 1, 1 ] );\n\
+                    L := LieAlgebraByStructureConstants( Rationals, T );\n";
+    assert_eq!(code, expected);
+    let structure = |input: &str| {
+        let arguments = ["table", "-", "--show", "structure", "--format", "csv"];
+        let outcome = run(root(), &arguments, input.as_bytes());
+        assert_eq!(outcome.status, 0, "{input}: {}", outcome.err);
+        outcome.out
+    };
+    for space in ["so3", "bianchi(VI,h=-1/2)", "sl(3)", "damek_ricci(1,2)"] {
+        let table = ["table", space, "--show", "structure", "--format"];
+        let own = stdout(root(), &[&table[..], &["csv"]].concat());
+        assert_eq!(structure(&stdout(root(), &[&table[..], &["gap"]].concat())), own, "{space}");
+    }
+    let printed = "[ [ [ [  ], [  ] ], [ [ 3 ], [ 1 ] ], [ [ 2 ], [ -1 ] ] ],\n\
+                   [ [ [ 3 ], [ -1 ] ], [ [  ], [  ] ], [ [ 1 ], [ 1 ] ] ],\n\
+                   [ [ [ 2 ], [ 1 ] ], [ [ 1 ], [ -1 ] ], [ [  ], [  ] ] ], -1, 0 ]";
+    assert_eq!(structure(printed), structure(expected));
+    let refused = [
+        ("T := EmptySCTable( x, 0 );", "begins with the dimension"),
+        (
+            "T := EmptySCTable( 2, 0 );\nSetEntrySCTable( T, 1, 3, [ 1, 1 ] );",
+            "the index 3 is not in 1..2",
+        ),
+        (
+            "T := EmptySCTable( 2, 0 );\nSetEntrySCTable( T, 1, 2, [ 1 ] );",
+            "SetEntrySCTable( T, j, k",
+        ),
+        ("[ [ [ [ 1 ], [ ] ] ], -1, 0 ]", "as many values as indices"),
+    ];
+    for (input, says) in refused {
+        let outcome = run(root(), &["table", "-"], input.as_bytes());
+        assert!(outcome.status == 2 && outcome.err.contains(says), "{input}: {}", outcome.err);
+    }
+}
+
+#[test]
+fn other_programs_get_their_tables() {
+    let code = |space: &str, format: &str| {
+        stdout(root(), &["table", space, "--show", "structure", "--format", format])
+    };
+    let sage = code("bianchi(VI)", "sage");
+    assert!(sage.contains("FractionField(PolynomialRing(QQ, 'h'))"), "{sage}");
+    assert!(sage.contains("('e2', 'e3'): {'e2': h}"), "{sage}");
+    assert!(code("so3+so3", "sage").contains("('e4', 'e5'): {'e6': 1}"));
+    let maple = code("heisenberg(3)", "maple");
+    assert!(maple.contains("LieAlgebraData([\n  [x1, y1] = z\n], [x1, y1, z], Alg)"), "{maple}");
+    let sympy = code("bianchi(VI,h=-1/2)", "sympy");
+    assert!(sympy.contains("c[1, 1, 2] = Rational('-1/2')\nc[1, 2, 1] = -c[1, 1, 2]"), "{sympy}");
+    let refused = run(root(), &["table", "so3", "--format", "gap"], b"");
+    assert!(
+        refused.status == 2 && refused.err.contains("structure constants only"),
+        "{}",
+        refused.err
+    );
+    assert_eq!(run(root(), &["check", "so3", "--format", "sage"], b"").status, 2);
 }

@@ -12,6 +12,7 @@ mod construction;
 pub(crate) mod document;
 mod entry;
 pub(crate) mod file;
+mod gap;
 mod group;
 pub(crate) mod input;
 mod json;

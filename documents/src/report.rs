@@ -2,7 +2,8 @@
 //!
 //! In reading order: [`Quantity`] names the tensors, [`Table`] computes them, and one module for each format writes them;
 //! [`Comparison`] sets two geometries side by side; [`EquationReport`] writes equations of motion, also as source code;
-//! [`StoredTable`] compares a table with a stored one; [`Info`] is the structure of an algebra. Each is a [`Report`]; short lists are [`conventions`], the
+//! [`StoredTable`] compares a table with a stored one; [`Info`] is the structure of an algebra,
+//! [`Properties`] those of a geometry. Each is a [`Report`]; short lists are [`conventions`], the
 //! [`catalogue`] and a [`certificate`].
 
 mod code;
@@ -17,6 +18,8 @@ mod json;
 mod latex;
 mod lists;
 mod markdown;
+mod program;
+mod properties;
 mod quantity;
 mod stored;
 mod text;
@@ -28,6 +31,8 @@ pub use equations::EquationReport;
 pub use info::Info;
 pub use latex::components_in_latex;
 pub use lists::{catalogue, catalogue_where, certificate, conventions};
+pub use program::Program;
+pub use properties::Properties;
 pub use quantity::Quantity;
 pub use stored::{Differences, StoredTable};
 pub use text::components_in_text;

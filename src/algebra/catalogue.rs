@@ -13,6 +13,7 @@
 //! so(31) and so(3,1) both exist.
 
 mod bianchi;
+mod compact;
 mod complexified;
 mod error;
 mod euclidean;
@@ -148,6 +149,7 @@ static FAMILIES: &[Family] = &[
     simple::E,
     simple::F,
     simple::G,
+    compact::FAMILY,
 ];
 
 /// An algebra of the catalogue: a name, a basis and its structure constants.

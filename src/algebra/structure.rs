@@ -5,6 +5,7 @@
 //! - [`Structure`]: an algebra with its brackets tabulated; `series`, `killing`, `radical`, `cartan`, `levi`;
 //! - [`reduction`]: the algebra modulo a prime, for ranks; `derivations`, `cohomology`;
 //! - [`dynkin`], `ideals`, [`real_forms`]: Dynkin types, simple ideals over the reals and their names;
+//! - `identification`: names of algebras of low dimension;
 //! - `constructions`: quotients, extensions, semidirect sums, contractions, complexifications.
 //!
 //! W. A. de Graaf, *Lie Algebras: Theory and Algorithms*, North-Holland 2000.
@@ -16,6 +17,7 @@ mod derivations;
 pub mod dynkin;
 mod ground;
 mod ideals;
+mod identification;
 mod killing;
 mod levi;
 mod products;
@@ -29,12 +31,14 @@ pub use cohomology::MAX_DIMENSION as MAX_BETTI;
 pub use derivations::MAX_DIMENSION as MAX_DERIVATIONS;
 pub use ground::Ground;
 pub use ideals::{RealIdeal, SimpleIdeals};
+pub use identification::Identification;
 pub use killing::Killing;
 pub use subspace::Subspace;
 
 use crate::Error;
 use crate::algebra::roots::CartanType;
 use crate::algebra::{Bracket, LieAlgebra};
+use affinor_tensors::linear::Matrix;
 use products::Products;
 use std::cell::OnceCell;
 
@@ -52,7 +56,9 @@ use std::cell::OnceCell;
 pub struct Structure<S> {
     algebra: LieAlgebra<S>,
     products: Products<S>,
+    form: OnceCell<Matrix<S>>,
     killing: OnceCell<Killing<S>>,
+    semisimple: OnceCell<bool>,
     derived: OnceCell<Vec<Subspace<S>>>,
     radical: OnceCell<Subspace<S>>,
     levi: OnceCell<Subspace<S>>,
@@ -66,7 +72,9 @@ impl<S: Ground> Structure<S> {
         Structure {
             algebra,
             products,
+            form: OnceCell::new(),
             killing: OnceCell::new(),
+            semisimple: OnceCell::new(),
             derived: OnceCell::new(),
             radical: OnceCell::new(),
             levi: OnceCell::new(),

@@ -7,8 +7,10 @@ mod soliton;
 
 pub use soliton::Soliton;
 
+use crate::Error;
 use crate::geometry::connection::Connection;
-use affinor_tensors::{Ring, Tensor};
+use crate::geometry::metric::Metric;
+use affinor_tensors::{Field, Ring, Tensor};
 use std::fmt;
 
 /// Whether a property holds.
@@ -88,6 +90,28 @@ impl<S: fmt::Display> fmt::Display for Witness<S> {
 }
 
 impl<S: Ring> Connection<S> {
+    /// Whether the torsion vanishes, `tau = 0`.
+    pub fn torsion_free(&self) -> Property<S> {
+        vanishing(&self.torsion(), "tau^i_jk".into(), "ijk")
+    }
+
+    /// Whether the curvature vanishes, `R = 0`.
+    pub fn flat(&self) -> Property<S> {
+        vanishing(self.curvature(), "R^i_jkl".into(), "ijkl")
+    }
+
+    /// Whether the metric is parallel, `nabla g = 0`.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ.
+    pub fn metric_compatible(&self, metric: &Metric<S>) -> Result<Property<S>, Error>
+    where
+        S: Field,
+    {
+        metric.expect_dimension(self.frame().dimension())?;
+        Ok(vanishing(&self.nabla(metric.components())?, "(nabla_k g)_ij".into(), "kij"))
+    }
+
     /// Whether the torsion is parallel, `nabla tau = 0`.
     pub fn parallel_torsion(&self) -> Property<S> {
         vanishing(&self.nabla_torsion(), "(nabla_m tau)^i_jk".into(), "imjk")
@@ -103,7 +127,7 @@ impl<S: Ring> Connection<S> {
     /// Whether the geodesic reflections are affine maps near their centres: `tau = 0` and
     /// `nabla R = 0`.
     pub fn locally_symmetric(&self) -> Property<S> {
-        match vanishing(&self.torsion(), "tau^i_jk".into(), "ijk") {
+        match self.torsion_free() {
             Property::Holds(()) => self.parallel_curvature(),
             fails => fails,
         }

@@ -51,6 +51,9 @@ iso(3,1): sl(2,C) 4 4
 iso(1,1):  3 2
 galilei(3): su(2) 7 7
 se_2(3): su(2) 6 6
+compact(G2): g2(-14) 0 0
+compact(A2): su(3) 0 0
+compact(B3): so(7) 0 0
 sim(2):  4 2
 sim(3): su(2) 4 3
 conformal(3,1): su(2,2) 0 0
@@ -78,7 +81,9 @@ damek_ricci(1,2):  7 6";
 /// The Killing forms of compact algebras are negative definite.
 #[test]
 fn compact_forms_are_compact() {
-    for name in ["so(5)", "su(3)", "usp(6)"] {
+    let names =
+        ["so(5)", "su(3)", "usp(6)", "compact(A1)", "compact(B2)", "compact(C3)", "compact(D4)"];
+    for name in names.into_iter().chain(["compact(G2)", "compact(F4)"]) {
         let all = structure(name);
         assert_eq!(all.killing().signature(), Some([0, all.dimension(), 0]), "{name}");
     }
@@ -148,4 +153,24 @@ fn every_example_satisfies_the_jacobi_identity() {
         let bracket = entry.bracket::<_, affinor::Error>(|value| Ok(value.clone())).unwrap();
         assert!(bracket.jacobi_violation().is_none(), "{}", family.example);
     }
+}
+
+/// Derivations and invariant forms of `s + R^z`, by the equations in low dimension and by the theory above it.
+#[test]
+fn reductive_algebras_on_both_sides_of_the_largest_dimension() {
+    for (name, factors, z) in [
+        ("A2+R^2", 1, 2),
+        ("so(3,1)+R^3", 2, 3),
+        ("A2+A1+R^1", 2, 1),
+        ("A2+A4+R^2", 2, 2),
+        ("so(3,1)+A4+R^3", 3, 3),
+        ("sl(3,C)+A3+R^1", 3, 1),
+        ("E6", 1, 0),
+    ] {
+        let all = structure(name);
+        let n = all.dimension();
+        assert_eq!(all.derivations(), Some(n - z + z * z), "{name}");
+        assert_eq!(all.invariant_forms(), Some(factors + z * (z + 1) / 2), "{name}");
+    }
+    assert_eq!(structure("se(8)").invariant_forms(), None);
 }

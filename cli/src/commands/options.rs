@@ -7,7 +7,7 @@ use super::output::deliver;
 use super::stages::Stages;
 use affinor_documents::definition::{InputError, Request, ScalarChoice, Space, Work};
 use affinor_documents::problem::Problem;
-use affinor_documents::report::{Format, Report};
+use affinor_documents::report::{Format, Program, Report};
 use affinor_tensors::Tolerance;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -94,12 +94,19 @@ pub struct Shared {
 pub struct Output {
     /// The format: text, markdown, latex, csv, or json
     #[arg(long, default_value = "text", value_parser = format)]
-    pub format: Format,
+    pub format: OutputFormat,
     /// Write to this file; a failed run leaves it as it was
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     pub file: Option<PathBuf>,
     #[command(flatten)]
     pub color: ColorOption,
+}
+
+/// A format of reports, or a program that reads structure constants.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum OutputFormat {
+    Report(Format),
+    Program(Program),
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -181,7 +188,16 @@ impl ProblemOptions {
 impl Output {
     /// Writes a report; `inputs` are files that must not be overwritten.
     pub fn print(&self, inputs: &[PathBuf], report: &dyn Report) -> Result<(), Failure> {
-        deliver(self.file.as_deref(), inputs, |out| report.write(self.format, out))
+        match self.format {
+            OutputFormat::Report(format) => {
+                deliver(self.file.as_deref(), inputs, |out| report.write(format, out))
+            }
+            OutputFormat::Program(program) => {
+                let message = format!("the format {} has structure constants only", program.name());
+                let help = "write affinor table SPACE --show structure --format ...";
+                Err(InputError::usage(message).help(help).into())
+            }
+        }
     }
 }
 
@@ -247,8 +263,10 @@ fn note_parameters(space: &Space) {
     }
 }
 
-fn format(name: &str) -> Result<Format, String> {
-    Format::from_name(name).ok_or_else(|| {
+fn format(name: &str) -> Result<OutputFormat, String> {
+    let report = Format::from_name(name).map(OutputFormat::Report);
+    let format = report.or_else(|| Program::from_name(name).map(OutputFormat::Program));
+    format.ok_or_else(|| {
         let all: Vec<&str> = Format::ALL.into_iter().map(Format::name).collect();
         format!("the formats are {}", all.join(", "))
     })

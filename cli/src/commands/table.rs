@@ -2,10 +2,11 @@
 
 use super::failure::Failure;
 use super::note::{note, note_default_connection};
-use super::options::{Shared, SpaceOptions};
+use super::options::{OutputFormat, Shared, SpaceOptions};
+use super::output::deliver;
 use super::stages::Stages;
 use affinor_documents::definition::{Definition, InputError, Reading, Work};
-use affinor_documents::report::{Quantity, Report, Table};
+use affinor_documents::report::{Program, Quantity, Report, Table};
 use affinor_tensors::Notation;
 use clap::{Args, ValueEnum};
 
@@ -52,8 +53,15 @@ impl Arguments {
     pub fn run(&self) -> Result<(), Failure> {
         let stages = self.shared.start()?;
         let space = self.shared.open(self.space.as_deref(), &self.options)?;
-        note_default_connection(&space.definition);
         let quantities = self.selection.quantities();
+        if let OutputFormat::Program(program) = self.shared.output.format
+            && quantities == [Quantity::Structure]
+        {
+            let code = self.shared.run(&space, Export(program))?;
+            let file = self.shared.output.file.as_deref();
+            return deliver(file, space.file.as_slice(), |out| out.write_all(code.as_bytes()));
+        }
+        note_default_connection(&space.definition);
         let build = Build { selection: &self.selection, quantities, stages: &stages };
         let table = self.shared.run(&space, build)?;
         self.shared.print(&stages, space.file.as_slice(), &*table)
@@ -90,6 +98,22 @@ impl Selection {
         table.independent = self.independent;
         table.finite()?;
         Ok(table)
+    }
+}
+
+/// The structure constants as input of a program.
+struct Export(Program);
+
+impl Work for Export {
+    type Output = String;
+
+    fn run<S: Notation>(
+        self,
+        definition: &Definition,
+        reading: &Reading<S>,
+    ) -> Result<String, InputError> {
+        let algebra = definition.algebra(reading)?;
+        Ok(self.0.structure(&definition.name, algebra.labels(), algebra.structure()))
     }
 }
 

@@ -4,7 +4,7 @@ use super::document::Document;
 use super::input::InputError;
 use super::numbers::numbers_in;
 use super::source::{Place, Source};
-use super::{Definition, json};
+use super::{Definition, gap, json};
 use serde::de::DeserializeOwned;
 use std::fs::File;
 use std::io::{self, Read};
@@ -76,6 +76,9 @@ impl Definition {
     }
 
     fn of_source(source: &Source) -> Result<Self, InputError> {
+        if gap::is_table(&source.text) {
+            return gap::definition(source);
+        }
         let (keys, source) = keys::<Document>(source, "a definition has a basis and brackets")?;
         keys.define(&source)
     }

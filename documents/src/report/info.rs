@@ -5,7 +5,7 @@ use super::head::{printable, printable_list};
 use super::{Format, Report};
 use crate::definition::{Definition, InputError, Reading};
 use affinor::algebra::structure::{
-    Ground, Killing, MAX_BETTI, MAX_DERIVATIONS, RealIdeal, Structure, Subspace,
+    Ground, Identification, Killing, MAX_BETTI, MAX_DERIVATIONS, RealIdeal, Structure, Subspace,
 };
 use affinor_tensors::linear::Row;
 use affinor_tensors::text::combination;
@@ -26,6 +26,34 @@ pub struct Info {
     json: Map<String, Value>,
 }
 
+/// The values of a parameter at which the answers are compared with the generic ones.
+const TRIED: [&str; 7] = ["-2", "-1", "-1/2", "0", "1/2", "1", "2"];
+/// The answers that are compared.
+const COMPARED: [&str; 12] = [
+    "unimodular",
+    "derived_series",
+    "lower_central_series",
+    "upper_central_series",
+    "centre",
+    "radical",
+    "nilradical",
+    "rank",
+    "derivations",
+    "betti",
+    "index",
+    "invariant_forms",
+];
+
+fn fraction(text: &str) -> Option<Rational> {
+    let (above, below) = text.split_once('/').unwrap_or((text, "1"));
+    Rational::new(above.parse().ok()?, below.parse().ok()?)
+}
+
+/// The part of an answer that does not depend on a basis.
+fn dimensions(answer: &Value) -> &Value {
+    answer.get("dimension").unwrap_or(answer)
+}
+
 impl Info {
     /// The structure of the algebra of a definition; `stage` is called before each part.
     ///
@@ -43,7 +71,37 @@ impl Info {
         }
         let convert = |value: &Symbolic| Some(value.clone());
         let algebra = definition.algebra::<Symbolic>(&Reading { convert: &convert, tolerance })?;
-        Self::new(&definition.name, &Structure::new(algebra), &definition.parameters(), stage)
+        let parameters = definition.parameters();
+        let mut info = Self::new(&definition.name, &Structure::new(algebra), &parameters, stage)?;
+        if let [parameter] = &parameters[..] {
+            stage("exceptional values");
+            info.exceptional_values(parameter, &definition);
+        }
+        Ok(info)
+    }
+
+    /// Adds the values of a parameter, of a few, at which an answer differs from the generic one.
+    fn exceptional_values(&mut self, parameter: &str, definition: &Definition) {
+        let differs = |value: &&str| {
+            let number = Symbolic::constant(fraction(value)?);
+            let mut special = definition.clone();
+            special.set(&[(parameter.to_string(), number)].into()).ok()?;
+            let special = Info::of(&special, &|_| ()).ok()?;
+            Some(
+                COMPARED
+                    .iter()
+                    .any(|key| dimensions(&special.json[*key]) != dimensions(&self.json[*key])),
+            )
+        };
+        let found: Vec<&str> =
+            TRIED.into_iter().filter(|value| differs(value) == Some(true)).collect();
+        let answer = match found[..] {
+            [] => "none of those tried".to_string(),
+            _ => format!("{parameter} = {}", found.join(", ")),
+        };
+        let row = ["exceptional values", &answer, &format!("tried: {}", TRIED.join(", "))];
+        self.grid.rows.push(row.map(Cell::from).to_vec());
+        self.json.insert("exceptional_values".into(), json!(found));
     }
 
     /// The structure of an algebra of this name, whose structure constants depend on `parameters`.
@@ -133,7 +191,8 @@ impl Info {
             forms,
             "dimension of B([x,y],z) = B(x,[y,z])",
         );
-        notes.json.insert("identification".into(), Value::Null);
+        stage("identification");
+        notes.identification(identification(structure)?);
         Ok(notes.finish(name, n, S::KIND, parameters))
     }
 }
@@ -153,6 +212,18 @@ fn simple_ideals<S: Ground>(
     }
     let rational = inside.algebra().map(|value| value.rational().unwrap_or_default())?;
     Ok(Structure::new(rational).simple_ideals()?.map(|ideals| ideals.real))
+}
+
+/// The name of the algebra, where its constants are rational.
+fn identification<S: Ground>(
+    structure: &Structure<S>,
+) -> Result<Option<Identification>, InputError> {
+    let constants = structure.algebra().structure();
+    if structure.dimension() > 6 || constants.components().any(|(_, v)| v.rational().is_none()) {
+        return Ok(None);
+    }
+    let rational = structure.algebra().map(|value| value.rational().unwrap_or_default())?;
+    Ok(Structure::new(rational).identify())
 }
 
 /// The rows and the keys, as they are found.
@@ -310,6 +381,37 @@ impl Notes {
         let text = count.map_or_else(|| "-".into(), |count| count.to_string());
         self.row(title, text, witness);
         self.json.insert(key.into(), json!(count));
+    }
+
+    fn identification(&mut self, found: Option<Identification>) {
+        let Some(Identification { names, parameter, isomorphism }) = found else {
+            self.json.insert("identification".into(), Value::Null);
+            return;
+        };
+        let name = names.join(" or ");
+        let images = isomorphism.map(|rows| {
+            rows.iter()
+                .map(|row| row.iter().map(Rational::to_string).collect())
+                .collect::<Vec<Vec<_>>>()
+        });
+        let written = images.as_ref().map(|rows| {
+            let vector = |row: &Vec<String>| {
+                let terms = row.iter().cloned().zip(self.labels.iter().cloned());
+                combination(terms.filter(|(value, _)| value != "0"))
+            };
+            rows.iter().map(vector).collect::<Vec<_>>().join(", ")
+        });
+        let witness = match written {
+            Some(images) => format!("its basis is {images}"),
+            None => "by invariants".into(),
+        };
+        let text = match &parameter {
+            Some(equation) => format!("{name}, {equation}"),
+            None => name.clone(),
+        };
+        self.row("identification", text, &witness);
+        let json = json!({ "name": name, "parameter": parameter, "isomorphism": images });
+        self.json.insert("identification".into(), json);
     }
 
     fn finish(self, name: &str, dimension: usize, kind: Kind, parameters: &[String]) -> Info {

@@ -102,7 +102,7 @@ fn parabolic(family: &Family, name: &str, arguments: &[Argument]) -> Result<Entr
 }
 
 /// The type of a name such as `E7`.
-fn cartan_type(text: &str) -> Option<CartanType> {
+pub(super) fn cartan_type(text: &str) -> Option<CartanType> {
     let all = [Series::A, Series::B, Series::C, Series::D, Series::E, Series::F, Series::G];
     let series = all.into_iter().find(|series| text.starts_with(&series.to_string()))?;
     let rank = text.get(1..)?.trim_matches(['(', ')']);

@@ -64,7 +64,7 @@ impl<S: Ground> Structure<S> {
     fn commuting_basis_vectors(&self) -> Vec<usize> {
         let mut chosen: Vec<usize> = vec![];
         for at in 0..self.dimension() {
-            let semisimple = !self.killing().matrix.get(at, at).vanishes();
+            let semisimple = !self.killing_matrix().get(at, at).vanishes();
             let commutes = || self.products.of(at).iter().all(|(k, ..)| !chosen.contains(k));
             if semisimple && commutes() {
                 chosen.push(at);

@@ -4,31 +4,36 @@ use super::reduction::Reduction;
 use super::{Ground, Structure};
 use affinor_tensors::linear::modular::Residues;
 
-/// The largest dimension of an algebra, not semisimple, whose derivations are counted.
+/// The largest dimension of an algebra, not reductive, whose derivations are counted.
 pub const MAX_DIMENSION: usize = 30;
 
 impl<S: Ground> Structure<S> {
-    /// The dimension of the derivations; `None` beyond [`MAX_DIMENSION`] unless the algebra is abelian
-    /// or semisimple. Derivations of a semisimple algebra are inner (de Graaf 4.5).
+    /// The dimension of the derivations; `None` beyond [`MAX_DIMENSION`] unless the algebra is reductive.
+    /// Derivations of a semisimple algebra are inner (de Graaf 4.5); those of `s + z` are `ad s + gl(z)`.
     pub fn derivations(&self) -> Option<usize> {
         let n = self.dimension();
         if self.is_semisimple() {
             return Some(n);
         }
-        if self.is_abelian() {
-            return Some(n * n);
+        if n > MAX_DIMENSION || self.is_abelian() {
+            let z = self.radical().dimension();
+            return self.is_reductive().then_some(n - z + z * z);
         }
         let equations = |reduction: &Reduction| reduction.derivation_equations().rank();
-        (n <= MAX_DIMENSION).then(|| n * n - self.rank_modulo_primes(equations))
+        Some(n * n - self.rank_modulo_primes(equations))
     }
 
-    /// The dimension of the symmetric forms with `B([x,y],z) = B(x,[y,z])`; `None` beyond
-    /// [`MAX_DIMENSION`].
+    /// The dimension of the symmetric forms with `B([x,y],z) = B(x,[y,z])`; `None` beyond [`MAX_DIMENSION`]
+    /// unless the algebra is reductive: then a form for each simple factor over the complex numbers, and all on the centre.
     pub fn invariant_forms(&self) -> Option<usize> {
         let n = self.dimension();
+        if n > MAX_DIMENSION {
+            let z = self.radical().dimension();
+            let factors = self.is_reductive().then(|| self.dynkin_type())??;
+            return Some(factors.len() + z * (z + 1) / 2);
+        }
         let equations = |reduction: &Reduction| reduction.form_equations().rank();
-        let unknowns = n * (n + 1) / 2;
-        (n <= MAX_DIMENSION).then(|| unknowns - self.rank_modulo_primes(equations))
+        Some(n * (n + 1) / 2 - self.rank_modulo_primes(equations))
     }
 }
 

@@ -135,7 +135,7 @@ impl Structure<Rational> {
                 };
                 let g = &linear(lower) * &linear(upper);
                 let g = g.scale(&BigRational::from_integer((-1).into()));
-                let form = evaluate(theta, &g).transpose().mul(&self.killing().matrix).ok()?;
+                let form = evaluate(theta, &g).transpose().mul(self.killing_matrix()).ok()?;
                 (all + excess(&Killing::new(form))?) / 2
             };
             let plus = usize::try_from((n as i64 + own) / 2).ok()?;

@@ -2,6 +2,7 @@
 
 use super::subspace::collected;
 use super::{Ground, Structure};
+use affinor_tensors::linear::modular::{PRIMES, Prime, Residues};
 use affinor_tensors::linear::{Matrix, Row};
 use std::cmp::Ordering;
 
@@ -105,14 +106,37 @@ fn add_multiple<S: Ground>(
 }
 
 impl<S: Ground> Structure<S> {
-    /// The Killing form `K_ij = tr(ad_i ad_j)`.
-    pub fn killing(&self) -> &Killing<S> {
-        self.killing.get_or_init(|| {
+    /// The matrix of the Killing form, `K_ij = tr(ad_i ad_j)`.
+    pub fn killing_matrix(&self) -> &Matrix<S> {
+        self.form.get_or_init(|| {
             let n = self.dimension();
             let form = self.algebra.killing_form();
             let mut rows = vec![vec![]; n];
             form.components().for_each(|(at, value)| rows[at[0]].push((at[1], value.clone())));
-            Killing::new(Matrix::from_rows(n, rows).expect("a square matrix"))
+            Matrix::from_rows(n, rows).expect("a square matrix")
+        })
+    }
+
+    /// The Killing form in a basis in which it is diagonal.
+    pub fn killing(&self) -> &Killing<S> {
+        self.killing.get_or_init(|| Killing::new(self.killing_matrix().clone()))
+    }
+
+    /// Whether the radical is zero, by Cartan's criterion: the Killing form is not degenerate.
+    ///
+    /// A rank modulo a prime is at most the rank, so a full rank modulo one prime is a proof.
+    pub fn is_semisimple(&self) -> bool {
+        let n = self.dimension();
+        *self.semisimple.get_or_init(|| {
+            let full = |prime: Prime| {
+                let mut rows = vec![vec![0; n]; n];
+                for (i, j, value) in self.killing_matrix().entries() {
+                    rows[i][j] = value.residue(prime)?;
+                }
+                Some(Residues::new(prime, n, rows).rank() == n)
+            };
+            let regular = PRIMES.into_iter().find_map(full).unwrap_or(false);
+            n > 0 && (regular || self.killing().rank() == n)
         })
     }
 }

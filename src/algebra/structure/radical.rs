@@ -20,7 +20,7 @@ impl<S: Ground> Structure<S> {
             }
             let derived = Matrix::from_rows(n, self.derived().basis().iter().cloned());
             let derived = derived.expect("vectors of the algebra");
-            let forms = derived.mul(&self.killing().matrix).expect("vectors and a form");
+            let forms = derived.mul(self.killing_matrix()).expect("vectors and a form");
             Subspace::kernel(n, (0..forms.rows()).map(|at| forms.row(at).to_vec()))
         })
     }

@@ -165,11 +165,6 @@ impl<S: Ground> Structure<S> {
         self.radical() == &self.centre()
     }
 
-    /// Whether the radical is zero, by Cartan's criterion: the Killing form is not degenerate.
-    pub fn is_semisimple(&self) -> bool {
-        self.dimension() > 0 && self.killing().rank() == self.dimension()
-    }
-
     /// Whether a subspace is an ideal.
     pub fn is_ideal(&self, v: &Subspace<S>) -> bool {
         let columns_in =

@@ -1,0 +1,223 @@
+//! The name of an algebra of low dimension: real ones up to dimension 4, nilpotent ones up to 6.
+//!
+//! Up to dimension 3 the isomorphism is a witness where it is rational. Nilpotent algebras are told apart
+//! by the dimensions of both central series and of the derivations, and by the Betti numbers; these separate
+//! all real ones up to dimension 6 but for the sign of the parameter of four families.
+
+mod four;
+
+use super::subspace::collected;
+use super::{Structure, Subspace};
+use crate::algebra::catalogue;
+use affinor_tensors::linear::Row;
+use affinor_tensors::{Field, Rational, Ring};
+
+/// The name of an algebra in the catalogue.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Identification {
+    /// The names: one, or those that the invariants leave.
+    pub names: Vec<String>,
+    /// An equation for the parameter, where it is not rational.
+    pub parameter: Option<String>,
+    /// The images of the basis of the named algebra, where they are rational.
+    pub isomorphism: Option<Vec<Vec<Rational>>>,
+}
+
+type Vector = Row<Rational>;
+
+impl Structure<Rational> {
+    /// The name of the algebra; `None` for other dimensions.
+    pub fn identify(&self) -> Option<Identification> {
+        match self.dimension() {
+            1 => self.named("R^1", self.unit_vectors()),
+            2 if self.is_abelian() => self.named("R^2", self.unit_vectors()),
+            2 => {
+                let y = self.derived().basis()[0].clone();
+                let x = self.scaled_onto(&y, &y)?;
+                self.named("aff(1)", vec![x, y])
+            }
+            3 => self.bianchi(),
+            4..=6 if self.is_nilpotent() => self.nilpotent_by_invariants(),
+            4 => self.real_of_dimension_four(),
+            _ => None,
+        }
+    }
+
+    fn unit_vectors(&self) -> Vec<Vector> {
+        self.whole().basis().to_vec()
+    }
+
+    /// A vector `x` with `[x, v] = target`, a multiple of a basis vector.
+    fn scaled_onto(&self, v: &Vector, target: &Vector) -> Option<Vector> {
+        let (at, wanted) = target.first()?;
+        self.unit_vectors().into_iter().find_map(|x| {
+            let image = self.products.ad(&x).image(v);
+            let (place, value) = image.first()?;
+            (place == at).then_some(())?;
+            Some(scale(&x, &(wanted.clone() * &value.recip()?)))
+        })
+    }
+
+    fn named(&self, name: &str, images: Vec<Vector>) -> Option<Identification> {
+        let dense = |vector: &Vector| {
+            let mut all = vec![Rational::from(0); self.dimension()];
+            vector.iter().for_each(|(at, value)| all[*at] = value.clone());
+            all
+        };
+        let isomorphism = (!images.is_empty()).then(|| images.iter().map(dense).collect());
+        Some(Identification { names: vec![name.into()], parameter: None, isomorphism })
+    }
+
+    /// Bianchi's type, after the dimension of the derived algebra.
+    fn bianchi(&self) -> Option<Identification> {
+        let derived = self.derived();
+        match derived.dimension() {
+            0 => self.named("bianchi(I)", self.unit_vectors()),
+            1 if self.is_nilpotent() => {
+                let pairs = [(0, 1), (0, 2), (1, 2)];
+                let all = self.unit_vectors();
+                let (x, y) = pairs
+                    .into_iter()
+                    .find(|&(x, y)| !self.products.ad(&all[x]).image(&all[y]).is_empty())?;
+                let z = self.products.ad(&all[x]).image(&all[y]);
+                self.named("bianchi(II)", vec![z, all[x].clone(), all[y].clone()])
+            }
+            1 => {
+                // [e1, e3] = e1, and e2 is central
+                let v = derived.basis()[0].clone();
+                let e3 = scale(&self.scaled_onto(&v, &v)?, &Rational::from(-1));
+                self.named("bianchi(III)", vec![v, self.centre().basis().first()?.clone(), e3])
+            }
+            2 => self.acting_on_the_plane(derived),
+            _ => {
+                let compact = self.killing().signature()? == [0, 3, 0];
+                self.named(if compact { "bianchi(IX)" } else { "bianchi(VIII)" }, vec![])
+            }
+        }
+    }
+
+    /// `ad_e` on the derived plane `U`, with trace `t`, determinant `d` and discriminant `q = t^2 - 4 d`.
+    fn acting_on_the_plane(&self, plane: &Subspace<Rational>) -> Option<Identification> {
+        let outside = plane.complement().next()?;
+        let e: Vector = vec![(outside, Rational::from(1))];
+        let ad = self.products.ad(&e);
+        let [u, v] = plane.basis() else { return None };
+        let coordinates = |x: &Vector| {
+            let row = plane.coordinates(&ad.image(x))?;
+            let at = |i: usize| row.iter().find(|(k, _)| *k == i).map(|(_, v)| v.clone());
+            Some([0, 1].map(|i| at(i).unwrap_or_else(|| Rational::from(0))))
+        };
+        let ([a, c], [b, f]) = (coordinates(u)?, coordinates(v)?);
+        let trace = a.clone() + &f;
+        let determinant = a.clone() * &f - &(b.clone() * &c);
+        let four = Rational::from(4);
+        let discriminant = trace.clone() * &trace - &(determinant.clone() * &four);
+        let half = Rational::new(1, 2)?;
+        let image = |x: &Vector, factor: &Rational| scale(&ad.image(x), factor);
+        let difference = |x: &Vector, y: &Vector, factor: &Rational| {
+            collected(x.iter().cloned().chain(scale(y, &-factor.clone())).collect())
+        };
+        if discriminant.vanishes() {
+            let lambda = trace * &half;
+            let unit = lambda.recip()?;
+            let e3 = scale(&e, &-unit.clone());
+            let scalar = b.vanishes() && c.vanishes();
+            if scalar {
+                return self.named("bianchi(V)", vec![u.clone(), v.clone(), e3]);
+            }
+            let nilpotent = |x: &Vector| difference(&image(x, &unit), x, &Rational::from(1));
+            let e2 = if nilpotent(u).is_empty() { v } else { u };
+            return self.named("bianchi(IV)", vec![nilpotent(e2), e2.clone(), e3]);
+        }
+        if discriminant.is_negative() {
+            let beta = (-discriminant.clone()).sqrt().map(|root| root * &half);
+            let Some(beta) = beta else {
+                let square = trace.clone() * &trace * &(-discriminant).recip()?;
+                let mut found = self.named("bianchi(VII)", vec![])?;
+                found.parameter = Some(format!("h^2 = {square}"));
+                return Some(found);
+            };
+            let sign = if trace.is_negative() { -beta } else { beta };
+            let unit = sign.recip()?;
+            let h = trace * &half * &unit;
+            let e2 = u.clone();
+            let e1 = difference(&image(&e2, &unit), &e2, &h);
+            return self.named(&format!("bianchi(VII,h={h})"), vec![e1, e2, scale(&e, &-unit)]);
+        }
+        let Some(root) = discriminant.sqrt() else {
+            let sum = (trace.clone() * &trace - &(determinant.clone() * &Rational::from(2)))
+                * &determinant.recip()?;
+            let mut found = self.named("bianchi(VI)", vec![])?;
+            found.parameter = Some(format!("h + 1/h = {sum}"));
+            return Some(found);
+        };
+        let (mut large, mut small) = ((trace.clone() + &root) * &half, (trace - &root) * &half);
+        if small.clone().abs().to_f64() > large.clone().abs().to_f64() {
+            std::mem::swap(&mut large, &mut small);
+        }
+        // (D - other) x is an eigenvector
+        let eigenvector = |other: &Rational| {
+            let one = Rational::from(1);
+            let vectors = [u, v].map(|x| difference(&image(x, &one), x, other));
+            vectors.into_iter().find(|x| !x.is_empty())
+        };
+        let unit = large.recip()?;
+        let h = small.clone() * &unit;
+        let images = vec![eigenvector(&small)?, eigenvector(&large)?, scale(&e, &-unit)];
+        self.named(&format!("bianchi(VI,h={h})"), images)
+    }
+
+    /// The names of nilpotent algebras with the same invariants.
+    fn nilpotent_by_invariants(&self) -> Option<Identification> {
+        let n = self.dimension();
+        let own = self.fingerprint();
+        let mut names = vec![];
+        for small in 1..=n {
+            for name in nilpotent_names(small) {
+                let full = if small < n { format!("{name}+R^{}", n - small) } else { name };
+                let parts = full.split('+').map(catalogue::algebra::<Rational>);
+                let parts = parts.collect::<Result<Vec<_>, _>>().ok()?;
+                let algebra = parts.into_iter().map(Ok).reduce(|a, b| a?.direct_sum(&b?))?.ok()?;
+                if Structure::new(algebra).fingerprint() == own {
+                    names.push(full);
+                }
+            }
+        }
+        if names.is_empty() {
+            return None;
+        }
+        Some(Identification { names, parameter: None, isomorphism: None })
+    }
+
+    fn fingerprint(&self) -> (Vec<usize>, Vec<usize>, Option<usize>, Option<Vec<usize>>) {
+        let dimensions = |series: &[Subspace<Rational>]| -> Vec<usize> {
+            series.iter().map(Subspace::dimension).collect()
+        };
+        (
+            dimensions(&self.lower_central_series()),
+            dimensions(&self.upper_central_series()),
+            self.derivations(),
+            self.betti(),
+        )
+    }
+}
+
+/// The nilpotent algebras of a dimension that are no sums with a line; `e = 1` of de Graaf's families 6,22
+/// is a sum of two Heisenberg algebras.
+fn nilpotent_names(dimension: usize) -> Vec<String> {
+    if dimension == 1 {
+        return vec!["R^1".into()];
+    }
+    let rows = catalogue::names(dimension).into_iter().filter(|name| name.starts_with("degraaf"));
+    let valued =
+        |name: String| match ["6,19)", "6,21)", "6,22)", "6,24)"].iter().any(|k| name.ends_with(k))
+        {
+            true => ["0", "1", "-1"].map(|e| name.replace(')', &format!(",e={e})"))).to_vec(),
+            false => vec![name],
+        };
+    rows.flat_map(valued).collect()
+}
+
+fn scale(vector: &Vector, factor: &Rational) -> Vector {
+    vector.iter().map(|(at, value)| (*at, value.clone() * factor)).collect()
+}

@@ -1,0 +1,189 @@
+//! Reading and writing algebras, metrics, connections and geometries through serde.
+//!
+//! ```text
+//! {"schema": "affinor.algebra/1", "basis": ["e1", ...], "structure": TENSOR}
+//! {"schema": "affinor.metric/1", "components": TENSOR}
+//! {"schema": "affinor.connection/1", "algebra": ALGEBRA, "affinities": TENSOR}
+//! {"schema": "affinor.geometry/1", "name": "M(3)", "algebra": ALGEBRA, "connection": "plus", "metric": METRIC}
+//! ```
+//!
+//! TENSOR is the form of [`Tensor`]. The connection of a geometry is `"plus"`, `"zero"`, `"minus"`, `"levi-civita"`,
+//! `{"lambda": "1/3"}` or `{"affinities": TENSOR}`. Whatever is read passes the checks of the constructors: antisymmetry, the
+//! Jacobi identity, symmetry and the rank of a metric. Frames on charts and right-invariant frames are not written.
+
+use crate::geometry::connection::{Canonical, Connection};
+use crate::{
+    Bracket, ConnectionKind, Field, FrameOrigin, Geometry, LieAlgebra, Metric, Notation, Ring,
+    Tensor,
+};
+use serde::de::{Deserialize, Deserializer, Error as _};
+use serde::ser::{Error as _, Serialize, Serializer};
+use std::borrow::Cow;
+
+/// The schema of a value: its name and its version.
+struct Schema<const AT: usize>;
+
+const SCHEMAS: [&str; 4] =
+    ["affinor.algebra/1", "affinor.metric/1", "affinor.connection/1", "affinor.geometry/1"];
+
+impl<const AT: usize> Serialize for Schema<AT> {
+    fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
+        SCHEMAS[AT].serialize(serializer)
+    }
+}
+
+impl<'de, const AT: usize> Deserialize<'de> for Schema<AT> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let found = Cow::<str>::deserialize(deserializer)?;
+        if found != SCHEMAS[AT] {
+            return Err(D::Error::custom(format!("expected schema {}, got {found}", SCHEMAS[AT])));
+        }
+        Ok(Schema)
+    }
+}
+
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Algebra<L, T> {
+    schema: Schema<0>,
+    basis: L,
+    structure: T,
+}
+
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Components<T> {
+    schema: Schema<1>,
+    components: T,
+}
+
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Affinities<A, T> {
+    schema: Schema<2>,
+    algebra: A,
+    affinities: T,
+}
+
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Space<N, A, S, T, M> {
+    schema: Schema<3>,
+    name: N,
+    #[serde(default = "Option::default", skip_serializing_if = "Option::is_none")]
+    algebra_name: Option<N>,
+    algebra: A,
+    connection: Kind<S, T>,
+    #[serde(default = "Option::default", skip_serializing_if = "Option::is_none")]
+    metric: Option<M>,
+}
+
+/// How a connection is chosen.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Kind<S, T> {
+    Plus,
+    Zero,
+    Minus,
+    LeviCivita,
+    Lambda(S),
+    Affinities(T),
+}
+
+impl<S: Ring + Serialize> Serialize for LieAlgebra<S> {
+    fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
+        Algebra { schema: Schema, basis: self.labels(), structure: self.structure() }
+            .serialize(serializer)
+    }
+}
+
+impl<'de, S: Ring + Deserialize<'de>> Deserialize<'de> for LieAlgebra<S> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let read = Algebra::<Vec<String>, Tensor<S>>::deserialize(deserializer)?;
+        let bracket = Bracket::new(read.basis, read.structure).map_err(D::Error::custom)?;
+        LieAlgebra::try_from(bracket).map_err(D::Error::custom)
+    }
+}
+
+impl<S: Field + Serialize> Serialize for Metric<S> {
+    fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
+        Components { schema: Schema, components: self.components() }.serialize(serializer)
+    }
+}
+
+impl<'de, S: Field + Deserialize<'de>> Deserialize<'de> for Metric<S> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let components = Components::<Tensor<S>>::deserialize(deserializer)?.components;
+        let labels = (1..=components.dimension()).map(|i| format!("e{i}"));
+        Metric::new(&labels.collect::<Vec<_>>(), components).map_err(D::Error::custom)
+    }
+}
+
+impl<S: Ring + Serialize> Serialize for Connection<S> {
+    /// # Errors
+    /// In a frame that is not invariant, and of a homogeneous space.
+    fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
+        let frame = self.frame();
+        let bracket = Bracket::new(frame.labels(), frame.structure().clone());
+        let algebra = bracket.ok().and_then(|bracket| LieAlgebra::try_from(bracket).ok());
+        let algebra = algebra.filter(|algebra| algebra.left_frame() == frame);
+        let algebra = algebra.ok_or_else(|| {
+            W::Error::custom("only connections in the frame of a Lie algebra are written")
+        })?;
+        Affinities { schema: Schema, algebra, affinities: self.gamma() }.serialize(serializer)
+    }
+}
+
+impl<'de, S: Ring + Deserialize<'de>> Deserialize<'de> for Connection<S> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let read = Affinities::<LieAlgebra<S>, Tensor<S>>::deserialize(deserializer)?;
+        Connection::new(read.algebra.left_frame().clone(), read.affinities)
+            .map_err(D::Error::custom)
+    }
+}
+
+impl<S: Notation + Serialize> Serialize for Geometry<S> {
+    /// # Errors
+    /// On a chart, and in a right-invariant frame.
+    fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
+        let FrameOrigin::Algebra(algebra) = self.frame_origin() else {
+            return Err(W::Error::custom("a geometry on a chart is not written"));
+        };
+        if self.frame_name() == "right-invariant" {
+            return Err(W::Error::custom("a geometry in its right-invariant frame is not written"));
+        }
+        let connection = match self.kind() {
+            ConnectionKind::Canonical(Canonical::Plus) => Kind::Plus,
+            ConnectionKind::Canonical(Canonical::Zero) => Kind::Zero,
+            ConnectionKind::Canonical(Canonical::Minus) => Kind::Minus,
+            ConnectionKind::LeviCivita => Kind::LeviCivita,
+            ConnectionKind::Family(lambda) => Kind::Lambda(lambda),
+            ConnectionKind::Affinities(gamma) => Kind::Affinities(gamma),
+        };
+        let (name, metric) = (self.name(), self.metric());
+        let algebra_name = Some(self.algebra_name()).filter(|other| *other != name);
+        Space { schema: Schema, name, algebra_name, algebra, connection, metric }
+            .serialize(serializer)
+    }
+}
+
+impl<'de, S: Notation + Deserialize<'de>> Deserialize<'de> for Geometry<S> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let read =
+            Space::<String, LieAlgebra<S>, S, Tensor<S>, Metric<S>>::deserialize(deserializer)?;
+        let kind = match read.connection {
+            Kind::Plus => ConnectionKind::Canonical(Canonical::Plus),
+            Kind::Zero => ConnectionKind::Canonical(Canonical::Zero),
+            Kind::Minus => ConnectionKind::Canonical(Canonical::Minus),
+            Kind::LeviCivita => ConnectionKind::LeviCivita,
+            Kind::Lambda(lambda) => ConnectionKind::Family(lambda),
+            Kind::Affinities(gamma) => ConnectionKind::Affinities(gamma),
+        };
+        let geometry = Geometry::new(read.name, read.algebra, kind, read.metric);
+        let geometry = geometry.map_err(D::Error::custom)?;
+        Ok(match read.algebra_name {
+            Some(name) => geometry.over(name),
+            None => geometry,
+        })
+    }
+}

@@ -1,0 +1,139 @@
+//! Names of algebras of low dimension, with their isomorphisms multiplied out.
+
+use super::invariants::{scrambled, stored};
+use crate::common::algebras::catalogued;
+use affinor::algebra::structure::Structure;
+use affinor::{BasisChange, Rational, Tensor};
+use affinor_tensors::{Down, Up};
+
+#[test]
+fn real_algebras_up_to_dimension_three() {
+    let names = [
+        "R^1",
+        "R^2",
+        "aff(1)",
+        "bianchi(I)",
+        "bianchi(II)",
+        "bianchi(III)",
+        "bianchi(IV)",
+        "bianchi(V)",
+        "bianchi(VI,h=-1)",
+        "bianchi(VI,h=-1/2)",
+        "bianchi(VI,h=1/3)",
+        "bianchi(VII,h=0)",
+        "bianchi(VII,h=2)",
+        "bianchi(VII,h=1/2)",
+    ];
+    for name in names {
+        for seed in 0..4 {
+            let algebra = scrambled(&catalogued(name), seed);
+            let found = Structure::new(algebra.clone()).identify().unwrap();
+            assert_eq!(found.names, [name]);
+            let images = found.isomorphism.unwrap();
+            let n = algebra.dimension();
+            let change = Tensor::from_fn(n, [Up, Down], |[i, a]| images[a][i].clone()).unwrap();
+            let moved = algebra.change_basis(&BasisChange::new(change).unwrap()).unwrap();
+            assert_eq!(moved.structure(), catalogued(name).structure(), "{name}, {seed}");
+        }
+    }
+}
+
+#[test]
+fn parameters_have_their_normal_form() {
+    let named = |name: &str| Structure::new(catalogued(name)).identify().unwrap();
+    // h and 1/h are the same algebra, and h = 1, 0 are other types
+    assert_eq!(named("bianchi(VI,h=2)").names, ["bianchi(VI,h=1/2)"]);
+    assert_eq!(named("bianchi(VI,h=1)").names, ["bianchi(V)"]);
+    assert_eq!(named("bianchi(VI,h=0)").names, ["bianchi(III)"]);
+    assert_eq!(named("bianchi(VII,h=-2)").names, ["bianchi(VII,h=2)"]);
+    assert_eq!(named("so(2,1)").names, ["bianchi(VIII)"]);
+    assert_eq!(named("su(2)").names, ["bianchi(IX)"]);
+    assert_eq!(named("se(2)").names, ["bianchi(VII,h=0)"]);
+    // the eigenvalues 1 + sqrt 2 and 1 - sqrt 2, and 1/2 +- i sqrt 7/2
+    let plane = |a: [i64; 4]| {
+        let table = [(1, 3, 1, a[0]), (1, 3, 2, a[1]), (2, 3, 1, a[2]), (2, 3, 2, a[3])];
+        Structure::new(crate::common::algebras::by_table(3, &table)).identify().unwrap()
+    };
+    let real = plane([1, 1, 2, 1]);
+    assert_eq!(
+        (real.names[0].as_str(), real.parameter.unwrap().as_str()),
+        ("bianchi(VI)", "h + 1/h = -6")
+    );
+    let complex = plane([0, 1, -2, 1]);
+    assert_eq!(complex.names, ["bianchi(VII)"]);
+    assert_eq!(complex.parameter.unwrap(), "h^2 = 1/7");
+    assert_eq!(complex.isomorphism, None::<Vec<Vec<Rational>>>);
+}
+
+#[test]
+fn real_algebras_of_dimension_four() {
+    let names = [
+        "bianchi(VIII)+R^1",
+        "bianchi(IX)+R^1",
+        "aff(1)+aff(1)",
+        "aff(1)+R^2",
+        "bianchi(IV)+R^1",
+        "bianchi(V)+R^1",
+        "bianchi(VI,h=-1/2)+R^1",
+        "bianchi(VII,h=2)+R^1",
+        "patera(4,2,a=1)",
+        "patera(4,2,a=-2)",
+        "patera(4,2,a=3)",
+        "patera(4,3)",
+        "patera(4,4)",
+        "patera(4,5,a=1,b=1)",
+        "patera(4,5,a=1/2,b=1)",
+        "patera(4,5,a=-1/2,b=1/3)",
+        "patera(4,6,a=1,b=0)",
+        "patera(4,6,a=-2,b=1)",
+        "patera(4,6,a=4/3,b=1/3)",
+        "patera(4,7)",
+        "patera(4,8)",
+        "patera(4,9,b=1)",
+        "patera(4,9,b=0)",
+        "patera(4,9,b=-1/2)",
+        "patera(4,10)",
+        "patera(4,11,a=1)",
+        "patera(4,11,a=1/2)",
+        "patera(4,12)",
+    ];
+    for name in names {
+        for seed in 0..3 {
+            let found = Structure::new(scrambled(&catalogued(name), seed)).identify().unwrap();
+            assert_eq!((found.names, found.parameter), (vec![name.to_string()], None));
+        }
+    }
+    let named = |name: &str| Structure::new(catalogued(name)).identify().unwrap().names.remove(0);
+    assert_eq!(named("oscillator(4)"), "patera(4,10)");
+    assert_eq!(named("sim(2)"), "patera(4,12)");
+    assert_eq!(named("gl(2)"), "bianchi(VIII)+R^1");
+    assert_eq!(named("u(2)"), "bianchi(IX)+R^1");
+    assert_eq!(named("patera(4,5,a=2,b=2)"), "patera(4,5,a=1/2,b=1)");
+    // eigenvalues 1, sqrt 2, -sqrt 2
+    let table = [(4, 1, 1, 1), (4, 2, 3, 1), (4, 3, 2, 2)];
+    let open = Structure::new(crate::common::algebras::by_table(4, &table)).identify().unwrap();
+    assert!(open.names == ["patera(4,5)"] && open.parameter.is_some());
+}
+
+/// Each nilpotent algebra has its own name among those found, and at most the sign of a parameter is open.
+#[test]
+fn nilpotent_algebras_up_to_dimension_six() {
+    for (at, name) in affinor::algebra::catalogue::names(6).into_iter().enumerate() {
+        let Some(number) = name.strip_prefix("degraaf(6,") else { continue };
+        let number = number.trim_end_matches(')');
+        let open = ["19", "21", "22", "24"].contains(&number);
+        for e in if open { vec!["0", "1", "-1"] } else { vec![""] } {
+            let full = if open { format!("degraaf(6,{number},e={e})") } else { name.clone() };
+            let algebra = scrambled(&catalogued(&full), at as i64);
+            let found = Structure::new(algebra).identify().unwrap().names;
+            assert!(found.contains(&full), "{full}: {found:?}");
+            assert!(found.len() <= if e == "1" || e == "-1" { 2 } else { 1 }, "{full}: {found:?}");
+        }
+    }
+    for (algebra, entry) in stored().into_iter().filter(|(_, entry)| entry["nilpotent"] == true) {
+        if algebra.dimension() < 6 {
+            let found = Structure::new(algebra).identify().unwrap();
+            assert_eq!(found.names.len(), 1, "{}", entry["name"]);
+        }
+    }
+}
