@@ -40,4 +40,4 @@ run python -m affinor >"$work/comparison.txt"
 cmp "$work/comparison.txt" <("$command" compare)
 run python -m mypy --config-file "$here/python/pyproject.toml"
 run python -m mypy.stubtest affinor --mypy-config-file "$here/python/pyproject.toml"
-run python -m pytest -q -c "$here/python/pyproject.toml" --rootdir "$here/python" "$here/python/tests"
+run timeout 1200 python -m pytest -q -c "$here/python/pyproject.toml" --rootdir "$here/python" "$here/python/tests"

@@ -269,6 +269,24 @@ impl Problem {
     /// The same problem with a force as a function, beside the forces of the file. Columns of the power and Casimir functions know
     /// of it; the function is called several times in a step.
     ///
+    /// ```
+    /// use affinor::mechanics::motions::{ForceFunction, Side};
+    /// use affinor_documents::problem::Problem;
+    /// let text = r#"
+    /// space = "so3"
+    /// metric = "identity"
+    /// initial.velocity = [0, 0, 0]
+    /// output = { end = 2, every = 2 }
+    /// "#;
+    /// let torque = ForceFunction::new(|_, _, _| vec![0.0, 0.0, 3.0]);
+    /// let problem = Problem::parse("turn.toml", text)?.with_force(Side::Body, torque)?;
+    /// let mut ready = problem.motion(0)?;
+    /// while !ready.motion.step(2.0)? {}
+    /// let spin = ready.columns.iter().position(|column| column.name == "Omega3").unwrap();
+    /// assert!((ready.motion.row()[spin] - 6.0).abs() < 1e-9);
+    /// # Ok::<(), affinor_documents::definition::InputError>(())
+    /// ```
+    ///
     /// # Errors
     /// A problem without forces: of constraints, a Hamiltonian, a given velocity or a flow of matrices.
     pub fn with_force(&self, side: Side, function: ForceFunction) -> Result<Self, InputError> {

@@ -167,8 +167,13 @@ def test_progress():
 
 
 def test_the_interpreter_is_free_meanwhile():
-    counted = 0
-    thread = threading.Thread(target=lambda: af.simulate({**TOP, "output": {"end": 60, "every": 0.1}}))
+    counted, until = 0, time.monotonic() + 0.5
+
+    def simulations():
+        while time.monotonic() < until:
+            af.simulate({**TOP, "output": {"end": 30, "every": 0.1}})
+
+    thread = threading.Thread(target=simulations)
     thread.start()
     while thread.is_alive():
         counted += 1

@@ -45,6 +45,14 @@ pub(super) fn component<S: Notation>(
 }
 
 /// The components of a tensor with a symbol of its own, as in a table: `T^1_2 = T^2_1 = 1/2`, in lines of at most 80 columns.
+///
+/// ```
+/// use affinor_documents::report::{components_in_latex, components_in_text};
+/// use affinor_tensors::{Down, Rational, Tensor};
+/// let form = Tensor::diagonal([1, 2].map(Rational::from), [Down, Down]);
+/// assert_eq!(components_in_text("g", &form), "  g_11 = 1\n  g_22 = 2\n");
+/// assert_eq!(components_in_latex("g", &form), ["g_{11} &= 1", "g_{22} &= 2"]);
+/// ```
 pub fn components_in_text<S: Notation>(symbol: &str, tensor: &Tensor<S>) -> String {
     let mut text = Vec::new();
     // a vector takes every byte
