@@ -8,15 +8,21 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 /// What is printed, and the name of its snapshots before the format.
-const OBJECTS: [(&str, &[&str]); 6] = [
+const OBJECTS: [(&str, &[&str]); 7] = [
     ("m3_table", &["table", "M3"]),
     ("so3_table", &["table", "SO3"]),
     ("m3_so3_comparison", &["compare"]),
     ("poincare_info", &["info", "iso(3,1)"]),
     ("bianchi_info", &["info", "bianchi(VII,h=2)"]),
+    ("e8_info", &["info", "E8"]),
     ("scrambled_sum_info", &["info", "examples/definitions/scrambled_sum.json"]),
 ];
 const FORMATS: [&str; 5] = ["text", "markdown", "latex", "csv", "json"];
+
+/// The formats of an object: the JSON of E8 is half a megabyte, and `info` asserts its values.
+fn formats(object: &str) -> impl Iterator<Item = &'static str> {
+    FORMATS.into_iter().filter(move |format| (object, *format) != ("e8_info", "json"))
+}
 
 /// Components by tensor and indices (from 1), zeros left out.
 type Components = BTreeMap<String, BTreeMap<Vec<usize>, Symbolic>>;
@@ -37,7 +43,7 @@ fn tables_and_comparison() {
     settings.set_omit_expression(true);
     settings.bind(|| {
         for (object, arguments) in OBJECTS {
-            for format in FORMATS {
+            for format in formats(object) {
                 insta::assert_snapshot!(format!("{object}_{format}"), print(arguments, format));
             }
         }
@@ -50,9 +56,9 @@ fn nothing_else_stands_in_the_folder() {
     let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
     // a snapshot that waits for review is not part of the project
     let found: BTreeSet<String> = names.filter(|name| !name.ends_with(".snap.new")).collect();
-    let expected = OBJECTS
-        .iter()
-        .flat_map(|(object, _)| FORMATS.map(|format| format!("{object}_{format}.snap")));
+    let expected = OBJECTS.iter().flat_map(|(object, _)| {
+        formats(object).map(move |format| format!("{object}_{format}.snap"))
+    });
     assert_eq!(found, expected.collect());
 }
 

@@ -174,3 +174,13 @@ fn reductive_algebras_on_both_sides_of_the_largest_dimension() {
     }
     assert_eq!(structure("se(8)").invariant_forms(), None);
 }
+
+/// Binomial coefficients of the abelian algebras, up to the whole numbers of a float and beyond.
+#[test]
+fn betti_numbers_beyond_the_whole_numbers_of_a_float() {
+    let betti = structure("R^56").betti().unwrap();
+    assert_eq!((betti[1], betti[2], betti[28]), (56, 1540, 7_648_690_600_760_440));
+    for name in ["R^57", "R^100", "so(3)+R^67"] {
+        assert_eq!(structure(name).betti(), None, "{name}");
+    }
+}

@@ -18,7 +18,9 @@ impl Definition {
     /// beyond all bounds.
     pub fn set(&mut self, values: &BTreeMap<String, Symbolic>) -> Result<(), InputError> {
         let mut parameters = self.parameters();
-        parameters.extend(self.declared.iter().cloned());
+        let others: Vec<_> =
+            self.declared.iter().filter(|name| !parameters.contains(name)).cloned().collect();
+        parameters.extend(others);
         if let Some(fixed) = values.keys().find(|name| self.coordinates().contains(*name)) {
             let message = format!("`{}` is a coordinate, not a parameter", shown(fixed));
             return Err(InputError::usage(message).help("set parameters only"));

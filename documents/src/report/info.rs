@@ -142,8 +142,17 @@ impl Info {
 
         let last = |series: &[Subspace<S>]| series.last().is_some_and(Subspace::is_zero);
         let (solvable, nilpotent) = (last(derived), last(derived) && last(&lower));
-        let simple = ideals.as_ref().map(|ideals| ideals.len() == 1 && radical.is_zero());
-        let complete = derivations.map(|all| centre.is_zero() && all == inner);
+        let simple = match (&ideals, types.as_deref()) {
+            _ if !radical.is_zero() => Some(false),
+            (Some(ideals), _) => Some(ideals.len() == 1),
+            // simple over the complex numbers, for generic values of the parameters
+            (None, Some([_])) => Some(true),
+            (None, _) => None,
+        };
+        let complete = match derivations {
+            _ if !centre.is_zero() => Some(false),
+            all => all.map(|all| all == inner),
+        };
         let steps = |series: &[Subspace<S>], is: bool| is.then(|| series.len() - 1);
         let (class, length) = (steps(&lower, nilpotent), steps(derived, solvable));
         let words = |value: Option<usize>, unit: &str| value.map(|v| format!("{unit} {v}"));
@@ -188,7 +197,7 @@ impl Info {
         notes.ideals(ideals.as_deref(), levi.is_zero());
         notes.derivations(derivations, inner);
         notes.betti(betti.as_deref());
-        notes.count("index", "index", Some(index), "generic rank of the coadjoint invariants");
+        notes.count("index", "index", Some(index), "dimension minus the generic rank of f([x,y])");
         notes.count(
             "invariant forms",
             "invariant_forms",
@@ -302,7 +311,7 @@ impl Notes {
         let determinant = killing.determinant().to_string();
         let signs = match signature {
             Some([plus, minus, zero]) => format!("signature ({plus}, {minus}, {zero})"),
-            None => "signature depends on the parameters".into(),
+            None => "signature not known for all parameters".into(),
         };
         let size = determinant.len();
         let shown =
@@ -377,7 +386,9 @@ impl Notes {
                 );
             }
             None => {
-                let why = format!("not computed beyond dimension {MAX_BETTI} unless reductive");
+                let why = format!(
+                    "not computed beyond dimension {MAX_BETTI} unless reductive, nor beyond 2^53"
+                );
                 self.row("Betti numbers", "-", &why);
             }
         }

@@ -10,8 +10,12 @@ use polycore::modp_echelon::Echelon;
 /// The largest dimension at which the ranks of all differentials are computed.
 pub const MAX_DIMENSION: usize = 11;
 
+/// The largest Betti number that is given.
+const LARGEST: usize = 1 << 53;
+
 impl<S: Ground> Structure<S> {
-    /// The Betti numbers `b_0, .., b_n`; `None` beyond [`MAX_DIMENSION`] unless the algebra is reductive.
+    /// The Betti numbers `b_0, .., b_n`; `None` beyond [`MAX_DIMENSION`] unless the algebra is reductive, and
+    /// where one is beyond `2^53`, the whole numbers of a float.
     ///
     /// The polynomial of a reductive algebra is `(1+t)^z prod (1 + t^(2m+1))`, with the dimension `z` of
     /// the centre and the exponents `m` of its simple factors.
@@ -34,6 +38,9 @@ impl<S: Ground> Structure<S> {
             let mut product = polynomial.clone();
             product.resize(polynomial.len() + degree, 0);
             polynomial.iter().enumerate().for_each(|(at, value)| product[at + degree] += value);
+            if product.iter().any(|value| *value > LARGEST) {
+                return None;
+            }
             polynomial = product;
         }
         Some(polynomial)
