@@ -89,7 +89,7 @@ fn of_e8() {
 /// Four simple algebras and a nilpotent one, in an anonymous basis.
 #[test]
 fn of_a_scrambled_sum() {
-    let sum = info(&definition("scrambled_sum.json"));
+    let sum = info("tests/data/structure/scrambled_sum.json");
     assert_eq!(sum["dynkin_type"], "A1 + A1 + A1 + A1 + A2");
     let mut forms: Vec<&str> = sum["simple_ideals"]
         .as_array()

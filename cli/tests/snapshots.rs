@@ -15,7 +15,7 @@ const OBJECTS: [(&str, &[&str]); 7] = [
     ("poincare_info", &["info", "iso(3,1)"]),
     ("bianchi_info", &["info", "bianchi(VII,h=2)"]),
     ("e8_info", &["info", "E8"]),
-    ("scrambled_sum_info", &["info", "examples/definitions/scrambled_sum.json"]),
+    ("scrambled_sum_info", &["info", "tests/data/structure/scrambled_sum.json"]),
 ];
 const FORMATS: [&str; 5] = ["text", "markdown", "latex", "csv", "json"];
 

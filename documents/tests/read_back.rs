@@ -75,13 +75,20 @@ fn names() -> Vec<String> {
             }
             _ => (1..=LARGEST).map(|n| format!("{stem}{n}")).collect(),
         };
+        // dimensions grow with the argument, so the first that is too large ends the search
+        let dimension = |name: &String| catalogue::find(name).ok().map(|entry| entry.dimension());
         let found = written
             .into_iter()
-            .filter(|name| catalogue::find(name).is_ok_and(|entry| entry.dimension() <= LARGEST));
-        let before = names.len();
-        names.extend(found);
-        let is_large = ["E", "F"].contains(&stem);
-        assert!(is_large || names.len() > before, "no name of {}", family.pattern);
+            .map(|name| (dimension(&name), name))
+            .take_while(|(dimension, _)| dimension.is_none_or(|n| n <= 3 * LARGEST))
+            .filter(|(dimension, _)| dimension.is_some_and(|n| n <= LARGEST));
+        names.extend(found.map(|(_, name)| name));
+        // families with other arguments
+        let example = family.example.to_string();
+        let is_large = dimension(&example).is_none_or(|n| n > LARGEST);
+        if !is_large && !names.contains(&example) {
+            names.push(example);
+        }
     }
     names
 }
