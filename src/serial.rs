@@ -115,7 +115,7 @@ impl<'de, S: Field + Deserialize<'de>> Deserialize<'de> for Metric<S> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let components = Components::<Tensor<S>>::deserialize(deserializer)?.components;
         let labels = (1..=components.dimension()).map(|i| format!("e{i}"));
-        Metric::new(&labels.collect::<Vec<_>>(), components).map_err(D::Error::custom)
+        Metric::new(labels, components).map_err(D::Error::custom)
     }
 }
 

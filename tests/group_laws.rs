@@ -327,6 +327,35 @@ proptest! {
     }
 }
 
+/// A pair of eigenvalues within 0.7 degrees of the negative axis: square roots lose digits, which a correction restores.
+#[test]
+fn a_logarithm_near_the_negative_axis() {
+    let a = DMatrix::from_column_slice(
+        4,
+        4,
+        &[
+            -0.97873585491915,
+            -1.0588249680393318,
+            -0.37032561533100683,
+            2.2233259169122954,
+            -2.074453393041017,
+            -1.616251309520307,
+            0.046707287792221566,
+            -1.2537441238583105,
+            -1.7073325404088726,
+            -1.5878475813480606,
+            0.46740706398363496,
+            1.1284112112579439,
+            0.617527607109056,
+            -1.3274549079534022,
+            -2.0664679034374056,
+            1.2674671461030729,
+        ],
+    );
+    let group = matrices(&units(4));
+    near(&group.exp(&group.log(&a).unwrap()), &a, 1e-9);
+}
+
 /// Ill-conditioned: to round the exact logarithm moves its exponential by 1.3e-11 of its size already.
 #[test]
 fn a_logarithm_near_the_trace_minus_2() {

@@ -10,9 +10,12 @@ use nalgebra::linalg::Schur;
 /// The approximant with [`NODES`] nodes is exact to rounding up to this norm (Higham, Table 11.1).
 const NEAR: f64 = 0.25;
 const NODES: usize = 8;
-/// The largest number of square roots, and of iterations for one root.
+/// The largest number of square roots, of iterations for one root, and of corrections of the sum.
 const ROOTS: usize = 64;
 const STEPS: usize = 60;
+const CORRECTIONS: usize = 4;
+/// The relative error of the exponential from which on the sum is corrected.
+const COARSE: f64 = 1e-13;
 /// The relative tolerance of the exponential of the result.
 const OFF: f64 = 1e-9;
 
@@ -35,8 +38,27 @@ fn rooted_to(a: &DMatrix<f64>, near: f64) -> Result<DMatrix<f64>, Error> {
         root = square_root(&root)?;
         squarings += 1;
     }
-    let log = near_identity(&less_identity(&root))? * 2.0_f64.powi(squarings as i32);
-    let off = (exp(&log) - a).norm() / a.norm();
+    let mut log = near_identity(&less_identity(&root))? * 2.0_f64.powi(squarings as i32);
+    let distance = |log: &DMatrix<f64>| (exp(log) - a).norm() / a.norm();
+    let mut off = distance(&log);
+    // roots of eigenvalues near the negative axis lose digits: log A = L + log(exp(-L) A), as L commutes with A
+    for _ in 0..CORRECTIONS {
+        if off <= COARSE {
+            break;
+        }
+        let rest = less_identity(&(exp(&-&log) * a));
+        if rest.norm() > near {
+            break;
+        }
+        let next = &log + near_identity(&rest)?;
+        let (corrected, before) = (distance(&next), off);
+        if corrected < before {
+            (log, off) = (next, corrected);
+        }
+        if corrected >= 0.5 * before {
+            break;
+        }
+    }
     // not above: NaN is refused as well
     if off <= OFF {
         return Ok(log);
