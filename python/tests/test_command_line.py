@@ -38,7 +38,7 @@ def spaces():
 
 
 @needs_command
-@pytest.mark.parametrize("name", spaces())
+@pytest.mark.parametrize("name", list(spaces()))
 def test_catalogue(name):
     stored = json.loads(run("table", name, "--format", "json", "--show", "all").stdout)
     geometry = af.Geometry(name)
