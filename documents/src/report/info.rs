@@ -375,10 +375,10 @@ impl Notes {
         self.json.insert("derivations".into(), json);
     }
 
-    fn betti(&mut self, betti: Option<&[usize]>) {
+    fn betti(&mut self, betti: Option<&[u64]>) {
         match betti {
             Some(numbers) => {
-                let text: Vec<String> = numbers.iter().map(usize::to_string).collect();
+                let text: Vec<String> = numbers.iter().map(u64::to_string).collect();
                 self.row(
                     "Betti numbers",
                     text.join(", "),

@@ -11,7 +11,7 @@ use polycore::modp_echelon::Echelon;
 pub const MAX_DIMENSION: usize = 11;
 
 /// The largest Betti number that is given.
-const LARGEST: usize = 1 << 53;
+const LARGEST: u64 = 1 << 53;
 
 impl<S: Ground> Structure<S> {
     /// The Betti numbers `b_0, .., b_n`; `None` beyond [`MAX_DIMENSION`] unless the algebra is reductive, and
@@ -19,13 +19,14 @@ impl<S: Ground> Structure<S> {
     ///
     /// The polynomial of a reductive algebra is `(1+t)^z prod (1 + t^(2m+1))`, with the dimension `z` of
     /// the centre and the exponents `m` of its simple factors.
-    pub fn betti(&self) -> Option<Vec<usize>> {
+    pub fn betti(&self) -> Option<Vec<u64>> {
         let n = self.dimension();
         if n <= MAX_DIMENSION {
             let images = self.reductions().take(2).map(|reduction| reduction.ranks());
             let ranks = images.reduce(|a, b| a.iter().zip(&b).map(|(a, b)| *a.max(b)).collect())?;
             // rank of d on Lambda^(k-1) and on Lambda^k
-            return Some((0..=n).map(|k| binomial(n, k) - ranks[k] - ranks[k + 1]).collect());
+            let betti = |k: usize| (binomial(n, k) - ranks[k] - ranks[k + 1]) as u64;
+            return Some((0..=n).map(betti).collect());
         }
         if !self.is_reductive() {
             return None;

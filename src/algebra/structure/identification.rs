@@ -189,7 +189,7 @@ impl Structure<Rational> {
         Some(Identification { names, parameter: None, isomorphism: None })
     }
 
-    fn fingerprint(&self) -> (Vec<usize>, Vec<usize>, Option<usize>, Option<Vec<usize>>) {
+    fn fingerprint(&self) -> (Vec<usize>, Vec<usize>, Option<usize>, Option<Vec<u64>>) {
         let dimensions = |series: &[Subspace<Rational>]| -> Vec<usize> {
             series.iter().map(Subspace::dimension).collect()
         };
