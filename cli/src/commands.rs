@@ -15,6 +15,7 @@ mod note;
 mod on_group;
 mod options;
 mod output;
+mod paper;
 #[cfg(feature = "plot")]
 mod plot;
 mod properties;
@@ -78,6 +79,8 @@ enum Command {
     /// Draw the figures of the paper, and trajectories
     #[cfg(feature = "plot")]
     Plot(plot::Arguments),
+    /// Write the paper equation by equation, with what is computed of each
+    Paper(paper::Arguments),
     /// List the catalogue of spaces
     List(list::Arguments),
     /// Print the conventions of signs and indices
@@ -107,6 +110,7 @@ pub fn main() -> ExitCode {
         Command::Simulate(arguments) => arguments.run(),
         #[cfg(feature = "plot")]
         Command::Plot(arguments) => arguments.run(),
+        Command::Paper(arguments) => arguments.run(),
         Command::List(arguments) => arguments.run(),
         Command::Conventions(arguments) => arguments.run(),
         Command::Completions(arguments) => arguments.run(&mut Cli::command()),

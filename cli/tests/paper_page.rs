@@ -1,6 +1,8 @@
-//! `docs/paper.md` keeps its word: all rows are there, and each is shown by a test that names it.
+//! The document about the paper keeps its word: all equations are there, each is shown by a test that names it, what is
+//! computed comes out as it must, and `docs/paper.md` is this document.
 
 use crate::program::root;
+use affinor_documents::paper::{Paper, PaperFormat, Standing};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
@@ -74,38 +76,131 @@ fn expected() -> BTreeSet<Row> {
     rows("", 109).chain(rows("a", 10)).chain(rows("b", 14)).collect()
 }
 
+fn paper() -> Paper {
+    Paper::read().unwrap()
+}
+
 #[test]
 fn every_row_is_shown_by_a_test() {
-    let root = root();
-    let page = fs::read_to_string(root.join("docs/paper.md")).unwrap();
     let mut names = BTreeSet::new();
-    tests(&root.join("tests"), &mut names);
+    tests(&root().join("tests"), &mut names);
     let tested: BTreeSet<Row> = names.iter().flat_map(|name| rows_of_test(name)).collect();
     let (mut claimed, mut remarks) = (BTreeSet::new(), 0);
-    let cells = page.lines().filter_map(|line| line.strip_prefix("| ")?.split_once(" |"));
-    for (cell, _) in cells.filter(|(cell, _)| cell.ends_with(')')) {
+    for entry in paper().sections.iter().flat_map(|section| &section.rows) {
+        let cell = entry.equation;
         if cell.starts_with('(') {
             for row in rows_of_cell(cell) {
                 assert!(tested.contains(&row), "no test shows {row:?}");
                 assert!(claimed.insert(row.clone()), "{row:?} stands twice");
             }
-        } else {
+        } else if cell.ends_with(')') {
             // `after (71)`: a test `after_71_..`
             let name = cell.replace(['(', ')'], "").replace(' ', "_");
-            let shown = names.iter().any(|test| test.starts_with(&format!("{name}_")));
+            let shown = names.iter().any(|test| test.contains(&format!("{name}_")));
             assert!(shown, "no test `{name}_..`");
             remarks += 1;
         }
+        assert!(!entry.findings.is_empty(), "{cell}: nothing is computed");
     }
     assert_eq!(claimed, expected());
     assert!(remarks > 10, "{remarks}");
 }
 
-/// `Type::function` and modules in the third column are words of the source.
+#[test]
+fn whatever_is_computed_comes_out_as_it_must() {
+    for entry in paper().sections.iter().flat_map(|section| &section.rows) {
+        for finding in &entry.findings {
+            let words = finding.words();
+            assert!(finding.is_expected(), "{}: {}: {words}", entry.equation, finding.claim);
+        }
+        // what is too strong, or a misprint of a formula, has its witness
+        let refuted = entry.findings.iter().any(|finding| finding.refuted);
+        if let Standing::TooStrong(remark) = entry.standing {
+            assert!(refuted || remark.contains("sufficient"), "{}", entry.equation);
+        }
+    }
+}
+
+/// The numbers that the paper prints: (46), the table after (65), (102), and Euler's equations (108).
+#[test]
+fn the_numbers_of_the_paper() {
+    let paper = paper();
+    let claims = |equation: &str| -> Vec<String> {
+        let rows = paper.sections.iter().flat_map(|section| &section.rows);
+        let rows = rows.filter(|row| row.equation == equation);
+        rows.flat_map(|row| &row.findings).map(|finding| finding.claim.replace('`', "")).collect()
+    };
+    let has = |equation: &str, line: &str| {
+        assert!(
+            claims(equation).iter().any(|claim| claim == line),
+            "{equation} {line}: {:?}",
+            claims(equation)
+        );
+    };
+    let alternating = |symbol: &str, value: &str| {
+        let names = ["^1_23 = -", "^1_32 = ", "^2_31 = -", "^2_13 = ", "^3_12 = -", "^3_21"];
+        names.map(|name| format!("{symbol}{name}")).concat() + " = " + value
+    };
+    has("(46)", &alternating("Lambda", "1"));
+    has("(65)", &alternating("Lambda", "1/2"));
+    has("(64)", &alternating("c", "1"));
+    has("after (38)", &alternating("tau", "1"));
+    has(
+        "after (65)",
+        "R^1_212 = -R^1_221 = R^1_313 = -R^1_331 = R^2_121 = -R^2_112 = R^2_323 = -R^2_332 \
+         = R^3_131 = -R^3_113 = R^3_232 = -R^3_223 = 1/4",
+    );
+    has("after (65)", "S = 3/4, \"the scalar curvature with the metric (102)\"");
+    has("(102)", "ghat_11 = ghat_22 = ghat_33 = 2");
+    has("(99)", "g_12 = g_21 = J12");
+    has("(103)", "H_1 = J11*Omega1 + J12*Omega2 + J13*Omega3");
+    has("(108)", "J11 dOmega1/dt = J22*Omega2*Omega3 - J33*Omega2*Omega3 + M1");
+}
+
+/// `affinor paper --format markdown -o docs/paper.md` writes it anew.
+#[test]
+fn the_page_is_the_document() {
+    let mut written = vec![];
+    paper().write(PaperFormat::Markdown, &[], &mut written).unwrap();
+    let page = fs::read_to_string(root().join("docs/paper.md")).unwrap();
+    let written = String::from_utf8(written).unwrap();
+    for (line, (found, expected)) in page.lines().zip(written.lines()).enumerate() {
+        assert_eq!(found, expected, "docs/paper.md:{}", line + 1);
+    }
+    assert_eq!(page, written);
+}
+
+/// It is well-formed, its links lead to its own elements, and nothing is fetched from elsewhere.
+#[test]
+fn html_stands_alone() {
+    let text = crate::program::stdout(&root(), &["paper"]);
+    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+    let document = roxmltree::Document::parse_with_options(&text, options).unwrap();
+    let elements = || document.descendants().filter(|node| node.is_element());
+    let mut ids = BTreeSet::new();
+    for id in elements().filter_map(|node| node.attribute("id")) {
+        assert!(ids.insert(id), "{id} stands twice");
+    }
+    for node in elements() {
+        let name = node.tag_name().name();
+        assert!(!["script", "link", "iframe", "img"].contains(&name), "{name}");
+        assert!(node.attribute("src").is_none(), "{name}");
+        if let Some(link) = node.attribute("href") {
+            let id = link.strip_prefix('#').unwrap_or_else(|| panic!("{link} leads elsewhere"));
+            assert!(ids.contains(id), "{link} leads nowhere");
+        }
+    }
+    assert!(!text.contains("@import") && !text.contains("url("));
+    let count = |name: &str| elements().filter(|node| node.tag_name().name() == name).count();
+    assert_eq!((count("h1"), count("main")), (1, 1));
+    assert_eq!(count("figure"), if cfg!(feature = "plot") { 5 } else { 0 });
+    assert!(count("math") > 300);
+}
+
+/// `Type::function` and modules are words of the source.
 #[test]
 fn every_function_exists() {
     let root = root();
-    let page = fs::read_to_string(root.join("docs/paper.md")).unwrap();
     let mut source = String::new();
     let mut open = vec![root.join("src"), root.join("documents/src"), root.join("cli/src")];
     while let Some(folder) = open.pop() {
@@ -113,15 +208,15 @@ fn every_function_exists() {
             let path = entry.unwrap().path();
             if path.is_dir() {
                 open.push(path);
-            } else {
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
                 source += &fs::read_to_string(&path).unwrap();
             }
         }
     }
-    let rows = page.lines().filter(|line| line.starts_with("| ("));
-    let columns = rows.map(|line| line.split(" | ").nth(2).unwrap());
+    let paper = paper();
+    let rows = paper.sections.iter().flat_map(|section| &section.rows);
     let mut found = 0;
-    for code in columns.flat_map(|cell| cell.split('`').skip(1).step_by(2)) {
+    for code in rows.flat_map(|row| &row.functions) {
         for word in code.split("::") {
             let kinds = ["fn ", "struct ", "trait ", "mod ", "pub "];
             let known = kinds.iter().any(|kind| {

@@ -5,12 +5,14 @@
 //! - [`problem`]: problems of motion in such files, and the motions that they start;
 //! - [`certificate`]: checks of a definition, each with its witness;
 //! - [`report`]: tables of tensors, comparisons and equations in every format;
+//! - [`paper`]: the paper, equation by equation, computed;
 //! - [`rows`]: the rows of trajectories as CSV, JSON and, with the feature `parquet`, Parquet.
 //!
 //! The program `affinor` is built on this package.
 
 pub mod certificate;
 pub mod definition;
+pub mod paper;
 pub mod problem;
 pub mod report;
 pub mod rows;

@@ -30,12 +30,14 @@ pub use components::{GROUPED, Group, groups, independent};
 pub use equations::EquationReport;
 pub use info::Info;
 pub use latex::components_in_latex;
+pub(crate) use latex::escape as latex_escaped;
 pub use lists::{catalogue, catalogue_where, certificate, conventions};
 pub use program::Program;
 pub use properties::Properties;
 pub use quantity::Quantity;
 pub use stored::{Differences, StoredTable};
 pub use text::components_in_text;
+pub(crate) use text::grouped_in_text;
 
 use affinor::{Error, Geometry};
 use affinor_tensors::{Kind, Notation, Tensor, Tolerance};

@@ -27,6 +27,8 @@ use run::{Columns, Trajectory};
 use std::path::PathBuf;
 
 /// The shortest and the longest film.
+/// The time of the velocity in the figures of the paper.
+pub const FIGURE_AT: f64 = 0.7;
 const LEAST_SECONDS: f64 = 0.1;
 const MOST_SECONDS: f64 = 90.0;
 /// The largest rotation between frames of a clear film, in radians.
@@ -137,7 +139,7 @@ struct PathOptions {
     #[arg(long = "factor", value_name = "X", allow_hyphen_values = true)]
     factors: Vec<String>,
     /// The time of the velocity and the frame that are drawn
-    #[arg(long, value_name = "T", default_value_t = 0.7, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", default_value_t = FIGURE_AT, allow_negative_numbers = true)]
     at: f64,
 }
 
@@ -239,13 +241,15 @@ impl OnMotion {
             return Err(InputError::usage(format!("--at {at} is not in 0 <= T <= 1")).into());
         }
         let factors = factors.iter().map(|factor| vector("--factor", factor));
-        let mut factors = factors.collect::<Result<Vec<_>, _>>()?;
-        if factors.is_empty() {
-            // a steady precession
-            factors = vec![Vector3::new(0.7, -2.2, 2.8), Vector3::new(2.3, 2.6, -0.2)];
-        }
-        self.scene.print(&figure(&Path { factors }, *at)?)
+        let factors = factors.collect::<Result<Vec<_>, _>>()?;
+        let path = if factors.is_empty() { precession() } else { Path { factors } };
+        self.scene.print(&figure(&path, *at)?)
     }
+}
+
+/// The motion of the figures: a steady precession.
+pub fn precession() -> Path {
+    Path { factors: vec![Vector3::new(0.7, -2.2, 2.8), Vector3::new(2.3, 2.6, -0.2)] }
 }
 
 impl Connections {
@@ -255,14 +259,17 @@ impl Connections {
             [] => default.to_vec(),
             given => given.iter().map(String::as_str).collect(),
         };
-        names.into_iter().map(|name| self.open(name)).collect()
+        connected(&names, self.metric.as_deref())
     }
+}
 
-    fn open(&self, name: &str) -> Result<Connected, Failure> {
+/// Connections on the rotation group by their names; the metric is that of `levi-civita`.
+pub fn connected(names: &[&str], metric: Option<&str>) -> Result<Vec<Connected>, Failure> {
+    let open = |name: &&str| {
         let space = Space::open(&Request {
             space: Some("so3".into()),
-            connection: Some(name.into()),
-            metric: self.metric.clone(),
+            connection: Some((*name).into()),
+            metric: metric.map(Into::into),
             ..Request::default()
         })?;
         let geometry = space
@@ -279,7 +286,8 @@ impl Connections {
         let name = format!("{of_paper}connection {kind}");
         let translation = ParallelTranslation::new(So3, geometry.connection().clone())?;
         Ok(Connected { name, translation })
-    }
+    };
+    names.iter().map(open).collect()
 }
 
 impl Scene {

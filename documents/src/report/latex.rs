@@ -213,7 +213,7 @@ pub(super) fn equation<S: Notation>(
 }
 
 /// Text in which no character is a command.
-pub(super) fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

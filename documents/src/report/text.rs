@@ -127,6 +127,15 @@ pub(super) fn brackets<S: Notation>(
     brackets.into_iter().map(|(at, terms)| (pair(at), combination(terms))).collect()
 }
 
+/// The components of a tensor with a symbol of its own, a line for those that are equal up to sign.
+pub(crate) fn grouped_in_text<S: Notation>(symbol: &str, tensor: &Tensor<S>) -> Vec<String> {
+    let name = |at: &[usize]| {
+        let numbers = at.iter().map(|index| (index + 1).to_string());
+        join(symbol, scripts(tensor.dimension(), tensor.slots(), numbers))
+    };
+    groups(tensor).iter().map(|group| equation(group, name).join(" ")).collect()
+}
+
 /// The pieces `R^1_212`, `= -R^1_221`, ..., `= 1/4`; a line may break between them.
 pub(super) fn equation<S: Notation>(
     group: &Group<S>,

@@ -1,0 +1,250 @@
+//! The paper of Paraskevopoulos and Natsiavas, *Int. J. Solids and Structures* 50 (2013) 57-72, equation by equation:
+//! what each says, and what the engine computes of it now.
+//!
+//! In reading order: [`Paper`] is a list of [`Section`]s of [`Row`]s; each row has [`Finding`]s, computed when the paper
+//! is read. One file each has the rows of a section of the paper; `lab` has the objects they compute with, `formula` the
+//! tree of a formula, and `html`, `markdown`, `latex` write the document.
+//!
+//! ```
+//! use affinor_documents::paper::{Paper, PaperFormat};
+//! let paper = Paper::read()?;
+//! let rows: Vec<_> = paper.sections.iter().flat_map(|section| &section.rows).collect();
+//! let affinities = rows.iter().find(|row| row.equation == "(38)").unwrap();
+//! assert!(affinities.findings.iter().all(|finding| finding.is_expected()));
+//! let mut html = Vec::new();
+//! paper.write(PaperFormat::Html, &[], &mut html)?;
+//! assert!(html.starts_with(b"<!DOCTYPE html>"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod appendices;
+mod bodies;
+mod coordinates;
+mod dynamics;
+mod finding;
+mod formula;
+mod groups;
+mod html;
+mod lab;
+mod latex;
+mod m3;
+mod markdown;
+mod mathml;
+mod so3;
+mod tex;
+
+pub use finding::{Finding, Outcome};
+
+use crate::report::grouped_in_text;
+use affinor::{Error, LieAlgebra};
+use affinor_tensors::{Notation, Rational, Tensor};
+use lab::Lab;
+use std::io::{self, Write};
+
+/// The document.
+#[derive(Clone, Debug)]
+pub struct Paper {
+    /// The sections, in the order of the paper.
+    pub sections: Vec<Section>,
+}
+
+/// A section of the paper.
+#[derive(Clone, Debug)]
+pub struct Section {
+    /// Its number and title in our words.
+    pub title: &'static str,
+    /// What it is about. Formulas stand between backticks.
+    pub about: &'static str,
+    /// The equations and claims.
+    pub rows: Vec<Row>,
+}
+
+/// An equation or a claim of the paper.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Its number, `(38)` or `after (38)`.
+    pub equation: &'static str,
+    /// The formula, in the notation of the project.
+    pub formula: &'static str,
+    /// What it says. Formulas stand between backticks.
+    pub says: &'static str,
+    /// How the paper states it.
+    pub standing: Standing,
+    /// The functions of the library that compute it.
+    pub functions: Vec<&'static str>,
+    /// What is computed now.
+    pub findings: Vec<Finding>,
+}
+
+/// How the paper states an equation. Formulas stand between backticks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// Right as printed.
+    Right,
+    /// Right under a convention that the paper leaves open.
+    Convention(&'static str),
+    /// A misprint, with the correction.
+    Misprint(&'static str),
+    /// True, but not in the generality of the text.
+    TooStrong(&'static str),
+}
+
+impl Standing {
+    /// In one or two words.
+    pub fn word(self) -> &'static str {
+        match self {
+            Standing::Right => "right",
+            Standing::Convention(_) => "by convention",
+            Standing::Misprint(_) => "corrected",
+            Standing::TooStrong(_) => "too strong",
+        }
+    }
+
+    /// The convention, the correction or the limits.
+    pub fn remark(self) -> Option<&'static str> {
+        match self {
+            Standing::Right => None,
+            Standing::Convention(remark)
+            | Standing::Misprint(remark)
+            | Standing::TooStrong(remark) => Some(remark),
+        }
+    }
+}
+
+/// The format of the document.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PaperFormat {
+    /// One file without scripts, with formulas in MathML.
+    Html,
+    /// Tables as GitHub renders them.
+    Markdown,
+    /// A document for pdfLaTeX.
+    Latex,
+}
+
+/// A figure of the document.
+#[derive(Clone, Debug)]
+pub struct PaperFigure {
+    /// The title, with the number of the figure in the paper.
+    pub title: String,
+    /// What is to be seen, in a sentence.
+    pub about: String,
+    /// The picture, an element `svg`.
+    pub svg: String,
+}
+
+impl Paper {
+    /// Computes the whole document.
+    ///
+    /// # Errors
+    /// Those of the functions of the library; none is expected.
+    pub fn read() -> Result<Self, Error> {
+        let lab = Lab::new()?;
+        let sections = vec![
+            bodies::section(&lab)?,
+            groups::section(&lab)?,
+            m3::section(&lab)?,
+            so3::section(&lab)?,
+            coordinates::section(&lab)?,
+            dynamics::section(&lab)?,
+            appendices::section(&lab)?,
+        ];
+        Ok(Paper { sections })
+    }
+
+    /// How many equations and findings there are, and how many came out as they must.
+    pub fn summary(&self) -> String {
+        let rows = || self.sections.iter().flat_map(|section| &section.rows);
+        let findings = || rows().flat_map(|row| &row.findings);
+        let expected = findings().filter(|finding| finding.is_expected()).count();
+        let refuted = findings().filter(|finding| finding.refuted).count();
+        format!(
+            "{} entries with {} findings; {expected} came out as they must, {refuted} of them refute what is printed or suggested.",
+            rows().count(),
+            findings().count()
+        )
+    }
+
+    /// Writes the document. Figures are part of HTML only.
+    ///
+    /// # Errors
+    /// An error of `out`.
+    pub fn write(
+        &self,
+        format: PaperFormat,
+        figures: &[PaperFigure],
+        out: &mut dyn Write,
+    ) -> io::Result<()> {
+        match format {
+            PaperFormat::Html => html::write(self, figures, out),
+            PaperFormat::Markdown => markdown::write(self, out),
+            PaperFormat::Latex => latex::write(self, out),
+        }
+    }
+}
+
+impl Row {
+    /// A row that is right as printed, without findings.
+    fn new(equation: &'static str, formula: &'static str, says: &'static str) -> Self {
+        Row {
+            equation,
+            formula,
+            says,
+            standing: Standing::Right,
+            functions: vec![],
+            findings: vec![],
+        }
+    }
+
+    fn by(mut self, functions: &[&'static str]) -> Self {
+        self.functions.extend(functions);
+        self
+    }
+
+    fn standing(mut self, standing: Standing) -> Self {
+        self.standing = standing;
+        self
+    }
+
+    fn find(mut self, finding: impl IntoIterator<Item = Finding>) -> Self {
+        self.findings.extend(finding);
+        self
+    }
+
+    /// The values of a tensor, a line for those that are equal up to sign.
+    fn components<S: Notation>(self, symbol: &str, tensor: &Tensor<S>) -> Self {
+        let lines = grouped_in_text(symbol, tensor);
+        self.find(lines.iter().map(|line| Finding::value(line)))
+    }
+
+    /// That a tensor is zero on each of the algebras.
+    fn on_algebras(
+        self,
+        lab: &Lab,
+        claim: &str,
+        difference: impl Fn(&LieAlgebra<Rational>) -> Result<Tensor<Rational>, Error>,
+    ) -> Result<Self, Error> {
+        let findings = lab
+            .named()
+            .map(|(name, algebra)| Ok((name, Finding::exact("", &difference(algebra)?))));
+        let findings = findings.collect::<Result<Vec<_>, Error>>()?;
+        Ok(self.find(Finding::everywhere(claim, findings)))
+    }
+}
+
+/// The parts of a text: words, and formulas, which stand between backticks.
+fn parts(text: &str) -> impl Iterator<Item = (bool, &str)> {
+    text.split('`')
+        .enumerate()
+        .map(|(at, part)| (at % 2 == 1, part))
+        .filter(|(_, part)| !part.is_empty())
+}
+
+const TITLE: &str = "Finite rotations on a Lie group";
+const ABOUT: &str = "This document goes through I. Paraskevopoulos and S. Natsiavas, \
+    Int. J. Solids and Structures 50 (2013) 57-72, equation by equation. Each entry states the equation in our notation, \
+    computes it, and says where it holds and where the paper must be read with a correction. \
+    Exact values are computed over the rationals or with symbols. Statements about motions and group elements are computed in floats, \
+    with the bound that they satisfy.";
+const GROUPS: &str = "Because many wrong signs cancel on so(3), general statements are computed on SO(3), SE(2), SE(3), SL(2), \
+    the Heisenberg group and the affine group of the line.";

@@ -1,0 +1,134 @@
+//! What is computed of an equation.
+
+use affinor_tensors::{Notation, Tensor};
+
+/// A statement with what is computed of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// The statement. Formulas stand between backticks.
+    pub claim: String,
+    /// Whether it holds.
+    pub outcome: Outcome,
+    /// Whether it is what the paper prints, or suggests, and what must fail.
+    pub refuted: bool,
+}
+
+/// Whether a statement holds.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outcome {
+    /// Exactly.
+    Exactly,
+    /// In floats: the difference, beside the size of the values, is below the bound.
+    Within(f64),
+    /// It does not, with a witness. Formulas stand between backticks.
+    Fails(String),
+    /// The statement is a computed value.
+    Value,
+}
+
+impl Finding {
+    /// That a tensor, the difference of two sides, is zero. The witness is its first component.
+    pub(super) fn exact<S: Notation>(claim: &str, difference: &Tensor<S>) -> Self {
+        let witness = difference.components().next().map(|(at, value)| {
+            let indices: Vec<String> = at.iter().map(|index| (index + 1).to_string()).collect();
+            let at =
+                if indices.is_empty() { String::new() } else { format!(" {}", indices.join(",")) };
+            format!("component{at} of the difference is `{value}`")
+        });
+        Self::of(claim, witness.map_or(Outcome::Exactly, Outcome::Fails))
+    }
+
+    /// That two lists of values are equal.
+    pub(super) fn equal<S: Notation>(claim: &str, found: &[S], expected: &[S]) -> Self {
+        let differ = found.iter().zip(expected).position(|(a, b)| a != b);
+        let outcome = match differ {
+            None if found.len() == expected.len() => Outcome::Exactly,
+            None => Outcome::Fails(format!("{} values for {}", found.len(), expected.len())),
+            Some(at) => Outcome::Fails(format!(
+                "component {} is `{}` for `{}`",
+                at + 1,
+                found[at],
+                expected[at]
+            )),
+        };
+        Self::of(claim, outcome)
+    }
+
+    /// That a difference in floats is below a bound.
+    pub(super) fn within(claim: &str, difference: f64, bound: f64) -> Self {
+        let small = difference < bound;
+        let outcome = if small {
+            Outcome::Within(bound)
+        } else {
+            Outcome::Fails(format!("the difference is `{difference:.2}`"))
+        };
+        Self::of(claim, outcome)
+    }
+
+    /// One finding for several algebras: the first that is not expected, or else the last.
+    pub(super) fn everywhere<'a>(
+        claim: &str,
+        findings: impl IntoIterator<Item = (&'a str, Finding)>,
+    ) -> Option<Self> {
+        let (mut names, mut last) = (vec![], None);
+        for (name, finding) in findings {
+            names.push(name);
+            let stop = !finding.is_expected();
+            last = Some(Finding { claim: format!("{claim}on {}", names.join(", ")), ..finding });
+            if stop {
+                break;
+            }
+        }
+        last
+    }
+
+    /// A formula with computed values.
+    pub(super) fn value(formula: &str) -> Self {
+        Self::statement(&format!("`{formula}`"))
+    }
+
+    /// A sentence with computed values.
+    pub(super) fn statement(text: &str) -> Self {
+        Self::of(text, Outcome::Value)
+    }
+
+    /// Marks what the paper prints and what must fail.
+    pub(super) fn refuted(mut self) -> Self {
+        self.refuted = true;
+        self
+    }
+
+    fn of(claim: &str, outcome: Outcome) -> Self {
+        Finding { claim: claim.into(), outcome, refuted: false }
+    }
+
+    /// Whether it came out as it must: a statement holds, one that is refuted fails.
+    pub fn is_expected(&self) -> bool {
+        matches!(self.outcome, Outcome::Fails(_)) == self.refuted
+    }
+
+    /// The outcome in words. Formulas stand between backticks.
+    pub fn words(&self) -> String {
+        match &self.outcome {
+            Outcome::Exactly => "exact".into(),
+            Outcome::Within(bound) => format!("to `{}`", power(*bound)),
+            Outcome::Fails(witness) => format!("fails: {witness}"),
+            Outcome::Value => String::new(),
+        }
+    }
+}
+
+/// `10^-12` of a power of ten.
+fn power(bound: f64) -> String {
+    format!("10^{}", bound.log10().round())
+}
+
+/// A finding alone, where several are expected.
+impl IntoIterator for Finding {
+    type Item = Finding;
+    type IntoIter = std::iter::Once<Finding>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        std::iter::once(self)
+    }
+}

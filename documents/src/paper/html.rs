@@ -1,0 +1,118 @@
+//! The document as one file of HTML: no script, nothing from elsewhere, formulas in MathML.
+
+use super::{ABOUT, Finding, Outcome, Paper, PaperFigure, Row, TITLE, mathml, parts};
+use std::io::{self, Write};
+
+/// Light and dark, from narrow screens to paper.
+const STYLE: &str = include_str!("paper.css");
+
+pub(super) fn write(paper: &Paper, figures: &[PaperFigure], out: &mut dyn Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
+         <title>{TITLE}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<header>\n<h1>{TITLE}</h1>\n\
+         <p>{}</p>\n<p>{}</p>\n</header>\n<nav aria-label=\"Sections\">\n<ul>",
+        text(ABOUT),
+        text(&paper.summary())
+    )?;
+    for (at, section) in paper.sections.iter().enumerate() {
+        writeln!(out, "<li><a href=\"#section-{}\">{}</a></li>", at + 1, escaped(section.title))?;
+    }
+    if !figures.is_empty() {
+        writeln!(out, "<li><a href=\"#figures\">Figures</a></li>")?;
+    }
+    writeln!(out, "</ul>\n</nav>\n<main>")?;
+    for (at, section) in paper.sections.iter().enumerate() {
+        let number = at + 1;
+        writeln!(
+            out,
+            "<section id=\"section-{number}\" aria-labelledby=\"title-{number}\">\n<h2 id=\"title-{number}\">{}</h2>\n<p>{}</p>",
+            escaped(section.title),
+            text(section.about)
+        )?;
+        for (place, row) in section.rows.iter().enumerate() {
+            equation(row, &format!("eq-{number}-{}", place + 1), out)?;
+        }
+        writeln!(out, "</section>")?;
+    }
+    if !figures.is_empty() {
+        writeln!(
+            out,
+            "<section id=\"figures\" aria-labelledby=\"title-figures\">\n<h2 id=\"title-figures\">Figures</h2>"
+        )?;
+        for figure in figures {
+            writeln!(
+                out,
+                "<figure>\n<div class=\"picture\">{}</div>\n<figcaption><strong>{}.</strong> {}</figcaption>\n</figure>",
+                figure.svg,
+                escaped(&figure.title),
+                text(&figure.about)
+            )?;
+        }
+        writeln!(out, "</section>")?;
+    }
+    writeln!(out, "</main>\n</body>\n</html>")
+}
+
+fn equation(row: &Row, id: &str, out: &mut dyn Write) -> io::Result<()> {
+    let word = row.standing.word();
+    let class = word.replace(' ', "-");
+    writeln!(
+        out,
+        "<article id=\"{id}\" aria-labelledby=\"{id}-title\">\n<h3 id=\"{id}-title\"><a href=\"#{id}\">{}</a> <span class=\"standing {class}\">{word}</span></h3>",
+        escaped(row.equation)
+    )?;
+    if !row.formula.is_empty() {
+        writeln!(
+            out,
+            "<div class=\"formula\" tabindex=\"0\" role=\"group\" aria-label=\"formula\">{}</div>",
+            mathml::display(row.formula)
+        )?;
+    }
+    writeln!(out, "<p>{}</p>", text(row.says))?;
+    if let Some(remark) = row.standing.remark() {
+        writeln!(out, "<p class=\"remark\">{}</p>", text(remark))?;
+    }
+    writeln!(out, "<ul class=\"findings\">")?;
+    for finding in &row.findings {
+        writeln!(out, "<li class=\"{}\">{}</li>", class_of(finding), line(finding))?;
+    }
+    let functions: Vec<String> =
+        row.functions.iter().map(|name| format!("<code>{}</code>", escaped(name))).collect();
+    writeln!(
+        out,
+        "</ul>\n<p class=\"functions\">Computed by {}.</p>\n</article>",
+        functions.join(", ")
+    )
+}
+
+fn class_of(finding: &Finding) -> &'static str {
+    match (&finding.outcome, finding.refuted) {
+        (Outcome::Value, _) => "value",
+        (Outcome::Fails(_), _) => "fails",
+        _ => "holds",
+    }
+}
+
+fn line(finding: &Finding) -> String {
+    let words = finding.words();
+    let words = if words.is_empty() {
+        words
+    } else {
+        format!(" <span class=\"outcome\">{}</span>", text(&words))
+    };
+    format!("{}{words}", text(&finding.claim))
+}
+
+/// Words, with formulas in MathML.
+fn text(text: &str) -> String {
+    parts(text)
+        .map(|(formula, part)| if formula { mathml::inline(part) } else { escaped(part) })
+        .collect()
+}
+
+/// Text as it stands in an element or an attribute.
+pub(super) fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

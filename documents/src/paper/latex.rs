@@ -1,0 +1,60 @@
+//! The document for pdfLaTeX.
+
+use super::{ABOUT, Paper, Row, TITLE, parts, tex};
+use crate::report::latex_escaped;
+use std::io::{self, Write};
+
+pub(super) fn write(paper: &Paper, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "\\documentclass[11pt]{{article}}\n\\usepackage[T1]{{fontenc}}\\usepackage{{lmodern}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,geometry}}\n\
+         \\geometry{{margin=25mm}}\n\\setlength{{\\parindent}}{{0pt}}\\setlength{{\\parskip}}{{4pt}}\\emergencystretch=3em\\raggedright\n\
+         \\title{{{TITLE}}}\\author{{}}\\date{{}}\n\\begin{{document}}\n\\maketitle\n{}\n\n{}\n\\tableofcontents",
+        text(ABOUT),
+        text(&paper.summary())
+    )?;
+    for section in &paper.sections {
+        writeln!(
+            out,
+            "\n\\section*{{{0}}}\\addcontentsline{{toc}}{{section}}{{{0}}}\n{1}",
+            latex_escaped(section.title),
+            text(section.about)
+        )?;
+        section.rows.iter().try_for_each(|row| equation(row, out))?;
+    }
+    writeln!(out, "\\end{{document}}")
+}
+
+fn equation(row: &Row, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "\n\\paragraph{{{}}} \\textit{{{}}}.",
+        latex_escaped(row.equation),
+        row.standing.word()
+    )?;
+    if !row.formula.is_empty() {
+        writeln!(out, "${}$.", tex::formula(row.formula))?;
+    }
+    writeln!(out, "{}", text(row.says))?;
+    if let Some(remark) = row.standing.remark() {
+        writeln!(out, "\\textbf{{{}}}", text(remark))?;
+    }
+    writeln!(out, "\\begin{{itemize}}\\setlength{{\\itemsep}}{{0pt}}")?;
+    for finding in &row.findings {
+        let words = finding.words();
+        let words = if words.is_empty() { words } else { format!(" ({})", text(&words)) };
+        let mark = if finding.refuted { "[$\\times$]" } else { "" };
+        writeln!(out, "\\item{mark} {}{words}", text(&finding.claim))?;
+    }
+    let functions: Vec<String> =
+        row.functions.iter().map(|name| format!("\\texttt{{{}}}", latex_escaped(name))).collect();
+    writeln!(out, "\\end{{itemize}}\nComputed by {}.", functions.join(", "))
+}
+
+/// Words, with formulas in the mathematics mode.
+fn text(text: &str) -> String {
+    let part = |(formula, part): (bool, &str)| {
+        if formula { format!("${}$", tex::formula(part)) } else { latex_escaped(part) }
+    };
+    parts(text).map(part).collect()
+}

@@ -1,0 +1,52 @@
+//! The document in Markdown.
+
+use super::{ABOUT, Paper, Row, TITLE, parts};
+use std::io::{self, Write};
+
+pub(super) fn write(paper: &Paper, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "# {TITLE}\n\n{ABOUT}\n\n{}", paper.summary())?;
+    for section in &paper.sections {
+        writeln!(out, "\n## {}\n\n{}\n", section.title, section.about)?;
+        writeln!(out, "| equation | what it says | computed now | here |\n|---|---|---|---|")?;
+        for row in &section.rows {
+            writeln!(
+                out,
+                "| {} | {} | {} | {} |",
+                row.equation,
+                says(row),
+                findings(row),
+                functions(row)
+            )?;
+        }
+    }
+    Ok(())
+}
+
+fn says(row: &Row) -> String {
+    let formula =
+        if row.formula.is_empty() { String::new() } else { format!("`{}`<br>", row.formula) };
+    let remark =
+        row.standing.remark().map(|remark| format!("<br>**{}:** {remark}", row.standing.word()));
+    cell(&format!("{formula}{}{}", row.says, remark.unwrap_or_default()))
+}
+
+fn findings(row: &Row) -> String {
+    let lines = row.findings.iter().map(|finding| {
+        let mark = if finding.refuted { "✗ " } else { "" };
+        let words = finding.words();
+        let words = if words.is_empty() { words } else { format!(" ({words})") };
+        cell(&format!("{mark}{}{words}", finding.claim))
+    });
+    lines.collect::<Vec<_>>().join("<br>")
+}
+
+fn functions(row: &Row) -> String {
+    row.functions.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
+/// A bar would end the cell.
+fn cell(text: &str) -> String {
+    let parts =
+        parts(text).map(|(formula, part)| if formula { format!("`{part}`") } else { part.into() });
+    parts.collect::<String>().replace('|', "\\|")
+}
