@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use std::fs;
 use tempfile::TempDir;
 
-const FORMATS: [&str; 5] = ["text", "markdown", "latex", "csv", "json"];
+const FORMATS: [&str; 6] = ["text", "markdown", "latex", "csv", "json", "html"];
 const PLANE: &str = "basis = ['x', 'y']\nbrackets = '[x, y] = x'\n";
 /// Jacobi fails: `[[e1,e2],e3] + [[e2,e3],e1] + [[e3,e1],e2] = [e3,e3] + [e2,e1] + 0 = -e3`.
 const BROKEN: &str = "dimension = 3\nbrackets = '[e1, e2] = e3; [e2, e3] = e2'\n";

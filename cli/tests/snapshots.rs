@@ -17,11 +17,16 @@ const OBJECTS: [(&str, &[&str]); 7] = [
     ("e8_info", &["info", "E8"]),
     ("scrambled_sum_info", &["info", "tests/data/structure/scrambled_sum.json"]),
 ];
-const FORMATS: [&str; 5] = ["text", "markdown", "latex", "csv", "json"];
+const FORMATS: [&str; 6] = ["text", "markdown", "latex", "csv", "json", "html"];
 
-/// The formats of an object: the JSON of E8 is half a megabyte, and `info` asserts its values.
+/// The formats of an object: the JSON of E8 is half a megabyte, and `info` asserts its values. One page of each kind is enough.
 fn formats(object: &str) -> impl Iterator<Item = &'static str> {
-    FORMATS.into_iter().filter(move |format| (object, *format) != ("e8_info", "json"))
+    let pages = ["so3_table", "m3_so3_comparison", "bianchi_info"].contains(&object);
+    let kept = move |format: &&str| match *format {
+        "html" => pages,
+        format => (object, format) != ("e8_info", "json"),
+    };
+    FORMATS.into_iter().filter(kept)
 }
 
 /// Components by tensor and indices (from 1), zeros left out.
@@ -330,6 +335,26 @@ fn boxed(text: &str) -> Vec<Vec<String>> {
         }
     }
     rows
+}
+
+/// Each line of components on the page is one of the table in text.
+#[test]
+fn the_page_has_the_components_of_the_text() {
+    let (page, text) = (stored("so3_table_html"), stored("so3_table_text"));
+    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+    let page = roxmltree::Document::parse_with_options(&page, options).unwrap();
+    let text: String = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut found = 0;
+    for item in page.descendants().filter(|node| node.has_tag_name("li")) {
+        let formulas = item.descendants().filter_map(|node| node.attribute("alttext"));
+        let line = formulas.collect::<Vec<_>>().join(" ");
+        assert!(text.contains(&line), "{line}");
+        found += 1;
+    }
+    assert!(found >= 9, "{found}");
+    assert!(
+        text.contains("= 1/4") && page.input_text().contains("<mfrac><mn>1</mn><mn>4</mn></mfrac>")
+    );
 }
 
 /// Rows of cells without the separators, spaces left out.

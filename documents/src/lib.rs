@@ -12,6 +12,8 @@
 
 pub mod certificate;
 pub mod definition;
+mod formula;
+mod page;
 pub mod paper;
 pub mod problem;
 pub mod report;

@@ -2,8 +2,8 @@
 //! what each says, and what the engine computes of it now.
 //!
 //! In reading order: [`Paper`] is a list of [`Section`]s of [`Row`]s; each row has [`Finding`]s, computed when the paper
-//! is read. One file each has the rows of a section of the paper; `lab` has the objects they compute with, `formula` the
-//! tree of a formula, and `html`, `markdown`, `latex` write the document.
+//! is read. One file each has the rows of a section of the paper, `lab` has the objects they compute with, and `html`,
+//! `markdown`, `latex` write the document.
 //!
 //! ```
 //! use affinor_documents::paper::{Paper, PaperFormat};
@@ -22,21 +22,18 @@ mod bodies;
 mod coordinates;
 mod dynamics;
 mod finding;
-mod formula;
 mod groups;
 mod html;
 mod lab;
 mod latex;
 mod m3;
 mod markdown;
-mod mathml;
 mod so3;
-mod tex;
 
 pub use finding::{Finding, Outcome};
 
 use crate::report::grouped_in_text;
-use affinor::{Error, LieAlgebra};
+use affinor::{Canonical, Error, LieAlgebra};
 use affinor_tensors::{Notation, Rational, Tensor};
 use lab::Lab;
 use std::io::{self, Write};
@@ -232,12 +229,23 @@ impl Row {
     }
 }
 
-/// The parts of a text: words, and formulas, which stand between backticks.
-fn parts(text: &str) -> impl Iterator<Item = (bool, &str)> {
-    text.split('`')
-        .enumerate()
-        .map(|(at, part)| (at % 2 == 1, part))
-        .filter(|(_, part)| !part.is_empty())
+/// A part of a text.
+enum Part<'a> {
+    Words(&'a str),
+    Formula(&'a str),
+    /// A name of the program, such as that of a connection.
+    Name(&'a str),
+}
+
+/// The parts of a text: words, and between backticks formulas and names of connections.
+fn parts(text: &str) -> impl Iterator<Item = Part<'_>> {
+    let names = [Canonical::Plus, Canonical::Zero, Canonical::Minus].map(Canonical::name);
+    let parts = text.split('`').enumerate().filter(|(_, part)| !part.is_empty());
+    parts.map(move |(at, part)| match at % 2 {
+        0 => Part::Words(part),
+        _ if names.contains(&part) => Part::Name(part),
+        _ => Part::Formula(part),
+    })
 }
 
 const TITLE: &str = "Finite rotations on a Lie group";

@@ -13,6 +13,7 @@ mod csv;
 mod equations;
 mod grid;
 mod head;
+mod html;
 mod info;
 mod json;
 mod latex;
@@ -210,6 +211,7 @@ impl<S: Notation> Report for Table<S> {
             Format::Latex => latex::write(self, &mut out),
             Format::Csv => csv::write(self, &mut out),
             Format::Json => json::write(self, &mut out),
+            Format::Html => html::write(self, &mut out),
         }?;
         out.flush()
     }
@@ -228,12 +230,14 @@ pub enum Format {
     Csv,
     /// One object, schema `affinor.table/1` (`docs/table.schema.json`).
     Json,
+    /// One page without scripts, with formulas in MathML.
+    Html,
 }
 
 impl Format {
     /// All formats.
-    pub const ALL: [Format; 5] =
-        [Format::Text, Format::Markdown, Format::Latex, Format::Csv, Format::Json];
+    pub const ALL: [Format; 6] =
+        [Format::Text, Format::Markdown, Format::Latex, Format::Csv, Format::Json, Format::Html];
 
     /// The name in options.
     pub fn name(self) -> &'static str {
@@ -243,6 +247,7 @@ impl Format {
             Format::Latex => "latex",
             Format::Csv => "csv",
             Format::Json => "json",
+            Format::Html => "html",
         }
     }
 

@@ -117,7 +117,7 @@ fn bracket(line: &Line) -> Result<Row, Error> {
     Ok(Row::new("(A3)-(A8)", "L_X Y = [X, Y] = X Y - Y X", "The bracket of fields is the commutator of derivations; in the frame it has the components (32).")
         .standing(Standing::Convention("The structure \"constants\" are constant in invariant frames only; in others they are functions."))
         .by(&["Frame::bracket", "Frame::structure"])
-        .find(Finding::equal("`[X,Y](f) = X(Y(f)) - Y(X(f))`", &[found], std::slice::from_ref(&commutator)))
+        .find(Finding::equal("`[X,Y] f = X(Y f) - Y(X f)`", &[found], std::slice::from_ref(&commutator)))
         .find(Finding::equal("without the term in `c^i_jk`", &[line.along(&without, &f[0])], &[commutator]).refuted()))
 }
 

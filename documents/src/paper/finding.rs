@@ -110,8 +110,8 @@ impl Finding {
     /// The outcome in words. Formulas stand between backticks.
     pub fn words(&self) -> String {
         match &self.outcome {
-            Outcome::Exactly => "exact".into(),
-            Outcome::Within(bound) => format!("to `{}`", power(*bound)),
+            Outcome::Exactly => "holds exactly".into(),
+            Outcome::Within(bound) => format!("holds to `{}`", power(*bound)),
             Outcome::Fails(witness) => format!("fails: {witness}"),
             Outcome::Value => String::new(),
         }

@@ -1,18 +1,18 @@
 //! The document as one file of HTML: no script, nothing from elsewhere, formulas in MathML.
 
-use super::{ABOUT, Finding, Outcome, Paper, PaperFigure, Row, TITLE, mathml, parts};
+use super::{ABOUT, Finding, Outcome, Paper, PaperFigure, Part, Row, TITLE, parts};
+use crate::formula::mathml::{self, escaped};
+use crate::page::page;
 use std::io::{self, Write};
 
-/// Light and dark, from narrow screens to paper.
-const STYLE: &str = include_str!("paper.css");
-
 pub(super) fn write(paper: &Paper, figures: &[PaperFigure], out: &mut dyn Write) -> io::Result<()> {
+    page(TITLE, out, |out| body(paper, figures, out))
+}
+
+fn body(paper: &Paper, figures: &[PaperFigure], out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
-         <title>{TITLE}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<header>\n<h1>{TITLE}</h1>\n\
-         <p>{}</p>\n<p>{}</p>\n</header>\n<nav aria-label=\"Sections\">\n<ul>",
+        "<header>\n<h1>{TITLE}</h1>\n<p>{}</p>\n<p>{}</p>\n</header>\n<nav aria-label=\"Sections\">\n<ul>",
         text(ABOUT),
         text(&paper.summary())
     )?;
@@ -52,7 +52,7 @@ pub(super) fn write(paper: &Paper, figures: &[PaperFigure], out: &mut dyn Write)
         }
         writeln!(out, "</section>")?;
     }
-    writeln!(out, "</main>\n</body>\n</html>")
+    writeln!(out, "</main>")
 }
 
 fn equation(row: &Row, id: &str, out: &mut dyn Write) -> io::Result<()> {
@@ -102,17 +102,21 @@ fn line(finding: &Finding) -> String {
     } else {
         format!(" <span class=\"outcome\">{}</span>", text(&words))
     };
-    format!("{}{words}", text(&finding.claim))
+    let claim = match (&finding.outcome, finding.claim.strip_prefix('`')) {
+        (Outcome::Value, Some(chain)) if chain.matches('`').count() == 1 => {
+            mathml::chain(chain.trim_end_matches('`'), mathml::inline)
+        }
+        _ => text(&finding.claim),
+    };
+    format!("{claim}{words}")
 }
 
 /// Words, with formulas in MathML.
 fn text(text: &str) -> String {
-    parts(text)
-        .map(|(formula, part)| if formula { mathml::inline(part) } else { escaped(part) })
-        .collect()
-}
-
-/// Text as it stands in an element or an attribute.
-pub(super) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+    let part = |part| match part {
+        Part::Words(words) => escaped(words),
+        Part::Formula(formula) => mathml::inline(formula),
+        Part::Name(name) => format!("<code>{name}</code>"),
+    };
+    parts(text).map(part).collect()
 }

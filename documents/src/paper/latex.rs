@@ -1,6 +1,7 @@
 //! The document for pdfLaTeX.
 
-use super::{ABOUT, Paper, Row, TITLE, parts, tex};
+use super::{ABOUT, Paper, Part, Row, TITLE, parts};
+use crate::formula::tex;
 use crate::report::latex_escaped;
 use std::io::{self, Write};
 
@@ -53,8 +54,10 @@ fn equation(row: &Row, out: &mut dyn Write) -> io::Result<()> {
 
 /// Words, with formulas in the mathematics mode.
 fn text(text: &str) -> String {
-    let part = |(formula, part): (bool, &str)| {
-        if formula { format!("${}$", tex::formula(part)) } else { latex_escaped(part) }
+    let part = |part| match part {
+        Part::Words(words) => latex_escaped(words),
+        Part::Formula(formula) => format!("${}$", tex::formula(formula)),
+        Part::Name(name) => format!("\\texttt{{{name}}}"),
     };
     parts(text).map(part).collect()
 }

@@ -1,6 +1,6 @@
 //! The document in Markdown.
 
-use super::{ABOUT, Paper, Row, TITLE, parts};
+use super::{ABOUT, Paper, Row, TITLE};
 use std::io::{self, Write};
 
 pub(super) fn write(paper: &Paper, out: &mut dyn Write) -> io::Result<()> {
@@ -46,7 +46,5 @@ fn functions(row: &Row) -> String {
 
 /// A bar would end the cell.
 fn cell(text: &str) -> String {
-    let parts =
-        parts(text).map(|(formula, part)| if formula { format!("`{part}`") } else { part.into() });
-    parts.collect::<String>().replace('|', "\\|")
+    text.replace('|', "\\|")
 }

@@ -3,6 +3,8 @@
 use super::components::groups;
 use super::grid::{Cell, Grid, head_of_grid, pretty};
 use super::{Format, Quantity, Report, head, latex, text};
+use crate::formula::mathml::escaped;
+use crate::page::page;
 use affinor::geometry::claims::{Claim, Residual, Verdict};
 use affinor::geometry::conditions::conditions;
 use affinor::{ConnectionKind, Error, Geometry, LieAlgebra};
@@ -156,6 +158,16 @@ impl Report for Comparison {
         match format {
             Format::Json => pretty(&self.json(), out),
             Format::Csv => self.one_grid().write(format, out),
+            Format::Html => {
+                let [tensors, claims] = [self.tensors(), self.claims()];
+                page(&tensors.title, out, |out| {
+                    writeln!(out, "<main>\n<h1>{}</h1>", escaped(&tensors.title))?;
+                    tensors.table(out)?;
+                    writeln!(out, "<h2>{}</h2>", escaped(&claims.title))?;
+                    claims.table(out)?;
+                    writeln!(out, "</main>")
+                })
+            }
             _ => {
                 self.tensors().write(format, out)?;
                 writeln!(out)?;

@@ -5,7 +5,9 @@ use super::grid::{Cell, Grid, pretty};
 use super::head::{kind_name, printable, printable_list};
 use super::latex::{WIDTH, escape, width};
 use super::text::fill;
-use super::{Format, Report};
+use super::{Format, Report, html};
+use crate::formula::mathml::{chain, escaped, value};
+use crate::page::page;
 use affinor::geometry::equations::{EquationKind, Equations, Row, Variable};
 use affinor::{Connection, Error, Geometry};
 use affinor_tensors::text::{combination, is_sum};
@@ -119,15 +121,34 @@ impl<S: Notation> EquationReport<S> {
             fill(out, &format!("  {title:13}"), &[line])?;
         }
         writeln!(out)?;
-        for (name, right) in self.positions() {
-            let right = right.iter().map(|(value, v)| (plain(value), names.variable(*v)));
-            fill(out, "  ", &[format!("d{name}/dt"), "=".into(), combination(right)])?;
-        }
-        for row in self.equations.rows() {
-            let [left, right] = names.row(&row);
+        for [left, right] in self.sides(&names) {
             fill(out, "  ", &[left, "=".into(), right])?;
         }
         Ok(())
+    }
+
+    /// The left and the right side of each equation.
+    fn sides(&self, names: &Names) -> Vec<[String; 2]> {
+        let positions = self.positions().into_iter().map(|(name, right)| {
+            let right = right.iter().map(|(value, v)| (plain(value), names.variable(*v)));
+            [format!("d{name}/dt"), combination(right)]
+        });
+        let rows = self.equations.rows();
+        positions.chain(rows.iter().map(|row| names.row(row))).collect()
+    }
+
+    fn html(&self, out: &mut dyn Write) -> io::Result<()> {
+        let names = self.names();
+        page(&self.title(), out, |out| {
+            writeln!(out, "<main>\n<h1>{}</h1>", escaped(&self.title()))?;
+            let lines = self.head(&names).into_iter();
+            html::head(lines.map(|(title, line)| (title, escaped(&line))), out)?;
+            writeln!(out, "<ul class=\"components\">")?;
+            for [left, right] in self.sides(&names) {
+                writeln!(out, "<li>{}</li>", chain(&format!("{left} = {right}"), value))?;
+            }
+            writeln!(out, "</ul>\n</main>")
+        })
     }
 
     fn markdown(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -258,6 +279,7 @@ impl<S: Notation> Report for EquationReport<S> {
             Format::Latex => self.latex(out),
             Format::Csv => self.csv(out),
             Format::Json => pretty(&self.json(), out),
+            Format::Html => self.html(out),
         }
     }
 }

@@ -68,6 +68,7 @@ impl Report for Grid {
             Format::Latex => self.latex(out),
             Format::Csv => self.csv(out),
             Format::Json => pretty(&self.json, out),
+            Format::Html => self.html(out),
         }
     }
 }

@@ -6,9 +6,12 @@
 //! - `a/b` without spaces is a fraction, `"text"` is text, and `*` is a product without a sign.
 //! - `->`, `<=`, `!=`, `!`, `x` between spaces (the cross product), `+-` and the usual signs are operators.
 
+pub(crate) mod mathml;
+pub(crate) mod tex;
+
 /// A piece of a formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Node {
+pub(crate) enum Node {
     /// A letter, as a character of Unicode.
     Letter(char),
     /// The name of a function, upright.
@@ -29,7 +32,7 @@ pub(super) enum Node {
 
 /// A sign over a letter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Accent {
+pub(crate) enum Accent {
     /// `Omega~`: the matrix `spin(Omega)`.
     Tilde,
     /// `Hdot`: the derivative by time.
@@ -67,6 +70,8 @@ const FUNCTIONS: [&str; 14] = [
     "exp", "log", "sin", "cos", "sqrt", "det", "tr", "ad", "Ad", "spin", "vect", "norm", "Ric",
     "SO",
 ];
+/// English words among computed values.
+const WORDS: [&str; 3] = ["only", "if", "for"];
 const ACCENTS: [(&str, Accent); 3] =
     [("dot", Accent::Dot), ("bar", Accent::Bar), ("hat", Accent::Hat)];
 /// Signs of several characters first.
@@ -99,13 +104,33 @@ const OPERATORS: [(&str, &str); 26] = [
     ("%", "%"),
 ];
 
+/// A group without its brackets.
+fn without_brackets(nodes: Vec<Node>) -> Vec<Node> {
+    match nodes.as_slice() {
+        [Node::Operator("("), inner @ .., Node::Operator(")")] => inner.to_vec(),
+        _ => nodes,
+    }
+}
+
+/// The Greek letter of a name.
+fn greek(name: &str) -> Option<char> {
+    GREEK.iter().find(|(known, _)| *known == name).map(|(_, letter)| *letter)
+}
+
 /// The tree of a formula. Whatever is not understood is kept as text.
-pub(super) fn parse(formula: &str) -> Vec<Node> {
-    Reader { rest: formula }.sequence(None)
+pub(crate) fn parse(formula: &str) -> Vec<Node> {
+    Reader { rest: formula, names: false }.sequence(None)
+}
+
+/// The tree of a computed value, in which a run of letters is the name of one parameter.
+pub(crate) fn parse_value(value: &str) -> Vec<Node> {
+    Reader { rest: value, names: true }.sequence(None)
 }
 
 struct Reader<'a> {
     rest: &'a str,
+    /// Whether a run of letters is one name.
+    names: bool,
 }
 
 impl<'a> Reader<'a> {
@@ -150,6 +175,9 @@ impl<'a> Reader<'a> {
         if first.is_ascii_digit() {
             return vec![Node::Number(self.number())];
         }
+        if first == '(' && self.names {
+            return self.group();
+        }
         if first == '"' {
             let (text, rest) = self.rest[1..].split_once('"').unwrap_or((&self.rest[1..], ""));
             let text = Node::Text(text.into());
@@ -165,10 +193,29 @@ impl<'a> Reader<'a> {
         vec![Node::Text(first.into())]
     }
 
+    /// What stands in brackets, with them.
+    fn group(&mut self) -> Vec<Node> {
+        self.rest = &self.rest[1..];
+        let mut nodes = vec![Node::Operator("(")];
+        nodes.extend(self.sequence(Some(')')));
+        nodes.push(Node::Operator(")"));
+        nodes
+    }
+
     /// A letter, a function, or a product of letters with the accent and the digits of the last one.
     fn word(&mut self, mut word: &str) -> Vec<Node> {
         if FUNCTIONS.contains(&word) {
             return vec![Node::Function(word.into())];
+        }
+        if self.names && WORDS.contains(&word) {
+            return vec![Node::Text(word.into())];
+        }
+        let differential =
+            word.strip_prefix('d').is_some_and(|x| x.len() == 1 || greek(x).is_some());
+        if self.names && word.len() > 1 && greek(word).is_none() && !differential {
+            // the digits stay in the name
+            let digits = self.run(|c| c.is_ascii_alphanumeric() || c == '_');
+            return vec![Node::Function(format!("{word}{digits}"))];
         }
         let accent = match self.rest.strip_prefix('~') {
             Some(rest) => {
@@ -182,8 +229,8 @@ impl<'a> Reader<'a> {
         };
         let mut letters = vec![];
         while let Some(first) = word.chars().next() {
-            let greek = GREEK.iter().find(|(name, _)| word.starts_with(name));
-            let (length, letter) = greek.map_or((1, first), |(name, letter)| (name.len(), *letter));
+            let named = GREEK.iter().find(|(name, _)| word.starts_with(name));
+            let (length, letter) = named.map_or((1, first), |(name, letter)| (name.len(), *letter));
             letters.push(Node::Letter(letter));
             word = &word[length..];
         }
@@ -209,6 +256,14 @@ impl<'a> Reader<'a> {
         if fraction.is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit())) {
             self.rest = &self.rest[1..];
             number = number + "." + self.run(|c| c.is_ascii_digit());
+        }
+        // an exponent such as e-7, if it has digits
+        let exponent = self.rest.strip_prefix('e').map(|rest| rest.trim_start_matches('-'));
+        if exponent.is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit())) {
+            self.rest = &self.rest[1..];
+            number += "e";
+            number += self.run(|c| c == '-');
+            number += self.run(|c| c.is_ascii_digit());
         }
         number
     }
@@ -256,15 +311,17 @@ impl<'a> Reader<'a> {
         nodes
     }
 
-    /// A fraction, if a bar follows at once and a letter or a number behind it.
+    /// A fraction, if a bar follows at once and a letter or a number behind it; between values also a group in brackets,
+    /// which the bar replaces.
     fn over(&mut self, above: Vec<Node>) -> Vec<Node> {
-        let mut ahead = Reader { rest: self.rest.strip_prefix('/').unwrap_or_default() };
-        let Some(first) = ahead.rest.chars().next().filter(char::is_ascii_alphanumeric) else {
+        let mut ahead = Reader { rest: self.rest.strip_prefix('/').unwrap_or_default(), ..*self };
+        let begins = |c: &char| c.is_ascii_alphanumeric() || self.names && *c == '(';
+        let Some(first) = ahead.rest.chars().next().filter(begins) else {
             return above;
         };
         let below = ahead.scripted(first);
         self.rest = ahead.rest;
-        vec![Node::Fraction([above, below])]
+        vec![Node::Fraction([above, below].map(without_brackets))]
     }
 
     /// The longest run of such characters, which may be empty.
@@ -299,6 +356,19 @@ mod tests {
         assert_eq!(parse("dOmega1/dt")[0], Node::Fraction(["dOmega1", "dt"].map(parse)));
         assert_eq!(parse("Omega x H")[1], Node::Operator("×"));
         assert_eq!(parse("-1/4")[1], Node::Fraction(["1", "4"].map(parse)));
+    }
+
+    #[test]
+    fn values_have_names_and_bars() {
+        let names = |text: &str| Node::Function(text.into());
+        assert_eq!(parse_value("mass"), [names("mass")]);
+        assert_eq!(parse_value("mu*k"), [letter('μ'), letter('k')]);
+        let value = parse_value("(a - 3*b)/(4*a^2)");
+        assert_eq!(value, [Node::Fraction([parse_value("a - 3*b"), parse_value("4*a^2")])]);
+        assert_eq!(parse_value("2.5e-7"), [Node::Number("2.5e-7".into())]);
+        // a power keeps its brackets
+        let Node::Fraction([above, _]) = &parse_value("(a + b)^2/c")[0] else { panic!() };
+        assert_eq!(above[0], Node::Operator("("));
     }
 
     #[test]

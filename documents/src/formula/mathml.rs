@@ -1,16 +1,27 @@
 //! Formulas as MathML, which browsers draw without a script.
 
-use super::formula::{Accent, Node, parse};
-use super::html::escaped;
+use super::{Accent, Node, parse, parse_value};
 use std::fmt::Write;
 
 /// An element `math` within a line.
-pub(super) fn inline(formula: &str) -> String {
-    format!("<math>{}</math>", row(&parse(formula)))
+pub(crate) fn inline(formula: &str) -> String {
+    format!("<math alttext=\"{}\">{}</math>", escaped(formula), row(&parse(formula)))
+}
+
+/// An element `math` for a computed value, in which a run of letters is the name of one parameter.
+pub(crate) fn value(text: &str) -> String {
+    format!("<math alttext=\"{}\">{}</math>", escaped(text), row(&parse_value(text)))
+}
+
+/// A chain of equations, which may be broken in front of each sign.
+pub(crate) fn chain(equations: &str, written: impl Fn(&str) -> String) -> String {
+    let parts = equations.split(" = ").enumerate();
+    let parts = parts.map(|(at, part)| written(&[["= ", ""][usize::from(at == 0)], part].concat()));
+    parts.collect::<Vec<_>>().join(" ")
 }
 
 /// An element `math` on a line of its own, with gaps between its equations.
-pub(super) fn display(formula: &str) -> String {
+pub(crate) fn display(formula: &str) -> String {
     let (mut depth, mut pieces) = (0, String::new());
     for node in parse(formula) {
         depth += match node {
@@ -23,7 +34,8 @@ pub(super) fn display(formula: &str) -> String {
             pieces += "<mspace width=\"1em\"/>";
         }
     }
-    format!("<math display=\"block\"><mrow>{pieces}</mrow></math>")
+    let plain = escaped(formula);
+    format!("<math display=\"block\" alttext=\"{plain}\"><mrow>{pieces}</mrow></math>")
 }
 
 /// Pieces in a row; a single piece needs none.
@@ -75,4 +87,9 @@ fn piece(node: &Node) -> String {
             }
         },
     }
+}
+
+/// Text as it stands in an element or an attribute.
+pub(crate) fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -1,10 +1,10 @@
 //! Formulas in LaTeX's mathematics mode.
 
-use super::formula::{Accent, Node, parse};
+use super::{Accent, Node, parse};
 use crate::report::latex_escaped;
 
 /// The formula in LaTeX's mathematics mode.
-pub(super) fn formula(formula: &str) -> String {
+pub(crate) fn formula(formula: &str) -> String {
     pieces(&parse(formula))
 }
 
