@@ -6,6 +6,7 @@ use affinor_documents::paper::{Paper, PaperFormat, Standing};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+use std::sync::LazyLock;
 
 /// The names of all tests.
 fn tests(folder: &Path, found: &mut BTreeSet<String>) {
@@ -76,9 +77,7 @@ fn expected() -> BTreeSet<Row> {
     rows("", 109).chain(rows("a", 10)).chain(rows("b", 14)).collect()
 }
 
-fn paper() -> Paper {
-    Paper::read().unwrap()
-}
+static PAPER: LazyLock<Paper> = LazyLock::new(|| Paper::read().unwrap());
 
 #[test]
 fn every_row_is_shown_by_a_test() {
@@ -86,7 +85,7 @@ fn every_row_is_shown_by_a_test() {
     tests(&root().join("tests"), &mut names);
     let tested: BTreeSet<Row> = names.iter().flat_map(|name| rows_of_test(name)).collect();
     let (mut claimed, mut remarks) = (BTreeSet::new(), 0);
-    for entry in paper().sections.iter().flat_map(|section| &section.rows) {
+    for entry in PAPER.sections.iter().flat_map(|section| &section.rows) {
         let cell = entry.equation;
         if cell.starts_with('(') {
             for row in rows_of_cell(cell) {
@@ -108,7 +107,7 @@ fn every_row_is_shown_by_a_test() {
 
 #[test]
 fn whatever_is_computed_comes_out_as_it_must() {
-    for entry in paper().sections.iter().flat_map(|section| &section.rows) {
+    for entry in PAPER.sections.iter().flat_map(|section| &section.rows) {
         for finding in &entry.findings {
             let words = finding.words();
             assert!(finding.is_expected(), "{}: {}: {words}", entry.equation, finding.claim);
@@ -124,9 +123,8 @@ fn whatever_is_computed_comes_out_as_it_must() {
 /// The numbers that the paper prints: (46), the table after (65), (102), and Euler's equations (108).
 #[test]
 fn the_numbers_of_the_paper() {
-    let paper = paper();
     let claims = |equation: &str| -> Vec<String> {
-        let rows = paper.sections.iter().flat_map(|section| &section.rows);
+        let rows = PAPER.sections.iter().flat_map(|section| &section.rows);
         let rows = rows.filter(|row| row.equation == equation);
         rows.flat_map(|row| &row.findings).map(|finding| finding.claim.replace('`', "")).collect()
     };
@@ -161,7 +159,7 @@ fn the_numbers_of_the_paper() {
 #[test]
 fn the_page_is_the_document() {
     let mut written = vec![];
-    paper().write(PaperFormat::Markdown, &[], &mut written).unwrap();
+    PAPER.write(PaperFormat::Markdown, &[], &mut written).unwrap();
     let page = fs::read_to_string(root().join("docs/paper.md")).unwrap();
     let written = String::from_utf8(written).unwrap();
     for (line, (found, expected)) in page.lines().zip(written.lines()).enumerate() {
@@ -173,7 +171,7 @@ fn the_page_is_the_document() {
 /// It is well-formed, its links lead to its own elements, and nothing is fetched from elsewhere.
 #[test]
 fn html_stands_alone() {
-    let text = crate::program::stdout(&root(), &["paper"]);
+    let text = crate::program::stdout(root(), &["paper"]);
     let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
     let document = roxmltree::Document::parse_with_options(&text, options).unwrap();
     let elements = || document.descendants().filter(|node| node.is_element());
@@ -213,8 +211,7 @@ fn every_function_exists() {
             }
         }
     }
-    let paper = paper();
-    let rows = paper.sections.iter().flat_map(|section| &section.rows);
+    let rows = PAPER.sections.iter().flat_map(|section| &section.rows);
     let mut found = 0;
     for code in rows.flat_map(|row| &row.functions) {
         for word in code.split("::") {

@@ -3,45 +3,93 @@
 use super::{Accent, Node, parse, parse_value};
 use std::fmt::Write;
 
-/// An element `math` within a line.
+/// Formulas with more letters are broken in front of signs.
+const UNBROKEN: usize = 44;
+
+/// A formula within a line.
 pub(crate) fn inline(formula: &str) -> String {
-    format!("<math alttext=\"{}\">{}</math>", escaped(formula), row(&parse(formula)))
+    in_pieces(formula, parse)
 }
 
-/// An element `math` for a computed value, in which a run of letters is the name of one parameter.
+/// A computed value within a line, in which a run of letters is the name of one parameter. A chain of equations may be broken in
+/// front of each `=`.
 pub(crate) fn value(text: &str) -> String {
-    format!("<math alttext=\"{}\">{}</math>", escaped(text), row(&parse_value(text)))
+    in_pieces(text, parse_value)
 }
 
-/// A chain of equations, which may be broken in front of each sign.
-pub(crate) fn chain(equations: &str, written: impl Fn(&str) -> String) -> String {
-    let parts = equations.split(" = ").enumerate();
-    let parts = parts.map(|(at, part)| written(&[["= ", ""][usize::from(at == 0)], part].concat()));
-    parts.collect::<Vec<_>>().join(" ")
+/// An element `math` for each piece between which a line may break.
+fn in_pieces(formula: &str, tree: impl Fn(&str) -> Vec<Node>) -> String {
+    let signs = if formula.len() > UNBROKEN { &["=", "+", "-"][..] } else { &[] };
+    let chain = formula.matches(" = ").count() > 1;
+    let (mut words, mut depth): (Vec<String>, usize) = (vec![], 0);
+    for word in formula.split(' ') {
+        let sign = signs.contains(&word) || chain && word == "=";
+        match words.last_mut() {
+            Some(piece) if depth > 0 || !sign => *piece += &format!(" {word}"),
+            _ => words.push(word.into()),
+        }
+        depth += word.matches(['(', '[', '{', '"']).count();
+        depth = depth.saturating_sub(word.matches([')', ']', '}']).count());
+    }
+    let pieces = words.iter().map(|piece| {
+        let nodes = tree(piece);
+        // a sign at the start has the space of one between terms
+        let written = match nodes.as_slice() {
+            [Node::Operator(sign @ ("+" | "−")), rest @ ..]
+                if piece.starts_with([('+'), '-']) && piece[1..].starts_with(' ') =>
+            {
+                format!("<mrow><mo form=\"infix\">{sign}</mo>{}</mrow>", self::pieces(rest))
+            }
+            nodes => row(nodes),
+        };
+        format!("<math alttext=\"{}\">{written}</math>", escaped(piece))
+    });
+    pieces.collect::<Vec<_>>().join(" ")
 }
 
 /// An element `math` on a line of its own, with gaps between its equations.
 pub(crate) fn display(formula: &str) -> String {
-    let (mut depth, mut pieces) = (0, String::new());
-    for node in parse(formula) {
+    let nodes = parse(formula);
+    let (mut depth, mut start, mut text) = (0, 0, String::new());
+    for (at, node) in nodes.iter().enumerate() {
         depth += match node {
             Node::Operator("(" | "[" | "⟨") => 1,
             Node::Operator(")" | "]" | "⟩") => -1,
             _ => 0,
         };
-        pieces += &piece(&node);
-        if depth == 0 && node == Node::Operator(",") {
-            pieces += "<mspace width=\"1em\"/>";
+        if depth == 0 && *node == Node::Operator(",") {
+            text += &(pieces(&nodes[start..=at]) + "<mspace width=\"1em\"/>");
+            start = at + 1;
         }
     }
+    text += &pieces(&nodes[start..]);
     let plain = escaped(formula);
-    format!("<math display=\"block\" alttext=\"{plain}\"><mrow>{pieces}</mrow></math>")
+    format!("<math display=\"block\" alttext=\"{plain}\"><mrow>{text}</mrow></math>")
 }
 
 /// Pieces in a row; a single piece needs none.
 fn row(nodes: &[Node]) -> String {
-    let pieces: String = nodes.iter().map(piece).collect();
-    if nodes.len() == 1 { pieces } else { format!("<mrow>{pieces}</mrow>") }
+    match nodes {
+        [node] => piece(node),
+        _ => format!("<mrow>{}</mrow>", pieces(nodes)),
+    }
+}
+
+/// Pieces one after the other, with a gap between a function and an argument without brackets.
+fn pieces(nodes: &[Node]) -> String {
+    let mut text = String::new();
+    for (at, node) in nodes.iter().enumerate() {
+        text += &piece(node);
+        let argument = nodes.get(at + 1).is_some_and(|next| !matches!(next, Node::Operator(_)));
+        let function = match node {
+            Node::Scripts(base, _) => matches!(**base, Node::Function(_)),
+            node => matches!(node, Node::Function(_)),
+        };
+        if function && argument {
+            text += "<mspace width=\"0.17em\"/>";
+        }
+    }
+    text
 }
 
 fn piece(node: &Node) -> String {
@@ -50,7 +98,7 @@ fn piece(node: &Node) -> String {
             '∇' | '∑' | '∂' => format!("<mo>{letter}</mo>"),
             _ => format!("<mi>{letter}</mi>"),
         },
-        Node::Function(name) => format!("<mi>{name}</mi><mspace width=\"0.1em\"/>"),
+        Node::Function(name) => format!("<mi>{name}</mi>"),
         Node::Number(number) => format!("<mn>{number}</mn>"),
         Node::Operator(sign @ ("(" | ")" | "[" | "]" | "⟨" | "⟩" | "|")) => {
             format!("<mo stretchy=\"false\">{sign}</mo>")

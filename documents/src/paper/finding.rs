@@ -45,10 +45,9 @@ impl Finding {
             None if found.len() == expected.len() => Outcome::Exactly,
             None => Outcome::Fails(format!("{} values for {}", found.len(), expected.len())),
             Some(at) => Outcome::Fails(format!(
-                "component {} is `{}` for `{}`",
+                "component {} differs by `{}`",
                 at + 1,
-                found[at],
-                expected[at]
+                found[at].clone() - &expected[at]
             )),
         };
         Self::of(claim, outcome)

@@ -102,12 +102,7 @@ fn line(finding: &Finding) -> String {
     } else {
         format!(" <span class=\"outcome\">{}</span>", text(&words))
     };
-    let claim = match (&finding.outcome, finding.claim.strip_prefix('`')) {
-        (Outcome::Value, Some(chain)) if chain.matches('`').count() == 1 => {
-            mathml::chain(chain.trim_end_matches('`'), mathml::inline)
-        }
-        _ => text(&finding.claim),
-    };
+    let claim = text(&finding.claim);
     format!("{claim}{words}")
 }
 

@@ -6,7 +6,7 @@ use super::head::{kind_name, printable, printable_list};
 use super::latex::{WIDTH, escape, width};
 use super::text::fill;
 use super::{Format, Report, html};
-use crate::formula::mathml::{chain, escaped, value};
+use crate::formula::mathml::{escaped, value};
 use crate::page::page;
 use affinor::geometry::equations::{EquationKind, Equations, Row, Variable};
 use affinor::{Connection, Error, Geometry};
@@ -145,7 +145,7 @@ impl<S: Notation> EquationReport<S> {
             html::head(lines.map(|(title, line)| (title, escaped(&line))), out)?;
             writeln!(out, "<ul class=\"components\">")?;
             for [left, right] in self.sides(&names) {
-                writeln!(out, "<li>{}</li>", chain(&format!("{left} = {right}"), value))?;
+                writeln!(out, "<li>{}</li>", value(&format!("{left} = {right}")))?;
             }
             writeln!(out, "</ul>\n</main>")
         })

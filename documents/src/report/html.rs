@@ -5,7 +5,7 @@ use super::grid::{Cell, Grid};
 use super::head::{conventions, printable};
 use super::text::{brackets, component, equation, general};
 use super::{Quantity, Table, TableEntry};
-use crate::formula::mathml::{chain, escaped, value};
+use crate::formula::mathml::{escaped, value};
 use crate::page::page;
 use affinor_tensors::Notation;
 use std::io::{self, Write};
@@ -35,7 +35,7 @@ pub(super) fn head(
 
 /// Formulas that are separated by semicolons.
 fn formulas(text: &str) -> String {
-    text.split("; ").map(|formula| chain(formula, value)).collect::<Vec<_>>().join("; ")
+    text.split("; ").map(value).collect::<Vec<_>>().join("; ")
 }
 
 fn tensor<S: Notation>(
@@ -66,7 +66,7 @@ fn tensor<S: Notation>(
             }
         }
         for group in groups(&shown) {
-            writeln!(out, "<li>{}</li>", chain(&equation(&group, name).join(" "), value))?;
+            writeln!(out, "<li>{}</li>", value(&equation(&group, name).join(" ")))?;
         }
         writeln!(out, "</ul>")?;
     }
@@ -118,7 +118,7 @@ impl Grid {
 fn lines(cell: &Cell) -> String {
     let line = |line: &String| match (&cell.latex, line.strip_prefix("no: ")) {
         (None, _) => escaped(line),
-        (Some(_), Some(residual)) => format!("no: {}", chain(residual, value)),
+        (Some(_), Some(residual)) => format!("no: {}", value(residual)),
         (Some(_), None) => formulas(line),
     };
     cell.text.iter().map(line).collect::<Vec<_>>().join("<br/>")
