@@ -75,7 +75,7 @@ const WORDS: [&str; 3] = ["only", "if", "for"];
 const ACCENTS: [(&str, Accent); 3] =
     [("dot", Accent::Dot), ("bar", Accent::Bar), ("hat", Accent::Hat)];
 /// Signs of several characters first.
-const OPERATORS: [(&str, &str); 26] = [
+const OPERATORS: [(&str, &str); 25] = [
     ("->", "→"),
     ("<=", "≤"),
     (">=", "≥"),
@@ -100,7 +100,6 @@ const OPERATORS: [(&str, &str); 26] = [
     ("|", "|"),
     ("/", "/"),
     ("°", "°"),
-    ("o ", "∘"),
     ("%", "%"),
 ];
 
@@ -119,19 +118,24 @@ fn greek(name: &str) -> Option<char> {
 
 /// The tree of a formula. Whatever is not understood is kept as text.
 pub(crate) fn parse(formula: &str) -> Vec<Node> {
-    Reader { rest: formula, names: false }.sequence(None)
+    Reader { rest: formula, names: false, depth: 0 }.sequence(None)
 }
 
 /// The tree of a computed value, in which a run of letters is the name of one parameter.
 pub(crate) fn parse_value(value: &str) -> Vec<Node> {
-    Reader { rest: value, names: true }.sequence(None)
+    Reader { rest: value, names: true, depth: 0 }.sequence(None)
 }
 
 struct Reader<'a> {
     rest: &'a str,
     /// Whether a run of letters is one name.
     names: bool,
+    /// How many brackets and braces are open.
+    depth: usize,
 }
+
+/// Brackets and braces within more than these are signs like others.
+const DEEPEST: usize = 64;
 
 impl<'a> Reader<'a> {
     /// Pieces up to the end, or to a closing brace.
@@ -156,6 +160,14 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Pieces up to a closing bracket.
+    fn inner(&mut self, end: char) -> Vec<Node> {
+        self.depth += 1;
+        let nodes = self.sequence(Some(end));
+        self.depth -= 1;
+        nodes
+    }
+
     /// The pieces that begin with a character, with the indices and powers of the last one.
     fn scripted(&mut self, first: char) -> Vec<Node> {
         let mut atoms = self.atoms(first);
@@ -175,7 +187,7 @@ impl<'a> Reader<'a> {
         if first.is_ascii_digit() {
             return vec![Node::Number(self.number())];
         }
-        if first == '(' && self.names {
+        if first == '(' && self.names && self.depth < DEEPEST {
             return self.group();
         }
         if first == '"' {
@@ -197,7 +209,7 @@ impl<'a> Reader<'a> {
     fn group(&mut self) -> Vec<Node> {
         self.rest = &self.rest[1..];
         let mut nodes = vec![Node::Operator("(")];
-        nodes.extend(self.sequence(Some(')')));
+        nodes.extend(self.inner(')'));
         nodes.push(Node::Operator(")"));
         nodes
     }
@@ -278,11 +290,11 @@ impl<'a> Reader<'a> {
         while let Some(mark) = self.rest.chars().next().filter(|c| "^_".contains(*c)) {
             self.rest = &self.rest[1..];
             let script = match self.rest.strip_prefix('{') {
-                Some(rest) => {
+                Some(rest) if self.depth < DEEPEST => {
                     self.rest = rest;
-                    self.sequence(Some('}'))
+                    self.inner('}')
                 }
-                None => self.indices(),
+                _ => self.indices(),
             };
             scripts.push((mark == '^', script));
         }
@@ -336,6 +348,7 @@ impl<'a> Reader<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     fn letter(c: char) -> Node {
         Node::Letter(c)
@@ -374,8 +387,20 @@ mod tests {
     #[test]
     fn whatever_is_not_understood_is_text() {
         assert_eq!(parse("§{"), [Node::Text("§".into()), Node::Text("{".into())]);
-        for odd in ["^", "_{", "a/", "\"", "a^{b", "~~", "/"] {
-            parse(odd);
+        for odd in ["(", "_{", "^{", "/(", "a/"] {
+            parse_value(&odd.repeat(10_000));
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn every_text_becomes_an_element(text in r#"[-a-zA-Z0-9^_{}()\[\]/*+=<>&"' ~°Ω]{0,40}"#) {
+            for written in [mathml::inline(&text), mathml::value(&text), mathml::display(&text)] {
+                let page = format!("<p>{written}</p>");
+                let document = roxmltree::Document::parse(&page);
+                prop_assert!(document.is_ok(), "{page}: {document:?}");
+            }
+            tex::formula(&text);
         }
     }
 }
