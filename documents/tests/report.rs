@@ -508,6 +508,20 @@ fn symmetries(tensor: &Tensor<Rational>) -> Vec<(Vec<usize>, i64)> {
 
 proptest! {
     #![proptest_config(crate::common::property::cases(256))]
+    /// Whatever stands in names and values, the page is well-formed.
+    #[test]
+    fn pages_are_well_formed(
+        name in r#"[-a-zA-Z0-9^_{}()\[\]/*+=<>&"' ~°Ω]{1,20}"#,
+        labels in prop::collection::hash_set(r#"[-a-z0-9^_{}()\[\]/*+=<>&"' ~Ω]{1,8}"#, 3),
+    ) {
+        let mut table = so3::<Rational>();
+        (table.name, table.labels) = (name, labels.into_iter().collect());
+        let page = render(&table, Format::Html);
+        let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+        let document = roxmltree::Document::parse_with_options(&page, options);
+        prop_assert!(document.is_ok(), "{document:?}\n{page}");
+    }
+
 
     #[test]
     fn groups_hold_every_component_once(tensor in tensors()) {
