@@ -1,0 +1,39 @@
+// @ts-check
+// The state of the page in its address: `#report=table&space=so3&connection=zero`, in the words of the command line.
+
+/** @typedef {Record<string, string>} State */
+
+export const REPORTS = ["compare", "table", "check", "info", "properties", "equations", "list", "conventions", "paper"];
+export const FIELDS = ["space", "other", "connection", "metric", "set", "show", "motion", "definition"];
+/** What the page begins with: the two geometries of the paper. */
+export const START = { report: "compare" };
+/** A longer definition is not put into the address. */
+const LONGEST = 8000;
+
+/** @param {string} hash @returns {{state: State, unknown: string[]}} */
+export function read(hash) {
+  const state = /** @type {State} */ ({ ...START });
+  const unknown = [];
+  for (const [key, value] of new URLSearchParams(hash.replace(/^#/, ""))) {
+    if (key === "report" ? REPORTS.includes(value) : FIELDS.includes(key)) state[key] = value;
+    else unknown.push(key === "report" ? `report=${value}` : key);
+  }
+  return { state, unknown };
+}
+
+/** @param {State} state @returns {string} */
+export function write(state) {
+  const kept = Object.entries(state).filter(([key, value]) => value !== "" && value.length <= LONGEST && (key === "report" || FIELDS.includes(key)));
+  return "#" + new URLSearchParams(kept).toString();
+}
+
+/** The fields that a report uses. @param {string} report @returns {string[]} */
+export function used(report) {
+  const all = {
+    compare: ["space", "other"], list: ["space"], conventions: [], paper: [],
+    table: ["space", "connection", "metric", "set", "show", "definition"],
+    equations: ["space", "connection", "metric", "set", "motion", "definition"],
+    info: ["space", "set", "definition"],
+  };
+  return all[/** @type {keyof typeof all} */ (report)] ?? ["space", "connection", "metric", "set", "definition"];
+}

@@ -1,0 +1,119 @@
+//! What the page gets.
+
+use affinor::Error;
+use affinor_documents::definition::{InputError, Place};
+use affinor_documents::report::{Format, Report};
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+/// A longer report would be too much for a page.
+const LONGEST: usize = 16 << 20;
+
+/// A report in a format.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    text: String,
+    notes: Vec<String>,
+}
+
+/// What was refused.
+#[derive(Clone, Debug)]
+pub struct Refusal {
+    message: String,
+    place: Option<Value>,
+    help: Option<String>,
+}
+
+impl Answer {
+    /// A report, written.
+    ///
+    /// # Errors
+    /// A report that is too long for a page.
+    pub fn new(report: &dyn Report, format: Format, notes: Vec<String>) -> Result<Self, Refusal> {
+        Self::written(notes, |out| report.write(format, out))
+    }
+
+    /// Whatever a function writes.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn written(
+        notes: Vec<String>,
+        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<Self, Refusal> {
+        let mut out = Limited(vec![]);
+        match write(&mut out) {
+            Ok(()) => Ok(Answer { text: String::from_utf8_lossy(&out.0).into_owned(), notes }),
+            Err(error) => Err(Refusal {
+                message: format!("the report cannot be written: {error}"),
+                place: None,
+                help: Some("choose fewer tensors, or use the program `affinor`".into()),
+            }),
+        }
+    }
+
+    pub(super) fn json(&self) -> Value {
+        json!({ "text": self.text, "notes": self.notes })
+    }
+}
+
+impl Refusal {
+    /// A message.
+    pub fn new(message: impl Into<String>) -> Self {
+        Refusal { message: message.into(), place: None, help: None }
+    }
+
+    pub(super) fn json(&self) -> Value {
+        json!({ "message": self.message, "place": self.place, "help": self.help })
+    }
+}
+
+impl From<InputError> for Refusal {
+    fn from(error: InputError) -> Self {
+        let place = error.at.as_deref().map(place);
+        Refusal { place, message: error.message, help: error.help }
+    }
+}
+
+impl From<Error> for Refusal {
+    fn from(error: Error) -> Self {
+        InputError::from(error).into()
+    }
+}
+
+/// The source of a place, its line, from 1, the text of the line, and the part of it in units of UTF-16, in which scripts count.
+fn place(place: &Place) -> Value {
+    let (source, text) = (&place.source.name, &*place.source.text);
+    let Some(span) = place.span.clone().filter(|span| text.get(span.clone()).is_some()) else {
+        return json!({ "source": source });
+    };
+    let start = text[..span.start].rfind('\n').map_or(0, |at| at + 1);
+    let end = text[span.start..].find('\n').map_or(text.len(), |at| span.start + at);
+    let units = |part: &str| part.encode_utf16().count();
+    json!({
+        "source": source,
+        "line": text[..span.start].matches('\n').count() + 1,
+        "text": &text[start..end],
+        "from": units(&text[start..span.start]),
+        "to": units(&text[start..span.end.min(end)]),
+        "selection": [units(&text[..span.start]), units(&text[..span.end])],
+    })
+}
+
+/// Bytes up to a limit.
+struct Limited(Vec<u8>);
+
+impl Write for Limited {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if self.0.len() + bytes.len() > LONGEST {
+            let message = format!("it is longer than {} MB", LONGEST >> 20);
+            return Err(io::Error::new(io::ErrorKind::FileTooLarge, message));
+        }
+        self.0.extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}

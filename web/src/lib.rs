@@ -1,0 +1,40 @@
+//! affinor in the browser: [`call`] takes a request of the page to a report.
+//!
+//! Both are JSON. A request has the words of the command line; an answer is the report in a format, or the message of what was
+//! refused. The page restarts the module after a panic.
+
+mod answer;
+mod request;
+
+pub use answer::{Answer, Refusal};
+pub use request::Request;
+
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Answers a request: `{"report": "table", "space": "so3", "connection": "zero"}`. `Err` has the message of a [`Refusal`].
+///
+/// ```
+/// let answer = affinor_web::call(r#"{"report": "table", "space": "so3@zero", "show": "ricci", "format": "text"}"#);
+/// assert!(answer.unwrap().contains("Ric_11 = Ric_22 = Ric_33 = 1/2"));
+/// let refused = affinor_web::call(r#"{"report": "table", "space": "so33"}"#);
+/// assert!(refused.unwrap_err().contains("so33"));
+/// ```
+///
+/// # Errors
+/// What is refused, as JSON.
+#[wasm_bindgen]
+pub fn call(request: &str) -> Result<String, String> {
+    let answer = serde_json::from_str::<Request>(request)
+        .map_err(|error| Refusal::new(format!("the request cannot be read: {error}")))
+        .and_then(|request| request.answer());
+    // plain data
+    let written = |value: &serde_json::Value| value.to_string();
+    answer.map(|answer| written(&answer.json())).map_err(|refusal| written(&refusal.json()))
+}
+
+/// Sends the place and the message of a panic to the console.
+#[cfg(target_arch = "wasm32")]
+#[wasm_bindgen(start)]
+pub fn start() {
+    console_error_panic_hook::set_once();
+}

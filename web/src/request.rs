@@ -1,0 +1,234 @@
+//! What the page asks for, in the words of the command line.
+
+use super::{Answer, Refusal};
+use affinor::geometry::equations::{EquationKind, Equations};
+use affinor::{Canonical, Error};
+use affinor_documents::certificate::certify;
+use affinor_documents::definition::{
+    self, Definition, InputError, Reading, ScalarChoice, Space, Work,
+};
+use affinor_documents::paper::{Paper, PaperFormat};
+use affinor_documents::report::{
+    ComparedSide, Comparison, EquationReport, Format, Info, Properties, Quantity, Report, Table,
+    catalogue, certificate, conventions,
+};
+use affinor_tensors::{Notation, Tolerance};
+use serde::Deserialize;
+
+/// A request of the page.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Request {
+    /// `compare`, `table`, `check`, `info`, `properties`, `equations`, `list`, `conventions` or `paper`.
+    pub report: String,
+    /// A SPACE.
+    pub space: String,
+    /// The second SPACE of a comparison.
+    pub other: String,
+    /// Instead of a SPACE, the text of a definition file; JSON if it begins with a brace.
+    pub definition: String,
+    /// A connection, or nothing for that of the space.
+    pub connection: String,
+    /// A metric, or nothing for that of the space.
+    pub metric: String,
+    /// Values of parameters.
+    pub set: String,
+    /// The tensors of a table.
+    pub show: String,
+    /// `euler-poincare`, `autoparallel` or `transport`.
+    pub motion: String,
+    /// The format, by default `html`.
+    pub format: String,
+}
+
+impl Request {
+    /// The report that is asked for.
+    ///
+    /// # Errors
+    /// Whatever is refused.
+    pub fn answer(&self) -> Result<Answer, Refusal> {
+        let format = self.format()?;
+        let (report, notes): (Box<dyn Report>, Vec<String>) = match self.report.as_str() {
+            "compare" => (Box::new(self.comparison()?), vec![]),
+            "list" => match catalogue(&self.space) {
+                Some(list) => (Box::new(list), vec![]),
+                None => return Err(Refusal::new("no name of the catalogue contains this text")),
+            },
+            "conventions" => (Box::new(conventions()), vec![]),
+            "paper" => return self.paper(),
+            "table" => self.over_space(TableWork(self.quantities()?))?,
+            "check" => self.over_space(CheckWork)?,
+            "equations" => self.equations()?,
+            "info" => {
+                let space = self.open()?;
+                (Box::new(Info::of(&space.definition, &|_| ())?), notes(&space))
+            }
+            "properties" => {
+                let space = self.open()?;
+                (Box::new(Properties::of(&space.definition)?), notes(&space))
+            }
+            other => return Err(Refusal::new(format!("`{other}` is no report"))),
+        };
+        Answer::new(&*report, format, notes)
+    }
+
+    fn format(&self) -> Result<Format, Refusal> {
+        match self.format.as_str() {
+            "" => Ok(Format::Html),
+            name => Format::from_name(name)
+                .ok_or_else(|| Refusal::new(format!("`{name}` is no format"))),
+        }
+    }
+
+    fn quantities(&self) -> Result<Vec<Quantity>, Refusal> {
+        let default =
+            |quantity: &Quantity| !matches!(quantity, Quantity::InverseMetric | Quantity::Killing);
+        if self.show.trim().is_empty() {
+            return Ok(Quantity::BASIC.iter().copied().filter(default).collect());
+        }
+        let mut chosen = vec![];
+        for key in self.show.split(',').map(str::trim) {
+            let quantity = Quantity::from_key(key)
+                .ok_or_else(|| Refusal::new(format!("`{key}` is no tensor")))?;
+            if !chosen.contains(&quantity) {
+                chosen.push(quantity);
+            }
+        }
+        Ok(chosen)
+    }
+
+    /// The space with its connection and metric.
+    fn open(&self) -> Result<Space, Refusal> {
+        let given =
+            |text: &str| Some(text.trim()).filter(|text| !text.is_empty()).map(String::from);
+        let name = if self.definition.trim_start().starts_with('{') {
+            "definition.json"
+        } else {
+            "definition.toml"
+        };
+        let request = definition::Request {
+            space: if self.definition.is_empty() { given(&self.space) } else { None },
+            definition: given(&self.definition).map(|text| (name.into(), text)),
+            connection: given(&self.connection),
+            metric: given(&self.metric),
+            set: given(&self.set),
+            ..definition::Request::default()
+        };
+        Ok(Space::open(&request)?)
+    }
+
+    fn over_space<W: Work<Output = Box<dyn Report>>>(
+        &self,
+        work: W,
+    ) -> Result<(Box<dyn Report>, Vec<String>), Refusal> {
+        let space = self.open()?;
+        Ok((space.run(ScalarChoice::Exact, Tolerance::default(), work)?, notes(&space)))
+    }
+
+    fn equations(&self) -> Result<(Box<dyn Report>, Vec<String>), Refusal> {
+        let kind = match self.motion.as_str() {
+            "" => EquationKind::EulerPoincare,
+            name => EquationKind::from_name(name)
+                .ok_or_else(|| Refusal::new(format!("`{name}` is no motion")))?,
+        };
+        let mut space = self.open()?;
+        if kind == EquationKind::EulerPoincare && space.definition.connection_is_default() {
+            space.definition.set_canonical(Canonical::Plus);
+        }
+        let report = space.run(ScalarChoice::Exact, Tolerance::default(), EquationsWork(kind))?;
+        Ok((report, notes(&space)))
+    }
+
+    fn comparison(&self) -> Result<Comparison, Refusal> {
+        let side = |name: &str, default: &str| -> Result<ComparedSide, Refusal> {
+            let name = if name.trim().is_empty() { default } else { name };
+            let request =
+                definition::Request { space: Some(name.into()), ..definition::Request::default() };
+            Ok(Space::open(&request)?.run(ScalarChoice::Exact, Tolerance::default(), SideWork)?)
+        };
+        Ok(Comparison::new(side(&self.space, "M(3)")?, side(&self.other, "SO(3)")?))
+    }
+
+    fn paper(&self) -> Result<Answer, Refusal> {
+        let format = match self.format.as_str() {
+            "" | "html" => PaperFormat::Html,
+            "markdown" => PaperFormat::Markdown,
+            "latex" => PaperFormat::Latex,
+            name => return Err(Refusal::new(format!("the paper is not written as {name}"))),
+        };
+        let paper = Paper::read()?;
+        Answer::written(vec![], |out| paper.write(format, &[], out))
+    }
+}
+
+/// The parameters that the input introduced.
+fn notes(space: &Space) -> Vec<String> {
+    match space.introduced.as_slice() {
+        [] => vec![],
+        names => vec![format!("taken as parameters: {}", names.join(", "))],
+    }
+}
+
+struct TableWork(Vec<Quantity>);
+
+impl Work for TableWork {
+    type Output = Box<dyn Report>;
+
+    fn run<S: Notation>(
+        self,
+        definition: &Definition,
+        reading: &Reading<S>,
+    ) -> Result<Self::Output, InputError> {
+        Ok(Box::new(Table::new(&definition.geometry(reading)?, &self.0)?))
+    }
+}
+
+struct CheckWork;
+
+impl Work for CheckWork {
+    type Output = Box<dyn Report>;
+
+    fn run<S: Notation>(
+        self,
+        definition: &Definition,
+        reading: &Reading<S>,
+    ) -> Result<Self::Output, InputError> {
+        let checks = certify(definition, reading, &|_| ())?;
+        Ok(Box::new(certificate(&definition.name, &checks, None)))
+    }
+}
+
+struct EquationsWork(EquationKind);
+
+impl Work for EquationsWork {
+    type Output = Box<dyn Report>;
+
+    fn run<S: Notation>(
+        self,
+        definition: &Definition,
+        reading: &Reading<S>,
+    ) -> Result<Self::Output, InputError> {
+        let geometry = definition.geometry(reading)?;
+        let equations = Equations::new(self.0, geometry.connection(), geometry.metric());
+        let equations = equations.map_err(|error| match error {
+            Error::NoMetric => InputError::usage("Euler-Poincare equations need a metric")
+                .help("give one, as in diag(J1,J2,J3), or choose other equations"),
+            other => other.into(),
+        })?;
+        Ok(Box::new(EquationReport::new(equations, &geometry)))
+    }
+}
+
+struct SideWork;
+
+impl Work for SideWork {
+    type Output = ComparedSide;
+
+    fn run<S: Notation>(
+        self,
+        definition: &Definition,
+        reading: &Reading<S>,
+    ) -> Result<Self::Output, InputError> {
+        Ok(ComparedSide::new(&definition.geometry(reading)?)?)
+    }
+}

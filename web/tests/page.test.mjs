@@ -1,0 +1,204 @@
+// The page in a browser. CHROMIUM names the browser; `npm ci` installs no browser.
+import { chromium } from "playwright-core";
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
+import zlib from "node:zlib";
+import { execFileSync } from "node:child_process";
+import { after, before, test } from "node:test";
+import { dist, serve } from "./server.mjs";
+
+const AXE = fs.readFileSync(path.join(import.meta.dirname, "../node_modules/axe-core/axe.min.js"), "utf8");
+let server, browser;
+
+before(async () => {
+  server = await serve();
+  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+/** A page at a state, once its report stands. */
+async function open(hash = "", options = {}) {
+  const context = await browser.newContext(options);
+  const page = await context.newPage();
+  page.foreign = [];
+  page.on("request", (request) => { if (!request.url().startsWith(server.address) && !request.url().startsWith("data:")) page.foreign.push(request.url()); });
+  page.problems = [];
+  page.on("pageerror", (error) => page.problems.push(String(error)));
+  page.setDefaultTimeout(20000);
+  await page.goto(server.address + hash);
+  await settled(page);
+  return page;
+}
+
+const settled = (page) => page.waitForFunction(() => /** @type {any} */ (document.getElementById("stop")).disabled && !document.getElementById("status").textContent.includes("computing"));
+const text = (page, id) => page.locator(`#${id}`).innerText();
+
+test("the first report is the comparison of the paper", async () => {
+  const page = await open();
+  assert.match(await text(page, "result"), /Claims of the paper/);
+  assert.ok((await page.locator("#result math").count()) > 20);
+  assert.deepEqual([page.foreign, page.problems], [[], []]);
+});
+
+test("a space, a connection and a metric make a table, a link and a way back", async () => {
+  const page = await open("#report=table&space=so3&connection=zero&show=ricci");
+  assert.ok(await page.locator('#result math[alttext="Ric_11"]').count());
+  await page.fill("#space", "sl(2)");
+  await page.click("button[type=submit]");
+  await settled(page);
+  assert.match(page.url(), /space=sl%282%29/);
+  const shared = await open(new URL(page.url()).hash);
+  assert.equal(await text(shared, "result"), await text(page, "result"));
+  await page.goBack();
+  await settled(page);
+  assert.equal(await page.inputValue("#space"), "so3");
+  assert.match(await text(page, "result"), /so\(3\)/);
+  await page.goForward();
+  await settled(page);
+  assert.equal(await page.inputValue("#space"), "sl(2)");
+});
+
+test("the slider of lambda moves the connection and leaves one entry of history", async () => {
+  const page = await open("#report=table&space=so3&connection=zero&show=curvature");
+  const length = await page.evaluate(() => history.length);
+  await page.focus("#lambda");
+  for (let i = 0; i < 4; i++) await page.keyboard.press("ArrowRight");
+  await settled(page);
+  assert.equal(await page.inputValue("#connection"), "lambda=2/3");
+  // lambda (1 - lambda) = 2/9
+  assert.ok(await page.locator('#result math[alttext="= 2/9"]').count());
+  assert.equal(await page.evaluate(() => history.length), length);
+});
+
+test("every report, and its copies", async () => {
+  for (const report of ["compare", "table", "check", "info", "properties", "equations", "list", "conventions"]) {
+    const space = { compare: "so3@plus&other=so3@zero", list: "so" }[report] ?? "so3&connection=zero&metric=diag(1,2,3)";
+    const page = await open(`#report=${report}&space=${space}`);
+    assert.equal(await text(page, "error"), "", report);
+    assert.ok((await text(page, "result")).length > 100, report);
+    await page.context().close();
+  }
+  const page = await open("#report=table&space=so3@zero&show=torsion", { permissions: ["clipboard-read", "clipboard-write"] });
+  for (const [format, part] of [["latex", "\\tau"], ["csv", "tensor,i,j,k,l,value"], ["json", "affinor.table/1"], ["markdown", "## Torsion"]]) {
+    await page.click(`#copies button:text-is("${format}")`);
+    await page.waitForFunction((format) => document.getElementById("status").textContent === `copied as ${format}`, format);
+    assert.ok((await page.evaluate(() => navigator.clipboard.readText())).includes(part), format);
+  }
+});
+
+test("a definition of one's own, with a message under the letters", async () => {
+  const page = await open("#report=table&show=ricci");
+  await page.click("summary");
+  await page.fill("#definition", 'basis = ["x", "y"]\nbrackets = "[x, q] = y"');
+  await page.click("button[type=submit]");
+  await settled(page);
+  const error = await text(page, "error");
+  assert.match(error, /definition\.toml, line 2/);
+  assert.match(error, /\n +\^/);
+  await page.fill("#definition", 'basis = ["x", "y"]\nbrackets = "[x, y] = y"\nmetric = "identity"');
+  await page.click("button[type=submit]");
+  await settled(page);
+  assert.equal(await text(page, "error"), "");
+  assert.ok(await page.locator('#result math[alttext="= -1"]').count());
+});
+
+test("sixty wrong inputs leave a message and a living page", async () => {
+  const page = await open("#report=table&space=so3");
+  const bad = ["so33", "", "so(", "E9", "so(3,", "heisenberg(4)", "A0", "sl(1)", "x.toml", "/etc/passwd", "so3@", "so3@nonsense", "so3@lambda=", "so3@zero;metric=", "so3+", "+so3", "R^", "R^99999999999", "so(2000)", "ß", "\u0000", "so3@levi-civita", "M4", "[x,y]=z", "-"];
+  const metrics = ["diag(1,2)", "diag(1,2,3", "nonsense(1)", "[[1,0],[0,1]]", "[[1,2,0],[0,1,0],[0,0,1]]", "diag(0,1,1)", "diag(1/0,1,1)", "1e999999999", "diag(NaN,1,1)", "diag(a..b,1,1)", "((((((((((", "diag()", "🙂"];
+  const connections = ["left", "lambda=", "lambda=1/0", "lambda=x y", "levi civita", "plus zero", "lambda=1e99999999"];
+  const sets = ["a", "a=", "=1", "a=1,a=2", "b=1", "a=1/0", ","];
+  const shows = ["torsions", "ricci,,", "x".repeat(500), "weyl;ricci", "RICCI", "kretschmann2", "-", "0"];
+  let count = 0;
+  const refuse = async (fields) => {
+    await page.evaluate((hash) => { location.hash = hash; }, new URLSearchParams({ report: "table", ...fields }).toString());
+    await page.waitForFunction(() => document.getElementById("error").textContent !== "", undefined, { timeout: 20000 })
+      .catch(() => { throw new Error(`no message for ${JSON.stringify(fields)}`); });
+    count += 1;
+    await page.evaluate(() => { location.hash = "#report=table&space=so3&show=killing"; });
+    await page.waitForFunction(() => document.getElementById("error").textContent === "" && document.querySelector('#result math[alttext="K_11"]'));
+  };
+  for (const space of bad) await refuse({ space });
+  for (const metric of metrics) await refuse({ space: "so3", metric });
+  for (const connection of connections) await refuse({ space: "so3", connection });
+  for (const set of sets) await refuse({ space: "so3", metric: "diag(a,a,a)", set });
+  for (const show of shows) await refuse({ space: "so3", show });
+  assert.ok(count >= 60, String(count));
+  assert.deepEqual(page.problems, []);
+});
+
+test("long work can be stopped, and the input is kept", async () => {
+  const page = await open("#report=table&space=so3");
+  await page.fill("#space", "E8");
+  await page.fill("#connection", "levi-civita");
+  await page.fill("#metric", "identity");
+  await page.click("button[type=submit]");
+  await page.waitForFunction(() => document.getElementById("status").textContent.includes("computing"));
+  await page.click("#stop");
+  await page.waitForFunction(() => document.getElementById("status").textContent === "stopped");
+  assert.equal(await page.inputValue("#space"), "E8");
+  await page.fill("#space", "so3");
+  await page.fill("#show", "ricci");
+  await page.click("button[type=submit]");
+  await settled(page);
+  assert.ok(await page.locator('#result math[alttext="Ric_11"]').count());
+});
+
+test("it works without a network once it is loaded", async () => {
+  const page = await open("#report=table&space=so3");
+  await page.context().setOffline(true);
+  await page.fill("#space", "se(2)");
+  await page.click("button[type=submit]");
+  await settled(page);
+  assert.match(await text(page, "result"), /se\(2\)/);
+});
+
+test("an address that is not understood leaves a message", async () => {
+  const page = await open("#report=tabel&space=so3&colour=red");
+  assert.match(await text(page, "error"), /report=tabel, colour/);
+});
+
+test("no violation of accessibility, no sideways scroll", async () => {
+  for (const [width, colorScheme] of [[360, "light"], [360, "dark"], [800, "dark"], [1600, "light"]]) {
+    for (const hash of ["", "#report=table&space=so3@zero", "#report=info&space=se(3)", "#report=table&space=nothing"]) {
+      const page = await open(hash, { viewport: { width, height: 900 }, colorScheme });
+      await page.evaluate(AXE);
+      const { violations } = await page.evaluate(() => axe.run());
+      assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes[0].html]), [], `${width} ${colorScheme} ${hash}`);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${width} ${hash}`);
+      await page.context().close();
+    }
+  }
+});
+
+test("the values of the program", { skip: !process.env.AFFINOR_COMMAND && "AFFINOR_COMMAND names no program" }, async () => {
+  const page = await open();
+  const names = JSON.parse(execFileSync(process.env.AFFINOR_COMMAND, ["list", "--format", "json"], { encoding: "utf8" })).spaces.map(({ example }) => example);
+  const { Engine } = { Engine: "engine-client.js" };
+  const answers = await page.evaluate(async ([module, names]) => {
+    const { Engine } = await import(`./${module}`);
+    const engine = new Engine(), answers = {};
+    for (const space of names) {
+      const table = await engine.ask({ report: "table", space, show: "structure,torsion,killing", format: "json" }).catch((problem) => problem);
+      answers[space] = table.answer?.text ?? JSON.stringify(table);
+    }
+    return answers;
+  }, [Engine, names]);
+  for (const space of names) {
+    const table = execFileSync(process.env.AFFINOR_COMMAND, ["table", space, "--show", "structure,torsion,killing", "--format", "json"], { encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] });
+    assert.equal(answers[space], table, space);
+  }
+});
+
+test("what is sent stays within the budget", () => {
+  const size = (name) => zlib.gzipSync(fs.readFileSync(path.join(dist, name)), { level: 9 }).length;
+  const module = size("engine_bg.wasm");
+  const rest = fs.readdirSync(dist).filter((name) => !name.endsWith(".wasm")).reduce((sum, name) => sum + size(name), 0);
+  console.log(`engine ${module} bytes with gzip, everything else ${rest}`);
+  assert.ok(module < 1_500_000, String(module));
+  assert.ok(rest < 40_000, String(rest));
+});
