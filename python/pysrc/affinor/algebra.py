@@ -14,6 +14,7 @@ from affinor import _engine
 from affinor._scalars import Scalar, Symbols, document, is_matrix, merged, names_in, text_of
 from affinor.errors import MathematicsError
 from affinor.group import Group
+from affinor.structure import Structured
 from affinor.tensor import Tensor
 
 __all__ = ["Check", "LieAlgebra", "catalogue", "check"]
@@ -171,7 +172,7 @@ def _sparse(constants: Any) -> tuple[list[Any], list[Any], int | None]:
     raise ValueError(f"sparse structure constants have the shape (n, n, n) or (n, n*n), not {shape}")
 
 
-class LieAlgebra:
+class LieAlgebra(Structured):
     """A Lie algebra with a basis; the Jacobi identity is checked.
 
     ``LieAlgebra("so3")`` takes a name of the catalogue, a sum of names (``"so3+R^3"``), or the path of a definition file;
@@ -194,7 +195,7 @@ class LieAlgebra:
         self._set(source_of(space, basis=basis, scalar=scalar, tolerance=tolerance))
 
     def _set(self, source: Source) -> None:
-        self._source = source
+        self._source, self._found = source, None
         self._space = source.space()
         self._engine = self._space.algebra(source.scalar, source.tolerance)
 
@@ -318,6 +319,8 @@ class LieAlgebra:
         return self.structure.contract("^i_jk ^j ^k -> ^i", self._vector(x), self._vector(y))
 
     def _vector(self, x: Any) -> Tensor:
+        if isinstance(x, str):
+            return self._combination(x)
         vector = x if isinstance(x, Tensor) else Tensor(x, "^", scalar="float" if self.scalar == "float" else None)
         if vector.slots != "^" or vector.dimension != self.dimension:
             raise ValueError(f"a vector of this algebra has {self.dimension} components, not {vector.dimension}")
