@@ -263,31 +263,6 @@ class LieAlgebra(Structured):
     # -- what it is ------------------------------------------------------------------------------------------------------
 
     @property
-    def name(self) -> str:
-        """The name."""
-        return self._space.name
-
-    @property
-    def basis(self) -> list[str]:
-        """The names of the basis vectors."""
-        return self._engine.labels
-
-    @property
-    def dimension(self) -> int:
-        """The dimension."""
-        return len(self.basis)
-
-    @property
-    def scalar(self) -> str:
-        """``exact``, ``symbolic`` or ``float``."""
-        return self._engine.scalar
-
-    @property
-    def parameters(self) -> list[str]:
-        """The names of the parameters, sorted."""
-        return self._space.parameters
-
-    @property
     def symbols(self) -> Symbols:
         """The symbols of SymPy that were given, by name."""
         return dict(self._source.symbols)
@@ -317,14 +292,6 @@ class LieAlgebra(Structured):
     def bracket(self, x: ArrayLike | Any, y: ArrayLike | Any) -> Tensor:
         """The bracket of two vectors by their components."""
         return self.structure.contract("^i_jk ^j ^k -> ^i", self._vector(x), self._vector(y))
-
-    def _vector(self, x: Any) -> Tensor:
-        if isinstance(x, str):
-            return self._combination(x)
-        vector = x if isinstance(x, Tensor) else Tensor(x, "^", scalar="float" if self.scalar == "float" else None)
-        if vector.slots != "^" or vector.dimension != self.dimension:
-            raise ValueError(f"a vector of this algebra has {self.dimension} components, not {vector.dimension}")
-        return vector
 
     def direct_sum(self, other: LieAlgebra) -> LieAlgebra:
         """The direct sum, in the basis of this algebra followed by that of the other."""

@@ -56,18 +56,30 @@ class Structured:
     _source: Source
     _found: tuple[Written, Report] | None
 
-    if TYPE_CHECKING:
+    @property
+    def name(self) -> str:
+        """The name."""
+        return self._space.name
 
-        @property
-        def name(self) -> str: ...
-        @property
-        def basis(self) -> list[str]: ...
-        @property
-        def parameters(self) -> list[str]: ...
-        @property
-        def scalar(self) -> str: ...
-        def _vector(self, x: Any) -> Tensor: ...
-        def _structured(self, structure: Tensor, name: str, labels: list[str] | None) -> LieAlgebra: ...
+    @property
+    def basis(self) -> list[str]:
+        """The names of the basis vectors."""
+        return self._engine.labels
+
+    @property
+    def dimension(self) -> int:
+        """The dimension."""
+        return len(self.basis)
+
+    @property
+    def scalar(self) -> str:
+        """``exact``, ``symbolic`` or ``float``."""
+        return self._engine.scalar
+
+    @property
+    def parameters(self) -> list[str]:
+        """The names of the parameters, sorted."""
+        return self._space.parameters
 
     # -- structure -------------------------------------------------------------------------------------------------------
 
@@ -366,7 +378,19 @@ class Structured:
         known = merged(self._source.symbols, symbols or {}, *(tensor._symbols for tensor in given))
         return self._structured(Tensor._of(engine, known), name, labels)
 
+    def _structured(self, structure: Tensor, name: str, labels: list[str] | None) -> LieAlgebra:
+        """The algebra of these constants, with the scalar and the tolerance of this one."""
+        raise NotImplementedError
+
     # -- vectors ---------------------------------------------------------------------------------------------------------
+
+    def _vector(self, x: Any) -> Tensor:
+        if isinstance(x, str):
+            return self._combination(x)
+        vector = x if isinstance(x, Tensor) else Tensor(x, "^", scalar="float" if self.scalar == "float" else None)
+        if vector.slots != "^" or vector.dimension != self.dimension:
+            raise ValueError(f"a vector of this algebra has {self.dimension} components, not {vector.dimension}")
+        return vector
 
     def _vectors(self, vectors: Iterable[Any]) -> list[Tensor]:
         if isinstance(vectors, (str, Tensor)):
