@@ -86,6 +86,44 @@ fn of_e8() {
     assert!(text.contains("e8(8): type E8"), "{text}");
 }
 
+#[test]
+fn root_systems() {
+    let e8 = info("E8");
+    assert_eq!(e8["cartan_matrix"][0]["matrix"].as_array().unwrap().len(), 8);
+    assert_eq!(e8["roots"]["positive"], 120);
+    assert_eq!(e8["roots"]["vectors"].as_array().unwrap().len(), 240);
+    let motions = info("sl(2)+R^1");
+    assert_eq!(motions["roots"]["simple"].as_array().unwrap().len(), 1);
+    assert_eq!(motions["cartan_matrix"], json!([{ "type": "A1", "matrix": [[2]] }]));
+    let compact = info("so(4)");
+    assert_eq!(compact["roots"]["positive"], 2);
+    assert_eq!(compact["roots"]["vectors"], Value::Null);
+    assert_eq!(info("heisenberg(3)")["roots"], Value::Null);
+    assert_eq!(info("heisenberg(3)")["cartan_matrix"], Value::Null);
+    // the spaces of a branched diagram stand in boxes
+    let latex = stdout(root(), &["info", "D4", "--format", "latex"]);
+    assert!(latex.contains("\\mbox{\\footnotesize\\ttfamily ~~~~|}"), "{latex}");
+}
+
+/// Discs, bonds and arrowheads of the picture.
+#[test]
+fn dynkin_diagrams_as_svg() {
+    let count = |space: &str| {
+        let picture = stdout(root(), &["plot", "dynkin", space]);
+        let document = roxmltree::Document::parse(&picture).unwrap();
+        let all = |tag: &str| document.descendants().filter(|node| node.has_tag_name(tag)).count();
+        // each node is a disc with a white one in it
+        (all("circle") / 2, all("polyline"))
+    };
+    assert_eq!(count("E8"), (8, 7));
+    assert_eq!(count("so(5)+so(8)"), (6, 3 + 3));
+    assert_eq!(count("G2"), (2, 4));
+    assert_eq!(count("iso(3,1)"), (2, 0));
+    let refused = run(root(), &["plot", "dynkin", "heisenberg(3)"], b"");
+    assert_eq!(refused.status, 1);
+    assert!(refused.err.contains("no roots"), "{}", refused.err);
+}
+
 /// Four simple algebras and a nilpotent one, in an anonymous basis.
 #[test]
 fn of_a_scrambled_sum() {

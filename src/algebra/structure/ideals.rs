@@ -288,12 +288,15 @@ fn generator(matrices: &[Matrix<Rational>]) -> Option<(Matrix<Rational>, Uni<Big
             continue;
         }
         let solution = system.solve(&powers[degree]).ok()??;
-        let big = |value: &Rational| -BigRational::from(value);
-        let mut coefficients: Vec<BigRational> = solution.iter().map(big).collect();
-        coefficients.push(BigRational::from_integer(1.into()));
-        return Some((gamma, Uni::new(coefficients)));
+        return Some((gamma, monic(&solution)));
     }
     None
+}
+
+/// The polynomial `t^m - sum of s_k t^k` of a relation `x^m = sum of s_k x^k`.
+pub(super) fn monic(relation: &[Rational]) -> Uni<BigRational> {
+    let coefficients = relation.iter().map(|value| -BigRational::from(value));
+    Uni::new(coefficients.chain([BigRational::from_integer(1.into())]).collect())
 }
 
 /// The minimal polynomial of a matrix, from the first power that depends on those before.
@@ -307,10 +310,7 @@ pub(super) fn minimal_polynomial(matrix: &Matrix<Rational>) -> Option<Uni<BigRat
         if !powers.is_empty() {
             let system = Matrix::from_dense(&powers).ok()?.transpose();
             if let Some(solution) = system.solve(&next).ok()? {
-                let mut coefficients: Vec<BigRational> =
-                    solution.iter().map(|value| -BigRational::from(value)).collect();
-                coefficients.push(BigRational::from_integer(1.into()));
-                return Some(Uni::new(coefficients));
+                return Some(monic(&solution));
             }
         }
         powers.push(next);
