@@ -102,7 +102,7 @@ fn root_systems() {
     assert_eq!(info("heisenberg(3)")["cartan_matrix"], Value::Null);
     // the spaces of a branched diagram stand in boxes
     let latex = stdout(root(), &["info", "D4", "--format", "latex"]);
-    assert!(latex.contains("\\mbox{\\footnotesize\\ttfamily ~~~~|}"), "{latex}");
+    assert!(latex.contains("\\mbox{\\footnotesize\\ttfamily ~~~~\\textbar{}}"), "{latex}");
 }
 
 /// Discs, bonds and arrowheads of the picture.
@@ -198,6 +198,16 @@ fn constructions_of_files() {
             r#"change_of_basis = { of = "sl(2)", vectors = ["E12 + E21", "E12 - E21", "H1"] }"#,
             "sl(2)",
         ),
+        (r#"sum = ["so(3)", { truncated = { of = "R^1", order = 2 } }]"#, "so(3)+R^2"),
+        (
+            r#"quotient = { of = { subalgebra = { of = "sl(4)", generated_by = ["E12", "E23", "E34"] } }, by = ["e3"] }"#,
+            "degraaf(5,8)",
+        ),
+        (
+            "[complexification]\nbasis = ['x', 'y', 'z']\nbrackets = '[x, y] = z; [y, z] = x; [z, x] = y'",
+            "so(3,1)",
+        ),
+        (r#"truncated = { of = "so(3)+R^1", order = 2 }"#, "se(3)+R^2"),
     ];
     for (file, peer) in rows {
         let (built, peer) = (info_of(file), info(peer));
@@ -213,6 +223,34 @@ fn constructions_of_files() {
         assert_eq!(built["killing"]["signature"], peer["killing"]["signature"], "{file}");
         assert_eq!(shape(&built), shape(&peer), "{file}");
     }
+}
+
+/// The paths of parts begin at the folder of the file; a file that contains itself is refused.
+#[test]
+fn constructions_of_other_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    std::fs::create_dir(folder.path().join("parts")).unwrap();
+    write("parts/plane.toml", "basis = ['x', 'y', 'z']\nbrackets = '[x, y] = z'");
+    write("parts/sum.toml", "sum = ['plane.toml', 'so(3)']");
+    write("whole.toml", "truncated = { of = 'parts/sum.toml', order = 1 }");
+    write("snake.toml", "sum = ['R^1', './snake.toml']");
+    let found = stdout(folder.path(), &["info", "whole.toml", "--format", "json"]);
+    let found: Value = serde_json::from_str(&found).unwrap();
+    assert_eq!(shape(&found), json!([6, 3, 1, "A1"]));
+    for (file, message) in [("snake.toml", "contain itself"), ("parts/none.toml", "cannot read")] {
+        let outcome = run(folder.path(), &["info", file], b"");
+        assert_eq!(outcome.status, 2, "{}", outcome.err);
+        assert!(outcome.err.contains(message), "{}", outcome.err);
+    }
+    let outcome = run(folder.path(), &["info", "-"], b"sum = ['so(3)', '-']");
+    assert!(outcome.status == 2 && outcome.err.contains("standard input"), "{}", outcome.err);
+    let outcome = run(
+        folder.path(),
+        &["info", "-"],
+        b"sum = ['so(3)', { truncated = { of = 'so(3)', oder = 2 } }]",
+    );
+    assert!(outcome.status == 2 && outcome.err.contains("oder"), "{}", outcome.err);
 }
 
 #[test]
@@ -257,7 +295,7 @@ fn constructions_are_refused_with_a_witness() {
         ("subalgebra = { of = 'so(3)', spanned_by = ['q'] }", 2, "q"),
         ("change_of_basis = { of = 'R^2', vectors = ['e1', '2*e1'] }", 2, "linearly dependent"),
         ("sum = ['so(3)', 'foo']", 2, "no algebra named `foo`"),
-        ("sum = ['a.toml']", 2, "names of the catalogue"),
+        ("sum = ['a.toml']", 2, "cannot read a.toml"),
         ("sum = ['so(3)']\nquotient = { of = 'R^2', by = ['e1'] }", 2, "defines the algebra"),
         ("sum = ['so(3)']\nbrackets = '[e1,e2]=e3'", 2, "defines the algebra"),
         ("semidirect = { of = 'so(3)', by = 'what' }", 2, "adjoint, coadjoint, or a list"),

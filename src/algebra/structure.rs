@@ -5,7 +5,7 @@
 //! - [`Structure`]: an algebra with its brackets tabulated; `series`, `killing`, `radical`, `cartan`, `levi`;
 //! - [`reduction`]: the algebra modulo a prime, for ranks; `derivations`, `cohomology`;
 //! - [`dynkin`], `root_spaces`, `ideals`, [`real_forms`]: Dynkin types, roots, simple ideals over the reals and their names;
-//! - `cocycles`, `symplectic`: closed forms of low degree, symplectic and contact forms, Casimir functions;
+//! - `cocycles`, `symplectic`, `complex_structures`: closed forms of low degree, symplectic and contact forms, Casimir functions;
 //! - `decomposition`: indecomposable ideals; `identification`: names in low dimension;
 //! - `constructions`: quotients, extensions, semidirect sums, contractions, complexifications.
 //!
@@ -14,6 +14,7 @@
 mod cartan;
 mod cocycles;
 mod cohomology;
+mod complex_structures;
 mod constructions;
 mod decomposition;
 mod derivations;
@@ -34,6 +35,7 @@ mod symplectic;
 
 pub use cocycles::{MAX_DIMENSION as MAX_FORMS, TwoForms};
 pub use cohomology::MAX_DIMENSION as MAX_BETTI;
+pub use complex_structures::ComplexStructure;
 pub use decomposition::{Indecomposable, MAX_DIMENSION as MAX_DECOMPOSED};
 pub use derivations::MAX_DIMENSION as MAX_DERIVATIONS;
 pub use ground::Ground;

@@ -240,3 +240,90 @@ fn forms_of_an_anisotropic_algebra() {
     let table = [(1, 2, 3, 1), (2, 3, 1, 3), (3, 1, 2, 1)];
     assert_eq!(is_contact(by_table(3, &table), "anisotropic"), Some(true));
 }
+
+/// Whether there is a complex structure; `J^2 = -1` and the Nijenhuis tensor are multiplied out.
+fn is_complex(algebra: LieAlgebra<Rational>, name: &str) -> Option<(bool, bool)> {
+    let found = Structure::new(algebra.clone()).complex_structure()?;
+    let n = algebra.dimension();
+    if let Some(images) = &found.images {
+        let j = |x: &[Rational]| -> Vec<Rational> {
+            (0..n)
+                .map(|k| {
+                    let column: Vec<Rational> = images.iter().map(|row| row[k].clone()).collect();
+                    pairing(x, &column)
+                })
+                .collect()
+        };
+        let unit = |i: usize| (0..n).map(|k| Rational::from(i64::from(i == k))).collect::<Vec<_>>();
+        for x in (0..n).map(unit) {
+            let negative: Vec<Rational> = x.iter().map(|v| -v.clone()).collect();
+            assert_eq!(j(&j(&x)), negative, "{name}");
+            for y in (0..n).map(unit) {
+                let bracket = |x: &[Rational], y: &[Rational]| algebra.bracket(x, y).unwrap();
+                let (jx, jy) = (j(&x), j(&y));
+                let inner = [bracket(&jx, &y), bracket(&x, &jy)].map(|v| j(&v));
+                let (left, plain) = (bracket(&jx, &jy), bracket(&x, &y));
+                for k in 0..n {
+                    let right = plain[k].clone() + &inner[0][k] + &inner[1][k];
+                    assert_eq!(left[k], right, "{name}");
+                }
+            }
+        }
+    }
+    Some((found.exists, found.images.is_some()))
+}
+
+/// J. E. Snow, *Manuscripta Math.* 68 (1990) 397-412, and G. Ovando, *Manuscripta Math.* 103 (2000) 19-30: the solvable
+/// algebras of dimension 4 with a complex structure.
+#[test]
+fn complex_structures_of_dimension_four() {
+    let with = [
+        "R^4",
+        "heisenberg(3)+R^1",
+        "aff(1)+R^2",
+        "bianchi(V)+R^1",
+        "bianchi(VII,h=0)+R^1",
+        "bianchi(VII,h=2)+R^1",
+        "aff(1)+aff(1)",
+        "patera(4,12)",
+        "patera(4,2,a=1)",
+        "patera(4,5,a=1/2,b=1)",
+        "patera(4,5,a=1/2,b=1/2)",
+        "patera(4,5,a=1,b=1)",
+        "patera(4,6,a=1,b=0)",
+        "patera(4,6,a=2,b=1)",
+        "patera(4,7)",
+        "patera(4,8)",
+        "patera(4,9,b=1)",
+        "patera(4,9,b=0)",
+        "patera(4,9,b=-1/2)",
+        "patera(4,10)",
+        "patera(4,11,a=1)",
+        "bianchi(VIII)+R^1",
+        "bianchi(IX)+R^1",
+    ];
+    let without = [
+        "patera(4,1)",
+        "bianchi(IV)+R^1",
+        "bianchi(VI,h=-1)+R^1",
+        "bianchi(VI,h=1/2)+R^1",
+        "patera(4,2,a=-2)",
+        "patera(4,3)",
+        "patera(4,4)",
+        "patera(4,5,a=-1/2,b=1/3)",
+    ];
+    for (expected, names) in [(true, &with[..]), (false, &without[..])] {
+        for (at, name) in names.iter().enumerate() {
+            for algebra in [catalogued(name), scrambled(&catalogued(name), at as i64)] {
+                assert_eq!(is_complex(algebra, name), Some((expected, expected)), "{name}");
+            }
+        }
+    }
+    for name in ["R^2", "aff(1)"] {
+        assert_eq!(is_complex(catalogued(name), name), Some((true, true)));
+    }
+    // a rotation of the plane by an angle whose square is 2, in units of the trace
+    let irrational = by_table(4, &[(4, 1, 1, 1), (4, 2, 3, 1), (4, 3, 2, -2)]);
+    assert_eq!(is_complex(irrational, "irrational"), Some((true, false)));
+    assert_eq!(is_complex(catalogued("so(3)"), "so(3)"), None);
+}

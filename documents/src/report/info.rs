@@ -435,7 +435,7 @@ impl Notes {
     }
 
     fn identification(&mut self, found: Option<Identification>) {
-        let Some(Identification { names, parameter, isomorphism }) = found else {
+        let Some(Identification { names, parameter, isomorphism, under_root }) = found else {
             self.json.insert("identification".into(), Value::Null);
             return;
         };
@@ -453,7 +453,13 @@ impl Notes {
             rows.iter().map(vector).collect::<Vec<_>>().join(", ")
         });
         let witness = match written {
-            Some(images) => format!("its basis is {images}"),
+            Some(images) => match &under_root {
+                Some(numbers) => {
+                    let roots = numbers.iter().map(|v| format!("sqrt({v})")).collect::<Vec<_>>();
+                    format!("its basis is {images}, times {}", roots.join(", "))
+                }
+                None => format!("its basis is {images}"),
+            },
             None => "by invariants".into(),
         };
         let text = match &parameter {
@@ -461,7 +467,10 @@ impl Notes {
             None => name.clone(),
         };
         self.row("identification", text, &witness);
-        let json = json!({ "name": name, "parameter": parameter, "isomorphism": images });
+        let roots = under_root.map(|all| all.iter().map(Rational::to_string).collect::<Vec<_>>());
+        let json = json!({
+            "name": name, "parameter": parameter, "isomorphism": images, "under_root": roots,
+        });
         self.json.insert("identification".into(), json);
     }
 

@@ -36,11 +36,19 @@ pub struct RootSpace {
 }
 
 impl Structure<Rational> {
-    /// The root spaces of a semisimple algebra for [`cartan_subalgebra`](Self::cartan_subalgebra). `None` if that one does
-    /// not split over the rationals, or if a vector has parts of more than 24 eigenvalues.
+    /// The root spaces of a semisimple algebra for a Cartan subalgebra with basis vectors of positive Killing squares, or
+    /// for [`cartan_subalgebra`](Self::cartan_subalgebra). `None` if neither splits over the rationals, or if a vector has
+    /// parts of more than 24 eigenvalues.
     pub fn root_spaces(&self) -> Option<RootSpaces> {
         let types = self.dynkin_type().filter(|_| self.is_semisimple())?;
-        let (n, cartan) = (self.dimension(), self.cartan_subalgebra());
+        let rank = types.iter().map(|one| one.rank()).sum();
+        let hyperbolic = self.hyperbolic_cartan_subalgebra(rank);
+        let found = hyperbolic.and_then(|cartan| self.split_by(cartan, types.clone()));
+        found.or_else(|| self.split_by(self.cartan_subalgebra(), types))
+    }
+
+    fn split_by(&self, cartan: Subspace<Rational>, types: Vec<CartanType>) -> Option<RootSpaces> {
+        let n = self.dimension();
         let mut spaces: BTreeMap<Vec<Rational>, Vec<Row<Rational>>> = BTreeMap::new();
         spaces.insert(vec![], self.whole().basis().to_vec());
         for h in cartan.basis() {

@@ -56,6 +56,7 @@ impl Notes {
     /// Symplectic forms in even dimension, contact forms in odd dimension, and a form of largest rank.
     pub(super) fn nondegenerate_forms(&mut self, structure: Option<&Structure<Rational>>) {
         let (mut symplectic, mut contact, mut regular) = (Value::Null, Value::Null, Value::Null);
+        self.complex_structure(structure);
         if let Some(structure) = structure.filter(|structure| structure.dimension() > 0) {
             let n = structure.dimension();
             if let Some(forms) = structure.two_forms().filter(|_| n.is_multiple_of(2)) {
@@ -96,6 +97,36 @@ impl Notes {
         self.json.insert("symplectic".into(), symplectic);
         self.json.insert("contact".into(), contact);
         self.json.insert("regular_form".into(), regular);
+    }
+
+    /// A complex structure, in dimension 2 and 4.
+    fn complex_structure(&mut self, structure: Option<&Structure<Rational>>) {
+        let Some(found) = structure.and_then(|structure| structure.complex_structure()) else {
+            self.json.insert("complex_structure".into(), Value::Null);
+            return;
+        };
+        let rows = found.images.map(|rows| {
+            let row = |row: &Vec<Rational>| row.iter().map(Rational::to_string).collect::<Vec<_>>();
+            rows.iter().map(row).collect::<Vec<_>>()
+        });
+        let written = rows.as_ref().map(|rows| {
+            let image = |(row, label): (&Vec<String>, &String)| {
+                let terms = row.iter().cloned().zip(self.labels.iter().cloned());
+                let image = combination(terms.filter(|(value, _)| value != "0"));
+                format!("J {label} = {image}")
+            };
+            rows.iter().zip(&self.labels).map(image).collect::<Vec<_>>().join(", ")
+        });
+        let (text, witness) = match (found.exists, written) {
+            (true, Some(images)) => (images, "J^2 = -1, the Nijenhuis tensor is zero"),
+            (true, None) => ("yes".into(), "its eigenvectors are not rational"),
+            (false, _) => {
+                ("none".into(), "no complex eigenvalues and no eigenspace of dimension 2 on R^3")
+            }
+        };
+        self.row("complex structure", text, witness);
+        let json = json!({ "exists": found.exists, "images": rows });
+        self.json.insert("complex_structure".into(), json);
     }
 
     /// Polynomial Casimir functions up to a degree, in the basis of the algebra.
