@@ -7,9 +7,11 @@ use affinor_tensors::linear::Row;
 use affinor_tensors::text::combination;
 use serde_json::{Value, json};
 
-/// The highest degree of Casimir functions, and the largest number of monomials of that degree.
+/// The highest degree of Casimir functions, the largest number of monomials of that degree, and the largest product of that
+/// number and the number of structure constants, which are many in a dense basis.
 const CASIMIR_DEGREE: u32 = 4;
 const MONOMIALS: usize = 350;
+const TERMS: usize = 60_000;
 /// Longer answers are written in JSON only.
 const LONGEST: usize = 240;
 
@@ -132,8 +134,10 @@ impl Notes {
     /// Polynomial Casimir functions up to a degree, in the basis of the algebra.
     pub(super) fn casimirs(&mut self, structure: Option<&Structure<Rational>>) {
         let found = structure.and_then(|structure| {
+            let constants = structure.algebra().structure().len();
+            let fits = |count: usize| count <= MONOMIALS && count * constants <= TERMS;
             let degree = (1..=CASIMIR_DEGREE)
-                .take_while(|degree| monomials(structure.dimension(), *degree) <= MONOMIALS)
+                .take_while(|degree| fits(monomials(structure.dimension(), *degree)))
                 .last()?;
             let generators = structure.casimirs(degree).ok()?;
             Some((degree, generators.iter().map(ToString::to_string).collect::<Vec<_>>()))
