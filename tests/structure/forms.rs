@@ -120,6 +120,8 @@ fn cocycles_of_stored_algebras() {
             let regular = dense(n, &structure.regular_form().unwrap());
             let index = entry["index"].as_u64().unwrap() as usize;
             assert_eq!(rank(&differential(structure.algebra(), &regular)), n - index, "{name}");
+            let exact = structure.exact_symplectic_form(&structure.two_forms().unwrap());
+            assert_eq!(matches!(exact, Existence::Witness(_)), index == 0, "{name}");
         }
     }
 }
@@ -190,6 +192,15 @@ fn symplectic_nilpotent_algebras_of_dimension_six() {
     assert_eq!(names.len(), 34, "{names:?}");
     let symplectic = names.iter().filter(|name| is_symplectic(catalogued(name), name).unwrap());
     assert_eq!(symplectic.count(), 26);
+}
+
+/// Unimodular algebras that are not solvable have none: here the Pfaffian is too large to be expanded.
+#[test]
+fn unimodular_algebras_without_symplectic_forms() {
+    for name in ["iso(3,1)", "so(3)+sl(2)+R^4", "galilei(3)"] {
+        assert_eq!(is_symplectic(catalogued(name), name), Some(false), "{name}");
+    }
+    assert_eq!(is_symplectic(catalogued("patera(4,7)+filiform(4)+R^2"), "sum"), Some(true));
 }
 
 #[test]

@@ -3,7 +3,8 @@
 //! Closed 2-forms and 1-forms depend linearly on parameters `t`. A symplectic form exists if and only if the
 //! Pfaffian of the general closed form, a polynomial in `t`, is not zero. A 1-form `a` in dimension `2 k + 1` is a
 //! contact form if `a (d a)^k` is not zero: that is `k!` times the Pfaffian of `d a`, bordered by `a`.
-//! An exact symplectic form exists if and only if the index is 0 (Frobenius algebras).
+//! An exact symplectic form exists if and only if the index is 0 (Frobenius algebras). A unimodular algebra has no exact
+//! one, and none at all if it is not solvable: B.-Y. Chu, *Trans. Amer. Math. Soc.* 197 (1974) 145-159.
 
 use super::cocycles::TwoForms;
 use super::{Structure, Subspace};
@@ -33,11 +34,17 @@ pub enum Existence {
 impl Structure<Rational> {
     /// A closed 2-form that is not degenerate, with components as in [`TwoForms`].
     pub fn symplectic_form(&self, forms: &TwoForms<Rational>) -> Existence {
+        if self.is_unimodular() && !self.is_solvable() {
+            return Existence::Impossible;
+        }
         self.nondegenerate(&forms.closed)
     }
 
     /// An exact 2-form that is not degenerate.
     pub fn exact_symplectic_form(&self, forms: &TwoForms<Rational>) -> Existence {
+        if self.is_unimodular() && self.dimension() > 0 {
+            return Existence::Impossible;
+        }
         self.nondegenerate(&forms.exact)
     }
 
