@@ -215,10 +215,12 @@ impl Structure<Rational> {
             }
         }
         // e = 1 and e = -1 have the same dimensions
-        if let [first, _] = &names[..] {
-            if let Some(positive) = self.has_positive_parameter(first) {
-                names.retain(|name| name.ends_with("e=1)") == positive);
-            }
+        let positive = match &names[..] {
+            [first, _] => self.has_positive_parameter(first),
+            _ => None,
+        };
+        if let Some(positive) = positive {
+            names.retain(|name| name.ends_with("e=1)") == positive);
         }
         (!names.is_empty()).then(|| Identification::by_name(names))
     }
