@@ -191,7 +191,7 @@ fn nilpotent_algebras_up_to_dimension_six() {
             let full = if open { format!("degraaf(6,{number},e={e})") } else { name.clone() };
             let algebra = scrambled(&catalogued(&full), at as i64);
             let found = Structure::new(algebra).identify().unwrap().names;
-            assert_eq!(found, [full.clone()]);
+            assert_eq!(found, std::slice::from_ref(&full));
         }
     }
     let named = |name: &str| Structure::new(catalogued(name)).identify().unwrap().names;
