@@ -1,6 +1,8 @@
 //! Structure theory against stored invariants, in random bases, beside other summands, multiplied out.
 
 mod families;
+mod forms;
 mod invariants;
 mod names;
+mod root_systems;
 mod witnesses;

@@ -29,7 +29,7 @@ pub use code::Language;
 pub use comparison::{ComparedSide, Comparison};
 pub use components::{GROUPED, Group, groups, independent};
 pub use equations::EquationReport;
-pub use info::Info;
+pub use info::{Info, dynkin_type};
 pub use latex::components_in_latex;
 pub(crate) use latex::escape as latex_escaped;
 pub use lists::{catalogue, catalogue_where, certificate, conventions};

@@ -4,14 +4,17 @@
 //! - [`Subspace`]: subspaces in reduced row echelon form; `products`: brackets of vectors;
 //! - [`Structure`]: an algebra with its brackets tabulated; `series`, `killing`, `radical`, `cartan`, `levi`;
 //! - [`reduction`]: the algebra modulo a prime, for ranks; `derivations`, `cohomology`;
-//! - [`dynkin`], `ideals`, [`real_forms`]: Dynkin types, simple ideals over the reals and their names;
+//! - [`dynkin`], `root_spaces`, `ideals`, [`real_forms`]: Dynkin types, roots, simple ideals over the reals and their names;
+//! - `cocycles`, `symplectic`, `complex_structures`: closed forms of low degree, symplectic and contact forms, Casimir functions;
 //! - `decomposition`: indecomposable ideals; `identification`: names in low dimension;
 //! - `constructions`: quotients, extensions, semidirect sums, contractions, complexifications.
 //!
 //! W. A. de Graaf, *Lie Algebras: Theory and Algorithms*, North-Holland 2000.
 
 mod cartan;
+mod cocycles;
 mod cohomology;
+mod complex_structures;
 mod constructions;
 mod decomposition;
 mod derivations;
@@ -25,17 +28,23 @@ mod products;
 mod radical;
 pub mod real_forms;
 pub mod reduction;
+mod root_spaces;
 mod series;
 mod subspace;
+mod symplectic;
 
+pub use cocycles::{MAX_DIMENSION as MAX_FORMS, TwoForms};
 pub use cohomology::MAX_DIMENSION as MAX_BETTI;
+pub use complex_structures::ComplexStructure;
 pub use decomposition::{Indecomposable, MAX_DIMENSION as MAX_DECOMPOSED};
 pub use derivations::MAX_DIMENSION as MAX_DERIVATIONS;
 pub use ground::Ground;
 pub use ideals::{RealIdeal, SimpleIdeals};
 pub use identification::Identification;
 pub use killing::Killing;
+pub use root_spaces::{RootSpace, RootSpaces};
 pub use subspace::Subspace;
+pub use symplectic::Existence;
 
 use crate::Error;
 use crate::algebra::roots::CartanType;
