@@ -173,7 +173,8 @@ impl Recorded {
         }
     }
 
-    fn input(name: &str) -> Self {
+    /// The input of that name; any text serves as a name.
+    pub fn input(name: &str) -> Self {
         Self::of(Operation::Input(name.into()), Some(Image::variable(name)))
     }
 
