@@ -34,10 +34,52 @@ impl Mul<&Recorded> for Recorded {
             (None, _) => return other.clone().scaled(&self.factor),
             (Some(a), Some(b)) => (a, b),
         };
-        let image = a.image.zip(b.image).map(|(a, b): (Image, Image)| a.mul(b));
-        let product = Recorded::of(Operation::Product(a.clone(), b.clone()), image);
-        product.scaled(&(self.factor.clone() * &other.factor))
+        let factor = self.factor.clone() * &other.factor;
+        cancelled(a, b).unwrap_or_else(|| product(a, b)).scaled(&factor)
     }
+}
+
+/// The product as one operation.
+fn product(a: &Arc<Node>, b: &Arc<Node>) -> Recorded {
+    let image = a.image.zip(b.image).map(|(a, b): (Image, Image)| a.mul(b));
+    Recorded::of(Operation::Product(a.clone(), b.clone()), image)
+}
+
+/// The most factors of a product in which a common factor is sought.
+const FACTORS: usize = 8;
+
+/// The product without the factors that cancel, in products of a few; `None` if none does.
+fn cancelled(a: &Arc<Node>, b: &Arc<Node>) -> Option<Recorded> {
+    let mut parts = [vec![], vec![]];
+    let mut open = vec![(a, false), (b, false)];
+    while let Some((node, below)) = open.pop() {
+        match &node.operation {
+            Operation::Product(a, b) => open.extend([(a, below), (b, below)]),
+            Operation::Reciprocal(a) => open.push((a, !below)),
+            _ => parts[usize::from(below)].push(node),
+        }
+        if open.len() + parts[0].len() + parts[1].len() > FACTORS {
+            return None;
+        }
+    }
+    let [above, mut below] = parts;
+    let given = above.len() + below.len();
+    let (mut kept, mut negative) = (vec![], false);
+    for node in above {
+        let (key, sign) = node.key();
+        match below.iter().position(|other| other.key().0 == key) {
+            Some(at) => negative ^= below.swap_remove(at).key().1 != sign,
+            None => kept.push(node),
+        }
+    }
+    if kept.len() + below.len() == given {
+        return None;
+    }
+    let value = |node: &Arc<Node>| Recorded { factor: One::one(), node: Some(node.clone()) };
+    let above = kept.into_iter().map(value).fold(Recorded::one(), |all, x| all * &x);
+    let below = below.into_iter().map(value).fold(Recorded::one(), |all, x| all * &x);
+    let quotient = above * &crate::Field::recip(&below)?;
+    Some(if negative { -quotient } else { quotient })
 }
 
 impl Neg for Recorded {
