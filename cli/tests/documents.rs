@@ -11,13 +11,14 @@ use std::path::PathBuf;
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
-const DOCUMENTS: [&str; 6] = [
+const DOCUMENTS: [&str; 7] = [
     "README.md",
     "docs/formats.md",
     "docs/motion.md",
     "docs/structure.md",
     "docs/translation.md",
     "docs/paper.md",
+    "docs/programs.md",
 ];
 
 /// What `affinor ARGUMENTS` prints on standard output; double quotes hold words together.
