@@ -167,6 +167,6 @@ pub fn run_numpy(folder: &Path, main: &str) -> Option<String> {
         eprintln!("not tested: python3 has no NumPy");
         return None;
     }
-    std::fs::write(folder.join("numbers.py"), main).unwrap();
-    output(Command::new("python3").arg("numbers.py").current_dir(folder))
+    std::fs::write(folder.join("arrays.py"), main).unwrap();
+    output(Command::new("python3").arg("arrays.py").current_dir(folder))
 }
