@@ -245,7 +245,7 @@ fn content<'r>(mut values: impl Iterator<Item = &'r Rational>) -> Rational {
     for value in values {
         let quotient = BigRational::from(&(value.clone() / &content));
         // the content of content * (1, n/d) is content / d, where n and d are coprime
-        content = content / &Rational::from(BigRational::from(quotient.denom().clone()));
+        content /= &Rational::from(BigRational::from(quotient.denom().clone()));
     }
     if first.is_negative() { -content } else { content }
 }

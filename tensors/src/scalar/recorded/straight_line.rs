@@ -219,7 +219,8 @@ impl StraightLine {
                 Step::Sum(constant, terms) => {
                     let mut sum = constant_in(constant)?;
                     for (factor, at) in terms {
-                        sum = sum + &(constant_in::<S>(factor)? * &values[*at]);
+                        let term = constant_in::<S>(factor)? * &values[*at];
+                        sum = term + &sum;
                     }
                     sum
                 }
