@@ -17,6 +17,7 @@ mod notation;
 mod operators;
 mod ratio;
 mod rational;
+mod recorded;
 mod symbolic;
 mod tracked;
 
@@ -28,6 +29,7 @@ pub use jet::Jet;
 pub use notation::{Kind, Notation};
 pub use rational::Rational;
 use rational::RationalSum;
+pub use recorded::{Count, Function, Output, Recorded, Step, StraightLine, derivatives};
 pub use symbolic::Symbolic;
 pub use tracked::Tracked;
 
@@ -98,6 +100,10 @@ pub trait Ring:
 
 /// A ring in which units can be inverted.
 pub trait Field: Ring {
+    /// Whether an elimination takes a pivot on the diagonal wherever it does not vanish, before any weight. For a symmetric
+    /// matrix this is `L D L^T` without exchanges. It serves values that are not known as numbers.
+    const DIAGONAL_PIVOTS: bool = false;
+
     /// The multiplicative inverse; `None` exactly for non-units.
     fn recip(&self) -> Option<Self>;
 

@@ -15,6 +15,7 @@ mod jets;
 mod linear;
 mod linear_laws;
 mod operations;
+mod recorded;
 mod scalars;
 mod symbolic;
 mod tensor;

@@ -9,7 +9,7 @@ use super::written::{MetricText, Text};
 use super::{Definition, MetricChoice, Origin, Reading, check_dimension};
 use affinor::algebra::catalogue::CatalogueError;
 use affinor::geometry::paper;
-use affinor_tensors::{Notation, Rational, Symbolic, Tolerance, Tracked};
+use affinor_tensors::{Notation, Rational, Recorded, Symbolic, Tolerance, Tracked};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -216,6 +216,19 @@ impl Space {
                 work.run::<Symbolic>(&self.definition, &Reading { convert: &convert, tolerance })
             }
         }
+    }
+
+    /// Runs `work` over recorded values, whose results are programs. The parameters and coordinates are their inputs.
+    ///
+    /// # Errors
+    /// Whatever the work refuses.
+    pub fn record<R>(
+        &self,
+        work: impl FnOnce(&Definition, &Reading<Recorded>) -> Result<R, InputError>,
+    ) -> Result<R, InputError> {
+        let convert = |value: &Symbolic| Recorded::try_from(value).ok();
+        let tolerance = Tolerance::default();
+        work(&self.definition, &Reading { convert: &convert, tolerance })
     }
 
     /// Runs `work` in floats: `f64`, or [`Tracked`], which bounds the rounding error of every value.
