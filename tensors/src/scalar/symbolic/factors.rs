@@ -4,7 +4,7 @@
 //! discriminant is a square. It serves only the written form, so it need not be complete.
 
 use super::super::Rational;
-use super::polynomial::{Polynomial, cofactors, constant, content};
+use super::polynomial::{Polynomial, cofactors, constant, primitive};
 use num_traits::One;
 use polycore::{Monomial, Order, Poly};
 
@@ -23,10 +23,10 @@ pub(super) struct Factors {
 pub(super) fn factors(f: &Polynomial) -> Factors {
     let (content, primitive) = primitive(f);
     let mut parts = Vec::new();
-    if f.terms.len() > MAX_TERMS || f.total_degree() > MAX_DEGREE {
-        parts.push(primitive);
-    } else {
+    if within_limits(f) {
         split(&primitive, &mut parts);
+    } else {
+        parts.push(primitive);
     }
     let mut factors: Vec<(Polynomial, u32)> = Vec::new();
     for part in parts {
@@ -40,15 +40,13 @@ pub(super) fn factors(f: &Polynomial) -> Factors {
     Factors { content, factors }
 }
 
-/// The content, and the polynomial divided by it.
-fn primitive(f: &Polynomial) -> (Rational, Polynomial) {
-    let content = content(f);
-    let part = f.scale(&(Rational::one() / &content));
-    (content, part)
+/// Whether the polynomial is small enough to be factored.
+pub(super) fn within_limits(f: &Polynomial) -> bool {
+    f.terms.len() <= MAX_TERMS && f.total_degree() <= MAX_DEGREE
 }
 
 /// Appends the factors of a primitive polynomial with a positive leading coefficient.
-fn split(f: &Polynomial, parts: &mut Vec<Polynomial>) {
+pub(super) fn split(f: &Polynomial, parts: &mut Vec<Polynomial>) {
     if f.is_constant() {
         return;
     }
@@ -100,7 +98,7 @@ fn common_divisor(f: &Polynomial, g: &Polynomial) -> Polynomial {
 }
 
 /// The coefficient of `x^power`, a polynomial in the other variables.
-fn coefficient(f: &Polynomial, x: usize, power: u32) -> Polynomial {
+pub(super) fn coefficient(f: &Polynomial, x: usize, power: u32) -> Polynomial {
     let terms = f.terms.iter().filter(|(m, _)| m.exps()[x] == power).map(|(m, c)| {
         let mut exponents = m.exps().to_vec();
         exponents[x] = 0;

@@ -32,12 +32,12 @@ impl Markup {
 /// `1/2*a` for one term without a denominator; otherwise integer polynomials above and below,
 /// in factors where that is shorter.
 pub(super) fn fraction(f: &Fraction, markup: Markup) -> String {
-    let whole = f.denominator.is_constant();
+    let whole = f.denominator.is_one();
     if whole && f.numerator.terms.len() == 1 {
         return polynomial(f, &f.numerator, markup);
     }
     let unit = common_denominator(&f.numerator);
-    let (above, below) = (f.numerator.scale(&unit), f.denominator.scale(&unit));
+    let (above, below) = (f.numerator.scale(&unit), f.expanded_denominator().scale(&unit));
     let (sign, size) = if leads_negative(&above) { ("-", -&above) } else { ("", above.clone()) };
     if whole && unit.is_one() {
         let factored = factored(f, &size, Place::Alone, markup).map(|text| format!("{sign}{text}"));
