@@ -152,6 +152,7 @@ impl Symbolic {
 
 impl Ring for Symbolic {
     type Sum = sum::SymbolicSum;
+    const GROWS: bool = true;
 
     fn from_i64(n: i64) -> Self {
         Self::constant(n.into())
@@ -239,9 +240,7 @@ impl Notation for Symbolic {
     fn size(&self) -> usize {
         match &self.0 {
             Form::Constant(c) => c.size(),
-            Form::Fraction(f) => {
-                size(&f.numerator).saturating_add(size(&f.expanded_denominator()))
-            }
+            Form::Fraction(f) => size(&f.numerator).saturating_add(size(&f.expanded_denominator())),
         }
     }
 }
@@ -266,8 +265,9 @@ impl Symbolic {
     fn parts(&self) -> [(usize, usize); 2] {
         match &self.0 {
             Form::Constant(c) => [(c.size(), 1), (1, 1)],
-            Form::Fraction(f) => [&f.numerator, &f.expanded_denominator()]
-                .map(|p| (size(p), p.terms.len())),
+            Form::Fraction(f) => {
+                [&f.numerator, &f.expanded_denominator()].map(|p| (size(p), p.terms.len()))
+            }
         }
     }
 }

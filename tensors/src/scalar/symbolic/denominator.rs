@@ -5,12 +5,11 @@
 //! trial division. Any other factor cancels by greatest common divisors.
 
 use super::super::Rational;
-use super::factors::{self, coefficient};
-use super::polynomial::{Polynomial, certainly_coprime, cofactors, constant, lowered, primitive};
-use super::polynomial::{power, product, select};
+use super::factors::{self, Part};
+use super::polynomial::{Polynomial, cofactors, constant, lowered, power, product, select};
 use super::variables::{Variables, places, union};
 use num_traits::One;
-use polycore::Monomial;
+use polycore::{Monomial, Order, Poly};
 use std::sync::Arc;
 
 /// A primitive polynomial with a positive leading coefficient that no variable divides. It depends
@@ -68,11 +67,9 @@ impl Denominator {
     pub fn of(variables: &Variables, polynomial: &Polynomial) -> Self {
         let least = polynomial.min_exps();
         let rest = lowered(polynomial, &least);
-        let mut parts = Vec::new();
-        split(&rest, &mut parts);
         let mut factors: Powers = Vec::new();
-        for (part, irreducible) in parts {
-            let factor = Factor::new(variables, &part, irreducible);
+        for Part { polynomial, irreducible } in factors::parts(&rest) {
+            let factor = Factor::new(variables, &polynomial, irreducible);
             match factors.iter_mut().find(|(other, _)| *other == factor) {
                 Some((_, exponent)) => *exponent += 1,
                 None => factors.push((factor, 1)),
@@ -104,6 +101,24 @@ impl Denominator {
         };
         let singles = monomial.map(|(at, e)| (single(at), *e));
         singles.chain(self.factors.iter().map(factor)).collect()
+    }
+
+    /// Its variables and factors with the exponents; `None` if one may be reducible.
+    pub fn irreducible(&self, variables: &Variables) -> Option<Vec<(Polynomial, u32)>> {
+        let n = variables.len();
+        let monomial = self.monomial.iter().enumerate().filter(|(_, e)| **e > 0);
+        let singles = monomial.map(|(at, e)| Some((Poly::var(at, n, Order::GrLex), *e)));
+        let factor = |(factor, e): &(Arc<Factor>, u32)| {
+            factor.irreducible.then(|| (factor.over(variables), *e))
+        };
+        singles.chain(self.factors.iter().map(factor)).collect()
+    }
+
+    /// A bound for the number of terms of the expanded product.
+    pub fn terms(&self) -> u64 {
+        let power =
+            |(f, e): &(Arc<Factor>, u32)| (f.polynomial.terms.len() as u64).saturating_pow(*e);
+        self.factors.iter().map(power).fold(1, u64::saturating_mul)
     }
 
     /// The power.
@@ -147,54 +162,14 @@ impl PartialEq for Denominator {
         let names = self.factors.iter().chain(&other.factors).map(|(f, _)| &f.variables);
         let variables = names.fold(Variables::from([]), |all, names| union(&all, names));
         let [own, others] = [self, other].map(|d| {
-            Denominator { monomial: Box::default(), factors: d.factors.clone() }.expanded(&variables)
+            Denominator { monomial: Box::default(), factors: d.factors.clone() }
+                .expanded(&variables)
         });
         own == others
     }
 }
 
 impl Eq for Denominator {}
-
-/// Polynomials of more terms are factored only if their coefficients are quickly proven coprime.
-const MAX_TERMS: usize = 2000;
-
-/// Appends the factors of a primitive polynomial that no variable divides, and whether each is
-/// proven irreducible.
-///
-/// A polynomial `a x + b` is irreducible if `a` and `b` are coprime. One of degree two in `x` is
-/// irreducible if its coefficients are coprime and its discriminant is no square, or else
-/// [`factors::split`] finds the divisor.
-fn split(f: &Polynomial, parts: &mut Vec<(Polynomial, bool)>) {
-    if f.is_constant() {
-        return;
-    }
-    let degrees = f.degrees();
-    let terms = |x: usize| f.terms.iter().filter(|(m, _)| m.exps()[x] > 0).count();
-    let linear = (0..f.nvars).filter(|&x| degrees[x] == 1).min_by_key(|&x| terms(x));
-    if let Some(x) = linear {
-        let [b, a] = [0, 1].map(|power| primitive(&coefficient(f, x, power)).1);
-        if a.is_constant() || certainly_coprime(&a, &b) {
-            parts.push((f.clone(), true));
-        } else if f.terms.len() > MAX_TERMS {
-            parts.push((f.clone(), false));
-        } else {
-            let (common, ..) = cofactors(&a, &b);
-            let (_, rest, _) = cofactors(f, &common);
-            parts.push((rest, true));
-            split(&common, parts);
-        }
-    } else if factors::within_limits(f) {
-        let mut found = Vec::new();
-        factors::split(f, &mut found);
-        let proven = |f: &Polynomial| f.degrees().iter().any(|d| matches!(d, 1 | 2));
-        parts.extend(found.into_iter().map(|part| {
-            let irreducible = proven(&part);
-            (part, irreducible)
-        }));
-    } else {
-        parts.push((f.clone(), false));
-    }
-}
 
 /// The same product with pairwise coprime factors.
 pub(super) fn coprime(factors: Powers) -> Powers {
@@ -203,7 +178,8 @@ pub(super) fn coprime(factors: Powers) -> Powers {
     }
     let (originals, exponents): (Vec<_>, Vec<_>) = factors.into_iter().unzip();
     let (base, shares) = common_base(originals);
-    let total = |at: usize| -> u32 { exponents.iter().zip(&shares).map(|(e, share)| e * share[at]).sum() };
+    let total =
+        |at: usize| -> u32 { exponents.iter().zip(&shares).map(|(e, share)| e * share[at]).sum() };
     base.into_iter().enumerate().map(|(at, factor)| (factor, total(at))).collect()
 }
 

@@ -1,17 +1,22 @@
 //! Partial factorisation of polynomials, by greatest common divisors and square roots.
 //!
 //! It finds contents in each variable, repeated factors, and the two factors of a quadratic whose
-//! discriminant is a square. It serves only the written form, so it need not be complete.
+//! discriminant is a square. It need not be complete: a part is known to be irreducible, or it is not.
 
 use super::super::Rational;
-use super::polynomial::{Polynomial, cofactors, constant, primitive};
+use super::polynomial::{Polynomial, certainly_coprime, cofactors, constant, primitive};
 use num_traits::One;
 use polycore::{Monomial, Order, Poly};
+use std::cmp::Ordering;
 
 /// Polynomials with more terms or a higher degree are not factored: it takes long, and the result is
 /// too long to read.
 const MAX_TERMS: usize = 60;
 const MAX_DEGREE: u32 = 24;
+
+/// Larger polynomials are split by a variable of degree one only if the parts are quickly proven
+/// coprime.
+const MAX_LINEAR_TERMS: usize = 2000;
 
 /// `content * f^e * g^d * ...`: different primitive factors with positive leading coefficients.
 pub(super) struct Factors {
@@ -19,24 +24,27 @@ pub(super) struct Factors {
     pub factors: Vec<(Polynomial, u32)>,
 }
 
+/// A primitive factor with a positive leading coefficient.
+pub(super) struct Part {
+    pub polynomial: Polynomial,
+    /// Whether it is known to be irreducible over the rationals.
+    pub irreducible: bool,
+}
+
 /// The factors of a nonzero polynomial; the primitive polynomial itself beyond the limits.
 pub(super) fn factors(f: &Polynomial) -> Factors {
     let (content, primitive) = primitive(f);
-    let mut parts = Vec::new();
-    if within_limits(f) {
-        split(&primitive, &mut parts);
-    } else {
-        parts.push(primitive);
+    if !within_limits(f) {
+        return Factors { content, factors: vec![(primitive, 1)] };
     }
     let mut factors: Vec<(Polynomial, u32)> = Vec::new();
-    for part in parts {
+    for Part { polynomial: part, .. } in parts(&primitive) {
         match factors.iter_mut().find(|(other, _)| *other == part) {
             Some((_, exponent)) => *exponent += 1,
             None => factors.push((part, 1)),
         }
     }
-    // single variables first, then the simpler sums
-    factors.sort_by_key(|(factor, exponent)| (factor.terms.len(), *exponent));
+    sort(&mut factors);
     Factors { content, factors }
 }
 
@@ -45,13 +53,61 @@ pub(super) fn within_limits(f: &Polynomial) -> bool {
     f.terms.len() <= MAX_TERMS && f.total_degree() <= MAX_DEGREE
 }
 
+/// Sorts factors for the written form: single variables first, then the simpler sums, then those
+/// without the first variables.
+pub(super) fn sort(factors: &mut [(Polynomial, u32)]) {
+    let degrees = |f: &Polynomial| match f.terms.len() {
+        1 => f.degrees().into_iter().map(|d| u32::MAX - d).collect(),
+        _ => f.degrees(),
+    };
+    let coefficients = |(f, _): &(Polynomial, u32), (g, _): &(Polynomial, u32)| {
+        let pairs = f.terms.iter().zip(&g.terms);
+        let orders = pairs.map(|((m, a), (n, b))| n.cmp(m).then_with(|| b.cmp(a)));
+        orders.fold(Ordering::Equal, Ordering::then)
+    };
+    factors.sort_by(coefficients);
+    factors.sort_by_cached_key(|(f, exponent)| (f.terms.len(), *exponent, degrees(f)));
+}
+
+/// The factors of a primitive polynomial with a positive leading coefficient, each as often as it
+/// occurs.
+pub(super) fn parts(f: &Polynomial) -> Vec<Part> {
+    let mut parts = Vec::new();
+    split(f, &mut parts);
+    parts
+}
+
 /// Appends the factors of a primitive polynomial with a positive leading coefficient.
-pub(super) fn split(f: &Polynomial, parts: &mut Vec<Polynomial>) {
+///
+/// A polynomial `a x + b` is irreducible if `a` and `b` are coprime. One of degree two in `x` is
+/// irreducible if its coefficients are coprime and its discriminant is no square, so it is if no
+/// [`divisor`] is found.
+fn split(f: &Polynomial, parts: &mut Vec<Part>) {
     if f.is_constant() {
         return;
     }
+    let mut push = |polynomial, irreducible| parts.push(Part { polynomial, irreducible });
+    let degrees = f.degrees();
+    let terms = |x: usize| f.terms.iter().filter(|(m, _)| m.exps()[x] > 0).count();
+    let linear = (0..f.nvars).filter(|&x| degrees[x] == 1).min_by_key(|&x| terms(x));
+    if let Some(x) = linear {
+        let [b, a] = [0, 1].map(|power| primitive(&coefficient(f, x, power)).1);
+        if a.is_constant() || !b.is_zero() && certainly_coprime(&a, &b) {
+            return push(f.clone(), true);
+        }
+        if f.terms.len() > MAX_LINEAR_TERMS {
+            return push(f.clone(), false);
+        }
+        let common = if b.is_zero() { a } else { cofactors(&a, &b).0 };
+        let (_, rest, _) = cofactors(f, &common);
+        push(rest, true);
+        return split(&common, parts);
+    }
+    if !within_limits(f) {
+        return push(f.clone(), false);
+    }
     match divisor(f) {
-        None => parts.push(f.clone()),
+        None => push(f.clone(), degrees.contains(&2)),
         Some(divisor) => {
             let (common, rest, _) = cofactors(f, &divisor);
             split(&common, parts);
@@ -98,7 +154,7 @@ fn common_divisor(f: &Polynomial, g: &Polynomial) -> Polynomial {
 }
 
 /// The coefficient of `x^power`, a polynomial in the other variables.
-pub(super) fn coefficient(f: &Polynomial, x: usize, power: u32) -> Polynomial {
+fn coefficient(f: &Polynomial, x: usize, power: u32) -> Polynomial {
     let terms = f.terms.iter().filter(|(m, _)| m.exps()[x] == power).map(|(m, c)| {
         let mut exponents = m.exps().to_vec();
         exponents[x] = 0;

@@ -64,9 +64,8 @@ impl Layout {
 
     /// The word with these exponents `(variable, exponent)`.
     pub fn pack<K: Word>(&self, exponents: impl Iterator<Item = (usize, u32)>) -> K {
-        let place = |(at, e): (usize, u32)| {
-            K::from(e).unwrap_or_else(K::zero) << self.shifts[at] as usize
-        };
+        let place =
+            |(at, e): (usize, u32)| K::from(e).unwrap_or_else(K::zero) << self.shifts[at] as usize;
         exponents.map(place).fold(K::zero(), |word, e| word + e)
     }
 

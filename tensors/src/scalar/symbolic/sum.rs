@@ -314,9 +314,9 @@ impl<'s> Common<'s> {
         for ((numerator, below, norm), term) in operands.into_iter().zip(&self.terms) {
             let scale = i128::from(numerator).checked_mul(denominator / below)?;
             let missing = self.groups[term.group][n..].iter().zip(&factor_norms);
-            let norm = missing.filter(|(e, _)| **e > 0).try_fold(norm, |norm, (e, factor)| {
-                norm.checked_mul(factor.checked_pow(*e)?)
-            })?;
+            let norm = missing
+                .filter(|(e, _)| **e > 0)
+                .try_fold(norm, |norm, (e, factor)| norm.checked_mul(factor.checked_pow(*e)?))?;
             bound = bound.checked_add(norm.checked_mul(scale.unsigned_abs())?)?;
             scales.push(scale);
         }
@@ -352,9 +352,8 @@ impl<'s> Common<'s> {
     ) -> Option<Polynomial> {
         let n = self.variables.len();
         let identity: Vec<usize> = (0..n).collect();
-        let base: Vec<Vec<(K, i128)>> = (self.base.iter())
-            .map(|(_, f)| packed(layout, f, &identity))
-            .collect::<Option<_>>()?;
+        let base: Vec<Vec<(K, i128)>> =
+            (self.base.iter()).map(|(_, f)| packed(layout, f, &identity)).collect::<Option<_>>()?;
         let unit = [(K::zero(), 1i128)];
         let mut sums: Vec<Option<Gathered<K>>> = self.groups.iter().map(|_| None).collect();
         for (term, scale) in self.terms.iter().zip(scales) {
@@ -368,7 +367,8 @@ impl<'s> Common<'s> {
             sum.get_or_insert_with(|| Gathered::with_room(room)).add_product(*scale, a, b);
         }
         // the first group without missing factors takes up the others
-        let mut total = match self.groups.iter().position(|missing| missing.iter().all(|e| *e == 0)) {
+        let mut total = match self.groups.iter().position(|missing| missing.iter().all(|e| *e == 0))
+        {
             Some(at) => sums[at].take(),
             None => None,
         };
@@ -463,11 +463,7 @@ fn numerator_over(c: &Rational, denominator: i64) -> Option<i128> {
 
 /// The integer polynomial that [`integral`] describes, highest terms first; `None` if it does not
 /// fit.
-fn packed<K: Word>(
-    layout: &Layout,
-    f: &Polynomial,
-    columns: &[usize],
-) -> Option<Vec<(K, i128)>> {
+fn packed<K: Word>(layout: &Layout, f: &Polynomial, columns: &[usize]) -> Option<Vec<(K, i128)>> {
     let denominator = integral(f)?.denominator;
     let mut terms = Vec::with_capacity(f.terms.len());
     for (m, c) in &f.terms {
@@ -479,11 +475,7 @@ fn packed<K: Word>(
 }
 
 /// The polynomial divided by an integer, in the order of polynomials.
-fn unpacked<K: Word>(
-    layout: &Layout,
-    terms: &[(K, i128)],
-    denominator: i128,
-) -> Polynomial {
+fn unpacked<K: Word>(layout: &Layout, terms: &[(K, i128)], denominator: i128) -> Polynomial {
     let monomial = |word: K| {
         let exponents = (0..layout.variables()).map(|at| layout.exponent(word, at));
         Monomial::new(exponents.collect::<Vec<u32>>())
