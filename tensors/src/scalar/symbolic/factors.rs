@@ -7,7 +7,7 @@ use super::super::Rational;
 use super::polynomial::{Polynomial, certainly_coprime, cofactors, constant, primitive};
 use num_traits::One;
 use polycore::{Monomial, Order, Poly};
-use std::cmp::Ordering;
+use std::cmp::{Ordering, Reverse};
 
 /// Polynomials with more terms or a higher degree are not factored: it takes long, and the result is
 /// too long to read.
@@ -44,7 +44,8 @@ pub(super) fn factors(f: &Polynomial) -> Factors {
             None => factors.push((part, 1)),
         }
     }
-    sort(&mut factors);
+    // single variables first, then the simpler sums
+    factors.sort_by_key(|(factor, exponent)| (factor.terms.len(), *exponent));
     Factors { content, factors }
 }
 
@@ -53,20 +54,56 @@ pub(super) fn within_limits(f: &Polynomial) -> bool {
     f.terms.len() <= MAX_TERMS && f.total_degree() <= MAX_DEGREE
 }
 
-/// Sorts factors for the written form: single variables first, then the simpler sums, then those
-/// without the first variables.
-pub(super) fn sort(factors: &mut [(Polynomial, u32)]) {
-    let degrees = |f: &Polynomial| match f.terms.len() {
-        1 => f.degrees().into_iter().map(|d| u32::MAX - d).collect(),
-        _ => f.degrees(),
+/// The same as [`factors`] of the product, from its irreducible factors; `None` if [`factors`] might not
+/// find them all.
+///
+/// Factors that depend on different sets of variables are separated by their contents.
+pub(super) fn known(content: Rational, factors: &[(Polynomial, u32)]) -> Option<Factors> {
+    let sets: Vec<Vec<bool>> =
+        factors.iter().map(|(f, _)| f.degrees().into_iter().map(|d| d > 0).collect()).collect();
+    let different = |at: usize| {
+        let sum = |at: usize| factors[at].0.terms.len() > 1;
+        (0..at).all(|other| sets[at] != sets[other] || !sum(at) || !sum(other))
     };
-    let coefficients = |(f, _): &(Polynomial, u32), (g, _): &(Polynomial, u32)| {
+    if !(0..factors.len()).all(different) {
+        return None;
+    }
+    let mut order = Vec::new();
+    separate((0..factors.len()).collect(), &sets, &mut order);
+    let mut factors: Vec<_> = order.into_iter().map(|at| factors[at].clone()).collect();
+    // the variables stand in their order
+    factors.sort_by_key(|(f, _)| (f.terms.len() == 1).then(|| Reverse(f.degrees())));
+    factors.sort_by_key(|(factor, exponent)| (factor.terms.len(), *exponent));
+    Some(Factors { content, factors })
+}
+
+/// Appends the factors in the order in which [`split`] finds them: those without the first variable
+/// before the others.
+fn separate(all: Vec<usize>, sets: &[Vec<bool>], order: &mut Vec<usize>) {
+    let variables = 0..sets.first().map_or(0, Vec::len);
+    let parts = variables.map(|x| all.iter().partition(|&&at| !sets[at][x]));
+    let proper =
+        |(without, with): &(Vec<usize>, Vec<usize>)| !without.is_empty() && !with.is_empty();
+    match parts.into_iter().find(proper) {
+        Some((without, with)) => {
+            separate(without, sets, order);
+            separate(with, sets, order);
+        }
+        None => order.extend(all),
+    }
+}
+
+/// Sorts factors in an order that depends on nothing else: single variables first, then the simpler
+/// sums.
+pub(super) fn sort(factors: &mut [(Polynomial, u32)]) {
+    let terms = |f: &Polynomial, g: &Polynomial| {
         let pairs = f.terms.iter().zip(&g.terms);
         let orders = pairs.map(|((m, a), (n, b))| n.cmp(m).then_with(|| b.cmp(a)));
         orders.fold(Ordering::Equal, Ordering::then)
     };
-    factors.sort_by(coefficients);
-    factors.sort_by_cached_key(|(f, exponent)| (f.terms.len(), *exponent, degrees(f)));
+    factors.sort_by(|(f, d), (g, e)| {
+        (f.terms.len(), d).cmp(&(g.terms.len(), e)).then_with(|| terms(f, g))
+    });
 }
 
 /// The factors of a primitive polynomial with a positive leading coefficient, each as often as it
@@ -95,19 +132,18 @@ fn split(f: &Polynomial, parts: &mut Vec<Part>) {
         if a.is_constant() || !b.is_zero() && certainly_coprime(&a, &b) {
             return push(f.clone(), true);
         }
-        if f.terms.len() > MAX_LINEAR_TERMS {
-            return push(f.clone(), false);
+        if !within_limits(f) && f.terms.len() <= MAX_LINEAR_TERMS {
+            let common = if b.is_zero() { a } else { cofactors(&a, &b).0 };
+            let (_, rest, _) = cofactors(f, &common);
+            push(rest, true);
+            return split(&common, parts);
         }
-        let common = if b.is_zero() { a } else { cofactors(&a, &b).0 };
-        let (_, rest, _) = cofactors(f, &common);
-        push(rest, true);
-        return split(&common, parts);
     }
     if !within_limits(f) {
         return push(f.clone(), false);
     }
     match divisor(f) {
-        None => push(f.clone(), degrees.contains(&2)),
+        None => push(f.clone(), degrees.iter().any(|d| matches!(d, 1 | 2))),
         Some(divisor) => {
             let (common, rest, _) = cofactors(f, &divisor);
             split(&common, parts);

@@ -1,6 +1,6 @@
 //! Fractions as text and as LaTeX.
 
-use super::factors::{Factors, factors, sort};
+use super::factors::{Factors, factors, known, sort, within_limits};
 use super::fraction::Fraction;
 use super::polynomial::{Polynomial, common_denominator};
 use crate::scalar::{Notation, Rational};
@@ -72,24 +72,30 @@ fn expanded(f: &Fraction, part: &Polynomial, place: Place, markup: Markup) -> St
     enclosed(polynomial(f, part, markup), torn && markup == Markup::Text)
 }
 
-/// The denominator times a number: its factors are known, unless one may be reducible.
+/// The denominator times a number.
+///
+/// Its known factors are written where [`factors`] would find the same, or gives up.
 fn denominator(f: &Fraction, unit: Rational, markup: Markup) -> String {
-    let known = f.denominator.irreducible(&f.variables);
-    let found = known.map(|mut factors| {
-        sort(&mut factors);
-        Factors { content: unit.clone(), factors }
-    });
-    match found {
-        Some(found) if f.denominator.terms() > MAX_EXPANDED => {
-            enclosed_product(f, &found, Place::Below, markup)
-        }
-        found => {
-            let part = f.expanded_denominator().scale(&unit);
-            let found = found.unwrap_or_else(|| factors(&part));
-            factored_as(f, &part, &found, Place::Below, markup)
-                .unwrap_or_else(|| expanded(f, &part, Place::Below, markup))
-        }
-    }
+    let irreducible = f.denominator.irreducible(&f.variables);
+    let separate = irreducible.as_ref().and_then(|factors| known(unit.clone(), factors));
+    let part = || f.expanded_denominator().scale(&unit);
+    let (found, part) = match (separate, f.denominator.terms() > MAX_EXPANDED) {
+        (Some(found), true) => return enclosed_product(f, &found, Place::Below, markup),
+        (Some(found), false) => (found, part()),
+        (None, large) => match irreducible {
+            Some(mut factors) if large || !within_limits(&part()) => {
+                sort(&mut factors);
+                let found = Factors { content: unit.clone(), factors };
+                if large {
+                    return enclosed_product(f, &found, Place::Below, markup);
+                }
+                (found, part())
+            }
+            _ => (factors(&part()), part()),
+        },
+    };
+    factored_as(f, &part, &found, Place::Below, markup)
+        .unwrap_or_else(|| expanded(f, &part, Place::Below, markup))
 }
 
 /// A product that may have more terms than this is not expanded to compare the lengths of both
