@@ -52,8 +52,12 @@ impl<S: Ring> Connection<S> {
     /// curvature, whose components may be much longer.
     pub fn ricci(&self) -> Tensor<S> {
         if S::GROWS && self.curvature.get().is_none() {
-            let contracted = CURVATURE.replace('k', "i");
-            return self.evaluate(&format!("{contracted} -> _jl"));
+            let known = self.ricci.get().cloned();
+            return known.unwrap_or_else(|| {
+                // not within `get_or_init`, as above
+                let ricci = self.evaluate(&format!("{} -> _jl", CURVATURE.replace('k', "i")));
+                self.ricci.get_or_init(|| ricci).clone()
+            });
         }
         formula("R^i_jil -> _jl", &[("R", self.curvature())])
     }
