@@ -98,7 +98,7 @@ pub(super) struct Gathered<K> {
 impl<K: Word> Gathered<K> {
     /// An empty sum of about as many terms.
     pub fn with_room(terms: usize) -> Self {
-        let room = (2 * terms).clamp(64, 1 << 12).next_power_of_two();
+        let room = (2 * terms).clamp(8, 1 << 12).next_power_of_two();
         Gathered { words: vec![K::max_value(); room], values: vec![0; room], filled: 0 }
     }
 
