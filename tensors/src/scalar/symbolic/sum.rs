@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// A sum of terms and products that is brought to lowest terms once, at its end.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct SymbolicSum {
     constant: Rational,
     products: Vec<Product>,
@@ -31,12 +31,6 @@ pub struct SymbolicSum {
 pub(super) struct Product {
     coefficient: Rational,
     factors: [Option<Arc<Fraction>>; 2],
-}
-
-impl Default for SymbolicSum {
-    fn default() -> Self {
-        SymbolicSum { constant: Rational::zero(), products: Vec::new() }
-    }
 }
 
 impl Sum<Symbolic> for SymbolicSum {
@@ -393,10 +387,10 @@ impl<'s> Common<'s> {
         let mut numerator = total.map_or_else(Vec::new, Gathered::sorted);
         let exponents = self.exponents.clone();
         self.divide_monomial(layout, &mut numerator);
-        for at in 0..self.base.len() {
+        for (at, factor) in base.iter().enumerate() {
             let exponent = &mut self.exponents[n + at];
             while self.base[at].0.irreducible && self.suspects[n + at] && *exponent > 0 {
-                match exact(layout, &numerator, &base[at]) {
+                match exact(layout, &numerator, factor) {
                     Ok(Some(quotient)) => numerator = quotient,
                     Ok(None) => break,
                     Err(Overflow) => {
