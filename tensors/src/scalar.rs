@@ -55,6 +55,10 @@ pub trait Ring:
     /// The accumulator for sums of products.
     type Sum: Sum<Self>;
 
+    /// Whether values become longer with every operation, as formulas do. A long sum is then computed
+    /// at once and not in stages, so that terms which cancel are never stored.
+    const GROWS: bool = false;
+
     /// The integer `n` as an element of this ring: `n` times one.
     fn from_i64(n: i64) -> Self;
 

@@ -9,6 +9,7 @@ mod contraction_notation;
 mod contraction_paths;
 mod contraction_sizes;
 mod conversions;
+mod denominators;
 mod elementary;
 mod expression;
 mod jets;
