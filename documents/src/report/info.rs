@@ -220,26 +220,16 @@ fn simple_ideals<S: Ground>(
     if levi.is_zero() {
         return Ok(Some(vec![]));
     }
-    let inside = structure.subalgebra(levi)?;
-    let constants = inside.algebra().structure();
-    if constants.components().any(|(_, value)| value.rational().is_none()) {
-        return Ok(None);
-    }
-    let rational = inside.algebra().map(|value| value.rational().unwrap_or_default())?;
-    Ok(Structure::new(rational).simple_ideals()?.map(|ideals| ideals.real))
+    let Some(inside) = structure.subalgebra(levi)?.over_the_rationals() else { return Ok(None) };
+    Ok(inside.simple_ideals()?.map(|ideals| ideals.real))
 }
 
 /// The algebra with rational constants, if it has such and its dimension is low.
 fn over_the_rationals<S: Ground>(
     structure: &Structure<S>,
 ) -> Result<Option<Structure<Rational>>, InputError> {
-    let constants = structure.algebra().structure();
-    let rational = constants.components().all(|(_, value)| value.rational().is_some());
-    if structure.dimension() > MAX_DECOMPOSED || !rational {
-        return Ok(None);
-    }
-    let algebra = structure.algebra().map(|value| value.rational().unwrap_or_default())?;
-    Ok(Some(Structure::new(algebra)))
+    let low = structure.dimension() <= MAX_DECOMPOSED;
+    Ok(low.then(|| structure.over_the_rationals()).flatten())
 }
 
 /// The rows and the keys, as they are found.
