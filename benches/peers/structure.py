@@ -5,7 +5,7 @@
 One run writes one Markdown table; progress goes to standard error. On Debian: apt-get install gap-core.
 
 How it is measured
-- GAP reads the same structure constants (`affinor table NAME --show structure --format csv`) and measures itself: CPU
+- GAP reads the same structure constants (`affinor table NAME --show structure --format json`) and measures itself: CPU
   seconds from the table in memory to the answer, without start and reading. A cell ends at --seconds (180).
 - affinor: CPU seconds of the whole process, with start, reading, the check of the Jacobi identity, all else that the
   command computes, and printing. So its seconds are an upper bound of the task.
@@ -13,8 +13,6 @@ How it is measured
 - Where GAP prints an answer, it is compared with affinor's.
 """
 import argparse
-import csv
-import io
 import json
 import os
 import random
@@ -28,7 +26,10 @@ from fractions import Fraction
 arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 arguments.add_argument("--affinor", default="target/release/affinor", help="the program")
 arguments.add_argument("--seconds", type=int, default=180, help="CPU limit of a cell of GAP [180]")
+arguments.add_argument("--tasks", default="constants,Jacobi,Killing,centre,Levi,type",
+                       help="the tasks by their first words [all]")
 options = arguments.parse_args()
+TASKS = options.tasks.split(",")
 FOLDER = tempfile.mkdtemp(prefix="structure")
 
 # from a list of [i, j, k, v] with i < j to a Lie algebra and its table
@@ -74,7 +75,8 @@ def affinor(*words):
 
 def gap(program, work):
     """CPU seconds of `work`, its answer in the variable `answer`; None and why where GAP does not end."""
-    text = program + f'start := Runtime();; {work}\nPrint("RESULT ", Runtime() - start, " ", answer, "\\n"); QUIT;\n'
+    # long numbers stay in one line
+    text = "SizeScreen([100000, 24]);;\n" + program + f'start := Runtime();; {work}\nPrint("RESULT ", Runtime() - start, " ", answer, "\\n"); QUIT;\n'
     limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (options.seconds + 60, options.seconds + 60))
     done = subprocess.run(["gap", "-q", "--quitonbreak", "-o", "8g"], input=text, capture_output=True, text=True,
                           preexec_fn=limit)
@@ -87,14 +89,12 @@ def gap(program, work):
 
 def constants(name):
     """The dimension and {(i, j): {k: value}}, i < j, indices from 0, as affinor has them."""
-    _, text = affinor("table", name, "--show", "structure", "--format", "csv")
-    table, n = {}, 0
-    for row in csv.DictReader(io.StringIO(text)):
-        k, i, j = (int(row[name]) - 1 for name in "ijk")
-        n = max(n, i + 1, j + 1, k + 1)
+    _, text = affinor("table", name, "--show", "structure", "--format", "json")
+    found, table = json.loads(text), {}
+    for (k, i, j), value in found["tensors"]["structure"]["components"]:
         if i < j:
-            table.setdefault((i, j), {})[k] = Fraction(row["value"])
-    return n, table
+            table.setdefault((i - 1, j - 1), {})[k - 1] = Fraction(value)
+    return found["algebra"]["dimension"], table
 
 
 def scrambled(n, table, seed=1):
@@ -165,24 +165,30 @@ print(f"{time.strftime('%Y-%m-%d')}; {os.cpu_count()} cores; load average at the
       f"GAP {release.stdout.strip()}; {affinor('--version')[1].strip()}.\n")
 print("| task | GAP | CPU of GAP | CPU of affinor, whole process | ratio | affinor |\n|---|---|---:|---:|---:|---|")
 
-for name in ["G2", "F4", "E6", "E7", "E8", "D29"]:
+def names(task, all_names):
+    return all_names if task in TASKS else []
+
+
+for name in names("constants", ["G2", "F4", "E6", "E7", "E8", "D29"]):
     ours, _ = affinor("table", name, "--show", "structure", "--format", "csv")
     work = f'SimpleLieAlgebra("{name[0]}", {name[1:]}, Rationals)'
     row(f"constants of {name}", work, gap("", f"{work};; answer := 0;;"), ours, f"table {name} --show structure")
-for name in ["so(20)", "sl(20)"]:
+for name in names("constants", ["so(20)", "sl(20)"]):
     ours, _ = affinor("table", name, "--show", "structure", "--format", "csv")
     theirs = gap(MATRICES, f"of({name});; answer := 0;;")
     row(f"constants of {name} from matrices", "StructureConstantsTable", theirs, ours, f'table "{name}" --show structure')
-for name in ["F4", "E6", "E7", "E8"]:
+for name in names("Jacobi", ["F4", "E6", "E7", "E8"]):
     program = as_gap(*constants(name))
     ours, _ = affinor("check", name)
     row(f"Jacobi identity of {name}", "TestJacobi", gap(program, "answer := TestJacobi(T);;"), ours, f"check {name}")
+for name in names("Killing", ["F4", "E6", "E7", "E8"]):
+    program = as_gap(*constants(name))
     ours, text = affinor("info", name, "--format", "json")
     theirs = gap(program, "answer := DeterminantMat(KillingMatrix(Basis(L)));;")
     if theirs[0] is not None:
         equal(f"determinant of {name}", json.loads(text)["killing"]["determinant"], theirs[1])
     row(f"Killing form of {name}, determinant", "DeterminantMat(KillingMatrix(..))", theirs, ours, f"info {name}")
-for name in ["E7", "parabolic(E7,7)", "borel(E6)", "n(12)", "filiform(60)"]:
+for name in names("centre", ["E7", "parabolic(E7,7)", "borel(E6)", "n(12)", "filiform(60)"]):
     ours, text = affinor("info", name, "--format", "json")
     theirs = gap(as_gap(*constants(name)), "answer := [Dimension(LieCentre(L)), List(LieDerivedSeries(L), Dimension), "
                  "Dimension(LieSolvableRadical(L))];;")
@@ -191,13 +197,13 @@ for name in ["E7", "parabolic(E7,7)", "borel(E6)", "n(12)", "filiform(60)"]:
         equal(name, [found["centre"]["dimension"], found["derived_series"], found["radical"]["dimension"]],
               json.loads(theirs[1]))
     row(f"centre, derived series, radical of {name}", "LieCentre, ..", theirs, ours, f'info "{name}"')
-for name in ["parabolic(E7,7)", "parabolic(E7,1,3,6)"]:
+for name in names("Levi", ["parabolic(E7,7)", "parabolic(E7,1,3,6)"]):
     ours, text = affinor("info", name, "--format", "json")
     theirs = gap(as_gap(*constants(name)), "answer := Dimension(LeviMalcevDecomposition(L)[1]);;")
     if theirs[0] is not None:
         equal(name, json.loads(text)["levi"]["dimension"], int(theirs[1]))
     row(f"Levi subalgebra of {name}", "LeviMalcevDecomposition", theirs, ours, f'info "{name}"')
-for name in ["F4", "E6", "E7", "E8"]:
+for name in names("type", ["F4", "E6", "E7", "E8"]):
     n, table = constants(name)
     table = scrambled(n, table)
     ours, text = affinor("info", as_file(n, table), "--format", "json")

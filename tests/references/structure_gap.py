@@ -6,8 +6,6 @@ The algebras are those of tests/data/structure/invariants.json, from the bracket
 catalogue, from the brackets that `affinor table NAME --show structure` prints. The invariants do not depend on a basis.
 Needs GAP: apt-get install gap-core. `null`: GAP gave no answer.
 """
-import csv
-import io
 import json
 import os
 import subprocess
@@ -58,10 +56,10 @@ if Dimension(levi) > 0 then say("levi_type \\"", SemiSimpleType(levi), "\\""); e
 
 
 def of_catalogue(name):
-    command = [sys.argv[1], "table", name, "--show", "structure", "--format", "csv"]
-    text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-    rows = [(*(int(row[at]) for at in "jki"), row["value"]) for row in csv.DictReader(io.StringIO(text))]
-    return max(max(row[:3]) for row in rows), [row for row in rows if row[0] < row[1]]
+    command = [sys.argv[1], "table", name, "--show", "structure", "--format", "json"]
+    found = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    rows = [(j, k, i, value) for (i, j, k), value in found["tensors"]["structure"]["components"] if j < k]
+    return found["algebra"]["dimension"], rows
 
 
 path = os.path.join(os.path.dirname(__file__), "../data/structure/invariants.json")
