@@ -1,9 +1,9 @@
 //! Planes of tangent vectors, written in the basis of a definition.
 
-use super::{Definition, Reading};
 use super::input::{InputError, shown};
 use super::notation::Names;
 use super::source::Source;
+use super::{Definition, Reading};
 use affinor_tensors::Notation;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -2,7 +2,7 @@
 //!
 //! In three dimensions the plane orthogonal to `n` has the curvature `S/2 - Ric(n,n)/g(n,n)`, so the extremes belong to
 //! eigenvectors of the Ricci endomorphism (J. Milnor, *Adv. Math.* 21 (1976) 293-329, section 4). Elsewhere planes are
-//! searched in floats, from each pair of vectors of an orthonormal basis: for fixed `x` the best `y` is an eigenvector of
+//! searched in floats, from vectors of an orthonormal basis, their sums and differences: for fixed `x` the best `y` is an eigenvector of
 //! `g(R(x,y)y,x)`, then `x` for this `y`, and so on. The plane found is rounded, and its curvature is exact.
 
 use super::Property;
@@ -177,11 +177,8 @@ impl Search {
 
     /// The plane found with the largest (`side` 1) or the smallest (-1) curvature.
     fn best(&self, side: f64) -> [Vec<Rational>; 2] {
-        let n = self.n;
         let mut best: Option<(f64, [DVector<f64>; 2])> = None;
-        for (i, j) in (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))) {
-            let unit = |at: usize| DVector::from_fn(n, |row, _| f64::from(u8::from(row == at)));
-            let (mut x, mut y) = (unit(i), unit(j));
+        for (mut x, mut y) in self.starts(side) {
             let mut value = self.value(&x, &y);
             let mut unchanged = 0;
             for _ in 0..ROUNDS {
@@ -204,6 +201,22 @@ impl Search {
         }
         let (_, [x, y]) = best.expect("a plane, for the dimension is at least 2");
         rounded(&(&self.basis * x), &(&self.basis * y))
+    }
+
+    /// Pairs of basis vectors; sums and differences of basis vectors, with the best partner. Of two basis vectors each
+    /// may be the best partner of the other without the plane being extreme.
+    fn starts(&self, side: f64) -> Vec<(DVector<f64>, DVector<f64>)> {
+        let n = self.n;
+        let unit = |at: usize| DVector::from_fn(n, |row, _| f64::from(u8::from(row == at)));
+        let pairs = || (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
+        let coordinate = pairs().map(|(i, j)| (unit(i), unit(j)));
+        let diagonal = pairs().flat_map(|(i, j)| [unit(i) + unit(j), unit(i) - unit(j)]);
+        let diagonal = diagonal.map(|x| {
+            let x = x.normalize();
+            let y = self.partner(&x, side);
+            (x, y)
+        });
+        coordinate.chain(diagonal).collect()
     }
 
     /// `M_jl = R_ijkl x^i x^k`, symmetric.
