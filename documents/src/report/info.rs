@@ -141,7 +141,7 @@ impl Info {
         let (index, unimodular) = (structure.index(), structure.is_unimodular());
 
         let last = |series: &[Subspace<S>]| series.last().is_some_and(Subspace::is_zero);
-        let (solvable, nilpotent) = (last(derived), last(derived) && last(&lower));
+        let (solvable, nilpotent) = (last(derived), last(derived) && last(lower));
         let simple = match (&ideals, types.as_deref()) {
             _ if !radical.is_zero() => Some(false),
             (Some(ideals), _) => Some(ideals.len() == 1),
@@ -154,7 +154,7 @@ impl Info {
             all => all.map(|all| all == inner),
         };
         let steps = |series: &[Subspace<S>], is: bool| is.then(|| series.len() - 1);
-        let (class, length) = (steps(&lower, nilpotent), steps(derived, solvable));
+        let (class, length) = (steps(lower, nilpotent), steps(derived, solvable));
         let words = |value: Option<usize>, unit: &str| value.map(|v| format!("{unit} {v}"));
         notes.flags(&[
             ("abelian", Some(structure.is_abelian()), None),
@@ -170,7 +170,7 @@ impl Info {
         notes.json.insert("nilpotency_class".into(), json!(class));
         notes.json.insert("derived_length".into(), json!(length));
         notes.series("derived series", "derived_series", derived);
-        notes.series("lower central series", "lower_central_series", &lower);
+        notes.series("lower central series", "lower_central_series", lower);
         notes.series("upper central series", "upper_central_series", &upper);
         notes.subspace("centre", "centre", &centre, "commutes with the basis");
         notes.killing(killing);

@@ -61,7 +61,7 @@ impl Prime {
         // four products below 2^62 fit into a word
         let sum = |(a, b): (&[u64], &[u64])| {
             let products = a.iter().zip(b).map(|(a, b)| short(*a, *b));
-            self.reduce(products.fold(0, |sum, product| sum + product))
+            self.reduce(products.sum())
         };
         self.reduce(a.chunks(4).zip(b.chunks(4)).map(sum).sum())
     }
