@@ -2,6 +2,7 @@
 
 mod families;
 mod forms;
+mod gap;
 mod invariants;
 mod names;
 mod root_systems;

@@ -353,6 +353,16 @@ fn properties_of_geometries() {
     let heisenberg = of(&["heisenberg(3)", "--metric", "identity"]);
     assert_eq!(find(&heisenberg, "algebraic Ricci soliton")["value"], "c = -3/2");
     assert_eq!(find(&heisenberg, "Einstein (Ric = c g)")["holds"], false);
+    let smallest = find(&heisenberg, "smallest K");
+    assert_eq!((&smallest["curvature"], &smallest["proved"]), (&json!("-3/4"), &json!(true)));
+    assert_eq!(find(&heisenberg, "bi-invariant connections")["dimension"], 8);
+    assert_eq!(find(&heisenberg, "parallel symmetric forms")["basis"][0][0], json!([[1, 1], "1"]));
+    let of_plane = of(&["so3", "--metric", "diag(1,1,1/4)", "--plane", "e1, e2+e3"]);
+    assert_eq!(find(&of_plane, "sectional curvature of e1, e2+e3")["value"], "K = 53/80");
+    for plane in ["e1", "e1, e9", "e1, e2, e3"] {
+        let arguments = ["properties", "so3", "--metric", "identity", "--plane", plane];
+        assert_eq!(run(root(), &arguments, b"").status, 2, "{plane}");
+    }
     // no metric, no claims on one
     let bare = of(&["so3@zero"]);
     let names: Vec<&Value> =

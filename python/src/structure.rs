@@ -42,8 +42,8 @@ pub fn info(py: Python<'_>, space: &PySpace) -> PyResult<Written> {
 #[pyfunction]
 pub fn properties(py: Python<'_>, geometry: &PyGeometry) -> PyResult<Written> {
     run(py, || match &geometry.0 {
-        Geometries::Exact(geometry) => all_formats(&Properties::new(geometry)?),
-        Geometries::Symbolic(geometry) => all_formats(&Properties::new(geometry)?),
+        Geometries::Exact(geometry) => all_formats(&Properties::of_geometry(geometry)?),
+        Geometries::Symbolic(geometry) => all_formats(&Properties::of_geometry(geometry)?),
         Geometries::Float(_) => Err(in_floats("the list of properties")),
     })
 }

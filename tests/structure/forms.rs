@@ -107,12 +107,12 @@ fn cocycles_of_stored_algebras() {
             let structure = Structure::new(algebra);
             let betti = structure.betti().unwrap();
             let one = structure.closed_one_forms();
-            assert_eq!(one.dimension(), betti[1], "{name}");
+            assert_eq!(one.dimension() as u64, betti[1], "{name}");
             for form in one.dense() {
                 assert_eq!(rank(&differential(structure.algebra(), &form)), 0, "{name}");
             }
             let two = structure.two_forms().unwrap().cohomology();
-            assert_eq!(two.len(), betti.get(2).copied().unwrap_or(0), "{name}");
+            assert_eq!(two.len() as u64, betti.get(2).copied().unwrap_or(0), "{name}");
             for form in &two {
                 assert_closed(structure.algebra(), &matrix_of(n, form), name);
             }

@@ -150,7 +150,7 @@ impl Info {
         let (index, unimodular) = (structure.index(), structure.is_unimodular());
 
         let last = |series: &[Subspace<S>]| series.last().is_some_and(Subspace::is_zero);
-        let (solvable, nilpotent) = (last(derived), last(derived) && last(&lower));
+        let (solvable, nilpotent) = (last(derived), last(derived) && last(lower));
         let simple = match (&ideals, types.as_deref()) {
             _ if !radical.is_zero() => Some(false),
             (Some(ideals), _) => Some(ideals.len() == 1),
@@ -163,7 +163,7 @@ impl Info {
             all => all.map(|all| all == inner),
         };
         let steps = |series: &[Subspace<S>], is: bool| is.then(|| series.len() - 1);
-        let (class, length) = (steps(&lower, nilpotent), steps(derived, solvable));
+        let (class, length) = (steps(lower, nilpotent), steps(derived, solvable));
         let words = |value: Option<usize>, unit: &str| value.map(|v| format!("{unit} {v}"));
         notes.flags(&[
             ("abelian", Some(structure.is_abelian()), None),
@@ -179,7 +179,7 @@ impl Info {
         notes.json.insert("nilpotency_class".into(), json!(class));
         notes.json.insert("derived_length".into(), json!(length));
         notes.series("derived series", "derived_series", derived);
-        notes.series("lower central series", "lower_central_series", &lower);
+        notes.series("lower central series", "lower_central_series", lower);
         notes.series("upper central series", "upper_central_series", &upper);
         notes.subspace("centre", "centre", &centre, "commutes with the basis");
         notes.killing(killing);
@@ -224,13 +224,10 @@ fn rational_subalgebra<S: Ground>(
     structure: &Structure<S>,
     levi: &Subspace<S>,
 ) -> Result<Option<Structure<Rational>>, InputError> {
-    let inside = structure.subalgebra(levi)?;
-    let constants = inside.algebra().structure();
-    if levi.is_zero() || constants.components().any(|(_, value)| value.rational().is_none()) {
+    if levi.is_zero() {
         return Ok(None);
     }
-    let rational = inside.algebra().map(|value| value.rational().unwrap_or_default())?;
-    Ok(Some(Structure::new(rational)))
+    Ok(structure.subalgebra(levi)?.over_the_rationals())
 }
 
 /// A subspace whose basis is rational.
@@ -245,13 +242,8 @@ fn rational_subspace<S: Ground>(subspace: &Subspace<S>) -> Option<Subspace<Ratio
 fn over_the_rationals<S: Ground>(
     structure: &Structure<S>,
 ) -> Result<Option<Structure<Rational>>, InputError> {
-    let constants = structure.algebra().structure();
-    let rational = constants.components().all(|(_, value)| value.rational().is_some());
-    if structure.dimension() > MAX_DECOMPOSED || !rational {
-        return Ok(None);
-    }
-    let algebra = structure.algebra().map(|value| value.rational().unwrap_or_default())?;
-    Ok(Some(Structure::new(algebra)))
+    let low = structure.dimension() <= MAX_DECOMPOSED;
+    Ok(low.then(|| structure.over_the_rationals()).flatten())
 }
 
 /// The rows and the keys, as they are found.

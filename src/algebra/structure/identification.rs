@@ -230,7 +230,7 @@ impl Structure<Rational> {
             series.iter().map(Subspace::dimension).collect()
         };
         (
-            dimensions(&self.lower_central_series()),
+            dimensions(self.lower_central_series()),
             dimensions(&self.upper_central_series()),
             self.derivations(),
             self.betti(),

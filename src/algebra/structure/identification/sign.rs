@@ -39,26 +39,26 @@ impl Structure<Rational> {
     }
 
     fn form_by_centralizer(&self) -> Option<[Rational; 3]> {
-        let line = self.lower_central_series().into_iter().rev().nth(1)?;
+        let line = self.lower_central_series().iter().rev().nth(1)?;
         let centralizer = self.centralizer(self.derived());
         let first = centralizer.basis().iter().find(|x| !self.derived().contains(x))?;
         let outside: Vec<Vector> =
             centralizer.complement().map(|at| vec![(at, Rational::from(1))]).collect();
         let [y, z] = &outside[..] else { return None };
         let value = |y: &Vector, z: &Vector| {
-            Self::on_line(&line, &self.bracket_of(y, &self.bracket_of(first, z)))
+            Self::on_line(line, &self.bracket_of(y, &self.bracket_of(first, z)))
         };
         Some([value(y, y)?, value(y, z)? + &value(z, y)?, value(z, z)?])
     }
 
     fn form_by_triple_brackets(&self) -> Option<[Rational; 3]> {
-        let line = self.lower_central_series().into_iter().rev().nth(1)?;
+        let line = self.lower_central_series().iter().rev().nth(1)?;
         let outside: Vec<Vector> =
             self.derived().complement().map(|at| vec![(at, Rational::from(1))]).collect();
         let [y, z] = &outside[..] else { return None };
         let w = self.bracket_of(y, z);
         let value = |y: &Vector, z: &Vector| {
-            Self::on_line(&line, &self.bracket_of(y, &self.bracket_of(z, &w)))
+            Self::on_line(line, &self.bracket_of(y, &self.bracket_of(z, &w)))
         };
         Some([value(y, y)?, value(y, z)? + &value(z, y)?, value(z, z)?])
     }
