@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds the wheel, installs it in a fresh environment without Rust, and tests it there: types, tests, notebooks.
 # PYTHON is the interpreter (3.11 or later), PROFILE the profile of cargo. AFFINOR_RAY=1 tests sweeps on Ray too.
+# AFFINOR_COMMAND is the program to compare with, if it is built; WORKERS the number of processes of the tests.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -14,22 +15,44 @@ step() {
     "$@"
 }
 
-# the program, which the tests compare with; `cargo test` has built it
-step cargo build -p affinor-cli --bin affinor
-command=${CARGO_TARGET_DIR:-$PWD/target}/debug/affinor
+# packages of the tests arrive while the wheel is built
+extras=test
+[ "${AFFINOR_RAY:-}" = 1 ] && extras=test,ray
+step "$python" -m venv "$work/test"
+"$work/test/bin/python" -m pip install --quiet $("$python" - "$extras" <<'PYTHON'
+import re, sys, tomllib
+
+project = tomllib.load(open("python/pyproject.toml", "rb"))["project"]
+
+def packages(extra):
+    for package in project["optional-dependencies"][extra]:
+        own = re.fullmatch(r"affinor\[(.*)\]", package)
+        yield from (p for name in own[1].split(",") for p in packages(name)) if own else [package]
+
+names = [*project["dependencies"], *(p for extra in sys.argv[1].split(",") for p in packages(extra))]
+print(*dict.fromkeys(names))
+PYTHON
+) >"$work/packages.txt" 2>&1 &
+packages=$!
 
 step "$python" -m venv "$work/build"
 step "$work/build/bin/python" -m pip install --quiet "maturin>=1.9.4,<2"
 export PYO3_PYTHON=${PYO3_PYTHON:-$("$python" -c 'import sys; print(sys.executable)')}
+# the program, which the tests compare with: built together with the bindings, so that the engine is compiled once
+command=${AFFINOR_COMMAND:-}
+if [ -z "$command" ]; then
+    step cargo build --locked --profile "$profile" -p affinor-cli --bin affinor -p affinor-python --lib
+    folder=$profile
+    [ "$profile" = dev ] && folder=debug
+    command=${CARGO_TARGET_DIR:-$PWD/target}/$folder/affinor
+fi
 # the lock file holds; the wheel needs no build isolation
 step "$work/build/bin/maturin" build --locked --profile "$profile" --manifest-path python/Cargo.toml \
     --interpreter "$python" --out "$work/dist"
 
 # a second environment without Rust, and tests away from the sources
 wheel=$(echo "$work"/dist/*.whl)
-extras=test
-[ "${AFFINOR_RAY:-}" = 1 ] && extras=test,ray
-step "$python" -m venv "$work/test"
+wait "$packages" || { cat "$work/packages.txt" >&2; exit 1; }
 step "$work/test/bin/python" -m pip install --quiet "$wheel[$extras]"
 here=$PWD
 cd "$work"
@@ -38,6 +61,12 @@ run() {
 }
 run python -m affinor >"$work/comparison.txt"
 cmp "$work/comparison.txt" <("$command" compare)
-run python -m mypy --config-file "$here/python/pyproject.toml"
-run python -m mypy.stubtest affinor --mypy-config-file "$here/python/pyproject.toml"
-run timeout 1200 python -m pytest -q -c "$here/python/pyproject.toml" --rootdir "$here/python" "$here/python/tests"
+# types beside the tests: both wait much of their time
+{
+    run python -m mypy --config-file "$here/python/pyproject.toml"
+    run python -m mypy.stubtest affinor --mypy-config-file "$here/python/pyproject.toml"
+} >"$work/types.txt" 2>&1 &
+types=$!
+run timeout 1200 python -m pytest -q -n "${WORKERS:-2}" --dist loadgroup --durations=10 \
+    -c "$here/python/pyproject.toml" --rootdir "$here/python" "$here/python/tests"
+wait "$types" || { cat "$work/types.txt" >&2; exit 1; }

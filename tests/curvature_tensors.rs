@@ -1,7 +1,7 @@
 //! The tensors made of the curvature: Einstein, Schouten, Weyl, Cotton, Kretschmann, the parts of
 //! Ricci, and the derivatives of torsion and curvature.
 
-use crate::common::algebras::by_table;
+use crate::common::algebras::{by_table, catalogued};
 use crate::common::charts::{Moved, affine, constant, heisenberg, special_linear};
 use crate::common::{fraction, integer, spaces, stored};
 use affinor::{Connection, Error, Frame, Metric};
@@ -347,4 +347,69 @@ fn round_spheres() {
         assert_eq!(connection.kretschmann(&metric).unwrap(), kretschmann);
         assert!(connection.nabla_curvature().is_empty());
     }
+}
+
+/// Over symbols the Ricci tensor is computed without the curvature. It is the same trace, also where
+/// the algebra is not unimodular, and in a chart.
+#[test]
+fn ricci_of_symbols_is_the_trace_of_the_curvature() {
+    let text = |text: &str| text.parse::<Symbolic>().unwrap();
+    let rows = [["a", "d", "0"], ["d", "b", "a*d"], ["0", "a*d", "c"]];
+    let full = Tensor::from_fn(3, [Down, Down], |[i, j]| text(rows[i][j])).unwrap();
+    for (name, dimension) in [("so(3)", 3), ("bianchi(V)", 3), ("bianchi(VI,h=-1/2)", 3)] {
+        let algebra = catalogued(name).map(|v| Symbolic::constant(v.clone())).unwrap();
+        assert_eq!(algebra.dimension(), dimension);
+        let metric = Metric::new(algebra.labels(), full.clone()).unwrap();
+        let connection = Connection::levi_civita(algebra.left_frame(), &metric).unwrap();
+        let direct = connection.ricci();
+        let trace = contract("R^i_jil -> _jl", &[("R", connection.curvature())]).unwrap();
+        assert_eq!(direct, trace, "{name}");
+        assert_eq!(connection.ricci(), trace, "{name}");
+        assert!(!trace.is_empty());
+    }
+    let frame = Frame::coordinates(["r", "u"]).unwrap();
+    let polar = Tensor::from_fn(2, [Down, Down], |at| {
+        text(match at {
+            [0, 0] => "1",
+            [1, 1] => "sin(r)^2",
+            _ => "0",
+        })
+    });
+    let metric = Metric::new(["r", "u"], polar.unwrap()).unwrap();
+    let sphere = Connection::levi_civita(&frame, &metric).unwrap();
+    assert_eq!(&sphere.ricci(), metric.components());
+}
+
+/// Two blocks of symbols on se(3): the values at a point are those of numbers from the start.
+#[test]
+fn blocks_of_symbols_may_be_set_late() {
+    let exact = catalogued("se(3)");
+    let algebra = exact.map(|v| Symbolic::constant(v.clone())).unwrap();
+    let value = |i: usize, j: usize| match (i / 3 == j / 3, i == j) {
+        (false, _) => integer(0),
+        (_, true) => fraction(7 + i as i64, 2),
+        _ => fraction((i * j) as i64 - 3, 4),
+    };
+    let name = |i: usize, j: usize| format!("g{}{}", i.min(j) + 1, i.max(j) + 1);
+    let symbol = |[i, j]: [usize; 2]| match i / 3 == j / 3 {
+        true => Symbolic::parameter(&name(i, j)),
+        false => Symbolic::constant(integer(0)),
+    };
+    let values: std::collections::BTreeMap<_, _> = (0..36)
+        .map(|at| (name(at / 6, at % 6), Symbolic::constant(value(at / 6, at % 6))))
+        .filter(|(_, v)| *v != Symbolic::constant(integer(0)))
+        .collect();
+    let g = Tensor::from_fn(6, [Down, Down], symbol).unwrap();
+    let metric = Metric::new(algebra.labels(), g).unwrap();
+    let symbolic = Connection::levi_civita(algebra.left_frame(), &metric).unwrap();
+    let g = Tensor::from_fn(6, [Down, Down], |[i, j]| value(i, j)).unwrap();
+    let metric_at = Metric::new(exact.labels(), g).unwrap();
+    let numbers = Connection::levi_civita(exact.left_frame(), &metric_at).unwrap();
+    let constant = |tensor: &Tensor<Rational>| tensor.map(|v| Symbolic::constant(v.clone()));
+    let set = |tensor: &Tensor<Symbolic>| tensor.map(|v| v.substitute(&values).unwrap());
+    assert_eq!(set(symbolic.gamma()), constant(numbers.gamma()));
+    assert_eq!(set(&symbolic.ricci()), constant(&numbers.ricci()));
+    let scalar = symbolic.scalar_curvature(&metric).unwrap().substitute(&values);
+    let expected = numbers.scalar_curvature(&metric_at).unwrap();
+    assert_eq!(scalar, Some(Symbolic::constant(expected)));
 }

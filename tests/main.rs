@@ -53,6 +53,7 @@ mod right_frame;
 mod rotation_accuracy;
 mod rotation_conversions;
 mod scalars_agree;
+mod sectional;
 mod serial;
 mod structure;
 mod structure_constants;

@@ -1,6 +1,9 @@
 //! Structure theory against stored invariants, in random bases, beside other summands, multiplied out.
 
 mod families;
+mod forms;
+mod gap;
 mod invariants;
 mod names;
+mod root_systems;
 mod witnesses;

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod check;
+mod code;
 mod color;
 mod compare;
 mod completions;

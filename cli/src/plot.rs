@@ -1,12 +1,13 @@
 //! Pictures: figures and diagrams drawn as shapes on a plane, and written as SVG or PNG.
 //!
 //! A [`Picture`] is a list of [`Shape`]s. [`draw`] makes one of a [`Figure`](crate::figures::Figure), [`diagram`]
-//! of a [`Diagram`](crate::figures::diagram::Diagram). [`svg()`] and `png` (feature `png`) write it.
+//! of a [`Diagram`](crate::figures::diagram::Diagram), [`dynkin()`] of Cartan types. [`svg()`] and `png` (feature `png`) write it.
 
 mod arrow;
 mod backend;
 mod diagram;
 mod draw;
+mod dynkin;
 mod film;
 mod label;
 mod legend;
@@ -18,6 +19,7 @@ mod view;
 
 pub use diagram::diagram;
 pub use draw::draw;
+pub use dynkin::dynkin;
 #[cfg(feature = "png")]
 pub use raster::{PictureError, png};
 pub use vector::svg;

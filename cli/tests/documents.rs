@@ -12,8 +12,14 @@ use std::path::PathBuf;
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 /// The documents that quote outputs of the program.
-const DOCUMENTS: [&str; 5] =
-    ["README.md", "docs/formats.md", "docs/motion.md", "docs/structure.md", "docs/translation.md"];
+const DOCUMENTS: [&str; 6] = [
+    "README.md",
+    "docs/formats.md",
+    "docs/motion.md",
+    "docs/structure.md",
+    "docs/translation.md",
+    "docs/programs.md",
+];
 
 /// What `affinor ARGUMENTS` prints on standard output; double quotes hold words together.
 fn output(command: &str) -> Result<String, Box<dyn std::error::Error>> {

@@ -3,14 +3,13 @@
 
 use crate::common::algebras::seeds;
 use crate::common::{integer, spaces};
+use crate::compiled;
 use crate::program::{self, definition, root, stdout};
 use affinor::geometry::equations::{EquationKind, Equations, Variable};
 use affinor::{Canonical, Connection, ConnectionKind, Geometry, LieAlgebra, Metric};
-use affinor_documents::report::{EquationReport, Format, Language, Report};
-use affinor_tensors::{Down, Notation, Rational, Symbolic, Tensor};
+use affinor_documents::report::{EquationReport, Format, Report};
+use affinor_tensors::{Down, Notation, Rational, Recorded, Symbolic, Tensor};
 use proptest::prelude::*;
-use std::path::Path;
-use std::process::Command;
 
 type Vector<S> = [S; 3];
 
@@ -166,20 +165,17 @@ proptest! {
 }
 
 /// A family with awkward parameter names (reserved words) and a full metric.
-fn awkward() -> Geometry<Symbolic> {
-    let [a, b] = ["lambda", "int"].map(Symbolic::parameter);
+fn awkward<S: Notation>() -> Geometry<S> {
+    let [a, b] = ["lambda", "int"].map(|name| S::parameter(name).unwrap());
     let bracket = affinor::Bracket::from_fn(&["x", "y", "z"], |j, k| match (j, k) {
         (0, 2) => {
-            vec![
-                (0, a.clone()),
-                (1, Symbolic::from_rational(&crate::common::fraction(-2, 3)).unwrap()),
-            ]
+            vec![(0, a.clone()), (1, S::from_rational(&crate::common::fraction(-2, 3)).unwrap())]
         }
         (1, 2) => vec![(1, b.clone())],
         _ => vec![],
     });
     let algebra = LieAlgebra::try_from(bracket.unwrap()).unwrap();
-    let constant = |n: i64| Symbolic::from_rational(&integer(n)).unwrap();
+    let constant = |n: i64| S::from_rational(&integer(n)).unwrap();
     let rows = vec![
         vec![constant(4) + &(a.clone() * &a), b.clone(), constant(1)],
         vec![b, constant(5), constant(-1)],
@@ -190,64 +186,10 @@ fn awkward() -> Geometry<Symbolic> {
     Geometry::new("awkward", algebra, plus, Some(metric)).unwrap()
 }
 
-/// What a program prints. `None` where the machine lacks the program, which fails where `CI` is set.
-fn output(command: &mut Command) -> Option<String> {
-    let output = match command.output() {
-        Ok(output) => output,
-        Err(error) => {
-            assert!(std::env::var_os("CI").is_none(), "{command:?}: {error}");
-            eprintln!("not tested: {command:?}: {error}");
-            return None;
-        }
-    };
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    Some(String::from_utf8(output.stdout).unwrap())
-}
-
-/// Compiles `source` with a main program that prints the rates, runs it, and reads them; `None`
-/// where the machine lacks the compiler.
-fn run(folder: &Path, language: Language, source: &str, call: &str, n: usize) -> Option<Vec<f64>> {
-    let file = |name: &str| folder.join(name);
-    let (program, mut compile) = match language {
-        Language::Rust => {
-            let main =
-                format!("{source}\nfn main() {{ for x in {call} {{ println!(\"{{x:e}}\"); }} }}\n");
-            std::fs::write(file("main.rs"), main).unwrap();
-            let mut rustc = Command::new("rustc");
-            rustc.arg("main.rs").args(["-o", "rust", "-D", "warnings"]);
-            (file("rust"), Some(rustc))
-        }
-        Language::C => {
-            let main = format!(
-                "#include <stdio.h>\n{source}\nint main(void) {{ double x[{n}]; {call} \
-                 for (int i = 0; i < {n}; i++) printf(\"%.17e\\n\", x[i]); return 0; }}\n"
-            );
-            std::fs::write(file("main.c"), main).unwrap();
-            let mut cc = Command::new("cc");
-            cc.args(["-std=c99", "-Wall", "-Werror", "main.c", "-o", "c", "-lm"]);
-            (file("c"), Some(cc))
-        }
-        Language::Python => {
-            let main = format!("{source}\nfor x in {call}:\n    print(repr(float(x)))\n");
-            std::fs::write(file("main.py"), main).unwrap();
-            ("python3".into(), None)
-        }
-    };
-    if let Some(compiler) = &mut compile {
-        output(compiler.current_dir(folder))?;
-    }
-    let mut command = Command::new(program);
-    if language == Language::Python {
-        command.arg("main.py");
-    }
-    let lines = output(command.current_dir(folder))?;
-    Some(lines.lines().map(|line| line.parse().unwrap()).collect())
-}
-
 #[test]
 fn generated_code_gives_the_same_numbers() {
     let folder = tempfile::tempdir().unwrap();
-    let geometry = awkward();
+    let (geometry, recorded) = (awkward::<Symbolic>(), awkward::<Recorded>());
     let values = [("int", 1.75), ("lambda", 2.5)];
     let (state, other) = ([0.3, -1.1, 0.7], [0.2, 0.5, -0.9]);
     for motion in EquationKind::ALL {
@@ -256,34 +198,25 @@ fn generated_code_gives_the_same_numbers() {
         let beside: &[f64] = if motion == EquationKind::Autoparallel { &[] } else { &other };
         let exact = equations
             .rate(&state.map(constant), &beside.iter().map(|x| constant(*x)).collect::<Vec<_>>());
+        let exact = exact.unwrap();
         let set = values.map(|(name, x)| (name.to_string(), constant(x))).into();
-        let expected: Vec<f64> = exact
-            .unwrap()
-            .iter()
+        // the rates, then their derivatives by both parameters
+        let by = values.map(|(name, _)| name.to_string());
+        let derivatives = by.iter().flat_map(|name| exact.iter().map(|rate| rate.derivative(name)));
+        let expected: Vec<f64> = (exact.iter().cloned().chain(derivatives))
             .map(|rate| rate.substitute(&set).unwrap().to_f64().unwrap())
             .collect();
-        let system = EquationReport::new(equations, &geometry);
-        for language in Language::ALL {
-            let code = system.code(language).unwrap();
-            let list = |v: &[f64]| v.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
-            let open = match language {
-                Language::Rust => ["&[", "]"],
-                Language::C => ["(const double[]){", "}"],
-                Language::Python => ["[", "]"],
-            };
-            let mut arguments = vec![format!("{}{}{}", open[0], list(&state), open[1])];
-            if !beside.is_empty() {
-                arguments.push(format!("{}{}{}", open[0], list(beside), open[1]));
-            }
-            let used = values.iter().filter(|(name, _)| code.contains(&format!("p_{name}")));
-            arguments.extend(used.map(|(_, x)| x.to_string()));
-            let function = motion.name().replace('-', "_");
-            if language == Language::C {
-                arguments.push("x".into());
-            }
-            let end = if language == Language::C { ";" } else { "" };
-            let call = format!("{function}({}){end}", arguments.join(", "));
-            let Some(rates) = run(folder.path(), language, &code, &call, 3) else {
+        let equations = Equations::new(motion, recorded.connection(), recorded.metric()).unwrap();
+        let system = EquationReport::new(equations, &recorded);
+        for language in compiled::RUN {
+            let code = system.code(language, &by).unwrap();
+            let vectors = [&state[..], beside];
+            let vectors = if beside.is_empty() { &vectors[..1] } else { &vectors };
+            let value = |name: &str| values.iter().find(|(own, _)| *own == name).unwrap().1;
+            let shapes = [vec![3], vec![2, 3]];
+            let Some(rates) =
+                compiled::run(folder.path(), language, &code, vectors, &value, &shapes)
+            else {
                 continue;
             };
             assert_eq!(rates.len(), expected.len());
@@ -307,13 +240,13 @@ fn geodesics_of_the_sphere_in_coordinates() {
     let (theta, v) = (0.7f64, [0.4, -1.2]);
     let expected =
         [v[0], v[1], theta.sin() * theta.cos() * v[1] * v[1], -2.0 / theta.tan() * v[0] * v[1]];
-    for (language, call) in [
-        (Language::Rust, "autoparallel(&[0.7, 0.3], &[0.4, -1.2])"),
-        (Language::C, "autoparallel((const double[]){0.7, 0.3}, (const double[]){0.4, -1.2}, x);"),
-        (Language::Python, "autoparallel([0.7, 0.3], [0.4, -1.2])"),
-    ] {
+    let vectors: [&[f64]; 2] = [&[theta, 0.3], &v];
+    for language in compiled::RUN {
         let code = printed(&[sphere, "--motion", "autoparallel", "--code", language.name()]);
-        let Some(rates) = run(folder.path(), language, &code, call, 4) else {
+        let no_parameter = |name: &str| panic!("{name}: the radius cancels");
+        let Some(rates) =
+            compiled::run(folder.path(), language, &code, &vectors, &no_parameter, &[vec![4]])
+        else {
             continue;
         };
         for (rate, expected) in rates.iter().zip(expected) {

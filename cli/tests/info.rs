@@ -86,6 +86,44 @@ fn of_e8() {
     assert!(text.contains("e8(8): type E8"), "{text}");
 }
 
+#[test]
+fn root_systems() {
+    let e8 = info("E8");
+    assert_eq!(e8["cartan_matrix"][0]["matrix"].as_array().unwrap().len(), 8);
+    assert_eq!(e8["roots"]["positive"], 120);
+    assert_eq!(e8["roots"]["vectors"].as_array().unwrap().len(), 240);
+    let motions = info("sl(2)+R^1");
+    assert_eq!(motions["roots"]["simple"].as_array().unwrap().len(), 1);
+    assert_eq!(motions["cartan_matrix"], json!([{ "type": "A1", "matrix": [[2]] }]));
+    let compact = info("so(4)");
+    assert_eq!(compact["roots"]["positive"], 2);
+    assert_eq!(compact["roots"]["vectors"], Value::Null);
+    assert_eq!(info("heisenberg(3)")["roots"], Value::Null);
+    assert_eq!(info("heisenberg(3)")["cartan_matrix"], Value::Null);
+    // the spaces of a branched diagram stand in boxes
+    let latex = stdout(root(), &["info", "D4", "--format", "latex"]);
+    assert!(latex.contains("\\mbox{\\footnotesize\\ttfamily ~~~~\\textbar{}}"), "{latex}");
+}
+
+/// Discs, bonds and arrowheads of the picture.
+#[test]
+fn dynkin_diagrams_as_svg() {
+    let count = |space: &str| {
+        let picture = stdout(root(), &["plot", "dynkin", space]);
+        let document = roxmltree::Document::parse(&picture).unwrap();
+        let all = |tag: &str| document.descendants().filter(|node| node.has_tag_name(tag)).count();
+        // each node is a disc with a white one in it
+        (all("circle") / 2, all("polyline"))
+    };
+    assert_eq!(count("E8"), (8, 7));
+    assert_eq!(count("so(5)+so(8)"), (6, 3 + 3));
+    assert_eq!(count("G2"), (2, 4));
+    assert_eq!(count("iso(3,1)"), (2, 0));
+    let refused = run(root(), &["plot", "dynkin", "heisenberg(3)"], b"");
+    assert_eq!(refused.status, 1);
+    assert!(refused.err.contains("no roots"), "{}", refused.err);
+}
+
 /// Four simple algebras and a nilpotent one, in an anonymous basis.
 #[test]
 fn of_a_scrambled_sum() {
@@ -160,6 +198,16 @@ fn constructions_of_files() {
             r#"change_of_basis = { of = "sl(2)", vectors = ["E12 + E21", "E12 - E21", "H1"] }"#,
             "sl(2)",
         ),
+        (r#"sum = ["so(3)", { truncated = { of = "R^1", order = 2 } }]"#, "so(3)+R^2"),
+        (
+            r#"quotient = { of = { subalgebra = { of = "sl(4)", generated_by = ["E12", "E23", "E34"] } }, by = ["e3"] }"#,
+            "degraaf(5,8)",
+        ),
+        (
+            "[complexification]\nbasis = ['x', 'y', 'z']\nbrackets = '[x, y] = z; [y, z] = x; [z, x] = y'",
+            "so(3,1)",
+        ),
+        (r#"truncated = { of = "so(3)+R^1", order = 2 }"#, "se(3)+R^2"),
     ];
     for (file, peer) in rows {
         let (built, peer) = (info_of(file), info(peer));
@@ -175,6 +223,34 @@ fn constructions_of_files() {
         assert_eq!(built["killing"]["signature"], peer["killing"]["signature"], "{file}");
         assert_eq!(shape(&built), shape(&peer), "{file}");
     }
+}
+
+/// The paths of parts begin at the folder of the file; a file that contains itself is refused.
+#[test]
+fn constructions_of_other_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    std::fs::create_dir(folder.path().join("parts")).unwrap();
+    write("parts/plane.toml", "basis = ['x', 'y', 'z']\nbrackets = '[x, y] = z'");
+    write("parts/sum.toml", "sum = ['plane.toml', 'so(3)']");
+    write("whole.toml", "truncated = { of = 'parts/sum.toml', order = 1 }");
+    write("snake.toml", "sum = ['R^1', './snake.toml']");
+    let found = stdout(folder.path(), &["info", "whole.toml", "--format", "json"]);
+    let found: Value = serde_json::from_str(&found).unwrap();
+    assert_eq!(shape(&found), json!([6, 3, 1, "A1"]));
+    for (file, message) in [("snake.toml", "contain itself"), ("parts/none.toml", "cannot read")] {
+        let outcome = run(folder.path(), &["info", file], b"");
+        assert_eq!(outcome.status, 2, "{}", outcome.err);
+        assert!(outcome.err.contains(message), "{}", outcome.err);
+    }
+    let outcome = run(folder.path(), &["info", "-"], b"sum = ['so(3)', '-']");
+    assert!(outcome.status == 2 && outcome.err.contains("standard input"), "{}", outcome.err);
+    let outcome = run(
+        folder.path(),
+        &["info", "-"],
+        b"sum = ['so(3)', { truncated = { of = 'so(3)', oder = 2 } }]",
+    );
+    assert!(outcome.status == 2 && outcome.err.contains("oder"), "{}", outcome.err);
 }
 
 #[test]
@@ -219,7 +295,7 @@ fn constructions_are_refused_with_a_witness() {
         ("subalgebra = { of = 'so(3)', spanned_by = ['q'] }", 2, "q"),
         ("change_of_basis = { of = 'R^2', vectors = ['e1', '2*e1'] }", 2, "linearly dependent"),
         ("sum = ['so(3)', 'foo']", 2, "no algebra named `foo`"),
-        ("sum = ['a.toml']", 2, "names of the catalogue"),
+        ("sum = ['a.toml']", 2, "cannot read a.toml"),
         ("sum = ['so(3)']\nquotient = { of = 'R^2', by = ['e1'] }", 2, "defines the algebra"),
         ("sum = ['so(3)']\nbrackets = '[e1,e2]=e3'", 2, "defines the algebra"),
         ("semidirect = { of = 'so(3)', by = 'what' }", 2, "adjoint, coadjoint, or a list"),
@@ -277,6 +353,16 @@ fn properties_of_geometries() {
     let heisenberg = of(&["heisenberg(3)", "--metric", "identity"]);
     assert_eq!(find(&heisenberg, "algebraic Ricci soliton")["value"], "c = -3/2");
     assert_eq!(find(&heisenberg, "Einstein (Ric = c g)")["holds"], false);
+    let smallest = find(&heisenberg, "smallest K");
+    assert_eq!((&smallest["curvature"], &smallest["proved"]), (&json!("-3/4"), &json!(true)));
+    assert_eq!(find(&heisenberg, "bi-invariant connections")["dimension"], 8);
+    assert_eq!(find(&heisenberg, "parallel symmetric forms")["basis"][0][0], json!([[1, 1], "1"]));
+    let of_plane = of(&["so3", "--metric", "diag(1,1,1/4)", "--plane", "e1, e2+e3"]);
+    assert_eq!(find(&of_plane, "sectional curvature of e1, e2+e3")["value"], "K = 53/80");
+    for plane in ["e1", "e1, e9", "e1, e2, e3"] {
+        let arguments = ["properties", "so3", "--metric", "identity", "--plane", plane];
+        assert_eq!(run(root(), &arguments, b"").status, 2, "{plane}");
+    }
     // no metric, no claims on one
     let bare = of(&["so3@zero"]);
     let names: Vec<&Value> =

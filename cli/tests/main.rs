@@ -3,6 +3,7 @@
 
 #[path = "../../tests/common/mod.rs"]
 mod common;
+mod compiled;
 mod program;
 
 mod bad_input;
@@ -26,6 +27,7 @@ mod paper_page;
 mod plot;
 #[cfg(feature = "plot")]
 mod plot_motions;
+mod programs;
 mod range_of_floats;
 #[cfg(unix)]
 mod simulate;

@@ -64,7 +64,9 @@ fn nothing_else_stands_in_the_folder() {
     let expected = OBJECTS.iter().flat_map(|(object, _)| {
         formats(object).map(move |format| format!("{object}_{format}.snap"))
     });
-    assert_eq!(found, expected.collect());
+    // those of `programs`
+    let programs = ["c", "julia", "python", "rust"].map(|name| format!("program_{name}.snap"));
+    assert_eq!(found, expected.chain(programs).collect());
 }
 
 /// The text of a snapshot, without its head.

@@ -20,6 +20,7 @@ mod literal;
 mod mesh;
 pub(crate) mod notation;
 pub(crate) mod numbers;
+mod plane;
 pub(crate) mod setting;
 pub(crate) mod source;
 mod space;

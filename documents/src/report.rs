@@ -1,7 +1,8 @@
 //! Tables of tensors, comparisons and equations, written in several formats.
 //!
 //! In reading order: [`Quantity`] names the tensors, [`Table`] computes them, and one module for each format writes them;
-//! [`Comparison`] sets two geometries side by side; [`EquationReport`] writes equations of motion, also as source code;
+//! [`tensors_as_code`] writes them as a program; [`Comparison`] sets two geometries side by side; [`EquationReport`] writes
+//! equations of motion, also as source code;
 //! [`StoredTable`] compares a table with a stored one; [`Info`] is the structure of an algebra,
 //! [`Properties`] those of a geometry. Each is a [`Report`]; short lists are [`conventions`], the
 //! [`catalogue`] and a [`certificate`].
@@ -25,11 +26,11 @@ mod quantity;
 mod stored;
 mod text;
 
-pub use code::Language;
+pub use code::{Language, tensors_as_code};
 pub use comparison::{ComparedSide, Comparison};
 pub use components::{GROUPED, Group, groups, independent};
 pub use equations::EquationReport;
-pub use info::Info;
+pub use info::{Info, dynkin_type};
 pub use latex::components_in_latex;
 pub(crate) use latex::escape as latex_escaped;
 pub use lists::{catalogue, catalogue_where, certificate, conventions};

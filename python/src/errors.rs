@@ -76,6 +76,35 @@ fn witness(error: &Error, data: &Bound<'_, PyDict>) -> PyResult<&'static str> {
             data.set_item("residual", residual)?;
             "ClosureError"
         }
+        Error::NotSubalgebra { x, y: other, bracket }
+        | Error::NotIdeal { x, v: other, bracket } => {
+            data.set_item("pair", pair(x, other)?)?;
+            data.set_item("residual", bracket)?;
+            "ConstructionError"
+        }
+        Error::NotCocycle { x, y, z, residual } => {
+            data.set_item("triple", PyTuple::new(py, [x, y, z])?)?;
+            data.set_item("residual", residual)?;
+            "ConstructionError"
+        }
+        Error::NotDerivation { d, x, y, residual } => {
+            data.set_item("derivation", d)?;
+            data.set_item("pair", pair(x, y)?)?;
+            data.set_item("residual", residual)?;
+            "ConstructionError"
+        }
+        Error::NotAction { x, y, v, residual } => {
+            data.set_item("pair", pair(x, y)?)?;
+            data.set_item("vector", v)?;
+            data.set_item("residual", residual)?;
+            "ConstructionError"
+        }
+        Error::NoLimit { x, y, component, value } => {
+            data.set_item("pair", pair(x, y)?)?;
+            data.set_item("component", component)?;
+            data.set_item("residual", value)?;
+            "ConstructionError"
+        }
         Error::Dependent { relation } | Error::DegenerateFrame { relation } => {
             data.set_item("relation", relation)?;
             "DependentError"

@@ -99,7 +99,7 @@ impl PyGeometry {
     }
 
     #[getter]
-    fn labels(&self) -> Vec<String> {
+    pub fn labels(&self) -> Vec<String> {
         each!(&self.0, geometry => geometry.frame().labels().to_vec())
     }
 

@@ -7,6 +7,7 @@ mod group;
 mod motion;
 mod run;
 mod space;
+mod structure;
 mod tensor;
 mod values;
 
@@ -23,6 +24,11 @@ mod _engine {
     use crate::run::{_panic, set_threads, threads};
     #[pymodule_export]
     use crate::space::PySpace;
+    #[pymodule_export]
+    use crate::structure::{
+        central_extension, complexification, contraction, info, program, properties, quotient,
+        semidirect, subalgebra, truncated, with_dual,
+    };
     #[pymodule_export]
     use crate::tensor::PyTensor;
     #[pymodule_export]

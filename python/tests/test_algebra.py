@@ -76,7 +76,10 @@ def test_definition_files_as_files_and_as_dicts(path):
         pytest.skip("a chart without a metric and a connection")
     from_file, from_dict = af.Geometry(path), af.Geometry(keys)
     assert from_file == from_dict
-    assert from_file.table().splitlines()[1:] == from_dict.table().splitlines()[1:]
+    assert from_file.basis == from_dict.basis and from_file.scalar == from_dict.scalar
+    # curvature follows from these, and takes a minute for a rotating black hole
+    given = [key for key in ("structure", "affinities", "metric") if from_file.quantity(key) is not None]
+    assert from_file.table(given).splitlines()[1:] == from_dict.table(given).splitlines()[1:]
 
 
 def test_direct_sums():

@@ -12,6 +12,8 @@ import pytest
 import affinor as af
 
 pytest.importorskip("pyarrow")
+pytestmark = pytest.mark.xdist_group("sweep")
+ENGINES = ["client", "ray"] if os.environ.get("AFFINOR_RAY") == "1" else ["client"]
 TOP = {
     "space": "so3",
     "metric": "diag(2, 2, 1)",
@@ -152,8 +154,6 @@ def client():
 
 @pytest.fixture(scope="module")
 def ray():
-    if os.environ.get("AFFINOR_RAY") != "1":
-        pytest.skip("set AFFINOR_RAY=1 to test on Ray")
     ray = pytest.importorskip("ray")
     ray.cloudpickle.register_pickle_by_value(sys.modules[__name__])
     ray.init(num_cpus=2, include_dashboard=False, object_store_memory=100 << 20, log_to_driver=False)
@@ -162,7 +162,7 @@ def ray():
 
 
 @pytest.mark.cluster
-@pytest.mark.parametrize("engine", ["client", "ray"])
+@pytest.mark.parametrize("engine", ENGINES)
 def test_the_same_rows_on_a_cluster(engine, in_process, request):
     on = request.getfixturevalue(engine)
     for name, (task, grid, chunk) in TASKS.items():
@@ -170,7 +170,7 @@ def test_the_same_rows_on_a_cluster(engine, in_process, request):
 
 
 @pytest.mark.cluster
-@pytest.mark.parametrize("engine", ["client", "ray"])
+@pytest.mark.parametrize("engine", ENGINES)
 def test_a_killed_worker_loses_and_doubles_nothing(engine, tmp_path, request):
     on = request.getfixturevalue(engine)
     grid = {"mark": [str(tmp_path / "mark")], "x": list(range(20))}

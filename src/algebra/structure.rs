@@ -4,14 +4,17 @@
 //! - [`Subspace`]: subspaces in reduced row echelon form; `products`: brackets of vectors;
 //! - [`Structure`]: an algebra with its brackets tabulated; `series`, `killing`, `radical`, `cartan`, `levi`;
 //! - [`reduction`]: the algebra modulo a prime, for ranks; `derivations`, `cohomology`;
-//! - [`dynkin`], `ideals`, [`real_forms`]: Dynkin types, simple ideals over the reals and their names;
+//! - [`dynkin`], `root_spaces`, `ideals`, [`real_forms`]: Dynkin types, roots, simple ideals over the reals and their names;
+//! - `cocycles`, `symplectic`, `complex_structures`: closed forms of low degree, symplectic and contact forms, Casimir functions;
 //! - `decomposition`: indecomposable ideals; `identification`: names in low dimension;
 //! - `constructions`: quotients, extensions, semidirect sums, contractions, complexifications.
 //!
 //! W. A. de Graaf, *Lie Algebras: Theory and Algorithms*, North-Holland 2000.
 
 mod cartan;
+mod cocycles;
 mod cohomology;
+mod complex_structures;
 mod constructions;
 mod decomposition;
 mod derivations;
@@ -25,21 +28,28 @@ mod products;
 mod radical;
 pub mod real_forms;
 pub mod reduction;
+mod root_spaces;
 mod series;
 mod subspace;
+mod symplectic;
 
+pub use cocycles::{MAX_DIMENSION as MAX_FORMS, TwoForms};
 pub use cohomology::MAX_DIMENSION as MAX_BETTI;
+pub use complex_structures::ComplexStructure;
 pub use decomposition::{Indecomposable, MAX_DIMENSION as MAX_DECOMPOSED};
 pub use derivations::MAX_DIMENSION as MAX_DERIVATIONS;
 pub use ground::Ground;
 pub use ideals::{RealIdeal, SimpleIdeals};
 pub use identification::Identification;
 pub use killing::Killing;
+pub use root_spaces::{RootSpace, RootSpaces};
 pub use subspace::Subspace;
+pub use symplectic::Existence;
 
 use crate::Error;
 use crate::algebra::roots::CartanType;
 use crate::algebra::{Bracket, LieAlgebra};
+use affinor_tensors::Rational;
 use affinor_tensors::linear::Matrix;
 use products::Products;
 use std::cell::OnceCell;
@@ -62,6 +72,8 @@ pub struct Structure<S> {
     killing: OnceCell<Killing<S>>,
     semisimple: OnceCell<bool>,
     derived: OnceCell<Vec<Subspace<S>>>,
+    lower: OnceCell<Vec<Subspace<S>>>,
+    centre: OnceCell<Subspace<S>>,
     radical: OnceCell<Subspace<S>>,
     levi: OnceCell<Subspace<S>>,
     types: OnceCell<Option<Vec<CartanType>>>,
@@ -78,6 +90,8 @@ impl<S: Ground> Structure<S> {
             killing: OnceCell::new(),
             semisimple: OnceCell::new(),
             derived: OnceCell::new(),
+            lower: OnceCell::new(),
+            centre: OnceCell::new(),
             radical: OnceCell::new(),
             levi: OnceCell::new(),
             types: OnceCell::new(),
@@ -104,6 +118,9 @@ impl<S: Ground> Structure<S> {
     /// # Errors
     /// [`Error::NotSubalgebra`] with two basis vectors whose bracket leaves the subspace.
     pub fn subalgebra(&self, subspace: &Subspace<S>) -> Result<Structure<S>, Error> {
+        if subspace.dimension() == self.dimension() {
+            return Ok(self.clone());
+        }
         let basis = subspace.basis();
         let mut constants = vec![];
         for (j, x) in basis.iter().enumerate() {
@@ -125,7 +142,28 @@ impl<S: Ground> Structure<S> {
         let labels = (1..=basis.len()).map(|at| format!("e{at}"));
         // a subalgebra satisfies the identity of Jacobi
         let bracket = Bracket::from_constants(labels, constants)?;
-        Ok(Structure::new(LieAlgebra { frame: bracket.into_frame() }))
+        let inside = Structure::new(LieAlgebra { frame: bracket.into_frame() });
+        if self.levi.get() == Some(subspace) {
+            inside.know_types(self.types.get());
+        }
+        Ok(inside)
+    }
+
+    /// The algebra over the rationals, with the types that are known; `None` if a constant is not rational.
+    pub fn over_the_rationals(&self) -> Option<Structure<Rational>> {
+        let constants = self.algebra.structure();
+        let rational = constants.components().all(|(_, value)| value.rational().is_some());
+        let algebra = || self.algebra.map(|value| value.rational().unwrap_or_default()).ok();
+        let same = Structure::new(rational.then(algebra)??);
+        same.know_types(self.types.get());
+        Some(same)
+    }
+
+    /// Takes over types that were found for this algebra.
+    fn know_types(&self, types: Option<&Option<Vec<CartanType>>>) {
+        if let Some(types) = types {
+            self.types.get_or_init(|| types.clone());
+        }
     }
 
     /// A vector as a combination of the basis.

@@ -24,6 +24,8 @@ pub struct Connection<S> {
     gamma: Tensor<S>,
     /// Computed when first asked for, by [`curvature`](Self::curvature); clones share it.
     pub(super) curvature: Arc<OnceLock<Tensor<S>>>,
+    /// Computed when first asked for without the curvature, by [`ricci`](Self::ricci).
+    pub(super) ricci: Arc<OnceLock<Tensor<S>>>,
 }
 
 impl<S: PartialEq> PartialEq for Connection<S> {
@@ -51,7 +53,7 @@ impl<S: Ring> Connection<S> {
     }
 
     fn unchecked(frame: Frame<S>, gamma: Tensor<S>) -> Self {
-        Connection { frame, gamma, curvature: Arc::default() }
+        Connection { frame, gamma, curvature: Arc::default(), ricci: Arc::default() }
     }
 
     /// The frame of the affinities.

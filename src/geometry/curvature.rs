@@ -9,6 +9,10 @@ use crate::algebra::frame::formula;
 use crate::geometry::connection::Connection;
 use affinor_tensors::{Ring, Tensor};
 
+/// The components `R^i_jkl` of the curvature.
+const CURVATURE: &str =
+    "d_k^i_lj - d_l^i_kj + L^i_km L^m_lj - L^i_lm L^m_kj - c^m_kl L^i_mj - h^i_jkl";
+
 impl<S: Ring> Connection<S> {
     /// The torsion (B10), slots `^i_jk`: `tau^i_jk = Lambda^i_jk - Lambda^i_kj - c^i_jk`.
     pub fn torsion(&self) -> Tensor<S> {
@@ -39,11 +43,33 @@ impl<S: Ring> Connection<S> {
     }
 
     fn compute_curvature(&self) -> Tensor<S> {
+        self.evaluate(&format!("{CURVATURE} -> ^i_j[kl]"))
+    }
+
+    /// The Ricci tensor, slots `_jl`: `Ric_jl = R^i_jil`. It need not be symmetric.
+    ///
+    /// Where values grow ([`Ring::GROWS`]) and the curvature is not known yet, it is computed without the
+    /// curvature, whose components may be much longer.
+    pub fn ricci(&self) -> Tensor<S> {
+        if S::GROWS && self.curvature.get().is_none() {
+            let known = self.ricci.get().cloned();
+            return known.unwrap_or_else(|| {
+                // not within `get_or_init`, as above
+                let ricci = self.evaluate(&format!("{} -> _jl", CURVATURE.replace('k', "i")));
+                self.ricci.get_or_init(|| ricci).clone()
+            });
+        }
+        formula("R^i_jil -> _jl", &[("R", self.curvature())])
+    }
+
+    /// A formula in the affinities `L`, their derivatives `d`, the structure `c` and the isotropy
+    /// `h`.
+    fn evaluate(&self, expression: &str) -> Tensor<S> {
         let derivative =
             self.frame().derivative(self.gamma()).expect("the affinities belong to the frame");
         let isotropy = self.frame().isotropy().expect("of the rank of the derivative");
         formula(
-            "d_k^i_lj - d_l^i_kj + L^i_km L^m_lj - L^i_lm L^m_kj - c^m_kl L^i_mj - h^i_jkl -> ^i_j[kl]",
+            expression,
             &[
                 ("d", &derivative),
                 ("L", self.gamma()),
@@ -51,11 +77,6 @@ impl<S: Ring> Connection<S> {
                 ("h", &isotropy),
             ],
         )
-    }
-
-    /// The Ricci tensor, slots `_jl`: `Ric_jl = R^i_jil`. It need not be symmetric.
-    pub fn ricci(&self) -> Tensor<S> {
-        formula("R^i_jil -> _jl", &[("R", self.curvature())])
     }
 
     /// The derivative of the torsion, slots `^i_mjk`: `(nabla_m tau)^i_jk`. Zero for the canonical

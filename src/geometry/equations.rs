@@ -5,6 +5,7 @@
 
 use crate::Error;
 use crate::algebra::frame::{expect_slots, formula};
+use crate::algebra::to_matrix;
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
 use affinor_tensors::{Down, Field, Ring, Tensor, Up};
@@ -152,11 +153,11 @@ impl<S: Field> Equations<S> {
         }
     }
 
-    /// The rates `dx/dt`. `other` is the external covector `M` (Euler-Poincare), the velocity `w` of
+    /// The rates `dx/dt`, by one elimination. `other` is the external covector `M` (Euler-Poincare), the velocity `w` of
     /// the curve (transport), or empty (autoparallel).
     ///
     /// # Errors
-    /// [`Error::Shape`] for vectors of another length.
+    /// [`Error::Shape`] for vectors of another length; [`Error::Linear`] over a ring without pivots.
     pub fn rate(&self, state: &[S], other: &[S]) -> Result<Vec<S>, Error> {
         let n = self.dimension();
         let x = Tensor::vector(state, Up);
@@ -175,17 +176,22 @@ impl<S: Field> Equations<S> {
         } else {
             x.clone()
         };
-        let mut system = self.solved();
-        let moved = formula("q^i_jk y^j -> ^i_k", &[("q", &system.quadratic), ("y", &y)]);
-        let moved = formula("q^i_k x^k -> ^i", &[("q", &moved), ("x", &x)]);
-        let rate = match system.force.take() {
+        let first = if self.quadratic.slots()[0] == Up { "^i" } else { "_i" };
+        let quadratic = [("q", &self.quadratic), ("y", &y)];
+        let moved = formula(&format!("q{first}_jk y^j -> {first}_k"), &quadratic);
+        let operands = [("q", &moved), ("x", &x)];
+        let moved = formula(&format!("q{first}_k x^k -> {first}"), &operands);
+        let right = match &self.force {
             None => moved,
             Some(force) => {
                 let given = Tensor::vector(other, Down);
-                formula("r^i + f^ij m_j -> ^i", &[("r", &moved), ("f", &force), ("m", &given)])
+                let text = format!("r{first} + f{first}^j m_j -> {first}");
+                formula(&text, &[("r", &moved), ("f", force), ("m", &given)])
             }
         };
-        Ok(rate.to_vector().unwrap_or_default())
+        let right = right.to_vector().unwrap_or_default();
+        // the matrix has an inverse, so there is one solution
+        Ok(to_matrix(&self.left).solve(&right)?.unwrap_or_default())
     }
 }
 

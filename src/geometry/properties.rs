@@ -2,9 +2,12 @@
 //! fails with a nonzero component as witness.
 
 mod einstein;
+mod invariant;
 mod isometries;
+mod sectional;
 mod soliton;
 
+pub use sectional::{Extreme, MAX_SEARCHED};
 pub use soliton::Soliton;
 
 use crate::Error;

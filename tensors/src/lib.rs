@@ -3,7 +3,8 @@
 //! This package knows no geometry. In reading order:
 //! - [`scalar`]: the traits [`Ring`] and [`Field`], their laws, and the scalars: exact
 //!   [`Rational`]s, `f64`, [`Tracked`] floats with a rounding error estimate, [`Symbolic`] rational
-//!   functions of parameters, and [`Jet`]s, floats with first and second derivatives;
+//!   functions of parameters, [`Jet`]s, floats with first and second derivatives, and [`Recorded`]
+//!   values, which are programs;
 //! - [`expression`]: parsing and evaluating written scalars;
 //! - [`Tensor`]: sorted nonzero components with upper and lower slots;
 //! - [`contract`]: sums of products written with index letters, computed by one kernel;
@@ -31,5 +32,7 @@ pub mod text;
 
 pub use contraction::contract;
 pub use error::{NotationError, TensorError};
-pub use scalar::{Field, Jet, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance, Tracked};
+pub use scalar::{
+    Field, Jet, Kind, Notation, Rational, Recorded, Ring, Sum, Symbolic, Tolerance, Tracked,
+};
 pub use tensor::{Components, Down, Indices, Tensor, Up, Variance};

@@ -17,6 +17,7 @@ mod notation;
 mod operators;
 mod ratio;
 mod rational;
+mod recorded;
 mod symbolic;
 mod tracked;
 
@@ -28,6 +29,7 @@ pub use jet::Jet;
 pub use notation::{Kind, Notation};
 pub use rational::Rational;
 use rational::RationalSum;
+pub use recorded::{Count, Function, Output, Recorded, Step, StraightLine, derivatives};
 pub use symbolic::Symbolic;
 pub use tracked::Tracked;
 
@@ -52,6 +54,10 @@ pub trait Ring:
 {
     /// The accumulator for sums of products.
     type Sum: Sum<Self>;
+
+    /// Whether values become longer with every operation, as formulas do. A long sum is then computed
+    /// at once and not in stages, so that terms which cancel are never stored.
+    const GROWS: bool = false;
 
     /// The integer `n` as an element of this ring: `n` times one.
     fn from_i64(n: i64) -> Self;
@@ -98,6 +104,10 @@ pub trait Ring:
 
 /// A ring in which units can be inverted.
 pub trait Field: Ring {
+    /// Whether an elimination takes a pivot on the diagonal wherever it does not vanish, before any weight. For a symmetric
+    /// matrix this is `L D L^T` without exchanges. It serves values that are not known as numbers.
+    const DIAGONAL_PIVOTS: bool = false;
+
     /// The multiplicative inverse; `None` exactly for non-units.
     fn recip(&self) -> Option<Self>;
 

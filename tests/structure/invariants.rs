@@ -69,7 +69,7 @@ pub fn invariants(algebra: Algebra) -> Value {
     let types: Vec<String> = types.iter().map(ToString::to_string).collect();
     serde_json::json!({
         "derived_series": dimensions(structure.derived_series()),
-        "lower_central_series": dimensions(&structure.lower_central_series()),
+        "lower_central_series": dimensions(structure.lower_central_series()),
         "upper_central_series": dimensions(&structure.upper_central_series()),
         "abelian": structure.is_abelian(),
         "nilpotent": structure.is_nilpotent(),

@@ -2,9 +2,19 @@
 
 use super::invariants::{scrambled, stored};
 use crate::common::algebras::catalogued;
-use affinor::algebra::structure::Structure;
-use affinor::{BasisChange, Rational, Tensor};
-use affinor_tensors::{Down, Up};
+use affinor::algebra::structure::{Identification, Structure};
+use affinor::{BasisChange, LieAlgebra, Rational, Tensor};
+use affinor_tensors::{Down, Field, Up};
+
+/// The algebra in the basis of the images has the brackets of the named algebra.
+fn multiply_out(algebra: &LieAlgebra<Rational>, found: &Identification, name: &str) {
+    let Some(images) = &found.isomorphism else { panic!("no isomorphism with {name}") };
+    assert_eq!(found.under_root, None, "{name}");
+    let n = algebra.dimension();
+    let change = Tensor::from_fn(n, [Up, Down], |[i, a]| images[a][i].clone()).unwrap();
+    let moved = algebra.change_basis(&BasisChange::new(change).unwrap()).unwrap();
+    assert_eq!(moved.structure(), catalogued(name).structure(), "{name}");
+}
 
 #[test]
 fn real_algebras_up_to_dimension_three() {
@@ -23,17 +33,15 @@ fn real_algebras_up_to_dimension_three() {
         "bianchi(VII,h=0)",
         "bianchi(VII,h=2)",
         "bianchi(VII,h=1/2)",
+        "bianchi(VIII)",
+        "bianchi(IX)",
     ];
     for name in names {
         for seed in 0..4 {
             let algebra = scrambled(&catalogued(name), seed);
             let found = Structure::new(algebra.clone()).identify().unwrap();
             assert_eq!(found.names, [name]);
-            let images = found.isomorphism.unwrap();
-            let n = algebra.dimension();
-            let change = Tensor::from_fn(n, [Up, Down], |[i, a]| images[a][i].clone()).unwrap();
-            let moved = algebra.change_basis(&BasisChange::new(change).unwrap()).unwrap();
-            assert_eq!(moved.structure(), catalogued(name).structure(), "{name}, {seed}");
+            multiply_out(&algebra, &found, name);
         }
     }
 }
@@ -99,8 +107,10 @@ fn real_algebras_of_dimension_four() {
     ];
     for name in names {
         for seed in 0..3 {
-            let found = Structure::new(scrambled(&catalogued(name), seed)).identify().unwrap();
-            assert_eq!((found.names, found.parameter), (vec![name.to_string()], None));
+            let algebra = scrambled(&catalogued(name), seed);
+            let found = Structure::new(algebra.clone()).identify().unwrap();
+            assert_eq!((&found.names, &found.parameter), (&vec![name.to_string()], &None));
+            multiply_out(&algebra, &found, name);
         }
     }
     let named = |name: &str| Structure::new(catalogued(name)).identify().unwrap().names.remove(0);
@@ -115,7 +125,62 @@ fn real_algebras_of_dimension_four() {
     assert!(open.names == ["patera(4,5)"] && open.parameter.is_some());
 }
 
-/// Each nilpotent algebra has its own name among those found, and at most the sign of a parameter is open.
+/// so(x^2 + y^2 + 3 z^2) and so(x^2 + y^2 - 3 z^2) are so(3) and so(2,1) over the real numbers alone: `v_i sqrt(r_i)` have the
+/// brackets of the named algebra, that is `[v_i, v_j] = c^k_ij sqrt(r_k / (r_i r_j)) v_k`.
+#[test]
+fn isomorphisms_with_square_roots() {
+    let rows =
+        [(3, 1, "bianchi(IX)", 3), (-3, -3, "bianchi(VIII)", 3), (-3, -3, "bianchi(VIII)+R^1", 4)];
+    for (alpha, beta, name, line) in rows {
+        let table = [(1, 2, 3, 1), (2, 3, 1, alpha), (3, 1, 2, beta)];
+        let algebra = crate::common::algebras::by_table(line, &table);
+        let found = Structure::new(algebra.clone()).identify().unwrap();
+        assert_eq!(found.names, [name]);
+        let (Some(images), Some(roots)) = (&found.isomorphism, &found.under_root) else {
+            panic!("{name}: {found:?}")
+        };
+        let named = catalogued(name);
+        for (i, j) in (0..line).flat_map(|i| (0..line).map(move |j| (i, j))) {
+            let mut expected = vec![Rational::from(0); line];
+            for (at, c) in named.structure().components().filter(|(at, _)| at[1..] == [i, j]) {
+                let below = (roots[i].clone() * &roots[j]).recip().unwrap();
+                let root = (roots[at[0]].clone() * &below).sqrt().expect("a square");
+                for (sum, v) in expected.iter_mut().zip(&images[at[0]]) {
+                    *sum = sum.clone() + &(c.clone() * &root * v);
+                }
+            }
+            assert_eq!(algebra.bracket(&images[i], &images[j]).unwrap(), expected, "{name}");
+        }
+    }
+}
+
+/// Nilpotent algebras of dimension 4 with their isomorphisms.
+#[test]
+fn nilpotent_algebras_of_dimension_four() {
+    for name in ["R^4", "heisenberg(3)+R^1", "filiform(4)"] {
+        for seed in 0..3 {
+            let algebra = scrambled(&catalogued(name), seed);
+            let found = Structure::new(algebra.clone()).identify().unwrap();
+            let [named] = &found.names[..] else { panic!("{found:?}") };
+            multiply_out(&algebra, &found, named);
+        }
+    }
+}
+
+/// Of two real forms of one type and signature the Cartan subalgebra tells su(9,5) and su*(14), and so(12,6) from so*(18).
+#[test]
+fn real_forms_of_equal_signature() {
+    let names = |name: &str| {
+        let ideals = Structure::new(catalogued(name)).simple_ideals().unwrap().unwrap();
+        ideals.real[0].names.clone()
+    };
+    assert_eq!(names("su(9,5)"), ["su(9,5)"]);
+    assert_eq!(names("sl(7,H)"), ["su*(14)"]);
+    assert_eq!(names("so(12,6)"), ["so(12,6)"]);
+    assert!(names("so*(18)").contains(&"so*(18)".to_string()));
+}
+
+/// Each nilpotent algebra has its own name, the sign of a parameter included.
 #[test]
 fn nilpotent_algebras_up_to_dimension_six() {
     for (at, name) in affinor::algebra::catalogue::names(6).into_iter().enumerate() {
@@ -126,8 +191,16 @@ fn nilpotent_algebras_up_to_dimension_six() {
             let full = if open { format!("degraaf(6,{number},e={e})") } else { name.clone() };
             let algebra = scrambled(&catalogued(&full), at as i64);
             let found = Structure::new(algebra).identify().unwrap().names;
-            assert!(found.contains(&full), "{full}: {found:?}");
-            assert!(found.len() <= if e == "1" || e == "-1" { 2 } else { 1 }, "{full}: {found:?}");
+            assert_eq!(found, std::slice::from_ref(&full));
+        }
+    }
+    let named = |name: &str| Structure::new(catalogued(name)).identify().unwrap().names;
+    assert_eq!(named("n(4)"), ["degraaf(6,19,e=-1)"]);
+    assert_eq!(named("heisenberg(3)+heisenberg(3)"), ["degraaf(6,22,e=1)"]);
+    for family in [19, 21, 22, 24] {
+        for (e, sign) in [("3", "1"), ("1/2", "1"), ("-5", "-1")] {
+            let found = named(&format!("degraaf(6,{family},e={e})"));
+            assert_eq!(found, [format!("degraaf(6,{family},e={sign})")]);
         }
     }
     for (algebra, entry) in stored().into_iter().filter(|(_, entry)| entry["nilpotent"] == true) {

@@ -8,6 +8,7 @@ mod run;
 use super::color::ColorOption;
 use super::failure::Failure;
 use super::note::{line, note};
+use super::options::{Settings, SpaceOptions};
 use super::output::deliver;
 use super::rows::{Expected, read};
 use affinor::group::So3;
@@ -19,6 +20,7 @@ use affinor_cli::figures::{Connected, Figure, Path};
 use affinor_cli::plot;
 use affinor_cli::plot::{MAX_WIDTH, Picture, View};
 use affinor_documents::definition::{InputError, Request, Space};
+use affinor_documents::report::dynkin_type;
 use affinor_tensors::Tolerance;
 use clap::{Args, Subcommand};
 use convergence::Comparison;
@@ -87,6 +89,16 @@ enum Kind {
     Drift {
         #[command(flatten)]
         comparison: drift::Comparison,
+        #[command(flatten)]
+        image: Image,
+    },
+    /// Dynkin diagram of a Lie algebra: of its Levi subalgebra, over the complex numbers
+    Dynkin {
+        /// The space, of which the algebra counts; see `affinor --help`
+        space: String,
+        /// Values of parameters, as in "h=-1"; may be repeated
+        #[arg(long, value_name = "NAME=VALUE,...")]
+        set: Vec<String>,
         #[command(flatten)]
         image: Image,
     },
@@ -219,6 +231,16 @@ impl Arguments {
             Kind::Series(OnColumns { columns, image }) => image.print_diagram(&columns.series()?),
             Kind::Phase(OnColumns { columns, image }) => image.print_diagram(&columns.phase()?),
             Kind::Section(OnColumns { columns, image }) => image.print_diagram(&columns.section()?),
+            Kind::Dynkin { space, set, image } => {
+                let settings = Settings { set, tolerance: None, threads: None };
+                let space = settings.open(Some(&space), &SpaceOptions::default())?;
+                let types = dynkin_type(&space.definition)?;
+                if types.is_empty() {
+                    let message = format!("{} is solvable: it has no roots", space.definition.name);
+                    return Err(InputError::mathematics(message).into());
+                }
+                image.print(&plot::dynkin(&space.definition.name, &types))
+            }
             Kind::Drift { comparison, image } => image.print_diagram(&comparison.drift()?),
             Kind::Convergence { comparison, image } => {
                 let (name, trials) = comparison.trials()?;

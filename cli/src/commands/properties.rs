@@ -15,6 +15,9 @@ pub struct Arguments {
     /// Values of parameters, as in "J1=1/2,h=-1"; may be repeated
     #[arg(long, value_name = "NAME=VALUE,...")]
     pub set: Vec<String>,
+    /// The sectional curvature of the plane of two vectors, as in "x1, y1+2*z"; may be repeated
+    #[arg(long, value_name = "X,Y")]
+    pub plane: Vec<String>,
     #[command(flatten)]
     pub output: Output,
 }
@@ -24,7 +27,7 @@ impl Arguments {
         let settings = Settings { set: self.set.clone(), tolerance: None, threads: None };
         let space = settings.open(self.space.as_deref(), &self.options)?;
         note_default_connection(&space.definition);
-        let properties = Properties::of(&space.definition)?;
+        let properties = Properties::with_planes(&space.definition, &self.plane)?;
         self.output.print(space.file.as_slice(), &properties)
     }
 }

@@ -1,12 +1,14 @@
 //! `affinor table`: the tensors of one space.
 
+use super::code::{self, CodeOptions};
 use super::failure::Failure;
 use super::note::{note, note_default_connection};
 use super::options::{OutputFormat, Shared, SpaceOptions};
 use super::output::deliver;
 use super::stages::Stages;
+use affinor::Geometry;
 use affinor_documents::definition::{Definition, InputError, Reading, Work};
-use affinor_documents::report::{Program, Quantity, Report, Table};
+use affinor_documents::report::{Program, Quantity, Report, Table, tensors_as_code};
 use affinor_tensors::Notation;
 use clap::{Args, ValueEnum};
 
@@ -18,6 +20,8 @@ pub struct Arguments {
     pub options: SpaceOptions,
     #[command(flatten)]
     pub selection: Selection,
+    #[command(flatten)]
+    pub code: CodeOptions,
     #[command(flatten)]
     pub shared: Shared,
 }
@@ -62,6 +66,19 @@ impl Arguments {
             return deliver(file, space.file.as_slice(), |out| out.write_all(code.as_bytes()));
         }
         note_default_connection(&space.definition);
+        if let Some(language) = self.code.language(&self.shared)? {
+            if self.selection.independent {
+                let message = "--code assigns all components, and computes equal ones once";
+                return Err(InputError::usage(message).help("leave --independent away").into());
+            }
+            let by = self.code.derivatives(&space.definition)?;
+            let code = space.record(|definition, reading| {
+                let geometry = self.selection.geometry(definition, reading, &stages)?;
+                stages.begin("program");
+                tensors_as_code(&geometry, &quantities, language, &by)
+            })?;
+            return code::print(&code, &space, &self.shared, &stages);
+        }
         let build = Build { selection: &self.selection, quantities, stages: &stages };
         let table = self.shared.run(&space, build)?;
         self.shared.print(&stages, space.file.as_slice(), &*table)
@@ -79,6 +96,20 @@ impl Selection {
         }
     }
 
+    /// The geometry of a definition, in the frame chosen.
+    fn geometry<S: Notation>(
+        &self,
+        definition: &Definition,
+        reading: &Reading<S>,
+        stages: &Stages,
+    ) -> Result<Geometry<S>, InputError> {
+        stages.begin("jacobi");
+        let ground = definition.ground(reading)?;
+        stages.begin("connection");
+        let geometry = definition.geometry_over(ground, reading)?;
+        Ok(if self.frame == Frame::Right { geometry.in_right_frame()? } else { geometry })
+    }
+
     /// The table of a definition.
     pub fn table<S: Notation>(
         &self,
@@ -87,13 +118,7 @@ impl Selection {
         quantities: &[Quantity],
         stages: &Stages,
     ) -> Result<Table<S>, InputError> {
-        stages.begin("jacobi");
-        let ground = definition.ground(reading)?;
-        stages.begin("connection");
-        let mut geometry = definition.geometry_over(ground, reading)?;
-        if self.frame == Frame::Right {
-            geometry = geometry.in_right_frame()?;
-        }
+        let geometry = self.geometry(definition, reading, stages)?;
         let mut table = Table::in_stages(&geometry, quantities, &|name| stages.begin(name))?;
         table.independent = self.independent;
         table.finite()?;

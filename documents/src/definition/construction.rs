@@ -4,8 +4,8 @@ use super::document::Document;
 use super::input::InputError;
 use super::notation::{Names, lines, statement};
 use super::source::{Place, Source};
-use super::written::{ActionText, Block, Cell, MatrixRows, Text};
-use super::{Reading, space};
+use super::written::{ActionText, Block, Cell, MatrixRows, Part, Text};
+use super::{Definition, Reading, space};
 use affinor::algebra::structure::{Structure, Subspace};
 use affinor::{BasisChange, LieAlgebra};
 use affinor_tensors::linear::{Matrix, Row};
@@ -16,8 +16,8 @@ use std::collections::{BTreeMap, BTreeSet};
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Semidirect {
-    of: Text,
-    on: Option<Text>,
+    of: Part,
+    on: Option<Part>,
     by: ActionText,
 }
 
@@ -25,7 +25,7 @@ pub(crate) struct Semidirect {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Subalgebra {
-    of: Text,
+    of: Part,
     spanned_by: Option<Vec<Text>>,
     generated_by: Option<Vec<Text>>,
     centralizer_of: Option<Vec<Text>>,
@@ -35,7 +35,7 @@ pub(crate) struct Subalgebra {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Quotient {
-    of: Text,
+    of: Part,
     by: Vec<Text>,
 }
 
@@ -43,7 +43,7 @@ pub(crate) struct Quotient {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Extension {
-    of: Text,
+    of: Part,
     centre: Vec<Text>,
     cocycle: Block,
 }
@@ -52,7 +52,7 @@ pub(crate) struct Extension {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Contraction {
-    of: Text,
+    of: Part,
     weights: Vec<i64>,
 }
 
@@ -60,7 +60,7 @@ pub(crate) struct Contraction {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct OtherBasis {
-    of: Text,
+    of: Part,
     vectors: Vec<Text>,
 }
 
@@ -68,7 +68,7 @@ pub(crate) struct OtherBasis {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Truncated {
-    of: Text,
+    of: Part,
     order: usize,
 }
 
@@ -115,27 +115,30 @@ struct Site<'s> {
 impl Site<'_> {
     fn build(&self, file: &Document) -> Result<Algebra, InputError> {
         let built = if let Some(summands) = &file.sum {
-            let mut parts = summands.iter().map(|text| self.algebra(text));
+            let mut parts = summands
+                .iter()
+                .enumerate()
+                .map(|(at, part)| self.algebra(part, &format!("sum.{at}")));
             let first = parts.next().unwrap_or_else(|| Err(self.refuse("a sum has summands")))?;
             return parts.try_fold(first, |sum, next| self.placed(sum.direct_sum(&next?)));
         } else if let Some(of) = &file.complexification {
-            self.structure(of)?.complexified()
+            self.structure(of, "complexification")?.complexified()
         } else if let Some(Truncated { of, order }) = &file.truncated {
             if !(1..=64).contains(order) {
                 return Err(self.refuse("the order of truncation is not between 1 and 64"));
             }
-            self.structure(of)?.truncated(*order)
+            self.structure(of, "truncated.of")?.truncated(*order)
         } else if let Some(Contraction { of, weights }) = &file.contraction {
-            self.structure(of)?.contraction(weights)
+            self.structure(of, "contraction.of")?.contraction(weights)
         } else if let Some(Quotient { of, by }) = &file.quotient {
-            let structure = self.structure(of)?;
+            let structure = self.structure(of, "quotient.of")?;
             let ideal = Subspace::span(structure.dimension(), self.vectors(&structure, by)?);
             if ideal.dimension() == structure.dimension() {
                 return Err(self.refuse("the quotient by the whole algebra is zero"));
             }
             structure.quotient(&ideal)
         } else if let Some(OtherBasis { of, vectors }) = &file.change_of_basis {
-            let structure = self.structure(of)?;
+            let structure = self.structure(of, "change_of_basis.of")?;
             let rows = self.vectors(&structure, vectors)?;
             if rows.len() != structure.dimension() {
                 let message =
@@ -156,7 +159,7 @@ impl Site<'_> {
     }
 
     fn subalgebra(&self, given: &Subalgebra) -> Result<Algebra, InputError> {
-        let structure = self.structure(&given.of)?;
+        let structure = self.structure(&given.of, "subalgebra.of")?;
         let n = structure.dimension();
         let parts = (&given.spanned_by, &given.generated_by, &given.centralizer_of);
         let (subspace, basis) = match parts {
@@ -203,7 +206,7 @@ impl Site<'_> {
     }
 
     fn extension(&self, given: &Extension) -> Result<Algebra, InputError> {
-        let structure = self.structure(&given.of)?;
+        let structure = self.structure(&given.of, "central_extension.of")?;
         let n = structure.dimension();
         let centre: Vec<String> = given.centre.iter().map(|text| text.to_string()).collect();
         let labels = structure.algebra().labels().iter().chain(&centre);
@@ -229,7 +232,7 @@ impl Site<'_> {
     }
 
     fn semidirect(&self, given: &Semidirect) -> Result<Algebra, InputError> {
-        let structure = self.structure(&given.of)?;
+        let structure = self.structure(&given.of, "semidirect.of")?;
         match (&given.by, &given.on) {
             (ActionText::Word(word), None) => match &**word {
                 "adjoint" => self.placed(structure.truncated(2)),
@@ -241,7 +244,7 @@ impl Site<'_> {
                 }
             },
             (ActionText::Matrices(matrices), Some(on)) => {
-                let on = self.structure(on)?;
+                let on = self.structure(on, "semidirect.on")?;
                 let by = matrices.iter().map(|matrix| self.matrix(matrix));
                 let by = by.collect::<Result<Vec<_>, _>>()?;
                 self.placed(structure.semidirect(&on, &by))
@@ -267,18 +270,26 @@ impl Site<'_> {
         Matrix::from_dense(&rows).map_err(|error| self.refuse(&error.to_string()))
     }
 
-    /// The algebra of a name of the catalogue.
-    fn algebra(&self, text: &Text) -> Result<Algebra, InputError> {
-        let source = self.source.excerpt(text);
-        let definition = space::named(&source)?;
+    /// The algebra of a name of the catalogue, of a file, or of a nested definition at `key`.
+    fn algebra(&self, part: &Part, key: &str) -> Result<Algebra, InputError> {
+        let (definition, place): (Definition, Place) = match part {
+            Part::Name(text) => {
+                let source = self.source.excerpt(text);
+                (space::part(&source)?, self.source.at(text))
+            }
+            Part::Nested(document) => {
+                (document.define(&self.source.table(key))?, self.source.key(key))
+            }
+        };
         let convert = |value: &Symbolic| Some(value.clone());
-        let algebra =
-            definition.algebra(&Reading { convert: &convert, tolerance: Tolerance::default() });
-        algebra.map_err(|error| error.or_at(&self.source.at(text)))
+        let algebra = definition
+            .algebra_alone()
+            .algebra(&Reading { convert: &convert, tolerance: Tolerance::default() });
+        algebra.map_err(|error| error.or_at(&place))
     }
 
-    fn structure(&self, text: &Text) -> Result<Structure<Symbolic>, InputError> {
-        Ok(Structure::new(self.algebra(text)?))
+    fn structure(&self, part: &Part, key: &str) -> Result<Structure<Symbolic>, InputError> {
+        Ok(Structure::new(self.algebra(part, key)?))
     }
 
     /// Combinations of the basis vectors.

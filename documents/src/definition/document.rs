@@ -10,7 +10,8 @@ use super::notation::{
 };
 use super::source::{Place, Source};
 use super::written::{
-    Block, Cell, ChartText, ConnectionText, Entries, Formulas, MatrixRows, MetricText, Row, Text,
+    Block, Cell, ChartText, ConnectionText, Entries, Formulas, MatrixRows, MetricText, Part, Row,
+    Text,
 };
 use super::{
     ConnectionChoice, Definition, Given, MatrixEntries, MetricChoice, Origin, Pairs,
@@ -34,7 +35,7 @@ pub(crate) struct Document {
     pub(super) brackets: Option<Block>,
     pub(super) structure_constants: Option<Vec<Row>>,
     pub(super) matrices: Option<Vec<MatrixRows>>,
-    pub(super) sum: Option<Vec<Text>>,
+    pub(super) sum: Option<Vec<Part>>,
     pub(super) semidirect: Option<Semidirect>,
     pub(super) subalgebra: Option<Subalgebra>,
     pub(super) quotient: Option<Quotient>,
@@ -42,7 +43,7 @@ pub(crate) struct Document {
     pub(super) contraction: Option<Contraction>,
     pub(super) change_of_basis: Option<OtherBasis>,
     pub(super) truncated: Option<Truncated>,
-    pub(super) complexification: Option<Text>,
+    pub(super) complexification: Option<Part>,
     pub(super) chart: Option<ChartText>,
     frame: Option<Formulas>,
     metric: Option<MetricText>,

@@ -57,6 +57,13 @@ impl Definition {
         Self::of_source(&read(path)?)
     }
 
+    /// Reads a definition that a file contains, `depth` files below the first.
+    pub(super) fn read_part(path: &str, depth: usize) -> Result<Self, InputError> {
+        let mut source = read(path)?;
+        source.depth = depth;
+        Self::of_source(&source)
+    }
+
     /// Reads a definition from the text of a file; messages call it `name`.
     ///
     /// ```

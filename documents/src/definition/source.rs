@@ -20,6 +20,8 @@ pub struct Source {
     table: Arc<str>,
     /// The string of the file that is being read, if it is not the whole text.
     excerpt: Option<Arc<Excerpt>>,
+    /// How many files led to this one.
+    pub(super) depth: usize,
 }
 
 /// A string or a number of a file.
@@ -48,6 +50,7 @@ impl Source {
             keys: Arc::default(),
             table: "".into(),
             excerpt: None,
+            depth: 0,
         }
     }
 

@@ -9,9 +9,12 @@ use super::written::{MetricText, Text};
 use super::{Definition, MetricChoice, Origin, Reading, check_dimension};
 use affinor::algebra::catalogue::CatalogueError;
 use affinor::geometry::paper;
-use affinor_tensors::{Notation, Rational, Symbolic, Tolerance, Tracked};
+use affinor_tensors::{Notation, Rational, Recorded, Symbolic, Tolerance, Tracked};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+
+/// The longest chain of definition files, each of which contains the next.
+const MAX_DEPTH: usize = 16;
 
 /// The arguments of the command line that define a space.
 #[derive(Clone, Debug, Default)]
@@ -215,6 +218,19 @@ impl Space {
         }
     }
 
+    /// Runs `work` over recorded values, whose results are programs. The parameters and coordinates are their inputs.
+    ///
+    /// # Errors
+    /// Whatever the work refuses.
+    pub fn record<R>(
+        &self,
+        work: impl FnOnce(&Definition, &Reading<Recorded>) -> Result<R, InputError>,
+    ) -> Result<R, InputError> {
+        let convert = |value: &Symbolic| Recorded::try_from(value).ok();
+        let tolerance = Tolerance::default();
+        work(&self.definition, &Reading { convert: &convert, tolerance })
+    }
+
     /// Runs `work` in floats: `f64`, or [`Tracked`], which bounds the rounding error of every value.
     ///
     /// # Errors
@@ -294,13 +310,30 @@ fn find(name: &str) -> Result<Definition, InputError> {
     named(&Source::new("SPACE", name))
 }
 
-/// The sum of catalogue names that a source holds.
-pub(super) fn named(source: &Source) -> Result<Definition, InputError> {
+/// The algebra that a string of a definition file names: a sum of catalogue names, or a file, whose path begins at the folder
+/// of that file.
+pub(super) fn part(source: &Source) -> Result<Definition, InputError> {
     let text = source.content();
-    if is_path(text) {
-        let error = InputError::usage("a construction takes names of the catalogue, not files");
-        return Err(error.at(&source.whole(text)));
+    if !is_path(text) {
+        return named(source);
     }
+    let refused = |message: String| Err(InputError::usage(message).at(&source.whole(text)));
+    if text == "-" {
+        return refused("standard input is no part of a definition".into());
+    }
+    if source.depth >= MAX_DEPTH {
+        return refused(format!("{MAX_DEPTH} files lead to this one: does one contain itself?"));
+    }
+    let folder = Path::new(&source.name).parent().unwrap_or(Path::new(""));
+    match Definition::read_part(&folder.join(text).to_string_lossy(), source.depth + 1) {
+        Err(error) => Err(error.or_at(&source.whole(text))),
+        read => read,
+    }
+}
+
+/// The sum of catalogue names that a source holds.
+fn named(source: &Source) -> Result<Definition, InputError> {
+    let text = source.content();
     let parts = affinor::group::registry::summands(text).into_iter();
     let parts: Vec<_> = parts.map(|part| entry(part, source)).collect::<Result<_, _>>()?;
     check_dimension(parts.iter().map(Definition::dimension).sum::<usize>())

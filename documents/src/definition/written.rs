@@ -1,5 +1,6 @@
 //! The values of a definition file as they are written, in TOML or JSON, each with its place.
 
+use super::document::Document;
 use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Unexpected, Visitor};
 use std::fmt;
 use std::marker::PhantomData;
@@ -80,6 +81,12 @@ pub(crate) struct MatrixRows {
 pub(crate) enum ActionText {
     Word(Text),
     Matrices(Vec<MatrixRows>),
+}
+
+/// The algebra that a construction starts from: a name or a file, or a definition in its place.
+pub(crate) enum Part {
+    Name(Text),
+    Nested(Box<Document>),
 }
 
 /// How a string or a number is written.
@@ -263,6 +270,20 @@ impl Form for ActionText {
     }
 }
 
+impl Form for Part {
+    const EXPECTED: &'static str =
+        "a name of the catalogue, a file, or a table with the keys of a definition";
+
+    fn scalar(kind: Kind, text: Text) -> Option<Self> {
+        (kind == Kind::Text).then_some(Part::Name(text))
+    }
+
+    fn table<'de, A: MapAccess<'de>>(items: A) -> Result<Self, A::Error> {
+        let document = Document::deserialize(de::value::MapAccessDeserializer::new(items))?;
+        Ok(Part::Nested(Box::new(document)))
+    }
+}
+
 impl Form for ConnectionText {
     const EXPECTED: &'static str = "the name of a connection, or a table with kind or affinities";
 
@@ -376,6 +397,7 @@ deserialize!(
     Block,
     MetricText,
     ActionText,
+    Part,
     ConnectionText,
     Number,
     OneOrMore,

@@ -1,11 +1,24 @@
-//! Equations of motion as source code: a function that returns the rates.
+//! Tensors and equations of motion as source code: straight-line programs in double precision.
 
+mod c;
+mod julia;
+mod python;
+mod routine;
+mod rust;
+
+use super::Quantity;
 use super::equations::{EquationReport, letters};
+use super::head::printable_list;
+use crate::definition::InputError;
+use affinor::geometry::Geometry;
 use affinor::geometry::equations::Variable;
-use affinor_tensors::expression::{Expression, ExpressionError, Meaning};
-use affinor_tensors::{Notation, Rational};
-use std::cell::Cell;
-use std::collections::BTreeSet;
+use affinor_tensors::scalar::derivatives;
+use affinor_tensors::{Recorded, Up};
+use num_traits::Zero;
+use routine::{Array, Routine};
+
+/// The most components of one array. All are written, with their indices as in the formula.
+const MAX_COMPONENTS: usize = 100_000;
 
 /// A programming language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,13 +27,15 @@ pub enum Language {
     Rust,
     /// C99.
     C,
-    /// Python 3, without any package.
+    /// Python 3 with NumPy, vectorised.
     Python,
+    /// Julia, without any package.
+    Julia,
 }
 
 impl Language {
     /// All languages.
-    pub const ALL: [Language; 3] = [Language::Rust, Language::C, Language::Python];
+    pub const ALL: [Language; 4] = [Language::Rust, Language::C, Language::Python, Language::Julia];
 
     /// The name in options.
     pub fn name(self) -> &'static str {
@@ -28,6 +43,7 @@ impl Language {
             Language::Rust => "rust",
             Language::C => "c",
             Language::Python => "python",
+            Language::Julia => "julia",
         }
     }
 
@@ -35,322 +51,194 @@ impl Language {
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|language| language.name() == name)
     }
+
+    fn write(self, routine: &Routine) -> Result<String, InputError> {
+        match self {
+            Language::Rust => rust::write(routine),
+            Language::C => c::write(routine),
+            Language::Python => python::write(routine),
+            Language::Julia => julia::write(routine),
+        }
+    }
 }
 
-impl<S: Notation> EquationReport<S> {
-    /// Source code of a function in double precision that returns the rates.
+/// Source code of a function that computes tensors of a geometry, each as an array with the indices of its formula.
+///
+/// Its arguments are the coordinates of the chart, as an array `x`, and the parameters that the components depend on,
+/// sorted. The name of a parameter begins with `p_`, so that it is no reserved word. The names in `by` are parameters or
+/// coordinates: for every tensor `t` an array `d_t` of its partial derivatives follows, the number of the name first.
+/// Tensors that do not apply to the geometry are left out.
+///
+/// # Errors
+/// A tensor of more than 100,000 components; a constant beyond the range of floats; no tensor that applies.
+pub fn tensors_as_code(
+    geometry: &Geometry<Recorded>,
+    quantities: &[Quantity],
+    language: Language,
+    by: &[String],
+) -> Result<String, InputError> {
+    let mut arrays = Vec::new();
+    let n = geometry.frame().dimension();
+    for &quantity in quantities {
+        // before the tensor is computed, which may take long
+        expect_size(quantity.key(), n, quantity.slots().len())?;
+        if let Some(tensor) = quantity.of(geometry)? {
+            let entries = tensor.components().map(|(at, value)| (at.to_vec(), value.clone()));
+            arrays.push(Array {
+                name: quantity.key().into(),
+                shape: vec![n; quantity.slots().len()],
+                about: indices(quantity),
+                entries: entries.collect(),
+            });
+        }
+    }
+    let function = match arrays.as_slice() {
+        [] => {
+            let keys: Vec<_> = quantities.iter().map(|quantity| quantity.key()).collect();
+            return Err(InputError::usage(format!(
+                "not defined for this space: {}",
+                keys.join(", ")
+            )));
+        }
+        [one] => one.name.clone(),
+        _ => "tensors".into(),
+    };
+    let about = vec![
+        format!("{}, connection {}.", geometry.name(), geometry.kind().name()),
+        format!(
+            "Basis {}; {} frame.",
+            printable_list(geometry.frame().labels()),
+            geometry.frame_name()
+        ),
+    ];
+    let coordinates = geometry.frame_origin().fields().map(|f| f.chart().coordinates().to_vec());
+    let vectors = coordinates.iter().map(|names| ("x".into(), names.len())).collect();
+    let arrays = with_derivatives(arrays, by)?;
+    let coordinates = coordinates.unwrap_or_default();
+    language.write(&Routine::new(function, about, vectors, coordinates, arrays))
+}
+
+impl EquationReport<Recorded> {
+    /// Source code of a function that returns the rates.
     ///
-    /// Its arguments are the state, the external covector or the velocity of the curve, and the parameters. The name of a
-    /// parameter begins with `p_`, so that it is no reserved word. Over a chart the position is the first argument, and
-    /// its rates come first.
+    /// Its arguments are the state, the external covector or the velocity of the curve, and the parameters, as in
+    /// [`tensors_as_code`]. Over a chart the position is the first argument, and its rates come first. The matrix of the
+    /// rates is eliminated, and not inverted. The names in `by` are parameters or coordinates: an array `d_rate` with
+    /// the partial derivatives of the rates follows, the number of the name first.
     ///
     /// # Errors
-    /// A coefficient beyond the limits of [expressions](affinor_tensors::expression), or beyond the range of floats.
-    pub fn code(&self, language: Language) -> Result<String, ExpressionError> {
+    /// A constant beyond the range of floats.
+    pub fn code(&self, language: Language, by: &[String]) -> Result<String, InputError> {
         let motion = self.equations.kind();
-        let coordinates = self.position.as_ref().map_or(&[][..], |(names, _)| names);
-        let meaning = Code { language, coordinates, calls: Cell::new(false) };
+        let n = self.equations.dimension();
         let [state, other] = letters(motion).map(str::to_lowercase);
-        let variable = |variable: &Variable| match variable {
-            Variable::State(j) => format!("{state}[{j}]"),
-            Variable::Along(j) | Variable::Force(j) => format!("{other}[{j}]"),
+        let component = |name: &str, at: usize| Recorded::input(&format!("{name}[{at}]"));
+        let vector = |name: &str| (0..n).map(|at| component(name, at)).collect::<Vec<_>>();
+        let beside = if other.is_empty() { vec![] } else { vector(&other) };
+        let rates = self.equations.rate(&vector(&state), &beside)?;
+        let position = self.positions().into_iter().map(|(_, terms)| {
+            terms.into_iter().fold(Recorded::zero(), |sum, (value, variable)| {
+                let variable = match variable {
+                    Variable::State(j) => component(&state, j),
+                    Variable::Along(j) | Variable::Force(j) => component(&other, j),
+                };
+                sum + &(value * &variable)
+            })
+        });
+        let values: Vec<Recorded> = position.chain(rates).collect();
+        let rate = Array {
+            name: "rate".into(),
+            shape: vec![values.len()],
+            about: format!(
+                "d/dt of the {} components of {}",
+                values.len(),
+                match &self.position {
+                    Some(_) => format!("x and {state}"),
+                    None => state.clone(),
+                }
+            ),
+            entries: values.into_iter().enumerate().map(|(at, value)| (vec![at], value)).collect(),
         };
-        let mut used = BTreeSet::new();
-        let mut term = |value: &S, factors: &[String]| {
-            used.extend(value.parameters());
-            meaning.written(value, factors)
-        };
-        let mut positions = Vec::new();
-        for (_, terms) in self.positions() {
-            let mut written = Vec::new();
-            for (value, along) in &terms {
-                written.push(term(value, &[variable(along)])?);
-            }
-            positions.push(sum(&written));
-        }
-        let mut right = Vec::new();
-        for row in self.equations.rows() {
-            let mut terms = Vec::new();
-            for (value, factors) in &row.right {
-                terms.push(term(value, &factors.iter().map(variable).collect::<Vec<_>>())?);
-            }
-            right.push(sum(&terms));
-        }
-        // the matrix of the rates is inverted symbolically
-        let n = right.len();
-        let inverse = self.equations.inverse();
-        let mut solved = vec![vec![]; n];
-        for (at, value) in inverse.components() {
-            solved[at[0]].push(term(value, &[format!("r[{}]", at[1])])?);
-        }
-        let solved: Vec<String> =
-            positions.into_iter().chain(solved.iter().map(|terms| sum(terms))).collect();
-        let position = if self.position.is_some() { "x" } else { "" };
-        let arguments = [position, &state, &other].into_iter().filter(|name| !name.is_empty());
-        let parameters = used.iter().filter(|name| !coordinates.contains(name));
-        let parameters: Vec<String> = parameters.map(|name| format!("p_{name}")).collect();
-        let about = [
+        let about = vec![
             format!("{}, connection {}.", self.title(), self.connection[0]),
             motion.statement().to_string(),
         ];
-        let source = Source {
-            function: motion.name().replace('-', "_"),
-            arguments: arguments.map(str::to_string).collect(),
-            parameters,
-            about,
-            right,
-            solved,
-            calls: meaning.calls.get(),
-        };
-        Ok(match language {
-            Language::Rust => source.rust(),
-            Language::C => source.c(),
-            Language::Python => source.python(),
-        })
+        let coordinates = self.position.as_ref().map_or(vec![], |(names, _)| names.clone());
+        let position = if coordinates.is_empty() { "" } else { "x" }.to_string();
+        let vectors = [position, state, other].into_iter().filter(|name| !name.is_empty());
+        let vectors = vectors.map(|name| (name, n)).collect();
+        let function = motion.name().replace('-', "_");
+        let arrays = with_derivatives(vec![rate], by)?;
+        language.write(&Routine::new(function, about, vectors, coordinates, arrays))
     }
 }
 
-/// The parts of a function that all languages share.
-struct Source {
-    function: String,
-    arguments: Vec<String>,
-    parameters: Vec<String>,
-    about: [String; 2],
-    /// The right sides.
-    right: Vec<String>,
-    /// The rates, in terms of the right sides `r`; before them those of the position.
-    solved: Vec<String>,
-    /// Whether functions like the sine are called.
-    calls: bool,
-}
-
-impl Source {
-    fn rust(&self) -> String {
-        let n = self.right.len();
-        let vectors = self.arguments.iter().map(|name| format!("{name}: &[f64; {n}]"));
-        let numbers = self.parameters.iter().map(|name| format!("{name}: f64"));
-        let arguments = vectors.chain(numbers).collect::<Vec<_>>().join(", ");
-        let about = self.about.each_ref().map(|line| format!("/// {line}\n")).concat();
-        let list = |values: &[String], indent: &str| {
-            values.iter().map(|value| format!("{indent}    {value},\n")).collect::<String>()
-        };
-        format!(
-            "{about}#[allow(non_snake_case, unused_variables, clippy::all)]\n\
-             pub fn {}({arguments}) -> [f64; {}] {{\n    let r: [f64; {n}] = [\n{}    ];\n    \
-             [\n{}    ]\n}}\n",
-            self.function,
-            self.solved.len(),
-            list(&self.right, "    "),
-            list(&self.solved, "    ")
-        )
+/// Refuses an array that is too large to be written out.
+fn expect_size(name: &str, dimension: usize, rank: usize) -> Result<(), InputError> {
+    let size = u32::try_from(rank).ok().and_then(|rank| dimension.checked_pow(rank));
+    if size.is_some_and(|size| size <= MAX_COMPONENTS) {
+        return Ok(());
     }
+    let message = format!(
+        "{name} has {dimension}^{rank} components, and a program writes at most {MAX_COMPONENTS}"
+    );
+    Err(InputError::usage(message).help("choose smaller tensors with --show"))
+}
 
-    fn c(&self) -> String {
-        let n = self.right.len();
-        let vectors = self.arguments.iter().map(|name| format!("const double {name}[{n}]"));
-        let numbers = self.parameters.iter().map(|name| format!("double {name}"));
-        let rates = std::iter::once(format!("double rate[{}]", self.solved.len()));
-        let arguments = vectors.chain(numbers).chain(rates).collect::<Vec<_>>().join(", ");
-        let about = self.about.join("\n   ");
-        let needs = if self.calls { "#include <math.h>\n\n" } else { "" };
-        let lines = |name: &str, values: &[String]| {
-            let line = |(at, value): (usize, &String)| format!("    {name}[{at}] = {value};\n");
-            values.iter().enumerate().map(line).collect::<String>()
-        };
-        format!(
-            "{needs}/* {about} */\nvoid {}({arguments})\n{{\n    double r[{n}];\n{}{}}}\n",
-            self.function,
-            lines("r", &self.right),
-            lines("rate", &self.solved)
-        )
+/// The arrays, each followed by its derivatives.
+fn with_derivatives(arrays: Vec<Array>, by: &[String]) -> Result<Vec<Array>, InputError> {
+    if by.is_empty() {
+        return Ok(arrays);
     }
-
-    fn python(&self) -> String {
-        let arguments = [&self.arguments[..], &self.parameters].concat();
-        let about = self.about.join("\n    ");
-        let list = |values: &[String]| {
-            values.iter().map(|value| format!("        {value},\n")).collect::<String>()
-        };
-        let needs = if self.calls { "import math\n\n\n" } else { "" };
-        format!(
-            "{needs}def {}({}):\n    \"\"\"{about}\"\"\"\n    r = [\n{}    ]\n    return [\n{}    ]\n",
-            self.function,
-            arguments.join(", "),
-            list(&self.right),
-            list(&self.solved)
-        )
-    }
-}
-
-/// The sum of terms.
-fn sum(terms: &[String]) -> String {
-    let join = |sum: String, term: &String| match term.strip_prefix('-') {
-        Some(rest) => format!("{sum} - {rest}"),
-        None => format!("{sum} + {term}"),
-    };
-    let (first, rest) = terms.split_first().map_or(("0.0", &[][..]), |(f, rest)| (f, rest));
-    rest.iter().fold(first.to_string(), join)
-}
-
-/// Expressions as source code.
-struct Code<'c> {
-    language: Language,
-    /// The names that stand for components of the position.
-    coordinates: &'c [String],
-    /// Whether some expression calls a function.
-    calls: Cell<bool>,
-}
-
-/// Source code and how tightly it binds.
-#[derive(Clone)]
-struct Text {
-    text: String,
-    binds: Binds,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Binds {
-    Sum,
-    Product,
-    Atom,
-}
-
-/// A factor of a product, or a divisor.
-#[derive(Clone)]
-enum Factor {
-    Value(Text),
-    Divisor(Text),
-}
-
-impl Factor {
-    fn text(self) -> Text {
-        match self {
-            Factor::Value(text) => text,
-            Factor::Divisor(text) => Code::quotient(Code::number("1.0"), text),
+    let mut all = Vec::new();
+    for array in arrays {
+        let size = array.shape.iter().product::<usize>().saturating_mul(by.len());
+        if size > MAX_COMPONENTS {
+            let message = format!(
+                "the derivatives of {} have {size} components, and a program writes at most {MAX_COMPONENTS}",
+                array.name
+            );
+            return Err(InputError::usage(message).help("choose fewer --derivatives"));
         }
-    }
-}
-
-impl Text {
-    fn within(&self, binds: Binds) -> String {
-        if self.binds >= binds { self.text.clone() } else { format!("({})", self.text) }
-    }
-}
-
-impl Code<'_> {
-    /// A coefficient times its factors.
-    fn written<S: Notation>(
-        &self,
-        value: &S,
-        factors: &[String],
-    ) -> Result<String, ExpressionError> {
-        let mut product = match constant(value) {
-            Some(constant) => constant,
-            None => Expression::parse(&value.to_string())?.evaluate(self)?.text(),
-        };
-        for factor in factors {
-            product = Self::product(product, Self::number(factor));
+        let values: Vec<Recorded> = array.entries.iter().map(|(_, value)| value.clone()).collect();
+        let mut entries = Vec::new();
+        for (number, name) in by.iter().enumerate() {
+            let rates = derivatives(&values, name).into_iter().zip(&array.entries);
+            entries.extend(
+                rates
+                    .filter(|(rate, _)| !rate.is_zero())
+                    .map(|(rate, (at, _))| ([&[number][..], at].concat(), rate)),
+            );
         }
-        Ok(product.text)
-    }
-
-    fn float(x: f64) -> Text {
-        Self::number(&format!("{x:?}"))
-    }
-
-    fn number(text: &str) -> Text {
-        Text { text: text.into(), binds: Binds::Atom }
-    }
-
-    fn product(a: Text, b: Text) -> Text {
-        match (a.text.as_str(), b.text.as_str()) {
-            ("1.0", _) => b,
-            (_, "1.0") => a,
-            ("-1.0", _) => {
-                Text { text: format!("-{}", b.within(Binds::Product)), binds: Binds::Product }
-            }
-            _ => {
-                let text = format!("{}*{}", a.within(Binds::Product), b.within(Binds::Atom));
-                Text { text, binds: Binds::Product }
-            }
-        }
-    }
-
-    fn quotient(a: Text, b: Text) -> Text {
-        let text = format!("{}/{}", a.within(Binds::Product), b.within(Binds::Atom));
-        Text { text, binds: Binds::Product }
-    }
-}
-
-/// A value without parameters; none for other values, and for those beyond the range of floats.
-fn constant<S: Notation>(value: &S) -> Option<Text> {
-    let fraction = S::clear_denominators(std::iter::once(value));
-    let (above, below) = match &fraction {
-        Some((above, below)) => (*above.first()? as f64, *below as f64),
-        None => (value.to_f64().filter(|x| x.is_finite())?, 1.0),
-    };
-    let mut size = Code::float(above.abs());
-    if below != 1.0 {
-        size = Code::quotient(size, Code::float(below));
-    }
-    Some(if above < 0.0 { negated(size) } else { size })
-}
-
-fn negated(Text { text, binds }: Text) -> Text {
-    let closed = binds == Binds::Sum || text.starts_with('-');
-    let text = if closed { format!("-({text})") } else { format!("-{text}") };
-    Text { text, binds: Binds::Product }
-}
-
-impl Meaning for Code<'_> {
-    type Value = Factor;
-
-    fn number(&self, number: &Rational) -> Result<Factor, String> {
-        let float = f64::from_rational(number);
-        let float =
-            float.ok_or("this number is beyond the range of floats, in which code computes")?;
-        Ok(Factor::Value(Code::float(float)))
-    }
-    fn name(&self, name: &str) -> Result<Factor, String> {
-        let text = match self.coordinates.iter().position(|coordinate| coordinate == name) {
-            Some(at) => format!("x[{at}]"),
-            None => format!("p_{name}"),
+        let derivative = Array {
+            name: format!("d_{}", array.name),
+            shape: [&[by.len()][..], &array.shape].concat(),
+            about: format!(
+                "the derivatives of {} by {}, the first index",
+                array.name,
+                by.join(", ")
+            ),
+            entries,
         };
-        Ok(Factor::Value(Code::number(&text)))
+        all.extend([array, derivative]);
     }
-    fn function(&self, name: &str, argument: Factor) -> Result<Factor, String> {
-        if !["sin", "cos", "tan", "exp"].contains(&name) {
-            return Err(format!("`{name}` has no counterpart in source code"));
+    Ok(all)
+}
+
+/// The meaning of the indices: `R^i_jkl, indices i, j, k, l`.
+fn indices(quantity: Quantity) -> String {
+    let (letters, mut text) = (quantity.letters(), quantity.symbol().to_string());
+    let mut level = None;
+    for (letter, slot) in letters.chars().zip(quantity.slots()) {
+        if level.replace(slot) != Some(slot) {
+            text.push(if slot == Up { '^' } else { '_' });
         }
-        self.calls.set(true);
-        let argument = argument.text();
-        let text = match self.language {
-            Language::Rust => format!("{}.{name}()", argument.within(Binds::Atom)),
-            Language::C => format!("{name}({})", argument.text),
-            Language::Python => format!("math.{name}({})", argument.text),
-        };
-        Ok(Factor::Value(Code::number(&text)))
+        text.push(letter);
     }
-    fn add(&self, a: Factor, b: Factor) -> Result<Factor, String> {
-        let text = sum(&[a.text().text, b.text().text]);
-        Ok(Factor::Value(Text { text, binds: Binds::Sum }))
-    }
-    fn multiply(&self, a: Factor, b: Factor) -> Result<Factor, String> {
-        Ok(match (a, b) {
-            (Factor::Value(a), Factor::Value(b)) => Factor::Value(Code::product(a, b)),
-            (Factor::Value(a), Factor::Divisor(b)) | (Factor::Divisor(b), Factor::Value(a)) => {
-                Factor::Value(Code::quotient(a, b))
-            }
-            (Factor::Divisor(a), Factor::Divisor(b)) => Factor::Divisor(Code::product(a, b)),
-        })
-    }
-    fn negate(&self, a: Factor) -> Factor {
-        Factor::Value(negated(a.text()))
-    }
-    fn reciprocal(&self, a: Factor) -> Result<Factor, String> {
-        Ok(match a {
-            Factor::Value(a) => Factor::Divisor(a),
-            Factor::Divisor(a) => Factor::Value(a),
-        })
+    let listed: Vec<String> = letters.chars().map(String::from).collect();
+    match listed.as_slice() {
+        [] => text,
+        [one] => format!("{text}, index {one}"),
+        all => format!("{text}, indices {}", all.join(", ")),
     }
 }

@@ -1,10 +1,14 @@
 //! The structure of a Lie algebra: one row a notion, with its answer and a witness.
 
+mod forms;
+mod roots;
+
+pub use roots::dynkin_type;
+
 use super::grid::{Cell, Grid};
 use super::head::{printable, printable_list};
 use super::{Format, Report};
 use crate::definition::{Definition, InputError, Reading};
-use affinor::algebra::structure::dynkin::diagram;
 use affinor::algebra::structure::{
     Ground, Identification, Indecomposable, Killing, MAX_BETTI, MAX_DECOMPOSED, MAX_DERIVATIONS,
     RealIdeal, Structure, Subspace,
@@ -132,7 +136,12 @@ impl Info {
         let cartan = structure.cartan_subalgebra();
         stage("type");
         let types = structure.dynkin_type();
-        let ideals = simple_ideals(structure, levi)?;
+        let inside = rational_subalgebra(structure, levi)?;
+        let ideals = match &inside {
+            _ if levi.is_zero() => Some(vec![]),
+            Some(inside) => inside.simple_ideals()?.map(|ideals| ideals.real),
+            None => None,
+        };
         stage("derivations");
         let (derivations, inner) = (structure.derivations(), n - centre.dimension());
         let forms = structure.invariant_forms();
@@ -141,7 +150,7 @@ impl Info {
         let (index, unimodular) = (structure.index(), structure.is_unimodular());
 
         let last = |series: &[Subspace<S>]| series.last().is_some_and(Subspace::is_zero);
-        let (solvable, nilpotent) = (last(derived), last(derived) && last(&lower));
+        let (solvable, nilpotent) = (last(derived), last(derived) && last(lower));
         let simple = match (&ideals, types.as_deref()) {
             _ if !radical.is_zero() => Some(false),
             (Some(ideals), _) => Some(ideals.len() == 1),
@@ -154,7 +163,7 @@ impl Info {
             all => all.map(|all| all == inner),
         };
         let steps = |series: &[Subspace<S>], is: bool| is.then(|| series.len() - 1);
-        let (class, length) = (steps(&lower, nilpotent), steps(derived, solvable));
+        let (class, length) = (steps(lower, nilpotent), steps(derived, solvable));
         let words = |value: Option<usize>, unit: &str| value.map(|v| format!("{unit} {v}"));
         notes.flags(&[
             ("abelian", Some(structure.is_abelian()), None),
@@ -170,7 +179,7 @@ impl Info {
         notes.json.insert("nilpotency_class".into(), json!(class));
         notes.json.insert("derived_length".into(), json!(length));
         notes.series("derived series", "derived_series", derived);
-        notes.series("lower central series", "lower_central_series", &lower);
+        notes.series("lower central series", "lower_central_series", lower);
         notes.series("upper central series", "upper_central_series", &upper);
         notes.subspace("centre", "centre", &centre, "commutes with the basis");
         notes.killing(killing);
@@ -182,18 +191,10 @@ impl Info {
         notes.json.insert("rank".into(), json!(cartan.dimension()));
         let why = "nilpotent, its own normalizer";
         notes.subspace("Cartan subalgebra", "cartan_subalgebra", &cartan, why);
-        let diagrams = types.iter().flatten().map(|one| diagram(*one)).collect::<Vec<_>>();
-        let types = types.map(|types| {
-            let names: Vec<String> = types.iter().map(ToString::to_string).collect();
-            if names.is_empty() { "none".into() } else { names.join(" + ") }
-        });
-        let written = types.clone().filter(|_| !levi.is_zero());
-        notes.json.insert("dynkin_type".into(), json!(written));
-        if !levi.is_zero() {
-            let text = types.unwrap_or_else(|| "not found".into());
-            notes.row("Dynkin type", text, "of the Levi subalgebra, over the complex numbers");
-            notes.row("Dynkin diagram", diagrams.join("\n\n"), "simple roots as in Bourbaki");
-        }
+        notes.types(types.as_deref(), levi.is_zero());
+        stage("roots");
+        let over_q = rational_subspace(levi);
+        notes.roots(types.as_deref(), inside.as_ref().zip(over_q.as_ref()));
         notes.ideals(ideals.as_deref(), levi.is_zero());
         notes.derivations(derivations, inner);
         notes.betti(betti.as_deref());
@@ -204,42 +205,45 @@ impl Info {
             forms,
             "dimension of B([x,y],z) = B(x,[y,z])",
         );
+        let rational = over_the_rationals(structure)?;
+        stage("forms");
+        notes.cocycles(structure);
+        notes.nondegenerate_forms(rational.as_ref());
+        stage("casimirs");
+        notes.casimirs(rational.as_ref());
         stage("decomposition");
-        notes.decomposition(over_the_rationals(structure)?)?;
+        notes.decomposition(rational.as_ref())?;
         stage("identification");
-        notes.identification(over_the_rationals(structure)?.and_then(|all| all.identify()));
+        notes.identification(rational.as_ref().and_then(|all| all.identify()));
         Ok(notes.finish(name, n, S::KIND, parameters))
     }
 }
 
-/// The real simple ideals of the Levi subalgebra, where its constants are rational.
-fn simple_ideals<S: Ground>(
+/// The Levi subalgebra in the basis of its echelon form, where its constants are rational.
+fn rational_subalgebra<S: Ground>(
     structure: &Structure<S>,
     levi: &Subspace<S>,
-) -> Result<Option<Vec<RealIdeal>>, InputError> {
+) -> Result<Option<Structure<Rational>>, InputError> {
     if levi.is_zero() {
-        return Ok(Some(vec![]));
-    }
-    let inside = structure.subalgebra(levi)?;
-    let constants = inside.algebra().structure();
-    if constants.components().any(|(_, value)| value.rational().is_none()) {
         return Ok(None);
     }
-    let rational = inside.algebra().map(|value| value.rational().unwrap_or_default())?;
-    Ok(Structure::new(rational).simple_ideals()?.map(|ideals| ideals.real))
+    Ok(structure.subalgebra(levi)?.over_the_rationals())
+}
+
+/// A subspace whose basis is rational.
+fn rational_subspace<S: Ground>(subspace: &Subspace<S>) -> Option<Subspace<Rational>> {
+    let rows = subspace.basis().iter().map(|row| {
+        row.iter().map(|(at, value)| Some((*at, value.rational()?))).collect::<Option<Row<_>>>()
+    });
+    Some(Subspace::span(subspace.ambient(), rows.collect::<Option<Vec<_>>>()?))
 }
 
 /// The algebra with rational constants, if it has such and its dimension is low.
 fn over_the_rationals<S: Ground>(
     structure: &Structure<S>,
 ) -> Result<Option<Structure<Rational>>, InputError> {
-    let constants = structure.algebra().structure();
-    let rational = constants.components().all(|(_, value)| value.rational().is_some());
-    if structure.dimension() > MAX_DECOMPOSED || !rational {
-        return Ok(None);
-    }
-    let algebra = structure.algebra().map(|value| value.rational().unwrap_or_default())?;
-    Ok(Some(Structure::new(algebra)))
+    let low = structure.dimension() <= MAX_DECOMPOSED;
+    Ok(low.then(|| structure.over_the_rationals()).flatten())
 }
 
 /// The rows and the keys, as they are found.
@@ -401,7 +405,7 @@ impl Notes {
         self.json.insert(key.into(), json!(count));
     }
 
-    fn decomposition(&mut self, structure: Option<Structure<Rational>>) -> Result<(), InputError> {
+    fn decomposition(&mut self, structure: Option<&Structure<Rational>>) -> Result<(), InputError> {
         let ideals = structure.map(|all| all.indecomposable_ideals()).transpose()?.flatten();
         let entry = |part: &Indecomposable| {
             let rows = part.ideal.dense();
@@ -423,7 +427,7 @@ impl Notes {
     }
 
     fn identification(&mut self, found: Option<Identification>) {
-        let Some(Identification { names, parameter, isomorphism }) = found else {
+        let Some(Identification { names, parameter, isomorphism, under_root }) = found else {
             self.json.insert("identification".into(), Value::Null);
             return;
         };
@@ -441,7 +445,13 @@ impl Notes {
             rows.iter().map(vector).collect::<Vec<_>>().join(", ")
         });
         let witness = match written {
-            Some(images) => format!("its basis is {images}"),
+            Some(images) => match &under_root {
+                Some(numbers) => {
+                    let roots = numbers.iter().map(|v| format!("sqrt({v})")).collect::<Vec<_>>();
+                    format!("its basis is {images}, times {}", roots.join(", "))
+                }
+                None => format!("its basis is {images}"),
+            },
             None => "by invariants".into(),
         };
         let text = match &parameter {
@@ -449,7 +459,10 @@ impl Notes {
             None => name.clone(),
         };
         self.row("identification", text, &witness);
-        let json = json!({ "name": name, "parameter": parameter, "isomorphism": images });
+        let roots = under_root.map(|all| all.iter().map(Rational::to_string).collect::<Vec<_>>());
+        let json = json!({
+            "name": name, "parameter": parameter, "isomorphism": images, "under_root": roots,
+        });
         self.json.insert("identification".into(), json);
     }
 

@@ -212,6 +212,11 @@ pub(super) fn equation<S: Notation>(
     Equation::new(&quantity.latex(), tensor, group).inline().trim_end_matches("\\par").into()
 }
 
+/// A line in which every space counts: a box, at whose start TeX drops none.
+pub(super) fn verbatim(line: &str) -> String {
+    format!("\\mbox{{\\footnotesize\\ttfamily {}}}", escape(line).replace(' ', "~"))
+}
+
 /// Text in which no character is a command.
 pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());

@@ -6,14 +6,23 @@ use super::{Format, Report};
 use crate::definition::{Definition, InputError, Reading};
 use affinor::algebra::Complex;
 use affinor::algebra::structure::{Ground, Structure};
-use affinor::geometry::properties::Property;
-use affinor::{Connection, Geometry, LieAlgebra, MatrixBasis};
-use affinor_tensors::{Notation, Rational, Symbolic, Tensor, Tolerance};
+use affinor::geometry::properties::{MAX_SEARCHED, Property};
+use affinor::{Connection, Geometry, LieAlgebra, MatrixBasis, Metric};
+use affinor_tensors::text::combination;
+use affinor_tensors::{Notation, Rational, Ring, Symbolic, Tensor, Tolerance};
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-/// The largest dimension at which bi-invariant connections are counted.
-const SEARCHED: usize = 6;
+/// The largest dimension at which the bi-invariant connections are found.
+const CONNECTIONS: usize = 8;
+/// The largest dimension at which the invariant metrics are found.
+const METRICS: usize = 16;
+/// Families of more characters are written in JSON only.
+const LONGEST: usize = 240;
+
+/// A plane: its text and the two vectors.
+type Plane<S> = (String, [Vec<S>; 2]);
 
 /// The properties of a geometry, ready to be printed.
 #[derive(Clone, Debug)]
@@ -25,22 +34,51 @@ impl Properties {
     /// # Errors
     /// As [`Definition::geometry`].
     pub fn of(definition: &Definition) -> Result<Self, InputError> {
+        Self::with_planes(definition, &[])
+    }
+
+    /// The properties, and the sectional curvatures of planes: two vectors each, as [`Definition::plane`] reads them.
+    ///
+    /// # Errors
+    /// As [`Definition::geometry`] and [`Definition::plane`]; planes without a metric.
+    pub fn with_planes(definition: &Definition, planes: &[String]) -> Result<Self, InputError> {
         let tolerance = Tolerance::default();
         if definition.parameters().is_empty() && !definition.is_on_chart() {
             let convert = |value: &Symbolic| value.as_constant().cloned();
-            let reading = Reading::<Rational> { convert: &convert, tolerance };
-            return Self::new(&definition.geometry(&reading)?);
+            return Self::read(
+                definition,
+                planes,
+                &Reading::<Rational> { convert: &convert, tolerance },
+            );
         }
         let convert = |value: &Symbolic| Some(value.clone());
-        let reading = Reading::<Symbolic> { convert: &convert, tolerance };
-        Self::new(&definition.geometry(&reading)?)
+        Self::read(definition, planes, &Reading::<Symbolic> { convert: &convert, tolerance })
     }
 
     /// The properties of a geometry.
     ///
     /// # Errors
-    /// The first error of the library.
-    pub fn new<S: Ground + Notation>(geometry: &Geometry<S>) -> Result<Self, InputError> {
+    /// What the library refuses.
+    pub fn of_geometry<S: Ground + Notation>(geometry: &Geometry<S>) -> Result<Self, InputError> {
+        Self::new(geometry, &[])
+    }
+
+    fn read<S: Ground + Notation>(
+        definition: &Definition,
+        planes: &[String],
+        reading: &Reading<S>,
+    ) -> Result<Self, InputError> {
+        let geometry = definition.geometry(reading)?;
+        let plane = |text: &String| Ok((text.clone(), definition.plane(text, reading)?));
+        let planes = planes.iter().map(plane).collect::<Result<Vec<_>, InputError>>()?;
+        Self::new(&geometry, &planes)
+    }
+
+    /// The properties of a geometry, and the sectional curvatures of planes.
+    fn new<S: Ground + Notation>(
+        geometry: &Geometry<S>,
+        planes: &[Plane<S>],
+    ) -> Result<Self, InputError> {
         let connection = geometry.connection();
         let mut list = List::default();
         list.plain("torsion-free", connection.torsion_free());
@@ -55,6 +93,9 @@ impl Properties {
             });
             let curvature = connection.constant_curvature(metric)?;
             list.valued("constant curvature K", curvature, |k| format!("K = {k}"));
+        } else if !planes.is_empty() {
+            let message = "a plane has a sectional curvature for a metric only";
+            return Err(InputError::usage(message).help("give a metric, as in --metric identity"));
         }
         // the frame of a chart may have constant structure functions, but no invariant metric
         let algebra = geometry.algebra().filter(|_| geometry.frame_origin().fields().is_none());
@@ -68,15 +109,24 @@ impl Properties {
             });
             let fields = metric.killing_fields(algebra)?;
             list.fact("left-invariant Killing fields", &format!("dimension {}", fields.len()));
+            list.extremes(connection, metric, algebra)?;
+        }
+        if let Some(metric) = geometry.metric() {
+            for (text, [x, y]) in planes {
+                let value = connection.sectional_curvature(metric, x, y)?;
+                let value = value.map_or("the plane is degenerate".into(), |k| format!("K = {k}"));
+                list.fact(&format!("sectional curvature of {text}"), &value);
+            }
         }
         if let Some(algebra) = algebra {
-            if let Some(forms) = Structure::new(algebra.clone()).invariant_forms() {
-                list.fact("bi-invariant symmetric forms", &format!("dimension {forms}"));
-            }
-            if algebra.dimension() <= SEARCHED {
-                let all = Connection::bi_invariant(algebra)?.len();
-                list.fact("bi-invariant connections", &format!("dimension {all}"));
-            }
+            let labels = geometry.frame().labels();
+            let family = Family { labels, limit: METRICS, write: form };
+            list.family("bi-invariant symmetric forms", &family, || {
+                Metric::bi_invariant_forms(algebra)
+            })?;
+            list.family("parallel symmetric forms", &family, || connection.parallel_forms())?;
+            let family = Family { labels, limit: CONNECTIONS, write: covariant_derivatives };
+            list.family("bi-invariant connections", &family, || Connection::bi_invariant(algebra))?;
             let holonomy = connection.holonomy()?;
             let name = name_of(geometry.frame().dimension(), holonomy.basis()?)?;
             list.fact("holonomy algebra", &format!("dimension {}{name}", holonomy.rank()));
@@ -120,6 +170,38 @@ fn name_of<S: Ground + Notation>(size: usize, basis: Vec<Tensor<S>>) -> Result<S
     Ok(format!(": {}", names.join(" + ")))
 }
 
+/// How a vector space of tensors is written.
+struct Family<'a> {
+    labels: &'a [String],
+    /// The largest dimension of the algebra at which it is computed.
+    limit: usize,
+    /// The general element, from its components with parameters.
+    write: fn(&[String], &BTreeMap<Vec<usize>, String>) -> String,
+}
+
+/// `g(x1, x1) = a1`, of a symmetric form.
+fn form(labels: &[String], components: &BTreeMap<Vec<usize>, String>) -> String {
+    let upper = components.iter().filter(|(at, _)| at[0] <= at[1]);
+    let entry = |(at, value): (&Vec<usize>, &String)| {
+        format!("g({}, {}) = {value}", printable(&labels[at[0]]), printable(&labels[at[1]]))
+    };
+    upper.map(entry).collect::<Vec<_>>().join(", ")
+}
+
+/// `nabla[e1, e2] = a1*e3`, of affinities with the upper index in front.
+fn covariant_derivatives(labels: &[String], components: &BTreeMap<Vec<usize>, String>) -> String {
+    let mut by_pair: BTreeMap<(usize, usize), Vec<(String, String)>> = BTreeMap::new();
+    for (at, value) in components {
+        let bracketed = if value.contains(' ') { format!("({value})") } else { value.clone() };
+        by_pair.entry((at[1], at[2])).or_default().push((bracketed, printable(&labels[at[0]])));
+    }
+    let line = |((j, k), terms): ((usize, usize), Vec<(String, String)>)| {
+        let (x, y) = (printable(&labels[j]), printable(&labels[k]));
+        format!("nabla[{x}, {y}] = {}", combination(terms))
+    };
+    by_pair.into_iter().map(line).collect::<Vec<_>>().join(", ")
+}
+
 #[derive(Default)]
 struct List {
     rows: Vec<Vec<Cell>>,
@@ -154,6 +236,94 @@ impl List {
     fn fact(&mut self, name: &str, value: &str) {
         self.rows.push(vec![name.into(), "".into(), value.into()]);
         self.json.push(json!({ "name": name, "value": value }));
+    }
+
+    /// The tensors of a vector space, by a basis and with parameters `a1, a2, ..`.
+    fn family<S: Ground + Notation>(
+        &mut self,
+        name: &str,
+        family: &Family,
+        find: impl FnOnce() -> Result<Vec<Tensor<S>>, affinor::Error>,
+    ) -> Result<(), InputError> {
+        if family.labels.len() > family.limit {
+            self.fact(name, &format!("not computed beyond dimension {}", family.limit));
+            return Ok(());
+        }
+        let basis = find()?;
+        let mut terms: BTreeMap<Vec<usize>, Vec<(String, String)>> = BTreeMap::new();
+        for (at, tensor) in basis.iter().enumerate() {
+            for (place, value) in tensor.components() {
+                let term = (value.to_string(), format!("a{}", at + 1));
+                terms.entry(place.to_vec()).or_default().push(term);
+            }
+        }
+        let general = terms.into_iter().map(|(at, terms)| (at, combination(terms))).collect();
+        let general = (family.write)(family.labels, &general);
+        let detail = match general.chars().count() {
+            0 => String::new(),
+            1..=LONGEST => format!(": {general}"),
+            _ => "; basis in --format json".into(),
+        };
+        self.fact(name, &format!("dimension {}{detail}", basis.len()));
+        let components = |tensor: &Tensor<S>| {
+            let entry = |(at, value): (affinor_tensors::Indices, &S)| {
+                json!([at.iter().map(|i| i + 1).collect::<Vec<_>>(), value.to_string()])
+            };
+            tensor.components().map(entry).collect::<Vec<_>>()
+        };
+        if let Some(entry) = self.json.last_mut() {
+            entry["dimension"] = basis.len().into();
+            entry["basis"] = basis.iter().map(components).collect();
+        }
+        Ok(())
+    }
+
+    /// The extremes of the sectional curvature, where connection and metric are rational and fit together.
+    fn extremes<S: Ground + Notation>(
+        &mut self,
+        connection: &Connection<S>,
+        metric: &Metric<S>,
+        algebra: &LieAlgebra<S>,
+    ) -> Result<(), InputError> {
+        let fits = connection.torsion_free().holds().is_some()
+            && connection.metric_compatible(metric)?.holds().is_some();
+        let rational =
+            |tensor: &Tensor<S>| tensor.components().all(|(_, value)| value.rational().is_some());
+        if !fits || !rational(metric.components()) || !rational(algebra.structure()) {
+            return Ok(());
+        }
+        let value = |value: &S| value.rational().unwrap_or_default();
+        let labels = algebra.labels();
+        let metric = Metric::new(labels, metric.components().map(value))?;
+        let Some(extremes) = metric.sectional_extremes(&algebra.map(value)?)? else {
+            let limit = "not searched: the metric is indefinite, or the dimension not 2 to";
+            self.fact("extremes of K", &format!("{limit} {MAX_SEARCHED}"));
+            return Ok(());
+        };
+        let names = [("smallest K", "at most"), ("largest K", "at least")];
+        for ((name, bound), extreme) in names.into_iter().zip(extremes) {
+            let vector = |x: &Vec<Rational>| {
+                let terms = x.iter().zip(labels).filter(|(v, _)| !v.vanishes());
+                combination(
+                    terms.map(|(v, label)| (v.to_string(), printable(label))).collect::<Vec<_>>(),
+                )
+            };
+            let [x, y] = &extreme.plane;
+            let (k, plane) = (&extreme.curvature, format!("plane {}, {}", vector(x), vector(y)));
+            let text = match extreme.proved {
+                true => format!("K = {k}, {plane}"),
+                false => format!("{bound} {k}, {plane}; found by a search, not proved"),
+            };
+            self.fact(name, &text);
+            let rows: Vec<Vec<String>> =
+                extreme.plane.iter().map(|x| x.iter().map(Rational::to_string).collect()).collect();
+            if let Some(entry) = self.json.last_mut() {
+                entry["curvature"] = k.to_string().into();
+                entry["plane"] = json!(rows);
+                entry["proved"] = extreme.proved.into();
+            }
+        }
+        Ok(())
     }
 
     fn finish<S: Notation>(self, geometry: &Geometry<S>) -> Properties {

@@ -13,6 +13,7 @@ from affinor.errors import (
     AffinorError,
     AntisymmetryError,
     ClosureError,
+    ConstructionError,
     DependentError,
     InputError,
     IntegrationError,
@@ -26,6 +27,7 @@ from affinor.errors import (
 from affinor.geometry import Geodesic, Geometry, Property, compare, conventions
 from affinor.group import SE2, SE3, SE23, SL2, SO2, SO3, Group, RotationGroup, groups
 from affinor.motion import Problem, Trajectory, convergence, simulate
+from affinor.structure import Report
 from affinor.tensor import Tensor, contract
 
 __version__ = _version("affinor")
@@ -41,6 +43,7 @@ __all__ = [
     "AntisymmetryError",
     "Check",
     "ClosureError",
+    "ConstructionError",
     "DependentError",
     "Draw",
     "Geodesic",
@@ -56,6 +59,7 @@ __all__ = [
     "Motions",
     "Problem",
     "Property",
+    "Report",
     "RotationGroup",
     "ShapeError",
     "Sweep",

@@ -16,12 +16,23 @@ __all__ = [
     "Transport",
     "_panic",
     "catalogue",
+    "central_extension",
+    "complexification",
+    "contraction",
     "conventions",
     "evaluate",
     "groups",
+    "info",
+    "program",
+    "properties",
     "quantities",
+    "quotient",
+    "semidirect",
     "set_threads",
+    "subalgebra",
     "threads",
+    "truncated",
+    "with_dual",
 ]
 
 def _panic() -> None: ...
@@ -37,6 +48,17 @@ def evaluate(
     name: Callable[[str], Any],
     function: Callable[[str, Any], Any],
 ) -> Any: ...
+def info(space: Space) -> _Written: ...
+def properties(geometry: Geometry) -> _Written: ...
+def program(algebra: Geometry, program: str) -> str: ...
+def subalgebra(algebra: Geometry, way: str, vectors: list[Tensor]) -> _Made: ...
+def quotient(algebra: Geometry, vectors: list[Tensor]) -> _Made: ...
+def central_extension(algebra: Geometry, centre: list[str], cocycle: Tensor) -> _Made: ...
+def semidirect(algebra: Geometry, on: Geometry, by: list[Tensor]) -> _Made: ...
+def contraction(algebra: Geometry, weights: list[int]) -> _Made: ...
+def complexification(algebra: Geometry) -> _Made: ...
+def with_dual(algebra: Geometry) -> _Made: ...
+def truncated(algebra: Geometry, order: int) -> _Made: ...
 @final
 class Tensor:
     @staticmethod
@@ -71,6 +93,8 @@ class Tensor:
     @staticmethod
     def from_bytes(scalar: str, bytes: bytes) -> Tensor: ...
 
+_Written = tuple[str, str, str]
+_Made = tuple[list[str], Tensor]
 _Checked = tuple[str, bool, str, tuple[list[int], list[tuple[int, str]]] | None]
 
 @final

@@ -14,6 +14,7 @@ from affinor import _engine
 from affinor._scalars import Scalar, Symbols, document, is_matrix, merged, names_in, text_of
 from affinor.errors import MathematicsError
 from affinor.group import Group
+from affinor.structure import Structured
 from affinor.tensor import Tensor
 
 __all__ = ["Check", "LieAlgebra", "catalogue", "check"]
@@ -171,7 +172,7 @@ def _sparse(constants: Any) -> tuple[list[Any], list[Any], int | None]:
     raise ValueError(f"sparse structure constants have the shape (n, n, n) or (n, n*n), not {shape}")
 
 
-class LieAlgebra:
+class LieAlgebra(Structured):
     """A Lie algebra with a basis; the Jacobi identity is checked.
 
     ``LieAlgebra("so3")`` takes a name of the catalogue, a sum of names (``"so3+R^3"``), or the path of a definition file;
@@ -194,7 +195,7 @@ class LieAlgebra:
         self._set(source_of(space, basis=basis, scalar=scalar, tolerance=tolerance))
 
     def _set(self, source: Source) -> None:
-        self._source = source
+        self._source, self._found = source, None
         self._space = source.space()
         self._engine = self._space.algebra(source.scalar, source.tolerance)
 
@@ -262,31 +263,6 @@ class LieAlgebra:
     # -- what it is ------------------------------------------------------------------------------------------------------
 
     @property
-    def name(self) -> str:
-        """The name."""
-        return self._space.name
-
-    @property
-    def basis(self) -> list[str]:
-        """The names of the basis vectors."""
-        return self._engine.labels
-
-    @property
-    def dimension(self) -> int:
-        """The dimension."""
-        return len(self.basis)
-
-    @property
-    def scalar(self) -> str:
-        """``exact``, ``symbolic`` or ``float``."""
-        return self._engine.scalar
-
-    @property
-    def parameters(self) -> list[str]:
-        """The names of the parameters, sorted."""
-        return self._space.parameters
-
-    @property
     def symbols(self) -> Symbols:
         """The symbols of SymPy that were given, by name."""
         return dict(self._source.symbols)
@@ -316,12 +292,6 @@ class LieAlgebra:
     def bracket(self, x: ArrayLike | Any, y: ArrayLike | Any) -> Tensor:
         """The bracket of two vectors by their components."""
         return self.structure.contract("^i_jk ^j ^k -> ^i", self._vector(x), self._vector(y))
-
-    def _vector(self, x: Any) -> Tensor:
-        vector = x if isinstance(x, Tensor) else Tensor(x, "^", scalar="float" if self.scalar == "float" else None)
-        if vector.slots != "^" or vector.dimension != self.dimension:
-            raise ValueError(f"a vector of this algebra has {self.dimension} components, not {vector.dimension}")
-        return vector
 
     def direct_sum(self, other: LieAlgebra) -> LieAlgebra:
         """The direct sum, in the basis of this algebra followed by that of the other."""

@@ -8,6 +8,7 @@ __all__ = [
     "AffinorError",
     "AntisymmetryError",
     "ClosureError",
+    "ConstructionError",
     "DependentError",
     "InputError",
     "IntegrationError",
@@ -97,6 +98,18 @@ class AntisymmetryError(_Pair):
 
 class ClosureError(_Pair):
     """Matrices whose span is not closed under the commutator."""
+
+
+class ConstructionError(_Pair):
+    """A construction whose condition fails: no ideal, no subalgebra, no cocycle, no derivation, no action, or no limit.
+
+    ``data`` has the witness: ``pair`` or ``triple``, ``residual``, and ``derivation``, ``vector`` or ``component``.
+    """
+
+    @property
+    def triple(self) -> tuple[str, str, str] | None:
+        """The names of three basis vectors for which a form is no cocycle."""
+        return self.data.get("triple")
 
 
 class DependentError(MathematicsError):

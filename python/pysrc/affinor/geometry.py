@@ -13,6 +13,7 @@ from affinor._scalars import Scalar, Symbols, is_matrix, is_sympy, merged, text_
 from affinor.algebra import DESCRIPTIONS, Check, LieAlgebra, Source, settings, source_of
 from affinor.errors import MathematicsError
 from affinor.group import Group
+from affinor.structure import Report
 from affinor.tensor import Tensor
 
 __all__ = ["Geodesic", "Geometry", "Property", "compare", "conventions"]
@@ -357,6 +358,13 @@ class Geometry:
         ``parallel_curvature``: whether it holds, with its constant or a witness."""
         holds, value, witness = self._engine.property(name)
         return Property(holds, None if value is None else self._number(value), None if witness is None else witness[0])
+
+    def properties(self) -> Report:
+        """All properties as ``affinor properties`` finds them: flat, Einstein, naturally reductive, Ricci soliton, ...
+
+        The dict is the JSON document ``affinor.properties/1``; ``print`` shows the table.
+        """
+        return Report(_engine.properties(self._engine))
 
     def holonomy(self) -> list[Tensor]:
         """A basis of the holonomy algebra, matrices ``A^i_j``."""

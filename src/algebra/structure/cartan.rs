@@ -3,6 +3,7 @@
 use super::radical::TRIALS;
 use super::{Ground, Structure, Subspace};
 use affinor_tensors::linear::Row;
+use std::cmp::Ordering;
 
 impl<S: Ground> Structure<S> {
     /// A Cartan subalgebra: the null component of `ad x` for an element `x` for which that component
@@ -15,7 +16,7 @@ impl<S: Ground> Structure<S> {
         if self.is_nilpotent() {
             return self.whole();
         }
-        let commuting = self.commuting_basis_vectors();
+        let commuting = self.commuting_basis_vectors(|_| true);
         let mut seed = 0x9e37_79b9_7f4a_7c15_u64;
         let mut draw = move |below: usize| {
             seed = seed
@@ -60,13 +61,31 @@ impl<S: Ground> Structure<S> {
         }
     }
 
-    /// Basis vectors that commute, each with a Killing square that is not zero.
-    fn commuting_basis_vectors(&self) -> Vec<usize> {
+    /// A Cartan subalgebra of a semisimple algebra that contains basis vectors, as many with positive Killing squares as
+    /// commute, then others; `None` if these have a null component of more than the rank.
+    pub(super) fn hyperbolic_cartan_subalgebra(&self, rank: usize) -> Option<Subspace<S>> {
+        let positive = |square: &S| square.sign() == Some(Ordering::Greater);
+        let chosen = self.commuting_basis_vectors(positive);
+        // weights in general position: powers of 3
+        let mut weight = S::one();
+        let mut x: Row<S> = vec![];
+        for at in chosen {
+            x.push((at, weight.clone()));
+            weight = weight * &S::from_i64(3);
+        }
+        let null = self.null_component(&x);
+        (null.dimension() == rank).then_some(null)
+    }
+
+    /// Basis vectors that commute, each with a Killing square that is not zero; those that are preferred come first.
+    fn commuting_basis_vectors(&self, preferred: impl Fn(&S) -> bool) -> Vec<usize> {
+        let square = |at: usize| self.killing_matrix().get(at, at);
+        let semisimple = (0..self.dimension()).filter(|at| !square(*at).vanishes());
+        let (first, others): (Vec<usize>, Vec<usize>) =
+            semisimple.partition(|at| preferred(&square(*at)));
         let mut chosen: Vec<usize> = vec![];
-        for at in 0..self.dimension() {
-            let semisimple = !self.killing_matrix().get(at, at).vanishes();
-            let commutes = || self.products.of(at).iter().all(|(k, ..)| !chosen.contains(k));
-            if semisimple && commutes() {
+        for at in first.into_iter().chain(others) {
+            if self.products.of(at).iter().all(|(k, ..)| !chosen.contains(k)) {
                 chosen.push(at);
             }
         }

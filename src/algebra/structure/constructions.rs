@@ -45,7 +45,7 @@ impl<S: Ground> Structure<S> {
         let mut constants = vec![];
         for (j, at) in places.iter().enumerate() {
             for (k, other) in places.iter().enumerate().skip(j + 1) {
-                let bracket = self.products.ad(&[(*at, S::one())]).column(*other).clone();
+                let bracket = self.products.ad(&[(*at, S::one())]).column(*other).to_vec();
                 let rest = ideal.reduce(bracket).into_iter();
                 constants.extend(rest.filter_map(|(i, value)| Some((j, k, place(&i)?, value))));
             }
@@ -95,7 +95,7 @@ impl<S: Ground> Structure<S> {
             (0..m).map(|k| transposed.row(k).to_vec()).collect()
         };
         let actions: Vec<Vec<Row<S>>> = by.iter().map(columns).collect();
-        let apply = |d: &[Row<S>], v: &Row<S>| super::subspace::combination(d, v);
+        let apply = |d: &[Row<S>], v: &[(usize, S)]| super::subspace::combination(d, v);
         let minus =
             |row: Row<S>| row.into_iter().map(|(at, value)| (at, -value)).collect::<Row<S>>();
         let labels = self.algebra.labels();
@@ -104,7 +104,7 @@ impl<S: Ground> Structure<S> {
                 let ad = on.products.ad(&[(j, S::one())]);
                 let moved = on.products.ad(&d[j]);
                 for k in j + 1..m {
-                    let right = [moved.column(k).clone(), ad.image(&d[k])].concat();
+                    let right = [moved.column(k).to_vec(), ad.image(&d[k])].concat();
                     let left = apply(d, ad.column(k));
                     let residual = collected([left, minus(right)].concat());
                     if !residual.is_empty() {

@@ -70,7 +70,9 @@ impl Structure<Rational> {
         if let [one] = types[..] {
             let Some([plus, minus, _]) = self.killing().signature() else { return Ok(None) };
             ideals.rational.push(self.whole());
-            ideals.real.push(RealIdeal::real(0, one, [plus, minus]));
+            let mut ideal = RealIdeal::real(0, one, [plus, minus]);
+            ideal.names = self.by_cartan_subalgebra(one.rank(), ideal.names);
+            ideals.real.push(ideal);
             return Ok(Some(ideals));
         }
         let Some(centroid) = self.centroid(types.len()) else { return Ok(None) };
@@ -141,6 +143,10 @@ impl Structure<Rational> {
             let plus = usize::try_from((n as i64 + own) / 2).ok()?;
             ideals.push(RealIdeal::real(within, cartan_type, [plus, n.checked_sub(plus)?]));
         }
+        if let (1, [one]) = (minimal.deg(), &mut ideals[..]) {
+            one.names =
+                self.by_cartan_subalgebra(cartan_type.rank(), std::mem::take(&mut one.names));
+        }
         let complex = (minimal.deg() - places.len()) / 2;
         ideals.extend((0..complex).map(|_| RealIdeal {
             within,
@@ -150,6 +156,34 @@ impl Structure<Rational> {
             names: vec![complex_form(cartan_type)],
         }));
         Some(ideals)
+    }
+
+    /// Of two real forms with the same type and signature, the one to which the Cartan subalgebra belongs, if it decides.
+    ///
+    /// The noncompact part of a Cartan subalgebra has at most the real rank as its dimension: of su(p,q), so(p,q) the smaller of
+    /// `p` and `q`, of so*(2n) half of `n`. The Cartan subalgebras of su*(2n) are conjugate, with a part of dimension
+    /// `n - 1`, which exceeds the real rank of the other form.
+    fn by_cartan_subalgebra(&self, rank: usize, names: Vec<String>) -> Vec<String> {
+        let [indefinite, quaternionic] = &names[..] else { return names };
+        let noncompact = |cartan: Subspace<Rational>| {
+            let basis = Matrix::from_rows(self.dimension(), cartan.basis().iter().cloned()).ok()?;
+            let form = basis.mul(self.killing_matrix()).ok()?.mul(&basis.transpose()).ok()?;
+            Killing::new(form).signature().map(|[plus, ..]| plus)
+        };
+        let hyperbolic = self.hyperbolic_cartan_subalgebra(rank).and_then(noncompact);
+        let Some(noncompact) = hyperbolic.or_else(|| noncompact(self.cartan_subalgebra())) else {
+            return names;
+        };
+        let number = |text: &str| text.parse::<usize>().ok();
+        let argument =
+            quaternionic.split_once('(').and_then(|(_, n)| number(n.trim_end_matches(')')));
+        let Some(half) = argument.map(|argument| argument / 2) else { return names };
+        match quaternionic.starts_with("su*") {
+            true if noncompact + 1 == half => vec![quaternionic.clone()],
+            true => vec![indefinite.clone()],
+            false if noncompact > half / 2 => vec![indefinite.clone()],
+            false => names,
+        }
     }
 
     /// A basis of the maps that commute with all `ad`, reconstructed from residues and multiplied out.
@@ -288,12 +322,15 @@ fn generator(matrices: &[Matrix<Rational>]) -> Option<(Matrix<Rational>, Uni<Big
             continue;
         }
         let solution = system.solve(&powers[degree]).ok()??;
-        let big = |value: &Rational| -BigRational::from(value);
-        let mut coefficients: Vec<BigRational> = solution.iter().map(big).collect();
-        coefficients.push(BigRational::from_integer(1.into()));
-        return Some((gamma, Uni::new(coefficients)));
+        return Some((gamma, monic(&solution)));
     }
     None
+}
+
+/// The polynomial `t^m - sum of s_k t^k` of a relation `x^m = sum of s_k x^k`.
+pub(super) fn monic(relation: &[Rational]) -> Uni<BigRational> {
+    let coefficients = relation.iter().map(|value| -BigRational::from(value));
+    Uni::new(coefficients.chain([BigRational::from_integer(1.into())]).collect())
 }
 
 /// The minimal polynomial of a matrix, from the first power that depends on those before.
@@ -307,10 +344,7 @@ pub(super) fn minimal_polynomial(matrix: &Matrix<Rational>) -> Option<Uni<BigRat
         if !powers.is_empty() {
             let system = Matrix::from_dense(&powers).ok()?.transpose();
             if let Some(solution) = system.solve(&next).ok()? {
-                let mut coefficients: Vec<BigRational> =
-                    solution.iter().map(|value| -BigRational::from(value)).collect();
-                coefficients.push(BigRational::from_integer(1.into()));
-                return Some(Uni::new(coefficients));
+                return Some(monic(&solution));
             }
         }
         powers.push(next);

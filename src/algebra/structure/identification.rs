@@ -1,16 +1,22 @@
 //! The name of an algebra of low dimension: real ones up to dimension 4, nilpotent ones up to 6.
 //!
-//! Up to dimension 3 the isomorphism is a witness where it is rational. Nilpotent algebras are told apart
-//! by the dimensions of both central series and of the derivations, and by the Betti numbers; these separate
-//! all real ones up to dimension 6 but for the sign of the parameter of four families.
+//! Up to dimension 4 the isomorphism is a witness where it is rational; of simple algebras also over square roots. Nilpotent
+//! algebras are told apart by the dimensions of both central series and of the derivations, and by the Betti
+//! numbers; these separate all real ones up to dimension 6 but for the sign of the parameter of four families, which
+//! quadratic forms decide.
 
 mod four;
+mod sign;
+mod witness;
 
 use super::subspace::collected;
 use super::{Structure, Subspace};
-use crate::algebra::catalogue;
+use crate::algebra::{LieAlgebra, catalogue};
 use affinor_tensors::linear::Row;
 use affinor_tensors::{Field, Rational, Ring};
+pub(super) use four::spectrum;
+use witness::Images;
+pub(super) use witness::{images as vector_images, sum};
 
 /// The name of an algebra in the catalogue.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,8 +25,16 @@ pub struct Identification {
     pub names: Vec<String>,
     /// An equation for the parameter, where it is not rational.
     pub parameter: Option<String>,
-    /// The images of the basis of the named algebra, where they are rational.
+    /// The images of the basis of the named algebra, where they are rational up to `under_root`.
     pub isomorphism: Option<Vec<Vec<Rational>>>,
+    /// Positive numbers: each image is to be multiplied by the square root of its number.
+    pub under_root: Option<Vec<Rational>>,
+}
+
+impl Identification {
+    fn by_name(names: Vec<String>) -> Self {
+        Identification { names, parameter: None, isomorphism: None, under_root: None }
+    }
 }
 
 type Vector = Row<Rational>;
@@ -28,6 +42,18 @@ type Vector = Row<Rational>;
 impl Structure<Rational> {
     /// The name of the algebra; `None` for other dimensions.
     pub fn identify(&self) -> Option<Identification> {
+        let found = self.by_invariants()?;
+        let named = found.isomorphism.is_none() && found.parameter.is_none();
+        match &found.names[..] {
+            [name] if named && self.dimension() <= 4 => match self.isomorphism_with(name) {
+                Some(images) => Some(self.with_images(name, images)),
+                None => Some(found),
+            },
+            _ => Some(found),
+        }
+    }
+
+    fn by_invariants(&self) -> Option<Identification> {
         match self.dimension() {
             1 => self.named("R^1", self.unit_vectors()),
             2 if self.is_abelian() => self.named("R^2", self.unit_vectors()),
@@ -59,13 +85,21 @@ impl Structure<Rational> {
     }
 
     fn named(&self, name: &str, images: Vec<Vector>) -> Option<Identification> {
+        Some(match images.is_empty() {
+            true => Identification::by_name(vec![name.into()]),
+            false => self.with_images(name, Images { vectors: images, under_root: None }),
+        })
+    }
+
+    fn with_images(&self, name: &str, images: Images) -> Identification {
         let dense = |vector: &Vector| {
             let mut all = vec![Rational::from(0); self.dimension()];
             vector.iter().for_each(|(at, value)| all[*at] = value.clone());
             all
         };
-        let isomorphism = (!images.is_empty()).then(|| images.iter().map(dense).collect());
-        Some(Identification { names: vec![name.into()], parameter: None, isomorphism })
+        let isomorphism = Some(images.vectors.iter().map(dense).collect());
+        let under_root = images.under_root;
+        Identification { isomorphism, under_root, ..Identification::by_name(vec![name.into()]) }
     }
 
     /// Bianchi's type, after the dimension of the derived algebra.
@@ -175,18 +209,20 @@ impl Structure<Rational> {
         for small in 1..=n {
             for name in nilpotent_names(small) {
                 let full = if small < n { format!("{name}+R^{}", n - small) } else { name };
-                let parts = full.split('+').map(catalogue::algebra::<Rational>);
-                let parts = parts.collect::<Result<Vec<_>, _>>().ok()?;
-                let algebra = parts.into_iter().map(Ok).reduce(|a, b| a?.direct_sum(&b?))?.ok()?;
-                if Structure::new(algebra).fingerprint() == own {
+                if Structure::new(catalogued(&full)?).fingerprint() == own {
                     names.push(full);
                 }
             }
         }
-        if names.is_empty() {
-            return None;
+        // e = 1 and e = -1 have the same dimensions
+        let positive = match &names[..] {
+            [first, _] => self.has_positive_parameter(first),
+            _ => None,
+        };
+        if let Some(positive) = positive {
+            names.retain(|name| name.ends_with("e=1)") == positive);
         }
-        Some(Identification { names, parameter: None, isomorphism: None })
+        (!names.is_empty()).then(|| Identification::by_name(names))
     }
 
     fn fingerprint(&self) -> (Vec<usize>, Vec<usize>, Option<usize>, Option<Vec<u64>>) {
@@ -194,7 +230,7 @@ impl Structure<Rational> {
             series.iter().map(Subspace::dimension).collect()
         };
         (
-            dimensions(&self.lower_central_series()),
+            dimensions(self.lower_central_series()),
             dimensions(&self.upper_central_series()),
             self.derivations(),
             self.betti(),
@@ -218,6 +254,13 @@ fn nilpotent_names(dimension: usize) -> Vec<String> {
     rows.flat_map(valued).collect()
 }
 
-fn scale(vector: &Vector, factor: &Rational) -> Vector {
+/// The sum of catalogue names.
+fn catalogued(names: &str) -> Option<LieAlgebra<Rational>> {
+    let parts = names.split('+').map(catalogue::algebra::<Rational>);
+    let parts = parts.collect::<Result<Vec<_>, _>>().ok()?;
+    parts.into_iter().map(Ok).reduce(|a, b| a?.direct_sum(&b?))?.ok()
+}
+
+pub(super) fn scale(vector: &Vector, factor: &Rational) -> Vector {
     vector.iter().map(|(at, value)| (*at, value.clone() * factor)).collect()
 }

@@ -10,8 +10,8 @@ pub(super) struct Products<S> {
     by_first: Vec<Vec<(usize, usize, S)>>,
 }
 
-/// The matrix of `[x, .]`: its columns.
-pub(super) struct Ad<S>(Vec<Row<S>>);
+/// The matrix of `[x, .]`: the columns that are not zero, sorted.
+pub(super) struct Ad<S>(Vec<(usize, Row<S>)>);
 
 impl<S: Field> Products<S> {
     pub fn new(structure: &Tensor<S>) -> Self {
@@ -23,10 +23,6 @@ impl<S: Field> Products<S> {
         Products { by_first }
     }
 
-    pub fn dimension(&self) -> usize {
-        self.by_first.len()
-    }
-
     /// The constants `(k, i, c^i_jk)` of `[e_j, .]`.
     pub fn of(&self, j: usize) -> &[(usize, usize, S)] {
         &self.by_first[j]
@@ -34,30 +30,49 @@ impl<S: Field> Products<S> {
 
     /// The matrix of `[x, .]`.
     pub fn ad(&self, x: &[(usize, S)]) -> Ad<S> {
-        let mut columns = vec![vec![]; self.dimension()];
-        for (j, factor) in x {
-            for (k, i, value) in self.of(*j) {
-                columns[*k].push((*i, value.clone() * factor));
+        let terms = x.iter().flat_map(|(j, factor)| {
+            self.of(*j).iter().map(move |(k, i, value)| (*k, (*i, value.clone() * factor)))
+        });
+        let mut terms: Vec<(usize, (usize, S))> = terms.collect();
+        if x.len() > 1 {
+            terms.sort_by_key(|(k, (i, _))| (*k, *i));
+        }
+        let mut columns: Vec<(usize, Row<S>)> = vec![];
+        for (k, entry) in terms {
+            match columns.last_mut() {
+                Some((last, column)) if *last == k => column.push(entry),
+                _ => columns.push((k, vec![entry])),
             }
         }
-        let collect = |terms| if x.len() > 1 { collected(terms) } else { terms };
-        Ad(columns.into_iter().map(collect).collect())
+        if x.len() > 1 {
+            for (_, column) in &mut columns {
+                *column = collected(std::mem::take(column));
+            }
+            columns.retain(|(_, column)| !column.is_empty());
+        }
+        Ad(columns)
     }
 }
 
 impl<S: Field> Ad<S> {
     /// `[x, e_k]`
-    pub fn column(&self, k: usize) -> &Row<S> {
-        &self.0[k]
+    pub fn column(&self, k: usize) -> &[(usize, S)] {
+        match self.0.binary_search_by_key(&k, |(k, _)| *k) {
+            Ok(at) => &self.0[at].1,
+            Err(_) => &[],
+        }
     }
 
     /// The columns that are not zero.
     pub fn columns(&self) -> impl Iterator<Item = (usize, &Row<S>)> {
-        self.0.iter().enumerate().filter(|(_, column)| !column.is_empty())
+        self.0.iter().map(|(k, column)| (*k, column))
     }
 
     /// `[x, y]`
     pub fn image(&self, y: &[(usize, S)]) -> Row<S> {
-        super::subspace::combination(&self.0, y)
+        let terms = y.iter().flat_map(|(k, factor)| {
+            self.column(*k).iter().map(move |(i, value)| (*i, value.clone() * factor))
+        });
+        collected(terms.collect())
     }
 }

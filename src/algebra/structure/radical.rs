@@ -33,6 +33,9 @@ impl<S: Ground> Structure<S> {
     /// it is the nilradical as soon as it is a nilpotent ideal.
     pub fn nilradical(&self) -> Subspace<S> {
         let radical = self.radical();
+        if radical.is_zero() || self.is_nilpotent() {
+            return radical.clone();
+        }
         let inside = self.subalgebra(radical).expect("the radical is a subalgebra");
         if inside.is_nilpotent() {
             return radical.clone();
@@ -64,7 +67,7 @@ impl<S: Ground> Structure<S> {
         let matrix = |x: &[(usize, S)]| {
             let ad = self.products.ad(x);
             // column by column: the transpose
-            Matrix::from_rows(n, (0..n).map(|k| ad.column(k).clone())).expect("a square matrix")
+            Matrix::from_rows(n, (0..n).map(|k| ad.column(k).to_vec())).expect("a square matrix")
         };
         let ads: Vec<Matrix<S>> = open.iter().map(|&at| matrix(&[(at, S::one())])).collect();
         let y = matrix(y);

@@ -45,15 +45,17 @@ impl<S: Ground> Structure<S> {
     }
 
     /// The lower central series `L, [L,L], [[L,L],L], ..` until it is stable.
-    pub fn lower_central_series(&self) -> Vec<Subspace<S>> {
-        let whole = self.whole();
-        if self.is_perfect() {
-            return vec![whole];
-        }
-        let mut series = vec![whole.clone(), self.derived().clone()];
-        let last = descend(self.derived().clone(), |v| self.bracket(v, &whole));
-        series.extend(last.into_iter().skip(1));
-        series
+    pub fn lower_central_series(&self) -> &[Subspace<S>] {
+        self.lower.get_or_init(|| {
+            let whole = self.whole();
+            if self.is_perfect() {
+                return vec![whole];
+            }
+            let mut series = vec![whole.clone(), self.derived().clone()];
+            let last = descend(self.derived().clone(), |v| self.bracket(v, &whole));
+            series.extend(last.into_iter().skip(1));
+            series
+        })
     }
 
     /// The upper central series `0, Z, ..` until it is stable.
@@ -75,10 +77,12 @@ impl<S: Ground> Structure<S> {
 
     /// The centre.
     pub fn centre(&self) -> Subspace<S> {
-        if self.is_semisimple() {
-            return Subspace::zero(self.dimension());
-        }
-        self.transporter(&self.whole(), &Subspace::zero(self.dimension()))
+        let zero = || Subspace::zero(self.dimension());
+        let find = || match self.is_semisimple() {
+            true => zero(),
+            false => self.transporter(&self.whole(), &zero()),
+        };
+        self.centre.get_or_init(find).clone()
     }
 
     /// The vectors `x` of `v` with `[x, L]` in `target`.
@@ -162,7 +166,8 @@ impl<S: Ground> Structure<S> {
 
     /// Whether the radical is the centre.
     pub fn is_reductive(&self) -> bool {
-        self.radical() == &self.centre()
+        let radical = self.radical();
+        radical.is_zero() || radical == &self.centre()
     }
 
     /// Whether a subspace is an ideal.

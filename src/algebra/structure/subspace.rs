@@ -105,8 +105,10 @@ impl<S: Field> Subspace<S> {
 
     /// The coordinates in [`basis`](Self::basis) that are not zero; `None` outside the subspace.
     pub fn coordinates(&self, vector: &[(usize, S)]) -> Option<Row<S>> {
-        let all = self.echelon.coordinates(vector.iter().cloned())?;
-        Some(all.into_iter().enumerate().filter(|(_, value)| !value.vanishes()).collect())
+        let place = |at: &usize| self.echelon.pivots().binary_search(at).ok();
+        let own = vector.iter().filter_map(|(at, value)| Some((place(at)?, value.clone())));
+        let own: Row<S> = own.collect();
+        self.contains(vector).then_some(own)
     }
 
     /// The vector with these coordinates in [`basis`](Self::basis).

@@ -203,14 +203,17 @@ fn eliminate<S: Field>(
 
 /// The best candidate for the pivot, normalised, and the other candidates.
 ///
-/// First by [`Field::pivot_weight`] (floats: partial pivoting), then the sparsest.
+/// First on the diagonal, for scalars with [`Field::DIAGONAL_PIVOTS`]; then by [`Field::pivot_weight`] (floats: partial
+/// pivoting), then the sparsest.
 fn choose<S: Field>(
     column: usize,
     mut candidates: Vec<Candidate<S>>,
     tolerance: Tolerance,
 ) -> Result<(Pivot<S>, Vec<Candidate<S>>), LinearError> {
+    let elsewhere = |candidate: &Candidate<S>| S::DIAGONAL_PIVOTS && candidate.origin != column;
     candidates.sort_by(|a, b| {
-        (b.weight.total_cmp(&a.weight))
+        (elsewhere(a).cmp(&elsewhere(b)))
+            .then(b.weight.total_cmp(&a.weight))
             .then(a.rest.len().cmp(&b.rest.len()))
             .then(a.origin.cmp(&b.origin))
     });

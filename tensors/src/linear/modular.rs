@@ -56,6 +56,16 @@ impl Prime {
         self.reduce(a * b)
     }
 
+    /// The sum `a_i b_i` of products of residues.
+    pub fn dot(self, a: &[u64], b: &[u64]) -> u64 {
+        // four products below 2^62 fit into a word
+        let sum = |(a, b): (&[u64], &[u64])| {
+            let products = a.iter().zip(b).map(|(a, b)| short(*a, *b));
+            self.reduce(products.sum())
+        };
+        self.reduce(a.chunks(4).zip(b.chunks(4)).map(sum).sum())
+    }
+
     /// The sum of two residues.
     #[inline]
     pub fn add(self, a: u64, b: u64) -> u64 {
@@ -127,32 +137,39 @@ impl Residues {
     }
 
     /// Brings the rows to reduced row echelon form and drops zero rows; the pivot columns.
+    ///
+    /// Rows are taken in one by one. The rows found last form a block, reduced among themselves; when it is full,
+    /// its pivots are cleared from the rows before it, many products to one reduction.
     pub fn reduce(&mut self) -> Vec<usize> {
         let p = self.prime;
-        let mut pivots = vec![];
-        for column in 0..self.columns {
-            let done = pivots.len();
-            if done == self.rows.len() {
+        let (mut done, mut block) = (Reduced::default(), Reduced::default());
+        for mut row in std::mem::take(&mut self.rows) {
+            if done.rows.len() + block.rows.len() == self.columns {
                 break;
             }
-            let Some(at) = (done..self.rows.len()).find(|&i| self.rows[i][column] != 0) else {
-                continue;
-            };
-            self.rows.swap(done, at);
-            let mut pivot = std::mem::take(&mut self.rows[done]);
-            let unit = p.inv(pivot[column]).unwrap_or(1);
-            pivot[column..].iter_mut().for_each(|v| *v = p.mul(*v, unit));
-            for row in self.rows.iter_mut().filter(|row| !row.is_empty()) {
-                let factor = p.neg(row[column]);
+            done.clear(p, &mut row);
+            block.clear(p, &mut row);
+            let Some(pivot) = row.iter().position(|v| *v != 0) else { continue };
+            let unit = p.inv(row[pivot]).unwrap_or(1);
+            row[pivot..].iter_mut().for_each(|v| *v = p.mul(*v, unit));
+            for other in &mut block.rows {
+                let factor = p.neg(other[pivot]);
                 if factor != 0 {
-                    let pairs = row[column..].iter_mut().zip(&pivot[column..]);
+                    let pairs = other[pivot..].iter_mut().zip(&row[pivot..]);
                     pairs.for_each(|(v, &w)| *v = p.reduce(*v + factor * w));
                 }
             }
-            self.rows[done] = pivot;
-            pivots.push(column);
+            block.rows.push(row);
+            block.pivots.push(pivot);
+            if block.rows.len() == BLOCK {
+                done.append(p, &mut block);
+            }
         }
-        self.rows.truncate(pivots.len());
+        done.append(p, &mut block);
+        let mut order: Vec<(usize, Vec<u64>)> = done.pivots.into_iter().zip(done.rows).collect();
+        order.sort_unstable_by_key(|(pivot, _)| *pivot);
+        let (pivots, rows) = order.into_iter().unzip();
+        self.rows = rows;
         pivots
     }
 
@@ -178,11 +195,60 @@ impl Residues {
 
     /// The vector `A x`.
     pub fn apply(&self, x: &[u64]) -> Vec<u64> {
-        let p = self.prime;
-        let component =
-            |row: &Vec<u64>| row.iter().zip(x).fold(0, |sum, (a, b)| p.reduce(sum + a * b));
-        self.rows.iter().map(component).collect()
+        self.rows.iter().map(|row| self.prime.dot(row, x)).collect()
     }
+}
+
+/// How many rows wait before their pivots are cleared from all others.
+const BLOCK: usize = 32;
+
+/// Rows in reduced echelon form, in any order, with their pivots.
+#[derive(Default)]
+struct Reduced {
+    pivots: Vec<usize>,
+    rows: Vec<Vec<u64>>,
+}
+
+impl Reduced {
+    /// Makes a row zero at all pivots. The rows are zero at the pivots of each other, so the factors stand in the row.
+    fn clear(&self, p: Prime, row: &mut [u64]) {
+        let factors = self.pivots.iter().map(|&pivot| p.neg(row[pivot]));
+        let factors: Vec<(usize, u64)> =
+            factors.enumerate().filter(|(_, factor)| *factor != 0).collect();
+        // three products below 2^62 and a residue fit into a word
+        for group in factors.chunks(3) {
+            let from = group.iter().map(|&(at, _)| self.pivots[at]).min().unwrap_or(0);
+            let of = |at: usize| (&self.rows[group[at].0][from..], group[at].1);
+            let row = &mut row[from..];
+            match group.len() {
+                3 => {
+                    let ((a, f), (b, g), (c, h)) = (of(0), of(1), of(2));
+                    for (((v, a), b), c) in row.iter_mut().zip(a).zip(b).zip(c) {
+                        *v = p.reduce(*v + short(*a, f) + short(*b, g) + short(*c, h));
+                    }
+                }
+                _ => {
+                    for at in 0..group.len() {
+                        let (a, f) = of(at);
+                        row.iter_mut().zip(a).for_each(|(v, a)| *v = p.reduce(*v + short(*a, f)));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Takes in rows that are zero at the pivots of these.
+    fn append(&mut self, p: Prime, block: &mut Reduced) {
+        self.rows.iter_mut().for_each(|row| block.clear(p, row));
+        self.rows.append(&mut block.rows);
+        self.pivots.append(&mut block.pivots);
+    }
+}
+
+/// The product of two numbers below 2^32: one instruction for two lanes.
+#[inline]
+fn short(a: u64, b: u64) -> u64 {
+    u64::from(a as u32) * u64::from(b as u32)
 }
 
 /// Rational numbers with given residues modulo several primes, as long as the numerators and

@@ -128,7 +128,7 @@ impl Rational {
     }
 
     /// The quotient in lowest terms; the denominator is not zero.
-    fn reduced(numerator: i128, denominator: i128) -> Self {
+    pub(super) fn reduced(numerator: i128, denominator: i128) -> Self {
         if let (Ok(n), Ok(d)) = (i64::try_from(numerator), i64::try_from(denominator))
             && n != i64::MIN
             && d > 0

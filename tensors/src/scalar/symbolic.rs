@@ -5,17 +5,20 @@
 //! identified by its name, so any two values combine. Equal values have equal forms. Sines, cosines
 //! and exponentials of parameters are rational functions of additional variables.
 
+mod denominator;
 mod elementary;
 mod factors;
 mod fraction;
 mod normal_form;
 mod operators;
+mod packed;
 mod polynomial;
 mod substitution;
+mod sum;
 mod variables;
 mod writing;
 
-use super::{ExactSum, Field, Kind, Notation, Rational, Ring};
+use super::{Field, Kind, Notation, Rational, Ring};
 use fraction::Fraction;
 use polynomial::Polynomial;
 use std::fmt;
@@ -106,7 +109,7 @@ impl Symbolic {
     pub fn denominator(&self) -> Self {
         match &self.0 {
             Form::Constant(_) => Self::from_i64(1),
-            Form::Fraction(f) => f.polynomial(&f.denominator),
+            Form::Fraction(f) => f.polynomial(&f.expanded_denominator()),
         }
     }
 
@@ -148,7 +151,8 @@ impl Symbolic {
 }
 
 impl Ring for Symbolic {
-    type Sum = ExactSum<Self>;
+    type Sum = sum::SymbolicSum;
+    const GROWS: bool = true;
 
     fn from_i64(n: i64) -> Self {
         Self::constant(n.into())
@@ -236,7 +240,7 @@ impl Notation for Symbolic {
     fn size(&self) -> usize {
         match &self.0 {
             Form::Constant(c) => c.size(),
-            Form::Fraction(f) => size(&f.numerator).saturating_add(size(&f.denominator)),
+            Form::Fraction(f) => size(&f.numerator).saturating_add(size(&f.expanded_denominator())),
         }
     }
 }
@@ -261,7 +265,9 @@ impl Symbolic {
     fn parts(&self) -> [(usize, usize); 2] {
         match &self.0 {
             Form::Constant(c) => [(c.size(), 1), (1, 1)],
-            Form::Fraction(f) => [&f.numerator, &f.denominator].map(|p| (size(p), p.terms.len())),
+            Form::Fraction(f) => {
+                [&f.numerator, &f.expanded_denominator()].map(|p| (size(p), p.terms.len()))
+            }
         }
     }
 }

@@ -11,13 +11,13 @@ use num_rational::BigRational;
 use polycore::Uni;
 
 /// Eigenvalues of a real matrix.
-struct Spectrum {
+pub(in crate::algebra::structure) struct Spectrum {
     /// The rational ones, with multiplicity.
-    rational: Vec<Rational>,
+    pub rational: Vec<Rational>,
     /// Whether there are other real ones.
-    irrational: bool,
+    pub irrational: bool,
     /// Real part and squared imaginary part of a pair; `Some(None)` if these are not rational.
-    complex: Option<Option<(Rational, Rational)>>,
+    pub complex: Option<Option<(Rational, Rational)>>,
 }
 
 impl Structure<Rational> {
@@ -51,7 +51,7 @@ impl Structure<Rational> {
     }
 
     /// The matrix of `ad_x` on a subspace, or on its quotient by another.
-    fn action(
+    pub(super) fn action(
         &self,
         x: &[(usize, Rational)],
         on: &Subspace<Rational>,
@@ -92,13 +92,13 @@ impl Structure<Rational> {
 }
 
 fn by_name(name: String) -> Option<Identification> {
-    Some(Identification { names: vec![name], parameter: None, isomorphism: None })
+    Some(Identification::by_name(vec![name]))
 }
 
 /// A name whose parameters are not rational.
 fn open(name: &str) -> Option<Identification> {
     let parameter = Some("its parameters are not rational".to_string());
-    Some(Identification { names: vec![name.into()], parameter, isomorphism: None })
+    Some(Identification { parameter, ..Identification::by_name(vec![name.into()]) })
 }
 
 fn different(values: &[Rational]) -> bool {
@@ -106,7 +106,7 @@ fn different(values: &[Rational]) -> bool {
 }
 
 /// The characteristic polynomial by the recursion of Faddeev and Leverrier, factored.
-fn spectrum(matrix: &Matrix<Rational>) -> Option<Spectrum> {
+pub(in crate::algebra::structure) fn spectrum(matrix: &Matrix<Rational>) -> Option<Spectrum> {
     let n = matrix.rows();
     let mut coefficients = vec![Rational::from(1)];
     let mut power = Matrix::identity(n);

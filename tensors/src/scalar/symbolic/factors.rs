@@ -1,17 +1,22 @@
 //! Partial factorisation of polynomials, by greatest common divisors and square roots.
 //!
 //! It finds contents in each variable, repeated factors, and the two factors of a quadratic whose
-//! discriminant is a square. It serves only the written form, so it need not be complete.
+//! discriminant is a square. It need not be complete: a part is known to be irreducible, or it is not.
 
 use super::super::Rational;
-use super::polynomial::{Polynomial, cofactors, constant, content};
+use super::polynomial::{Polynomial, certainly_coprime, cofactors, constant, primitive};
 use num_traits::One;
 use polycore::{Monomial, Order, Poly};
+use std::cmp::{Ordering, Reverse};
 
 /// Polynomials with more terms or a higher degree are not factored: it takes long, and the result is
 /// too long to read.
 const MAX_TERMS: usize = 60;
 const MAX_DEGREE: u32 = 24;
+
+/// Larger polynomials are split by a variable of degree one only if the parts are quickly proven
+/// coprime.
+const MAX_LINEAR_TERMS: usize = 2000;
 
 /// `content * f^e * g^d * ...`: different primitive factors with positive leading coefficients.
 pub(super) struct Factors {
@@ -19,17 +24,21 @@ pub(super) struct Factors {
     pub factors: Vec<(Polynomial, u32)>,
 }
 
+/// A primitive factor with a positive leading coefficient.
+pub(super) struct Part {
+    pub polynomial: Polynomial,
+    /// Whether it is known to be irreducible over the rationals.
+    pub irreducible: bool,
+}
+
 /// The factors of a nonzero polynomial; the primitive polynomial itself beyond the limits.
 pub(super) fn factors(f: &Polynomial) -> Factors {
     let (content, primitive) = primitive(f);
-    let mut parts = Vec::new();
-    if f.terms.len() > MAX_TERMS || f.total_degree() > MAX_DEGREE {
-        parts.push(primitive);
-    } else {
-        split(&primitive, &mut parts);
+    if !within_limits(f) {
+        return Factors { content, factors: vec![(primitive, 1)] };
     }
     let mut factors: Vec<(Polynomial, u32)> = Vec::new();
-    for part in parts {
+    for Part { polynomial: part, .. } in parts(&primitive) {
         match factors.iter_mut().find(|(other, _)| *other == part) {
             Some((_, exponent)) => *exponent += 1,
             None => factors.push((part, 1)),
@@ -40,20 +49,101 @@ pub(super) fn factors(f: &Polynomial) -> Factors {
     Factors { content, factors }
 }
 
-/// The content, and the polynomial divided by it.
-fn primitive(f: &Polynomial) -> (Rational, Polynomial) {
-    let content = content(f);
-    let part = f.scale(&(Rational::one() / &content));
-    (content, part)
+/// Whether the polynomial is small enough to be factored.
+pub(super) fn within_limits(f: &Polynomial) -> bool {
+    f.terms.len() <= MAX_TERMS && f.total_degree() <= MAX_DEGREE
+}
+
+/// The same as [`factors`] of the product, from its irreducible factors; `None` if [`factors`] might not
+/// find them all.
+///
+/// Factors that depend on different sets of variables are separated by their contents.
+pub(super) fn known(content: Rational, factors: &[(Polynomial, u32)]) -> Option<Factors> {
+    let sets: Vec<Vec<bool>> =
+        factors.iter().map(|(f, _)| f.degrees().into_iter().map(|d| d > 0).collect()).collect();
+    let different = |at: usize| {
+        let sum = |at: usize| factors[at].0.terms.len() > 1;
+        (0..at).all(|other| sets[at] != sets[other] || !sum(at) || !sum(other))
+    };
+    if !(0..factors.len()).all(different) {
+        return None;
+    }
+    let mut order = Vec::new();
+    separate((0..factors.len()).collect(), &sets, &mut order);
+    let mut factors: Vec<_> = order.into_iter().map(|at| factors[at].clone()).collect();
+    // the variables stand in their order
+    factors.sort_by_key(|(f, _)| (f.terms.len() == 1).then(|| Reverse(f.degrees())));
+    factors.sort_by_key(|(factor, exponent)| (factor.terms.len(), *exponent));
+    Some(Factors { content, factors })
+}
+
+/// Appends the factors in the order in which [`split`] finds them: those without the first variable
+/// before the others.
+fn separate(all: Vec<usize>, sets: &[Vec<bool>], order: &mut Vec<usize>) {
+    let variables = 0..sets.first().map_or(0, Vec::len);
+    let parts = variables.map(|x| all.iter().partition(|&&at| !sets[at][x]));
+    let proper =
+        |(without, with): &(Vec<usize>, Vec<usize>)| !without.is_empty() && !with.is_empty();
+    match parts.into_iter().find(proper) {
+        Some((without, with)) => {
+            separate(without, sets, order);
+            separate(with, sets, order);
+        }
+        None => order.extend(all),
+    }
+}
+
+/// Sorts factors in an order that depends on nothing else: single variables first, then the simpler
+/// sums.
+pub(super) fn sort(factors: &mut [(Polynomial, u32)]) {
+    let terms = |f: &Polynomial, g: &Polynomial| {
+        let pairs = f.terms.iter().zip(&g.terms);
+        let orders = pairs.map(|((m, a), (n, b))| n.cmp(m).then_with(|| b.cmp(a)));
+        orders.fold(Ordering::Equal, Ordering::then)
+    };
+    factors.sort_by(|(f, d), (g, e)| {
+        (f.terms.len(), d).cmp(&(g.terms.len(), e)).then_with(|| terms(f, g))
+    });
+}
+
+/// The factors of a primitive polynomial with a positive leading coefficient, each as often as it
+/// occurs.
+pub(super) fn parts(f: &Polynomial) -> Vec<Part> {
+    let mut parts = Vec::new();
+    split(f, &mut parts);
+    parts
 }
 
 /// Appends the factors of a primitive polynomial with a positive leading coefficient.
-fn split(f: &Polynomial, parts: &mut Vec<Polynomial>) {
+///
+/// A polynomial `a x + b` is irreducible if `a` and `b` are coprime. One of degree two in `x` is
+/// irreducible if its coefficients are coprime and its discriminant is no square, so it is if no
+/// [`divisor`] is found.
+fn split(f: &Polynomial, parts: &mut Vec<Part>) {
     if f.is_constant() {
         return;
     }
+    let mut push = |polynomial, irreducible| parts.push(Part { polynomial, irreducible });
+    let degrees = f.degrees();
+    let terms = |x: usize| f.terms.iter().filter(|(m, _)| m.exps()[x] > 0).count();
+    let linear = (0..f.nvars).filter(|&x| degrees[x] == 1).min_by_key(|&x| terms(x));
+    if let Some(x) = linear {
+        let [b, a] = [0, 1].map(|power| primitive(&coefficient(f, x, power)).1);
+        if a.is_constant() || !b.is_zero() && certainly_coprime(&a, &b) {
+            return push(f.clone(), true);
+        }
+        if !within_limits(f) && f.terms.len() <= MAX_LINEAR_TERMS {
+            let common = if b.is_zero() { a } else { cofactors(&a, &b).0 };
+            let (_, rest, _) = cofactors(f, &common);
+            push(rest, true);
+            return split(&common, parts);
+        }
+    }
+    if !within_limits(f) {
+        return push(f.clone(), false);
+    }
     match divisor(f) {
-        None => parts.push(f.clone()),
+        None => push(f.clone(), degrees.iter().any(|d| matches!(d, 1 | 2))),
         Some(divisor) => {
             let (common, rest, _) = cofactors(f, &divisor);
             split(&common, parts);

@@ -1,26 +1,26 @@
 //! Quotients of polynomials in lowest terms.
-//!
-//! Sums and products cancel common divisors before they multiply (P. Henrici, *J. ACM* 3 (1956)
-//! 6-9). The operands are in lowest terms, so only divisors of opposite parts are left to find.
 
-use super::polynomial::{Polynomial, cofactors, constant, content, product, select};
-use super::variables::{Variables, union};
+use super::denominator::Denominator;
+use super::polynomial::{Polynomial, constant, content, power, select};
+use super::sum::SymbolicSum;
+use super::variables::{Variables, places};
 use super::{Form, Rational, Symbolic};
+use crate::Sum;
 use crate::scalar::Field;
 use num_traits::{One, Zero};
 use polycore::{Monomial, Order, Poly};
-use std::borrow::Cow;
 use std::sync::Arc;
 
 /// A quotient that depends on each of its variables, of which there is at least one.
 ///
 /// Numerator and denominator are coprime; the denominator has coprime integer coefficients, the
-/// leading one positive. Equal values have equal fractions.
-#[derive(Clone, PartialEq, Eq)]
+/// leading one positive. Equal values have equal numerators, and equal denominators once these are
+/// expanded.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Fraction {
     pub(super) variables: Variables,
     pub(super) numerator: Polynomial,
-    pub(super) denominator: Polynomial,
+    pub(super) denominator: Denominator,
 }
 
 impl Fraction {
@@ -28,24 +28,28 @@ impl Fraction {
         Fraction {
             variables: Arc::new([name.into()]),
             numerator: Poly::monomial(Monomial::var(0, 1), Order::GrLex),
-            denominator: constant(Rational::one(), 1),
+            denominator: Denominator::default(),
         }
     }
 
     /// The larger of the total degrees of numerator and denominator.
     pub(super) fn degree(&self) -> u32 {
-        self.numerator.total_degree().max(self.denominator.total_degree())
+        self.numerator.total_degree().max(self.denominator.degree())
     }
 
-    /// The numerator or the denominator as a value.
+    /// The denominator as a sum of terms.
+    pub(super) fn expanded_denominator(&self) -> Polynomial {
+        self.denominator.expanded(&self.variables)
+    }
+
+    /// A polynomial in the variables of the fraction as a value.
     pub(super) fn polynomial(&self, part: &Polynomial) -> Symbolic {
-        let one = constant(Rational::one(), part.nvars);
-        lowest_terms(&self.variables, part.clone(), one)
+        lowest_terms(&self.variables, part.clone(), Denominator::default())
     }
 
     /// `self + c`.
     pub(super) fn plus(&self, c: &Rational) -> Self {
-        let numerator = &self.numerator + &self.denominator.scale(c);
+        let numerator = &self.numerator + &self.expanded_denominator().scale(c);
         Fraction { numerator, ..self.clone() }
     }
 
@@ -54,31 +58,13 @@ impl Fraction {
         Fraction { numerator: self.numerator.scale(c), ..self.clone() }
     }
 
-    pub(super) fn sum(&self, other: &Self) -> Symbolic {
-        let variables = union(&self.variables, &other.variables);
-        let (a, b) = (self.over(&variables), other.over(&variables));
-        let (common, left, right) = cofactors(&a.denominator, &b.denominator);
-        let numerator = &product(&a.numerator, &right) + &product(&b.numerator, &left);
-        let (_, numerator, common) = cofactors(&numerator, &common);
-        lowest_terms(&variables, numerator, product(&product(&left, &right), &common))
-    }
-
-    pub(super) fn product(&self, other: &Self) -> Symbolic {
-        let variables = union(&self.variables, &other.variables);
-        let (a, b) = (self.over(&variables), other.over(&variables));
-        let (_, left, below_right) = cofactors(&a.numerator, &b.denominator);
-        let (_, right, below_left) = cofactors(&b.numerator, &a.denominator);
-        let denominator = product(&below_left, &below_right);
-        lowest_terms(&variables, product(&left, &right), denominator)
-    }
-
     /// `1 / self`; `None` only for the value zero, which is not a fraction.
     pub(super) fn recip(&self) -> Option<Self> {
         let unit = content(&self.numerator).recip()?;
         Some(Fraction {
             variables: self.variables.clone(),
-            numerator: self.denominator.scale(&unit),
-            denominator: self.numerator.scale(&unit),
+            numerator: self.expanded_denominator().scale(&unit),
+            denominator: Denominator::of(&self.variables, &self.numerator.scale(&unit)),
         })
     }
 
@@ -86,32 +72,38 @@ impl Fraction {
     pub(super) fn power(&self, exponent: u32) -> Self {
         Fraction {
             variables: self.variables.clone(),
-            numerator: self.numerator.pow(exponent),
-            denominator: self.denominator.pow(exponent),
+            numerator: power(&self.numerator, exponent),
+            denominator: self.denominator.power(exponent),
         }
     }
 
-    /// `(N' D - N D') / D^2`, with `gcd(D, D')` cancelled beforehand.
+    /// `N'/D - (N/D) (D'/D)`, where `D'/D` is the sum of `e f'/f` over the factors `f^e`.
     pub(super) fn derivative(&self, variable: usize) -> Symbolic {
-        let (n, d) = (&self.numerator, &self.denominator);
-        let (_, d1, rest) = cofactors(&d.derivative(variable), d);
-        let numerator = &product(&n.derivative(variable), &rest) - &product(n, &d1);
-        let (_, numerator, denominator) = cofactors(&numerator, &product(d, &rest));
-        lowest_terms(&self.variables, numerator, denominator)
+        let derivative = |factor: &Polynomial| self.polynomial(&factor.derivative(variable));
+        let value = Symbolic::from(self.clone());
+        let one = constant(Rational::one(), self.variables.len());
+        let below = lowest_terms(&self.variables, one, self.denominator.clone());
+        let mut sum = SymbolicSum::default();
+        sum.add_product(&derivative(&self.numerator), &below);
+        for (factor, exponent) in self.denominator.parts(&self.variables) {
+            let slope = derivative(&factor.expanded(&self.variables));
+            let one = constant(Rational::from(-i64::from(exponent)), self.variables.len());
+            let ratio = slope * &lowest_terms(&self.variables, one, factor);
+            sum.add_product(&value, &ratio);
+        }
+        sum.value()
     }
 
-    /// The same fraction over these variables, which include those that it depends on.
-    fn over(&self, variables: &Variables) -> Cow<'_, Self> {
-        if self.variables == *variables {
-            return Cow::Borrowed(self);
-        }
-        let place = |name| self.variables.iter().position(|own| own == name);
-        let columns: Vec<_> = variables.iter().map(place).collect();
-        Cow::Owned(Fraction {
-            variables: variables.clone(),
+    /// The same fraction over these of its variables, which include those that it depends on.
+    fn over(self, kept: &[usize]) -> Self {
+        let columns: Vec<_> = kept.iter().copied().map(Some).collect();
+        let monomial = kept.iter().map(|at| self.denominator.exponent(*at)).collect();
+        let monomial = Some(monomial).filter(|_| !self.denominator.monomial.is_empty());
+        Fraction {
+            variables: kept.iter().map(|&at| self.variables[at].clone()).collect(),
             numerator: select(&self.numerator, &columns),
-            denominator: select(&self.denominator, &columns),
-        })
+            denominator: Denominator { monomial: monomial.unwrap_or_default(), ..self.denominator },
+        }
     }
 }
 
@@ -122,20 +114,27 @@ impl From<Fraction> for Symbolic {
 }
 
 /// The value of a quotient in lowest terms that may depend on only some of the variables.
-fn lowest_terms(variables: &Variables, numerator: Polynomial, denominator: Polynomial) -> Symbolic {
+pub(super) fn lowest_terms(
+    variables: &Variables,
+    numerator: Polynomial,
+    mut denominator: Denominator,
+) -> Symbolic {
     if numerator.is_zero() {
         return Symbolic::zero();
     }
-    let (above, below) = (numerator.degrees(), denominator.degrees());
-    let kept = (0..variables.len()).filter(|&k| above[k] + below[k] > 0);
-    let kept: Variables = kept.map(|k| variables[k].clone()).collect();
+    if denominator.monomial.iter().all(|e| *e == 0) {
+        denominator.monomial = Box::default();
+    }
+    let mut occurs: Vec<bool> = numerator.degrees().into_iter().map(|d| d > 0).collect();
+    occurs.iter_mut().enumerate().for_each(|(at, o)| *o |= denominator.exponent(at) > 0);
+    for (factor, _) in &denominator.factors {
+        places(&factor.variables, variables).into_iter().for_each(|at| occurs[at] = true);
+    }
+    let kept: Vec<usize> = (0..variables.len()).filter(|&at| occurs[at]).collect();
     if kept.is_empty() {
         // a primitive constant denominator is 1
         return Symbolic::constant(content(&numerator));
     }
     let fraction = Fraction { variables: variables.clone(), numerator, denominator };
-    match kept.len() == variables.len() {
-        true => fraction.into(),
-        false => fraction.over(&kept).into_owned().into(),
-    }
+    if kept.len() == variables.len() { fraction.into() } else { fraction.over(&kept).into() }
 }

@@ -1,5 +1,6 @@
 //! The operators of rational functions, and their conversions.
 
+use super::sum::SymbolicSum;
 use super::{Form, Rational, Symbolic};
 use crate::expression::{Expression, ExpressionError, Scalars};
 use crate::scalar::Field;
@@ -17,7 +18,7 @@ impl Add<&Symbolic> for Symbolic {
             (Form::Constant(c), f) if c.is_zero() => Symbolic(f.clone()),
             (Form::Fraction(f), Form::Constant(c)) => f.plus(c).into(),
             (Form::Constant(c), Form::Fraction(f)) => f.plus(&c).into(),
-            (Form::Fraction(f), Form::Fraction(g)) => f.sum(g),
+            (Form::Fraction(f), Form::Fraction(g)) => SymbolicSum::of_terms([f, g.clone()]),
         }
     }
 }
@@ -31,7 +32,7 @@ impl Mul<&Symbolic> for Symbolic {
     fn mul(self, other: &Symbolic) -> Symbolic {
         match (self.0, &other.0) {
             (Form::Constant(a), Form::Constant(b)) => Symbolic::constant(a * b),
-            (Form::Fraction(f), Form::Fraction(g)) => f.product(g),
+            (Form::Fraction(f), Form::Fraction(g)) => SymbolicSum::of_product([f, g.clone()]),
             (f, Form::Constant(c)) => scaled(f, c),
             (Form::Constant(c), f) => scaled(f.clone(), &c),
         }
@@ -86,7 +87,7 @@ impl std::str::FromStr for Symbolic {
     }
 }
 
-/// Equal values have equal forms, so equal hashes.
+/// Equal values have equal variables and numerators, so equal hashes.
 impl Hash for Symbolic {
     fn hash<H: Hasher>(&self, state: &mut H) {
         match &self.0 {
@@ -94,7 +95,6 @@ impl Hash for Symbolic {
             Form::Fraction(f) => {
                 f.variables.hash(state);
                 f.numerator.terms.hash(state);
-                f.denominator.terms.hash(state);
             }
         }
     }

@@ -95,7 +95,7 @@ fn disjoint(f: &Polynomial, g: &Polynomial) -> bool {
 /// Modulo a prime and at a point for all variables but one, a common divisor that depends on this
 /// one keeps its degree where `f` does; a constant greatest common divisor of the images excludes
 /// it. `false` proves nothing.
-fn certainly_coprime(f: &Polynomial, g: &Polynomial) -> bool {
+pub(super) fn certainly_coprime(f: &Polynomial, g: &Polynomial) -> bool {
     let residue = |c: &Rational| {
         let c = Ratio::<i64>::try_from(c).ok()?;
         let denominator = Residue::from_i64(*c.denom()).inverse()?;
@@ -116,16 +116,16 @@ fn certainly_coprime(f: &Polynomial, g: &Polynomial) -> bool {
     })
 }
 
-type Residue = Gf<{ (1 << 61) - 1 }>;
+pub(super) type Residue = Gf<{ (1 << 61) - 1 }>;
 
 /// A coordinate of the point: a multiple of the golden section of 2^64, so that there are no small
 /// relations between the coordinates.
-fn coordinate(k: u64) -> Residue {
+pub(super) fn coordinate(k: u64) -> Residue {
     Residue::new(k.wrapping_mul(0x9e37_79b9_7f4a_7c15))
 }
 
 /// `f / m` for a monomial that divides every term.
-fn lowered(f: &Polynomial, m: &Monomial) -> Polynomial {
+pub(super) fn lowered(f: &Polynomial, m: &Monomial) -> Polynomial {
     let terms = f.terms.iter().filter_map(|(n, c)| Some((n.quo(m)?, c.clone())));
     Poly { terms: terms.collect(), nvars: f.nvars, order: f.order.clone() }
 }
@@ -137,6 +137,26 @@ pub(super) fn content(f: &Polynomial) -> Rational {
         [(_, c)] => c.clone(),
         _ => from_big(&f.map(to_big).content()),
     }
+}
+
+/// The content, and the polynomial divided by it; the zero polynomial has content 1.
+pub(super) fn primitive(f: &Polynomial) -> (Rational, Polynomial) {
+    if f.is_zero() {
+        return (Rational::one(), f.clone());
+    }
+    let content = content(f);
+    let part = f.scale(&(Rational::one() / &content));
+    (content, part)
+}
+
+/// The power of a polynomial.
+///
+/// # Panics
+/// As [`product`].
+pub(super) fn power(f: &Polynomial, exponent: u32) -> Polynomial {
+    let degree = f.total_degree().checked_mul(exponent);
+    degree.expect("total degree of a power passes u32::MAX");
+    f.pow(exponent)
 }
 
 /// The least common denominator of the coefficients.

@@ -37,8 +37,12 @@ impl Symbolic {
         if degree_bound(f, &given) > DEGREE_LIMIT {
             return None;
         }
-        let denominator = image(&f.denominator, &given).recip()?;
-        Some(image(&f.numerator, &given) * &denominator)
+        let mut value = image(&f.numerator, &given);
+        for (part, exponent) in f.denominator.parts(&f.variables) {
+            let part = image(&part.expanded(&f.variables), &given).recip()?;
+            value *= &power(&part, exponent);
+        }
+        Some(value)
     }
 
     /// The value as a float, each parameter looked up by its name.
@@ -50,7 +54,7 @@ impl Symbolic {
             Form::Fraction(f) => {
                 let point = f.variables.iter().map(|name| super::elementary::value(name, &lookup));
                 let point: Vec<f64> = point.collect::<Option<_>>()?;
-                at(&f.numerator, &point) / at(&f.denominator, &point)
+                at(&f.numerator, &point) / at(&f.expanded_denominator(), &point)
             }
         };
         value.is_finite().then_some(value)
@@ -90,7 +94,7 @@ fn power(value: &Symbolic, exponent: u32) -> Symbolic {
 /// and `D` have a common denominator, whose degree is at most the sum over the variables; adding two
 /// fractions at most doubles the degree.
 fn degree_bound(f: &Fraction, values: &[Symbolic]) -> u64 {
-    let degrees = f.numerator.degrees().into_iter().zip(f.denominator.degrees());
+    let degrees = f.numerator.degrees().into_iter().zip(f.expanded_denominator().degrees());
     let degrees = degrees.map(|(n, d)| u64::from(n) + u64::from(d));
     let of_value = |value: &Symbolic| match &value.0 {
         Form::Constant(_) => 0,

@@ -17,6 +17,19 @@ pub(super) fn union(a: &Variables, b: &Variables) -> Variables {
     all.into()
 }
 
+/// The place of each name in `all`, which includes the names.
+pub(super) fn places(names: &Variables, all: &Variables) -> Vec<usize> {
+    let mut at = 0;
+    let place = |name: &Arc<str>| {
+        while at < all.len() && !Arc::ptr_eq(&all[at], name) && all[at] != *name {
+            at += 1;
+        }
+        at += 1;
+        at - 1
+    };
+    names.iter().map(place).collect()
+}
+
 /// Alphabetical, with numbers compared by value: `J2 < J10 < K1`. Functions follow, sorted by their
 /// arguments, the sine first: `z < sin(x) < cos(x) < sin(y)`.
 pub(super) fn natural(a: &str, b: &str) -> Ordering {

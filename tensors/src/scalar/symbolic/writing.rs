@@ -1,6 +1,6 @@
 //! Fractions as text and as LaTeX.
 
-use super::factors::{Factors, factors};
+use super::factors::{Factors, factors, known, sort, within_limits};
 use super::fraction::Fraction;
 use super::polynomial::{Polynomial, common_denominator};
 use crate::scalar::{Notation, Rational};
@@ -32,12 +32,12 @@ impl Markup {
 /// `1/2*a` for one term without a denominator; otherwise integer polynomials above and below,
 /// in factors where that is shorter.
 pub(super) fn fraction(f: &Fraction, markup: Markup) -> String {
-    let whole = f.denominator.is_constant();
+    let whole = f.denominator.is_one();
     if whole && f.numerator.terms.len() == 1 {
         return polynomial(f, &f.numerator, markup);
     }
     let unit = common_denominator(&f.numerator);
-    let (above, below) = (f.numerator.scale(&unit), f.denominator.scale(&unit));
+    let above = f.numerator.scale(&unit);
     let (sign, size) = if leads_negative(&above) { ("-", -&above) } else { ("", above.clone()) };
     if whole && unit.is_one() {
         let factored = factored(f, &size, Place::Alone, markup).map(|text| format!("{sign}{text}"));
@@ -46,7 +46,8 @@ pub(super) fn fraction(f: &Fraction, markup: Markup) -> String {
     let part = |part: &Polynomial, place| {
         factored(f, part, place, markup).unwrap_or_else(|| expanded(f, part, place, markup))
     };
-    let (top, bottom) = (part(&size, Place::Above), part(&below, Place::Below));
+    let top = part(&size, Place::Above);
+    let bottom = denominator(f, unit, markup);
     match markup {
         Markup::Latex => format!("{sign}\\frac{{{top}}}{{{bottom}}}"),
         Markup::Text => format!("{sign}{top}/{bottom}"),
@@ -71,19 +72,59 @@ fn expanded(f: &Fraction, part: &Polynomial, place: Place, markup: Markup) -> St
     enclosed(polynomial(f, part, markup), torn && markup == Markup::Text)
 }
 
+/// The denominator times a number.
+///
+/// Its known factors are written where [`factors`] would find the same, or gives up.
+fn denominator(f: &Fraction, unit: Rational, markup: Markup) -> String {
+    let irreducible = f.denominator.irreducible(&f.variables);
+    let separate = irreducible.as_ref().and_then(|factors| known(unit.clone(), factors));
+    let part = || f.expanded_denominator().scale(&unit);
+    let (found, part) = match (separate, f.denominator.terms() > MAX_EXPANDED) {
+        (Some(found), true) => return enclosed_product(f, &found, Place::Below, markup),
+        (Some(found), false) => (found, part()),
+        (None, large) => match irreducible {
+            Some(mut factors) if large || !within_limits(&part()) => {
+                sort(&mut factors);
+                let found = Factors { content: unit.clone(), factors };
+                if large {
+                    return enclosed_product(f, &found, Place::Below, markup);
+                }
+                (found, part())
+            }
+            _ => (factors(&part()), part()),
+        },
+    };
+    factored_as(f, &part, &found, Place::Below, markup)
+        .unwrap_or_else(|| expanded(f, &part, Place::Below, markup))
+}
+
+/// A product that may have more terms than this is not expanded to compare the lengths of both
+/// texts.
+const MAX_EXPANDED: u64 = 4096;
+
 /// The product of the factors, if its text is shorter than that of the sum. LaTeX follows.
 fn factored(f: &Fraction, part: &Polynomial, place: Place, markup: Markup) -> Option<String> {
-    if part.terms.len() < 2 {
-        return None;
-    }
-    let found = factors(part);
+    (part.terms.len() > 1).then(|| factored_as(f, part, &factors(part), place, markup))?
+}
+
+fn factored_as(
+    f: &Fraction,
+    part: &Polynomial,
+    found: &Factors,
+    place: Place,
+    markup: Markup,
+) -> Option<String> {
+    let text = |markup| enclosed_product(f, found, place, markup);
+    let longer = part.terms.len() > 1
+        && text(Markup::Text).len() < expanded(f, part, place, Markup::Text).len();
+    longer.then(|| text(markup))
+}
+
+/// The product of the factors, in parentheses where a division would otherwise apply to a part of it.
+fn enclosed_product(f: &Fraction, found: &Factors, place: Place, markup: Markup) -> String {
     let pieces = found.factors.len() + usize::from(!found.content.is_one());
-    let text = |markup| {
-        let torn = place == Place::Below && pieces > 1 && markup == Markup::Text;
-        enclosed(product(f, &found, markup), torn)
-    };
-    let shorter = text(Markup::Text).len() < expanded(f, part, place, Markup::Text).len();
-    shorter.then(|| text(markup))
+    let torn = place == Place::Below && pieces > 1 && markup == Markup::Text;
+    enclosed(product(f, found, markup), torn)
 }
 
 fn product(f: &Fraction, found: &Factors, markup: Markup) -> String {

@@ -1,0 +1,37 @@
+//! Planes of tangent vectors, written in the basis of a definition.
+
+use super::input::{InputError, shown};
+use super::notation::Names;
+use super::source::Source;
+use super::{Definition, Reading};
+use affinor_tensors::Notation;
+use std::collections::{BTreeMap, BTreeSet};
+
+impl Definition {
+    /// The two vectors of a plane, combinations of the basis with a comma between them: `x1, y1 + 2*z`.
+    ///
+    /// # Errors
+    /// Other than two vectors; an expression that cannot be read.
+    pub fn plane<S: Notation>(
+        &self,
+        text: &str,
+        reading: &Reading<S>,
+    ) -> Result<[Vec<S>; 2], InputError> {
+        let labels: BTreeMap<String, usize> = self.labels.iter().cloned().zip(0..).collect();
+        let parameters: BTreeSet<String> = self.parameters().into_iter().collect();
+        let names = Names { labels: &labels, parameters: Some(&parameters), coordinates: &[] };
+        let vector = |text: &str| {
+            let mut vector = vec![S::zero(); self.dimension()];
+            for (at, value) in names.vector(text, &Source::new("--plane", text))? {
+                vector[at] = reading.value(&value)?;
+            }
+            Ok(vector)
+        };
+        let vectors = text.split(',').map(vector).collect::<Result<Vec<_>, InputError>>()?;
+        let count = vectors.len();
+        <[Vec<S>; 2]>::try_from(vectors).map_err(|_| {
+            InputError::usage(format!("the plane `{}` has {count} vectors, not 2", shown(text)))
+                .help("write two combinations of the basis with a comma between them")
+        })
+    }
+}

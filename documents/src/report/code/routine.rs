@@ -1,0 +1,294 @@
+//! A function to be written in some language: its arguments, its arrays, and the steps as statements.
+
+use super::super::head::printable;
+use crate::definition::InputError;
+use affinor_tensors::scalar::{Count, Function, Output, Step, StraightLine};
+use affinor_tensors::{Notation, Rational, Recorded, Ring};
+use num_traits::{One, Zero};
+
+/// The widest line of a long sum.
+const WIDTH: usize = 96;
+
+/// An array of results.
+pub struct Array {
+    pub name: String,
+    pub shape: Vec<usize>,
+    /// The meaning of its indices.
+    pub about: String,
+    /// The components that do not vanish identically, by their indices from 0.
+    pub entries: Vec<(Vec<usize>, Recorded)>,
+}
+
+impl Array {
+    /// Whether some component vanishes identically, and is not assigned.
+    pub fn has_zeros(&self) -> bool {
+        self.entries.len() < self.shape.iter().product()
+    }
+}
+
+/// A function: it computes arrays from vectors and parameters.
+pub struct Routine {
+    pub function: String,
+    /// Lines of the comment before the function.
+    pub about: Vec<String>,
+    /// Arguments that are vectors, and their lengths.
+    pub vectors: Vec<(String, usize)>,
+    /// The components of the vector `x`.
+    coordinates: Vec<String>,
+    /// The names of the other arguments, sorted.
+    pub parameters: Vec<String>,
+    pub arrays: Vec<Array>,
+    program: StraightLine,
+}
+
+/// What differs between the languages within a function.
+pub trait Dialect {
+    /// The component of a vector.
+    fn component(&self, vector: &str, at: usize) -> String;
+    /// A function of a name.
+    fn call(&self, function: Function, argument: &str) -> String;
+    /// The definition of a temporary value.
+    fn definition(&self, name: &str, value: &str) -> String;
+    /// The assignment to a component of an array.
+    fn assignment(&self, array: &Array, at: &[usize], value: &str) -> String;
+}
+
+impl Routine {
+    /// The function; `coordinates` are the names of the components of `x`.
+    pub fn new(
+        function: String,
+        mut about: Vec<String>,
+        vectors: Vec<(String, usize)>,
+        coordinates: Vec<String>,
+        arrays: Vec<Array>,
+    ) -> Self {
+        let values = arrays.iter().flat_map(|array| array.entries.iter().map(|(_, v)| v.clone()));
+        let program = StraightLine::new(&values.collect::<Vec<_>>());
+        let free = |name: &&str| !name.contains('[') && !coordinates.iter().any(|own| own == name);
+        let parameters = program.inputs().filter(free).map(str::to_string).collect();
+        about.extend(arrays.iter().map(|array| format!("{}: {}.", array.name, array.about)));
+        if arrays.iter().any(Array::has_zeros) {
+            about.push("Components that are not assigned vanish identically.".into());
+        }
+        about.extend(remarks(program.count()));
+        about.iter_mut().for_each(|line| *line = printable(line).to_string());
+        Routine { function, about, vectors, coordinates, parameters, arrays, program }
+    }
+
+    /// The parameters as arguments.
+    pub fn arguments(&self) -> Vec<String> {
+        self.parameters.iter().map(|name| format!("p_{name}")).collect()
+    }
+
+    /// Whether functions like the sine are called.
+    pub fn calls(&self) -> bool {
+        self.program.count().functions > 0
+    }
+
+    /// The statements: temporary values, then the components of all arrays.
+    ///
+    /// # Errors
+    /// A constant beyond the range of floats.
+    pub fn statements(&self, dialect: &dyn Dialect) -> Result<Vec<String>, InputError> {
+        let mut lines = Vec::new();
+        let mut texts: Vec<Text> = Vec::new();
+        let mut temporaries = 0;
+        for (step, uses) in self.program.steps().iter().zip(self.program.uses()) {
+            let text = match step {
+                Step::Input(name) => Text::atom(self.argument(name, dialect)),
+                Step::Function(function, name) => {
+                    Text::atom(dialect.call(*function, &self.argument(name, dialect)))
+                }
+                Step::Sum(constant, terms) => sum(constant, terms, &texts)?,
+                Step::Product(a, b) => product(&texts[*a], &texts[*b]),
+                Step::Reciprocal(a) => {
+                    let text = format!("1.0/{}", texts[*a].within(Binds::Atom));
+                    Text { text, binds: Binds::Product }
+                }
+            };
+            let inline = match step {
+                Step::Input(_) => true,
+                Step::Product(..) => uses == 1 && text.text.len() < 60,
+                _ => false,
+            };
+            texts.push(if inline {
+                text
+            } else {
+                let name = format!("t{temporaries}");
+                temporaries += 1;
+                lines.push(dialect.definition(&name, &text.text));
+                Text::atom(name)
+            });
+        }
+        let mut outputs = self.program.outputs().iter();
+        for array in &self.arrays {
+            for ((at, _), output) in array.entries.iter().zip(outputs.by_ref()) {
+                lines.push(dialect.assignment(array, at, &written(output, &texts)?));
+            }
+        }
+        Ok(lines)
+    }
+
+    /// An input as an argument: a component of a vector, or a parameter.
+    fn argument(&self, name: &str, dialect: &dyn Dialect) -> String {
+        let component = name.strip_suffix(']').and_then(|name| name.split_once('['));
+        let component = component.and_then(|(vector, at)| Some((vector, at.parse().ok()?)));
+        match (component, self.coordinates.iter().position(|own| own == name)) {
+            (Some((vector, at)), _) => dialect.component(vector, at),
+            (_, Some(at)) => dialect.component("x", at),
+            _ => format!("p_{name}"),
+        }
+    }
+}
+
+/// The number of operations, and the condition of divisions.
+fn remarks(count: Count) -> Vec<String> {
+    let Count { additions, multiplications, divisions, functions } = count;
+    let counted = |n: usize, name: &str| match n {
+        0 => None,
+        1 => Some(format!("1 {name}")),
+        n => Some(format!("{n} {name}s")),
+    };
+    let counts = [
+        counted(additions, "addition"),
+        counted(multiplications, "multiplication"),
+        counted(divisions, "division"),
+        counted(functions, "call"),
+    ];
+    let counts: Vec<String> = counts.into_iter().flatten().collect();
+    let mut lines = Vec::new();
+    if !counts.is_empty() {
+        lines.push(format!("{}.", counts.join(", ")));
+    }
+    if divisions > 0 {
+        lines.push(
+            "Divisors are not checked: where one is 0, results are infinite or not numbers.".into(),
+        );
+        lines.push(
+            "A metric is eliminated in the order of its rows, if its leading principal minors"
+                .into(),
+        );
+        lines.push("do not vanish identically; then they must not be 0. Those of a definite metric are not.".into());
+    }
+    lines
+}
+
+/// Source code and how tightly it binds.
+struct Text {
+    text: String,
+    binds: Binds,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binds {
+    Sum,
+    Product,
+    Atom,
+}
+
+impl Text {
+    fn atom(text: String) -> Self {
+        Text { text, binds: Binds::Atom }
+    }
+
+    fn within(&self, binds: Binds) -> String {
+        if self.binds >= binds { self.text.clone() } else { format!("({})", self.text) }
+    }
+}
+
+fn product(a: &Text, b: &Text) -> Text {
+    let text = format!("{}*{}", a.within(Binds::Product), b.within(Binds::Atom));
+    Text { text, binds: Binds::Product }
+}
+
+/// A multiple of a text, without the sign of the factor.
+fn multiple(factor: &Rational, text: &Text) -> Result<String, InputError> {
+    let size = factor.clone().abs();
+    if size.is_one() {
+        return Ok(text.within(Binds::Product));
+    }
+    Ok(format!("{}*{}", number(&size)?, text.within(Binds::Atom)))
+}
+
+/// A sum in parentheses, on several lines if it is long.
+fn sum(
+    constant: &Rational,
+    terms: &[(Rational, usize)],
+    texts: &[Text],
+) -> Result<Text, InputError> {
+    let mut parts = Vec::new();
+    for (factor, at) in terms {
+        parts.push((factor.is_negative(), multiple(factor, &texts[*at])?));
+    }
+    if !constant.is_zero() {
+        parts.push((constant.is_negative(), number(&constant.clone().abs())?));
+    }
+    // no minus sign in front where another order avoids it
+    if let Some(at) = parts.iter().position(|(negative, _)| !negative) {
+        parts.swap(0, at);
+    }
+    let (mut text, mut column) = (String::new(), 0);
+    let mut broken = false;
+    for (at, (negative, part)) in parts.into_iter().enumerate() {
+        let sign = match (at, negative) {
+            (0, false) => "",
+            (0, true) => "-",
+            (_, false) => " + ",
+            (_, true) => " - ",
+        };
+        if at > 0 && column + part.len() > WIDTH {
+            text.push_str(sign.trim_end());
+            text.push_str("\n        ");
+            (broken, column) = (true, 0);
+        } else {
+            text.push_str(sign);
+        }
+        column += part.len() + 3;
+        text.push_str(&part);
+    }
+    Ok(match broken {
+        true => Text::atom(format!("({text})")),
+        false => Text { text, binds: Binds::Sum },
+    })
+}
+
+/// An output as source code.
+fn written(output: &Output, texts: &[Text]) -> Result<String, InputError> {
+    let text = match output.step {
+        None => number(&output.factor.clone().abs())?,
+        Some(at) => multiple(&output.factor, &texts[at])?,
+    };
+    Ok(if output.factor.is_negative() { format!("-{text}") } else { text })
+}
+
+/// A number that is not negative: in digits where these are exact, else as a quotient of integers, or rounded where the
+/// integers are not exact either.
+fn number(value: &Rational) -> Result<String, InputError> {
+    if let Some((above, below)) = Rational::clear_denominators(std::iter::once(value)) {
+        let above = above.first().copied().unwrap_or_default();
+        if above.max(below) <= 1 << 53 {
+            return Ok(match below.count_ones() == 1 {
+                true => format!("{:?}", above as f64 / below as f64),
+                false => format!("{:?}/{:?}", above as f64, below as f64),
+            });
+        }
+    }
+    let float = f64::from_rational(value).map(|float| format!("{float:?}"));
+    float.ok_or_else(|| {
+        let digits = value.to_string();
+        let shown = if digits.len() > 40 { "a constant".to_string() } else { digits };
+        InputError::usage(format!(
+            "{shown} is beyond the range of floats, in which programs compute"
+        ))
+    })
+}
+
+/// The shape, each length in `open` and `close`, from the first to the last.
+pub fn lengths(shape: &[usize], open: &str, close: &str) -> String {
+    shape.iter().map(|n| format!("{open}{n}{close}")).collect()
+}
+
+/// A list of numbers with commas.
+pub fn list<T: ToString>(values: impl IntoIterator<Item = T>) -> String {
+    values.into_iter().map(|value| value.to_string()).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,130 @@
+//! The root system of the Levi subalgebra: Cartan matrix, Dynkin diagram, roots.
+
+use super::super::grid::Cell;
+use super::super::latex::verbatim;
+use super::Notes;
+use crate::definition::{Definition, InputError, Reading};
+use affinor::algebra::roots::CartanType;
+use affinor::algebra::structure::dynkin::diagram;
+use affinor::algebra::structure::{RootSpaces, Structure, Subspace};
+use affinor_tensors::{Rational, Symbolic, Tolerance};
+use serde_json::{Value, json};
+
+/// Cartan matrices of higher rank are written in JSON only.
+const SHOWN_RANK: usize = 8;
+
+/// The types of the simple factors of the Levi subalgebra over the complex numbers; none of a solvable algebra.
+///
+/// # Errors
+/// Brackets that define no Lie algebra; a chart; a type that is not found.
+pub fn dynkin_type(definition: &Definition) -> Result<Vec<CartanType>, InputError> {
+    let definition = definition.algebra_alone();
+    let tolerance = Tolerance::default();
+    let types = if definition.parameters().is_empty() {
+        let convert = |value: &Symbolic| value.as_constant().cloned();
+        let algebra = definition.algebra::<Rational>(&Reading { convert: &convert, tolerance })?;
+        Structure::new(algebra).dynkin_type()
+    } else {
+        let convert = |value: &Symbolic| Some(value.clone());
+        let algebra = definition.algebra::<Symbolic>(&Reading { convert: &convert, tolerance })?;
+        Structure::new(algebra).dynkin_type()
+    };
+    types.ok_or_else(|| InputError::mathematics("the Dynkin type was not found"))
+}
+
+impl Notes {
+    /// The types of the factors of the Levi subalgebra over the complex numbers.
+    pub(super) fn types(&mut self, types: Option<&[CartanType]>, solvable: bool) {
+        let written = types.map(|types| {
+            let names: Vec<String> = types.iter().map(ToString::to_string).collect();
+            names.join(" + ")
+        });
+        let written = written.filter(|_| !solvable);
+        self.json.insert("dynkin_type".into(), json!(written));
+        let matrices = types.filter(|_| !solvable).map(|types| {
+            let entry = |one: &CartanType| json!({ "type": one.to_string(), "matrix": one.cartan_matrix() });
+            types.iter().map(entry).collect::<Vec<_>>()
+        });
+        self.json.insert("cartan_matrix".into(), json!(matrices));
+        if solvable {
+            return;
+        }
+        let text = written.unwrap_or_else(|| "not found".into());
+        self.row("Dynkin type", text, "of the Levi subalgebra, over the complex numbers");
+        let diagrams: Vec<String> =
+            types.iter().copied().flatten().map(|one| diagram(*one)).collect();
+        let text: Cell = diagrams.join("\n\n").into();
+        let latex = text.text.iter().map(|line| verbatim(line)).collect();
+        self.row(
+            "Dynkin diagram",
+            Cell { latex: Some(latex), ..text },
+            "simple roots as in Bourbaki",
+        );
+        let matrix = |one: &CartanType| {
+            let rows = one.cartan_matrix();
+            let line =
+                |row: &Vec<i64>| row.iter().map(|v| format!("{v:2}")).collect::<Vec<_>>().join(" ");
+            rows.iter().map(line).collect::<Vec<_>>().join("\n")
+        };
+        let types = types.unwrap_or_default();
+        if !types.is_empty() && types.iter().all(|one| one.rank() <= SHOWN_RANK) {
+            let text: Cell = types.iter().map(matrix).collect::<Vec<_>>().join("\n\n").into();
+            let latex = text.text.iter().map(|line| verbatim(line)).collect();
+            self.row(
+                "Cartan matrix",
+                Cell { latex: Some(latex), ..text },
+                "<a_i, a_j^v>: row i, column j",
+            );
+        }
+    }
+
+    /// The roots of the Levi subalgebra, with their values on a Cartan subalgebra where it splits.
+    pub(super) fn roots(
+        &mut self,
+        types: Option<&[CartanType]>,
+        levi: Option<(&Structure<Rational>, &Subspace<Rational>)>,
+    ) {
+        let Some(types) = types.filter(|types| !types.is_empty()) else {
+            self.json.insert("roots".into(), Value::Null);
+            return;
+        };
+        let rank: usize = types.iter().map(|one| one.rank()).sum();
+        let all: usize = types.iter().map(|one| one.dimension() - one.rank()).sum();
+        let found = levi.and_then(|(inside, levi)| Some((inside.root_spaces()?, levi)));
+        let cartan = found.as_ref().map(|(found, levi)| levi.within(&found.cartan));
+        let witness = match &cartan {
+            Some(cartan) => {
+                let basis: Vec<String> =
+                    cartan.basis().iter().map(|row| self.vector(row)).collect();
+                let basis = basis.join(", ");
+                let short = basis.len() <= 80;
+                let basis = if short { format!(": {basis}") } else { String::new() };
+                format!("a Cartan subalgebra of the Levi subalgebra splits{basis}")
+            }
+            None => "of the Levi subalgebra, over the complex numbers".into(),
+        };
+        let text = format!("rank {rank}, {all} roots, {} of them positive", all / 2);
+        self.row("root system", text, &witness);
+        let vector =
+            |values: &[Rational]| values.iter().map(Rational::to_string).collect::<Vec<_>>();
+        let rows = |found: &RootSpaces| {
+            found.roots.iter().map(|root| vector(&root.values)).collect::<Vec<_>>()
+        };
+        let simple = |found: &RootSpaces| {
+            found.simple.iter().map(|&at| vector(&found.roots[at].values)).collect::<Vec<_>>()
+        };
+        let dense = |cartan: Subspace<Rational>| {
+            let rows: Vec<Vec<String>> = cartan.dense().iter().map(|row| vector(row)).collect();
+            json!({ "dimension": rows.len(), "basis": rows })
+        };
+        let found = found.as_ref().map(|(found, _)| found);
+        let json = json!({
+            "rank": rank,
+            "positive": all / 2,
+            "cartan_subalgebra": cartan.map(dense),
+            "simple": found.map(simple),
+            "vectors": found.map(rows),
+        });
+        self.json.insert("roots".into(), json);
+    }
+}

@@ -1,0 +1,77 @@
+//! Closed left-invariant forms of degree 1 and 2: representatives of cohomology with trivial coefficients.
+//!
+//! `d a(x, y) = -a([x, y])` and `d b(x, y, z) = -b([x, y], z) - b([y, z], x) - b([z, x], y)`.
+
+use super::subspace::collected;
+use super::{Ground, Structure, Subspace};
+use affinor_tensors::linear::Row;
+
+/// The largest dimension at which closed 2-forms are computed.
+pub const MAX_DIMENSION: usize = 12;
+
+/// The left-invariant 2-forms. The component `b(e_i, e_j)` with `i < j` stands at `i n + j`.
+#[derive(Clone, Debug)]
+pub struct TwoForms<S> {
+    /// The closed forms.
+    pub closed: Subspace<S>,
+    /// The exact forms `d a`, in the order of the coframe.
+    pub exact: Subspace<S>,
+}
+
+impl<S: Ground> TwoForms<S> {
+    /// Closed forms that are a basis of the second cohomology.
+    pub fn cohomology(&self) -> Vec<Row<S>> {
+        let mut span = self.exact.clone();
+        self.closed.basis().iter().filter(|row| span.add((*row).clone())).cloned().collect()
+    }
+}
+
+impl<S: Ground> Structure<S> {
+    /// The closed 1-forms, a basis of the first cohomology: they vanish on the derived algebra.
+    pub fn closed_one_forms(&self) -> Subspace<S> {
+        Subspace::kernel(self.dimension(), self.derived().basis().iter().cloned())
+    }
+
+    /// The differential `d a` of a 1-form.
+    pub fn differential(&self, form: &[(usize, S)]) -> Row<S> {
+        let n = self.dimension();
+        let value = |i: usize| form.iter().find(|(at, _)| *at == i).map(|(_, v)| v);
+        let terms = (0..n).flat_map(|j| {
+            let line = self.products.of(j).iter().filter(move |(k, ..)| j < *k);
+            line.filter_map(move |(k, i, c)| Some((j * n + k, -(c.clone() * value(*i)?))))
+        });
+        collected(terms.collect())
+    }
+
+    /// The closed and the exact 2-forms; `None` beyond [`MAX_DIMENSION`].
+    pub fn two_forms(&self) -> Option<TwoForms<S>> {
+        let n = self.dimension();
+        if n > MAX_DIMENSION {
+            return None;
+        }
+        let mut equations = vec![];
+        for i in 0..n {
+            for j in i + 1..n {
+                for k in j + 1..n {
+                    let cyclic = [(i, j, k), (j, k, i), (k, i, j)];
+                    let terms = cyclic.into_iter().flat_map(|(a, b, c)| {
+                        let line = self.products.of(a).iter().filter(move |(to, ..)| *to == b);
+                        line.filter(move |(_, m, _)| *m != c).map(move |(_, m, value)| {
+                            match *m < c {
+                                true => (m * n + c, value.clone()),
+                                false => (c * n + m, -value.clone()),
+                            }
+                        })
+                    });
+                    equations.push(collected(terms.collect()));
+                }
+            }
+        }
+        // components at and below the diagonal are no unknowns
+        let unused = (0..n).flat_map(|i| (0..=i).map(move |j| vec![(i * n + j, S::one())]));
+        equations.retain(|row| !row.is_empty());
+        let closed = Subspace::kernel(n * n, equations.into_iter().chain(unused));
+        let exact = (0..n).map(|i| self.differential(&[(i, S::one())]));
+        Some(TwoForms { closed, exact: Subspace::span(n * n, exact) })
+    }
+}

@@ -1,0 +1,319 @@
+//! Isomorphisms with algebras of the catalogue: both algebras are brought to one normal form, and the images are multiplied out.
+//!
+//! A solvable algebra of dimension 4, not nilpotent, is a nilradical of dimension 3 (abelian or Heisenberg) and one vector
+//! that acts on it, or two vectors that act on a plane. The action `D` of one algebra and that of the other, `D'`, satisfy
+//! `a D X = X D'`, linear equations in `X` once traces have given `a`.
+
+use super::{Vector, catalogued, scale};
+use crate::algebra::structure::subspace::{collected, combination};
+use crate::algebra::structure::{Structure, Subspace};
+use affinor_tensors::linear::Matrix;
+use affinor_tensors::{Field, Rational, Ring};
+
+/// Integers up to these sizes are tried as components in the search for vectors of given length.
+const SMALL: i64 = 6;
+const SMALL_IN_PLANE: i64 = 24;
+/// How many first vectors of given length are tried.
+const FIRST: usize = 60;
+
+/// The images of a basis; each is multiplied by the square root of a positive number.
+pub(super) struct Images {
+    pub vectors: Vec<Vector>,
+    pub under_root: Option<Vec<Rational>>,
+}
+
+impl Structure<Rational> {
+    /// The images of the basis of a named algebra of dimension 3 (simple) or 4, where one is found.
+    pub(super) fn isomorphism_with(&self, name: &str) -> Option<Images> {
+        let named = Structure::new(catalogued(name)?);
+        if !self.is_solvable() {
+            return self.onto_simple(&named);
+        }
+        let vectors = match (self.is_nilpotent(), self.nilradical().dimension()) {
+            (true, _) => images(&named.nilpotent_form()?, &self.nilpotent_form()?),
+            (_, 2) => images(&named.form_on_plane()?, &self.form_on_plane()?),
+            _ => self.onto_extension(&named),
+        }?;
+        self.respects(&named, &vectors).then_some(Images { vectors, under_root: None })
+    }
+
+    /// Whether `[f_i, f_j] = c^k_ij f_k` for the images `f_i`, which are a basis.
+    fn respects(&self, named: &Self, images: &[Vector]) -> bool {
+        let n = self.dimension();
+        let brackets = (0..n).all(|i| {
+            let ad = self.products.ad(&images[i]);
+            let named = named.products.ad(&[(i, Rational::from(1))]);
+            (0..n).all(|j| ad.image(&images[j]) == combination(images, named.column(j)))
+        });
+        brackets && Subspace::span(n, images.iter().cloned()).dimension() == n
+    }
+
+    /// `x, y, [x, y], [x, [x, y]]`, or `x, y, [x, y]` and a central vector, or any basis of an abelian algebra.
+    pub(in crate::algebra::structure) fn nilpotent_form(&self) -> Option<Vec<Vector>> {
+        let units = self.unit_vectors();
+        let derived = self.derived();
+        let bracket = |x: &Vector, y: &Vector| self.products.ad(x).image(y);
+        if derived.is_zero() {
+            return Some(units);
+        }
+        // y commutes with the derived algebra, x does not if it can
+        let centralizer = self.centralizer(derived);
+        let outside = |y: &&Vector| !derived.contains(y);
+        for y in centralizer.basis().iter().filter(outside) {
+            for x in &units {
+                let z = bracket(x, y);
+                if z.is_empty() || (derived.dimension() == 2 && centralizer.contains(x)) {
+                    continue;
+                }
+                let mut span = Subspace::span(self.dimension(), [x.clone(), y.clone(), z.clone()]);
+                let last = match derived.dimension() {
+                    2 => Some(bracket(x, &z)),
+                    _ => self.centre().basis().iter().find(|c| span.add((*c).clone())).cloned(),
+                };
+                return Some(vec![x.clone(), y.clone(), z, last?]);
+            }
+        }
+        None
+    }
+
+    /// `u, v` in the nilradical, a plane, and commuting `h, k`: `h` acts as 1, `k` with square 1 or -1.
+    pub(in crate::algebra::structure) fn form_on_plane(&self) -> Option<Vec<Vector>> {
+        let plane = self.nilradical();
+        let outside: Vec<usize> = plane.complement().collect();
+        let unit = |at: usize| vec![(at, Rational::from(1))];
+        let [e, f] = [unit(*outside.first()?), unit(*outside.get(1)?)];
+        let matrix = |x: &Vector| Some(self.action(x, &plane, None)?.to_dense().concat());
+        let system = Matrix::from_dense(&[matrix(&e)?, matrix(&f)?]).ok()?.transpose();
+        let one = [1, 0, 0, 1].map(Rational::from);
+        let solution = system.solve(&one).ok()??;
+        let h = sum(&scale(&e, &solution[0]), &scale(&f, &solution[1]));
+        let half = Rational::new(1, 2)?;
+        for x in [e, f] {
+            let m = self.action(&x, &plane, None)?;
+            let trace = m.get(0, 0) + &m.get(1, 1);
+            let k = sum(&x, &scale(&h, &-(trace * &half)));
+            let m = self.action(&k, &plane, None)?;
+            let square = -(m.determinant().ok()?);
+            let Some(unit) = square.clone().abs().sqrt().and_then(|root| root.recip()) else {
+                continue;
+            };
+            let k = scale(&k, &unit);
+            let twisted = self.products.ad(&h).image(&k);
+            let k = sum(&k, &scale(&twisted, &Rational::from(-1)));
+            let ad = self.products.ad(&k);
+            let basis = plane.basis();
+            if square.is_negative() {
+                return Some(vec![basis[0].clone(), ad.image(&basis[0]), h, k]);
+            }
+            // k + 1 and k - 1 map to the eigenvectors
+            let eigenvector = |sign: i64| {
+                let image = |v: &Vector| sum(&ad.image(v), &scale(v, &Rational::from(sign)));
+                basis.iter().map(image).find(|v| !v.is_empty())
+            };
+            return Some(vec![eigenvector(1)?, eigenvector(-1)?, h, k]);
+        }
+        None
+    }
+
+    /// The vector that acts on a nilradical of dimension 3, the vectors on which it acts, and the action.
+    pub(in crate::algebra::structure) fn extension_form(
+        &self,
+    ) -> Option<(Vector, Vec<Vector>, Matrix<Rational>)> {
+        let nilradical = self.nilradical();
+        let n = self.dimension();
+        let e: Vector = vec![(nilradical.complement().next()?, Rational::from(1))];
+        let square = self.subalgebra(&nilradical).ok()?.derived().clone();
+        let centre = nilradical.within(&square);
+        let mut span = centre.clone();
+        let acted: Vec<Vector> =
+            nilradical.basis().iter().filter(|row| span.add((*row).clone())).cloned().collect();
+        let mut e = e;
+        if let ([z], [v, w]) = (centre.basis(), &acted[..]) {
+            // n with [e + n, v] and [e + n, w] in the span of v, w
+            let basis = [v.clone(), w.clone(), z.clone()];
+            let last = |x: &Vector| coordinates(n, &basis, x).map(|all| all[2].clone());
+            let unit = last(&self.products.ad(v).image(w))?.recip()?;
+            let ad = self.products.ad(&e);
+            let (by_v, by_w) = (last(&ad.image(v))? * &unit, last(&ad.image(w))? * &unit);
+            e = sum(&e, &sum(&scale(w, &by_v), &scale(v, &-by_w)));
+        }
+        let action = self.action(&e, &nilradical, Some(&centre))?;
+        Some((e, acted, action))
+    }
+
+    fn onto_extension(&self, named: &Self) -> Option<Vec<Vector>> {
+        let n = self.dimension();
+        let (e, acted, own) = self.extension_form()?;
+        let (f, named_acted, other) = named.extension_form()?;
+        let m = acted.len();
+        if named_acted.len() != m {
+            return None;
+        }
+        let traces = |matrix: &Matrix<Rational>| {
+            let square = matrix.mul(matrix).ok()?;
+            let trace =
+                |a: &Matrix<Rational>| (0..m).fold(Rational::from(0), |sum, i| sum + &a.get(i, i));
+            Some((trace(matrix), trace(&square)))
+        };
+        let ((t1, t2), (s1, s2)) = (traces(&own)?, traces(&other)?);
+        let factors = match (t1.recip(), t2.recip()) {
+            (Some(unit), _) => vec![s1 * &unit],
+            (None, Some(unit)) => {
+                let root = (s2 * &unit).sqrt()?;
+                vec![root.clone(), -root]
+            }
+            _ => return None,
+        };
+        for factor in factors {
+            // a D X - X D' = 0 in the unknowns X_ij at i m + j
+            let rows = (0..m * m).map(|at| {
+                let (i, j) = (at / m, at % m);
+                let left = (0..m).map(|k| (k * m + j, own.get(i, k) * &factor));
+                let right = (0..m).map(|k| (i * m + k, -other.get(k, j)));
+                collected(left.chain(right).collect())
+            });
+            let kernel = Subspace::kernel(m * m, rows.filter(|row| !row.is_empty()));
+            for trial in 0..8i64 {
+                let weights = (0..kernel.dimension()).map(|at| {
+                    let at = at as i64;
+                    (
+                        at as usize,
+                        Rational::from(if trial == 0 {
+                            1
+                        } else {
+                            (at * trial * 5 + trial) % 7 - 3
+                        }),
+                    )
+                });
+                let x = kernel.vector(&weights.filter(|(_, v)| !v.vanishes()).collect::<Vec<_>>());
+                let column = |j: usize| -> Vector {
+                    let own = x.iter().filter(|(at, _)| at % m == j);
+                    let terms: Vector = own.map(|(at, v)| (at / m, v.clone())).collect();
+                    combination(&acted, &terms)
+                };
+                let mut from = vec![f.clone()];
+                from.extend(named_acted.iter().cloned());
+                let mut to = vec![scale(&e, &factor)];
+                to.extend((0..m).map(column));
+                if m == 2 {
+                    from.push(named.products.ad(&from[1]).image(&from[2]));
+                    to.push(self.products.ad(&to[1]).image(&to[2]));
+                }
+                if Subspace::span(n, to.iter().cloned()).dimension() < n {
+                    continue;
+                }
+                if let Some(found) = images(&from, &to).filter(|all| self.respects(named, all)) {
+                    return Some(found);
+                }
+            }
+        }
+        None
+    }
+
+    /// A simple algebra of dimension 3, perhaps beside a central line.
+    fn onto_simple(&self, named: &Self) -> Option<Images> {
+        let other = named.frame(true)?.vectors;
+        if let Some(own) = self.frame(true) {
+            let vectors = images(&other, &own.vectors).filter(|all| self.respects(named, all))?;
+            return Some(Images { vectors, under_root: None });
+        }
+        // each image is a multiple of one vector of the frame, divided by the root of its square
+        let Frame { vectors, squares } = self.frame(false)?;
+        let (mut found, mut under_root) = (vec![], vec![]);
+        for unit in named.unit_vectors() {
+            let terms = coordinates(named.dimension(), &other, &unit)?;
+            let mut terms = terms.iter().enumerate().filter(|(_, value)| !value.vanishes());
+            let (Some((at, value)), None) = (terms.next(), terms.next()) else { return None };
+            found.push(scale(&vectors[at], value));
+            under_root.push(squares[at].recip()?);
+        }
+        Some(Images { vectors: found, under_root: Some(under_root) })
+    }
+
+    /// Orthogonal vectors `x`, `y` with Killing squares `-2 s` and `+-2 t`, then `[x, y]` and the centre. If `exact`, `s` and `t`
+    /// are squares, and `x` and `y` are divided by their roots. Found by search among small integers.
+    pub(in crate::algebra::structure) fn frame(&self, exact: bool) -> Option<Frame> {
+        let derived = self.derived();
+        let basis = derived.basis();
+        let killing = self.killing_matrix().to_dense();
+        let product = |x: &Vector, y: &Vector| {
+            let terms = x.iter().flat_map(|(i, a)| y.iter().map(move |(j, b)| (i, j, a, b)));
+            terms.fold(Rational::from(0), |sum, (i, j, a, b)| {
+                sum + &(a.clone() * b * &killing[*i][*j])
+            })
+        };
+        let half = Rational::new(1, 2)?;
+        let root = |square: &Rational| square.sqrt().and_then(|root| root.recip());
+        let compact = self.killing().signature()?[0] == 0;
+        let range = || (0..=2 * SMALL).map(|k| if k % 2 == 0 { -k / 2 } else { (k + 1) / 2 });
+        let triples =
+            range().flat_map(|a| range().flat_map(move |b| range().map(move |c| [a, b, c])));
+        let mut firsts = triples.filter_map(|t| {
+            let x = vector(basis, &t);
+            let square = -(product(&x, &x) * &half);
+            let fits = !square.vanishes() && !square.is_negative();
+            (fits && (!exact || root(&square).is_some())).then_some((x, square))
+        });
+        firsts.by_ref().take(FIRST).find_map(|(x, s)| {
+            let row: Vector = basis.iter().map(|v| product(&x, v)).enumerate().collect();
+            let row = row.into_iter().filter(|(_, value)| !value.vanishes()).collect();
+            let plane = derived.within(&Subspace::kernel(basis.len(), [row]));
+            let small = || (0..=SMALL_IN_PLANE).flat_map(|a| [a, -a]);
+            let pairs = (0..=SMALL_IN_PLANE).flat_map(|a| small().map(move |b| [a, b]));
+            let (y, t) = pairs.into_iter().find_map(|pair| {
+                let y = vector(plane.basis(), &pair);
+                let square = product(&y, &y) * &half;
+                let square = if compact { -square } else { square };
+                let fits = !square.vanishes() && !square.is_negative();
+                (fits && (!exact || root(&square).is_some())).then_some((y, square))
+            })?;
+            let one = Rational::from(1);
+            let (x, y, s, t) = match exact {
+                true => (scale(&x, &root(&s)?), scale(&y, &root(&t)?), one.clone(), one.clone()),
+                false => (x, y, s, t),
+            };
+            let z = self.products.ad(&x).image(&y);
+            let both = s.clone() * &t;
+            let (mut vectors, mut squares) = (vec![x, y, z], vec![s, t, both]);
+            for line in self.centre().basis() {
+                vectors.push(line.clone());
+                squares.push(one.clone());
+            }
+            Some(Frame { vectors, squares })
+        })
+    }
+}
+
+/// Vectors of known Killing squares.
+pub(in crate::algebra::structure) struct Frame {
+    pub vectors: Vec<Vector>,
+    squares: Vec<Rational>,
+}
+
+/// An integer combination.
+fn vector(basis: &[Vector], coefficients: &[i64]) -> Vector {
+    let terms = coefficients.iter().enumerate().filter(|(_, value)| **value != 0);
+    combination(basis, &terms.map(|(at, value)| (at, Rational::from(*value))).collect::<Vector>())
+}
+
+pub(in crate::algebra::structure) fn sum(x: &Vector, y: &Vector) -> Vector {
+    collected(x.iter().chain(y).cloned().collect())
+}
+
+/// The coordinates of a vector in a basis of a subspace.
+fn coordinates(n: usize, basis: &[Vector], x: &Vector) -> Option<Vec<Rational>> {
+    let mut dense = vec![Rational::from(0); n];
+    x.iter().for_each(|(at, value)| dense[*at] = value.clone());
+    Matrix::from_rows(n, basis.iter().cloned()).ok()?.transpose().solve(&dense).ok()?
+}
+
+/// The images of the unit vectors under the linear map that takes one basis to another.
+pub(in crate::algebra::structure) fn images(from: &[Vector], to: &[Vector]) -> Option<Vec<Vector>> {
+    let n = from.len();
+    let unit = |at: usize| coordinates(n, from, &vec![(at, Rational::from(1))]);
+    let image = |at: usize| {
+        let terms = unit(at)?.into_iter().enumerate().filter(|(_, value)| !value.vanishes());
+        Some(combination(to, &terms.collect::<Vector>()))
+    };
+    (0..n).map(image).collect()
+}

@@ -1,0 +1,214 @@
+//! Root spaces of a semisimple algebra, where a Cartan subalgebra splits over the rationals (de Graaf 4.9, 5.11).
+
+use super::ideals::monic;
+use super::products::Ad;
+use super::subspace::combination;
+use super::{Structure, Subspace};
+use crate::algebra::roots::CartanType;
+use affinor_tensors::linear::{Echelon, Matrix, Row};
+use affinor_tensors::{Field, Rational, Ring};
+use num_rational::BigRational;
+use std::collections::{BTreeMap, HashSet};
+
+/// The largest number of eigenvalues that the parts of one vector may have.
+const MAX_EIGENVALUES: usize = 24;
+
+/// The roots of a semisimple algebra for a Cartan subalgebra that splits over the rationals.
+#[derive(Clone, Debug)]
+pub struct RootSpaces {
+    /// The Cartan subalgebra, with its basis `h_i`.
+    pub cartan: Subspace<Rational>,
+    /// All roots: the positive ones in lexicographic order of their values, then their opposites.
+    pub roots: Vec<RootSpace>,
+    /// The places of the simple roots in `roots`, factor by factor, numbered as in Bourbaki.
+    pub simple: Vec<usize>,
+    /// The types of the factors.
+    pub types: Vec<CartanType>,
+}
+
+/// A root and its root space.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RootSpace {
+    /// The values `a(h_i)` on the basis of the Cartan subalgebra.
+    pub values: Vec<Rational>,
+    /// A vector `x` with `[h_i, x] = a(h_i) x`, which spans the root space.
+    pub vector: Row<Rational>,
+}
+
+impl Structure<Rational> {
+    /// The root spaces of a semisimple algebra for a Cartan subalgebra with basis vectors of positive Killing squares, or
+    /// for [`cartan_subalgebra`](Self::cartan_subalgebra). `None` if neither splits over the rationals, or if a vector has
+    /// parts of more than 24 eigenvalues.
+    pub fn root_spaces(&self) -> Option<RootSpaces> {
+        let types = self.dynkin_type().filter(|_| self.is_semisimple())?;
+        let rank = types.iter().map(|one| one.rank()).sum();
+        let hyperbolic = self.hyperbolic_cartan_subalgebra(rank);
+        let found = hyperbolic.and_then(|cartan| self.split_by(cartan, types.clone()));
+        found.or_else(|| self.split_by(self.cartan_subalgebra(), types))
+    }
+
+    fn split_by(&self, cartan: Subspace<Rational>, types: Vec<CartanType>) -> Option<RootSpaces> {
+        let n = self.dimension();
+        let mut spaces: BTreeMap<Vec<Rational>, Vec<Row<Rational>>> = BTreeMap::new();
+        spaces.insert(vec![], self.whole().basis().to_vec());
+        for h in cartan.basis() {
+            let ad = self.products.ad(h);
+            let mut finer: BTreeMap<Vec<Rational>, Subspace<Rational>> = BTreeMap::new();
+            for (values, basis) in &spaces {
+                for vector in basis {
+                    for (value, part) in eigenvectors(&ad, n, vector)? {
+                        let values = values.iter().cloned().chain([value]).collect();
+                        finer.entry(values).or_insert_with(|| Subspace::zero(n)).add(part);
+                    }
+                }
+            }
+            spaces = finer.into_iter().map(|(at, space)| (at, space.basis().to_vec())).collect();
+        }
+        let zero = vec![Rational::from(0); cartan.dimension()];
+        spaces.retain(|values, _| *values != zero);
+        let mut roots = vec![];
+        for (values, basis) in spaces {
+            let [vector] = &basis[..] else { return None };
+            roots.push(RootSpace { values, vector: vector.clone() });
+        }
+        // lexicographic order is an order of the vector space
+        let (negative, positive): (Vec<_>, Vec<_>) =
+            roots.into_iter().partition(|root| root.values < zero);
+        let opposites = negative.into_iter().rev();
+        let mut found = RootSpaces { cartan, roots: positive, simple: vec![], types };
+        let simple = found.indecomposable();
+        found.roots.extend(opposites);
+        found.simple = found.numbered(&simple)?;
+        Some(found)
+    }
+}
+
+impl RootSpaces {
+    /// The Cartan matrix `a_ij = <a_i, a_j^v>` of the simple roots, by root strings: `a_i - a_j` is no root,
+    /// and `-a_ij` is the largest `k` such that `a_i + k a_j` is one.
+    pub fn cartan_matrix(&self) -> Vec<Vec<i64>> {
+        self.matrix(&self.simple)
+    }
+
+    fn matrix(&self, simple: &[usize]) -> Vec<Vec<i64>> {
+        let all: HashSet<&[Rational]> = self.roots.iter().map(|r| &r.values[..]).collect();
+        let string = |i: usize, j: usize| {
+            let mut root = self.roots[i].values.clone();
+            let mut steps = 0;
+            loop {
+                root = sum(&root, &self.roots[j].values);
+                if !all.contains(&root[..]) {
+                    return -steps;
+                }
+                steps += 1;
+            }
+        };
+        let entry = |i: usize, j: usize| if i == j { 2 } else { string(i, j) };
+        simple.iter().map(|&i| simple.iter().map(|&j| entry(i, j)).collect()).collect()
+    }
+
+    /// The positive roots, of which alone `roots` consists so far, that are no sums of two.
+    fn indecomposable(&self) -> Vec<usize> {
+        let all: HashSet<&[Rational]> = self.roots.iter().map(|r| &r.values[..]).collect();
+        let mut simple: Vec<usize> = vec![];
+        for (at, root) in self.roots.iter().enumerate() {
+            // smaller roots come first
+            let rest = |other: &usize| {
+                let minus = self.roots[*other].values.iter().map(|v| -v.clone());
+                sum(&root.values, &minus.collect::<Vec<_>>())
+            };
+            if !simple.iter().any(|other| all.contains(&rest(other)[..])) {
+                simple.push(at);
+            }
+        }
+        simple
+    }
+
+    /// The simple roots in an order in which the Cartan matrix is that of the types.
+    fn numbered(&self, simple: &[usize]) -> Option<Vec<usize>> {
+        let matrix = self.matrix(simple);
+        let mut wanted = vec![vec![0; simple.len()]; simple.len()];
+        let mut start = 0;
+        for one in &self.types {
+            for (i, row) in one.cartan_matrix().into_iter().enumerate() {
+                wanted.get_mut(start + i)?.get_mut(start..start + row.len())?.copy_from_slice(&row);
+            }
+            start += one.rank();
+        }
+        let mut order = vec![];
+        place(&matrix, &wanted, &mut order).then(|| order.iter().map(|&at| simple[at]).collect())
+    }
+}
+
+/// Completes the order of rows by search; a wrong start ends at the first entry that differs.
+fn place(matrix: &[Vec<i64>], wanted: &[Vec<i64>], order: &mut Vec<usize>) -> bool {
+    let at = order.len();
+    if at == matrix.len() {
+        return true;
+    }
+    for next in 0..matrix.len() {
+        let fits = |(k, &other): (usize, &usize)| {
+            matrix[next][other] == wanted[at][k] && matrix[other][next] == wanted[k][at]
+        };
+        if !order.contains(&next) && order.iter().enumerate().all(fits) {
+            order.push(next);
+            if place(matrix, wanted, order) {
+                return true;
+            }
+            order.pop();
+        }
+    }
+    false
+}
+
+fn sum(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
+    a.iter().zip(b).map(|(a, b)| a.clone() + b).collect()
+}
+
+/// The parts of a vector in the eigenspaces of a map, with sum the vector. `None` unless all eigenvalues that it meets
+/// are rational and simple roots of its minimal polynomial.
+fn eigenvectors(
+    ad: &Ad<Rational>,
+    n: usize,
+    vector: &Row<Rational>,
+) -> Option<Vec<(Rational, Row<Rational>)>> {
+    let mut powers = vec![vector.clone()];
+    let mut span = Echelon::new();
+    span.insert(vector.iter().cloned()).ok()?;
+    let minimal = loop {
+        let next = ad.image(powers.last()?);
+        if !span.contains(next.iter().cloned()) {
+            span.insert(next.iter().cloned()).ok()?;
+            powers.push(next);
+            if powers.len() > MAX_EIGENVALUES {
+                return None;
+            }
+            continue;
+        }
+        let mut dense = vec![Rational::from(0); n];
+        next.into_iter().for_each(|(at, value)| dense[at] = value);
+        let system = Matrix::from_rows(n, powers.iter().cloned()).ok()?.transpose();
+        break monic(&system.solve(&dense).ok()??);
+    };
+    let mut parts = vec![];
+    for (factor, multiplicity) in polyfactor::factor(&minimal) {
+        if factor.deg() != 1 || multiplicity > 1 {
+            return None;
+        }
+        let root = -Rational::from(&factor.0[0] / &factor.0[1]);
+        let others = minimal.exact(&factor)?;
+        let value = |at: &Rational| {
+            others.0.iter().rev().fold(Rational::from(0), |sum, c: &BigRational| {
+                sum * at + &Rational::from(c.clone())
+            })
+        };
+        let unit = value(&root).recip()?;
+        let coefficients = others.0.iter().enumerate();
+        let coefficients: Row<Rational> = coefficients
+            .map(|(at, c)| (at, Rational::from(c.clone()) * &unit))
+            .filter(|(_, c)| !c.vanishes())
+            .collect();
+        parts.push((root, combination(&powers, &coefficients)));
+    }
+    Some(parts)
+}

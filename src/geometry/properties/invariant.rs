@@ -1,0 +1,70 @@
+//! All metrics that are invariant: under both translations, and under a connection.
+
+use crate::Error;
+use crate::algebra::LieAlgebra;
+use crate::algebra::invariants::invariant_tensors;
+use crate::geometry::connection::Connection;
+use crate::geometry::metric::Metric;
+use affinor_tensors::linear::Echelon;
+use affinor_tensors::{Down, Field, Tensor, Up};
+
+impl<S: Field> Metric<S> {
+    /// A basis of the bi-invariant symmetric forms `g_ij`, the solutions of `g_mj c^m_ki + g_im c^m_kj = 0`. The
+    /// bi-invariant metrics are those that are not degenerate.
+    ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Metric, Rational};
+    /// // multiples of the Killing form
+    /// let algebra = catalogue::algebra::<Rational>("so(3)")?;
+    /// assert_eq!(Metric::bi_invariant_forms(&algebra)?.len(), 1);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Size`] beyond [`MAX_UNKNOWNS`](crate::algebra::invariants::MAX_UNKNOWNS) components.
+    pub fn bi_invariant_forms(algebra: &LieAlgebra<S>) -> Result<Vec<Tensor<S>>, Error> {
+        let ads = algebra.basis().map(|x| algebra.ad(&x)).collect::<Result<Vec<_>, _>>()?;
+        symmetric_invariants(algebra.dimension(), &ads)
+    }
+}
+
+impl<S: Field> Connection<S> {
+    /// A basis of the parallel symmetric forms with constant components, `(nabla_k g)_ij = 0`. The left-invariant
+    /// metrics of which this is a metric connection are those that are not degenerate.
+    ///
+    /// # Errors
+    /// [`Error::Frame`] in a frame that is not invariant; [`Error::Size`] as for
+    /// [`bi_invariant_forms`](Metric::bi_invariant_forms).
+    pub fn parallel_forms(&self) -> Result<Vec<Tensor<S>>, Error> {
+        if !self.frame().is_invariant() {
+            return Err(Error::Frame("constant forms are asked for in an invariant frame only"));
+        }
+        let n = self.frame().dimension();
+        // nabla_k acts on constants as the endomorphism Lambda^i_kj
+        let mut entries = vec![vec![]; n];
+        for (at, value) in self.gamma().components() {
+            entries[at[1]].push(([at[0], at[2]], value.clone()));
+        }
+        let endomorphism = |entries| Tensor::from_components(n, &[Up, Down], entries);
+        let endomorphisms = entries.into_iter().map(endomorphism).collect::<Result<Vec<_>, _>>()?;
+        symmetric_invariants(n, &endomorphisms)
+    }
+}
+
+/// A basis of the symmetric forms on which all endomorphisms act as zero: with a form its transpose is invariant.
+fn symmetric_invariants<S: Field>(
+    n: usize,
+    endomorphisms: &[Tensor<S>],
+) -> Result<Vec<Tensor<S>>, Error> {
+    let slots = [Down, Down];
+    let mut span = Echelon::new();
+    for form in invariant_tensors(n, &slots, endomorphisms)? {
+        let sum = form.components().flat_map(|(at, value)| {
+            let value = value.clone();
+            [(at[0] * n + at[1], value.clone()), (at[1] * n + at[0], value)]
+        });
+        span.insert(sum)?;
+    }
+    span.rows().iter().map(|row| Ok(Tensor::from_row(n, &slots, row.iter().cloned())?)).collect()
+}

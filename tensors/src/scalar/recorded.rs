@@ -1,0 +1,406 @@
+//! A scalar that records its own computation, as a graph of operations.
+//!
+//! Any formula that is written for a [`Field`] runs on it, and its result is a straight-line program
+//! ([`StraightLine`]) that computes the formula for numbers.
+
+mod derivative;
+mod image;
+mod operators;
+mod straight_line;
+
+use super::{Field, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance};
+use crate::expression::{Expression, ExpressionError, Scalars, is_name};
+use image::Image;
+use num_traits::{One, Zero};
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use std::fmt;
+use std::sync::Arc;
+
+pub use derivative::derivatives;
+pub use straight_line::{Count, Output, Step, StraightLine};
+
+/// A value that is known by the operations that lead to it from named inputs.
+///
+/// A value is a rational factor times a node of the graph. Constants are folded, common rational
+/// factors are taken out of sums, and nothing is expanded. Every value carries its image at a fixed point modulo two
+/// primes. Values with different images are different. Values with equal images count as equal, also if their operations
+/// differ: two of degree `d` that differ share an image with a probability below `d^2 / 2^122`. So sums that
+/// cancel are zero, as in [`Symbolic`], whose denominators and gcds it does without.
+///
+/// ```
+/// use affinor_tensors::{Field, Notation, Rational, Recorded, scalar::StraightLine};
+/// let [a, b] = ["a", "b"].map(|name| Recorded::parameter(name).unwrap());
+/// let ratio = (a.clone() * &a - &(b.clone() * &b)) * &(a.clone() - &b).recip().unwrap();
+/// assert_eq!(ratio, a + &b);
+/// let program = StraightLine::new(&[ratio]);
+/// assert_eq!(program.inputs().collect::<Vec<_>>(), ["a", "b"]);
+/// let value = |name: &str| Rational::from(if name == "a" { 5 } else { 3 });
+/// assert_eq!(program.evaluate(value, |_, x| x.clone()), Some(vec![Rational::from(8)]));
+/// ```
+#[derive(Clone)]
+pub struct Recorded {
+    factor: Rational,
+    /// `None` for a constant, which is the factor.
+    node: Option<Arc<Node>>,
+}
+
+/// An elementary function of an input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Function {
+    /// The sine.
+    Sin,
+    /// The cosine.
+    Cos,
+    /// The exponential.
+    Exp,
+}
+
+impl Function {
+    /// The name, which most languages share.
+    pub fn name(self) -> &'static str {
+        match self {
+            Function::Sin => "sin",
+            Function::Cos => "cos",
+            Function::Exp => "exp",
+        }
+    }
+}
+
+/// An operation and the image of its result; `None` where the image is no certificate.
+struct Node {
+    operation: Operation,
+    image: Option<Image>,
+}
+
+enum Operation {
+    Input(Arc<str>),
+    /// A function of the input of that name.
+    Function(Function, Arc<str>),
+    /// A constant, and multiples of other nodes.
+    Sum(Rational, Vec<(Rational, Arc<Node>)>),
+    Product(Arc<Node>, Arc<Node>),
+    Reciprocal(Arc<Node>),
+}
+
+impl Operation {
+    fn operands(&self) -> Vec<&Arc<Node>> {
+        match self {
+            Operation::Input(_) | Operation::Function(..) => vec![],
+            Operation::Sum(_, terms) => terms.iter().map(|(_, node)| node).collect(),
+            Operation::Product(a, b) => vec![a, b],
+            Operation::Reciprocal(a) => vec![a],
+        }
+    }
+}
+
+/// Long chains are taken apart in a loop, because a recursion could exhaust the stack.
+impl Drop for Node {
+    fn drop(&mut self) {
+        let taken = |operation: &mut Operation| {
+            let empty = Operation::Sum(Rational::zero(), vec![]);
+            match std::mem::replace(operation, empty) {
+                Operation::Input(_) | Operation::Function(..) => vec![],
+                Operation::Sum(_, terms) => terms.into_iter().map(|(_, node)| node).collect(),
+                Operation::Product(a, b) => vec![a, b],
+                Operation::Reciprocal(a) => vec![a],
+            }
+        };
+        let mut open = taken(&mut self.operation);
+        while let Some(node) = open.pop() {
+            if let Some(mut node) = Arc::into_inner(node) {
+                open.append(&mut taken(&mut node.operation));
+            }
+        }
+    }
+}
+
+/// The identity of a node up to sign: its image, or its place in memory where it has none.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Key {
+    Image(Image),
+    Place(*const Node),
+}
+
+impl Node {
+    /// The key, and whether the node is the negative of the value with that key.
+    fn key(self: &Arc<Self>) -> (Key, bool) {
+        match self.image {
+            Some(image) => {
+                let negative = image.negated();
+                if negative < image {
+                    (Key::Image(negative), true)
+                } else {
+                    (Key::Image(image), false)
+                }
+            }
+            None => (Key::Place(Arc::as_ptr(self)), false),
+        }
+    }
+}
+
+/// All nodes below the given ones, each once and after its operands.
+fn post_order<'n>(roots: impl IntoIterator<Item = &'n Arc<Node>>) -> Vec<&'n Arc<Node>> {
+    let mut seen = std::collections::HashSet::new();
+    let mut order = vec![];
+    for root in roots {
+        let mut open = vec![(root, false)];
+        while let Some((node, done)) = open.pop() {
+            if done {
+                order.push(node);
+            } else if seen.insert(Arc::as_ptr(node)) {
+                open.push((node, true));
+                open.extend(node.operation.operands().into_iter().rev().map(|node| (node, false)));
+            }
+        }
+    }
+    order
+}
+
+impl Recorded {
+    fn constant(factor: Rational) -> Self {
+        Recorded { factor, node: None }
+    }
+
+    fn of(operation: Operation, image: Option<Image>) -> Self {
+        match image.and_then(Image::certain) {
+            Some(Image::ZERO) => Self::zero(),
+            Some(Image::ONE) => Self::one(),
+            image => {
+                let node = Some(Arc::new(Node { operation, image }));
+                Recorded { factor: Rational::one(), node }
+            }
+        }
+    }
+
+    /// The input of that name; any text serves as a name.
+    pub fn input(name: &str) -> Self {
+        Self::of(Operation::Input(name.into()), Some(Image::variable(name)))
+    }
+
+    /// `constant + sum of factor * node`, with equal nodes collected and the common factor in front.
+    fn combination(constant: Rational, terms: Vec<(Rational, Arc<Node>)>) -> Self {
+        let mut collected: Vec<(Rational, Arc<Node>)> = Vec::with_capacity(terms.len());
+        let mut places = HashMap::with_capacity(terms.len());
+        for (factor, node) in terms {
+            let (key, negative) = node.key();
+            let signed =
+                |factor: Rational, other: bool| if negative == other { factor } else { -factor };
+            match places.entry(key) {
+                Entry::Vacant(place) => {
+                    place.insert((collected.len(), negative));
+                    collected.push((factor, node));
+                }
+                Entry::Occupied(place) => {
+                    let (at, other) = *place.get();
+                    collected[at].0 += signed(factor, other);
+                }
+            }
+        }
+        collected.retain(|(factor, _)| !factor.vanishes());
+        if collected.is_empty() {
+            return Self::constant(constant);
+        }
+        let content = content(collected.iter().map(|(factor, _)| factor));
+        let inverse = Rational::one() / &content;
+        let constant = constant * &inverse;
+        collected.iter_mut().for_each(|(factor, _)| *factor *= &inverse);
+        if let ([(_, node)], true) = (collected.as_slice(), constant.vanishes()) {
+            return Recorded { factor: content, node: Some(node.clone()) };
+        }
+        let image = collected.iter().try_fold(Image::rational(&constant), |sum, (factor, node)| {
+            let term = Image::rational(factor).zip(node.image).map(|(a, b)| a.mul(b));
+            Some(sum.zip(term).map(|(a, b)| a.add(b)))
+        });
+        let sum = Self::of(Operation::Sum(constant, collected), image.flatten());
+        sum.scaled(&content)
+    }
+
+    fn scaled(self, factor: &Rational) -> Self {
+        if factor.vanishes() {
+            return Self::zero();
+        }
+        Recorded { factor: self.factor * factor, node: self.node }
+    }
+
+    /// The terms of the value as a sum; those of a sum that nothing else uses are taken out of it.
+    fn into_terms(self) -> (Rational, Vec<(Rational, Arc<Node>)>) {
+        let Recorded { factor, node } = self;
+        let Some(mut node) = node else { return (factor, vec![]) };
+        if let Some(Node { operation: Operation::Sum(constant, terms), .. }) =
+            Arc::get_mut(&mut node)
+        {
+            let (constant, terms) = (constant.clone() * &factor, std::mem::take(terms));
+            return (constant, terms.into_iter().map(|(c, node)| (c * &factor, node)).collect());
+        }
+        (Rational::zero(), vec![(factor, node)])
+    }
+}
+
+/// The positive number with which all quotients are coprime integers, with the sign of the first value.
+fn content<'r>(mut values: impl Iterator<Item = &'r Rational>) -> Rational {
+    use num_rational::BigRational;
+    let Some(first) = values.next() else { return Rational::one() };
+    let mut content = first.clone().abs();
+    for value in values {
+        let quotient = BigRational::from(&(value.clone() / &content));
+        // the content of content * (1, n/d) is content / d, where n and d are coprime
+        content /= &Rational::from(BigRational::from(quotient.denom().clone()));
+    }
+    if first.is_negative() { -content } else { content }
+}
+
+impl Ring for Recorded {
+    type Sum = RecordedSum;
+
+    fn from_i64(n: i64) -> Self {
+        Self::constant(n.into())
+    }
+    fn vanishes(&self) -> bool {
+        self.factor.vanishes()
+    }
+    fn clear_denominators<'a>(
+        values: impl Iterator<Item = &'a Self> + Clone,
+    ) -> Option<(Vec<i64>, i64)> {
+        let constant = |value: &'a Self| value.node.is_none().then_some(&value.factor);
+        let constants: Vec<_> = values.map(constant).collect::<Option<_>>()?;
+        Rational::clear_denominators(constants.into_iter())
+    }
+    fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
+        Rational::new(numerator, denominator).map(Self::constant)
+    }
+}
+
+impl Field for Recorded {
+    /// A matrix of inputs is inverted without exchanges of rows where its leading minors do not vanish,
+    /// as those of a definite metric.
+    const DIAGONAL_PIVOTS: bool = true;
+
+    fn recip(&self) -> Option<Self> {
+        let factor = self.factor.recip()?;
+        Some(match &self.node {
+            None => Self::constant(factor),
+            Some(node) => match &node.operation {
+                Operation::Reciprocal(inner) => Recorded { factor, node: Some(inner.clone()) },
+                _ => {
+                    let image = node.image.and_then(Image::recip);
+                    Self::of(Operation::Reciprocal(node.clone()), image).scaled(&factor)
+                }
+            },
+        })
+    }
+    /// Constants are better pivots than values which numbers may make zero.
+    fn pivot_weight(&self) -> f64 {
+        if self.node.is_none() { 1.0 } else { 0.0 }
+    }
+}
+
+/// A sum that becomes one operation at its end.
+#[derive(Clone, Default)]
+pub struct RecordedSum {
+    constant: Rational,
+    terms: Vec<(Rational, Arc<Node>)>,
+}
+
+impl RecordedSum {
+    fn add(&mut self, Recorded { factor, node }: Recorded) {
+        match node {
+            None => self.constant += factor,
+            Some(node) => self.terms.push((factor, node)),
+        }
+    }
+}
+
+impl Sum<Recorded> for RecordedSum {
+    fn add_term(&mut self, a: &Recorded) {
+        self.add(a.clone());
+    }
+    fn add_product(&mut self, a: &Recorded, b: &Recorded) {
+        self.add(a.clone() * b);
+    }
+    fn finish(&self, _: Tolerance) -> Option<Recorded> {
+        let value = Recorded::combination(self.constant.clone(), self.terms.clone());
+        (!value.vanishes()).then_some(value)
+    }
+}
+
+impl Notation for Recorded {
+    const KIND: Kind = Kind::Symbolic;
+
+    fn from_rational(value: &Rational) -> Option<Self> {
+        Some(Self::constant(value.clone()))
+    }
+    fn parameter(name: &str) -> Option<Self> {
+        is_name(name).then(|| Self::input(name))
+    }
+    fn parameters(&self) -> Vec<String> {
+        let name = |node: &Arc<Node>| match &node.operation {
+            Operation::Input(name) | Operation::Function(_, name) => Some(name.to_string()),
+            _ => None,
+        };
+        let mut names: Vec<_> = post_order(&self.node).into_iter().filter_map(name).collect();
+        names.sort();
+        names.dedup();
+        names
+    }
+    /// `sin`, `cos`, `tan` and `exp` of an input.
+    fn function(name: &str, argument: &Self) -> Result<Self, String> {
+        let operation = argument.node.as_ref().map(|node| &node.operation);
+        let Some(Operation::Input(input)) = operation.filter(|_| argument.factor.is_one()) else {
+            return Err(format!("a program knows `{name}` of a name alone"));
+        };
+        let of = |function: Function| {
+            Self::of(Operation::Function(function, input.clone()), Image::function(function, input))
+        };
+        match name {
+            "sin" => Ok(of(Function::Sin)),
+            "cos" => Ok(of(Function::Cos)),
+            "exp" => Ok(of(Function::Exp)),
+            "tan" => match of(Function::Cos).recip() {
+                Some(secant) => Ok(of(Function::Sin) * &secant),
+                None => Err("`tan` is not defined here".into()),
+            },
+            _ => Err(format!("`{name}` has no counterpart in a program")),
+        }
+    }
+    fn derivative(&self, name: &str) -> Self {
+        derivatives(std::slice::from_ref(self), name).pop().unwrap_or_default()
+    }
+    fn to_f64(&self) -> Option<f64> {
+        self.node.is_none().then(|| self.factor.to_f64())
+    }
+    fn latex(&self) -> String {
+        self.to_string()
+    }
+    fn size(&self) -> usize {
+        if self.node.is_none() { self.factor.size() } else { 1 }
+    }
+}
+
+impl TryFrom<&Symbolic> for Recorded {
+    type Error = ExpressionError;
+    /// The value as it is written, with sines and cosines.
+    ///
+    /// # Errors
+    /// A value beyond the limits of [expressions](crate::expression).
+    fn try_from(value: &Symbolic) -> Result<Self, ExpressionError> {
+        if let Some(constant) = value.as_constant() {
+            return Ok(Self::constant(constant.clone()));
+        }
+        let name = |name: &str| Ok(Self::input(name));
+        Expression::parse(&value.to_string())?.evaluate(&Scalars(name, Self::function))
+    }
+}
+
+/// Nested operations are cut after a few levels.
+impl fmt::Display for Recorded {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&operators::written(self, 4))
+    }
+}
+
+impl fmt::Debug for Recorded {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}

@@ -1,0 +1,77 @@
+//! Partial derivatives of recorded values, in forward mode.
+
+use super::{Function, Image, Node, Operation, Recorded, post_order};
+use crate::scalar::{Sum, Tolerance};
+use num_traits::{One, Zero};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// The partial derivatives of several values by the input of that name.
+///
+/// The derivative of a common subexpression is recorded once.
+///
+/// ```
+/// use affinor_tensors::{Notation, Recorded, scalar::derivatives};
+/// let [x, y] = ["x", "y"].map(|name| Recorded::parameter(name).unwrap());
+/// let square = x.clone() * &x;
+/// assert_eq!(derivatives(&[square.clone() * &y, square.clone()], "y"), [square, 0.into()]);
+/// ```
+pub fn derivatives(values: &[Recorded], name: &str) -> Vec<Recorded> {
+    let roots = values.iter().filter_map(|value| value.node.as_ref());
+    let mut known: HashMap<*const Node, Recorded> = HashMap::new();
+    for node in post_order(roots) {
+        let rate = rate(node, name, &|node| known.get(&Arc::as_ptr(node)));
+        if !rate.factor.is_zero() {
+            known.insert(Arc::as_ptr(node), rate);
+        }
+    }
+    let rate = |value: &Recorded| {
+        let rate = known.get(&Arc::as_ptr(value.node.as_ref()?))?;
+        Some(rate.clone().scaled(&value.factor))
+    };
+    values.iter().map(|value| rate(value).unwrap_or_default()).collect()
+}
+
+/// The derivative of a node; `of` returns those of its operands, unless they vanish.
+fn rate<'k>(
+    node: &Arc<Node>,
+    name: &str,
+    of: &dyn Fn(&Arc<Node>) -> Option<&'k Recorded>,
+) -> Recorded {
+    let value = |node: &Arc<Node>| Recorded { factor: One::one(), node: Some(node.clone()) };
+    match &node.operation {
+        Operation::Input(own) if **own == *name => Recorded::one(),
+        Operation::Function(function, own) if **own == *name => {
+            let of = |function| {
+                let image = Image::function(function, own);
+                Recorded::of(Operation::Function(function, own.clone()), image)
+            };
+            match function {
+                Function::Sin => of(Function::Cos),
+                Function::Cos => -of(Function::Sin),
+                Function::Exp => of(Function::Exp),
+            }
+        }
+        Operation::Input(_) | Operation::Function(..) => Recorded::zero(),
+        Operation::Sum(_, terms) => {
+            let rates =
+                terms.iter().filter_map(|(factor, node)| Some(of(node)?.clone().scaled(factor)));
+            total(rates)
+        }
+        Operation::Product(a, b) => {
+            let first = of(a).map(|rate| rate.clone() * &value(b));
+            let second = of(b).map(|rate| rate.clone() * &value(a));
+            total(first.into_iter().chain(second))
+        }
+        Operation::Reciprocal(a) => match of(a) {
+            None => Recorded::zero(),
+            Some(rate) => -(rate.clone() * &(value(node) * &value(node))),
+        },
+    }
+}
+
+fn total(terms: impl Iterator<Item = Recorded>) -> Recorded {
+    let mut sum = <Recorded as crate::Ring>::Sum::default();
+    terms.for_each(|term| sum.add_term(&term));
+    sum.finish(Tolerance::default()).unwrap_or_default()
+}

@@ -1,0 +1,257 @@
+//! Straight-line programs: the operations of recorded values, each once and in order.
+
+use super::{Function, Key, Operation, Recorded, post_order};
+use crate::{Field, Rational};
+use num_traits::One;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// A straight-line program: steps that use earlier ones, and outputs that are multiples of steps.
+///
+/// Equal values are computed once, also up to sign, and every step is used by an output.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StraightLine {
+    steps: Vec<Step>,
+    outputs: Vec<Output>,
+}
+
+/// One operation; operands are numbers of earlier steps.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Step {
+    /// An input.
+    Input(String),
+    /// A function of an input.
+    Function(Function, String),
+    /// A constant and multiples of steps.
+    Sum(Rational, Vec<(Rational, usize)>),
+    /// The product of two steps.
+    Product(usize, usize),
+    /// One divided by a step.
+    Reciprocal(usize),
+}
+
+impl Step {
+    /// The steps that are used, a square twice.
+    pub fn operands(&self) -> Vec<usize> {
+        match self {
+            Step::Input(_) | Step::Function(..) => vec![],
+            Step::Sum(_, terms) => terms.iter().map(|(_, at)| *at).collect(),
+            Step::Product(a, b) => vec![*a, *b],
+            Step::Reciprocal(a) => vec![*a],
+        }
+    }
+
+    fn renumber(&mut self, f: impl Fn(usize) -> usize) {
+        match self {
+            Step::Input(_) | Step::Function(..) => {}
+            Step::Sum(_, terms) => terms.iter_mut().for_each(|(_, at)| *at = f(*at)),
+            Step::Product(a, b) => (*a, *b) = (f(*a), f(*b)),
+            Step::Reciprocal(a) => *a = f(*a),
+        }
+    }
+}
+
+/// A constant, or a multiple of a step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Output {
+    /// The factor, or the constant.
+    pub factor: Rational,
+    /// The step; `None` for a constant.
+    pub step: Option<usize>,
+}
+
+/// The number of operations of a program.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Count {
+    /// Additions and subtractions.
+    pub additions: usize,
+    /// Multiplications, also by constants.
+    pub multiplications: usize,
+    /// Divisions.
+    pub divisions: usize,
+    /// Calls of elementary functions.
+    pub functions: usize,
+}
+
+impl StraightLine {
+    /// The program that computes these values.
+    pub fn new(values: &[Recorded]) -> Self {
+        // where each value stands, and whether negated
+        let mut known: HashMap<Key, (usize, bool)> = HashMap::new();
+        let mut steps: Vec<Step> = vec![];
+        let roots = values.iter().filter_map(|value| value.node.as_ref());
+        for node in post_order(roots) {
+            let (key, negative) = node.key();
+            if known.contains_key(&key) {
+                continue;
+            }
+            let place = |node: &Arc<super::Node>| {
+                let (key, negative) = node.key();
+                let (at, other) = known[&key];
+                (at, negative != other)
+            };
+            let (step, negated) = match &node.operation {
+                Operation::Input(name) => (Step::Input(name.to_string()), false),
+                Operation::Function(function, name) => {
+                    (Step::Function(*function, name.to_string()), false)
+                }
+                Operation::Sum(constant, terms) => {
+                    let terms = terms.iter().map(|(factor, node)| {
+                        let (at, negated) = place(node);
+                        (if negated { -factor.clone() } else { factor.clone() }, at)
+                    });
+                    (Step::Sum(constant.clone(), terms.collect()), false)
+                }
+                Operation::Product(a, b) => {
+                    let ((a, minus), (b, other)) = (place(a), place(b));
+                    (Step::Product(a, b), minus != other)
+                }
+                Operation::Reciprocal(a) => {
+                    let (a, minus) = place(a);
+                    (Step::Reciprocal(a), minus)
+                }
+            };
+            known.insert(key, (steps.len(), negative != negated));
+            steps.push(step);
+        }
+        let outputs = values.iter().map(|value| match &value.node {
+            None => Output { factor: value.factor.clone(), step: None },
+            Some(node) => {
+                let (key, negative) = node.key();
+                let (at, other) = known[&key];
+                let factor = value.factor.clone();
+                Output { factor: if negative != other { -factor } else { factor }, step: Some(at) }
+            }
+        });
+        let outputs = outputs.collect();
+        StraightLine { steps, outputs }.without_dead_steps()
+    }
+
+    fn without_dead_steps(mut self) -> Self {
+        let mut used = vec![false; self.steps.len()];
+        self.outputs.iter().filter_map(|output| output.step).for_each(|at| used[at] = true);
+        for at in (0..self.steps.len()).rev() {
+            if used[at] {
+                self.steps[at].operands().into_iter().for_each(|at| used[at] = true);
+            }
+        }
+        let mut next = 0;
+        let places: Vec<usize> = used
+            .iter()
+            .map(|used| {
+                next += usize::from(*used);
+                next.saturating_sub(1)
+            })
+            .collect();
+        let mut kept = used.iter();
+        self.steps.retain(|_| kept.next() == Some(&true));
+        self.steps.iter_mut().for_each(|step| step.renumber(|at| places[at]));
+        for output in &mut self.outputs {
+            output.step = output.step.map(|at| places[at]);
+        }
+        self
+    }
+
+    /// The steps, in order.
+    pub fn steps(&self) -> &[Step] {
+        &self.steps
+    }
+
+    /// The outputs, in the order of the values.
+    pub fn outputs(&self) -> &[Output] {
+        &self.outputs
+    }
+
+    /// The names of the inputs, sorted.
+    pub fn inputs(&self) -> impl Iterator<Item = &str> {
+        let name = |step| match step {
+            &Step::Input(ref name) | &Step::Function(_, ref name) => Some(name.as_str()),
+            _ => None,
+        };
+        let names: std::collections::BTreeSet<_> = self.steps.iter().filter_map(name).collect();
+        names.into_iter()
+    }
+
+    /// How often each step is used, by other steps and by outputs.
+    pub fn uses(&self) -> Vec<usize> {
+        let mut uses = vec![0; self.steps.len()];
+        let operands = self.steps.iter().flat_map(Step::operands);
+        operands.chain(self.outputs.iter().filter_map(|o| o.step)).for_each(|at| uses[at] += 1);
+        uses
+    }
+
+    /// The number of operations.
+    pub fn count(&self) -> Count {
+        let mut count = Count::default();
+        let plain = |factor: &Rational| factor.clone().abs().is_one();
+        for step in &self.steps {
+            match step {
+                Step::Input(_) => {}
+                Step::Function(..) => count.functions += 1,
+                Step::Sum(constant, terms) => {
+                    let constant = usize::from(!num_traits::Zero::is_zero(constant));
+                    count.additions += (terms.len() + constant).saturating_sub(1);
+                    count.multiplications +=
+                        terms.iter().filter(|(factor, _)| !plain(factor)).count();
+                }
+                Step::Product(..) => count.multiplications += 1,
+                Step::Reciprocal(_) => count.divisions += 1,
+            }
+        }
+        let scaled = self.outputs.iter().filter(|o| o.step.is_some() && !plain(&o.factor));
+        count.multiplications += scaled.count();
+        count
+    }
+
+    /// The outputs for inputs of any field; `function` returns the values of functions.
+    ///
+    /// `None` if a divisor is no unit, or a constant does not exist in the field.
+    pub fn evaluate<S: Field>(
+        &self,
+        input: impl Fn(&str) -> S,
+        function: impl Fn(Function, &S) -> S,
+    ) -> Option<Vec<S>> {
+        let mut values: Vec<S> = Vec::with_capacity(self.steps.len());
+        for step in &self.steps {
+            let value = match step {
+                Step::Input(name) => input(name),
+                Step::Function(f, name) => function(*f, &input(name)),
+                Step::Sum(constant, terms) => {
+                    let mut sum = constant_in(constant)?;
+                    for (factor, at) in terms {
+                        let term = constant_in::<S>(factor)? * &values[*at];
+                        sum = term + &sum;
+                    }
+                    sum
+                }
+                Step::Product(a, b) => values[*a].clone() * &values[*b],
+                Step::Reciprocal(a) => values[*a].recip()?,
+            };
+            values.push(value);
+        }
+        let output = |output: &Output| {
+            let factor = constant_in::<S>(&output.factor)?;
+            Some(match output.step {
+                None => factor,
+                Some(at) => factor * &values[at],
+            })
+        };
+        self.outputs.iter().map(output).collect()
+    }
+}
+
+/// A rational number in a field.
+fn constant_in<S: Field>(value: &Rational) -> Option<S> {
+    if let Ok(words) = num_rational::Ratio::<i64>::try_from(value) {
+        return S::from_quotient(*words.numer(), *words.denom());
+    }
+    // digit by digit, in base 2^32
+    let big = num_rational::BigRational::from(value);
+    let integer = |n: &num_bigint::BigInt| {
+        let base = S::from_i64(1 << 32);
+        let digits = n.magnitude().iter_u32_digits().rev();
+        let size = digits.fold(S::zero(), |sum, digit| sum * &base + &S::from_i64(digit.into()));
+        if n.sign() == num_bigint::Sign::Minus { -size } else { size }
+    };
+    Some(integer(big.numer()) * &integer(big.denom()).recip()?)
+}

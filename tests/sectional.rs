@@ -1,0 +1,110 @@
+//! The extremes of sectional curvature against closed forms, and the spaces of invariant metrics.
+
+use crate::common::algebras::catalogued;
+use crate::common::spaces::{named, rational};
+use crate::common::{fraction, integer};
+use affinor::algebra::structure::Structure;
+use affinor::geometry::properties::Extreme;
+use affinor::{Canonical, Connection, Geometry, Metric, Rational};
+
+/// The smallest and the largest curvature; each is that of its plane, and no coordinate plane lies beyond a proved one.
+fn extremes(space: &Geometry<Rational>) -> [Extreme; 2] {
+    let (metric, algebra) = (space.metric().unwrap(), space.algebra().unwrap());
+    let found = metric.sectional_extremes(algebra).unwrap().unwrap();
+    let curvature = |x: &[Rational], y: &[Rational]| {
+        space.connection().sectional_curvature(metric, x, y).unwrap().unwrap()
+    };
+    for extreme in &found {
+        let [x, y] = &extreme.plane;
+        assert_eq!(curvature(x, y), extreme.curvature);
+    }
+    let n = algebra.dimension();
+    let unit = |at: usize| (0..n).map(|i| integer(i64::from(i == at))).collect::<Vec<_>>();
+    for (i, j) in (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))) {
+        let value = curvature(&unit(i), &unit(j));
+        let below = value.clone() - &found[0].curvature;
+        let above = found[1].curvature.clone() - &value;
+        assert!(!below.is_negative() && !above.is_negative(), "{value} at {i}, {j}");
+    }
+    found
+}
+
+fn values(found: &[Extreme; 2]) -> [Rational; 2] {
+    [found[0].curvature.clone(), found[1].curvature.clone()]
+}
+
+/// J. Milnor, *Adv. Math.* 21 (1976), section 4: a unimodular group with `[e2,e3] = l1 e1, ..` and orthonormal `e_i`.
+#[test]
+fn of_groups_of_dimension_three() {
+    let heisenberg = extremes(&named("heisenberg(3)", "identity"));
+    assert_eq!(values(&heisenberg), [fraction(-3, 4), fraction(1, 4)]);
+    assert!(heisenberg.iter().all(|extreme| extreme.proved));
+    // a sphere: one value
+    let round = extremes(&named("so3", "identity"));
+    assert_eq!(values(&round), [fraction(1, 4), fraction(1, 4)]);
+    // Berger's sphere with the fibre scaled by 1/4: K = s/4 of planes with the fibre, 1 - 3 s/4 of the other
+    let berger = extremes(&named("so3", "diag(1,1,1/4)"));
+    assert_eq!(values(&berger), [fraction(1, 16), fraction(13, 16)]);
+    assert!(berger.iter().all(|extreme| extreme.proved));
+}
+
+/// `-1 <= K <= -1/4` on the complex hyperbolic plane; the search finds both.
+#[test]
+fn of_the_complex_hyperbolic_plane() {
+    let found = extremes(&rational("complex_hyperbolic_plane.toml", ""));
+    assert_eq!(values(&found), [integer(-1), fraction(-1, 4)]);
+    assert!(found.iter().all(|extreme| !extreme.proved));
+}
+
+/// S. Helgason, VII.11: the largest curvature of a compact simple group with the metric `-K` is a quarter of the square
+/// of the highest root, `1/(4 h)` with the dual Coxeter number `h`. Here the metric is `K`, which changes the sign.
+#[test]
+fn of_bi_invariant_metrics() {
+    for (name, coxeter) in [("su3", 3), ("so5", 3), ("so(6)", 4)] {
+        let space = named(name, "killing");
+        if space.algebra().unwrap().dimension() > affinor::geometry::properties::MAX_SEARCHED {
+            let metric = space.metric().unwrap();
+            assert_eq!(metric.sectional_extremes(space.algebra().unwrap()).unwrap(), None);
+            continue;
+        }
+        let found = extremes(&space);
+        assert_eq!(values(&found), [fraction(-1, 4 * coxeter), integer(0)], "{name}");
+        assert!(!found[0].proved && found[1].proved, "{name}");
+    }
+    let indefinite = named("sl2", "killing");
+    let metric = indefinite.metric().unwrap();
+    assert_eq!(metric.sectional_extremes(indefinite.algebra().unwrap()).unwrap(), None);
+}
+
+/// As many bi-invariant forms as ranks modulo primes leave room for.
+#[test]
+fn bi_invariant_forms() {
+    for name in ["so3", "so4", "heisenberg(3)", "se(3)", "sl(2)+R^2", "bianchi(V)", "R^3"] {
+        let algebra = catalogued(name);
+        let forms = Metric::bi_invariant_forms(&algebra).unwrap();
+        assert_eq!(Some(forms.len()), Structure::new(algebra.clone()).invariant_forms(), "{name}");
+        for form in forms {
+            let varied = affinor_tensors::contract(
+                "g_mj c^m_ki + g_im c^m_kj -> _kij",
+                &[("g", &form), ("c", algebra.structure())],
+            );
+            assert!(varied.unwrap().is_empty(), "{name}");
+        }
+    }
+}
+
+/// `plus` differentiates by `ad`, `minus` not at all; the metric of a Levi-Civita connection is parallel.
+#[test]
+fn parallel_forms() {
+    let algebra = catalogued("so3");
+    let count =
+        |family: Canonical| Connection::canonical(&algebra, family).parallel_forms().unwrap().len();
+    assert_eq!([count(Canonical::Plus), count(Canonical::Minus)], [1, 6]);
+    let space = named("so3", "diag(1,2,3)");
+    let forms = space.connection().parallel_forms().unwrap();
+    let [only] = &forms[..] else { panic!("an irreducible holonomy leaves one metric") };
+    assert_eq!(
+        &only.scale(&space.metric().unwrap().components().get(&[0, 0])),
+        space.metric().unwrap().components()
+    );
+}
