@@ -195,10 +195,10 @@ test("the values of the program", { skip: !process.env.AFFINOR_COMMAND && "AFFIN
 });
 
 test("what is sent stays within the budget", () => {
-  const size = (name) => zlib.gzipSync(fs.readFileSync(path.join(dist, name)), { level: 9 }).length;
+  const size = (name) => zlib.brotliCompressSync(fs.readFileSync(path.join(dist, name))).length;
   const module = size("engine_bg.wasm");
   const rest = fs.readdirSync(dist).filter((name) => !name.endsWith(".wasm")).reduce((sum, name) => sum + size(name), 0);
-  console.log(`engine ${module} bytes with gzip, everything else ${rest}`);
+  console.log(`engine ${module} bytes with brotli, everything else ${rest}`);
   assert.ok(module < 1_500_000, String(module));
   assert.ok(rest < 40_000, String(rest));
 });

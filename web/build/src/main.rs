@@ -55,7 +55,13 @@ fn build(folder: &Path) -> Result<PathBuf> {
         fs::remove_dir_all(&dist)?;
     }
     let mut bindgen = Bindgen::new();
-    bindgen.input_path(&module).web(true)?.typescript(false).omit_default_module_path(false).out_name("engine");
+    bindgen
+        .input_path(&module)
+        .web(true)?
+        .typescript(false)
+        .omit_default_module_path(false)
+        .remove_name_section(true)
+        .out_name("engine");
     bindgen.generate(&dist).with_context(|| module.display().to_string())?;
     for entry in fs::read_dir(folder.join("page"))? {
         let path = entry?.path();
