@@ -45,11 +45,15 @@ function fill(state) {
   enable();
 }
 
-/** Only the fields that the report uses can be edited. */
+/** Only the fields that the report uses are there. */
 function enable() {
   const names = used(state().report);
-  for (const name of FIELDS) by(name).disabled = !names.includes(name);
-  by("lambda").disabled = !names.includes("connection");
+  for (const name of [...FIELDS, "lambda"]) {
+    const idle = !names.includes(name === "lambda" ? "connection" : name);
+    by(name).disabled = idle;
+    by(name).closest(".field, details").hidden = idle;
+  }
+  by("space").placeholder = names.includes("other") ? "M3" : "";
   by("lambda-value").textContent = fraction(Number(by("lambda").value));
 }
 
