@@ -16,8 +16,8 @@ use std::collections::{BTreeMap, BTreeSet};
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Semidirect {
-    of: Part,
-    on: Option<Part>,
+    of: Part<Document>,
+    on: Option<Part<Document>>,
     by: ActionText,
 }
 
@@ -25,7 +25,7 @@ pub(crate) struct Semidirect {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Subalgebra {
-    of: Part,
+    of: Part<Document>,
     spanned_by: Option<Vec<Text>>,
     generated_by: Option<Vec<Text>>,
     centralizer_of: Option<Vec<Text>>,
@@ -35,7 +35,7 @@ pub(crate) struct Subalgebra {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Quotient {
-    of: Part,
+    of: Part<Document>,
     by: Vec<Text>,
 }
 
@@ -43,7 +43,7 @@ pub(crate) struct Quotient {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Extension {
-    of: Part,
+    of: Part<Document>,
     centre: Vec<Text>,
     cocycle: Block,
 }
@@ -52,7 +52,7 @@ pub(crate) struct Extension {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Contraction {
-    of: Part,
+    of: Part<Document>,
     weights: Vec<i64>,
 }
 
@@ -60,7 +60,7 @@ pub(crate) struct Contraction {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct OtherBasis {
-    of: Part,
+    of: Part<Document>,
     vectors: Vec<Text>,
 }
 
@@ -68,7 +68,7 @@ pub(crate) struct OtherBasis {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Truncated {
-    of: Part,
+    of: Part<Document>,
     order: usize,
 }
 
@@ -271,7 +271,7 @@ impl Site<'_> {
     }
 
     /// The algebra of a name of the catalogue, of a file, or of a nested definition at `key`.
-    fn algebra(&self, part: &Part, key: &str) -> Result<Algebra, InputError> {
+    fn algebra(&self, part: &Part<Document>, key: &str) -> Result<Algebra, InputError> {
         let (definition, place): (Definition, Place) = match part {
             Part::Name(text) => {
                 let source = self.source.excerpt(text);
@@ -288,7 +288,11 @@ impl Site<'_> {
         algebra.map_err(|error| error.or_at(&place))
     }
 
-    fn structure(&self, part: &Part, key: &str) -> Result<Structure<Symbolic>, InputError> {
+    fn structure(
+        &self,
+        part: &Part<Document>,
+        key: &str,
+    ) -> Result<Structure<Symbolic>, InputError> {
         Ok(Structure::new(self.algebra(part, key)?))
     }
 

@@ -1,6 +1,5 @@
 //! The values of a definition file as they are written, in TOML or JSON, each with its place.
 
-use super::document::Document;
 use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Unexpected, Visitor};
 use std::fmt;
 use std::marker::PhantomData;
@@ -83,10 +82,10 @@ pub(crate) enum ActionText {
     Matrices(Vec<MatrixRows>),
 }
 
-/// The algebra that a construction starts from: a name or a file, or a definition in its place.
-pub(crate) enum Part {
+/// The algebra that a construction starts from: a name or a file, or a document in its place.
+pub(crate) enum Part<D> {
     Name(Text),
-    Nested(Box<Document>),
+    Nested(Box<D>),
 }
 
 /// How a string or a number is written.
@@ -270,7 +269,7 @@ impl Form for ActionText {
     }
 }
 
-impl Form for Part {
+impl<D: de::DeserializeOwned> Form for Part<D> {
     const EXPECTED: &'static str =
         "a name of the catalogue, a file, or a table with the keys of a definition";
 
@@ -279,7 +278,7 @@ impl Form for Part {
     }
 
     fn table<'de, A: MapAccess<'de>>(items: A) -> Result<Self, A::Error> {
-        let document = Document::deserialize(de::value::MapAccessDeserializer::new(items))?;
+        let document = D::deserialize(de::value::MapAccessDeserializer::new(items))?;
         Ok(Part::Nested(Box::new(document)))
     }
 }
@@ -397,10 +396,15 @@ deserialize!(
     Block,
     MetricText,
     ActionText,
-    Part,
     ConnectionText,
     Number,
     OneOrMore,
     PointText,
     MatrixRows
 );
+
+impl<'de, D: de::DeserializeOwned> Deserialize<'de> for Part<D> {
+    fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
+        read(deserializer)
+    }
+}

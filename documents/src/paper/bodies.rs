@@ -1,7 +1,7 @@
 //! Section 2: rotating bodies as in a course of mechanics, (1)-(16).
 
 use super::lab::{Lab, cross, rate, rotation, spin, symbols};
-use super::{Finding, Row, Section, Standing};
+use super::{Finding, Row, Section};
 use affinor::geometry::equations::Equations;
 use affinor::group::{LieGroup, So3, Velocity};
 use affinor::mechanics::MassProperties;
@@ -173,7 +173,6 @@ fn energy(lab: &Lab) -> Result<Row, Error> {
     let omega = symbols("Omega", 3);
     let h = lab.inertia()?.lower(&omega)?;
     Ok(Row::new("(16)", "T = 1/2 Omega^T J Omega = 1/2 H Omega", "The kinetic energy.")
-        .standing(Standing::Right)
         .by(&["Metric::lower"])
         .find(Finding::within("the sum over the masses", (sum - form).abs(), 1e-13))
         .find(Finding::value(&format!("H_1 = {}", h[0]))))

@@ -110,7 +110,6 @@ fn compatible(lab: &Lab) -> Result<Row, Error> {
         "nabla_k ghat_ij = 0",
         "The metric (102) is compatible with `zero`.",
     )
-    .standing(Standing::Right)
     .by(&["Connection::nonmetricity"]);
     for which in [Canonical::Zero, Canonical::Plus, Canonical::Minus] {
         let q = Connection::canonical(algebra, which).nonmetricity(metric)?;

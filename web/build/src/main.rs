@@ -63,6 +63,8 @@ fn build(folder: &Path) -> Result<PathBuf> {
         .remove_name_section(true)
         .out_name("engine");
     bindgen.generate(&dist).with_context(|| module.display().to_string())?;
+    // the style of reports
+    fs::copy(folder.join("../documents/src/page.css"), dist.join("page.css"))?;
     for entry in fs::read_dir(folder.join("page"))? {
         let path = entry?.path();
         fs::copy(&path, dist.join(path.file_name().unwrap_or_default()))?;
