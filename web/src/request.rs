@@ -81,20 +81,10 @@ impl Request {
     }
 
     fn quantities(&self) -> Result<Vec<Quantity>, Refusal> {
-        let default =
-            |quantity: &Quantity| !matches!(quantity, Quantity::InverseMetric | Quantity::Killing);
-        if self.show.trim().is_empty() {
-            return Ok(Quantity::BASIC.iter().copied().filter(default).collect());
+        match self.show.trim() {
+            "" => Ok(Quantity::shown()),
+            list => Quantity::list(list).map_err(Refusal::new),
         }
-        let mut chosen = vec![];
-        for key in self.show.split(',').map(str::trim) {
-            let quantity = Quantity::from_key(key)
-                .ok_or_else(|| Refusal::new(format!("`{key}` is no tensor")))?;
-            if !chosen.contains(&quantity) {
-                chosen.push(quantity);
-            }
-        }
-        Ok(chosen)
     }
 
     /// The space with its connection and metric.

@@ -50,6 +50,8 @@ fn definitions_and_options_are_read() {
         json!({ "report": "table", "space": "so3", "connection": "lambda=1/3", "show": "curvature", "format": "text" }),
     );
     assert!(text.contains("2/9"), "{text}");
+    let request = json!({ "report": "table", "space": "so3@levi-civita;metric=diag(1,2,3)", "show": "derived", "format": "text" });
+    assert!(answer(request).contains("Kretschmann"));
 }
 
 #[test]

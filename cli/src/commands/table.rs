@@ -88,11 +88,9 @@ impl Arguments {
 impl Selection {
     /// The tensors chosen; by default all basic ones but the inverse metric and the Killing form.
     pub fn quantities(&self) -> Vec<Quantity> {
-        let default =
-            |quantity: &Quantity| !matches!(quantity, Quantity::InverseMetric | Quantity::Killing);
         match &self.show {
             Some(Quantities(chosen)) => chosen.clone(),
-            None => Quantity::BASIC.iter().copied().filter(default).collect(),
+            None => Quantity::shown(),
         }
     }
 
@@ -171,24 +169,5 @@ impl Work for Build<'_> {
 }
 
 fn quantities(text: &str) -> Result<Quantities, String> {
-    let mut chosen = Vec::new();
-    for key in text.split(',').map(str::trim) {
-        match (key, Quantity::from_key(key)) {
-            ("all", _) => chosen.extend(Quantity::BASIC),
-            ("derived", _) => chosen.extend(Quantity::DERIVED),
-            (_, Some(quantity)) => chosen.push(quantity),
-            (_, None) => {
-                let keys: Vec<&str> = Quantity::ALL.into_iter().map(Quantity::key).collect();
-                let known = format!("{}, all, derived", keys.join(", "));
-                return Err(format!("`{}` is not one of {known}", key.escape_debug()));
-            }
-        }
-    }
-    let mut distinct = Vec::new();
-    for quantity in chosen {
-        if !distinct.contains(&quantity) {
-            distinct.push(quantity);
-        }
-    }
-    Ok(Quantities(distinct))
+    Quantity::list(text).map(Quantities)
 }

@@ -105,10 +105,49 @@ impl Quantity {
             Kretschmann,
         ]
     };
-    /// The quantities that a table shows by default.
+    /// The basic quantities.
     pub const BASIC: &[Quantity] = Self::ALL.split_at(10).0;
     /// The quantities derived from these, which are shown on request.
     pub const DERIVED: &[Quantity] = Self::ALL.split_at(10).1;
+
+    /// The quantities that a table shows unless others are chosen: the basic ones but the inverse metric and the Killing form.
+    pub fn shown() -> Vec<Self> {
+        let kept = |quantity: &Self| !matches!(quantity, Self::InverseMetric | Self::Killing);
+        Self::BASIC.iter().copied().filter(kept).collect()
+    }
+
+    /// The different quantities of a list: names separated by commas, `all` for the basic and `derived` for the derived ones.
+    ///
+    /// ```
+    /// use affinor_documents::report::Quantity;
+    /// assert_eq!(Quantity::list("ricci, ricci").unwrap(), [Quantity::Ricci]);
+    /// assert!(Quantity::list("derived").unwrap().contains(&Quantity::Weyl));
+    /// ```
+    ///
+    /// # Errors
+    /// The first name that is unknown, with the known ones.
+    pub fn list(text: &str) -> Result<Vec<Self>, String> {
+        let mut chosen = Vec::new();
+        for key in text.split(',').map(str::trim) {
+            match (key, Self::from_key(key)) {
+                ("all", _) => chosen.extend(Self::BASIC),
+                ("derived", _) => chosen.extend(Self::DERIVED),
+                (_, Some(quantity)) => chosen.push(quantity),
+                (_, None) => {
+                    let keys: Vec<&str> = Self::ALL.into_iter().map(Self::key).collect();
+                    let known = format!("{}, all, derived", keys.join(", "));
+                    return Err(format!("`{}` is not one of {known}", key.escape_debug()));
+                }
+            }
+        }
+        let mut distinct = Vec::new();
+        for quantity in chosen {
+            if !distinct.contains(&quantity) {
+                distinct.push(quantity);
+            }
+        }
+        Ok(distinct)
+    }
 
     fn description(self) -> Description {
         DESCRIPTIONS[self as usize]

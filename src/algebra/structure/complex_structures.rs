@@ -5,7 +5,7 @@
 //! `J`: take `e = J v` with `v` in `U`, and `x` in the plane; then `[v, x] = [v, Jx] = 0` leaves `D J x = J D x`. So there is a
 //! complex structure if and only if `D` has complex eigenvalues or an eigenspace of dimension 2; `J` exchanges `e` with
 //! any vector outside the plane. All other algebras of dimension 4 have one.
-//! Compare G. Ovando, *Beitrage Algebra Geom.* 41 (2000) 119-134.
+//! Compare G. Ovando, *Manuscripta Math.* 103 (2000) 19-30.
 
 use super::identification::{scale as scaled, spectrum, sum, vector_images};
 use super::{Structure, Subspace};
