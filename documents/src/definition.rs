@@ -41,6 +41,7 @@ use affinor_tensors::{Down, Notation, Ring, Symbolic, Tensor, Tolerance, Up};
 use chart::OnChart;
 use num_traits::Zero;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// A space as it is defined: an algebra, or fields on a chart, and optionally a connection and a metric.
 ///
@@ -447,4 +448,21 @@ where
         let message = format!("the dimension {dimension} is not between 1 and {MAX_DIMENSION}");
         InputError::usage(message)
     })
+}
+
+/// Adds a statement. A pair that is given twice must have the same value.
+fn add(all: &mut Pairs, pair: (usize, usize), given: Given) -> Result<(), InputError> {
+    match all.entry(pair) {
+        Entry::Vacant(free) => drop(free.insert(given)),
+        Entry::Occupied(other) if other.get().value == given.value => {}
+        Entry::Occupied(other) => {
+            let error = InputError::usage("this pair is given a second, different value");
+            let error = error.at(&given.place);
+            return Err(match other.get().place.text() {
+                Some(first) => error.help(format!("the first is `{}`", input::shown(first))),
+                None => error,
+            });
+        }
+    }
+    Ok(())
 }

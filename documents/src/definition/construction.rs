@@ -1,31 +1,30 @@
 //! Algebras built from others: the keys `sum`, `semidirect`, `subalgebra`, `quotient` and their like.
 
-use super::document::Document;
 use super::input::InputError;
 use super::notation::{Names, lines, statement};
 use super::source::{Place, Source};
 use super::written::{ActionText, Block, Cell, MatrixRows, Part, Text};
-use super::{Definition, Reading, space};
 use affinor::algebra::structure::{Structure, Subspace};
 use affinor::{BasisChange, LieAlgebra};
 use affinor_tensors::linear::{Matrix, Row};
-use affinor_tensors::{Down, Ring, Symbolic, Tensor, Tolerance, Up};
+use affinor_tensors::{Down, Ring, Symbolic, Tensor, Up};
+use serde::de::DeserializeOwned;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The key of a construction and its parts.
+/// A semidirect sum: an algebra that acts on another.
 #[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Semidirect {
-    of: Part<Document>,
-    on: Option<Part<Document>>,
+#[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
+pub(crate) struct Semidirect<D> {
+    of: Part<D>,
+    on: Option<Part<D>>,
     by: ActionText,
 }
 
 /// A subalgebra by a basis, or by generators.
 #[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Subalgebra {
-    of: Part<Document>,
+#[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
+pub(crate) struct Subalgebra<D> {
+    of: Part<D>,
     spanned_by: Option<Vec<Text>>,
     generated_by: Option<Vec<Text>>,
     centralizer_of: Option<Vec<Text>>,
@@ -33,132 +32,120 @@ pub(crate) struct Subalgebra {
 
 /// A quotient by the span of vectors.
 #[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Quotient {
-    of: Part<Document>,
+#[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
+pub(crate) struct Quotient<D> {
+    of: Part<D>,
     by: Vec<Text>,
 }
 
 /// A central extension by new vectors, with the cocycle as brackets.
 #[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Extension {
-    of: Part<Document>,
+#[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
+pub(crate) struct Extension<D> {
+    of: Part<D>,
     centre: Vec<Text>,
     cocycle: Block,
 }
 
 /// A contraction by the weights of the basis vectors.
 #[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Contraction {
-    of: Part<Document>,
+#[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
+pub(crate) struct Contraction<D> {
+    of: Part<D>,
     weights: Vec<i64>,
 }
 
 /// The algebra in another basis.
 #[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct OtherBasis {
-    of: Part<Document>,
+#[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
+pub(crate) struct OtherBasis<D> {
+    of: Part<D>,
     vectors: Vec<Text>,
 }
 
 /// Truncated polynomials with values in an algebra.
 #[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Truncated {
-    of: Part<Document>,
+#[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
+pub(crate) struct Truncated<D> {
+    of: Part<D>,
     order: usize,
+}
+
+/// A construction, from algebras that are named or defined by a nested `D`.
+pub(super) enum Construction<'d, D> {
+    Sum(&'d [Part<D>]),
+    Semidirect(&'d Semidirect<D>),
+    Subalgebra(&'d Subalgebra<D>),
+    Quotient(&'d Quotient<D>),
+    CentralExtension(&'d Extension<D>),
+    Contraction(&'d Contraction<D>),
+    ChangeOfBasis(&'d OtherBasis<D>),
+    Truncated(&'d Truncated<D>),
+    Complexification(&'d Part<D>),
 }
 
 type Algebra = LieAlgebra<Symbolic>;
 
-impl Document {
-    /// The algebra that a construction of the file builds, if it has one.
-    pub(super) fn constructed(&self, source: &Source) -> Result<Option<Algebra>, InputError> {
-        let keys = [
-            ("sum", self.sum.is_some()),
-            ("semidirect", self.semidirect.is_some()),
-            ("subalgebra", self.subalgebra.is_some()),
-            ("quotient", self.quotient.is_some()),
-            ("central_extension", self.central_extension.is_some()),
-            ("contraction", self.contraction.is_some()),
-            ("change_of_basis", self.change_of_basis.is_some()),
-            ("truncated", self.truncated.is_some()),
-            ("complexification", self.complexification.is_some()),
-        ];
-        let given: Vec<&str> = keys.iter().filter(|(_, is)| *is).map(|(key, _)| *key).collect();
-        let Some(key) = given.first() else { return Ok(None) };
-        let others = self.brackets.is_some()
-            || self.structure_constants.is_some()
-            || self.matrices.is_some()
-            || self.chart.is_some();
-        if given.len() > 1 || others || self.dimension.is_some() {
-            let message =
-                format!("`{key}` defines the algebra: give no other brackets and no dimension");
-            return Err(source.refused(key, message));
-        }
-        let declared = self.parameter_names();
-        let site = Site { source, place: source.key(key), declared };
-        site.build(self).map(Some)
-    }
+/// The key of a construction in a file, with the declared parameters.
+pub(super) struct Site<'s, D> {
+    pub(super) source: &'s Source,
+    pub(super) place: Place,
+    pub(super) declared: BTreeSet<String>,
+    /// Reads the algebra that a part names, or defines under a key of the file.
+    pub(super) read: &'s dyn Fn(&Part<D>, &str) -> Result<Algebra, InputError>,
 }
 
-/// The file, the place of the key, and the declared parameters.
-struct Site<'s> {
-    source: &'s Source,
-    place: Place,
-    declared: BTreeSet<String>,
-}
-
-impl Site<'_> {
-    fn build(&self, file: &Document) -> Result<Algebra, InputError> {
-        let built = if let Some(summands) = &file.sum {
-            let mut parts = summands
-                .iter()
-                .enumerate()
-                .map(|(at, part)| self.algebra(part, &format!("sum.{at}")));
-            let first = parts.next().unwrap_or_else(|| Err(self.refuse("a sum has summands")))?;
-            return parts.try_fold(first, |sum, next| self.placed(sum.direct_sum(&next?)));
-        } else if let Some(of) = &file.complexification {
-            self.structure(of, "complexification")?.complexified()
-        } else if let Some(Truncated { of, order }) = &file.truncated {
-            if !(1..=64).contains(order) {
-                return Err(self.refuse("the order of truncation is not between 1 and 64"));
+impl<D> Site<'_, D> {
+    /// The algebra that the construction builds.
+    pub(super) fn build(&self, construction: &Construction<D>) -> Result<Algebra, InputError> {
+        let built = match construction {
+            Construction::Sum(summands) => {
+                let mut parts = summands
+                    .iter()
+                    .enumerate()
+                    .map(|(at, part)| (self.read)(part, &format!("sum.{at}")));
+                let first =
+                    parts.next().unwrap_or_else(|| Err(self.refuse("a sum has summands")))?;
+                return parts.try_fold(first, |sum, next| self.placed(sum.direct_sum(&next?)));
             }
-            self.structure(of, "truncated.of")?.truncated(*order)
-        } else if let Some(Contraction { of, weights }) = &file.contraction {
-            self.structure(of, "contraction.of")?.contraction(weights)
-        } else if let Some(Quotient { of, by }) = &file.quotient {
-            let structure = self.structure(of, "quotient.of")?;
-            let ideal = Subspace::span(structure.dimension(), self.vectors(&structure, by)?);
-            if ideal.dimension() == structure.dimension() {
-                return Err(self.refuse("the quotient by the whole algebra is zero"));
+            Construction::Complexification(of) => {
+                self.structure(of, "complexification")?.complexified()
             }
-            structure.quotient(&ideal)
-        } else if let Some(OtherBasis { of, vectors }) = &file.change_of_basis {
-            let structure = self.structure(of, "change_of_basis.of")?;
-            let rows = self.vectors(&structure, vectors)?;
-            if rows.len() != structure.dimension() {
-                let message =
-                    format!("{} vectors for dimension {}", rows.len(), structure.dimension());
-                return Err(self.refuse(&message));
+            Construction::Truncated(Truncated { of, order }) => {
+                if !(1..=64).contains(order) {
+                    return Err(self.refuse("the order of truncation is not between 1 and 64"));
+                }
+                self.structure(of, "truncated.of")?.truncated(*order)
             }
-            return self.in_basis(structure.algebra(), &rows);
-        } else if let Some(subalgebra) = &file.subalgebra {
-            return self.subalgebra(subalgebra);
-        } else if let Some(extension) = &file.central_extension {
-            return self.extension(extension);
-        } else if let Some(semidirect) = &file.semidirect {
-            return self.semidirect(semidirect);
-        } else {
-            return Err(self.refuse("a construction is missing"));
+            Construction::Contraction(Contraction { of, weights }) => {
+                self.structure(of, "contraction.of")?.contraction(weights)
+            }
+            Construction::Quotient(Quotient { of, by }) => {
+                let structure = self.structure(of, "quotient.of")?;
+                let ideal = Subspace::span(structure.dimension(), self.vectors(&structure, by)?);
+                if ideal.dimension() == structure.dimension() {
+                    return Err(self.refuse("the quotient by the whole algebra is zero"));
+                }
+                structure.quotient(&ideal)
+            }
+            Construction::ChangeOfBasis(OtherBasis { of, vectors }) => {
+                let structure = self.structure(of, "change_of_basis.of")?;
+                let rows = self.vectors(&structure, vectors)?;
+                if rows.len() != structure.dimension() {
+                    let message =
+                        format!("{} vectors for dimension {}", rows.len(), structure.dimension());
+                    return Err(self.refuse(&message));
+                }
+                return self.in_basis(structure.algebra(), &rows);
+            }
+            Construction::Subalgebra(subalgebra) => return self.subalgebra(subalgebra),
+            Construction::CentralExtension(extension) => return self.extension(extension),
+            Construction::Semidirect(semidirect) => return self.semidirect(semidirect),
         };
         self.placed(built)
     }
 
-    fn subalgebra(&self, given: &Subalgebra) -> Result<Algebra, InputError> {
+    fn subalgebra(&self, given: &Subalgebra<D>) -> Result<Algebra, InputError> {
         let structure = self.structure(&given.of, "subalgebra.of")?;
         let n = structure.dimension();
         let parts = (&given.spanned_by, &given.generated_by, &given.centralizer_of);
@@ -205,7 +192,7 @@ impl Site<'_> {
         self.placed(algebra.change_basis(&change))
     }
 
-    fn extension(&self, given: &Extension) -> Result<Algebra, InputError> {
+    fn extension(&self, given: &Extension<D>) -> Result<Algebra, InputError> {
         let structure = self.structure(&given.of, "central_extension.of")?;
         let n = structure.dimension();
         let centre: Vec<String> = given.centre.iter().map(|text| text.to_string()).collect();
@@ -231,7 +218,7 @@ impl Site<'_> {
         self.placed(structure.central_extension(&centre, cocycle))
     }
 
-    fn semidirect(&self, given: &Semidirect) -> Result<Algebra, InputError> {
+    fn semidirect(&self, given: &Semidirect<D>) -> Result<Algebra, InputError> {
         let structure = self.structure(&given.of, "semidirect.of")?;
         match (&given.by, &given.on) {
             (ActionText::Word(word), None) => match &**word {
@@ -270,30 +257,8 @@ impl Site<'_> {
         Matrix::from_dense(&rows).map_err(|error| self.refuse(&error.to_string()))
     }
 
-    /// The algebra of a name of the catalogue, of a file, or of a nested definition at `key`.
-    fn algebra(&self, part: &Part<Document>, key: &str) -> Result<Algebra, InputError> {
-        let (definition, place): (Definition, Place) = match part {
-            Part::Name(text) => {
-                let source = self.source.excerpt(text);
-                (space::part(&source)?, self.source.at(text))
-            }
-            Part::Nested(document) => {
-                (document.define(&self.source.table(key))?, self.source.key(key))
-            }
-        };
-        let convert = |value: &Symbolic| Some(value.clone());
-        let algebra = definition
-            .algebra_alone()
-            .algebra(&Reading { convert: &convert, tolerance: Tolerance::default() });
-        algebra.map_err(|error| error.or_at(&place))
-    }
-
-    fn structure(
-        &self,
-        part: &Part<Document>,
-        key: &str,
-    ) -> Result<Structure<Symbolic>, InputError> {
-        Ok(Structure::new(self.algebra(part, key)?))
+    fn structure(&self, part: &Part<D>, key: &str) -> Result<Structure<Symbolic>, InputError> {
+        Ok(Structure::new((self.read)(part, key)?))
     }
 
     /// Combinations of the basis vectors.

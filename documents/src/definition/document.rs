@@ -2,7 +2,8 @@
 
 use super::chart::OnChart;
 use super::construction::{
-    Contraction, Extension, OtherBasis, Quotient, Semidirect, Subalgebra, Truncated, pairs,
+    Construction, Contraction, Extension, OtherBasis, Quotient, Semidirect, Site, Subalgebra,
+    Truncated, pairs,
 };
 use super::input::{InputError, shown};
 use super::notation::{
@@ -14,12 +15,12 @@ use super::written::{
     Text,
 };
 use super::{
-    ConnectionChoice, Definition, Given, MatrixEntries, MetricChoice, Origin, Pairs,
-    check_dimension,
+    ConnectionChoice, Definition, Given, MatrixEntries, MetricChoice, Origin, Pairs, Reading, add,
+    check_dimension, space,
 };
 use affinor::LieAlgebra;
 use affinor::geometry::chart::field_of;
-use affinor_tensors::{Ring, Symbolic};
+use affinor_tensors::{Ring, Symbolic, Tolerance};
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -29,22 +30,22 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(crate) struct Document {
     name: Option<String>,
     basis: Option<Vec<Text>>,
-    pub(super) dimension: Option<i64>,
+    dimension: Option<i64>,
     #[serde(default)]
     parameters: Vec<Text>,
-    pub(super) brackets: Option<Block>,
-    pub(super) structure_constants: Option<Vec<Row>>,
-    pub(super) matrices: Option<Vec<MatrixRows>>,
-    pub(super) sum: Option<Vec<Part<Document>>>,
-    pub(super) semidirect: Option<Semidirect>,
-    pub(super) subalgebra: Option<Subalgebra>,
-    pub(super) quotient: Option<Quotient>,
-    pub(super) central_extension: Option<Extension>,
-    pub(super) contraction: Option<Contraction>,
-    pub(super) change_of_basis: Option<OtherBasis>,
-    pub(super) truncated: Option<Truncated>,
-    pub(super) complexification: Option<Part<Document>>,
-    pub(super) chart: Option<ChartText>,
+    brackets: Option<Block>,
+    structure_constants: Option<Vec<Row>>,
+    matrices: Option<Vec<MatrixRows>>,
+    sum: Option<Vec<Part<Document>>>,
+    semidirect: Option<Semidirect<Document>>,
+    subalgebra: Option<Subalgebra<Document>>,
+    quotient: Option<Quotient<Document>>,
+    central_extension: Option<Extension<Document>>,
+    contraction: Option<Contraction<Document>>,
+    change_of_basis: Option<OtherBasis<Document>>,
+    truncated: Option<Truncated<Document>>,
+    complexification: Option<Part<Document>>,
+    chart: Option<ChartText>,
     frame: Option<Formulas>,
     metric: Option<MetricText>,
     connection: Option<ConnectionText>,
@@ -134,8 +135,53 @@ impl Document {
         Ok(Definition { metric, connection, declared, source, ..definition })
     }
 
+    /// The algebra that a construction of the file builds, if it has one.
+    fn constructed(&self, source: &Source) -> Result<Option<LieAlgebra<Symbolic>>, InputError> {
+        let given = [
+            ("sum", self.sum.as_deref().map(Construction::Sum)),
+            ("semidirect", self.semidirect.as_ref().map(Construction::Semidirect)),
+            ("subalgebra", self.subalgebra.as_ref().map(Construction::Subalgebra)),
+            ("quotient", self.quotient.as_ref().map(Construction::Quotient)),
+            (
+                "central_extension",
+                self.central_extension.as_ref().map(Construction::CentralExtension),
+            ),
+            ("contraction", self.contraction.as_ref().map(Construction::Contraction)),
+            ("change_of_basis", self.change_of_basis.as_ref().map(Construction::ChangeOfBasis)),
+            ("truncated", self.truncated.as_ref().map(Construction::Truncated)),
+            (
+                "complexification",
+                self.complexification.as_ref().map(Construction::Complexification),
+            ),
+        ];
+        let mut given =
+            given.into_iter().filter_map(|(key, construction)| Some((key, construction?)));
+        let Some((key, construction)) = given.next() else { return Ok(None) };
+        let others = self.brackets.is_some()
+            || self.structure_constants.is_some()
+            || self.matrices.is_some()
+            || self.chart.is_some();
+        if given.next().is_some() || others || self.dimension.is_some() {
+            let message =
+                format!("`{key}` defines the algebra: give no other brackets and no dimension");
+            return Err(source.refused(key, message));
+        }
+        let read = |part: &Part<Self>, key: &str| {
+            let (definition, place) = match part {
+                Part::Name(text) => (space::part(&source.excerpt(text))?, source.at(text)),
+                Part::Nested(document) => (document.define(&source.table(key))?, source.key(key)),
+            };
+            let convert = |value: &Symbolic| Some(value.clone());
+            let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
+            let algebra = definition.algebra_alone().algebra(&reading);
+            algebra.map_err(|error| error.or_at(&place))
+        };
+        let (place, declared) = (source.key(key), self.parameter_names());
+        Site { source, place, declared, read: &read }.build(&construction).map(Some)
+    }
+
     /// The names of the parameters, unchecked.
-    pub(super) fn parameter_names(&self) -> BTreeSet<String> {
+    fn parameter_names(&self) -> BTreeSet<String> {
         self.parameters.iter().map(|text| text.to_string()).collect()
     }
 
@@ -373,21 +419,4 @@ impl Block {
         }
         Ok(all)
     }
-}
-
-/// Adds a statement. A pair that is given twice must have the same value.
-pub(super) fn add(all: &mut Pairs, pair: (usize, usize), given: Given) -> Result<(), InputError> {
-    match all.entry(pair) {
-        Entry::Vacant(free) => drop(free.insert(given)),
-        Entry::Occupied(other) if other.get().value == given.value => {}
-        Entry::Occupied(other) => {
-            let error = InputError::usage("this pair is given a second, different value");
-            let error = error.at(&given.place);
-            return Err(match other.get().place.text() {
-                Some(first) => error.help(format!("the first is `{}`", shown(first))),
-                None => error,
-            });
-        }
-    }
-    Ok(())
 }

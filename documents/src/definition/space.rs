@@ -1,12 +1,11 @@
 //! A SPACE of the command line, with the options that complete it.
 
-use super::document;
 use super::input::{InputError, shown};
 use super::notation::{self, Names, basis, lines, metric, statement};
 use super::setting::settings;
 use super::source::Source;
 use super::written::{MetricText, Text};
-use super::{Definition, MetricChoice, Origin, Reading, check_dimension};
+use super::{Definition, MetricChoice, Origin, Reading, add, check_dimension};
 use affinor::algebra::catalogue::CatalogueError;
 use affinor::geometry::paper;
 use affinor_tensors::{Notation, Rational, Recorded, Symbolic, Tolerance, Tracked};
@@ -393,7 +392,7 @@ fn inline(labels: &str, brackets: &[String]) -> Result<Definition, InputError> {
         let source = Source::new("--bracket", block);
         for line in lines(&source.text) {
             let (pair, right) = statement(line, "", &names, &source)?;
-            document::add(&mut given, pair, right)?;
+            add(&mut given, pair, right)?;
         }
     }
     let labels = labels.into_iter().map(str::to_string).collect();
