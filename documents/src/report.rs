@@ -5,11 +5,12 @@
 //! equations of motion, also as source code;
 //! [`StoredTable`] compares a table with a stored one; [`Info`] is the structure of an algebra,
 //! [`Properties`] those of a geometry. Each is a [`Report`]; short lists are [`conventions`], the
-//! [`catalogue`] and a [`certificate`].
+//! [`catalogue`] and a [`certificate`]. A [`Computation`] makes those of a space, over the scalar that it needs.
 
 mod code;
 mod comparison;
 mod components;
+mod computation;
 mod csv;
 mod equations;
 mod grid;
@@ -29,6 +30,7 @@ mod text;
 pub use code::{Language, tensors_as_code};
 pub use comparison::{ComparedSide, Comparison};
 pub use components::{GROUPED, Group, groups, independent};
+pub use computation::{Computation, Selection, Tabulated};
 pub use equations::EquationReport;
 pub use info::{Info, dynkin_type};
 pub use latex::components_in_latex;

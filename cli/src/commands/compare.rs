@@ -2,9 +2,8 @@
 
 use super::failure::Failure;
 use super::options::Shared;
-use affinor_documents::definition::{Definition, InputError, Reading, Space, Work};
-use affinor_documents::report::{ComparedSide, Comparison};
-use affinor_tensors::Notation;
+use affinor_documents::definition::{InputError, Space};
+use affinor_documents::report::Comparison;
 use clap::Args;
 
 #[derive(Args)]
@@ -31,24 +30,11 @@ impl Arguments {
         let [first, second] = self.shared.open_both([left, right])?;
         let side = |name: &str, space: &Space| {
             stages.begin(name);
-            self.shared.run(space, OneSide)
+            let side = self.shared.computation(space, &|_| ())?.side()?;
+            Ok::<_, Failure>(side)
         };
         let comparison = Comparison::new(side(left, &first)?, side(right, &second)?);
         let inputs: Vec<_> = [first.file, second.file].into_iter().flatten().collect();
         self.shared.print(&stages, &inputs, &comparison)
-    }
-}
-
-struct OneSide;
-
-impl Work for OneSide {
-    type Output = ComparedSide;
-
-    fn run<S: Notation>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<ComparedSide, InputError> {
-        Ok(ComparedSide::new(&definition.geometry(reading)?)?)
     }
 }

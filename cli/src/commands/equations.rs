@@ -4,12 +4,8 @@ use super::code::{self, CodeOptions};
 use super::failure::Failure;
 use super::note::{note, note_default_connection};
 use super::options::{Shared, SpaceOptions};
-use super::stages::Stages;
-use affinor::geometry::equations::{EquationKind, Equations};
-use affinor::{Canonical, Error};
-use affinor_documents::definition::{Definition, InputError, Reading, Work};
-use affinor_documents::report::{EquationReport, Report};
-use affinor_tensors::Notation;
+use affinor::Canonical;
+use affinor::geometry::equations::EquationKind;
 use clap::Args;
 
 #[derive(Args)]
@@ -39,54 +35,15 @@ impl Arguments {
             space.definition.set_canonical(Canonical::Plus);
         }
         note_default_connection(&space.definition);
+        let stage = |name: &str| stages.begin(name);
+        let computation = self.shared.computation(&space, &stage)?;
         if let Some(language) = self.code.language(&self.shared)? {
             let by = self.code.derivatives(&space.definition)?;
-            let code = space.record(|definition, reading| {
-                self.report(definition, reading, &stages)?.code(language, &by)
-            })?;
+            let code = computation.equations_as_code(self.motion, language, &by)?;
             return code::print(&code, &space, &self.shared, &stages);
         }
-        let report = self.shared.run(&space, Build { arguments: self, stages: &stages })?;
+        let report = computation.equations(self.motion, self.solved)?;
         self.shared.print(&stages, space.file.as_slice(), &*report)
-    }
-
-    /// The equations of a definition.
-    fn report<S: Notation>(
-        &self,
-        definition: &Definition,
-        reading: &Reading<S>,
-        stages: &Stages,
-    ) -> Result<EquationReport<S>, InputError> {
-        stages.begin("geometry");
-        let geometry = definition.geometry(reading)?;
-        stages.begin("equations");
-        let equations = Equations::new(self.motion, geometry.connection(), geometry.metric());
-        let equations = equations.map_err(|error| match error {
-            Error::NoMetric => InputError::usage("Euler-Poincare equations need a metric")
-                .help("give one, as in --metric \"diag(J1,J2,J3)\", or choose another --motion"),
-            other => other.into(),
-        })?;
-        let equations = if self.solved { equations.solved() } else { equations };
-        let system = EquationReport::new(equations, &geometry);
-        system.finite()?;
-        Ok(system)
-    }
-}
-
-struct Build<'a> {
-    arguments: &'a Arguments,
-    stages: &'a Stages,
-}
-
-impl Work for Build<'_> {
-    type Output = Box<dyn Report>;
-
-    fn run<S: Notation>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<Self::Output, InputError> {
-        Ok(Box::new(self.arguments.report(definition, reading, self.stages)?))
     }
 }
 

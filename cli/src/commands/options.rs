@@ -5,9 +5,9 @@ use super::failure::Failure;
 use super::note::note;
 use super::output::deliver;
 use super::stages::Stages;
-use affinor_documents::definition::{InputError, Request, ScalarChoice, Space, Work};
+use affinor_documents::definition::{InputError, Request, ScalarChoice, Space};
 use affinor_documents::problem::Problem;
-use affinor_documents::report::{Format, Program, Report};
+use affinor_documents::report::{Computation, Format, Program, Report};
 use affinor_tensors::Tolerance;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -210,13 +210,17 @@ impl Shared {
         Ok(stages)
     }
 
-    /// Runs work over the scalars of a space.
-    pub fn run<W: Work>(&self, space: &Space, work: W) -> Result<W::Output, Failure> {
+    /// The computation of a space, with these options.
+    pub fn computation<'a>(
+        &self,
+        space: &'a Space,
+        stage: &'a dyn Fn(&str),
+    ) -> Result<Computation<'a>, Failure> {
         let scalar = match self.scalar {
             Scalar::Exact => ScalarChoice::Exact,
             Scalar::Float => ScalarChoice::Float,
         };
-        Ok(space.run(scalar, self.settings.tolerance()?, work)?)
+        Ok(Computation { space, scalar, tolerance: self.settings.tolerance()?, stage })
     }
 
     /// The tolerance below which a float counts as zero, if the scalars are floats.

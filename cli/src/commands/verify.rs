@@ -3,11 +3,9 @@
 use super::failure::Failure;
 use super::note::note;
 use super::options::{Shared, SpaceOptions};
-use super::stages::Stages;
-use super::table::{Quantities, Selection};
-use affinor_documents::definition::{Definition, InputError, Reading, Work};
-use affinor_documents::report::{Differences, Quantity, StoredTable};
-use affinor_tensors::Notation;
+use super::table::{Choice, Quantities};
+use affinor_documents::definition::InputError;
+use affinor_documents::report::{Quantity, StoredTable};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -19,7 +17,7 @@ pub struct Arguments {
     #[command(flatten)]
     pub options: SpaceOptions,
     #[command(flatten)]
-    pub selection: Selection,
+    pub selection: Choice,
     #[command(flatten)]
     pub shared: Shared,
 }
@@ -38,35 +36,16 @@ impl Arguments {
         }
         let space = self.shared.open(space, &self.options)?;
         stored.expect_basis(&space.definition.labels)?;
-        let compare = Compare { selection: &self.selection, stored: &stored, stages: &stages };
-        let found = self.shared.run(&space, compare)?;
-        let inputs: Vec<_> = space.file.into_iter().chain([PathBuf::from(file)]).collect();
-        self.shared.print(&stages, &inputs, &found)?;
-        if found.is_empty() { Ok(()) } else { Err(Failure::Refuted) }
-    }
-}
-
-struct Compare<'a> {
-    selection: &'a Selection,
-    stored: &'a StoredTable,
-    stages: &'a Stages,
-}
-
-impl Work for Compare<'_> {
-    type Output = Differences;
-
-    fn run<S: Notation>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<Differences, InputError> {
-        let mut quantities = self.stored.quantities();
+        let mut quantities = stored.quantities();
         if quantities.is_empty() {
             quantities = Quantity::BASIC.to_vec();
         }
-        let table = self.selection.table(definition, reading, &quantities, self.stages)?;
-        self.stored.remarks(&table).iter().for_each(|remark| note(remark));
-        self.stages.begin("comparison");
-        self.stored.or_vanishing(&table)?.differences(&table)
+        let stage = |name: &str| stages.begin(name);
+        let computation = self.shared.computation(&space, &stage)?;
+        let (found, remarks) = computation.differences(&stored, &self.selection.of(quantities))?;
+        remarks.iter().for_each(|remark| note(remark));
+        let inputs: Vec<_> = space.file.into_iter().chain([PathBuf::from(file)]).collect();
+        self.shared.print(&stages, &inputs, &found)?;
+        if found.is_empty() { Ok(()) } else { Err(Failure::Refuted) }
     }
 }
