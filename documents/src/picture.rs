@@ -1,12 +1,16 @@
 //! Pictures: shapes on a plane, written as SVG.
 //!
-//! A [`Picture`] is a list of [`Shape`]s. [`dynkin()`] makes one of Cartan types, the program `affinor` those of figures and
+//! A [`Picture`] is a list of [`Shape`]s. [`dynkin()`] and [`roots()`] make one of Cartan types, [`heat()`] of a tensor, the program `affinor` those of figures and
 //! diagrams. [`svg()`] writes it.
 
 mod dynkin;
+mod heat;
+mod roots;
 mod svg;
 
 pub use dynkin::dynkin;
+pub use heat::heat;
+pub use roots::roots;
 pub use svg::svg;
 
 /// The ink of lines and words.

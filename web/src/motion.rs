@@ -41,11 +41,14 @@ pub(super) fn motion(text: &str, methods: &str) -> Result<Box<dyn Report>, Refus
         let other = problem.with_method(method, None, None);
         match other.motion(0).map_err(Refusal::from).and_then(|ready| run(&other, ready)) {
             Ok(run) => drifts.extend(self::drifts(&run)),
-            Err(refusal) => drifts.push(json!({ "method": name, "refused": refusal.json()["message"] })),
+            Err(refusal) => {
+                drifts.push(json!({ "method": name, "refused": refusal.json()["message"] }))
+            }
         }
     }
     let attitudes = own.rows.attitudes().ok();
-    let places = own.rows.vectors(["x", "y", "z"]).or_else(|_| own.rows.vectors(["g14", "g24", "g34"]));
+    let places =
+        own.rows.vectors(["x", "y", "z"]).or_else(|_| own.rows.vectors(["g14", "g24", "g34"]));
     let edges = inertia.as_ref().map(|inertia| {
         let turned = |r: &Matrix3<f64>| r * inertia.axes();
         (inertia.box_edges(), attitudes.iter().flatten().map(turned).collect::<Vec<_>>())

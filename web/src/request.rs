@@ -9,13 +9,17 @@ use affinor_documents::definition::{
     self, Definition, InputError, Reading, ScalarChoice, Space, Work,
 };
 use affinor_documents::paper::{Paper, PaperFormat};
+use affinor_documents::picture::{self, Picture};
 use affinor_documents::problem::Problem;
 use affinor_documents::report::{
     ComparedSide, Comparison, EquationReport, Format, Info, Properties, Quantity, Report, Table,
-    catalogue, certificate, conventions,
+    TableEntry, catalogue, certificate, conventions, dynkin_type,
 };
 use affinor_tensors::{Notation, Tolerance};
 use serde::Deserialize;
+
+/// Tensors of higher dimension have no heat maps.
+const HEAT: usize = 32;
 
 /// A request of the page.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -70,9 +74,7 @@ impl Request {
             },
             "conventions" => (Box::new(conventions()), vec![]),
             "paper" => return self.paper(),
-            "transport" => {
-                (transport::transport(&self.path, &self.vector, &self.metric)?, vec![])
-            }
+            "transport" => (transport::transport(&self.path, &self.vector, &self.metric)?, vec![]),
             "motion" => (motion::motion(&self.problem, &self.methods)?, vec![]),
             "table" => self.over_space(TableWork(self.quantities()?))?,
             "check" => self.over_space(CheckWork)?,
@@ -87,7 +89,11 @@ impl Request {
             }
             other => return Err(Refusal::new(format!("`{other}` is no report"))),
         };
-        Answer::new(&*report, format, notes)
+        let answer = Answer::new(&*report, format, notes)?;
+        Ok(match format {
+            Format::Html => answer.with(self.pictures()),
+            _ => answer,
+        })
     }
 
     fn format(&self) -> Result<Format, Refusal> {
@@ -96,6 +102,28 @@ impl Request {
             name => Format::from_name(name)
                 .ok_or_else(|| Refusal::new(format!("`{name}` is no format"))),
         }
+    }
+
+    /// Heat maps of a table; the diagrams of an algebra with roots.
+    fn pictures(&self) -> Vec<Picture> {
+        let drawn = || -> Result<Vec<Picture>, Refusal> {
+            match self.report.as_str() {
+                "table" => {
+                    let work = HeatWork(self.quantities()?);
+                    Ok(self.open()?.run(ScalarChoice::Exact, Tolerance::default(), work)?)
+                }
+                "info" => {
+                    let definition = self.open()?.definition;
+                    let types = dynkin_type(&definition)?;
+                    let made = [picture::dynkin, picture::roots];
+                    let drawn = made.map(|make| make(&definition.name, &types));
+                    Ok(if types.is_empty() { vec![] } else { drawn.into() })
+                }
+                _ => Ok(vec![]),
+            }
+        };
+        // the report itself stands without them
+        drawn().unwrap_or_default()
     }
 
     /// The file or the program of the report.
@@ -140,7 +168,8 @@ impl Request {
             ..definition::Request::default()
         };
         let mut space = Space::open(&request)?;
-        let needs_plus = self.report == "equations" && ["", "euler-poincare"].contains(&&*self.motion);
+        let needs_plus =
+            self.report == "equations" && ["", "euler-poincare"].contains(&&*self.motion);
         if needs_plus && space.definition.connection_is_default() {
             space.definition.set_canonical(Canonical::Plus);
         }
@@ -184,7 +213,10 @@ impl Request {
             name => return Err(Refusal::new(format!("the paper is not written as {name}"))),
         };
         let paper = Paper::read()?;
-        Answer::written(vec![], |out| paper.write(format, &[], out))
+        Answer::written(vec![], |out| match format {
+            PaperFormat::Html => paper.write_live(out),
+            _ => paper.write(format, &[], out),
+        })
     }
 }
 
@@ -207,6 +239,28 @@ impl Work for TableWork {
         reading: &Reading<S>,
     ) -> Result<Self::Output, InputError> {
         Ok(Box::new(Table::new(&definition.geometry(reading)?, &self.0)?))
+    }
+}
+
+/// Heat maps of tensors.
+struct HeatWork(Vec<Quantity>);
+
+impl Work for HeatWork {
+    type Output = Vec<Picture>;
+
+    fn run<S: Notation>(
+        self,
+        definition: &Definition,
+        reading: &Reading<S>,
+    ) -> Result<Self::Output, InputError> {
+        if definition.dimension() > HEAT {
+            return Ok(vec![]);
+        }
+        let table = Table::new(&definition.geometry(reading)?, &self.0)?;
+        let drawn = |entry: &TableEntry<S>| {
+            picture::heat(entry.quantity.title(), entry.quantity.symbol(), &entry.tensor)
+        };
+        Ok(table.tensors.iter().filter_map(drawn).collect())
     }
 }
 

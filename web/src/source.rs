@@ -36,7 +36,9 @@ impl Language {
     ) -> Result<String, Refusal> {
         let known = ["table", "check", "info", "properties", "equations", "motion"];
         if !known.contains(&report) {
-            return Err(Refusal::new(format!("`{report}` is copied as text, not as a file or program")));
+            return Err(Refusal::new(format!(
+                "`{report}` is copied as text, not as a file or program"
+            )));
         }
         Ok(match self {
             Language::Toml => text.into(),
@@ -68,8 +70,10 @@ impl Work for File {
     ) -> Result<String, InputError> {
         let algebra = definition.algebra(reading)?;
         let quoted = |text: &str| toml_string(text);
-        let list = |words: &[String]| words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(", ");
-        let mut text = format!("name  = {}\nbasis = [{}]\n", quoted(&definition.name), list(algebra.labels()));
+        let list =
+            |words: &[String]| words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(", ");
+        let mut text =
+            format!("name  = {}\nbasis = [{}]\n", quoted(&definition.name), list(algebra.labels()));
         let parameters = definition.parameters();
         if !parameters.is_empty() {
             let _ = writeln!(text, "parameters = [{}]", list(&parameters));
@@ -88,15 +92,20 @@ impl Work for File {
             text += "metric = [\n";
             let n = algebra.labels().len();
             for i in 0..n {
-                let row: Vec<String> = (0..n).map(|j| quoted(&metric.components().get(&[i, j]).to_string())).collect();
+                let row: Vec<String> =
+                    (0..n).map(|j| quoted(&metric.components().get(&[i, j]).to_string())).collect();
                 let _ = writeln!(text, "  [{}],", row.join(", "));
             }
             text += "]\n";
         }
         match geometry.kind() {
-            ConnectionKind::Canonical(which) => text += &format!("connection = \"{}\"\n", which.name()),
+            ConnectionKind::Canonical(which) => {
+                text += &format!("connection = \"{}\"\n", which.name())
+            }
             ConnectionKind::LeviCivita => text += "connection = \"levi-civita\"\n",
-            ConnectionKind::Family(lambda) => text += &format!("connection = {}\n", quoted(&format!("lambda = {lambda}"))),
+            ConnectionKind::Family(lambda) => {
+                text += &format!("connection = {}\n", quoted(&format!("lambda = {lambda}")))
+            }
             _ => affinities(&mut text, algebra.labels(), geometry.connection().gamma()),
         }
         Ok(text)
@@ -111,7 +120,8 @@ fn affinities<S: Notation>(text: &mut String, labels: &[String], gamma: &Tensor<
             let terms = (0..labels.len()).map(|i| (i, gamma.get(&[i, j, k])));
             let terms: Vec<_> = terms.filter(|(_, value)| !value.is_zero()).collect();
             if !terms.is_empty() {
-                let sum = combination(terms.into_iter().map(|(i, value)| (value, labels[i].clone())));
+                let sum =
+                    combination(terms.into_iter().map(|(i, value)| (value, labels[i].clone())));
                 let _ = writeln!(text, "nabla[{first}, {second}] = {sum}");
             }
         }
@@ -144,7 +154,13 @@ fn python(report: &str, text: &str, show: &str, kind: &str) -> String {
 
 fn rust(report: &str, text: &str, show: &str, kind: &str) -> String {
     // more signs than any run of them in the text
-    let fence = "#".repeat(1 + text.split('"').map(|part| part.len() - part.trim_start_matches('#').len()).max().unwrap_or(0));
+    let fence = "#".repeat(
+        1 + text
+            .split('"')
+            .map(|part| part.len() - part.trim_start_matches('#').len())
+            .max()
+            .unwrap_or(0),
+    );
     let head = format!("const TEXT: &str = r{fence}\"\n{text}\"{fence};\n");
     if report == "motion" {
         return format!(
@@ -175,8 +191,13 @@ fn rust(report: &str, text: &str, show: &str, kind: &str) -> String {
             "use affinor_documents::definition::{Definition, Reading};\n".into(),
         ),
     };
-    let tensors = if reading.is_empty() { "" } else { "use affinor_tensors::{Symbolic, Tolerance};\n" };
-    let equations = if report == "equations" { "use affinor::geometry::equations::{EquationKind, Equations};\n" } else { "" };
+    let tensors =
+        if reading.is_empty() { "" } else { "use affinor_tensors::{Symbolic, Tolerance};\n" };
+    let equations = if report == "equations" {
+        "use affinor::geometry::equations::{EquationKind, Equations};\n"
+    } else {
+        ""
+    };
     format!(
         "{equations}{imports}use affinor_documents::report::{{Format, Report, {names}}};\n{tensors}\n{head}\n\
          fn main() -> Result<(), Box<dyn std::error::Error>> {{\n    let definition = Definition::parse(\"space.toml\", TEXT)?;\n{reading}    {work}\n    \

@@ -71,8 +71,7 @@ fn files_are_read_back() {
     ];
     for request in requests {
         let file = copy(&request, "toml");
-        let mut again =
-            json!({ "report": request["report"], "definition": file, "format": "csv" });
+        let mut again = json!({ "report": request["report"], "definition": file, "format": "csv" });
         for key in ["show"] {
             again[key] = request.get(key).cloned().unwrap_or(json!(""));
         }
@@ -88,7 +87,10 @@ fn what_has_no_program_is_refused() {
         r#"{"report": "motion", "problem": "space = 1", "format": "rust"}"#,
         r#"{"report": "table", "space": "so33", "format": "rust"}"#,
     ] {
-        assert!(refused(request)["message"].as_str().is_some_and(|text| text.len() > 5), "{request}");
+        assert!(
+            refused(request)["message"].as_str().is_some_and(|text| text.len() > 5),
+            "{request}"
+        );
     }
 }
 
@@ -99,10 +101,13 @@ fn python_prints_the_report() {
     for (name, request) in copied() {
         let program = copy(&request, "python");
         let run = Command::new(&python).args(["-c", &program]).output().unwrap();
-        let (out, err) = (String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
+        let (out, err) =
+            (String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
         assert!(run.status.success(), "{name}: {err}\n{program}");
         match name {
-            "table" | "equations" => assert_eq!(out.trim(), copy(&request, "text").trim(), "{name}"),
+            "table" | "equations" => {
+                assert_eq!(out.trim(), copy(&request, "text").trim(), "{name}")
+            }
             "motion" => {
                 let rows: Value = serde_json::from_str(&copy(&request, "json")).unwrap();
                 let last = rows["rows"].as_array().unwrap().last().unwrap();

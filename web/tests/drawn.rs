@@ -18,22 +18,24 @@ fn data(request: Value) -> Value {
 fn transport_is_that_of_the_library() {
     let x = Vector3::new(0.4, -0.9, 1.1);
     let path = "0,0,0; 0.4,-0.9,1.1";
-    let table = answer(
-        json!({ "report": "transport", "path": path, "vector": "1,2,-1", "format": "csv" }),
-    );
-    for (name, which) in [
-        ("plus", Canonical::Plus),
-        ("zero", Canonical::Zero),
-        ("minus", Canonical::Minus),
-    ] {
+    let table =
+        answer(json!({ "report": "transport", "path": path, "vector": "1,2,-1", "format": "csv" }));
+    for (name, which) in
+        [("plus", Canonical::Plus), ("zero", Canonical::Zero), ("minus", Canonical::Minus)]
+    {
         let connection = Connection::canonical(&So3.algebra().unwrap(), which);
-        let carried = ParallelTranslation::new(So3, connection).unwrap().along_subgroup(&x).unwrap();
+        let carried =
+            ParallelTranslation::new(So3, connection).unwrap().along_subgroup(&x).unwrap();
         let expected = carried * DVector::from_vec(vec![1.0, 2.0, -1.0]);
         let ending = format!("connection {name},12,");
-        let line = table.lines().find(|line| line.contains(&ending)).unwrap_or_else(|| panic!("{table}"));
+        let line =
+            table.lines().find(|line| line.contains(&ending)).unwrap_or_else(|| panic!("{table}"));
         let numbers: Vec<f64> = line.split(',').skip(2).map(|x| x.parse().unwrap()).collect();
         for i in 0..3 {
-            assert!((numbers[i] - x[i]).abs() < 1e-6 && (numbers[3 + i] - expected[i]).abs() < 1e-6, "{line}");
+            assert!(
+                (numbers[i] - x[i]).abs() < 1e-6 && (numbers[3 + i] - expected[i]).abs() < 1e-6,
+                "{line}"
+            );
         }
     }
 }
@@ -47,7 +49,8 @@ fn rays_from_the_identity_are_straight() {
     for panel in panels {
         let own = panel["own"][0].as_array().unwrap();
         for point in own {
-            let x: Vec<f64> = point.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+            let x: Vec<f64> =
+                point.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
             assert!((x[0] - x[1]).abs() < 2e-5 && x[2].abs() < 2e-5, "{point}");
         }
         assert!(panel["about"].as_str().unwrap().contains("The path is closed"));
@@ -57,13 +60,21 @@ fn rays_from_the_identity_are_straight() {
 #[test]
 fn a_motion_keeps_what_it_should() {
     let problem = "space = \"so3\"\nmetric = \"diag(0.6, 0.8, 1)\"\n[initial]\nmomentum = [1.8, 0.4, -0.9]\n[output]\nend = 6.86261617805811641\nevery = 0.1\n";
-    let found = data(json!({ "report": "motion", "problem": problem, "methods": "rkmk4, dmv4, generalised-alpha" }));
-    let columns: Vec<&str> = found["columns"].as_array().unwrap().iter().map(|c| c.as_str().unwrap()).collect();
+    let found = data(
+        json!({ "report": "motion", "problem": problem, "methods": "rkmk4, dmv4, generalised-alpha" }),
+    );
+    let columns: Vec<&str> =
+        found["columns"].as_array().unwrap().iter().map(|c| c.as_str().unwrap()).collect();
     let rows = found["rows"].as_array().unwrap();
-    let value = |row: &Value, name: &str| row[columns.iter().position(|c| *c == name).unwrap()].as_f64().unwrap();
+    let value = |row: &Value, name: &str| {
+        row[columns.iter().position(|c| *c == name).unwrap()].as_f64().unwrap()
+    };
     // the period of Hairer and Vilmart (2006)
     for name in ["Omega1", "Omega2", "Omega3"] {
-        assert!((value(&rows[0], name) - value(rows.last().unwrap(), name)).abs() < 1e-13, "{name}");
+        assert!(
+            (value(&rows[0], name) - value(rows.last().unwrap(), name)).abs() < 1e-13,
+            "{name}"
+        );
     }
     assert_eq!(found["poses"].as_array().unwrap().len(), rows.len());
     let drift = |method: &str| {
@@ -72,7 +83,12 @@ fn a_motion_keeps_what_it_should() {
         one["changes"].as_array().unwrap().last().unwrap().as_f64().unwrap()
     };
     assert!(drift("exact") < 1e-13);
-    let refused = found["drifts"].as_array().unwrap().iter().find(|d| d["method"] == "generalised-alpha").unwrap();
+    let refused = found["drifts"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|d| d["method"] == "generalised-alpha")
+        .unwrap();
     assert!(refused["refused"].as_str().unwrap().len() > 10);
 }
 

@@ -13,12 +13,7 @@ pub fn svg(picture: &Picture, width: u32) -> String {
         .set("height", picture.pixel_height(width))
         .set("role", "img")
         .add(Title::new(&picture.title))
-        .add(
-            Rectangle::new()
-                .set("width", "100%")
-                .set("height", "100%")
-                .set("fill", hex(WHITE)),
-        );
+        .add(Rectangle::new().set("width", "100%").set("height", "100%").set("fill", hex(WHITE)));
     let document = picture.shapes.iter().fold(document, add);
     format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{document}\n")
 }
