@@ -94,7 +94,7 @@ async function compute(history) {
     const drawn = request.report in DRAWN;
     const { answer, ms } = await engine.ask(drawn ? { ...request, format: "json" } : request);
     if (drawn) await draw(request.report, JSON.parse(answer.text));
-    else show(answer.text);
+    else show(answer.text, answer.pictures);
     shown = request;
     by("status").textContent = [`${Math.max(1, Math.round(ms))} ms`, ...answer.notes].join("; ");
     for (const button of by("copies").querySelectorAll("button")) button.disabled = false;
@@ -134,13 +134,22 @@ async function tabulate() {
   }
 }
 
-/** A report as it is written. @param {string} html */
-function show(html) {
+/** A report as it is written, with pictures. @param {string} html @param {{title: string, svg: string}[]} pictures */
+function show(html, pictures) {
   picture?.view.stop?.();
   picture = null;
   by("view").replaceChildren();
   by("values").hidden = true;
-  by("result").replaceChildren(...contents(html));
+  by("result").replaceChildren(...contents(html), ...pictures.map(({ title, svg }) => {
+    const details = document.createElement("details");
+    const box = Object.assign(document.createElement("div"), { className: "picture" });
+    box.tabIndex = 0;
+    box.setAttribute("role", "group");
+    box.setAttribute("aria-label", title);
+    box.append(document.importNode(new DOMParser().parseFromString(svg, "image/svg+xml").documentElement, true));
+    details.append(Object.assign(document.createElement("summary"), { textContent: title }), box);
+    return details;
+  }));
 }
 
 /** The main part of a page of the engine. @param {string} html */
@@ -154,8 +163,8 @@ function contents(html) {
     lower.append(...heading.childNodes);
     heading.replaceWith(lower);
   }
-  // links of the report would replace the state in the address
-  for (const link of main?.querySelectorAll("a[href^='#']") ?? []) link.replaceWith(...link.childNodes);
+  // other links than states would replace the state in the address, or lead to files that are not here
+  for (const link of main?.querySelectorAll("a[href]:not([href^='#report='])") ?? []) link.replaceWith(...link.childNodes);
   return main?.childNodes ?? [];
 }
 
