@@ -135,7 +135,7 @@ async function tabulate() {
 }
 
 /** A report as it is written, with pictures. @param {string} html @param {{title: string, svg: string}[]} pictures */
-function show(html, pictures) {
+function show(html, pictures = []) {
   picture?.view.stop?.();
   picture = null;
   by("view").replaceChildren();

@@ -160,12 +160,12 @@ test("pictures have words, and no violation of accessibility", async () => {
   for (const [width, colorScheme] of [[360, "light"], [800, "dark"], [1600, "light"], [1600, "dark"]]) {
     for (const hash of [`${TRANSPORT}&metric=diag(1,2,3)`, "#report=motion"]) {
       const page = await open(hash, { viewport: { width, height: 900 }, colorScheme });
+      if (process.env.SCREENSHOTS) await page.screenshot({ path: path.join(process.env.SCREENSHOTS, `${hash.slice(8, 14)}-${width}-${colorScheme}.png`), fullPage: true });
       await values(page);
       assert.deepEqual(await violations(page), [], `${width} ${colorScheme} ${hash}`);
       const silent = await page.locator("#view svg:not([aria-label])").count();
       assert.equal(silent, 0);
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${width} ${hash}`);
-      if (process.env.SCREENSHOTS) await page.screenshot({ path: path.join(process.env.SCREENSHOTS, `${hash.slice(8, 14)}-${width}-${colorScheme}.png`), fullPage: true });
       await page.context().close();
     }
   }

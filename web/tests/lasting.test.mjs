@@ -75,7 +75,7 @@ test("back and forward through forty states, and a state in another window", asy
     assert.equal(await page.inputValue("#space"), states[at]);
   }
   const [popup] = await Promise.all([page.context().waitForEvent("page"), page.evaluate(() => { window.open(location.href, "_blank", "noopener"); })]);
-  await settled(popup);
+  await popup.waitForSelector("#result > *");
   assert.equal(await popup.inputValue("#space"), states[at]);
   assert.equal(await text(popup, "result"), await text(page, "result"));
 });
