@@ -112,3 +112,57 @@ fn wrong_paths_and_problems_are_refused() {
         assert!(message.len() > 10, "{request}: {message}");
     }
 }
+
+/// Diagrams of an algebra with roots, heat maps of a table; each with its words.
+#[test]
+fn reports_have_pictures() {
+    let pictures = |request: Value| -> Vec<Value> {
+        let answer: Value =
+            serde_json::from_str(&affinor_web::call(&request.to_string()).unwrap()).unwrap();
+        answer["pictures"].as_array().unwrap().clone()
+    };
+    let of_g2 = pictures(json!({ "report": "info", "space": "G2" }));
+    assert_eq!(of_g2.len(), 2);
+    assert!(of_g2[1]["title"].as_str().unwrap().contains("12 roots"));
+    assert!(pictures(json!({ "report": "info", "space": "heisenberg(3)" })).is_empty());
+    let maps = pictures(
+        json!({ "report": "table", "space": "so3@zero", "show": "curvature, ricci, structure" }),
+    );
+    assert_eq!(maps.len(), 3);
+    for picture in of_g2.iter().chain(&maps) {
+        let svg = picture["svg"].as_str().unwrap();
+        assert!(svg.contains("<title>") && svg.contains("role=\"img\""), "{svg}");
+    }
+    assert!(maps.iter().any(|map| {
+        map["title"].as_str().unwrap().contains("12 nonzero components of 81 in 9 slices")
+    }));
+    // JSON is for programs
+    assert!(
+        pictures(json!({ "report": "table", "space": "so3@zero", "format": "json" })).is_empty()
+    );
+}
+
+/// Every link of the paper in the page is a state whose report can be made, of the space whose values the paper prints.
+#[test]
+fn equations_of_the_paper_are_live() {
+    let paper = answer(json!({ "report": "paper" }));
+    let states: Vec<&str> = paper
+        .split("href=\"#report=")
+        .skip(1)
+        .map(|rest| rest.split('"').next().unwrap())
+        .collect();
+    assert!(states.len() >= 12, "{states:?}");
+    for state in states {
+        let state = format!("report={}", state.replace("&amp;", "&"));
+        let fields = state.split('&').map(|field| field.split_once('=').unwrap());
+        let request: Value = fields
+            .map(|(key, value)| (key.to_string(), json!(value)))
+            .collect::<serde_json::Map<_, _>>()
+            .into();
+        assert!(answer(request).len() > 500, "{state}");
+    }
+    // the report of (46) has the twelve affinities as the paper prints them
+    let m3 =
+        answer(json!({ "report": "table", "space": "M3", "show": "affinities", "format": "text" }));
+    assert!(m3.contains("= 1"), "{m3}");
+}
