@@ -16,7 +16,7 @@ function random(seed) {
   };
 }
 
-const EDITS = Number(process.env.EDITS ?? 10000);
+const EDITS = Number(process.env.EDITS ?? 1000);
 
 test(`${EDITS} random edits: the page lives, the input is kept`, { timeout: 1800000 }, async () => {
   const page = await open("#report=table&space=so3&show=ricci");
