@@ -5,7 +5,6 @@
 
 mod animation;
 mod autoparallels;
-pub mod ball;
 pub mod diagram;
 pub mod drift;
 mod frames;
@@ -16,6 +15,7 @@ pub mod run;
 pub mod series;
 mod transport;
 
+pub use affinor_documents::ball;
 pub use animation::animation;
 pub use autoparallels::autoparallels;
 pub use frames::frames;

@@ -184,8 +184,11 @@ fn html_stands_alone() {
         assert!(!["script", "link", "iframe", "img"].contains(&name), "{name}");
         assert!(node.attribute("src").is_none(), "{name}");
         if let Some(link) = node.attribute("href") {
-            let id = link.strip_prefix('#').unwrap_or_else(|| panic!("{link} leads elsewhere"));
-            assert!(ids.contains(id), "{link} leads nowhere");
+            match link.strip_prefix('#') {
+                Some(id) => assert!(ids.contains(id), "{link} leads nowhere"),
+                // relative to the repository
+                None => assert!(root().join(link).is_file(), "{link} leads nowhere"),
+            }
         }
     }
     assert!(!text.contains("@import") && !text.contains("url("));
@@ -193,6 +196,52 @@ fn html_stands_alone() {
     assert_eq!((count("h1"), count("main")), (1, 1));
     assert_eq!(count("figure"), if cfg!(feature = "plot") { 5 } else { 0 });
     assert!(count("math") > 300);
+}
+
+/// A function is a link to the file that defines it, a test one to a file with a test of the equation.
+#[test]
+fn links_lead_to_functions_and_tests() {
+    let read = |file: &str| {
+        assert!(!file.contains('#'), "{file}: lines move");
+        fs::read_to_string(root().join(file)).unwrap_or_else(|error| panic!("{file}: {error}"))
+    };
+    let (mut functions, mut tests) = (0, 0);
+    for row in PAPER.sections.iter().flat_map(|section| &section.rows) {
+        for (name, file) in row.sources() {
+            let file = file.unwrap_or_else(|| panic!("`{name}` is no link"));
+            let (text, last) = (read(file), name.rsplit("::").next().unwrap());
+            let kinds = ["fn ", "struct ", "trait ", "enum "];
+            let defined = kinds.iter().any(|kind| {
+                text.match_indices(&format!("{kind}{last}")).any(|(at, found)| {
+                    text[at + found.len()..].starts_with(['(', '<', ' ', ';', '{'])
+                })
+            });
+            assert!(defined, "{file} does not define `{name}`");
+            functions += 1;
+        }
+        for file in row.tests() {
+            let mut names = BTreeSet::new();
+            for rest in read(file).split("#[test]").skip(1) {
+                let name = rest.split_once("fn ").and_then(|(_, rest)| rest.split_once('('));
+                names.insert(name.unwrap().0.to_string());
+            }
+            let tested: BTreeSet<Row> = names.iter().flat_map(|name| rows_of_test(name)).collect();
+            let plain = row.equation.replace(['(', ')'], "");
+            let shown = match row.equation.starts_with('(') {
+                true => rows_of_cell(row.equation).iter().any(|row| tested.contains(row)),
+                // `after (71)` by its own test, `at (72)` by that of the equation
+                false => {
+                    let words: Vec<&str> = plain.split(' ').collect();
+                    let number = words.last().and_then(|word| super::paper_page::row(word));
+                    names.iter().any(|name| name.contains(&format!("{}_", words.join("_"))))
+                        || number.is_some_and(|number| tested.contains(&number))
+                }
+            };
+            assert!(shown, "{file} has no test of {}", row.equation);
+            tests += 1;
+        }
+    }
+    assert!(functions > 80 && tests > 80, "{functions} {tests}");
 }
 
 /// `Type::function` and modules are words of the source.

@@ -26,6 +26,7 @@ mod groups;
 mod html;
 mod lab;
 mod latex;
+mod links;
 mod m3;
 mod markdown;
 mod so3;
@@ -71,6 +72,8 @@ pub struct Row {
     pub functions: Vec<&'static str>,
     /// What is computed now.
     pub findings: Vec<Finding>,
+    /// The state of the page that shows the values, as in its address: `report=table&space=M3`.
+    pub state: Option<&'static str>,
 }
 
 /// How the paper states an equation. Formulas stand between backticks.
@@ -162,7 +165,16 @@ impl Paper {
         )
     }
 
-    /// Writes the document. Figures are part of HTML only.
+    /// Writes the document as HTML for the page: values have links to the states that show them.
+    ///
+    /// # Errors
+    /// An error of `out`.
+    pub fn write_live(&self, out: &mut dyn Write) -> io::Result<()> {
+        html::write(self, &[], true, out)
+    }
+
+    /// Writes the document. Figures are part of HTML only. Links to functions and tests are relative to the repository; those
+    /// of Markdown to its folder `docs`.
     ///
     /// # Errors
     /// An error of `out`.
@@ -173,7 +185,7 @@ impl Paper {
         out: &mut dyn Write,
     ) -> io::Result<()> {
         match format {
-            PaperFormat::Html => html::write(self, figures, out),
+            PaperFormat::Html => html::write(self, figures, false, out),
             PaperFormat::Markdown => markdown::write(self, out),
             PaperFormat::Latex => latex::write(self, out),
         }
@@ -190,6 +202,7 @@ impl Row {
             standing: Standing::Right,
             functions: vec![],
             findings: vec![],
+            state: None,
         }
     }
 
@@ -201,6 +214,21 @@ impl Row {
     fn standing(mut self, standing: Standing) -> Self {
         self.standing = standing;
         self
+    }
+
+    fn shown_by(mut self, state: &'static str) -> Self {
+        self.state = Some(state);
+        self
+    }
+
+    /// The files with the functions that compute it, by their names.
+    pub fn sources(&self) -> impl Iterator<Item = (&'static str, Option<&'static str>)> {
+        self.functions.iter().map(|name| (*name, links::function(name)))
+    }
+
+    /// The files with its tests.
+    pub fn tests(&self) -> impl Iterator<Item = &'static str> {
+        links::tests(self.equation)
     }
 
     fn find(mut self, finding: impl IntoIterator<Item = Finding>) -> Self {

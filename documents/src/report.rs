@@ -5,7 +5,8 @@
 //! equations of motion, also as source code;
 //! [`StoredTable`] compares a table with a stored one; [`Info`] is the structure of an algebra,
 //! [`Properties`] those of a geometry. Each is a [`Report`]; short lists are [`conventions`], the
-//! [`catalogue`] and a [`certificate`]. A [`Computation`] makes those of a space, over the scalar that it needs.
+//! [`catalogue`], a [`certificate`] and any other [`listing`]. A [`Computation`] makes those of a space, over the scalar
+//! that it needs.
 
 mod code;
 mod comparison;
@@ -35,7 +36,7 @@ pub use equations::EquationReport;
 pub use info::{Info, dynkin_type};
 pub use latex::components_in_latex;
 pub(crate) use latex::escape as latex_escaped;
-pub use lists::{catalogue, catalogue_where, certificate, conventions};
+pub use lists::{catalogue, catalogue_where, certificate, conventions, listing};
 pub use program::Program;
 pub use properties::Properties;
 pub use quantity::Quantity;

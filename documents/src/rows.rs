@@ -4,6 +4,9 @@ mod csv;
 mod json;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod run;
+
+pub use run::RunRows;
 
 use std::io::{self, Write};
 

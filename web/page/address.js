@@ -3,8 +3,8 @@
 
 /** @typedef {Record<string, string>} State */
 
-export const REPORTS = ["compare", "table", "check", "info", "properties", "equations", "list", "conventions", "paper"];
-export const FIELDS = ["space", "other", "connection", "metric", "set", "show", "motion", "definition"];
+export const REPORTS = ["compare", "table", "check", "info", "properties", "equations", "transport", "motion", "list", "conventions", "paper"];
+export const FIELDS = ["space", "other", "connection", "metric", "set", "show", "motion", "path", "vector", "problem", "methods", "definition"];
 /** What the page begins with: the two geometries of the paper. */
 export const START = { report: "compare" };
 /** A longer definition is not put into the address. */
@@ -33,6 +33,7 @@ export function used(report) {
     compare: ["space", "other"], list: ["space"], conventions: [], paper: [],
     table: ["space", "connection", "metric", "set", "show", "definition"],
     equations: ["space", "connection", "metric", "set", "motion", "definition"],
+    transport: ["path", "vector", "metric"], motion: ["problem", "methods"],
     info: ["space", "set", "definition"],
   };
   return all[/** @type {keyof typeof all} */ (report)] ?? ["space", "connection", "metric", "set", "definition"];

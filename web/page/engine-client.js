@@ -27,6 +27,9 @@ export class Engine {
     });
   }
 
+  /** Whether a request waits. */
+  get busy() { return Boolean(this.#waiting); }
+
   /** Ends what is running by starting another worker. */
   stop() {
     for (const job of [this.#running, this.#waiting]) job?.reject({ kind: "stopped" });

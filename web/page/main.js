@@ -2,11 +2,20 @@
 // The page: a form, a report, and the address that holds the state of both.
 import { FIELDS, REPORTS, read, used, write } from "./address.js";
 import { Engine } from "./engine-client.js";
+import { Problem } from "./problem.js";
 
 /** @param {string} id @returns {any} */
 const by = (id) => document.getElementById(id);
 const engine = new Engine();
-const COPIES = ["latex", "markdown", "csv", "json", "text"];
+const COPIES = ["latex", "markdown", "csv", "json", "text", "toml", "python", "rust"];
+/** Reports that are drawn, each by a module that is loaded on demand. */
+const DRAWN = {
+  transport: async () => new (await import("./transport.js")).TransportView(by("view"), (path) => { by("path").value = path; compute("replace"); }),
+  motion: async () => new (await import("./motion.js")).MotionView(by("view")),
+};
+/** The picture on the page. @type {{report: string, view: any} | null} */
+let picture = null;
+const problem = new Problem(by("example"), by("parameters"), by("problem"), (history) => compute(history));
 /** The request whose report is shown. @type {Record<string, string>} */
 let shown = {};
 
@@ -22,6 +31,9 @@ by("copies").append("Copy as ", ...COPIES.map((format) => {
   button.addEventListener("click", () => copy(format));
   return button;
 }));
+
+/** The last copy, as a file. */
+by("copies").append(Object.assign(document.createElement("a"), { id: "download", textContent: "Download", hidden: true }));
 
 /** The state of the form. */
 function state() {
@@ -40,6 +52,9 @@ function fill(state) {
   }
   for (const name of FIELDS) by(name).value = state[name] ?? "";
   by("own").open = Boolean(state.definition);
+  if (state.report === "motion") problem.fill();
+  const moments = /^diag\(([^,]+),([^,]+),([^,]+)\)$/.exec(state.metric ?? "");
+  document.querySelectorAll(".moment").forEach((slider, k) => { /** @type {any} */ (slider).value = moments?.[k + 1] ?? "1"; });
   const lambda = /^lambda\s*=\s*(\d+)(?:\/(\d+))?$/.exec(state.connection ?? "");
   if (lambda) by("lambda").value = String(24 * Number(lambda[1]) / Number(lambda[2] ?? 1));
   enable();
@@ -48,10 +63,12 @@ function fill(state) {
 /** Only the fields that the report uses are there. */
 function enable() {
   const names = used(state().report);
-  for (const name of [...FIELDS, "lambda"]) {
-    const idle = !names.includes(name === "lambda" ? "connection" : name);
+  /** Fields that write into others. @type {Record<string, string>} */
+  const into = { lambda: "connection", example: "problem", parameters: "problem", "moments-field": "path" };
+  for (const name of [...FIELDS, ...Object.keys(into)]) {
+    const idle = !names.includes(into[name] ?? name);
     by(name).disabled = idle;
-    by(name).closest(".field, details").hidden = idle;
+    by(name).closest(".field, details, .fields > *, #parameters").hidden = idle;
   }
   by("space").placeholder = names.includes("other") ? "M3" : "";
   by("lambda-value").textContent = fraction(Number(by("lambda").value));
@@ -74,8 +91,10 @@ async function compute(history) {
   by("stop").disabled = false;
   by("status").textContent = "computing…";
   try {
-    const { answer, ms } = await engine.ask(request);
-    show(answer.text);
+    const drawn = request.report in DRAWN;
+    const { answer, ms } = await engine.ask(drawn ? { ...request, format: "json" } : request);
+    if (drawn) await draw(request.report, JSON.parse(answer.text));
+    else show(answer.text, answer.pictures);
     shown = request;
     by("status").textContent = [`${Math.max(1, Math.round(ms))} ms`, ...answer.notes].join("; ");
     for (const button of by("copies").querySelectorAll("button")) button.disabled = false;
@@ -91,8 +110,50 @@ async function compute(history) {
   by("stop").disabled = true;
 }
 
+/** A report as a picture, with its table on request. @param {string} report @param {any} data */
+async function draw(report, data) {
+  if (picture?.report !== report) {
+    picture?.view.stop?.();
+    picture = { report, view: await DRAWN[/** @type {keyof typeof DRAWN} */ (report)]() };
+  }
+  picture.view.show(data);
+  by("result").replaceChildren();
+  by("values").hidden = false;
+  by("table").replaceChildren();
+  if (by("values").open) tabulate();
+}
+
+/** The values of a picture, in a table. */
+async function tabulate() {
+  if (engine.busy) return;
+  try {
+    const { answer } = await engine.ask({ ...shown, format: "html" });
+    by("table").replaceChildren(...contents(answer.text));
+  } catch (problem) {
+    if (/** @type {any} */ (problem).kind !== "replaced") throw problem;
+  }
+}
+
+/** A report as it is written, with pictures. @param {string} html @param {{title: string, svg: string}[]} pictures */
+function show(html, pictures = []) {
+  picture?.view.stop?.();
+  picture = null;
+  by("view").replaceChildren();
+  by("values").hidden = true;
+  by("result").replaceChildren(...contents(html), ...pictures.map(({ title, svg }) => {
+    const details = document.createElement("details");
+    const box = Object.assign(document.createElement("div"), { className: "picture" });
+    box.tabIndex = 0;
+    box.setAttribute("role", "group");
+    box.setAttribute("aria-label", title);
+    box.append(document.importNode(new DOMParser().parseFromString(svg, "image/svg+xml").documentElement, true));
+    details.append(Object.assign(document.createElement("summary"), { textContent: title }), box);
+    return details;
+  }));
+}
+
 /** The main part of a page of the engine. @param {string} html */
-function show(html) {
+function contents(html) {
   const page = new DOMParser().parseFromString(html, "text/html");
   const main = page.querySelector("main");
   for (const heading of main?.querySelectorAll("h1, h2, h3") ?? []) {
@@ -102,13 +163,13 @@ function show(html) {
     lower.append(...heading.childNodes);
     heading.replaceWith(lower);
   }
-  // links of the report would replace the state in the address
-  for (const link of main?.querySelectorAll("a[href^='#']") ?? []) link.replaceWith(...link.childNodes);
-  by("result").replaceChildren(...(main?.childNodes ?? []));
+  // other links than states would replace the state in the address, or lead to files that are not here
+  for (const link of main?.querySelectorAll("a[href]:not([href^='#report='])") ?? []) link.replaceWith(...link.childNodes);
+  return main?.childNodes ?? [];
 }
 
 /** The input of a source of a message. @type {Record<string, string>} */
-const SOURCES = { "definition.toml": "definition", "definition.json": "definition", "--metric": "metric", "--connection": "connection", "--set": "set" };
+const SOURCES = { "definition.toml": "definition", "definition.json": "definition", "problem.toml": "problem", path: "path", vector: "vector", "--metric": "metric", "--connection": "connection", "--set": "set" };
 
 /** @param {{message: string, place?: any, help?: string | null}} refusal */
 function refuse({ message, place, help }) {
@@ -117,7 +178,9 @@ function refuse({ message, place, help }) {
   const under = place?.text && `${place.source}, line ${place.line}\n${place.text}\n${" ".repeat(place.from)}${"^".repeat(Math.max(1, place.to - place.from))}`;
   by("error").replaceChildren(...line("p", message), ...line("pre", under), ...line("p", help && `Help: ${help}`));
   const input = place?.selection && by(SOURCES[place.source]);
-  if (input && document.activeElement !== by("lambda")) {
+  if (input && /** @type {any} */ (document.activeElement)?.type !== "range") {
+    const closed = input.closest("details");
+    if (closed) closed.open = true;
     input.focus();
     input.setSelectionRange(...place.selection);
   }
@@ -127,6 +190,10 @@ function refuse({ message, place, help }) {
 async function copy(format) {
   try {
     const { answer } = await engine.ask({ ...shown, format });
+    const endings = /** @type {Record<string, string>} */ ({ latex: "tex", markdown: "md", text: "txt", python: "py", rust: "rs" });
+    URL.revokeObjectURL(by("download").href);
+    const name = shown.report === "motion" && format === "toml" ? "problem" : shown.report;
+    Object.assign(by("download"), { href: URL.createObjectURL(new Blob([answer.text])), download: `${name}.${endings[format] ?? format}`, hidden: false });
     await navigator.clipboard.writeText(answer.text);
     by("status").textContent = `copied as ${format}`;
   } catch (problem) {
@@ -135,7 +202,16 @@ async function copy(format) {
 }
 
 by("form").addEventListener("submit", (/** @type {Event} */ event) => { event.preventDefault(); compute("push"); });
-by("reports").addEventListener("change", () => { enable(); compute("push"); });
+by("reports").addEventListener("change", () => {
+  if (state().report === "motion") problem.fill();
+  enable();
+  compute("push");
+});
+by("values").addEventListener("toggle", () => { if (by("values").open) tabulate(); });
+document.querySelectorAll(".moment").forEach((slider) => slider.addEventListener("input", () => {
+  by("metric").value = `diag(${[...document.querySelectorAll(".moment")].map((slider) => /** @type {any} */ (slider).value).join(",")})`;
+  compute("replace");
+}));
 by("stop").addEventListener("click", () => engine.stop());
 by("lambda").addEventListener("input", () => {
   by("connection").value = `lambda=${fraction(Number(by("lambda").value))}`;

@@ -2,6 +2,7 @@
 
 use affinor::Error;
 use affinor_documents::definition::{InputError, Place};
+use affinor_documents::picture::{Picture, svg};
 use affinor_documents::report::{Format, Report};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -14,6 +15,7 @@ const LONGEST: usize = 16 << 20;
 pub struct Answer {
     text: String,
     notes: Vec<String>,
+    pictures: Vec<Picture>,
 }
 
 /// What was refused.
@@ -43,7 +45,11 @@ impl Answer {
     ) -> Result<Self, Refusal> {
         let mut out = Limited(vec![]);
         match write(&mut out) {
-            Ok(()) => Ok(Answer { text: String::from_utf8_lossy(&out.0).into_owned(), notes }),
+            Ok(()) => Ok(Answer {
+                text: String::from_utf8_lossy(&out.0).into_owned(),
+                notes,
+                pictures: vec![],
+            }),
             Err(error) => Err(Refusal {
                 message: format!("the report cannot be written: {error}"),
                 place: None,
@@ -52,8 +58,16 @@ impl Answer {
         }
     }
 
+    /// The answer with pictures beside it.
+    #[must_use]
+    pub fn with(self, pictures: Vec<Picture>) -> Self {
+        Answer { pictures, ..self }
+    }
+
     pub(super) fn json(&self) -> Value {
-        json!({ "text": self.text, "notes": self.notes })
+        let drawn = |picture: &Picture| json!({ "title": picture.title, "svg": svg(picture, picture.width.ceil() as u32) });
+        let pictures: Vec<Value> = self.pictures.iter().map(drawn).collect();
+        json!({ "text": self.text, "notes": self.notes, "pictures": pictures })
     }
 }
 

@@ -4,7 +4,10 @@
 //! refused. The page restarts the module after a panic.
 
 mod answer;
+mod motion;
 mod request;
+mod source;
+mod transport;
 
 pub use answer::{Answer, Refusal};
 pub use request::Request;

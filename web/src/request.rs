@@ -1,6 +1,7 @@
 //! What the page asks for, in the words of the command line.
 
-use super::{Answer, Refusal};
+use super::source::{self, Language};
+use super::{Answer, Refusal, motion, transport};
 use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::{Canonical, Error};
 use affinor_documents::certificate::certify;
@@ -8,18 +9,24 @@ use affinor_documents::definition::{
     self, Definition, InputError, Reading, ScalarChoice, Space, Work,
 };
 use affinor_documents::paper::{Paper, PaperFormat};
+use affinor_documents::picture::{self, Picture};
+use affinor_documents::problem::Problem;
 use affinor_documents::report::{
     ComparedSide, Comparison, EquationReport, Format, Info, Properties, Quantity, Report, Table,
-    catalogue, certificate, conventions,
+    TableEntry, catalogue, certificate, conventions, dynkin_type,
 };
 use affinor_tensors::{Notation, Tolerance};
 use serde::Deserialize;
+
+/// Tensors of higher dimension have no heat maps.
+const HEAT: usize = 32;
 
 /// A request of the page.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Request {
-    /// `compare`, `table`, `check`, `info`, `properties`, `equations`, `list`, `conventions` or `paper`.
+    /// `compare`, `table`, `check`, `info`, `properties`, `equations`, `transport`, `motion`, `list`,
+    /// `conventions` or `paper`.
     pub report: String,
     /// A SPACE.
     pub space: String,
@@ -37,7 +44,15 @@ pub struct Request {
     pub show: String,
     /// `euler-poincare`, `autoparallel` or `transport`.
     pub motion: String,
-    /// The format, by default `html`.
+    /// Points of the ball of rotation vectors, separated by semicolons.
+    pub path: String,
+    /// The vector that is transported, in the left-invariant frame.
+    pub vector: String,
+    /// The text of a problem of motion.
+    pub problem: String,
+    /// Methods that are compared with that of the problem.
+    pub methods: String,
+    /// The format, by default `html`; or `toml`, `python`, `rust`.
     pub format: String,
 }
 
@@ -47,6 +62,9 @@ impl Request {
     /// # Errors
     /// Whatever is refused.
     pub fn answer(&self) -> Result<Answer, Refusal> {
+        if let Some(language) = Language::from_name(&self.format) {
+            return self.copied(language);
+        }
         let format = self.format()?;
         let (report, notes): (Box<dyn Report>, Vec<String>) = match self.report.as_str() {
             "compare" => (Box::new(self.comparison()?), vec![]),
@@ -56,6 +74,8 @@ impl Request {
             },
             "conventions" => (Box::new(conventions()), vec![]),
             "paper" => return self.paper(),
+            "transport" => (transport::transport(&self.path, &self.vector, &self.metric)?, vec![]),
+            "motion" => (motion::motion(&self.problem, &self.methods)?, vec![]),
             "table" => self.over_space(TableWork(self.quantities()?))?,
             "check" => self.over_space(CheckWork)?,
             "equations" => self.equations()?,
@@ -69,7 +89,11 @@ impl Request {
             }
             other => return Err(Refusal::new(format!("`{other}` is no report"))),
         };
-        Answer::new(&*report, format, notes)
+        let answer = Answer::new(&*report, format, notes)?;
+        Ok(match format {
+            Format::Html => answer.with(self.pictures()),
+            _ => answer,
+        })
     }
 
     fn format(&self) -> Result<Format, Refusal> {
@@ -78,6 +102,45 @@ impl Request {
             name => Format::from_name(name)
                 .ok_or_else(|| Refusal::new(format!("`{name}` is no format"))),
         }
+    }
+
+    /// Heat maps of a table; the diagrams of an algebra with roots.
+    fn pictures(&self) -> Vec<Picture> {
+        let drawn = || -> Result<Vec<Picture>, Refusal> {
+            match self.report.as_str() {
+                "table" => {
+                    let work = HeatWork(self.quantities()?);
+                    Ok(self.open()?.run(ScalarChoice::Exact, Tolerance::default(), work)?)
+                }
+                "info" => {
+                    let definition = self.open()?.definition;
+                    let types = dynkin_type(&definition)?;
+                    let made = [picture::dynkin, picture::roots];
+                    let drawn = made.map(|make| make(&definition.name, &types));
+                    Ok(if types.is_empty() { vec![] } else { drawn.into() })
+                }
+                _ => Ok(vec![]),
+            }
+        };
+        // the report itself stands without them
+        drawn().unwrap_or_default()
+    }
+
+    /// The file or the program of the report.
+    fn copied(&self, language: Language) -> Result<Answer, Refusal> {
+        let kind = if self.motion.is_empty() { "euler-poincare" } else { &self.motion };
+        let (text, notes) = match self.report.as_str() {
+            "motion" => {
+                Problem::parse("problem.toml", &self.problem)?;
+                (self.problem.clone(), vec![])
+            }
+            report => {
+                let space = self.open()?;
+                (source::definition(&space, report != "info")?, notes(&space))
+            }
+        };
+        let text = language.write(&self.report, &text, &self.show, kind)?;
+        Answer::written(notes, |out| out.write_all(text.as_bytes()))
     }
 
     fn quantities(&self) -> Result<Vec<Quantity>, Refusal> {
@@ -104,7 +167,13 @@ impl Request {
             set: given(&self.set),
             ..definition::Request::default()
         };
-        Ok(Space::open(&request)?)
+        let mut space = Space::open(&request)?;
+        let needs_plus =
+            self.report == "equations" && ["", "euler-poincare"].contains(&&*self.motion);
+        if needs_plus && space.definition.connection_is_default() {
+            space.definition.set_canonical(Canonical::Plus);
+        }
+        Ok(space)
     }
 
     fn over_space<W: Work<Output = Box<dyn Report>>>(
@@ -121,10 +190,7 @@ impl Request {
             name => EquationKind::from_name(name)
                 .ok_or_else(|| Refusal::new(format!("`{name}` is no motion")))?,
         };
-        let mut space = self.open()?;
-        if kind == EquationKind::EulerPoincare && space.definition.connection_is_default() {
-            space.definition.set_canonical(Canonical::Plus);
-        }
+        let space = self.open()?;
         let report = space.run(ScalarChoice::Exact, Tolerance::default(), EquationsWork(kind))?;
         Ok((report, notes(&space)))
     }
@@ -147,7 +213,10 @@ impl Request {
             name => return Err(Refusal::new(format!("the paper is not written as {name}"))),
         };
         let paper = Paper::read()?;
-        Answer::written(vec![], |out| paper.write(format, &[], out))
+        Answer::written(vec![], |out| match format {
+            PaperFormat::Html => paper.write_live(out),
+            _ => paper.write(format, &[], out),
+        })
     }
 }
 
@@ -170,6 +239,28 @@ impl Work for TableWork {
         reading: &Reading<S>,
     ) -> Result<Self::Output, InputError> {
         Ok(Box::new(Table::new(&definition.geometry(reading)?, &self.0)?))
+    }
+}
+
+/// Heat maps of tensors.
+struct HeatWork(Vec<Quantity>);
+
+impl Work for HeatWork {
+    type Output = Vec<Picture>;
+
+    fn run<S: Notation>(
+        self,
+        definition: &Definition,
+        reading: &Reading<S>,
+    ) -> Result<Self::Output, InputError> {
+        if definition.dimension() > HEAT {
+            return Ok(vec![]);
+        }
+        let table = Table::new(&definition.geometry(reading)?, &self.0)?;
+        let drawn = |entry: &TableEntry<S>| {
+            picture::heat(entry.quantity.title(), entry.quantity.symbol(), &entry.tensor)
+        };
+        Ok(table.tensors.iter().filter_map(drawn).collect())
     }
 }
 

@@ -1,5 +1,8 @@
 //! Answers of the engine against the reports of the library.
 
+mod copies;
+mod drawn;
+
 use affinor_web::call;
 use serde_json::{Value, json};
 

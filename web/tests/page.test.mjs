@@ -1,41 +1,11 @@
-// The page in a browser. CHROMIUM names the browser; `npm ci` installs no browser.
-import { chromium } from "playwright-core";
+// The page in a browser.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
 import zlib from "node:zlib";
-import { execFileSync } from "node:child_process";
-import { after, before, test } from "node:test";
-import { dist, serve } from "./server.mjs";
-
-const AXE = fs.readFileSync(path.join(import.meta.dirname, "../node_modules/axe-core/axe.min.js"), "utf8");
-let server, browser;
-
-before(async () => {
-  server = await serve();
-  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
-});
-after(async () => {
-  await browser?.close();
-  server?.close();
-});
-
-/** A page at a state, once its report stands. */
-async function open(hash = "", options = {}) {
-  const context = await browser.newContext(options);
-  const page = await context.newPage();
-  page.foreign = [];
-  page.on("request", (request) => { if (!request.url().startsWith(server.address) && !request.url().startsWith("data:")) page.foreign.push(request.url()); });
-  page.problems = [];
-  page.on("pageerror", (error) => page.problems.push(String(error)));
-  page.setDefaultTimeout(20000);
-  await page.goto(server.address + hash);
-  await settled(page);
-  return page;
-}
-
-const settled = (page) => page.waitForFunction(() => /** @type {any} */ (document.getElementById("stop")).disabled && !document.getElementById("status").textContent.includes("computing"));
-const text = (page, id) => page.locator(`#${id}`).innerText();
+import { test } from "node:test";
+import { affinor, ask, needsCommand, open, settled, text, violations } from "./browser.mjs";
+import { dist } from "./server.mjs";
 
 test("the first report is the comparison of the paper", async () => {
   const page = await open();
@@ -166,32 +136,19 @@ test("no violation of accessibility, no sideways scroll", async () => {
   for (const [width, colorScheme] of [[360, "light"], [360, "dark"], [800, "dark"], [1600, "light"]]) {
     for (const hash of ["", "#report=table&space=so3@zero", "#report=info&space=se(3)", "#report=table&space=nothing"]) {
       const page = await open(hash, { viewport: { width, height: 900 }, colorScheme });
-      await page.evaluate(AXE);
-      const { violations } = await page.evaluate(() => axe.run());
-      assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes[0].html]), [], `${width} ${colorScheme} ${hash}`);
+      assert.deepEqual(await violations(page), [], `${width} ${colorScheme} ${hash}`);
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${width} ${hash}`);
       await page.context().close();
     }
   }
 });
 
-test("the values of the program", { skip: !process.env.AFFINOR_COMMAND && "AFFINOR_COMMAND names no program" }, async () => {
+test("the values of the program", needsCommand, async () => {
   const page = await open();
-  const names = JSON.parse(execFileSync(process.env.AFFINOR_COMMAND, ["list", "--format", "json"], { encoding: "utf8" })).spaces.map(({ example }) => example);
-  const { Engine } = { Engine: "engine-client.js" };
-  const answers = await page.evaluate(async ([module, names]) => {
-    const { Engine } = await import(`./${module}`);
-    const engine = new Engine(), answers = {};
-    for (const space of names) {
-      const table = await engine.ask({ report: "table", space, show: "structure,torsion,killing", format: "json" }).catch((problem) => problem);
-      answers[space] = table.answer?.text ?? JSON.stringify(table);
-    }
-    return answers;
-  }, [Engine, names]);
-  for (const space of names) {
-    const table = execFileSync(process.env.AFFINOR_COMMAND, ["table", space, "--show", "structure,torsion,killing", "--format", "json"], { encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] });
-    assert.equal(answers[space], table, space);
-  }
+  const names = JSON.parse(affinor("list", "--format", "json")).spaces.map(({ example }) => example);
+  const show = "structure,torsion,killing";
+  const answers = await ask(page, names.map((space) => ({ report: "table", space, show, format: "json" })));
+  names.forEach((space, at) => assert.equal(answers[at].text, affinor("table", space, "--show", show, "--format", "json"), space));
 });
 
 test("what is sent stays within the budget", () => {

@@ -11,17 +11,14 @@ use super::note::{line, note};
 use super::options::{Settings, SpaceOptions};
 use super::output::deliver;
 use super::rows::{Expected, read};
-use affinor::group::So3;
-use affinor::group::transport::ParallelTranslation;
-use affinor::{ConnectionKind, Error};
+use affinor::Error;
 use affinor_cli::figures;
 use affinor_cli::figures::diagram::Diagram;
 use affinor_cli::figures::{Connected, Figure, Path};
 use affinor_cli::plot;
 use affinor_cli::plot::{MAX_WIDTH, Picture, View};
-use affinor_documents::definition::{InputError, Request, Space};
+use affinor_documents::definition::InputError;
 use affinor_documents::report::dynkin_type;
-use affinor_tensors::Tolerance;
 use clap::{Args, Subcommand};
 use convergence::Comparison;
 use nalgebra::Vector3;
@@ -288,25 +285,7 @@ impl Connections {
 /// Connections on the rotation group by their names; the metric is that of `levi-civita`.
 pub fn connected(names: &[&str], metric: Option<&str>) -> Result<Vec<Connected>, Failure> {
     let open = |name: &&str| {
-        let space = Space::open(&Request {
-            space: Some("so3".into()),
-            connection: Some((*name).into()),
-            metric: metric.map(Into::into),
-            ..Request::default()
-        })?;
-        let geometry = space
-            .in_floats(Tolerance::default(), |definition, reading| definition.geometry(reading))?;
-        let of_paper = match geometry.kind().name() {
-            "plus" => "M(3): ",
-            "zero" => "SO(3): ",
-            _ => "",
-        };
-        let kind = match geometry.kind() {
-            ConnectionKind::Family(lambda) => format!("lambda = {lambda}"),
-            kind => kind.name().into(),
-        };
-        let name = format!("{of_paper}connection {kind}");
-        let translation = ParallelTranslation::new(So3, geometry.connection().clone())?;
+        let (name, translation) = figures::ball::connected(name, metric)?;
         Ok(Connected { name, translation })
     };
     names.iter().map(open).collect()

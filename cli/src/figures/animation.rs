@@ -60,10 +60,7 @@ pub fn animation(run: &RunRows, inertia: &Inertia, seconds: f64) -> Result<Figur
         (turned(&turns[at], &turns[next], share), place - center)
     });
     let radius = panel.radius;
-    let edges = Vector3::from_fn(|i, _| {
-        let [j, k] = [(i + 1) % 3, (i + 2) % 3];
-        (moments[j] + moments[k] - moments[i]).max(0.0).sqrt()
-    });
+    let edges = inertia.box_edges();
     let edges = edges.map(|edge| edge.max(THINNEST * edges.norm()));
     let half = edges * (size * radius / edges.norm());
     panel.body = Some(Body {

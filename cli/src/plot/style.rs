@@ -2,15 +2,9 @@
 
 use super::{Ink, Stroke};
 use crate::figures::Role;
+pub(super) use affinor_documents::picture::{BLACK, EDGE, SOLID, WHITE};
 
-pub(super) const BLACK: Ink = Ink::opaque(0x111111);
 pub(super) const GREY: Ink = Ink::opaque(0x666666);
-pub(super) const WHITE: Ink = Ink::opaque(0xffffff);
-
-/// The width of the white edge around symbols.
-pub(super) const EDGE: f64 = 3.0;
-
-pub(super) const SOLID: &[f64] = &[];
 pub(super) const DASHED: &[f64] = &[7.0, 4.0];
 pub(super) const DOTTED: &[f64] = &[2.0, 3.0];
 const LONG: &[f64] = &[9.0, 2.0];

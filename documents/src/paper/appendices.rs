@@ -178,6 +178,7 @@ fn parallel(line: &Line) -> Result<Row, Error> {
         "nabla_w v = 0, vdot^i + Lambda^i_jk w^j v^k = 0",
         "Parallel fields.",
     )
+    .shown_by("report=transport")
     .by(&["Connection::nabla", "Connection::transport_along"]);
     for i in 0..2 {
         let column: Vec<_> = (0..2).map(|a| right.components().get(&[a, i])).collect();

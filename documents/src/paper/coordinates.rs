@@ -117,6 +117,7 @@ fn pole(lab: &Lab) -> Result<Row, Error> {
         "Gamma^i_(jk)(e) = 0",
         "The pole condition: in canonical coordinates the symmetric part of the affinities vanishes at the identity, and away from it only on the ray.",
     )
+    .shown_by("report=transport")
     .standing(Standing::Convention(
         "These are affinities of the coordinates, not those of the left-invariant frame in (46). Their antisymmetric part is half the torsion.",
     ))

@@ -47,12 +47,14 @@ fn covectors(lab: &Lab) -> Result<Row, Error> {
         "v*(u) = v_i u^i = g_ij v^i u^j, v_i = g_ij v^j, e^i(e_j) = delta^i_j",
         "Covectors, and the metric that lowers indices.",
     )
+    .shown_by("report=table&space=M3&show=metric")
     .by(&["Metric::lower", "Form::interior", "Frame::coframe"])
     .find(Finding::exact("`v_i u^i = g_ij v^i u^j`", &off)))
 }
 
 fn inertia(lab: &Lab) -> Result<Row, Error> {
     Ok(Row::new("(99)", "g_ij = J_ij", "The metric of M(3) is the inertia.")
+        .shown_by("report=table&space=M3&show=metric")
         .by(&["Metric", "paper::m3"])
         .components("g", lab.inertia()?.components()))
 }
@@ -97,6 +99,7 @@ fn bi_invariant(lab: &Lab) -> Result<Row, Error> {
         "ghat_ij = 2 delta_ij",
         "The bi-invariant metric `tr(A^T B)` of the matrices.",
     )
+    .shown_by("report=table&space=SO3&show=metric")
     .by(&["MatrixBasis::frobenius", "Metric::ad_variation"])
     .components("ghat", metric.components())
     .find(Finding::exact("`g([z,x], y) + g(x, [z,y]) = 0`", &metric.ad_variation(algebra)?)))
@@ -217,6 +220,7 @@ fn array(lab: &Lab) -> Result<Row, Error> {
     let below = contract("a_i^j - b_i^j -> _i^j", &[("a", &below), ("b", &with([Down, Up])?)])?;
     let above = contract("a^j_i - b^j_i -> ^j_i", &[("a", &above), ("b", &with([Up, Down])?)])?;
     Ok(Row::new("(107)", "-Lambda^j_ki Omega^k = Omega~_i^j", "The array of the gyroscopic term.")
+    .shown_by("report=equations&space=M3&motion=transport")
         .standing(Standing::Misprint(
             "Its lower index is the row, unlike in (44). With the index order of (44) the array is `-spin(Omega)`.",
         ))
@@ -241,6 +245,7 @@ fn euler(lab: &Lab) -> Result<Row, Error> {
         "J_ij dOmega^j/dt + Omega~_i^j J_jk Omega^k = M_i",
         "Euler's equations. In principal axes:",
     )
+    .shown_by("report=equations&space=M3")
     .standing(Standing::Misprint("Read `Omega~_i^j` with the lower index as the row, as in (107)."))
     .by(&["Equations::euler_poincare"]);
     Ok(lines.fold(row, Row::find))

@@ -257,6 +257,7 @@ fn torsion(lab: &Lab) -> Result<Row, Error> {
         &[("t", &m3.torsion()), ("c", m3.frame().structure())],
     )?;
     Ok(Row::new("after (38)", "tau^i_jk = c^i_jk", "The torsion of `plus`, by (B10).")
+        .shown_by("report=table&space=M3&show=torsion")
         .by(&["Connection::torsion"])
         .find(Finding::exact("`tau^i_jk = c^i_jk` of M(3)", &off))
         .components("tau", &m3.torsion()))

@@ -5,11 +5,16 @@ use crate::formula::mathml::{self, escaped};
 use crate::page::page;
 use std::io::{self, Write};
 
-pub(super) fn write(paper: &Paper, figures: &[PaperFigure], out: &mut dyn Write) -> io::Result<()> {
-    page(TITLE, out, |out| body(paper, figures, out))
+pub(super) fn write(
+    paper: &Paper,
+    figures: &[PaperFigure],
+    live: bool,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    page(TITLE, out, |out| body(paper, figures, live, out))
 }
 
-fn body(paper: &Paper, figures: &[PaperFigure], out: &mut dyn Write) -> io::Result<()> {
+fn body(paper: &Paper, figures: &[PaperFigure], live: bool, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "<header>\n<h1>{TITLE}</h1>\n<p>{}</p>\n<p>{}</p>\n</header>\n<nav aria-label=\"Sections\">\n<ul>",
@@ -32,7 +37,7 @@ fn body(paper: &Paper, figures: &[PaperFigure], out: &mut dyn Write) -> io::Resu
             text(section.about)
         )?;
         for (place, row) in section.rows.iter().enumerate() {
-            equation(row, &format!("eq-{number}-{}", place + 1), out)?;
+            equation(row, &format!("eq-{number}-{}", place + 1), live, out)?;
         }
         writeln!(out, "</section>")?;
     }
@@ -55,7 +60,7 @@ fn body(paper: &Paper, figures: &[PaperFigure], out: &mut dyn Write) -> io::Resu
     writeln!(out, "</main>")
 }
 
-fn equation(row: &Row, id: &str, out: &mut dyn Write) -> io::Result<()> {
+fn equation(row: &Row, id: &str, live: bool, out: &mut dyn Write) -> io::Result<()> {
     let word = row.standing.word();
     let class = word.replace(' ', "-");
     writeln!(
@@ -78,13 +83,26 @@ fn equation(row: &Row, id: &str, out: &mut dyn Write) -> io::Result<()> {
     for finding in &row.findings {
         writeln!(out, "<li class=\"{}\">{}</li>", class_of(finding), line(finding))?;
     }
-    let functions: Vec<String> =
-        row.functions.iter().map(|name| format!("<code>{}</code>", escaped(name))).collect();
+    let code = |name: &str| format!("<code>{}</code>", escaped(name));
+    // the page has no files of the repository beside it
+    let link = |file: Option<&str>, name: &str| match file.filter(|_| !live) {
+        Some(file) => format!("<a href=\"{file}\">{}</a>", code(name)),
+        None => code(name),
+    };
+    let functions: Vec<String> = row.sources().map(|(name, file)| link(file, name)).collect();
+    let tests: Vec<String> = row.tests().map(|file| link(Some(file), file)).collect();
+    let tested =
+        if tests.is_empty() { String::new() } else { format!(" Tested in {}.", tests.join(", ")) };
     writeln!(
         out,
-        "</ul>\n<p class=\"functions\">Computed by {}.</p>\n</article>",
+        "</ul>\n<p class=\"functions\">Computed by {}.{tested}</p>",
         functions.join(", ")
-    )
+    )?;
+    if let Some(state) = row.state.filter(|_| live) {
+        let words = format!("The values of {} in the page", escaped(row.equation));
+        writeln!(out, "<p><a href=\"#{}\">{words}</a></p>", escaped(state))?;
+    }
+    writeln!(out, "</article>")
 }
 
 fn class_of(finding: &Finding) -> &'static str {

@@ -126,6 +126,7 @@ fn generator(lab: &Lab) -> Result<Row, Error> {
         "udot = -n~ u, n~^i_k = Lambda^i_jk n^j",
         "Parallel transport along an autoparallel. The upper index is the row, so on the rotations the array is `spin(n)`; on every group it is `ad_n`.",
     )
+    .shown_by("report=equations&space=M3&motion=transport")
     .by(&["Connection::transport_generator"])
     .components("n~", &array)
     .find(Finding::within("`udot = -ad_n u`", off, 1e-13)))
@@ -140,6 +141,7 @@ fn twenty_seven(lab: &Lab) -> Result<Row, Error> {
         "Lambda^1_23 = Lambda^2_31 = Lambda^3_12 = 1",
         "The 27 affinities of M(3): the alternating symbol.",
     )
+    .shown_by("report=table&space=M3&show=affinities")
     .by(&["paper::m3"])
     .components("Lambda", gamma)
     .find(Finding::exact("`Lambda^i_jk = eps^i_jk`, all 27", &off)))

@@ -41,7 +41,19 @@ fn findings(row: &Row) -> String {
 }
 
 fn functions(row: &Row) -> String {
-    row.functions.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+    // the document stands in docs/
+    let link = |name: &str, file: &str| format!("[`{name}`](../{file})");
+    let code = |(name, file): (&str, Option<&str>)| {
+        file.map_or(format!("`{name}`"), |file| link(name, file))
+    };
+    let functions: Vec<String> = row.sources().map(code).collect();
+    let tests: Vec<String> = row.tests().map(|file| link(file, file)).collect();
+    let tested = if tests.is_empty() {
+        String::new()
+    } else {
+        format!("<br>tested in {}", tests.join(", "))
+    };
+    format!("{}{tested}", functions.join(", "))
 }
 
 /// A bar would end the cell.

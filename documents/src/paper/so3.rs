@@ -57,6 +57,7 @@ fn structure(lab: &Lab) -> Result<Row, Error> {
         "c~^i_jk = eps^i_jk",
         "The structure constants, from commutators of the matrices.",
     )
+    .shown_by("report=table&space=SO3&show=structure")
     .by(&["MatrixBasis::bracket"])
     .components("c", c)
     .find(Finding::exact("`c^i_jk = eps^i_jk`", &off)))
@@ -70,6 +71,7 @@ fn affinities(lab: &Lab) -> Result<Row, Error> {
         "Lambda^i_jk = 1/2 eps^i_jk",
         "The affinities of `zero` in the left-invariant frame.",
     )
+    .shown_by("report=table&space=SO3&show=affinities")
     .by(&["paper::so3"])
     .components("Lambda", gamma)
     .find(Finding::exact("`Lambda^i_jk = 1/2 eps^i_jk`", &off)))
@@ -93,6 +95,7 @@ fn curvature(lab: &Lab) -> Result<Row, Error> {
         "R^i_jkl = Lambda^i_km Lambda^m_lj - Lambda^i_lm Lambda^m_kj - c~^m_kl Lambda^i_mj",
         "The curvature: twelve components, the other 69 vanish.",
     )
+    .shown_by("report=table&space=SO3&show=curvature,ricci,scalar_curvature")
     .standing(Standing::Misprint("The text refers to (B4). It must be (B14)."))
     .by(&["Connection::curvature", "Connection::ricci", "Metric::trace"])
     .components("R", connection.curvature())

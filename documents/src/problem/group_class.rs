@@ -10,7 +10,9 @@ use super::on_group::{OnGroup, Start};
 use super::reader::Reader;
 use super::ready::Ready;
 use crate::definition::input::InputError;
-use affinor::group::{Opposite, Se2, Se3, Sl2, So2, So3};
+use affinor::group::{Opposite, So3};
+#[cfg(not(target_family = "wasm"))]
+use affinor::group::{Se2, Se3, Sl2, So2};
 use affinor::mechanics::motions::SimulationGroup;
 use affinor_tensors::Tolerance;
 
@@ -52,6 +54,10 @@ impl GroupClass {
                     })*
                 };
             }
+            // for a browser the size of the program counts more
+            #[cfg(target_family = "wasm")]
+            with_its_type!(So3);
+            #[cfg(not(target_family = "wasm"))]
             with_its_type!(So2 So3 Se2 Se3 Sl2);
             self.motion_on(group, &start)
         })

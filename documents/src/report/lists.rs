@@ -19,6 +19,17 @@ pub fn conventions() -> impl Report {
     Grid::new("Conventions", &["object", "convention"], rows.collect(), json)
 }
 
+/// A title, a header and rows of short cells; `json` is the report in JSON.
+pub fn listing(
+    title: &str,
+    header: &[&str],
+    rows: Vec<Vec<String>>,
+    json: Value,
+) -> impl Report + use<> {
+    let cells = rows.into_iter().map(|row| row.into_iter().map(Into::into).collect());
+    Grid::new(title, header, cells.collect(), json)
+}
+
 /// The spaces with a name that contain a text, in upper or lower case; none if there is no such space. JSON has the schema
 /// `affinor.list/1`.
 pub fn catalogue(pattern: &str) -> Option<impl Report + use<>> {

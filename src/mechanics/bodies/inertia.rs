@@ -95,6 +95,25 @@ impl Inertia {
         &self.axes
     }
 
+    /// The edges, up to a common factor, of the homogeneous box with these ratios of moments: `a_i^2 = J_j + J_k - J_i`, and
+    /// 0 where no body has such moments.
+    ///
+    /// ```
+    /// use affinor::mechanics::Inertia;
+    /// use nalgebra::Vector3;
+    /// // J_1 = m (b^2 + c^2)/12 of a box with the edges a, b, c = 1, 2, 3
+    /// let body = Inertia::diagonal(&Vector3::new(13.0, 10.0, 5.0))?;
+    /// assert!((body.box_edges() / body.box_edges()[0] - Vector3::new(1.0, 2.0, 3.0)).norm() < 1e-15);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    pub fn box_edges(&self) -> Vector3<f64> {
+        let moments = self.moments();
+        Vector3::from_fn(|i, _| {
+            let [j, k] = [(i + 1) % 3, (i + 2) % 3];
+            (moments[j] + moments[k] - moments[i]).max(0.0).sqrt()
+        })
+    }
+
     /// The inertia matrix in body components, `A diag(J_1, J_2, J_3) A^T`.
     pub fn matrix(&self) -> Matrix3<f64> {
         self.axes * Matrix3::from_diagonal(&self.moments) * self.axes.transpose()

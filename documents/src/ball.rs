@@ -1,12 +1,45 @@
 //! Elements, tangent vectors and curves in the ball of rotation vectors.
 
-use affinor::Error;
+use crate::definition::{InputError, Request, Space};
+use affinor::group::transport::ParallelTranslation;
 use affinor::group::{LieGroup, So3};
+use affinor::{ConnectionKind, Error};
+use affinor_tensors::Tolerance;
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::PI;
 
 /// The radius of the ball: the largest angle of a rotation.
 pub const RADIUS: f64 = PI;
+
+/// Parallel translation on the rotation group by a connection of this name, and its title; the metric is that of
+/// `levi-civita`.
+///
+/// # Errors
+/// A connection or a metric that is not understood; a parameter without a value.
+pub fn connected(
+    name: &str,
+    metric: Option<&str>,
+) -> Result<(String, ParallelTranslation<So3>), InputError> {
+    let space = Space::open(&Request {
+        space: Some("so3".into()),
+        connection: Some(name.into()),
+        metric: metric.map(Into::into),
+        ..Request::default()
+    })?;
+    let geometry = space
+        .in_floats(Tolerance::default(), |definition, reading| definition.geometry(reading))?;
+    let of_paper = match geometry.kind().name() {
+        "plus" => "M(3): ",
+        "zero" => "SO(3): ",
+        _ => "",
+    };
+    let kind = match geometry.kind() {
+        ConnectionKind::Family(lambda) => format!("lambda = {lambda}"),
+        kind => kind.name().into(),
+    };
+    let title = format!("{of_paper}connection {kind}");
+    Ok((title, ParallelTranslation::new(So3, geometry.connection().clone())?))
+}
 
 /// The tangent vector at `x` with the components `u` in the left-invariant frame, as an arrow `scale` times as long as
 /// `dx = T_left(x)^-1 u`.

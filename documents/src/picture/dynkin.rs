@@ -1,6 +1,6 @@
 //! Dynkin diagrams as pictures.
 
-use super::{Anchor, Font, Picture, Point, Shape, Stroke, style};
+use super::{Anchor, BLACK, Font, Picture, Point, SOLID, Shape, Stroke, WHITE};
 use affinor::algebra::roots::{CartanType, Series};
 
 /// The distance of neighbours, and the margin.
@@ -17,7 +17,7 @@ const BOND: f64 = 4.5;
 ///
 /// ```
 /// use affinor::algebra::roots::{CartanType, Series};
-/// use affinor_cli::plot::{dynkin, svg};
+/// use affinor_documents::picture::{dynkin, svg};
 /// let picture = dynkin("F4", &[CartanType::new(Series::F, 4)?]);
 /// assert_eq!(svg(&picture, 400).matches("<circle").count(), 2 * 4);
 /// # Ok::<(), affinor::algebra::roots::RootError>(())
@@ -68,7 +68,7 @@ fn places(cartan_type: CartanType) -> Vec<Point> {
 /// Bonds, then nodes with their numbers.
 fn factor(cartan_type: CartanType, places: &[Point], shapes: &mut Vec<Shape>) {
     let matrix = cartan_type.cartan_matrix();
-    let stroke = Stroke { ink: style::BLACK, width: 1.6, dash: style::SOLID };
+    let stroke = Stroke { ink: BLACK, width: 1.6, dash: SOLID };
     for (i, from) in places.iter().enumerate() {
         for (j, to) in places.iter().enumerate().skip(i + 1).filter(|(j, _)| matrix[i][*j] != 0) {
             let count = matrix[i][j] * matrix[j][i];
@@ -92,8 +92,8 @@ fn factor(cartan_type: CartanType, places: &[Point], shapes: &mut Vec<Shape>) {
         }
     }
     for (number, at) in places.iter().enumerate() {
-        shapes.push(Shape::Disc { at: *at, radius: RADIUS, ink: style::BLACK });
-        shapes.push(Shape::Disc { at: *at, radius: RADIUS - 1.6, ink: style::WHITE });
+        shapes.push(Shape::Disc { at: *at, radius: RADIUS, ink: BLACK });
+        shapes.push(Shape::Disc { at: *at, radius: RADIUS - 1.6, ink: WHITE });
         let aside = if at[1] > places[0][1] { [16.0, 5.0] } else { [0.0, -14.0] };
         let font = Font::words(13.0, Anchor::Middle);
         let text = (number + 1).to_string();

@@ -1,6 +1,6 @@
 //! Pictures as SVG.
 
-use super::{Anchor, Ink, Picture, Point, Shape, style};
+use super::{Anchor, EDGE, Ink, Picture, Point, Shape, WHITE};
 use std::fmt::Write;
 use svg::node::element::{Animate, Circle, Polygon, Polyline, Rectangle, Text, Title};
 use svg::{Document, Node};
@@ -13,12 +13,7 @@ pub fn svg(picture: &Picture, width: u32) -> String {
         .set("height", picture.pixel_height(width))
         .set("role", "img")
         .add(Title::new(&picture.title))
-        .add(
-            Rectangle::new()
-                .set("width", "100%")
-                .set("height", "100%")
-                .set("fill", hex(style::WHITE)),
-        );
+        .add(Rectangle::new().set("width", "100%").set("height", "100%").set("fill", hex(WHITE)));
     let document = picture.shapes.iter().fold(document, add);
     format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{document}\n")
 }
@@ -83,8 +78,8 @@ fn add(document: Document, shape: &Shape) -> Document {
                 node = node
                     .set("font-family", "DejaVu Serif, DejaVu Sans, Georgia, serif")
                     .set("font-style", "italic")
-                    .set("stroke", hex(style::WHITE))
-                    .set("stroke-width", style::EDGE)
+                    .set("stroke", hex(WHITE))
+                    .set("stroke-width", EDGE)
                     .set("stroke-linejoin", "round")
                     .set("paint-order", "stroke");
             } else {

@@ -1,0 +1,162 @@
+//! Pictures: shapes on a plane, written as SVG.
+//!
+//! A [`Picture`] is a list of [`Shape`]s. [`dynkin()`] and [`roots()`] make one of Cartan types, [`heat()`] of a tensor, the program `affinor` those of figures and
+//! diagrams. [`svg()`] writes it.
+
+mod dynkin;
+mod heat;
+mod roots;
+mod svg;
+
+pub use dynkin::dynkin;
+pub use heat::heat;
+pub use roots::roots;
+pub use svg::svg;
+
+/// The ink of lines and words.
+pub const BLACK: Ink = Ink::opaque(0x111111);
+/// The ground.
+pub const WHITE: Ink = Ink::opaque(0xffffff);
+/// The width of the white edge around symbols.
+pub const EDGE: f64 = 3.0;
+/// A line without gaps.
+pub const SOLID: &[f64] = &[];
+
+/// Shapes on a plane: `x` points right, `y` down, both in the unit of [`Picture::width`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Alternative text.
+    pub title: String,
+    /// The width of the plane.
+    pub width: f64,
+    /// The height of the plane.
+    pub height: f64,
+    /// The shapes, from back to front.
+    pub shapes: Vec<Shape>,
+}
+
+impl Picture {
+    /// The height in pixels of a picture that is `width` pixels wide.
+    pub fn pixel_height(&self, width: u32) -> u32 {
+        (f64::from(width) * self.height / self.width).round().max(1.0) as u32
+    }
+}
+
+/// One element of a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// A polyline.
+    Line {
+        /// Its vertices, in order.
+        points: Vec<Point>,
+        /// Its stroke.
+        stroke: Stroke,
+    },
+    /// A filled polygon.
+    Area {
+        /// Its vertices, in order.
+        points: Vec<Point>,
+        /// Its colour.
+        ink: Ink,
+    },
+    /// A filled disc.
+    Disc {
+        /// Its centre.
+        at: Point,
+        /// Its radius.
+        radius: f64,
+        /// Its colour.
+        ink: Ink,
+    },
+    /// A closed polygon in motion, which repeats from the start; as PNG the first frame.
+    Film {
+        /// Its vertices at equal intervals of time.
+        frames: Vec<Vec<Point>>,
+        /// Whether each frame is visible.
+        shown: Vec<bool>,
+        /// Its colour inside, if it has one.
+        fill: Option<Ink>,
+        /// Its edge.
+        stroke: Stroke,
+        /// Its duration in seconds.
+        seconds: f64,
+    },
+    /// A line of text.
+    Text {
+        /// Its anchor, on the base line.
+        at: Point,
+        /// The characters.
+        text: String,
+        /// The font.
+        font: Font,
+    },
+}
+
+/// A point of the plane: right and down.
+pub type Point = [f64; 2];
+
+/// A colour and its opacity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ink {
+    /// Red, green and blue, each 0 to 255.
+    pub rgb: [u8; 3],
+    /// From 0, transparent, to 1, opaque.
+    pub opacity: f64,
+}
+
+impl Ink {
+    /// The opaque colour `0xRRGGBB`.
+    pub const fn opaque(rgb: u32) -> Self {
+        let [_, red, green, blue] = rgb.to_be_bytes();
+        Ink { rgb: [red, green, blue], opacity: 1.0 }
+    }
+}
+
+/// The stroke of a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stroke {
+    /// Its colour.
+    pub ink: Ink,
+    /// Its width.
+    pub width: f64,
+    /// Lengths of dashes and gaps in turn; empty for a solid line.
+    pub dash: &'static [f64],
+}
+
+/// The font of a text.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Font {
+    /// Its size.
+    pub size: f64,
+    /// A mathematical symbol is set in italics with serifs, on a white edge; words are upright and without serifs.
+    pub symbol: bool,
+    /// The part of the text that lies at its anchor.
+    pub anchor: Anchor,
+    /// Whether the text runs upwards, turned anticlockwise by a right angle.
+    pub turned: bool,
+    /// Its colour.
+    pub ink: Ink,
+}
+
+impl Font {
+    /// Black words.
+    pub const fn words(size: f64, anchor: Anchor) -> Self {
+        Font { size, symbol: false, anchor, turned: false, ink: BLACK }
+    }
+
+    /// A symbol, anchored in its middle.
+    pub const fn symbol(size: f64, ink: Ink) -> Self {
+        Font { size, symbol: true, anchor: Anchor::Middle, turned: false, ink }
+    }
+}
+
+/// The part of a text that lies at its anchor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Anchor {
+    /// The first character.
+    Start,
+    /// The middle.
+    Middle,
+    /// The last character.
+    End,
+}

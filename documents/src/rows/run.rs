@@ -1,0 +1,67 @@
+//! Rows of a trajectory in memory, by the names of their columns.
+
+use affinor::Error;
+use nalgebra::{Matrix3, Vector3};
+
+/// Orthogonality tolerance of an attitude. Rows may have few digits; a picture resolves a pixel.
+const TOLERANCE: f64 = 1e-3;
+
+/// The rows of a trajectory, with the names of their columns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RunRows {
+    /// The name of the problem.
+    pub name: String,
+    /// The names of the columns.
+    pub columns: Vec<String>,
+    /// The rows, one for each time.
+    pub rows: Vec<Vec<f64>>,
+}
+
+impl RunRows {
+    /// The values of a column.
+    ///
+    /// # Errors
+    /// [`Error::NoColumn`].
+    pub fn column(&self, name: &str) -> Result<Vec<f64>, Error> {
+        let at = self.columns.iter().position(|column| column == name);
+        let at = at.ok_or_else(|| Error::NoColumn { name: name.into() })?;
+        Ok(self.rows.iter().map(|row| row[at]).collect())
+    }
+
+    /// The vectors with the components in three columns.
+    ///
+    /// # Errors
+    /// [`Error::NoColumn`].
+    pub fn vectors(&self, names: [&str; 3]) -> Result<Vec<Vector3<f64>>, Error> {
+        let [x, y, z] = names.map(|name| self.column(name));
+        let (x, y, z) = (x?, y?, z?);
+        Ok((0..x.len()).map(|k| Vector3::new(x[k], y[k], z[k])).collect())
+    }
+
+    /// The rotation matrices, by their entries or by quaternions.
+    ///
+    /// # Errors
+    /// [`Error::NoColumn`]; [`Error::Invalid`] for entries that are no rotation.
+    pub fn attitudes(&self) -> Result<Vec<Matrix3<f64>>, Error> {
+        if let (Ok(w), Ok(v)) = (self.column("qw"), self.vectors(["qx", "qy", "qz"])) {
+            let turn = |(w, v): (f64, Vector3<f64>)| {
+                let q = nalgebra::Quaternion::from_parts(w, v);
+                affinor::group::rotation::matrix(&nalgebra::UnitQuaternion::new_normalize(q))
+            };
+            return Ok(w.into_iter().zip(v).map(turn).collect());
+        }
+        let rows = [["g11", "g12", "g13"], ["g21", "g22", "g23"], ["g31", "g32", "g33"]];
+        let [a, b, c] = rows.map(|names| self.vectors(names));
+        let (a, b, c) = (a?, b?, c?);
+        let matrix = |k: usize| {
+            let r = Matrix3::from_rows(&[a[k], b[k], c[k]].map(|row| row.transpose()));
+            let off = (r.transpose() * r - Matrix3::identity()).amax();
+            if off < TOLERANCE && r.determinant() > 0.0 {
+                return Ok(r);
+            }
+            let reason = format!("in row {} `g^T g` is off the identity by {off:.1e}", k + 1);
+            Err(Error::Invalid { what: "rotation", reason })
+        };
+        (0..a.len()).map(matrix).collect()
+    }
+}
