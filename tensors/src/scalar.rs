@@ -30,7 +30,7 @@ pub use notation::{Kind, Notation};
 pub use rational::Rational;
 use rational::RationalSum;
 pub use recorded::{Count, Function, Output, Recorded, Step, StraightLine, derivatives};
-pub use symbolic::Symbolic;
+pub use symbolic::{CommonFactors, Symbolic};
 pub use tracked::Tracked;
 
 /// A commutative ring with 1, with operators by value and by reference.
