@@ -10,6 +10,7 @@
 
 #[cfg(feature = "num-dual")]
 mod dual;
+pub(crate) mod effort;
 mod float;
 mod jet;
 pub mod laws;
@@ -25,6 +26,7 @@ use num_traits::{One, Zero};
 use std::fmt::{Debug, Display};
 use std::ops::{Add, Mul, Neg, Sub};
 
+pub use effort::{Effort, EffortExceeded};
 pub use jet::Jet;
 pub use notation::{Kind, Notation};
 pub use rational::Rational;

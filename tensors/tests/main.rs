@@ -21,3 +21,4 @@ mod scalars;
 mod symbolic;
 mod tensor;
 mod tracked;
+mod written_sums;

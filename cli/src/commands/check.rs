@@ -23,7 +23,7 @@ impl Arguments {
     pub fn run(&self) -> Result<(), Failure> {
         let stages = self.shared.start()?;
         let space = self.shared.open(self.space.as_deref(), &self.options)?;
-        let checks = self.shared.run(&space, Certificate { stages: &stages })?;
+        let checks = self.shared.run(&stages, &space, Certificate { stages: &stages })?;
         let tolerance = self.shared.float_tolerance()?;
         let report = certificate(&space.definition.name, &checks, tolerance);
         self.shared.print(&stages, space.file.as_slice(), &report)?;

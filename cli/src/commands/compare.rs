@@ -31,7 +31,7 @@ impl Arguments {
         let [first, second] = self.shared.open_both([left, right])?;
         let side = |name: &str, space: &Space| {
             stages.begin(name);
-            self.shared.run(space, OneSide)
+            self.shared.run(&stages, space, OneSide)
         };
         let comparison = Comparison::new(side(left, &first)?, side(right, &second)?);
         let inputs: Vec<_> = [first.file, second.file].into_iter().flatten().collect();

@@ -46,7 +46,7 @@ impl Arguments {
             })?;
             return code::print(&code, &space, &self.shared, &stages);
         }
-        let report = self.shared.run(&space, Build { arguments: self, stages: &stages })?;
+        let report = self.shared.run(&stages, &space, Build { arguments: self, stages: &stages })?;
         self.shared.print(&stages, space.file.as_slice(), &*report)
     }
 

@@ -61,7 +61,7 @@ impl Arguments {
         if let OutputFormat::Program(program) = self.shared.output.format
             && quantities == [Quantity::Structure]
         {
-            let code = self.shared.run(&space, Export(program))?;
+            let code = self.shared.run(&stages, &space, Export(program))?;
             let file = self.shared.output.file.as_deref();
             return deliver(file, space.file.as_slice(), |out| out.write_all(code.as_bytes()));
         }
@@ -80,7 +80,7 @@ impl Arguments {
             return code::print(&code, &space, &self.shared, &stages);
         }
         let build = Build { selection: &self.selection, quantities, stages: &stages };
-        let table = self.shared.run(&space, build)?;
+        let table = self.shared.run(&stages, &space, build)?;
         self.shared.print(&stages, space.file.as_slice(), &*table)
     }
 }

@@ -39,7 +39,7 @@ impl Arguments {
         let space = self.shared.open(space, &self.options)?;
         stored.expect_basis(&space.definition.labels)?;
         let compare = Compare { selection: &self.selection, stored: &stored, stages: &stages };
-        let found = self.shared.run(&space, compare)?;
+        let found = self.shared.run(&stages, &space, compare)?;
         let inputs: Vec<_> = space.file.into_iter().chain([PathBuf::from(file)]).collect();
         self.shared.print(&stages, &inputs, &found)?;
         if found.is_empty() { Ok(()) } else { Err(Failure::Refuted) }
