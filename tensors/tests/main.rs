@@ -10,6 +10,7 @@ mod contraction_paths;
 mod contraction_sizes;
 mod conversions;
 mod denominators;
+mod effort;
 mod elementary;
 mod expression;
 mod jets;

@@ -74,7 +74,8 @@ fn names_are_given_where_the_whole_gets_shorter() {
     assert_eq!(names(&found(&values, &["D"])), ["W"]);
     assert_eq!(names(&found(&values, &["D2", "W"])), ["Q"]);
     assert_eq!(names(&found(&values, &["D2", "W", "Q", "D_"])), [""; 0]);
-    let two: Vec<Symbolic> = values.iter().map(|v| v.clone() / &value("(lambda*nu - rho^2)^2")).collect();
+    let two: Vec<Symbolic> =
+        values.iter().map(|v| v.clone() / &value("(lambda*nu - rho^2)^2")).collect();
     let factors = found(&two, &[]);
     assert_eq!(names(&factors), ["D1", "D2"]);
     assert_eq!(two[0].text_with(&factors), "a/(D1*D2^2)");
@@ -83,8 +84,12 @@ fn names_are_given_where_the_whole_gets_shorter() {
 
 #[test]
 fn a_factor_above_has_its_name_too() {
-    let values = ["a/(alpha*gamma - beta^2)", "b/(alpha*gamma - beta^2)", "(a + 1)^2*(alpha*gamma - beta^2)"]
-        .map(value);
+    let values = [
+        "a/(alpha*gamma - beta^2)",
+        "b/(alpha*gamma - beta^2)",
+        "(a + 1)^2*(alpha*gamma - beta^2)",
+    ]
+    .map(value);
     let factors = Symbolic::common_factors(&mut values.iter().cycle().take(9), &[]);
     assert_eq!(values[2].text_with(&factors), "D*(a + 1)^2");
 }
@@ -95,10 +100,10 @@ fn polynomial() -> impl Strategy<Value = Symbolic> {
     prop::collection::vec(term, 1..14).prop_map(|terms| {
         terms.into_iter().fold(value("0"), |sum, (c, powers)| {
             let names = ["a", "J11", "omega", "x2"].map(Symbolic::parameter).into_iter();
-            let term = names.zip(powers).fold(
-                Symbolic::constant(Rational::from(c)),
-                |term, (name, e)| term * &num_traits::pow(name, e as usize),
-            );
+            let term =
+                names.zip(powers).fold(Symbolic::constant(Rational::from(c)), |term, (name, e)| {
+                    term * &num_traits::pow(name, e as usize)
+                });
             sum + &term
         })
     })

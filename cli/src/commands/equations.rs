@@ -46,7 +46,8 @@ impl Arguments {
             })?;
             return code::print(&code, &space, &self.shared, &stages);
         }
-        let report = self.shared.run(&stages, &space, Build { arguments: self, stages: &stages })?;
+        let report =
+            self.shared.run(&stages, &space, Build { arguments: self, stages: &stages })?;
         self.shared.print(&stages, space.file.as_slice(), &*report)
     }
 

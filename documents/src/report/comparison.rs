@@ -208,9 +208,9 @@ fn listed<S: Notation>(quantity: Quantity, tensor: &Tensor<S>) -> Cell {
     }
     let none = CommonFactors::default();
     let groups = groups(tensor);
-    let text = groups
-        .iter()
-        .map(|group| text::equation(group, &none, |at| text::component(quantity, tensor, at)).join(" "));
+    let text = groups.iter().map(|group| {
+        text::equation(group, &none, |at| text::component(quantity, tensor, at)).join(" ")
+    });
     let latex = groups.iter().map(|group| latex::equation(quantity, tensor, group));
     // paragraphs, so that each has a hanging indent of its own
     let latex = latex.collect::<Vec<_>>().join(" \\par ");

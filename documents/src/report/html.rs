@@ -61,7 +61,11 @@ fn tensor<S: Notation>(
         // a formula for each of a million components would be too much for a browser
         writeln!(out, "<pre tabindex=\"0\">")?;
         for (at, value) in shown.components() {
-            writeln!(out, "{}", escaped(&format!("{} = {}", name(&at), with_names(value, factors))))?;
+            writeln!(
+                out,
+                "{}",
+                escaped(&format!("{} = {}", name(&at), with_names(value, factors)))
+            )?;
         }
         writeln!(out, "</pre>")?;
     } else {

@@ -46,7 +46,8 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
     let named = table.factors();
     write!(out, "\n  }},\n")?;
     if !named.lines.is_empty() {
-        let line = |line: &NamedFactor| format!("\n    \"{}\": {}", line.name, Value::from(&*line.text));
+        let line =
+            |line: &NamedFactor| format!("\n    \"{}\": {}", line.name, Value::from(&*line.text));
         let lines: Vec<String> = named.lines.iter().map(line).collect();
         writeln!(out, "  \"where\": {{{}\n  }},", lines.join(","))?;
     }

@@ -316,8 +316,8 @@ impl StoredTable {
             if table.parameters.contains(name) {
                 return Err(refused(format!("where: `{shown}` is a parameter of the table")));
             }
-            let value =
-                read(text, &names).map_err(|reason| refused(format!("where: `{shown}`: {reason}")))?;
+            let value = read(text, &names)
+                .map_err(|reason| refused(format!("where: `{shown}`: {reason}")))?;
             names.push((name.clone(), value));
         }
         Ok(names)

@@ -62,10 +62,7 @@ pub trait Notation: Field {
 
     /// Sums that occur so often in the denominators of these values that names for them make the whole
     /// shorter; `taken` are names in use. There are none for scalars without parameters.
-    fn common_factors(
-        values: &mut dyn Iterator<Item = &Self>,
-        taken: &[String],
-    ) -> CommonFactors {
+    fn common_factors(values: &mut dyn Iterator<Item = &Self>, taken: &[String]) -> CommonFactors {
         let _ = (values, taken);
         CommonFactors::default()
     }

@@ -209,10 +209,7 @@ impl Notation for Symbolic {
     fn latex(&self) -> String {
         self.to_latex()
     }
-    fn common_factors(
-        values: &mut dyn Iterator<Item = &Self>,
-        taken: &[String],
-    ) -> CommonFactors {
+    fn common_factors(values: &mut dyn Iterator<Item = &Self>, taken: &[String]) -> CommonFactors {
         CommonFactors::of(values, taken)
     }
     fn text_with(&self, factors: &CommonFactors) -> String {

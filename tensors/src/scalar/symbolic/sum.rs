@@ -209,7 +209,8 @@ impl<'s> Common<'s> {
     /// The value; `None` if the limit on terms is passed.
     fn within_limit(mut self) -> Option<Symbolic> {
         let length = |f: &Option<(&Polynomial, _)>| f.as_ref().map_or(1, |(f, _)| f.terms.len());
-        let products = self.terms.iter().map(|term| length(&term.factors[0]) * length(&term.factors[1]));
+        let products =
+            self.terms.iter().map(|term| length(&term.factors[0]) * length(&term.factors[1]));
         if !effort::products(products.sum()) {
             return None;
         }

@@ -49,7 +49,8 @@ impl Writer<'_> {
         }
         let unit = common_denominator(&f.numerator);
         let above = f.numerator.scale(&unit);
-        let (sign, size) = if leads_negative(&above) { ("-", -&above) } else { ("", above.clone()) };
+        let (sign, size) =
+            if leads_negative(&above) { ("-", -&above) } else { ("", above.clone()) };
         if whole && unit.is_one() {
             let factored = self.factored(f, &size, Place::Alone);
             return factored.map_or_else(|| self.sum(f, &above), |text| format!("{sign}{text}"));
