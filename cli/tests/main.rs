@@ -22,6 +22,7 @@ mod group_commands;
 mod guide;
 mod heads;
 mod info;
+mod limits;
 mod paper_page;
 #[cfg(feature = "plot")]
 mod plot;

@@ -152,7 +152,7 @@ fn the_numbers_of_the_paper() {
     has("(102)", "ghat_11 = ghat_22 = ghat_33 = 2");
     has("(99)", "g_12 = g_21 = J12");
     has("(103)", "H_1 = J11*Omega1 + J12*Omega2 + J13*Omega3");
-    has("(108)", "J11 dOmega1/dt = J22*Omega2*Omega3 - J33*Omega2*Omega3 + M1");
+    has("(108)", "J11 dOmega1/dt = Omega2*Omega3*(J22 - J33) + M1");
 }
 
 /// `affinor paper --format markdown -o docs/paper.md` writes it anew.

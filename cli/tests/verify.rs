@@ -282,3 +282,81 @@ fn a_tensor_chosen_twice_is_shown_once() {
         assert_eq!(show("ricci,all"), show("ricci,all,ricci,all"), "{format}");
     }
 }
+
+/// The names of common factors in JSON are read back.
+#[test]
+fn named_factors_verify() {
+    let folder = TempDir::new().unwrap();
+    let space = ["so3", "--metric", "[[a,b,c],[b,d,e],[c,e,f]]"];
+    let show = ["--show", "affinities,curvature,ricci"];
+    let table = [&["table"], &space[..], &show, &["--format", "json"]].concat();
+    let text = stdout(folder.path(), &table);
+    let stored: Value = serde_json::from_str(&text).unwrap();
+    let det = "a*d*f - a*e^2 - b^2*f + 2*b*c*e - c^2*d";
+    assert_eq!(stored["where"], json!({ "D": det }));
+    let verify = |text: &str, file: &str| {
+        fs::write(folder.path().join(file), text).unwrap();
+        run(folder.path(), &[&["verify"], &space[..], &[file]].concat(), b"")
+    };
+    let outcome = verify(&text, "same.json");
+    assert_eq!(outcome.status, 0, "{}{}", outcome.out, outcome.err);
+    // other names, and values without names, are the same values
+    let renamed = text.replace("\"D\"", "\"det\"").replace("D)", "det)").replace("/D", "/det");
+    let outcome = verify(&renamed.replace("*D^", "*det^"), "renamed.json");
+    assert_eq!(outcome.status, 0, "{}{}", outcome.out, outcome.err);
+    let csv = [&["table"], &space[..], &show, &["--format", "csv"]].concat();
+    let csv = stdout(folder.path(), &csv);
+    assert!(!csv.contains('D'));
+    assert_eq!(verify(&csv, "plain.csv").status, 0);
+    let outcome = verify(&text.replace(det, "a*d*f - a*e^2"), "other.json");
+    assert_eq!(outcome.status, 1);
+    assert!(outcome.out.contains("Lambda^1_11"), "{}", outcome.out);
+    for (change, message) in [
+        ("\"D\": \"a*\"", "where: `D`"),
+        ("\"D\": 3", "`where` is no object of names"),
+        ("\"a\": \"b\"", "where: `a` is a parameter of the table"),
+        ("\"1D\": \"b\"", "where: `1D` is no name"),
+        ("\"D\": \"0\"", "division by zero"),
+    ] {
+        let outcome = verify(&text.replace(&format!("\"D\": \"{det}\""), change), "bad.json");
+        assert_eq!(outcome.status, 2, "{change}: {}{}", outcome.out, outcome.err);
+        assert!(outcome.err.contains(message), "{change}: {}", outcome.err);
+    }
+}
+
+/// The letters of all values without spaces, beside those that Maxima 5.46 writes for the same tensors
+/// (`benches/peers/run.py symbols`).
+#[test]
+fn values_are_not_longer_than_those_of_maxima() {
+    let folder = TempDir::new().unwrap();
+    let metric = |n: usize, free: &dyn Fn(usize, usize) -> bool| {
+        let entry = |i: usize, j: usize| match i == j || free(i, j) {
+            true => format!("g{}{}", i.min(j) + 1, i.max(j) + 1),
+            false => "0".to_string(),
+        };
+        let row = |i| format!("[{}]", (0..n).map(|j| entry(i, j)).collect::<Vec<_>>().join(","));
+        format!("[{}]", (0..n).map(row).collect::<Vec<_>>().join(","))
+    };
+    let (none, all) = (|_: usize, _: usize| false, |_: usize, _: usize| true);
+    let blocks = |i: usize, j: usize| i / 3 == j / 3;
+    for (space, metric, maxima) in [
+        ("so3", metric(3, &none), vec![("affinities", 141), ("curvature", 375), ("ricci", 125)]),
+        ("so3", metric(3, &all), vec![("affinities", 3332), ("curvature", 4493), ("ricci", 1465)]),
+        ("se3", metric(6, &none), vec![("affinities", 456), ("curvature", 3192), ("ricci", 492)]),
+        ("so4", metric(6, &none), vec![("affinities", 564), ("curvature", 4818), ("ricci", 654)]),
+        ("se3", metric(6, &blocks), vec![("affinities", 12954)]),
+        ("so4", metric(6, &blocks), vec![("affinities", 15455)]),
+    ] {
+        for (tensor, maxima) in maxima {
+            let table = ["table", space, "--metric", &metric, "--show", tensor, "--format", "json"];
+            let table: Value = serde_json::from_str(&stdout(folder.path(), &table)).unwrap();
+            let letters = |text: &Value| text.as_str().unwrap().replace(' ', "").len();
+            let names = table["where"].as_object().into_iter().flatten();
+            let names: usize = names.map(|(name, value)| name.len() + 1 + letters(value)).sum();
+            let components = table["tensors"][tensor]["components"].as_array().unwrap().iter();
+            let half = |c: &&Value| tensor != "curvature" || c[0][2].as_u64() < c[0][3].as_u64();
+            let values: usize = components.filter(half).map(|c| letters(&c[1])).sum();
+            assert!(names + values <= maxima, "{space} {tensor}: {names} + {values} > {maxima}");
+        }
+    }
+}

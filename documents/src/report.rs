@@ -14,6 +14,7 @@ mod components;
 mod computation;
 mod csv;
 mod equations;
+mod factors;
 mod grid;
 mod head;
 mod html;
@@ -93,6 +94,8 @@ pub struct Table<S> {
     pub tolerance: Tolerance,
     /// Whether only one component of each set that is equal by symmetry is listed.
     pub independent: bool,
+    /// The components of the metric, if there is one: its determinant is a common factor.
+    pub metric: Option<Tensor<S>>,
     /// The tensors, in the order in which they are shown.
     pub tensors: Vec<TableEntry<S>>,
 }
@@ -159,6 +162,7 @@ impl<S: Notation> Table<S> {
             }),
             tolerance: geometry.frame().structure().tolerance(),
             independent: false,
+            metric: geometry.metric().map(|metric| metric.components().clone()),
             tensors,
         })
     }

@@ -65,6 +65,7 @@ fn single<S: Notation>(quantity: Quantity, tensor: Tensor<S>) -> Table<S> {
         chart: None,
         tolerance: Tolerance::default(),
         independent: false,
+        metric: None,
         tensors: vec![TableEntry { quantity, tensor }],
     }
 }

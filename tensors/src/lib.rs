@@ -33,6 +33,7 @@ pub mod text;
 pub use contraction::contract;
 pub use error::{NotationError, TensorError};
 pub use scalar::{
-    Field, Jet, Kind, Notation, Rational, Recorded, Ring, Sum, Symbolic, Tolerance, Tracked,
+    CommonFactors, Effort, EffortExceeded, Field, Jet, Kind, Notation, Rational, Recorded, Ring,
+    Sum, Symbolic, Tolerance, Tracked,
 };
 pub use tensor::{Components, Down, Indices, Tensor, Up, Variance};

@@ -10,6 +10,7 @@
 
 #[cfg(feature = "num-dual")]
 mod dual;
+pub(crate) mod effort;
 mod float;
 mod jet;
 pub mod laws;
@@ -25,12 +26,13 @@ use num_traits::{One, Zero};
 use std::fmt::{Debug, Display};
 use std::ops::{Add, Mul, Neg, Sub};
 
+pub use effort::{Effort, EffortExceeded};
 pub use jet::Jet;
 pub use notation::{Kind, Notation};
 pub use rational::Rational;
 use rational::RationalSum;
 pub use recorded::{Count, Function, Output, Recorded, Step, StraightLine, derivatives};
-pub use symbolic::Symbolic;
+pub use symbolic::{CommonFactors, Symbolic};
 pub use tracked::Tracked;
 
 /// A commutative ring with 1, with operators by value and by reference.

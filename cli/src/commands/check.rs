@@ -20,7 +20,8 @@ impl Arguments {
         let stages = self.shared.start()?;
         let space = self.shared.open(self.space.as_deref(), &self.options)?;
         let stage = |name: &str| stages.begin(name);
-        let checks = self.shared.computation(&space, &stage)?.checks()?;
+        let computation = self.shared.computation(&space, &stage)?;
+        let checks = stages.bound(|| computation.checks())??;
         let tolerance = self.shared.float_tolerance()?;
         let report = certificate(&space.definition.name, &checks, tolerance);
         self.shared.print(&stages, space.file.as_slice(), &report)?;

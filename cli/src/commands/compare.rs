@@ -30,8 +30,8 @@ impl Arguments {
         let [first, second] = self.shared.open_both([left, right])?;
         let side = |name: &str, space: &Space| {
             stages.begin(name);
-            let side = self.shared.computation(space, &|_| ())?.side()?;
-            Ok::<_, Failure>(side)
+            let computation = self.shared.computation(space, &|_| ())?;
+            Ok::<_, Failure>(stages.bound(|| computation.side())??)
         };
         let comparison = Comparison::new(side(left, &first)?, side(right, &second)?);
         let inputs: Vec<_> = [first.file, second.file].into_iter().flatten().collect();

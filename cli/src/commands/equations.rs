@@ -42,7 +42,7 @@ impl Arguments {
             let code = computation.equations_as_code(self.motion, language, &by)?;
             return code::print(&code, &space, &self.shared, &stages);
         }
-        let report = computation.equations(self.motion, self.solved)?;
+        let report = stages.bound(|| computation.equations(self.motion, self.solved))??;
         self.shared.print(&stages, space.file.as_slice(), &*report)
     }
 }

@@ -4,6 +4,7 @@ use super::failure::Failure;
 use super::options::{Output, Settings, SpaceOptions};
 use super::stages::Stages;
 use affinor_documents::report::Info;
+use affinor_tensors::Effort;
 use clap::Args;
 
 #[derive(Args)]
@@ -28,7 +29,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(&self) -> Result<(), Failure> {
-        let stages = Stages::new(self.timings);
+        let stages = Stages::new(self.timings, Effort::DEFAULT);
         stages.begin("input");
         let (basis, bracket) = (self.basis.clone(), self.bracket.clone());
         let options = SpaceOptions { basis, bracket, ..SpaceOptions::default() };

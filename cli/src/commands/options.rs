@@ -8,7 +8,7 @@ use super::stages::Stages;
 use affinor_documents::definition::{InputError, Request, ScalarChoice, Space};
 use affinor_documents::problem::Problem;
 use affinor_documents::report::{Computation, Format, Program, Report};
-use affinor_tensors::Tolerance;
+use affinor_tensors::{Effort, Tolerance};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -82,6 +82,9 @@ pub struct Shared {
     /// Scalars: exact (rational numbers, or rational functions of the parameters) or float (f64)
     #[arg(long, value_enum, default_value_t = Scalar::Exact)]
     pub scalar: Scalar,
+    /// The largest number of terms of formulas, of all values together [default: 20000000, about 3 GB]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub max_terms: Option<u64>,
     /// Print the seconds of each stage on standard error
     #[arg(long)]
     pub timings: bool,
@@ -205,7 +208,7 @@ impl Shared {
     /// Begins a command with its first stage, the input.
     pub fn start(&self) -> Result<Stages, Failure> {
         self.settings.start_threads()?;
-        let stages = Stages::new(self.timings);
+        let stages = Stages::new(self.timings, self.max_terms.unwrap_or(Effort::DEFAULT));
         stages.begin("input");
         Ok(stages)
     }
@@ -241,7 +244,7 @@ impl Shared {
         report: &dyn Report,
     ) -> Result<(), Failure> {
         stages.begin_output();
-        self.output.print(inputs, report)
+        stages.bound(|| self.output.print(inputs, report))?
     }
 
     /// Opens two spaces; `--set` sets a parameter in each of the spaces that has it.

@@ -1,8 +1,11 @@
 //! The stages of a computation: a spinner on a terminal, and `--timings`.
 
 use super::note::line;
+use affinor_documents::definition::InputError;
+use affinor_tensors::Effort;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::cell::RefCell;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// Stages, one after the other, with the time that each takes.
@@ -10,6 +13,7 @@ pub struct Stages {
     timings: bool,
     spinner: ProgressBar,
     current: RefCell<Option<(String, Instant)>>,
+    effort: Arc<Effort>,
 }
 
 /// The time between two frames of the spinner.
@@ -18,12 +22,15 @@ const TICK: Duration = Duration::from_millis(120);
 const PATIENCE: Duration = Duration::from_millis(600);
 
 impl Stages {
-    pub fn new(timings: bool) -> Self {
+    /// The stages of a command whose formulas may have `limit` terms.
+    pub fn new(timings: bool, limit: u64) -> Self {
         let spinner = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
-        if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
+        if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}{prefix}") {
             spinner.set_style(style);
         }
         let late = spinner.clone();
+        let effort = Effort::new(limit);
+        let formed = effort.clone();
         std::thread::spawn(move || {
             std::thread::sleep(PATIENCE);
             if !late.is_finished() {
@@ -31,8 +38,32 @@ impl Stages {
                 late.set_draw_target(ProgressDrawTarget::stderr());
                 late.enable_steady_tick(TICK);
             }
+            while !late.is_finished() {
+                let terms = formed.terms();
+                if terms > 0 {
+                    late.set_prefix(format!(", {terms} terms"));
+                }
+                std::thread::sleep(PATIENCE);
+            }
         });
-        Stages { timings, spinner, current: RefCell::new(None) }
+        Stages { timings, spinner, current: RefCell::new(None), effort }
+    }
+
+    /// The result of work within the limit on the terms of formulas.
+    ///
+    /// # Errors
+    /// A limit that is passed, with the stage where, and what to do.
+    pub fn bound<T>(&self, work: impl FnOnce() -> T) -> Result<T, InputError> {
+        self.effort.bound(work).map_err(|exceeded| {
+            let stage = self.current.borrow().as_ref().map(|(stage, _)| stage.clone());
+            let message = format!("{exceeded}, in the stage `{}`", stage.unwrap_or_default());
+            let help = format!(
+                "--max-terms {} allows more (150 bytes each); --set gives symbols values; affinor table SPACE --code c (or rust, python, \
+                 julia) writes a program instead of formulas",
+                exceeded.limit.saturating_mul(4)
+            );
+            InputError::mathematics(message).help(help)
+        })
     }
 
     /// Ends the current stage and begins the next.

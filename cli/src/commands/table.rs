@@ -60,7 +60,7 @@ impl Arguments {
         if let OutputFormat::Program(program) = self.shared.output.format
             && selection.quantities == [Quantity::Structure]
         {
-            let code = computation.structure(program)?;
+            let code = stages.bound(|| computation.structure(program))??;
             let file = self.shared.output.file.as_deref();
             return deliver(file, space.file.as_slice(), |out| out.write_all(code.as_bytes()));
         }
@@ -74,7 +74,7 @@ impl Arguments {
             let code = computation.table_as_code(&selection, language, &by)?;
             return code::print(&code, &space, &self.shared, &stages);
         }
-        let table = computation.table(&selection)?;
+        let table = stages.bound(|| computation.table(&selection))??;
         let absent: Vec<&str> = table.absent.iter().map(|quantity| quantity.key()).collect();
         if !absent.is_empty() && selection.right_frame && space.definition.has_metric() {
             let why = "the metric has no constant components in the right-invariant frame";

@@ -2,6 +2,7 @@
 
 mod c;
 mod julia;
+mod parts;
 mod python;
 mod routine;
 mod rust;

@@ -10,7 +10,7 @@ use affinor::geometry::conditions::conditions;
 use affinor::{ConnectionKind, Error, Geometry, LieAlgebra};
 use affinor_tensors::contract;
 use affinor_tensors::text::combination;
-use affinor_tensors::{Kind, Notation, Tensor};
+use affinor_tensors::{CommonFactors, Kind, Notation, Tensor};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -206,10 +206,11 @@ fn listed<S: Notation>(quantity: Quantity, tensor: &Tensor<S>) -> Cell {
     if tensor.len() > LISTED {
         return format!("{} nonzero components, listed by `affinor table`", tensor.len()).into();
     }
+    let none = CommonFactors::default();
     let groups = groups(tensor);
-    let text = groups
-        .iter()
-        .map(|group| text::equation(group, |at| text::component(quantity, tensor, at)).join(" "));
+    let text = groups.iter().map(|group| {
+        text::equation(group, &none, |at| text::component(quantity, tensor, at)).join(" ")
+    });
     let latex = groups.iter().map(|group| latex::equation(quantity, tensor, group));
     // paragraphs, so that each has a hanging indent of its own
     let latex = latex.collect::<Vec<_>>().join(" \\par ");

@@ -1,6 +1,6 @@
 //! Components grouped by value, and independent components.
 
-use affinor_tensors::{Kind, Notation, Ring, Tensor, Variance};
+use affinor_tensors::{CommonFactors, Kind, Notation, Ring, Tensor, Variance};
 use std::collections::HashMap;
 use std::fmt::Write;
 
@@ -31,12 +31,21 @@ impl<S> Group<S> {
 /// a component and its mirror image stand side by side, the positive one first, as in
 /// `R^1_212 = -R^1_221 = ... = R^2_121 = -R^2_112 = ... = 1/4`.
 pub fn groups<S: Notation>(tensor: &Tensor<S>) -> Vec<Group<S>> {
+    groups_with(tensor, &CommonFactors::default())
+}
+
+/// As [`groups`]; signs are those of the texts with these factors.
+pub(super) fn groups_with<S: Notation>(
+    tensor: &Tensor<S>,
+    factors: &CommonFactors,
+) -> Vec<Group<S>> {
+    let negative = |value: &S| value.text_with(factors).starts_with('-');
     let mut groups: Vec<Group<S>> = Vec::new();
     let mut places = HashMap::new();
-    for (at, value) in mirrored(tensor) {
-        let negative = value.is_negative();
+    for (at, value) in mirrored(tensor, &negative) {
+        let negative = negative(&value);
         let size = if negative { -value } else { value };
-        let place = *places.entry(size.to_string()).or_insert(groups.len());
+        let place = *places.entry(size.text_with(factors)).or_insert(groups.len());
         if place == groups.len() {
             groups.push(Group { value: size, members: Vec::new() });
         }
@@ -127,8 +136,19 @@ pub(super) fn plain<S: Notation>(value: &S) -> String {
     text
 }
 
+/// The value in plain text with the names of these factors.
+pub(super) fn with_names<S: Notation>(value: &S, factors: &CommonFactors) -> String {
+    if factors.is_empty() && S::KIND == Kind::Float {
+        return plain(value);
+    }
+    value.text_with(factors)
+}
+
 /// The components in order, but mirror images in an antisymmetric pair of slots side by side.
-fn mirrored<S: Notation>(tensor: &Tensor<S>) -> Vec<(Vec<usize>, S)> {
+fn mirrored<S: Notation>(
+    tensor: &Tensor<S>,
+    negative: &impl Fn(&S) -> bool,
+) -> Vec<(Vec<usize>, S)> {
     let rank = tensor.rank();
     let mut pairs = (0..rank).rev().flat_map(|b| (0..b).rev().map(move |a| (a, b)));
     let pair = pairs.find(|&(a, b)| tensor.pair_symmetry(a, b) == Some(-1));
@@ -141,7 +161,7 @@ fn mirrored<S: Notation>(tensor: &Tensor<S>) -> Vec<(Vec<usize>, S)> {
                 let mut mirror = at.to_vec();
                 mirror.swap(a, b);
                 let there = (mirror.clone(), tensor.get(&mirror));
-                listed.extend(if value.is_negative() { [there, here] } else { [here, there] });
+                listed.extend(if negative(value) { [there, here] } else { [here, there] });
             }
             Some(_) => {}
         }

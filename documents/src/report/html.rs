@@ -1,13 +1,13 @@
 //! Pages of HTML, with formulas in MathML.
 
-use super::components::{GROUPED, groups, plain, summary};
+use super::components::{GROUPED, groups_with, plain, summary, with_names};
 use super::grid::{Cell, Grid};
 use super::head::{conventions, printable};
 use super::text::{brackets, component, equation, general};
 use super::{Quantity, Table, TableEntry};
 use crate::formula::mathml::{escaped, value};
 use crate::page::page;
-use affinor_tensors::Notation;
+use affinor_tensors::{CommonFactors, Notation};
 use std::io::{self, Write};
 
 pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
@@ -15,8 +15,14 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
     page(&name, out, |out| {
         writeln!(out, "<main>\n<h1>{}</h1>", escaped(&name))?;
         let lines = table.head().into_iter().map(|(title, line)| (title, escaped(&line)));
-        head(lines.chain([("conventions", formulas(&conventions()))]), out)?;
-        table.tensors.iter().try_for_each(|entry| tensor(table, entry, out))?;
+        let named = table.factors();
+        let factors = named.lines.iter().map(|line| {
+            let is = [line.is(), vec![line.text.clone()]].concat();
+            ("where", value(&is.join(" = ")))
+        });
+        let conventions = [("conventions", formulas(&conventions()))];
+        head(lines.chain(conventions).chain(factors), out)?;
+        table.tensors.iter().try_for_each(|entry| tensor(table, entry, &named.factors, out))?;
         writeln!(out, "</main>")
     })
 }
@@ -41,6 +47,7 @@ fn formulas(text: &str) -> String {
 fn tensor<S: Notation>(
     table: &Table<S>,
     entry: &TableEntry<S>,
+    factors: &CommonFactors,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let shown = table.shown(entry);
@@ -54,7 +61,11 @@ fn tensor<S: Notation>(
         // a formula for each of a million components would be too much for a browser
         writeln!(out, "<pre tabindex=\"0\">")?;
         for (at, value) in shown.components() {
-            writeln!(out, "{}", escaped(&format!("{} = {}", name(&at), plain(value))))?;
+            writeln!(
+                out,
+                "{}",
+                escaped(&format!("{} = {}", name(&at), with_names(value, factors)))
+            )?;
         }
         writeln!(out, "</pre>")?;
     } else {
@@ -65,8 +76,8 @@ fn tensor<S: Notation>(
                 writeln!(out, "<li>{}</li>", value(&format!("{left} = {right}")))?;
             }
         }
-        for group in groups(&shown) {
-            writeln!(out, "<li>{}</li>", value(&equation(&group, name).join(" ")))?;
+        for group in groups_with(&shown, factors) {
+            writeln!(out, "<li>{}</li>", value(&equation(&group, factors, name).join(" ")))?;
         }
         writeln!(out, "</ul>")?;
     }

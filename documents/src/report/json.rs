@@ -1,9 +1,10 @@
 //! JSON, schema `affinor.table/1`: one object, one component a line.
 
 use super::components::append;
+use super::factors::NamedFactor;
 use super::head::kind_name;
 use super::{OnChart, Quantity, Table, TableEntry};
-use affinor_tensors::{Kind, Notation, Up, Variance};
+use affinor_tensors::{CommonFactors, Kind, Notation, Up, Variance};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -20,7 +21,7 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
     let mut connection = json!({ "name": table.connection });
     if let Some(lambda) = &table.lambda {
         let mut json = Vec::new();
-        append_scalar(&mut json, &mut String::new(), lambda)?;
+        append_scalar(&mut json, &mut String::new(), lambda, &CommonFactors::default())?;
         connection["lambda"] = serde_json::from_slice(&json)?;
     }
     let head = [
@@ -42,10 +43,18 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
         out.write_all(if position == 0 { b"\n" } else { b",\n" })?;
         write!(out, "    \"{key}\": {}", Value::from(text))?;
     }
-    write!(out, "\n  }},\n  \"tensors\": {{")?;
+    let named = table.factors();
+    write!(out, "\n  }},\n")?;
+    if !named.lines.is_empty() {
+        let line =
+            |line: &NamedFactor| format!("\n    \"{}\": {}", line.name, Value::from(&*line.text));
+        let lines: Vec<String> = named.lines.iter().map(line).collect();
+        writeln!(out, "  \"where\": {{{}\n  }},", lines.join(","))?;
+    }
+    write!(out, "  \"tensors\": {{")?;
     for (position, entry) in table.tensors.iter().enumerate() {
         out.write_all(if position == 0 { b"\n" } else { b",\n" })?;
-        tensor(table, entry, out)?;
+        tensor(table, entry, &named.factors, out)?;
     }
     writeln!(out, "\n  }}\n}}")
 }
@@ -59,6 +68,7 @@ pub(super) fn variances(slots: &[Variance]) -> Value {
 fn tensor<S: Notation>(
     table: &Table<S>,
     entry: &TableEntry<S>,
+    factors: &CommonFactors,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let (quantity, shown) = (entry.quantity, table.shown(entry));
@@ -79,7 +89,7 @@ fn tensor<S: Notation>(
             line.extend_from_slice(numbers[index].as_bytes());
         }
         line.extend_from_slice(b"],");
-        append_scalar(&mut line, &mut text, value)?;
+        append_scalar(&mut line, &mut text, value, factors)?;
         line.push(b']');
         out.write_all(&line)?;
     }
@@ -104,7 +114,12 @@ fn conventions<S: Notation>(table: &Table<S>) -> Vec<(&'static str, String)> {
 }
 
 /// Appends a value: exact and symbolic ones are strings, floats are numbers; `text` is a buffer.
-fn append_scalar<S: Notation>(json: &mut Vec<u8>, text: &mut String, value: &S) -> io::Result<()> {
+fn append_scalar<S: Notation>(
+    json: &mut Vec<u8>,
+    text: &mut String,
+    value: &S,
+    factors: &CommonFactors,
+) -> io::Result<()> {
     if S::KIND == Kind::Float {
         let number = value.to_f64().filter(|x| x.is_finite()).ok_or_else(|| {
             let message = format!("the value {value} is not finite, which JSON cannot say");
@@ -113,6 +128,10 @@ fn append_scalar<S: Notation>(json: &mut Vec<u8>, text: &mut String, value: &S) 
         return Ok(serde_json::to_writer(json, &number)?);
     }
     text.clear();
-    append(text, value);
+    if factors.is_empty() {
+        append(text, value);
+    } else {
+        text.push_str(&value.text_with(factors));
+    }
     Ok(serde_json::to_writer(json, text.as_str())?)
 }

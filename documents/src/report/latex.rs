@@ -1,10 +1,10 @@
 //! LaTeX: a fragment with one `align*` for every tensor.
 
-use super::components::{GROUPED, Group, groups, scripts, summary};
+use super::components::{GROUPED, Group, groups, groups_with, scripts, summary};
 use super::head::printable;
 use super::text::brackets;
 use super::{Quantity, Table, TableEntry};
-use affinor_tensors::{Notation, Symbolic, Tensor, Up, Variance};
+use affinor_tensors::{CommonFactors, Notation, Symbolic, Tensor, Up, Variance};
 use std::io::{self, Write};
 
 /// The approximate number of letters in a line.
@@ -30,8 +30,13 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
     for (title, line) in lines {
         writeln!(out, "{title}: {line}\\par")?;
     }
+    let named = table.factors();
+    for line in &named.lines {
+        let equation = Equation { members: line.is_in_latex(), value: line.latex.clone() };
+        writeln!(out, "where: {}", equation.inline())?;
+    }
     for entry in &table.tensors {
-        tensor(table, entry, out)?;
+        tensor(table, entry, &named.factors, out)?;
     }
     writeln!(out, "\\endgroup")
 }
@@ -39,6 +44,7 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
 fn tensor<S: Notation>(
     table: &Table<S>,
     entry: &TableEntry<S>,
+    factors: &CommonFactors,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let (quantity, shown) = (entry.quantity, table.shown(entry));
@@ -57,8 +63,9 @@ fn tensor<S: Notation>(
                 writeln!(out, "\\hangindent=2em ${left} = {}$\\par", right.replace('*', " "))?;
             }
         }
-        let equations: Vec<Equation> =
-            groups(&shown).iter().map(|group| Equation::new(&symbol, &shown, group)).collect();
+        let groups = groups_with(&shown, factors);
+        let equation = |group: &Group<S>| Equation::new(&symbol, &shown, group, factors);
+        let equations: Vec<Equation> = groups.iter().map(equation).collect();
         for run in equations.chunk_by(|a, b| a.is_long() == b.is_long()) {
             if run[0].is_long() {
                 run.iter().try_for_each(|equation| writeln!(out, "{}", equation.inline()))?;
@@ -72,7 +79,7 @@ fn tensor<S: Notation>(
         // TeX reads a whole align* into memory before it sets it; paragraphs have no such limit
         for (at, value) in shown.components() {
             let group = Group { value: value.clone(), members: vec![(at.to_vec(), false)] };
-            writeln!(out, "{}", Equation::new(&symbol, &shown, &group).inline())?;
+            writeln!(out, "{}", Equation::new(&symbol, &shown, &group, factors).inline())?;
         }
     }
     summary(&entry.tensor, &shown).map_or(Ok(()), |summary| writeln!(out, "{summary}\\par"))
@@ -85,12 +92,17 @@ struct Equation {
 }
 
 impl Equation {
-    fn new<S: Notation>(symbol: &str, tensor: &Tensor<S>, group: &Group<S>) -> Self {
+    fn new<S: Notation>(
+        symbol: &str,
+        tensor: &Tensor<S>,
+        group: &Group<S>,
+        factors: &CommonFactors,
+    ) -> Self {
         let members = group.names(|at| {
             let numbers = at.iter().map(|index| (index + 1).to_string());
             join(symbol, scripts(tensor.dimension(), tensor.slots(), numbers))
         });
-        Equation { members, value: group.value.latex() }
+        Equation { members, value: group.value.latex_with(factors) }
     }
 
     /// Whether the value is too wide for a display.
@@ -200,7 +212,9 @@ fn in_formula(label: &str) -> String {
 
 /// The groups of components of a tensor with a symbol of its own, as lines of an `align*`.
 pub fn components_in_latex<S: Notation>(symbol: &str, tensor: &Tensor<S>) -> Vec<String> {
-    groups(tensor).iter().map(|group| Equation::new(symbol, tensor, group).aligned()).collect()
+    let none = CommonFactors::default();
+    let aligned = |group: &Group<S>| Equation::new(symbol, tensor, group, &none).aligned();
+    groups(tensor).iter().map(aligned).collect()
 }
 
 /// One group of components as a formula within text.
@@ -209,7 +223,9 @@ pub(super) fn equation<S: Notation>(
     tensor: &Tensor<S>,
     group: &Group<S>,
 ) -> String {
-    Equation::new(&quantity.latex(), tensor, group).inline().trim_end_matches("\\par").into()
+    let none = CommonFactors::default();
+    let equation = Equation::new(&quantity.latex(), tensor, group, &none);
+    equation.inline().trim_end_matches("\\par").into()
 }
 
 /// A line in which every space counts: a box, at whose start TeX drops none.

@@ -1,10 +1,10 @@
 //! Markdown as GitHub renders it: a heading and a table for every tensor.
 
-use super::components::{GROUPED, groups, plain, summary};
+use super::components::{GROUPED, groups_with, plain, summary, with_names};
 use super::head::{conventions, printable};
 use super::text::{brackets, component, general};
 use super::{Quantity, Table, TableEntry};
-use affinor_tensors::Notation;
+use affinor_tensors::{CommonFactors, Notation};
 use std::io::{self, Write};
 
 pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
@@ -13,12 +13,17 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
         writeln!(out, "- {title}: {}", escape(&line))?;
     }
     writeln!(out, "- conventions: `{}`", conventions().replace("; ", "`, `"))?;
-    table.tensors.iter().try_for_each(|entry| tensor(table, entry, out))
+    let named = table.factors();
+    for line in &named.lines {
+        writeln!(out, "- where `{}` = `{}`", line.is().join("` = `"), line.text)?;
+    }
+    table.tensors.iter().try_for_each(|entry| tensor(table, entry, &named.factors, out))
 }
 
 fn tensor<S: Notation>(
     table: &Table<S>,
     entry: &TableEntry<S>,
+    factors: &CommonFactors,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let shown = table.shown(entry);
@@ -37,13 +42,13 @@ fn tensor<S: Notation>(
     }
     writeln!(out, "| component | value |\n| --- | --- |")?;
     if grouped {
-        for group in groups(&shown) {
+        for group in groups_with(&shown, factors) {
             let members = group.names(name).join("` = `");
-            writeln!(out, "| `{members}` | `{}` |", plain(&group.value))?;
+            writeln!(out, "| `{members}` | `{}` |", with_names(&group.value, factors))?;
         }
     } else {
         for (at, value) in shown.components() {
-            writeln!(out, "| `{}` | `{}` |", name(&at), plain(value))?;
+            writeln!(out, "| `{}` | `{}` |", name(&at), with_names(value, factors))?;
         }
     }
     summary(&entry.tensor, &shown).map_or(Ok(()), |summary| writeln!(out, "\n{summary}"))

@@ -1,16 +1,18 @@
 //! Stored tables, and their comparison with computed tables.
 
-use super::components::plain;
+use super::components::{plain, with_names};
+use super::factors::NamedFactors;
 use super::grid::{Grid, head_of_grid};
 use super::head::conventions_in_json;
 use super::json::variances;
 use super::{Format, Quantity, Report, Table, TableEntry, text};
 use crate::definition::file::{bytes, decode};
 use crate::definition::{InputError, Place, Source};
-use affinor_tensors::expression::{Expression, Scalars};
+use affinor_tensors::expression::{Expression, Scalars, is_name};
 use affinor_tensors::{Kind, Notation, Rational, Sum, Tensor, Variance};
 use serde_json::{Value, json};
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 /// A table read from JSON (`affinor.table/1`) or CSV. Values are kept as text until the scalar type
@@ -34,6 +36,8 @@ pub struct StoredTable {
     tensors: Vec<(Quantity, Vec<Component>)>,
     /// The variances of the slots, such as `["up","down"]`, of the tensors for which the file has them.
     slots: Vec<(Quantity, Value)>,
+    /// The names that values use for common factors, with the factors as written.
+    names: Vec<(String, String)>,
     /// Whether the format lists tensors without components: JSON does, CSV does not.
     lists_zeros: bool,
 }
@@ -134,6 +138,7 @@ impl StoredTable {
             independent: false,
             tensors: vec![],
             slots: vec![],
+            names: vec![],
             lists_zeros: text.trim_start().starts_with('{'),
         };
         let read = if table.lists_zeros { table.json(&text) } else { table.csv(&text) };
@@ -250,6 +255,13 @@ impl StoredTable {
     /// A stored value that cannot be read, or a tensor that the computed table lacks.
     pub fn differences<S: Notation>(&self, table: &Table<S>) -> Result<Differences, InputError> {
         let mut found = Vec::new();
+        let names = self.names(table)?;
+        let same_names = |named: &NamedFactors| {
+            let lines: BTreeMap<_, _> =
+                named.lines.iter().map(|line| (&line.name, &line.text)).collect();
+            lines.into_iter().eq(self.names.iter().map(|(name, text)| (name, text)))
+        };
+        let named = (!self.names.is_empty()).then(|| table.factors()).filter(same_names);
         for (quantity, components) in &self.tensors {
             let refused = |reason: String| InputError::usage(reason).at(&self.place);
             let key = quantity.key();
@@ -271,7 +283,11 @@ impl StoredTable {
                 }
                 // the text of a long value reads back, though its evaluation would exceed a limit
                 let computed = shown.get(indices);
-                let read = if plain(&computed) == *value { Ok(computed) } else { read(value) };
+                let written = match &named {
+                    Some(named) => with_names(&computed, &named.factors),
+                    None => plain(&computed),
+                };
+                let read = if written == *value { Ok(computed) } else { read(value, &names) };
                 let read = read.map_err(|reason| refused(format!("{key}: `{value}`: {reason}")))?;
                 values.push((indices.clone(), read));
             }
@@ -286,6 +302,25 @@ impl StoredTable {
             found.extend(compare(*quantity, &stored, shown));
         }
         Ok(Differences { compared: self.quantities(), found, zero: table.zero_line() })
+    }
+
+    /// The values of the names in stored components.
+    fn names<S: Notation>(&self, table: &Table<S>) -> Result<Vec<(String, S)>, InputError> {
+        let refused = |reason: String| InputError::usage(reason).at(&self.place);
+        let mut names = Vec::new();
+        for (name, text) in &self.names {
+            let shown = name.escape_debug();
+            if !is_name(name) {
+                return Err(refused(format!("where: `{shown}` is no name")));
+            }
+            if table.parameters.contains(name) {
+                return Err(refused(format!("where: `{shown}` is a parameter of the table")));
+            }
+            let value = read(text, &names)
+                .map_err(|reason| refused(format!("where: `{shown}`: {reason}")))?;
+            names.push((name.clone(), value));
+        }
+        Ok(names)
     }
 
     fn expect_slots(&self, quantity: Quantity, slots: &[Variance]) -> Result<(), InputError> {
@@ -331,6 +366,13 @@ impl StoredTable {
             return Err(refused("there is no tensor in it"));
         }
         let text = |value: &Value| value.as_str().map(str::to_string);
+        if let Some(names) = root.get("where") {
+            let pair = |(name, value): (&String, &Value)| Some((name.clone(), text(value)?));
+            let pairs = names.as_object().and_then(|names| names.iter().map(pair).collect());
+            self.names = pairs.ok_or_else(|| {
+                refused("`where` is no object of names, each with an expression as a string")
+            })?;
+        }
         let conventions = &root["conventions"];
         self.connection = text(&root["connection"]["name"]);
         let names = root["algebra"]["basis"].as_array();
@@ -389,14 +431,17 @@ fn component(item: &Value) -> Option<Component> {
 }
 
 /// A value as any scalar writes it.
-fn read<S: Notation>(value: &str) -> Result<S, String> {
+fn read<S: Notation>(value: &str, names: &[(String, S)]) -> Result<S, String> {
     if S::KIND == Kind::Float
         && let Ok(x) = value.parse::<f64>()
         && let Some(numerator) = Rational::from_f64(x)
     {
         return S::from_rational(&numerator).ok_or_else(|| "beyond the range of f64".into());
     }
-    let parameter = |name: &str| S::parameter(name).ok_or(format!("`{name}` is no number"));
+    let parameter = |name: &str| {
+        let named = names.iter().find(|(other, _)| other == name).map(|(_, value)| value.clone());
+        named.or_else(|| S::parameter(name)).ok_or(format!("`{name}` is no number"))
+    };
     let expression = Expression::parse(value).map_err(|error| error.to_string())?;
     expression.evaluate(&Scalars(parameter, S::function)).map_err(|error| error.to_string())
 }

@@ -1,10 +1,10 @@
 //! Plain text: groups of components as the paper prints them, in at most 80 columns.
 
-use super::components::{GROUPED, Group, count, groups, others, plain, scripts};
+use super::components::{GROUPED, Group, count, groups_with, others, plain, scripts, with_names};
 use super::head::{conventions, printable};
 use super::{Quantity, Table, TableEntry};
 use affinor_tensors::text::combination;
-use affinor_tensors::{Notation, Tensor, Up, Variance};
+use affinor_tensors::{CommonFactors, Notation, Tensor, Up, Variance};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use unicode_width::UnicodeWidthStr;
@@ -22,9 +22,13 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
     for (title, line) in lines {
         head_line(title, &[line], out)?;
     }
+    let named = table.factors();
+    for line in &named.lines {
+        head_line("where", &[format!("{} =", line.is().join(" = ")), line.text.clone()], out)?;
+    }
     for entry in &table.tensors {
         writeln!(out)?;
-        tensor(table, entry, &labels, out)?;
+        tensor(table, entry, (&labels, &named.factors), out)?;
     }
     Ok(())
 }
@@ -56,7 +60,7 @@ pub(super) fn component<S: Notation>(
 pub fn components_in_text<S: Notation>(symbol: &str, tensor: &Tensor<S>) -> String {
     let mut text = Vec::new();
     // a vector takes every byte
-    let _ = components(symbol, tensor, &mut text);
+    let _ = components(symbol, tensor, &CommonFactors::default(), &mut text);
     String::from_utf8_lossy(&text).into_owned()
 }
 
@@ -64,6 +68,7 @@ pub fn components_in_text<S: Notation>(symbol: &str, tensor: &Tensor<S>) -> Stri
 fn components<S: Notation>(
     symbol: &str,
     tensor: &Tensor<S>,
+    factors: &CommonFactors,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let name = |at: &[usize]| {
@@ -72,10 +77,12 @@ fn components<S: Notation>(
     };
     if tensor.len() > GROUPED {
         return tensor.components().try_for_each(|(at, value)| {
-            fill(out, "  ", &[name(&at), format!("= {}", plain(value))])
+            fill(out, "  ", &[name(&at), format!("= {}", with_names(value, factors))])
         });
     }
-    groups(tensor).iter().try_for_each(|group| fill(out, "  ", &equation(group, name)))
+    groups_with(tensor, factors)
+        .iter()
+        .try_for_each(|group| fill(out, "  ", &equation(group, factors, name)))
 }
 
 /// `R^i_jkl`
@@ -89,7 +96,7 @@ pub(super) fn general<S: Notation>(quantity: Quantity, tensor: &Tensor<S>) -> St
 fn tensor<S: Notation>(
     table: &Table<S>,
     entry: &TableEntry<S>,
-    labels: &[String],
+    (labels, factors): (&[String], &CommonFactors),
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let (quantity, title) = (entry.quantity, table.title(entry.quantity));
@@ -109,7 +116,7 @@ fn tensor<S: Notation>(
             fill(out, "  ", &[format!("{left} ="), right])?;
         }
     }
-    components(quantity.symbol(), &shown, out)?;
+    components(quantity.symbol(), &shown, factors, out)?;
     others(&entry.tensor, &shown).map_or(Ok(()), |others| writeln!(out, "  {others}"))
 }
 
@@ -133,16 +140,19 @@ pub(crate) fn grouped_in_text<S: Notation>(symbol: &str, tensor: &Tensor<S>) -> 
         let numbers = at.iter().map(|index| (index + 1).to_string());
         join(symbol, scripts(tensor.dimension(), tensor.slots(), numbers))
     };
-    groups(tensor).iter().map(|group| equation(group, name).join(" ")).collect()
+    let none = CommonFactors::default();
+    let groups = groups_with(tensor, &none);
+    groups.iter().map(|group| equation(group, &none, name).join(" ")).collect()
 }
 
 /// The pieces `R^1_212`, `= -R^1_221`, ..., `= 1/4`; a line may break between them.
 pub(super) fn equation<S: Notation>(
     group: &Group<S>,
+    factors: &CommonFactors,
     name: impl Fn(&[usize]) -> String,
 ) -> Vec<String> {
     let mut pieces = group.names(name);
-    pieces.push(plain(&group.value));
+    pieces.push(with_names(&group.value, factors));
     pieces[1..].iter_mut().for_each(|piece| piece.insert_str(0, "= "));
     pieces
 }

@@ -1,6 +1,8 @@
 //! Threads for a contraction: those of rayon, or one without the feature `parallel`.
 
 #[cfg(feature = "parallel")]
+use crate::scalar::effort;
+#[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
 /// The number of threads.
@@ -18,7 +20,11 @@ pub(super) fn map<W, T: Send>(
     f: impl Fn(&mut W, u64) -> T + Send + Sync,
 ) -> Vec<T> {
     #[cfg(feature = "parallel")]
-    return (0..n).into_par_iter().map_init(init, f).collect();
+    {
+        let limit = effort::current();
+        let f = |state: &mut W, at: u64| effort::inherit(limit.clone(), || f(state, at));
+        (0..n).into_par_iter().map_init(init, f).collect()
+    }
     #[cfg(not(feature = "parallel"))]
     (0..n).scan(init(), |state, at| Some(f(state, at))).collect()
 }

@@ -1,6 +1,6 @@
 //! Scalars with a written form: conversion from numbers and parameters, to text and LaTeX.
 
-use super::{Field, Rational};
+use super::{CommonFactors, Field, Rational};
 use crate::expression::no_function;
 
 /// The three kinds of scalars that tables are computed in.
@@ -59,6 +59,25 @@ pub trait Notation: Field {
 
     /// The value in LaTeX's mathematics mode.
     fn latex(&self) -> String;
+
+    /// Sums that occur so often in the denominators of these values that names for them make the whole
+    /// shorter; `taken` are names in use. There are none for scalars without parameters.
+    fn common_factors(values: &mut dyn Iterator<Item = &Self>, taken: &[String]) -> CommonFactors {
+        let _ = (values, taken);
+        CommonFactors::default()
+    }
+
+    /// The plain text with the names of these factors.
+    fn text_with(&self, factors: &CommonFactors) -> String {
+        let _ = factors;
+        self.to_string()
+    }
+
+    /// The value in LaTeX with the names of these factors.
+    fn latex_with(&self, factors: &CommonFactors) -> String {
+        let _ = factors;
+        self.latex()
+    }
 
     /// Whether the plain text begins with a minus sign. It decides whether a table prints `x` or `-x`.
     fn is_negative(&self) -> bool {

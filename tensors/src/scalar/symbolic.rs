@@ -5,6 +5,8 @@
 //! identified by its name, so any two values combine. Equal values have equal forms. Sines, cosines
 //! and exponentials of parameters are rational functions of additional variables.
 
+mod collected;
+mod common;
 mod denominator;
 mod elementary;
 mod factors;
@@ -23,7 +25,9 @@ use fraction::Fraction;
 use polynomial::Polynomial;
 use std::fmt;
 use std::sync::Arc;
-use writing::Markup;
+use writing::{Markup, Writer};
+
+pub use common::CommonFactors;
 
 /// A rational function of named parameters with rational coefficients, in lowest terms.
 ///
@@ -72,7 +76,7 @@ impl Symbolic {
 
     /// The value in LaTeX's mathematics mode: `\frac{a}{b}`.
     pub fn to_latex(&self) -> String {
-        self.written(Markup::Latex)
+        self.written(Markup::Latex, &CommonFactors::default())
     }
 
     /// The names of the parameters on which the value depends, in alphabetical order; `x` for
@@ -205,6 +209,15 @@ impl Notation for Symbolic {
     fn latex(&self) -> String {
         self.to_latex()
     }
+    fn common_factors(values: &mut dyn Iterator<Item = &Self>, taken: &[String]) -> CommonFactors {
+        CommonFactors::of(values, taken)
+    }
+    fn text_with(&self, factors: &CommonFactors) -> String {
+        self.written(Markup::Text, factors)
+    }
+    fn latex_with(&self, factors: &CommonFactors) -> String {
+        self.written(Markup::Latex, factors)
+    }
     fn is_negative(&self) -> bool {
         match &self.0 {
             Form::Constant(c) => c.is_negative(),
@@ -252,12 +265,11 @@ impl Symbolic {
     }
 
     /// The value as text or as LaTeX, with functions of angles in sines and cosines.
-    fn written(&self, markup: Markup) -> String {
-        let in_sines = self.has_angles().then(|| normal_form::in_sines(self));
-        match (&in_sines.as_ref().unwrap_or(self).0, markup) {
+    fn written(&self, markup: Markup, names: &CommonFactors) -> String {
+        match (&names.written(self).0, markup) {
             (Form::Constant(c), Markup::Text) => c.to_string(),
             (Form::Constant(c), Markup::Latex) => c.latex(),
-            (Form::Fraction(f), _) => writing::fraction(f, markup),
+            (Form::Fraction(f), _) => Writer { markup, names }.fraction(f),
         }
     }
 
@@ -286,7 +298,7 @@ fn size(polynomial: &Polynomial) -> usize {
 
 impl fmt::Display for Symbolic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.written(Markup::Text))
+        f.write_str(&self.written(Markup::Text, &CommonFactors::default()))
     }
 }
 

@@ -6,6 +6,7 @@ use affinor::mechanics::motions::Method;
 use affinor_cli::figures::diagram::{Diagram, Drawn, Graph, Line, Scale};
 use affinor_documents::definition::InputError;
 use affinor_documents::problem::{Problem, Ready};
+use affinor_tensors::Effort;
 use clap::Args;
 use std::time::Instant;
 
@@ -74,7 +75,7 @@ impl Comparison {
         if !(step > 0.0 && step.is_finite()) {
             return Err(InputError::usage(format!("--step {step} is not positive")).into());
         }
-        let stages = Stages::new(false);
+        let stages = Stages::new(false, Effort::DEFAULT);
         let mut count = 0;
         let found = trials(&problem, &methods, step, self.halvings, || {
             count += 1;

@@ -10,6 +10,7 @@ use affinor_cli::figures::drift::{Change, Drift, diagram};
 use affinor_cli::figures::run::RunRows;
 use affinor_documents::definition::{InputError, read_rows};
 use affinor_documents::problem::Problem;
+use affinor_tensors::Effort;
 use clap::Args;
 
 /// The number of intervals of a motion in closed form, which has no steps.
@@ -48,7 +49,7 @@ impl Comparison {
             let run = RunRows { name: problem.name.clone(), columns, rows };
             drifts.push(Drift::of_rows(&run, &watched(&problem)?.0)?);
         } else {
-            let stages = Stages::new(false);
+            let stages = Stages::new(false, Effort::DEFAULT);
             let methods = self.methods.iter().map(|name| method_of("--method", name));
             let methods = methods.collect::<Result<Vec<_>, _>>()?;
             if methods.is_empty() {

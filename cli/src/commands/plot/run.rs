@@ -13,6 +13,7 @@ use affinor_cli::figures::run::RunRows;
 use affinor_cli::figures::series;
 use affinor_documents::definition::{InputError, read_rows};
 use affinor_documents::problem::{Problem, Ready};
+use affinor_tensors::Effort;
 use clap::Args;
 use nalgebra::Matrix3;
 
@@ -162,7 +163,7 @@ pub fn times(problem: &Problem) -> Result<Vec<f64>, Failure> {
 
 /// The rows of some columns along the motion, dense enough for a curve.
 fn curve(problem: &Problem, names: &[String]) -> Result<(RunRows, Ready), Failure> {
-    let stages = Stages::new(false);
+    let stages = Stages::new(false, Effort::DEFAULT);
     stages.begin("the motion");
     let mut ready = problem.motion(0)?;
     let at = |name: &String| ready.columns.iter().position(|column| column.name == *name);

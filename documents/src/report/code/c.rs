@@ -1,8 +1,9 @@
 //! C99: the arrays are arguments that are written.
 
+use super::parts::{Function, split};
 use super::routine::{Array, Dialect, Routine, lengths};
 use crate::definition::InputError;
-use affinor_tensors::scalar::Function;
+use affinor_tensors::scalar::Function as Elementary;
 
 struct C;
 
@@ -15,7 +16,7 @@ impl Dialect for C {
     fn component(&self, vector: &str, at: usize) -> String {
         format!("{vector}[{at}]")
     }
-    fn call(&self, function: Function, argument: &str) -> String {
+    fn call(&self, function: Elementary, argument: &str) -> String {
         format!("{}({argument})", function.name())
     }
     fn definition(&self, name: &str, value: &str) -> String {
@@ -28,19 +29,28 @@ impl Dialect for C {
 }
 
 pub fn write(routine: &Routine) -> Result<String, InputError> {
-    let vectors = routine.vectors.iter().map(|(name, n)| format!("const double {name}[{n}]"));
+    let vector = |(name, n): &(String, usize)| (format!("const double {name}[{n}]"), name.clone());
+    let vectors: Vec<_> = routine.vectors.iter().map(vector).collect();
     let numbers = routine.arguments().into_iter().map(|name| format!("double {name}"));
     let declared =
         |array: &Array| format!("double {}{}", array.name, lengths(shape(array), "[", "]"));
-    let arrays = routine.arrays.iter().map(declared);
-    let arguments = vectors.chain(numbers).chain(arrays).collect::<Vec<_>>().join(", ");
+    let arrays: Vec<_> =
+        routine.arrays.iter().map(|array| (declared(array), array.name.clone())).collect();
+    let declarations =
+        |all: &[(String, String)]| all.iter().map(|(text, _)| text.clone()).collect();
+    let [before, after]: [Vec<String>; 2] = [declarations(&vectors), declarations(&arrays)];
+    let arguments = before.into_iter().chain(numbers).chain(after).collect::<Vec<_>>().join(", ");
     let mut statements = Vec::new();
     for array in routine.arrays.iter().filter(|array| array.has_zeros()) {
         let size = lengths(shape(array), "[", "]");
         statements.push(format!("memset({}, 0, sizeof(double{size}));", array.name));
     }
     let cleared = !statements.is_empty();
-    statements.extend(routine.statements(&C)?);
+    let lines = routine.statements(&C)?;
+    let (name, parameters) = (&routine.function, routine.arguments());
+    let function = Function { name, vectors, parameters: &parameters, arrays };
+    let (parts, lines) = split(&function, &lines).unwrap_or_else(|| (String::new(), lines.clone()));
+    statements.extend(lines);
     let body: String = statements.iter().map(|line| format!("    {line}\n")).collect();
     let about = routine.about.join("\n   ").replace("*/", "* /").replace("/*", "/ *");
     let mut headers = String::new();
@@ -51,7 +61,7 @@ pub fn write(routine: &Routine) -> Result<String, InputError> {
     }
     let space = if headers.is_empty() { "" } else { "\n" };
     Ok(format!(
-        "{headers}{space}/* {about} */\nvoid {}({arguments})\n{{\n{body}}}\n",
+        "{headers}{space}{parts}/* {about} */\nvoid {}({arguments})\n{{\n{body}}}\n",
         routine.function
     ))
 }

@@ -35,7 +35,7 @@ pub(super) struct Denominator {
 
 impl Factor {
     /// The factor over the variables that occur in it.
-    fn new(variables: &Variables, polynomial: &Polynomial, irreducible: bool) -> Arc<Self> {
+    pub fn new(variables: &Variables, polynomial: &Polynomial, irreducible: bool) -> Arc<Self> {
         let degrees = polynomial.degrees();
         let kept: Vec<usize> = (0..degrees.len()).filter(|&k| degrees[k] > 0).collect();
         let names = kept.iter().map(|&k| variables[k].clone()).collect();
@@ -105,12 +105,16 @@ impl Denominator {
 
     /// Its variables and factors with the exponents; `None` if one may be reducible.
     pub fn irreducible(&self, variables: &Variables) -> Option<Vec<(Polynomial, u32)>> {
+        let known = self.factors.iter().all(|(factor, _)| factor.irreducible);
+        known.then(|| self.all(variables))
+    }
+
+    /// Its variables and factors with the exponents.
+    pub fn all(&self, variables: &Variables) -> Vec<(Polynomial, u32)> {
         let n = variables.len();
         let monomial = self.monomial.iter().enumerate().filter(|(_, e)| **e > 0);
-        let singles = monomial.map(|(at, e)| Some((Poly::var(at, n, Order::GrLex), *e)));
-        let factor = |(factor, e): &(Arc<Factor>, u32)| {
-            factor.irreducible.then(|| (factor.over(variables), *e))
-        };
+        let singles = monomial.map(|(at, e)| (Poly::var(at, n, Order::GrLex), *e));
+        let factor = |(factor, e): &(Arc<Factor>, u32)| (factor.over(variables), *e);
         singles.chain(self.factors.iter().map(factor)).collect()
     }
 

@@ -3,7 +3,7 @@
 //! Terms stand in graded lexicographic order, highest first: by total degree, then by the order of
 //! the variables. Selecting or inserting variables keeps that order.
 
-use super::super::Rational;
+use super::super::{Rational, effort};
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, ToPrimitive};
@@ -75,6 +75,9 @@ pub(super) fn cofactors(f: &Polynomial, g: &Polynomial) -> (Polynomial, Polynomi
     // likely with repeated denominators, and a failure is found quickly
     if let Some(quotient) = f.exact(g) {
         return (g.clone(), quotient, one());
+    }
+    if !effort::products(f.terms.len().saturating_mul(g.terms.len())) {
+        return (one(), f.clone(), g.clone());
     }
     let h = zippel_gcd::zippel(&f.map(to_big), &g.map(to_big)).map(from_big);
     if h.is_constant() {

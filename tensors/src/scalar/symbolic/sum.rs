@@ -5,6 +5,7 @@
 //! added as polynomials. Then each factor is divided out once. No common divisors are searched,
 //! unless a factor is not known to be irreducible.
 
+use super::super::effort;
 use super::denominator::{Denominator, Factor, Powers, common_base, coprime};
 use super::fraction::{Fraction, lowest_terms};
 use super::packed::{Gathered, Layout, Overflow, Word, exact};
@@ -201,11 +202,28 @@ impl<'s> Common<'s> {
         Common { base: base.collect(), variables, terms, groups, exponents, suspects }
     }
 
-    fn value(mut self) -> Symbolic {
+    fn value(self) -> Symbolic {
+        self.within_limit().unwrap_or_else(ended)
+    }
+
+    /// The value; `None` if the limit on terms is passed.
+    fn within_limit(mut self) -> Option<Symbolic> {
+        let length = |f: &Option<(&Polynomial, _)>| f.as_ref().map_or(1, |(f, _)| f.terms.len());
+        let products =
+            self.terms.iter().map(|term| length(&term.factors[0]) * length(&term.factors[1]));
+        if !effort::products(products.sum()) {
+            return None;
+        }
         let quotient = self.in_words();
+        if !effort::products(0) {
+            return None;
+        }
         let numerator = quotient.unwrap_or_else(|| self.in_polynomials());
+        if !effort::terms(numerator.terms.len()) {
+            return None;
+        }
         if numerator.is_zero() {
-            return Symbolic::zero();
+            return Some(Symbolic::zero());
         }
         let n = self.variables.len();
         let mut factors: Powers = Vec::new();
@@ -234,7 +252,7 @@ impl<'s> Common<'s> {
         }
         let denominator =
             Denominator { monomial: self.exponents[..n].into(), factors: coprime(factors) };
-        lowest_terms(&self.variables, numerator, denominator)
+        Some(lowest_terms(&self.variables, numerator, denominator))
     }
 
     /// The numerator, computed with polynomials of any size.
@@ -247,14 +265,20 @@ impl<'s> Common<'s> {
             for (f, columns) in term.factors.iter().flatten() {
                 let column = |k| columns.iter().position(|place| *place == k);
                 let columns: Vec<_> = (0..n).map(column).collect();
+                if !effort::products(0) {
+                    return zero;
+                }
                 value = product(&value, &select(f, &columns));
             }
             sums[term.group] = &sums[term.group] + &value;
         }
-        let mut numerator = zero;
+        let mut numerator = zero.clone();
         for (sum, missing) in sums.into_iter().zip(&self.groups) {
             let mut sum = sum.mul_term(&Rational::one(), &Monomial::new(&missing[..n]));
             for ((_, f), e) in self.base.iter().zip(&missing[n..]).filter(|(_, e)| **e > 0) {
+                if !effort::products(sum.terms.len() * f.terms.len()) {
+                    return zero;
+                }
                 sum = product(&sum, &power(f, *e));
             }
             numerator = &numerator + &sum;
@@ -376,11 +400,17 @@ impl<'s> Common<'s> {
             }
             let last = factors.pop();
             for factor in factors {
+                if !effort::products(sum.len() * factor.len()) {
+                    return None;
+                }
                 let mut next = Gathered::with_room(sum.len());
                 next.add_product(1, &sum, factor);
                 sum = next.sorted();
             }
             sum.iter_mut().for_each(|(word, _)| *word = *word + monomial);
+            if !effort::products(sum.len() * last.map_or(1, <[_]>::len)) {
+                return None;
+            }
             let total = total.get_or_insert_with(|| Gathered::with_room(sum.len()));
             total.add_product(1, &sum, last.unwrap_or(&unit));
         }
@@ -391,7 +421,10 @@ impl<'s> Common<'s> {
             let exponent = &mut self.exponents[n + at];
             while self.base[at].0.irreducible && self.suspects[n + at] && *exponent > 0 {
                 match exact(layout, &numerator, factor) {
-                    Ok(Some(quotient)) => numerator = quotient,
+                    Ok(Some(quotient)) => {
+                        effort::products(quotient.len() * factor.len());
+                        numerator = quotient;
+                    }
                     Ok(None) => break,
                     Err(Overflow) => {
                         self.exponents = exponents;
@@ -425,6 +458,12 @@ impl<'s> Common<'s> {
             numerator.iter_mut().for_each(|(word, _)| *word = *word - monomial);
         }
     }
+}
+
+/// What stands for a value that is no longer computed: neither zero nor a polynomial, so that no loop
+/// waits for one.
+fn ended() -> Symbolic {
+    Fraction::parameter("limit").recip().map_or_else(Symbolic::zero, Symbolic::from)
 }
 
 /// A polynomial as integers over a common denominator.

@@ -1,5 +1,7 @@
 //! Fractions as text and as LaTeX.
 
+use super::collected::{self, Part};
+use super::common::CommonFactors;
 use super::factors::{Factors, factors, known, sort, within_limits};
 use super::fraction::Fraction;
 use super::polynomial::{Polynomial, common_denominator};
@@ -29,28 +31,186 @@ impl Markup {
     }
 }
 
-/// `1/2*a` for one term without a denominator; otherwise integer polynomials above and below,
-/// in factors where that is shorter.
-pub(super) fn fraction(f: &Fraction, markup: Markup) -> String {
-    let whole = f.denominator.is_one();
-    if whole && f.numerator.terms.len() == 1 {
-        return polynomial(f, &f.numerator, markup);
+/// A writer of fractions.
+#[derive(Clone, Copy)]
+pub(super) struct Writer<'w> {
+    pub markup: Markup,
+    /// The factors that have names.
+    pub names: &'w CommonFactors,
+}
+
+impl Writer<'_> {
+    /// `1/2*a` for one term without a denominator; otherwise integer polynomials above and below,
+    /// in factors where that is shorter.
+    pub fn fraction(self, f: &Fraction) -> String {
+        let whole = f.denominator.is_one();
+        if whole && f.numerator.terms.len() == 1 {
+            return self.expanded(f, &f.numerator);
+        }
+        let unit = common_denominator(&f.numerator);
+        let above = f.numerator.scale(&unit);
+        let (sign, size) =
+            if leads_negative(&above) { ("-", -&above) } else { ("", above.clone()) };
+        if whole && unit.is_one() {
+            let factored = self.factored(f, &size, Place::Alone);
+            return factored.map_or_else(|| self.sum(f, &above), |text| format!("{sign}{text}"));
+        }
+        let top = self.part(f, &size, Place::Above);
+        let bottom = self.denominator(f, unit);
+        match self.markup {
+            Markup::Latex => format!("{sign}\\frac{{{top}}}{{{bottom}}}"),
+            Markup::Text => format!("{sign}{top}/{bottom}"),
+        }
     }
-    let unit = common_denominator(&f.numerator);
-    let above = f.numerator.scale(&unit);
-    let (sign, size) = if leads_negative(&above) { ("-", -&above) } else { ("", above.clone()) };
-    if whole && unit.is_one() {
-        let factored = factored(f, &size, Place::Alone, markup).map(|text| format!("{sign}{text}"));
-        return factored.unwrap_or_else(|| polynomial(f, &above, markup));
+
+    fn part(self, f: &Fraction, part: &Polynomial, place: Place) -> String {
+        self.factored(f, part, place).unwrap_or_else(|| self.enclosed_sum(f, part, place))
     }
-    let part = |part: &Polynomial, place| {
-        factored(f, part, place, markup).unwrap_or_else(|| expanded(f, part, place, markup))
-    };
-    let top = part(&size, Place::Above);
-    let bottom = denominator(f, unit, markup);
-    match markup {
-        Markup::Latex => format!("{sign}\\frac{{{top}}}{{{bottom}}}"),
-        Markup::Text => format!("{sign}{top}/{bottom}"),
+
+    /// The sum, in parentheses where a division would otherwise apply to a part of it.
+    fn enclosed_sum(self, f: &Fraction, part: &Polynomial, place: Place) -> String {
+        let torn = match place {
+            Place::Alone => false,
+            Place::Above => part.terms.len() > 1,
+            Place::Below => factors_in(part) > 1,
+        };
+        enclosed(self.sum(f, part), torn && self.markup == Markup::Text)
+    }
+
+    /// The denominator times a number.
+    ///
+    /// Its known factors are written where one has a name, where [`factors`] would find the same, or
+    /// gives up.
+    fn denominator(self, f: &Fraction, unit: Rational) -> String {
+        if f.denominator.factors.iter().any(|(factor, _)| self.names.name(factor).is_some()) {
+            let mut factors = f.denominator.all(&f.variables);
+            sort(&mut factors);
+            let found = Factors { content: unit, factors };
+            return self.enclosed_product(f, &found, Place::Below);
+        }
+        let irreducible = f.denominator.irreducible(&f.variables);
+        let separate = irreducible.as_ref().and_then(|factors| known(unit.clone(), factors));
+        let part = || f.expanded_denominator().scale(&unit);
+        let (found, part) = match (separate, f.denominator.terms() > MAX_EXPANDED) {
+            (Some(found), true) => return self.enclosed_product(f, &found, Place::Below),
+            (Some(found), false) => (found, part()),
+            (None, large) => match irreducible {
+                Some(mut factors) if large || !within_limits(&part()) => {
+                    sort(&mut factors);
+                    let found = Factors { content: unit.clone(), factors };
+                    if large {
+                        return self.enclosed_product(f, &found, Place::Below);
+                    }
+                    (found, part())
+                }
+                _ => (factors(&part()), part()),
+            },
+        };
+        self.factored_as(f, &part, &found, Place::Below)
+            .unwrap_or_else(|| self.enclosed_sum(f, &part, Place::Below))
+    }
+
+    /// The product of the factors, if its text is shorter than that of the sum. LaTeX follows.
+    fn factored(self, f: &Fraction, part: &Polynomial, place: Place) -> Option<String> {
+        (part.terms.len() > 1).then(|| self.factored_as(f, part, &factors(part), place))?
+    }
+
+    fn factored_as(
+        self,
+        f: &Fraction,
+        part: &Polynomial,
+        found: &Factors,
+        place: Place,
+    ) -> Option<String> {
+        let text = Writer { markup: Markup::Text, ..self };
+        let shorter = part.terms.len() > 1
+            && text.enclosed_product(f, found, place).len()
+                < text.enclosed_sum(f, part, place).len();
+        shorter.then(|| self.enclosed_product(f, found, place))
+    }
+
+    /// The product of the factors, in parentheses where a division would otherwise apply to a part of
+    /// it.
+    fn enclosed_product(self, f: &Fraction, found: &Factors, place: Place) -> String {
+        let pieces = found.factors.len() + usize::from(!found.content.is_one());
+        let torn = place == Place::Below && pieces > 1 && self.markup == Markup::Text;
+        enclosed(self.product(f, found), torn)
+    }
+
+    fn product(self, f: &Fraction, found: &Factors) -> String {
+        let number = Some(found.content.to_string()).filter(|_| !found.content.is_one());
+        let factor = |(factor, exponent): &(Polynomial, u32)| {
+            if let [(monomial, _)] = &factor.terms[..] {
+                // a variable; the power of an exponential stands in its argument
+                let at = monomial.exps().iter().position(|e| *e > 0).unwrap_or(0);
+                return power(&f.variables[at], *exponent, self.markup);
+            }
+            if let Some(name) = self.names.of_polynomial(&f.variables, factor) {
+                return power(name, *exponent, self.markup);
+            }
+            self.in_parentheses(&self.sum(f, factor)) + &self.markup.exponent(*exponent)
+        };
+        self.markup.product(number.into_iter().chain(found.factors.iter().map(factor)))
+    }
+
+    fn in_parentheses(self, text: &str) -> String {
+        match self.markup {
+            Markup::Latex => format!("\\left({text}\\right)"),
+            Markup::Text => format!("({text})"),
+        }
+    }
+
+    /// A sum of terms, with common factors taken out where that is shorter.
+    fn sum(self, f: &Fraction, part: &Polynomial) -> String {
+        if part.terms.len() < 3 {
+            return self.expanded(f, part);
+        }
+        self.parts(f, &collected::parts(part, &f.variables))
+    }
+
+    fn parts(self, f: &Fraction, parts: &[Part]) -> String {
+        let mut text = String::new();
+        for Part { coefficient, monomial, inner } in parts {
+            text += sign(text.is_empty(), coefficient);
+            text += &self.term(f, &coefficient.clone().abs(), monomial);
+            if !inner.is_empty() {
+                let inner = self.in_parentheses(&self.parts(f, inner));
+                text += if self.markup == Markup::Latex { " " } else { "*" };
+                text += &inner;
+            }
+        }
+        text
+    }
+
+    /// The sum of its terms.
+    fn expanded(self, f: &Fraction, part: &Polynomial) -> String {
+        let mut text = String::new();
+        for (m, c) in &part.terms {
+            text += sign(text.is_empty(), c);
+            text += &self.term(f, &c.clone().abs(), m);
+        }
+        text
+    }
+
+    fn term(self, f: &Fraction, coefficient: &Rational, monomial: &Monomial) -> String {
+        let number = match self.markup {
+            _ if coefficient.is_one() && !monomial.is_one() => None,
+            Markup::Text => Some(coefficient.to_string()),
+            Markup::Latex => Some(coefficient.latex()),
+        };
+        let powers = f.variables.iter().zip(monomial.exps()).filter(|(_, e)| **e > 0);
+        let powers = powers.map(|(name, &exponent)| power(name, exponent, self.markup));
+        self.markup.product(number.into_iter().chain(powers))
+    }
+}
+
+/// The sign in front of a term.
+fn sign(first: bool, coefficient: &Rational) -> &'static str {
+    match (first, coefficient.is_negative()) {
+        (true, false) => "",
+        (true, true) => "-",
+        (false, false) => " + ",
+        (false, true) => " - ",
     }
 }
 
@@ -62,86 +222,9 @@ enum Place {
     Below,
 }
 
-/// The sum of the terms, in parentheses where a division would otherwise apply to a part of it.
-fn expanded(f: &Fraction, part: &Polynomial, place: Place, markup: Markup) -> String {
-    let torn = match place {
-        Place::Alone => false,
-        Place::Above => part.terms.len() > 1,
-        Place::Below => factors_in(part) > 1,
-    };
-    enclosed(polynomial(f, part, markup), torn && markup == Markup::Text)
-}
-
-/// The denominator times a number.
-///
-/// Its known factors are written where [`factors`] would find the same, or gives up.
-fn denominator(f: &Fraction, unit: Rational, markup: Markup) -> String {
-    let irreducible = f.denominator.irreducible(&f.variables);
-    let separate = irreducible.as_ref().and_then(|factors| known(unit.clone(), factors));
-    let part = || f.expanded_denominator().scale(&unit);
-    let (found, part) = match (separate, f.denominator.terms() > MAX_EXPANDED) {
-        (Some(found), true) => return enclosed_product(f, &found, Place::Below, markup),
-        (Some(found), false) => (found, part()),
-        (None, large) => match irreducible {
-            Some(mut factors) if large || !within_limits(&part()) => {
-                sort(&mut factors);
-                let found = Factors { content: unit.clone(), factors };
-                if large {
-                    return enclosed_product(f, &found, Place::Below, markup);
-                }
-                (found, part())
-            }
-            _ => (factors(&part()), part()),
-        },
-    };
-    factored_as(f, &part, &found, Place::Below, markup)
-        .unwrap_or_else(|| expanded(f, &part, Place::Below, markup))
-}
-
 /// A product that may have more terms than this is not expanded to compare the lengths of both
 /// texts.
 const MAX_EXPANDED: u64 = 4096;
-
-/// The product of the factors, if its text is shorter than that of the sum. LaTeX follows.
-fn factored(f: &Fraction, part: &Polynomial, place: Place, markup: Markup) -> Option<String> {
-    (part.terms.len() > 1).then(|| factored_as(f, part, &factors(part), place, markup))?
-}
-
-fn factored_as(
-    f: &Fraction,
-    part: &Polynomial,
-    found: &Factors,
-    place: Place,
-    markup: Markup,
-) -> Option<String> {
-    let text = |markup| enclosed_product(f, found, place, markup);
-    let longer = part.terms.len() > 1
-        && text(Markup::Text).len() < expanded(f, part, place, Markup::Text).len();
-    longer.then(|| text(markup))
-}
-
-/// The product of the factors, in parentheses where a division would otherwise apply to a part of it.
-fn enclosed_product(f: &Fraction, found: &Factors, place: Place, markup: Markup) -> String {
-    let pieces = found.factors.len() + usize::from(!found.content.is_one());
-    let torn = place == Place::Below && pieces > 1 && markup == Markup::Text;
-    enclosed(product(f, found, markup), torn)
-}
-
-fn product(f: &Fraction, found: &Factors, markup: Markup) -> String {
-    let number = Some(found.content.to_string()).filter(|_| !found.content.is_one());
-    let factor = |(factor, exponent): &(Polynomial, u32)| {
-        if let [(monomial, _)] = &factor.terms[..] {
-            // a variable; the power of an exponential stands in its argument
-            let at = monomial.exps().iter().position(|e| *e > 0).unwrap_or(0);
-            return power(&f.variables[at], *exponent, markup);
-        }
-        let sum = polynomial(f, factor, markup);
-        let [left, right] =
-            if markup == Markup::Latex { ["\\left(", "\\right)"] } else { ["(", ")"] };
-        format!("{left}{sum}{right}{}", markup.exponent(*exponent))
-    };
-    markup.product(number.into_iter().chain(found.factors.iter().map(factor)))
-}
 
 /// Whether the leading coefficient is negative. Then the text starts with a minus sign.
 pub(super) fn leads_negative(f: &Polynomial) -> bool {
@@ -158,31 +241,6 @@ fn factors_in(f: &Polynomial) -> usize {
         [(m, c)] => m.exps().iter().filter(|e| **e > 0).count() + usize::from(!c.is_one()),
         terms => terms.len(),
     }
-}
-
-fn polynomial(f: &Fraction, part: &Polynomial, markup: Markup) -> String {
-    let mut text = String::new();
-    for (m, c) in &part.terms {
-        text += match (text.is_empty(), c.is_negative()) {
-            (true, false) => "",
-            (true, true) => "-",
-            (false, false) => " + ",
-            (false, true) => " - ",
-        };
-        text += &term(f, &c.clone().abs(), m, markup);
-    }
-    text
-}
-
-fn term(f: &Fraction, coefficient: &Rational, monomial: &Monomial, markup: Markup) -> String {
-    let number = match markup {
-        _ if coefficient.is_one() && !monomial.is_one() => None,
-        Markup::Text => Some(coefficient.to_string()),
-        Markup::Latex => Some(coefficient.latex()),
-    };
-    let powers = f.variables.iter().zip(monomial.exps()).filter(|(_, e)| **e > 0);
-    let powers = powers.map(|(name, &exponent)| power(name, exponent, markup));
-    markup.product(number.into_iter().chain(powers))
 }
 
 fn power(name: &str, exponent: u32, markup: Markup) -> String {

@@ -1,0 +1,140 @@
+//! Factors that several values share, written by names.
+
+use super::denominator::Factor;
+use super::fraction::Fraction;
+use super::polynomial::Polynomial;
+use super::variables::Variables;
+use super::{Form, Symbolic, normal_form};
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex};
+
+/// Sums that occur in the denominators of several values, each with a name: `D = a^2 + b`.
+///
+/// [`Notation::common_factors`](crate::Notation::common_factors) finds them;
+/// [`Notation::text_with`](crate::Notation::text_with) writes values with the names.
+///
+/// ```
+/// use affinor_tensors::{Notation, Symbolic};
+/// let values: Vec<Symbolic> = ["a", "b", "c"]
+///     .map(|name| format!("{name}/(alpha*gamma - beta^2)^2").parse())
+///     .into_iter()
+///     .collect::<Result<_, _>>()?;
+/// let factors = Symbolic::common_factors(&mut values.iter(), &[]);
+/// let named: Vec<_> = factors.iter().collect();
+/// assert_eq!(named, [("D", "alpha*gamma - beta^2".parse()?)]);
+/// assert_eq!(values[0].text_with(&factors), "a/D^2");
+/// # Ok::<(), affinor_tensors::expression::ExpressionError>(())
+/// ```
+#[derive(Debug, Default)]
+pub struct CommonFactors {
+    named: Vec<(String, Arc<Factor>)>,
+    /// Values with functions of angles, in sines and cosines.
+    in_sines: Mutex<HashMap<Symbolic, Symbolic>>,
+}
+
+/// Shorter sums are written out, so that short values keep their form.
+const SHORTEST: usize = 16;
+
+/// The names are one of these letters, or begin with it.
+const LETTERS: [&str; 4] = ["D", "W", "Q", "D_"];
+
+impl CommonFactors {
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.named.is_empty()
+    }
+
+    /// The names, and what they stand for. Sines and cosines are variables of these values, which
+    /// serve for writing only.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, Symbolic)> {
+        self.named.iter().map(|(name, factor)| (name.as_str(), value(factor)))
+    }
+
+    /// The name of a factor.
+    pub(super) fn name(&self, factor: &Arc<Factor>) -> Option<&str> {
+        let same = |other: &Arc<Factor>| Arc::ptr_eq(factor, other) || same(factor, other);
+        let found = self.named.iter().find(|(_, other)| same(other));
+        found.map(|(name, _)| name.as_str())
+    }
+
+    /// The name of a polynomial, if it is one of the factors.
+    pub(super) fn of_polynomial(&self, variables: &Variables, f: &Polynomial) -> Option<&str> {
+        if self.named.iter().all(|(_, other)| other.polynomial.terms.len() != f.terms.len()) {
+            return None;
+        }
+        self.name(&Factor::new(variables, f, false))
+    }
+
+    /// The form of a value in which it is written.
+    pub(super) fn written<'v>(&self, value: &'v Symbolic) -> Cow<'v, Symbolic> {
+        if !value.has_angles() {
+            return Cow::Borrowed(value);
+        }
+        let known = |forms: &HashMap<Symbolic, Symbolic>| forms.get(value).cloned();
+        if let Some(form) = self.in_sines.lock().ok().and_then(|forms| known(&forms)) {
+            return Cow::Owned(form);
+        }
+        let form = normal_form::in_sines(value);
+        if let Ok(mut forms) = self.in_sines.lock() {
+            forms.insert(value.clone(), form.clone());
+        }
+        Cow::Owned(form)
+    }
+
+    /// The factors that are worth a name; `taken` are names in use.
+    pub(super) fn of(values: &mut dyn Iterator<Item = &Symbolic>, taken: &[String]) -> Self {
+        let mut factors = CommonFactors::default();
+        let mut found: Vec<(Arc<Factor>, usize)> = Vec::new();
+        let mut places: HashMap<*const Factor, usize> = HashMap::new();
+        let mut forms = Vec::new();
+        for value in values {
+            let form = factors.written(value).into_owned();
+            let Form::Fraction(f) = form.0 else { continue };
+            for (factor, _) in &f.denominator.factors {
+                let known = places.get(&Arc::as_ptr(factor)).copied();
+                let at = known.or_else(|| found.iter().position(|(f, _)| same(f, factor)));
+                let at = at.unwrap_or_else(|| {
+                    found.push((factor.clone(), 0));
+                    found.len() - 1
+                });
+                places.insert(Arc::as_ptr(factor), at);
+                found[at].1 += 1;
+            }
+            // keeps the addresses valid
+            forms.extend(value.has_angles().then_some(f));
+        }
+        found.retain(|(factor, count)| {
+            let length = value(factor).to_string().len();
+            // "(...)" becomes "D1"; once there is a line "D1 = ..."
+            length >= SHORTEST && count * length > length + "where D1 = ".len() + 1
+        });
+        let prefix = LETTERS.into_iter().find(|letter| {
+            let clash = |name: &String| {
+                let rest = name.strip_prefix(letter);
+                rest.is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()))
+            };
+            !taken.iter().any(clash)
+        });
+        let Some(prefix) = prefix else { return factors };
+        let number = |at: usize| if found.len() > 1 { (at + 1).to_string() } else { String::new() };
+        let named = found.iter().enumerate();
+        factors.named =
+            named.map(|(at, (f, _))| (format!("{prefix}{}", number(at)), f.clone())).collect();
+        factors
+    }
+}
+
+/// Whether two factors are the same polynomial, whatever is known of them.
+fn same(a: &Factor, b: &Factor) -> bool {
+    a.variables == b.variables && a.polynomial == b.polynomial
+}
+
+fn value(factor: &Factor) -> Symbolic {
+    Fraction {
+        variables: factor.variables.clone(),
+        numerator: factor.polynomial.clone(),
+        denominator: Default::default(),
+    }
+    .into()
+}
