@@ -93,7 +93,7 @@ def floats(value: Any) -> NDArray[np.float64]:
         array = np.array(numbers, dtype=np.float64).reshape(array.shape)
     elif array.dtype.kind not in "biuf":
         raise TypeError(f"an array of real numbers was expected, not of dtype {array.dtype}")
-    return np.require(array, np.float64, "CA")
+    return np.require(array, np.float64, ["C", "A"])
 
 
 def _refuse(item: object) -> float:
@@ -110,7 +110,7 @@ def integers(what: str, value: Any) -> NDArray[np.int64]:
         raise type(error)(f"{what} should be an array of integers: {error}") from error
     if array.size and array.dtype.kind not in "iu":
         raise TypeError(f"{what} should be an array of integers, not of dtype {array.dtype}")
-    return np.require(array, np.int64, "CA")
+    return np.require(array, np.int64, ["C", "A"])
 
 
 def _inexact(number: float) -> TypeError:
