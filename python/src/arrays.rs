@@ -1,12 +1,51 @@
 //! Arrays of NumPy as lists of rows, with broadcasting.
 
 use crate::errors::wrong;
-use numpy::{AllowTypeChange, PyArrayDyn, PyArrayLikeDyn, PyUntypedArrayMethods};
+use numpy::{
+    Element, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
+};
 use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
 use std::borrow::Cow;
+use std::ops::Deref;
 
 /// An argument of floats: any array, list or number that NumPy casts to float64.
-pub type Floats<'py> = PyArrayLikeDyn<'py, f64, AllowTypeChange>;
+/// Complex numbers, dates and records are refused.
+pub struct Floats<'py>(PyReadonlyArrayDyn<'py, f64>);
+
+impl<'py> Deref for Floats<'py> {
+    type Target = PyReadonlyArrayDyn<'py, f64>;
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}
+
+impl<'py> FromPyObject<'_, 'py> for Floats<'py> {
+    type Error = PyErr;
+
+    fn extract(value: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        static CONVERT: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+        let own = value.is_exact_instance_of::<PyUntypedArray>();
+        if own
+            && let Ok(array) = value.cast::<PyArrayDyn<f64>>().map(|array| array.to_owned())
+            && is_regular(&array)
+        {
+            return Ok(Floats(array.try_readonly()?));
+        }
+        let py = value.py();
+        let convert =
+            || -> PyResult<_> { Ok(py.import("affinor._scalars")?.getattr("floats")?.unbind()) };
+        let array = CONVERT.get_or_try_init(py, convert)?.bind(py).call1((value,))?;
+        Ok(Floats(array.cast_into::<PyArrayDyn<f64>>()?.try_readonly()?))
+    }
+}
+
+/// Whether the steps between numbers are whole numbers, unlike those in a field of packed records.
+fn is_regular(array: &Bound<'_, PyArrayDyn<f64>>) -> bool {
+    let size = size_of::<f64>();
+    array.data().addr().is_multiple_of(size)
+        && array.strides().iter().all(|step| step.unsigned_abs().is_multiple_of(size))
+}
 
 /// The shape of one row of an argument, in front of which stand the axes of the batch.
 pub fn batch<'a>(name: &str, array: &'a Floats<'_>, row: &[usize]) -> PyResult<&'a [usize]> {
@@ -87,4 +126,28 @@ impl<'a> Rows<'a> {
 /// A new array of zeros.
 pub fn zeros<'py>(py: Python<'py>, batch: &[usize], row: &[usize]) -> Bound<'py, PyArrayDyn<f64>> {
     PyArrayDyn::zeros(py, [batch, row].concat(), false)
+}
+
+/// The size in bytes from which an array is made by NumPy.
+const LARGE: usize = 1 << 20;
+
+/// The number of axes that every NumPy takes.
+const AXES: usize = 32;
+
+/// A new array, to be overwritten. NumPy makes the large ones: it asks the system for large pages, and fills nothing.
+pub fn fresh<'py, T: Element + Default>(
+    py: Python<'py>,
+    batch: &[usize],
+    row: &[usize],
+) -> PyResult<Bound<'py, PyArrayDyn<T>>> {
+    static EMPTY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+    let shape = [batch, row].concat();
+    let size = shape.iter().fold(size_of::<T>(), |size, n| size.saturating_mul(*n));
+    // NumPy refuses too many axes and too large a size with an exception
+    if size < LARGE && shape.len() <= AXES {
+        return Ok(PyArrayDyn::zeros(py, shape, false));
+    }
+    let make = || -> PyResult<_> { Ok(py.import("numpy")?.getattr("empty")?.unbind()) };
+    let empty = EMPTY.get_or_try_init(py, make)?.bind(py);
+    Ok(empty.call1((shape, T::get_dtype(py)))?.cast_into()?)
 }

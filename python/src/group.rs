@@ -1,6 +1,6 @@
 //! Groups over arrays of elements, and parallel transport.
 
-use crate::arrays::{self, Floats, Rows, common, zeros};
+use crate::arrays::{self, Floats, Rows, common, fresh, zeros};
 use crate::errors::{raise, refused};
 use crate::run::{run, run_here};
 use affinor::Error;
@@ -191,15 +191,12 @@ fn rotations(operation: Operation, [a, b]: [&Rows<'_>; 2], out: &mut [f64]) -> b
         }
         Operation::Log => {
             let (g, x) = (rows.as_chunks::<4>().0, out.as_chunks_mut::<3>().0);
-            let valid = |(g, x): (&[[f64; 4]], &mut [[f64; 3]])| {
-                batch::log_rows(g, x);
-                // an element without a logarithm is refused one by one
-                x.iter().flatten().all(|value| !value.is_nan())
-            };
+            // a batch with an element that has no logarithm is refused row by row
             if x.len() <= ALONE {
-                return valid((g, x));
+                return batch::log_rows(g, x);
             }
-            g.par_chunks(ALONE).zip(x.par_chunks_mut(ALONE)).all(valid)
+            let pairs = g.par_chunks(ALONE).zip(x.par_chunks_mut(ALONE));
+            pairs.all(|(g, x)| batch::log_rows(g, x))
         }
         Operation::Compose => {
             let Some(others) = b.all() else { return false };
@@ -259,7 +256,7 @@ impl PyGroup {
         };
         let whole = common(own, other)?;
         let row = self.row(result);
-        let out = zeros(py, &whole, &row);
+        let out = fresh(py, &whole, &row)?;
         let a = Rows::new(first.2, own, &whole);
         let b = second.as_ref().map(|(_, _, array)| Rows::new(array, other, &whole));
         let b = b.as_ref().unwrap_or(&a);

@@ -1,12 +1,12 @@
 //! Problems of motion, and their integration in short pieces between which Python can interrupt.
 
 use crate::arrays::{Floats, Rows, batch};
-use crate::errors::raise;
+use crate::errors::{raise, wrong};
 use crate::run::{run, run_here};
 use affinor::mechanics::motions::{ForceFunction, Side};
 use affinor_documents::definition::InputError;
 use affinor_documents::problem::{Problem, Walk};
-use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use rayon::prelude::*;
@@ -28,10 +28,21 @@ fn force(function: Py<PyAny>, failure: Failure) -> ForceFunction {
     ForceFunction::new(move |t, g, omega| {
         Python::attach(|py| {
             let call = || -> PyResult<Vec<f64>> {
+                let count = omega.len();
                 let rows: Vec<f64> = g.transpose().as_slice().to_vec();
                 let g = PyArray1::from_vec(py, rows).reshape([g.nrows(), g.ncols()])?;
                 let omega = PyArray1::from_slice(py, omega);
-                function.call1(py, (t, g, omega))?.extract(py)
+                let force = function.call1(py, (t, g, omega))?.into_bound(py);
+                let force: Floats<'_> = force.extract()?;
+                if force.shape() != [count] {
+                    let found = format!("of the shape {:?}", force.shape());
+                    return Err(wrong(
+                        "the force",
+                        &format!("a list of {count} components"),
+                        &found,
+                    ));
+                }
+                Ok(Rows::new(&force, &[], &[]).row(0).to_vec())
             };
             call().unwrap_or_else(|error| {
                 failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);

@@ -63,10 +63,20 @@ fn finish<T>(
 
 /// Sets the number of threads of computations in this process; 0 stands for all cores.
 #[pyfunction]
-pub fn set_threads(count: usize) {
+pub fn set_threads(count: &Bound<'_, PyAny>) -> PyResult<()> {
+    let number = count.extract::<usize>().ok().filter(|count| *count <= MOST_THREADS);
+    let expected = format!("a number from 0 (all cores) to {MOST_THREADS}");
+    let number = number.ok_or_else(|| errors::wrong("count", &expected, &count.to_string()))?;
     let mut state = POOL.lock().unwrap_or_else(PoisonError::into_inner);
-    *state = (None, count);
+    let before = std::mem::replace(&mut *state, (None, number));
+    if let Some(pool) = before.0.filter(|pool| pool.process != std::process::id()) {
+        std::mem::forget(pool);
+    }
+    Ok(())
 }
+
+/// The most threads of a process.
+const MOST_THREADS: usize = 1024;
 
 /// The number of threads of computations in this process.
 #[pyfunction]

@@ -1,5 +1,6 @@
 //! Tensors over the three scalars, as the engine hands them to Python.
 
+use crate::arrays::fresh;
 use crate::errors::{refused, wrong};
 use crate::run::run;
 use crate::values;
@@ -8,7 +9,7 @@ use affinor_documents::report::{components_in_latex, components_in_text};
 use affinor_tensors::{
     Down, Kind, Notation, Rational, Symbolic, Tensor, TensorError, Tracked, Up, Variance, contract,
 };
-use numpy::{PyArray1, PyArray2, PyArrayLikeDyn, PyArrayMethods};
+use numpy::{PyArrayDyn, PyArrayLikeDyn, PyArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyList};
@@ -31,6 +32,20 @@ macro_rules! each {
             Values::Float($tensor) => $body,
         }
     };
+}
+
+/// Indices and values of the nonzero components.
+type Coordinates<'py> = (Bound<'py, PyArrayDyn<i64>>, Bound<'py, PyArrayDyn<f64>>);
+
+/// The nonzero components as floats.
+fn write_floats<S: Notation>(tensor: &Tensor<S>, list: &mut [f64]) -> Result<(), InputError> {
+    for (value, out) in tensor.nonzero().zip(list) {
+        *out = Notation::to_f64(value).ok_or_else(|| {
+            let error = InputError::usage("components with parameters are no floats");
+            error.help("substitute numbers for the parameters, or take to_sympy()")
+        })?;
+    }
+    Ok(())
 }
 
 /// A scalar of tensors.
@@ -270,30 +285,43 @@ impl PyTensor {
     }
 
     /// The indices of the nonzero components, shape (rank, count), from 0.
-    fn indices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<i64>>> {
-        let rank = self.slots().len();
-        let (list, count) =
-            run(py, || Ok(each!(&self.0, tensor => (tensor.coordinates(), tensor.len()))))?;
-        PyArray1::from_vec(py, list).reshape([rank, count])
+    fn indices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<i64>>> {
+        let count = each!(&self.0, tensor => tensor.len());
+        let out = fresh(py, &[self.slots().len()], &[count])?;
+        {
+            let mut list = out.readwrite();
+            let list = list.as_slice_mut()?;
+            run(py, || Ok(each!(&self.0, tensor => tensor.write_coordinates(list))))?;
+        }
+        Ok(out)
     }
 
     /// The nonzero components as floats.
-    fn floats<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let parameters = || {
-            let error = InputError::usage("components with parameters are no floats");
-            error.help("substitute numbers for the parameters, or take to_sympy()")
-        };
-        let list = run(py, || {
-            let numbers = each!(&self.0, tensor => {
-                let mut numbers = Vec::with_capacity(tensor.len());
-                for value in tensor.nonzero() {
-                    numbers.push(Notation::to_f64(value).ok_or_else(parameters)?);
-                }
-                numbers
-            });
-            Ok(numbers)
-        })?;
-        Ok(PyArray1::from_vec(py, list))
+    fn floats<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        let out = fresh(py, &[each!(&self.0, tensor => tensor.len())], &[])?;
+        {
+            let mut list = out.readwrite();
+            let list = list.as_slice_mut()?;
+            run(py, || each!(&self.0, tensor => write_floats(tensor, list)))?;
+        }
+        Ok(out)
+    }
+
+    /// The indices and the floats, both at once.
+    fn coo<'py>(&self, py: Python<'py>) -> PyResult<Coordinates<'py>> {
+        let count = each!(&self.0, tensor => tensor.len());
+        let indices = fresh(py, &[self.slots().len()], &[count])?;
+        let floats = fresh(py, &[count], &[])?;
+        {
+            let (mut list, mut values) = (indices.readwrite(), floats.readwrite());
+            let (list, values) = (list.as_slice_mut()?, values.as_slice_mut()?);
+            run(py, || {
+                each!(&self.0, tensor => {
+                    rayon::join(|| tensor.write_coordinates(list), || write_floats(tensor, values)).1
+                })
+            })?;
+        }
+        Ok((indices, floats))
     }
 
     /// The nonzero components: fractions, floats, or texts of expressions.

@@ -13,6 +13,9 @@ so3 = af.LieAlgebra("so3")
 t3 = af.Tensor(np.eye(3), "__")
 TOP = {"space": "so3", "metric": "identity", "initial": {"velocity": [0, 0, 1]}, "output": {"end": 1, "every": 1}}
 
+# an array has at most so many axes
+MOST_AXES = 64 if np.lib.NumpyVersion(np.__version__) >= "2.0.0" else 32
+
 WRONG = [
     (lambda: af.LieAlgebra(), TypeError, "space"),
     (lambda: af.LieAlgebra(3), ValueError, r"\(n, n, n\)"),
@@ -118,6 +121,51 @@ WRONG = [
     (lambda: af.sweep(len, {"a": [1]}, on="cloud"), ValueError, "dask"),
     (lambda: af.sweep(len, {"a": [1]}, chunk=0), ValueError, "chunk"),
     (lambda: af.Draw(3, a="cauchy(0, 1)"), ValueError, "uniform"),
+    (lambda: SO3.exp(np.array([1j, 0, 0])), TypeError, "real numbers.*complex128"),
+    (lambda: SO3.exp([1j, 0, 0]), TypeError, "real numbers.*complex128"),
+    (lambda: SO3.exp(["1", "2", "3"]), TypeError, "real numbers"),
+    (lambda: SO3.exp(np.array(["1", 0, 0], dtype=object)), TypeError, "'1' is no number"),
+    (lambda: SO3.exp([None, 0, 0]), TypeError, "real numbers.*NoneType"),
+    (lambda: SO3.exp(np.zeros(3, dtype="datetime64[Y]")), TypeError, "datetime64"),
+    (lambda: SO3.exp(np.zeros(3, dtype=[("a", "f8")])), TypeError, "real numbers"),
+    (lambda: SO3.exp([10**400, 0, 0]), ValueError, "too large"),
+    (lambda: SO3.exp([sp.Symbol("a"), 0, 0]), TypeError, "real numbers"),
+    (lambda: SO3.exp([[1, 2, 3], [1, 2]]), ValueError, "real numbers.*inhomogeneous"),
+    (lambda: SO3.exp(np.ma.masked_array([1.0, 2, 3], mask=[0, 1, 0])), ValueError, "masked"),
+    (lambda: SO3.exp(np.broadcast_to(np.ones(3), (2**40, 2**10, 3))), MemoryError, "allocate"),
+    (lambda: SO3.matrix(np.zeros((1,) * (MOST_AXES - 1) + (4,))), ValueError, "dimension"),
+    (lambda: SO3.adjoint_matrix(1.0), ValueError, r"\(\.\.\., 4\)"),
+    (lambda: SO3.to_quaternion([1, 2]), ValueError, r"\(\.\.\., 4\)"),
+    (lambda: SO3.from_scipy(3), TypeError, "Rotation"),
+    (lambda: SO3.random(2.5), ValueError, "shape"),
+    (lambda: SO3.random("3"), ValueError, "shape"),
+    (lambda: af.set_threads(-1), ValueError, "0 .all cores. to 1024, not -1"),
+    (lambda: af.set_threads(10**6), ValueError, "1024"),
+    (lambda: af.set_threads("2"), ValueError, "number"),
+    (lambda: af.Tensor.from_coo([[0.7], [1.2]], [1], "__", 3), TypeError, "integers, not of dtype float64"),
+    (lambda: af.Tensor.from_coo([[0], [1]], [1], "__", -3), ValueError, "dimension"),
+    (lambda: af.Tensor.from_coo([[0], [1]], [1], "__", 3.0), TypeError, "dimension.*float"),
+    (lambda: af.Tensor.from_coo([[0], [1]], None, "__", 3), ValueError, r"\(count,\)"),
+    (lambda: af.Tensor({(0.5, 1): 1}, "__", dimension=2), TypeError, "integers"),
+    (lambda: t3.trace(-1, 0), af.ShapeError, "slot -1"),
+    (lambda: t3.trace("a", "b"), TypeError, "slot"),
+    (lambda: np.array([1, 2]) * t3, TypeError, "number"),
+    (lambda: af.contract(" ".join(["_ij"] * 30) + " -> _ij", *[t3] * 30), ValueError, "26 factors"),
+    (lambda: af.LieAlgebra((np.array([[0.5], [1], [2]]), np.array([1]))), TypeError, "integers"),
+    (lambda: af.LieAlgebra.from_structure([], dimension="3"), TypeError, "dimension"),
+    (lambda: af.LieAlgebra.from_matrices(None), TypeError, "matrices"),
+    (lambda: af.LieAlgebra("[x,y]=x", basis=3), TypeError, "basis"),
+    (lambda: af.Geometry("so3").table(show=3), TypeError, "show"),
+    (lambda: af.Geometry.on_chart(3, metric=1), TypeError, "coordinates"),
+    (lambda: so3.bracket([0.5, 0, 0], [0, 1, 0]), TypeError, "Fraction.'0.5'"),
+    (lambda: af.simulate(TOP, set=[1]), TypeError, "set"),
+    (lambda: af.simulate({**TOP, "forces": {"body": lambda t, g, w: [0, 0]}}), ValueError, "3 components"),
+    (lambda: af.simulate({**TOP, "forces": {"body": lambda t, g, w: None}}), TypeError, "real numbers"),
+    (lambda: af.sweep(len, {"a": 3}), TypeError, "values of a"),
+    (lambda: af.sweep(len, {"a": [1]}, chunk="x"), TypeError, "chunk"),
+    (lambda: af.sweep(lambda row: {"y": "x" if row["a"] == 1 else 1}, {"a": [1, 2]}), TypeError, "'y'"),
+    (lambda: af.Draw(1.5, a="uniform(0, 1)"), TypeError, "integer"),
+    (lambda: af.Draw(2, a=3), TypeError, "law of a"),
 ]
 
 
@@ -131,6 +179,11 @@ def test_wrong_arguments(at):
 
 def test_there_are_sixty():
     assert len(WRONG) >= 60
+
+
+def test_a_row_says_that_its_task_returned_no_dict():
+    assert "dict" in af.sweep(lambda row: None, {"a": [1]}).to_arrow()["error"][0].as_py()
+    assert len(af.sweep(len, {"a": []}).to_arrow()) == 0
 
 
 def test_a_panic_is_an_exception():

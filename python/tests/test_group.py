@@ -166,3 +166,52 @@ def test_transport_and_geodesics():
     np.testing.assert_allclose(af.Geometry("SO3").transport_samples(loop), np.diag([-1, -1, 1]), atol=1e-10)
     by_affinities = af.Geometry("so3", affinities=af.LieAlgebra("so3").structure / 2)
     np.testing.assert_allclose(by_affinities.transport(turn), np.diag([-1, -1, 1]), atol=1e-13)
+
+
+def layouts(x):
+    """The same numbers in arrays of other layouts and types."""
+    packed = np.zeros(len(x), dtype=[("tag", "f4"), ("x", "f8", (x.shape[1],))])
+    packed["x"] = x
+    wide = np.zeros((len(x), 2 * x.shape[1]))
+    wide[:, ::2] = x
+    shifted = np.frombuffer(b"x" + x.tobytes(), dtype=np.uint8)[1:].view(np.float64).reshape(x.shape)
+    fixed = x.copy()
+    fixed.flags.writeable = False
+    yield from (np.asfortranarray(x), x[::-1].copy()[::-1], x[:, ::-1].copy()[:, ::-1], packed["x"], wide[:, ::2], shifted)
+    yield from (fixed, x.astype(">f8"), x.astype(object), x.tolist())
+
+
+@pytest.mark.parametrize("count", [1, 5, 3000])
+def test_layouts(count):
+    x, y = rng.normal(size=(2, count, 3))
+    g, h = SO3.exp(x), SO3.exp(y)
+    for other in layouts(x):
+        np.testing.assert_array_equal(SO3.exp(other), g)
+    for other in layouts(g):
+        np.testing.assert_array_equal(SO3.log(other), SO3.log(g))
+        np.testing.assert_array_equal(SO3.compose(h, other), SO3.compose(h, g))
+        np.testing.assert_array_equal(SO3.matrix(other), SO3.matrix(g))
+
+
+def test_a_rotation_does_not_depend_on_its_place_or_on_threads():
+    """Large arrays (made by NumPy), their parts of any length, and single vectors; all sides of every threshold."""
+    x = rng.normal(size=(70_001, 3)) * rng.choice([1e-170, 1e-8, 0.3, 1, 3, 30], size=(70_001, 1))
+    g, logs = SO3.exp(x), SO3.log(SO3.exp(x))
+    products = SO3.compose(g, g[::-1])
+    assert g.flags.owndata and g.flags.writeable and g.flags.c_contiguous
+    for start, stop in [(0, 1), (17, 18), (3, 520), (511, 513), (1000, 1031), (69_990, 70_001)]:
+        np.testing.assert_array_equal(SO3.exp(x[start:stop]), g[start:stop])
+        np.testing.assert_array_equal(SO3.log(g[start:stop]), logs[start:stop])
+        np.testing.assert_array_equal(SO3.compose(g[start:stop], g[::-1][start:stop]), products[start:stop])
+    try:
+        for count in (1, 3):
+            af.set_threads(count)
+            np.testing.assert_array_equal(SO3.exp(x), g)
+            np.testing.assert_array_equal(SO3.log(g), logs)
+    finally:
+        af.set_threads(0)
+    np.testing.assert_allclose(g, Rotation.from_rotvec(x).as_quat(scalar_first=True), atol=4e-15)
+    bad = g.copy()
+    bad[65_000] = 0
+    with pytest.raises(af.MathematicsError, match="element 65000 of the batch"):
+        SO3.log(bad)

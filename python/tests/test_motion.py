@@ -89,7 +89,7 @@ def test_a_function_of_python_is_a_force():
         af.simulate({**TOP, "forces": {"body": broken}})
     with pytest.raises(TypeError):
         af.simulate({**TOP, "forces": {"body": lambda t, g, omega: "text"}})
-    with pytest.raises(af.AffinorError, match="component 3 of the force"):
+    with pytest.raises(ValueError, match="3 components"):
         af.simulate({**TOP, "forces": {"body": lambda t, g, omega: [0, 0]}})
 
 
@@ -138,18 +138,23 @@ LONG = {**TOP, "output": {"end": 1e5, "every": 0.1}}
 
 @pytest.mark.skipif(os.name != "posix", reason="signals")
 def test_ctrl_c_keeps_the_rows():
-    def interrupt():
-        time.sleep(0.7)
-        os.kill(os.getpid(), signal.SIGINT)
+    def interrupted_after_the_first_report():
+        """A report of progress, after which another thread sends the signal."""
+        reported = threading.Event()
 
-    threading.Thread(target=interrupt).start()
+        def interrupt():
+            if reported.wait(60):
+                os.kill(os.getpid(), signal.SIGINT)
+
+        threading.Thread(target=interrupt).start()
+        return lambda share: reported.set()
+
     begun = time.monotonic()
     with pytest.warns(RuntimeWarning, match="interrupted"):
-        top = af.simulate(LONG)
+        top = af.simulate(LONG, progress=interrupted_after_the_first_report())
     assert top.interrupted and len(top) > 1 and time.monotonic() - begun < 10
-    threading.Thread(target=interrupt).start()
     with pytest.raises(KeyboardInterrupt) as found:
-        af.simulate(LONG, on_interrupt="raise")
+        af.simulate(LONG, progress=interrupted_after_the_first_report(), on_interrupt="raise")
     assert len(found.value.trajectory) > 1
 
 
@@ -177,5 +182,5 @@ def test_the_interpreter_is_free_meanwhile():
     thread.start()
     while thread.is_alive():
         counted += 1
-        time.sleep(0.001)
+        thread.join(0.001)
     assert counted > 5

@@ -116,3 +116,29 @@ def test_big_numbers():
     big = 10**40 + 1
     assert af.Tensor([big, Fraction(1, big)], "^")[0] == big
     assert pickle.loads(pickle.dumps(af.Tensor([big, Fraction(1, big)], "^")))[1] == Fraction(1, big)
+
+
+def test_coordinates_of_a_large_tensor():
+    """Arrays of more than a megabyte; components in the order of their indices."""
+    curvature = af.Geometry("so(14)").curvature
+    indices, values = curvature.to_coo()
+    assert indices.nbytes > 1 << 20 and indices.shape == (4, curvature.nnz) == (4, len(values))
+    assert indices.dtype == np.int64 and indices.flags.c_contiguous and indices.flags.writeable and indices.flags.owndata
+    assert (np.diff(np.ravel_multi_index(tuple(indices), curvature.shape)) > 0).all()
+    for at in range(0, curvature.nnz, 997):
+        assert curvature[tuple(indices[:, at])] == values[at]
+    assert af.Tensor.from_coo(indices, values, "^___", curvature.dimension, scalar="float").to_coo()[1].sum() == values.sum()
+
+
+def test_a_scalar_of_numpy_times_a_tensor_is_a_tensor():
+    tensor = af.Tensor([1, 2], "^")
+    assert np.int64(2) * tensor == tensor * 2 == np.float64(2) * tensor
+    assert isinstance(np.int64(2) * tensor, af.Tensor)
+
+
+def test_indices_in_any_layout():
+    records = np.zeros(3, dtype=[("tag", "i4"), ("at", "i8", (2,))])
+    records["at"] = [[0, 1], [1, 2], [2, 0]]
+    expected = af.Tensor({(0, 1): 1, (1, 2): 2, (2, 0): 3}, "__", dimension=3)
+    for indices in (records["at"].T, records["at"].T.astype(np.uint8), records["at"].T.tolist(), records["at"].T.astype(object)):
+        assert af.Tensor.from_coo(indices, [1, 2, 3], "__", 3) == expected

@@ -1,9 +1,11 @@
 //! Many rotations at once: one array for every component, on all cores; or rows of components, in the thread of the caller.
 //!
-//! The formulas are those of [`So3`]. Over arrays of components the compiler emits vector instructions.
+//! The formulas are those of [`So3`]. Over arrays of components the compiler emits vector instructions: those that the processor
+//! has, chosen at run time. All of them round alike, so a result depends on its argument alone.
 
 use super::stumpff::{NEAR, near};
 use super::{LieGroup, So3, so3};
+use multiversion::multiversion;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 
@@ -40,30 +42,42 @@ pub fn exp(vectors: &Vectors, rotations: &mut Quaternions) {
     assert_eq!(vectors.len(), rotations.len(), "as many rotations as vectors");
     tasks4(rotations)
         .enumerate()
-        .for_each(|(task, rotations)| exp_part(part(&vectors.0, task), rotations));
+        .for_each(|(task, (w, x, y, z))| exp_columns(part(&vectors.0, task), [w, x, y, z]));
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx2", "x86_64+avx2"))]
+fn exp_columns(vectors: [&[f64]; 3], rotations: [&mut [f64]; 4]) {
+    let ([x, y, z], [w, i, j, k]) = (vectors, rotations);
+    let mut all_near = true;
+    for t in 0..w.len().min(x.len()) {
+        let (quarter, cos, half) = exp_near([x[t], y[t], z[t]]);
+        all_near &= quarter < NEAR;
+        (w[t], i[t], j[t], k[t]) = (cos, x[t] * half, y[t] * half, z[t] * half);
+    }
+    for t in if all_near { 0..0 } else { 0..x.len() } {
+        let x = [x[t], y[t], z[t]];
+        if is_far(exp_near(x).0) {
+            [w[t], i[t], j[t], k[t]] = exp_alone(x);
+        }
+    }
+}
+
+/// A quarter of the squared angle, and where this is below [`NEAR`] the scalar part and the ratio of the vector parts.
+#[inline(always)]
+fn exp_near([x, y, z]: [f64; 3]) -> (f64, f64, f64) {
+    let quarter = 0.25 * (x * x + y * y + z * z);
+    let (cos, sin) = near(quarter);
+    (quarter, cos, 0.5 * sin)
 }
 
 #[inline(always)]
-fn exp_part([x, y, z]: [&[f64]; 3], (w, i, j, k): Four<'_>) {
-    let mut all_near = true;
-    for t in 0..w.len().min(x.len()) {
-        let quarter = 0.25 * (x[t] * x[t] + y[t] * y[t] + z[t] * z[t]);
-        all_near &= quarter < NEAR;
-        let (cos, sin) = near(quarter);
-        let half = 0.5 * sin;
-        (w[t], i[t], j[t], k[t]) = (cos, x[t] * half, y[t] * half, z[t] * half);
-    }
-    if all_near {
-        return;
-    }
-    for t in 0..x.len() {
-        let vector = Vector3::new(x[t], y[t], z[t]);
-        let quarter = 0.25 * vector.norm_squared();
-        if quarter.is_nan() || quarter >= NEAR {
-            let g = So3.exp(&vector);
-            (w[t], i[t], j[t], k[t]) = (g.w, g.i, g.j, g.k);
-        }
-    }
+fn is_far(quarter: f64) -> bool {
+    quarter.is_nan() || quarter >= NEAR
+}
+
+fn exp_alone(x: [f64; 3]) -> [f64; 4] {
+    let g = So3.exp(&x.into());
+    [g.w, g.i, g.j, g.k]
 }
 
 /// Logarithms of all rotations, of length at most `pi`; NaN for a quaternion that is zero or not finite.
@@ -74,24 +88,37 @@ pub fn log(rotations: &Quaternions, vectors: &mut Vectors) {
     assert_eq!(rotations.len(), vectors.len(), "as many vectors as rotations");
     tasks3(vectors)
         .enumerate()
-        .for_each(|(task, vectors)| log_part(part(&rotations.0, task), vectors));
+        .for_each(|(task, (x, y, z))| log_columns(part(&rotations.0, task), [x, y, z]));
 }
 
-#[inline(always)]
-fn log_part([w, i, j, k]: [&[f64]; 4], (x, y, z): Three<'_>) {
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx2", "x86_64+avx2"))]
+fn log_columns(rotations: [&[f64]; 4], vectors: [&mut [f64]; 3]) {
+    let ([w, i, j, k], [x, y, z]) = (rotations, vectors);
     let mut all_unit = true;
     for t in 0..x.len().min(w.len()) {
-        let square = i[t] * i[t] + j[t] * j[t] + k[t] * k[t];
-        let norm = w[t] * w[t] + square;
+        let (norm, factor) = log_near([w[t], i[t], j[t], k[t]]);
         all_unit &= so3::is_unit(norm);
-        let factor = so3::logarithm([i[t], j[t], k[t], w[t]], square, norm);
         (x[t], y[t], z[t]) = (i[t] * factor, j[t] * factor, k[t] * factor);
     }
     for t in if all_unit { 0..0 } else { 0..w.len() } {
-        let g = UnitQuaternion::new_unchecked(Quaternion::new(w[t], i[t], j[t], k[t]));
-        let vector = So3.log(&g).unwrap_or(Vector3::repeat(f64::NAN));
-        (x[t], y[t], z[t]) = (vector.x, vector.y, vector.z);
+        let g = [w[t], i[t], j[t], k[t]];
+        if !so3::is_unit(log_near(g).0) {
+            [x[t], y[t], z[t]] = log_alone(g);
+        }
     }
+}
+
+/// The squared norm, and where this is that of a unit the ratio of the vector parts.
+#[inline(always)]
+fn log_near([w, i, j, k]: [f64; 4]) -> (f64, f64) {
+    let square = i * i + j * j + k * k;
+    let norm = w * w + square;
+    (norm, so3::logarithm([i, j, k, w], square, norm))
+}
+
+fn log_alone([w, i, j, k]: [f64; 4]) -> [f64; 3] {
+    let g = UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k));
+    So3.log(&g).unwrap_or(Vector3::repeat(f64::NAN)).into()
 }
 
 /// Products `g h` of all pairs.
@@ -127,9 +154,6 @@ pub fn compose_rows(g: &[[f64; 4]], h: &[[f64; 4]], products: &mut [[f64; 4]]) {
     }
 }
 
-/// The number of rows that are turned into columns together.
-const ROWS: usize = 64;
-
 /// [`exp`] of rows `x, y, z`, to rows `w, x, y, z`, in the thread of the caller.
 ///
 /// ```
@@ -139,42 +163,104 @@ const ROWS: usize = 64;
 /// assert!((rotations[0][3] - 1.0).abs() < 1e-15);
 /// assert_eq!(rotations[1], [1.0, 0.0, 0.0, 0.0]);
 /// ```
+///
+/// # Panics
+/// If the numbers of rows differ, like all functions here.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx2", "x86_64+avx2"))]
 pub fn exp_rows(vectors: &[[f64; 3]], rotations: &mut [[f64; 4]]) {
-    for (vectors, rotations) in vectors.chunks(ROWS).zip(rotations.chunks_mut(ROWS)) {
-        let (n, x) = (vectors.len(), columns(vectors));
-        let mut y = [[0.0; ROWS]; 4];
-        let [w, i, j, k] = &mut y;
-        exp_part(
-            x.each_ref().map(|x| &x[..n]),
-            (&mut w[..n], &mut i[..n], &mut j[..n], &mut k[..n]),
-        );
-        into_rows(&y, rotations);
+    assert_eq!(vectors.len(), rotations.len(), "as many rotations as vectors");
+    let ((blocks, rest), (found, last)) = (vectors.as_chunks(), rotations.as_chunks_mut());
+    for (block, found) in blocks.iter().zip(found) {
+        exp_lanes(block, found);
+    }
+    if !rest.is_empty() {
+        let mut found = [[0.0; 4]; LANES];
+        exp_lanes(&filled(rest, [0.0; 3]), &mut found);
+        last.copy_from_slice(&found[..rest.len()]);
     }
 }
 
-/// [`log`] of rows `w, x, y, z`, in the thread of the caller.
-pub fn log_rows(rotations: &[[f64; 4]], vectors: &mut [[f64; 3]]) {
-    for (rotations, vectors) in rotations.chunks(ROWS).zip(vectors.chunks_mut(ROWS)) {
-        let (n, x) = (rotations.len(), columns(rotations));
-        let mut y = [[0.0; ROWS]; 3];
-        let [i, j, k] = &mut y;
-        log_part(x.each_ref().map(|x| &x[..n]), (&mut i[..n], &mut j[..n], &mut k[..n]));
-        into_rows(&y, vectors);
+#[inline(always)]
+fn exp_lanes(x: &[[f64; 3]; LANES], g: &mut [[f64; 4]; LANES]) {
+    let [mut quarter, mut cos, mut half] = [[0.0; LANES]; 3];
+    let columns: [[f64; LANES]; 3] = columns(x);
+    for t in 0..LANES {
+        (quarter[t], cos[t], half[t]) = exp_near([columns[0][t], columns[1][t], columns[2][t]]);
+    }
+    let mut all_near = true;
+    for t in 0..LANES {
+        all_near &= quarter[t] < NEAR;
+    }
+    for t in 0..LANES {
+        g[t] = [cos[t], x[t][0] * half[t], x[t][1] * half[t], x[t][2] * half[t]];
+    }
+    for t in if all_near { 0..0 } else { 0..LANES } {
+        if is_far(quarter[t]) {
+            g[t] = exp_alone(x[t]);
+        }
     }
 }
 
-fn columns<const N: usize>(rows: &[[f64; N]]) -> [[f64; ROWS]; N] {
-    let mut columns = [[0.0; ROWS]; N];
-    for (at, row) in rows.iter().enumerate() {
-        (0..N).for_each(|column| columns[column][at] = row[column]);
+/// [`log`] of rows `w, x, y, z`, in the thread of the caller. Returns whether every row has a logarithm.
+///
+/// # Panics
+/// If the numbers of rows differ.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx2", "x86_64+avx2"))]
+pub fn log_rows(rotations: &[[f64; 4]], vectors: &mut [[f64; 3]]) -> bool {
+    assert_eq!(rotations.len(), vectors.len(), "as many vectors as rotations");
+    let mut valid = true;
+    let ((blocks, rest), (found, last)) = (rotations.as_chunks(), vectors.as_chunks_mut());
+    for (block, found) in blocks.iter().zip(found) {
+        valid &= log_lanes(block, found);
     }
-    columns
+    if !rest.is_empty() {
+        let mut found = [[0.0; 3]; LANES];
+        valid &= log_lanes(&filled(rest, [1.0, 0.0, 0.0, 0.0]), &mut found);
+        last.copy_from_slice(&found[..rest.len()]);
+    }
+    valid
 }
 
-fn into_rows<const N: usize>(columns: &[[f64; ROWS]; N], rows: &mut [[f64; N]]) {
-    for (at, row) in rows.iter_mut().enumerate() {
-        *row = std::array::from_fn(|column| columns[column][at]);
+#[inline(always)]
+fn log_lanes(g: &[[f64; 4]; LANES], x: &mut [[f64; 3]; LANES]) -> bool {
+    let [mut norm, mut factor] = [[0.0; LANES]; 2];
+    let columns: [[f64; LANES]; 4] = columns(g);
+    for t in 0..LANES {
+        (norm[t], factor[t]) =
+            log_near([columns[0][t], columns[1][t], columns[2][t], columns[3][t]]);
     }
+    let mut all_unit = true;
+    for t in 0..LANES {
+        all_unit &= so3::is_unit(norm[t]);
+    }
+    for t in 0..LANES {
+        x[t] = [g[t][1] * factor[t], g[t][2] * factor[t], g[t][3] * factor[t]];
+    }
+    let mut valid = true;
+    for t in if all_unit { 0..0 } else { 0..LANES } {
+        if !so3::is_unit(norm[t]) {
+            x[t] = log_alone(g[t]);
+            valid &= !x[t][0].is_nan();
+        }
+    }
+    valid
+}
+
+/// The number of rows that are computed side by side.
+const LANES: usize = 16;
+
+/// Rows as columns, over which loops become vector instructions.
+#[inline(always)]
+fn columns<const N: usize>(rows: &[[f64; N]; LANES]) -> [[f64; LANES]; N] {
+    std::array::from_fn(|column| std::array::from_fn(|row| rows[row][column]))
+}
+
+/// The last rows, and others that complete the lanes.
+#[inline(always)]
+fn filled<const N: usize>(rest: &[[f64; N]], fill: [f64; N]) -> [[f64; N]; LANES] {
+    let mut block = [fill; LANES];
+    block[..rest.len()].copy_from_slice(rest);
+    block
 }
 
 /// The columns of one task, of equal lengths, so that loops need no bounds checks.
@@ -262,5 +348,42 @@ impl FromIterator<Vector3<f64>> for Vectors {
 impl FromIterator<UnitQuaternion<f64>> for Quaternions {
     fn from_iter<I: IntoIterator<Item = UnitQuaternion<f64>>>(rotations: I) -> Self {
         Self::collect(rotations.into_iter().map(|g| [g.w, g.i, g.j, g.k]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The instructions of this processor give the same floats as those that every processor has, at any place of a batch.
+    #[test]
+    fn equal_floats_on_every_processor_at_every_place() {
+        let scales = [0.0, 1e-170, 1e-9, 0.1, 1.2, 2.99, 3.0, 3.01, 6.3, 1e3, 1e150, f64::NAN];
+        let axis = [0.28, -0.96, 0.6];
+        let vectors: Vec<[f64; 3]> = (0..90)
+            .map(|at| axis.map(|c| c * scales[at % scales.len()] + 1e-3 * at as f64))
+            .collect();
+        let bits =
+            |rows: &[[f64; 4]]| rows.as_flattened().iter().map(|c| c.to_bits()).collect::<Vec<_>>();
+        let mut plain = vec![[0.0; 4]; vectors.len()];
+        for (x, g) in vectors.as_chunks().0.iter().zip(plain.as_chunks_mut().0) {
+            exp_lanes(x, g);
+        }
+        let mut logarithms = vec![[0.0; 3]; vectors.len()];
+        for (g, x) in plain.as_chunks().0.iter().zip(logarithms.as_chunks_mut().0) {
+            log_lanes(g, x);
+        }
+        for start in 0..20 {
+            for end in start..vectors.len() {
+                let mut found = vec![[0.0; 4]; end - start];
+                exp_rows(&vectors[start..end], &mut found);
+                assert_eq!(bits(&found), bits(&plain[start..end]), "{start}..{end}");
+                let mut back = vec![[0.0; 3]; end - start];
+                let valid = log_rows(&found, &mut back);
+                assert_eq!(valid, !back.as_flattened().iter().any(|c| c.is_nan()));
+                let both = back.as_flattened().iter().zip(logarithms[start..end].as_flattened());
+                both.for_each(|(a, b)| assert_eq!(a.to_bits(), b.to_bits(), "{start}..{end}"));
+            }
+        }
     }
 }

@@ -3,17 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
-if TYPE_CHECKING:
-    from affinor.motion import Trajectory
+
+class Columns(Protocol):
+    """What a plot reads of a trajectory."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def t(self) -> NDArray[np.float64]: ...
+    @property
+    def columns(self) -> list[str]: ...
+    @property
+    def watched(self) -> list[str]: ...
+    def __contains__(self, name: object) -> bool: ...
+    def __getitem__(self, name: str) -> NDArray[np.float64]: ...
+
 
 KINDS = ("conserved", "series", "attitude", "momentum")
 
 
-def plot(trajectory: Trajectory, kind: str, columns: Sequence[str] | None, ax: Any) -> Any:
+def plot(trajectory: Columns, kind: str, columns: Sequence[str] | None, ax: Any) -> Any:
     """The plot of a kind; the axes."""
     if kind not in KINDS:
         raise ValueError(f"the plots are {', '.join(KINDS)}, not {kind!r}")
@@ -67,7 +81,7 @@ def plot_convergence(errors: Mapping[str, Any], steps: Sequence[float], ax: Any 
     return ax
 
 
-def _axes(trajectory: Trajectory) -> Any:
+def _axes(trajectory: Columns) -> Any:
     """Rotation matrices, from the quaternion or from the entries of the element."""
     from affinor.group import SO3
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numbers
+import operator
 import re
 import sys
 from collections.abc import Iterable, Mapping
@@ -10,6 +11,7 @@ from fractions import Fraction
 from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from affinor import _engine
 
@@ -21,7 +23,6 @@ Symbols: TypeAlias = dict[str, Any]
 
 _NAMES = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?!\s*\()")
 _FUNCTIONS = {"Abs": "abs", "Max": "max", "Min": "min", "log": "log", "ceiling": None}
-_HELP = "write Fraction(1, 10) or the text '0.1' for an exact number, or choose scalar='float'"
 
 
 def is_sympy(value: object) -> bool:
@@ -58,7 +59,7 @@ def text_of(
             return repr(number)
         if not np.isfinite(number):
             raise ValueError(f"{number} is no number that can be computed with")
-        raise TypeError(f"{number!r} is a float, and exact numbers are needed: {_HELP}")
+        raise _inexact(number)
     if isinstance(value, (complex, np.complexfloating)):
         if value.imag == 0:
             return text_of(float(value.real), symbols, floats=floats)
@@ -71,6 +72,50 @@ def text_of(
     raise TypeError(
         f"a number (int, Fraction), a SymPy expression or a text was expected, not {type(value).__name__}"
     )
+
+
+def floats(value: Any) -> NDArray[np.float64]:
+    """Real numbers as an array of float64; complex numbers, texts, dates and records are refused."""
+    try:
+        array = np.asarray(value)
+    except ValueError as error:
+        raise ValueError(f"an array of real numbers was expected: {error}") from error
+    if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
+        raise ValueError("an array of real numbers was expected, not one with masked entries")
+    if array.dtype.kind == "O":
+        try:
+            # texts are no numbers, even where float() reads them
+            numbers = [float(item) if not isinstance(item, (str, bytes)) else _refuse(item) for item in array.flat]
+        except OverflowError as error:
+            raise ValueError(f"an array of real numbers was expected: {error}") from error
+        except TypeError as error:
+            raise TypeError(f"an array of real numbers was expected: {error}") from error
+        array = np.array(numbers, dtype=np.float64).reshape(array.shape)
+    elif array.dtype.kind not in "biuf":
+        raise TypeError(f"an array of real numbers was expected, not of dtype {array.dtype}")
+    return np.require(array, np.float64, ["C", "A"])
+
+
+def _refuse(item: object) -> float:
+    raise TypeError(f"{item!r} is no number")
+
+
+def integers(what: str, value: Any) -> NDArray[np.int64]:
+    """Indices as an array of int64; numbers that are not integers are refused, not cut."""
+    try:
+        array = np.asarray(value)
+        if array.dtype.kind == "O":
+            array = np.array([operator.index(item) for item in array.flat], dtype=np.int64).reshape(array.shape)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise type(error)(f"{what} should be an array of integers: {error}") from error
+    if array.size and array.dtype.kind not in "iu":
+        raise TypeError(f"{what} should be an array of integers, not of dtype {array.dtype}")
+    return np.require(array, np.int64, ["C", "A"])
+
+
+def _inexact(number: float) -> TypeError:
+    exact = f"write Fraction('{number!r}') or the text '{number!r}' for an exact number, or choose scalar='float'"
+    return TypeError(f"{number!r} is a float, and exact numbers are needed: {exact}")
 
 
 def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) -> str:
@@ -90,7 +135,7 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
             number = float(node)
             if floats or number.is_integer():
                 return f"({text_of(number, symbols, floats=True)})"
-            raise TypeError(f"{node} is a float, and exact numbers are needed: {_HELP}")
+            raise _inexact(number)
         if node is sympy.I and imaginary:
             return "i"
         if node is sympy.pi and floats:

@@ -10,7 +10,7 @@ import os
 import re
 import tempfile
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from pathlib import Path
@@ -37,12 +37,18 @@ class Draw:
     """
 
     def __init__(self, samples: int, *, seed: int = 0, **laws: str | Sequence[Any]) -> None:
+        if isinstance(samples, bool) or not isinstance(samples, (int, np.integer)):
+            raise TypeError(f"the number of samples is an integer, not {type(samples).__name__}")
+        if isinstance(seed, bool) or not isinstance(seed, (int, np.integer)):
+            raise TypeError(f"the seed is an integer, not {type(seed).__name__}")
         if samples < 0 or not laws:
             raise ValueError("a draw needs a number of samples and a law for each parameter")
         self.samples, self.seed, self.laws = int(samples), int(seed), laws
         for name, law in laws.items():
             if isinstance(law, str):
                 _law(name, law)
+            elif not isinstance(law, Sequence) or not len(law):
+                raise TypeError(f"the law of {name} is a text or a list of values, not {law!r}")
 
     def __len__(self) -> int:
         return self.samples
@@ -121,6 +127,8 @@ class Sweep:
 
         names = sorted(self.manifest["partitions"])
         tables = [pq.read_table(self.folder / name) for name in names]
+        if not tables:
+            return pa.table({"row": pa.array([], pa.int64()), "error": pa.array([], pa.string())})
         return pa.concat_tables(tables, promote_options="permissive")
 
     def to_pandas(self) -> Any:
@@ -153,6 +161,8 @@ def sweep(
     a task failed. ``out`` is the folder; a sweep that was killed goes on where it was when it is called again. A folder of
     another task or grid is refused.
     """
+    if isinstance(chunk, bool) or not isinstance(chunk, (int, np.integer)):
+        raise TypeError(f"chunk is a number of rows, not {type(chunk).__name__}")
     if chunk < 1:
         raise ValueError(f"a chunk has at least one row, not {chunk}")
     source = _Grid(grid)
@@ -201,6 +211,9 @@ class _Grid:
             self.length, self.description = len(grid), repr(("draw", grid.samples, grid.seed, grid.laws))
             return
         if isinstance(grid, Mapping):
+            for name, values in grid.items():
+                if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
+                    raise TypeError(f"the values of {name} are a list, not {type(values).__name__}")
             self.values = {str(name): list(values) for name, values in grid.items()}
             self.length = int(np.prod([len(values) for values in self.values.values()], dtype=np.int64))
             self.description = repr(("product", self.values))
@@ -271,6 +284,8 @@ def _each(task: Callable[[dict[str, Any]], Mapping[str, Any]], rows: Columns, co
     def one(at: int) -> tuple[dict[str, Any], str | None]:
         try:
             found = task({name: values[at] for name, values in rows.items()})
+            if not isinstance(found, Mapping):
+                raise TypeError(f"a task returns a dict of results, not {type(found).__name__}")
             return {str(key): _plain(value) for key, value in found.items()}, None
         except Exception as error:
             return {}, f"{type(error).__name__}: {str(error).splitlines()[0] if str(error) else ''}"
@@ -308,7 +323,10 @@ def _array(pa: Any, name: str, values: list[Any]) -> Any:
         value is None or isinstance(value, (int, float)) for value in values
     ):
         return pa.array([None if value is None else float(value) for value in values], pa.float64())
-    return pa.array([str(value) if isinstance(value, Fraction) else value for value in values])
+    try:
+        return pa.array([str(value) if isinstance(value, Fraction) else value for value in values])
+    except (pa.ArrowInvalid, pa.ArrowTypeError, OverflowError) as error:
+        raise TypeError(f"the values of {name!r} have no common type of Parquet: {error}") from error
 
 
 def _fingerprint(task: Any, source: _Grid, chunk: int) -> str:

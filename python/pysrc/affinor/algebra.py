@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from affinor import _engine
-from affinor._scalars import Scalar, Symbols, document, is_matrix, merged, names_in, text_of
+from affinor._scalars import Scalar, Symbols, document, integers, is_matrix, merged, names_in, text_of
 from affinor.errors import MathematicsError
 from affinor.group import Group
 from affinor.structure import Structured
@@ -61,7 +61,7 @@ def source_of(
         space = os.fspath(space)
     if isinstance(space, str):
         if basis is not None:
-            names = basis if isinstance(basis, str) else " ".join(basis)
+            names = " ".join(_labels(basis) or [])
             return Source({"basis": names, "brackets": [space]}, {}, scalar, tolerance)
         return Source({"space": space}, {}, scalar, tolerance)
     symbols: Symbols = {}
@@ -80,7 +80,11 @@ def source_of(
 def _labels(basis: str | Sequence[str] | None) -> list[str] | None:
     if basis is None:
         return None
-    return basis.replace(",", " ").split() if isinstance(basis, str) else [str(name) for name in basis]
+    if isinstance(basis, str):
+        return basis.replace(",", " ").split()
+    if not isinstance(basis, Iterable):
+        raise TypeError(f"a basis is a text or a list of names, not {type(basis).__name__}")
+    return [str(name) for name in basis]
 
 
 def _definition(
@@ -104,6 +108,8 @@ def structure_source(
     tolerance: float | None = None,
 ) -> Source:
     """The source of structure constants ``c[i, j, k]``, in any of the forms of :meth:`LieAlgebra.from_structure`."""
+    if dimension is not None and (isinstance(dimension, bool) or not isinstance(dimension, (int, np.integer))):
+        raise TypeError(f"the dimension is an integer, not {type(dimension).__name__}")
     indices, values, found = _entries(constants, dimension)
     labels = _labels(basis)
     n = found if dimension is None else dimension
@@ -145,7 +151,7 @@ def _entries(constants: Any, dimension: int | None) -> tuple[list[Any], list[Any
                 "a COO pair has indices of the shape (3, count) and as many values, "
                 f"not {indices.shape} and {values.shape}"
             )
-        return indices.T.tolist(), list(values), None
+        return integers("indices", indices).T.tolist(), list(values), None
     if isinstance(constants, (list, tuple)) and constants and isinstance(constants[0], (list, tuple)):
         first = constants[0]
         if len(first) == 4 and not isinstance(first[0], (list, tuple, np.ndarray)):
@@ -244,6 +250,8 @@ class LieAlgebra(Structured):
         """
         symbols: Symbols = {}
         all_rows = []
+        if not isinstance(matrices, Iterable):
+            raise TypeError(f"matrices are a list of matrices, not {type(matrices).__name__}")
         for at, matrix in enumerate(matrices):
             rows = matrix.tolist() if hasattr(matrix, "tolist") else matrix
             if not isinstance(rows, (list, tuple)) or not all(isinstance(row, (list, tuple)) for row in rows):

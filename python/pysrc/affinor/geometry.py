@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -153,6 +153,8 @@ class Geometry:
         a text such as ``"1/sin(theta)*d_phi"``, or its components in the coordinate frame.
         """
         symbols: Symbols = {}
+        if not isinstance(coordinates, Iterable):
+            raise TypeError(f"coordinates are a text or a list of symbols, not {type(coordinates).__name__}")
         listed = coordinates.replace(",", " ").split() if isinstance(coordinates, str) else list(coordinates)
         names = [text_of(name, symbols) for name in listed]
         keys: dict[str, Any] = {"name": name, "chart": {"coordinates": names}}
@@ -384,6 +386,8 @@ class Geometry:
         if show is None:
             keys = [key for key in QUANTITIES[:10] if key not in ("inverse_metric", "killing")]
         else:
+            if not isinstance(show, Iterable):
+                raise TypeError(f"show is a text or a list of names of quantities, not {type(show).__name__}")
             named = show.replace(",", " ").split() if isinstance(show, str) else list(show)
             groups = {"all": QUANTITIES[:10], "derived": QUANTITIES[10:]}
             keys = list(dict.fromkeys(key for name in named for key in groups.get(name, [name])))

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from affinor import _engine
+from affinor._scalars import floats
 
 __all__ = ["SE2", "SE3", "SE23", "SL2", "SO2", "SO3", "Group", "RotationGroup", "groups"]
 
@@ -87,9 +88,16 @@ class Group:
 
     def adjoint_matrix(self, g: ArrayLike) -> Floats:
         """The matrices of ``Ad_g``, (..., dimension, dimension)."""
-        g = np.asarray(g, dtype=np.float64)
+        g = self._elements(g)
         images = self._engine.adjoint(g[..., None, :], np.eye(self.dimension))
         return np.swapaxes(images, -1, -2)
+
+    def _elements(self, g: ArrayLike) -> Floats:
+        """Elements as an array of floats, of a checked shape."""
+        array = floats(g)
+        if array.ndim == 0 or array.shape[-1] != self.coordinates:
+            raise ValueError(f"g should be an array of the shape (..., {self.coordinates}), not of the shape {array.shape}")
+        return array
 
     def coadjoint(self, g: ArrayLike, h: ArrayLike) -> Floats:
         """``Ad*_g h``: spatial to body momentum."""
@@ -117,7 +125,7 @@ class Group:
 
     def act(self, g: ArrayLike, points: ArrayLike) -> Floats:
         """The action of a group of matrices on points: of size k, or k - 1 for homogeneous matrices."""
-        matrix, points = self.matrix(g), np.asarray(points, dtype=np.float64)
+        matrix, points = self.matrix(g), floats(points)
         rows, columns = self._engine.shape
         if rows != columns:
             raise ValueError(f"the elements of {self.name} are no matrices that act on points")
@@ -132,7 +140,7 @@ class Group:
 
     def interpolate(self, g: ArrayLike, h: ArrayLike, t: ArrayLike) -> Floats:
         """``g exp(t log(g^-1 h))``."""
-        steps = np.asarray(t, dtype=np.float64)[..., None] * self.log(self.between(g, h))
+        steps = floats(t)[..., None] * self.log(self.between(g, h))
         return self.compose(g, self.exp(steps))
 
     def mean(self, g: ArrayLike) -> Floats:
@@ -144,8 +152,10 @@ class Group:
     ) -> Floats:
         """Exponentials of normal vectors of this scale."""
         generator = rng if isinstance(rng, np.random.Generator) else np.random.default_rng(rng)
-        shape = (shape,) if isinstance(shape, int) else tuple(shape)
-        return self.exp(generator.normal(scale=scale, size=(*shape, self.dimension)))
+        sizes = tuple(shape) if isinstance(shape, (tuple, list)) else (shape,)
+        if not all(isinstance(size, (int, np.integer)) and size >= 0 for size in sizes):
+            raise ValueError(f"the shape should be a number or a tuple of numbers from 0, not {shape!r}")
+        return self.exp(generator.normal(scale=scale, size=(*sizes, self.dimension)))
 
     def __repr__(self) -> str:
         return f"<Group {self.name}, dimension {self.dimension}, {self.coordinates} coordinates>"
@@ -170,7 +180,7 @@ class RotationGroup(Group):
 
     def from_quaternion(self, q: ArrayLike, *, scalar_first: bool = True) -> Floats:
         """The elements of quaternions of any length but zero; ``scalar_first=False`` takes the order ``x, y, z, w``."""
-        q = np.asarray(q, dtype=np.float64)
+        q = floats(q)
         if q.ndim == 0 or q.shape[-1] != 4:
             raise ValueError(f"quaternions should have the shape (..., 4), not {q.shape}")
         norm = np.linalg.norm(q, axis=-1, keepdims=True)
@@ -181,11 +191,13 @@ class RotationGroup(Group):
 
     def to_quaternion(self, g: ArrayLike, *, scalar_first: bool = True) -> Floats:
         """The quaternions; ``scalar_first=False`` gives the order ``x, y, z, w``."""
-        g = np.array(g, dtype=np.float64)
-        return g if scalar_first else np.roll(g, -1, axis=-1)
+        g = self._elements(g)
+        return g.copy() if scalar_first else np.roll(g, -1, axis=-1)
 
     def from_scipy(self, rotation: Any) -> Floats:
         """The elements of a ``scipy.spatial.transform.Rotation``."""
+        if not hasattr(rotation, "as_quat"):
+            raise TypeError(f"a Rotation of SciPy was expected, not {type(rotation).__name__}")
         return np.roll(np.asarray(rotation.as_quat(), dtype=np.float64), 1, axis=-1)
 
     def to_scipy(self, g: ArrayLike) -> Any:

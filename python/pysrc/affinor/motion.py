@@ -156,6 +156,8 @@ def _restore(*arguments: Any) -> Problem:
 def _settings(values: Mapping[str, Any] | str | None, symbols: Symbols) -> str | None:
     if values is None or isinstance(values, str):
         return values
+    if not isinstance(values, Mapping):
+        raise TypeError(f"set is a dict of parameters or a text, not {type(values).__name__}")
     return ",".join(f"{name}={text_of(value, symbols, floats=True)}" for name, value in values.items())
 
 

@@ -14,7 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from affinor import _engine
 from affinor._engine import Tensor as Components
-from affinor._scalars import Scalar, Symbols, is_matrix, merged, text_of, to_sympy, value_of
+from affinor._scalars import Scalar, Symbols, integers, is_matrix, merged, text_of, to_sympy, value_of
+from affinor.errors import ShapeError
 
 __all__ = ["Tensor", "contract"]
 
@@ -42,6 +43,8 @@ class Tensor:
     __slots__ = ("_engine", "_latex_symbol", "_letters", "_symbol", "_symbols", "_title")
 
     _engine: Components
+    # a product with a scalar of NumPy is a tensor, too, and no dense array
+    __array_ufunc__ = None
     _symbols: Symbols
 
     def __init__(
@@ -62,7 +65,7 @@ class Tensor:
             for key in keys:
                 if len(key) != len(slots):
                     raise ValueError(f"the component {key} has {len(key)} indices, the slots {slots!r} {len(slots)}")
-            indices = np.array(keys, dtype=np.int64).reshape(len(keys), len(slots)).T
+            indices = integers("indices", keys).reshape(len(keys), len(slots)).T
         else:
             indices, values, dimension = _dense(components, slots)
         self._make(indices, values, slots, dimension, scalar, symbols, symbol)
@@ -79,6 +82,10 @@ class Tensor:
     ) -> None:
         if not isinstance(slots, str):
             raise TypeError(f"slots are a text of ^ and _, not {type(slots).__name__}")
+        if isinstance(dimension, bool) or not isinstance(dimension, (int, np.integer)):
+            raise TypeError(f"the dimension is an integer, not {type(dimension).__name__}")
+        if not 0 <= dimension < 1 << 63:
+            raise ValueError(f"the dimension is a number from 0, not {dimension}")
         if scalar not in (None, "exact", "float"):
             raise ValueError(f"the scalar is exact or float, not {scalar!r}")
         if scalar == "float":
@@ -129,9 +136,11 @@ class Tensor:
 
         Components with equal indices are added.
         """
-        places = np.asarray(indices, dtype=np.int64)
+        places, listed = integers("indices", indices), np.asarray(values)
+        if listed.ndim != 1:
+            raise ValueError(f"values should have the shape (count,), not {listed.shape}")
         tensor = cls.__new__(cls)
-        tensor._make(places, list(np.asarray(values)), slots, dimension, scalar, {}, symbol)
+        tensor._make(places, list(listed), slots, dimension, scalar, {}, symbol)
         return tensor
 
     # -- shape -----------------------------------------------------------------------------------------------------------
@@ -217,9 +226,10 @@ class Tensor:
         Values are float64; with ``dtype=object`` they are fractions or expressions of SymPy. Both arrays are built by the
         engine and handed over without a copy.
         """
-        indices = self._engine.indices()
         if np.dtype(dtype) != np.dtype(object):
-            return indices, self._engine.floats().astype(dtype, copy=False)
+            indices, floats = self._engine.coo()
+            return indices, floats.astype(dtype, copy=False)
+        indices = self._engine.indices()
         values = np.empty(self.nnz, dtype=object)
         values[:] = [value_of(value, self._symbols) for value in self._engine.values()]
         return indices, values
@@ -323,11 +333,19 @@ class Tensor:
 
     def permute(self, *order: int) -> Tensor:
         """The slots in another order: slot ``a`` of the result is slot ``order[a]`` of this tensor."""
-        return Tensor._of(self._engine.permute(list(order)), self._symbols)
+        return Tensor._of(self._engine.permute(self._positions(*order)), self._symbols)
 
     def trace(self, a: int, b: int) -> Tensor:
         """The sum over an upper and a lower slot, by their positions from 0."""
-        return Tensor._of(self._engine.trace(a, b), self._symbols)
+        return Tensor._of(self._engine.trace(*self._positions(a, b)), self._symbols)
+
+    def _positions(self, *slots: int) -> list[int]:
+        for slot in slots:
+            if isinstance(slot, bool) or not isinstance(slot, (int, np.integer)):
+                raise TypeError(f"a slot is an integer, not {type(slot).__name__}")
+            if not 0 <= slot < self.rank:
+                raise ShapeError(f"a tensor of rank {self.rank} has no slot {slot}; they count from 0")
+        return list(slots)
 
     def subs(self, values: Mapping[Any, Scalar]) -> Tensor:
         """The tensor with parameters replaced, by name or by symbol."""
@@ -433,6 +451,8 @@ def contract(expression: str, *factors: Tensor, **named: Tensor) -> Tensor:
 
         def name(match: re.Match[str]) -> str:
             at = next(count)
+            if at >= len(_NAMES):
+                raise ValueError(f"at most {len(_NAMES)} factors are given in order; give the others by name")
             if at >= len(factors):
                 raise ValueError(f"{expression!r} has more factors than the {len(factors)} given")
             operands[_NAMES[at]] = factors[at]

@@ -78,24 +78,34 @@ impl<S: Ring> Tensor<S> {
     /// # Ok::<(), affinor_tensors::TensorError>(())
     /// ```
     pub fn coordinates(&self) -> Vec<i64> {
-        let (rank, n) = (self.rank(), self.dimension as u64);
-        let count = self.len();
-        let mut list = vec![0; rank * count];
-        let Some(last) = rank.checked_sub(1) else { return list };
+        let mut list = vec![0; self.rank() * self.len()];
+        self.write_coordinates(&mut list);
+        list
+    }
+
+    /// [`Tensor::coordinates`] into a list that exists.
+    ///
+    /// # Panics
+    /// If the length of the list is not the rank times the number of nonzero components.
+    pub fn write_coordinates(&self, list: &mut [i64]) {
+        let (rank, count) = (self.rank(), self.len());
+        assert_eq!(list.len(), rank * count, "an index for each slot of each component");
+        let Some(last) = rank.checked_sub(1) else { return };
+        let (fronts, ends) = list.split_at_mut(last * count);
         let shown = self.keys.iter().zip(&self.values).filter(|(_, value)| !value.is_small());
         // neighbours mostly share all indices but the last: these are divided out once
-        let (mut front, mut before) = (u64::MAX, Indices([0; Indices::MAX], rank));
-        for (at, (&key, _)) in shown.enumerate() {
-            if key / n != front {
-                front = key / n;
+        let (mut base, mut before) = (u64::MAX, Indices([0; Indices::MAX], rank));
+        for ((at, (&key, _)), end) in shown.enumerate().zip(ends) {
+            let ahead = key.wrapping_sub(base);
+            if key < base || ahead >= self.dimension as u64 {
                 before = self.indices(key);
+                base = key - before[last] as u64;
             }
             for slot in 0..last {
-                list[slot * count + at] = before.0[slot] as i64;
+                fronts[slot * count + at] = before.0[slot] as i64;
             }
-            list[last * count + at] = (key % n) as i64;
+            *end = (key - base) as i64;
         }
-        list
     }
 }
 
