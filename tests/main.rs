@@ -36,6 +36,7 @@ mod holonomy;
 mod integrators;
 mod invariant_connections;
 mod isospectral;
+mod jacobi_by_generators;
 mod levi_civita;
 mod lie_derivative;
 mod lie_poisson;
