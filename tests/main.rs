@@ -49,6 +49,7 @@ mod orbit;
 mod paper;
 mod parallel_translation;
 mod properties;
+mod property_witnesses;
 mod reductive;
 mod right_frame;
 mod rotation_accuracy;
