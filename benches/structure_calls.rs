@@ -68,14 +68,22 @@ fn main() {
             let bracket = Bracket::new(algebra.labels(), algebra.structure().clone()).unwrap();
             bracket.jacobi_violation().is_none().to_string()
         }),
-        "Killing" => of_algebra(|algebra| Structure::new(algebra).killing().determinant().to_string()),
+        "Killing" => {
+            of_algebra(|algebra| Structure::new(algebra).killing().determinant().to_string())
+        }
         "centre" => of_algebra(|algebra| {
             let structure = Structure::new(algebra);
             let series: Vec<usize> =
                 structure.derived_series().iter().map(|term| term.dimension()).collect();
-            format!("[{}, {series:?}, {}]", structure.centre().dimension(), structure.radical().dimension())
+            format!(
+                "[{}, {series:?}, {}]",
+                structure.centre().dimension(),
+                structure.radical().dimension()
+            )
         }),
-        "Levi" => of_algebra(|algebra| Structure::new(algebra).levi().unwrap().dimension().to_string()),
+        "Levi" => {
+            of_algebra(|algebra| Structure::new(algebra).levi().unwrap().dimension().to_string())
+        }
         "type" => of_algebra(|algebra| {
             let types = Structure::new(algebra).dynkin_type().unwrap();
             types.iter().map(ToString::to_string).collect::<Vec<_>>().join(" + ")

@@ -34,7 +34,9 @@ fn violations(algebra: &LieAlgebra<Rational>, step: usize) -> usize {
 
 #[test]
 fn every_constant_counts_in_the_basis_of_the_catalogue() {
-    for name in ["so(5)", "sl(3)", "G2", "free_nilpotent(2,4)", "parabolic(A3,1)", "sl(2)+heisenberg(3)"] {
+    for name in
+        ["so(5)", "sl(3)", "G2", "free_nilpotent(2,4)", "parabolic(A3,1)", "sl(2)+heisenberg(3)"]
+    {
         let found = violations(&catalogued(name), 1);
         assert!(found > 0, "{name}");
     }

@@ -85,7 +85,8 @@ impl Nabla<'_> {
             connection.parallel_curvature(),
             connection.locally_symmetric(),
         ];
-        let witnesses: Vec<_> = found.into_iter().filter_map(|property| property.witness()).collect();
+        let witnesses: Vec<_> =
+            found.into_iter().filter_map(|property| property.witness()).collect();
         for witness in &witnesses {
             assert!(!witness.residual.vanishes());
             assert_eq!(self.component(witness), witness.residual, "{witness}");

@@ -35,9 +35,9 @@ pub(super) fn matrices_of_generators<S: Ring>(structure: &Tensor<S>) -> Option<T
     if !(SMALLEST_DENSE..=LARGEST_DENSE).contains(&n) || structure.len() < n * n {
         return None;
     }
-    let components = combinations(&constants)?.into_iter().map(|([i, j, k], value)| {
-        Some(([i, j, k], S::from_quotient(value, denominator)?))
-    });
+    let components = combinations(&constants)?
+        .into_iter()
+        .map(|([i, j, k], value)| Some(([i, j, k], S::from_quotient(value, denominator)?)));
     Tensor::from_components(n, &[Up, Down, Down], components.collect::<Option<Vec<_>>>()?).ok()
 }
 
@@ -59,7 +59,8 @@ fn among_the_basis(constants: &[Vec<Constant>]) -> Vec<usize> {
         while let Some(j) = open.pop() {
             for image in constants[j].chunk_by(|a, b| a.0 == b.0) {
                 let mut new = image.iter().filter(|(_, i, _)| !known[*i]);
-                if let (true, Some(&(_, i, _)), None) = (known[image[0].0], new.next(), new.next()) {
+                if let (true, Some(&(_, i, _)), None) = (known[image[0].0], new.next(), new.next())
+                {
                     known[i] = true;
                     open.push(i);
                 }
@@ -73,9 +74,8 @@ fn among_the_basis(constants: &[Vec<Constant>]) -> Vec<usize> {
 /// modulo a prime, and so over the rationals: vectors whose residues are independent are independent.
 fn combinations(constants: &[Vec<Constant>]) -> Option<Vec<([usize; 3], i64)>> {
     let (n, prime) = (constants.len(), PRIMES[0]);
-    let residues = |of: &Vec<Constant>| {
-        of.iter().map(|&(k, i, value)| (k, i, prime.integer(value))).collect()
-    };
+    let residues =
+        |of: &Vec<Constant>| of.iter().map(|&(k, i, value)| (k, i, prime.integer(value))).collect();
     let reduction = Reduction::from_constants(prime, constants.iter().map(residues).collect());
     let small = |residue: u64| (residue % 5) as i64 - 2;
     let found = COMBINATIONS.into_iter().find_map(|count| {

@@ -84,7 +84,10 @@ impl MatrixGroup {
             let (expected, found) = ("at least one matrix".into(), "none".into());
             return Err(Error::Shape { what: "the basis", expected, found });
         };
-        let span = Span::new(first.rows(), matrices.iter().map(|m| m.entries().map(|(i, j, v)| (i, j, *v))))?;
+        let span = Span::new(
+            first.rows(),
+            matrices.iter().map(|m| m.entries().map(|(i, j, v)| (i, j, *v))),
+        )?;
         let skew = |m: &Matrix<f64>| m.entries().all(|(i, j, v)| m.get(j, i) == -v);
         let orthogonal = matrices.iter().all(skew);
         let translations = if orthogonal { None } else { translations(bracket.structure()) };
@@ -133,9 +136,10 @@ impl MatrixGroup {
         let matrices = matrices.into_iter().map(real).collect();
         match MatrixBasis::new(algebra.labels(), size, matrices, Tolerance::default()) {
             Err(Error::Dependent { relation }) => Err(Error::Centre { central: relation }),
-            basis => {
-                Self::with_bracket(&basis?, Bracket::new(algebra.labels(), algebra.structure().clone())?)
-            }
+            basis => Self::with_bracket(
+                &basis?,
+                Bracket::new(algebra.labels(), algebra.structure().clone())?,
+            ),
         }
     }
 
@@ -155,16 +159,15 @@ impl MatrixGroup {
         };
         let tolerance = tolerance * (1.0 + g.norm() * inverse.norm());
         let determinant = g.determinant();
-        let special = |b: DMatrix<f64>| b.trace().abs() <= TRACE_ROUNDING * b.norm();
-        let special = (0..self.dimension()).all(|at| special(self.span.matrix(at)));
+        let traceless = |at| self.span.trace(at).abs() <= TRACE_ROUNDING * self.span.norm(at);
+        let special = (0..self.dimension()).all(traceless);
         let is_one = (determinant - 1.0).abs() <= tolerance;
         if (special && !is_one) || determinant <= 0.0 {
             return refused(format!("its determinant is {determinant}"));
         }
         for at in 0..self.dimension() {
-            let b = &self.span.matrix(at);
-            let off = self.outside(&(g * b * &inverse));
-            if off.is_nan() || off > tolerance * b.norm() {
+            let off = self.outside(&self.span.between(g, at, &inverse));
+            if off.is_nan() || off > tolerance * self.span.norm(at) {
                 let vector = at + 1;
                 return refused(format!(
                     "Ad takes basis vector {vector} out of the algebra by {off:e}"

@@ -67,6 +67,35 @@ impl Span {
         matrix
     }
 
+    /// The trace of a basis matrix.
+    pub fn trace(&self, at: usize) -> f64 {
+        let diagonal =
+            self.basis[at].iter().filter(|(place, _)| place / self.size == place % self.size);
+        diagonal.map(|(_, value)| value).sum()
+    }
+
+    /// The norm of a basis matrix.
+    pub fn norm(&self, at: usize) -> f64 {
+        self.basis[at].iter().map(|(_, value)| value * value).sum::<f64>().sqrt()
+    }
+
+    /// `g B_i h`
+    pub fn between(&self, g: &DMatrix<f64>, at: usize, h: &DMatrix<f64>) -> DMatrix<f64> {
+        let n = self.size;
+        // the columns of g B_i that are not zero, and the rows of h that they meet
+        let entries = &self.basis[at];
+        let columns: Vec<&[(usize, f64)]> = entries.chunk_by(|a, b| a.0 / n == b.0 / n).collect();
+        let mut left = DMatrix::zeros(n, columns.len());
+        let mut right = DMatrix::zeros(columns.len(), n);
+        for (column, entries) in columns.iter().enumerate() {
+            for (place, value) in *entries {
+                left.column_mut(column).axpy(*value, &g.column(place % n), 1.0);
+            }
+            right.row_mut(column).copy_from(&h.row(entries[0].0 / n));
+        }
+        left * right
+    }
+
     /// The coordinates of the nearest matrix of the span, entry by entry.
     pub fn coordinates(&self, m: &DMatrix<f64>) -> DVector<f64> {
         let places = m.as_slice();
@@ -129,7 +158,8 @@ fn nearest_in_block(
     let residual = DMatrix::identity(block.len(), block.len()) - &forms * &columns;
     let forms = &forms + residual * &forms;
     for (row, &at) in block.iter().enumerate() {
-        let values = places.iter().enumerate().map(|(column, place)| (*place, forms[(row, column)]));
+        let values =
+            places.iter().enumerate().map(|(column, place)| (*place, forms[(row, column)]));
         nearest[at] = values.filter(|(_, value)| *value != 0.0).collect();
     }
     Ok(())

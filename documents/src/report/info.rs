@@ -17,8 +17,8 @@ use affinor::algebra::structure::{
 use affinor_tensors::linear::Row;
 use affinor_tensors::text::combination;
 use affinor_tensors::{Kind, Notation, Rational, Symbolic, Tolerance};
-use serde_json::{Map, Value, json};
 use rows::Rows;
+use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
@@ -337,10 +337,10 @@ impl Notes {
         let answer = format!("rank {rank}, {signs}, determinant {shown}");
         self.row("Killing form", answer, &witness);
         let matrix = &killing.matrix;
-        let rows = Rows::new("matrix", matrix.columns(), (0..matrix.rows()).map(|at| matrix.row(at)));
+        let rows =
+            Rows::new("matrix", matrix.columns(), (0..matrix.rows()).map(|at| matrix.row(at)));
         self.matrices.insert("killing", rows);
-        let killing =
-            json!({ "rank": rank, "signature": signature, "determinant": determinant });
+        let killing = json!({ "rank": rank, "signature": signature, "determinant": determinant });
         self.json.insert("killing".into(), killing);
     }
 
