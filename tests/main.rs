@@ -43,6 +43,7 @@ mod lie_poisson;
 mod long_runs;
 mod milnor;
 mod motions;
+mod nearest_matrices;
 mod no_numbers;
 mod ode;
 mod orbit;

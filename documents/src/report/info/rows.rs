@@ -1,7 +1,6 @@
 //! Dense matrices of a report, stored by their nonzero entries until they are written.
 
 use affinor_tensors::Ring;
-use affinor_tensors::linear::Row;
 use serde_json::Value;
 use std::io::{self, Write};
 
