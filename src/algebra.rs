@@ -15,6 +15,7 @@ mod bch;
 mod bracket;
 pub mod catalogue;
 pub mod frame;
+mod generators;
 pub mod invariants;
 pub mod lie_derivative;
 pub mod lie_poisson;

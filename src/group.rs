@@ -40,6 +40,7 @@ pub mod series;
 mod sl2;
 mod so2;
 mod so3;
+mod span;
 mod splitting;
 mod stumpff;
 mod translations;

@@ -1,15 +1,18 @@
 """affinor beside GAP: structure theory of Lie algebras, task by task.
 
-    python3 benches/peers/structure.py --affinor target/release/affinor > structure.md
+    cargo build --release -p affinor-cli; cargo bench -p affinor-benches --bench structure_calls --no-run
+    python3 benches/peers/structure.py --affinor target/release/affinor --calls target/release/deps/structure_calls-* > structure.md
 
 One run writes one Markdown table; progress goes to standard error. On Debian: apt-get install gap-core.
 
 How it is measured
 - GAP reads the same structure constants (`affinor table NAME --show structure --format json`) and measures itself: CPU
   seconds from the table in memory to the answer, without start and reading. A cell ends at --seconds (180).
-- affinor: CPU seconds of the whole process, with start, reading, the check of the Jacobi identity, all else that the
-  command computes, and printing. So its seconds are an upper bound of the task.
-- Each once. A scrambled table is an algebra after random elementary changes of the basis, two for each basis vector.
+- The call: seconds of the same task by the library, from the algebra in memory to the answer, the least of the repetitions
+  of one second (benches/structure_calls.rs). It is the peer of GAP's call.
+- The process: CPU seconds of the whole command, with start, reading, the check of the Jacobi identity, all else that the
+  command computes, and printing. `affinor --version` takes 1 to 3 ms.
+- GAP and the process once. A scrambled table is an algebra after random elementary changes of the basis, two for each basis vector.
 - Where GAP prints an answer, it is compared with affinor's.
 """
 import argparse
@@ -23,8 +26,12 @@ import tempfile
 import time
 from fractions import Fraction
 
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../tests/references"))
+from gap_table import READ
+
 arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 arguments.add_argument("--affinor", default="target/release/affinor", help="the program")
+arguments.add_argument("--calls", required=True, help="the program of benches/structure_calls.rs")
 arguments.add_argument("--seconds", type=int, default=180, help="CPU limit of a cell of GAP [180]")
 arguments.add_argument("--tasks", default="constants,Jacobi,Killing,centre,Levi,type",
                        help="the tasks by their first words [all]")
@@ -32,19 +39,6 @@ options = arguments.parse_args()
 TASKS = options.tasks.split(",")
 FOLDER = tempfile.mkdtemp(prefix="structure")
 
-# from a list of [i, j, k, v] with i < j to a Lie algebra and its table
-READ = """
-read := function(n, rows) local T, r, at, both;
-  T := EmptySCTable(n, 0, "antisymmetric"); at := rec();
-  for r in rows do
-    both := Concatenation(String(r[1]), ",", String(r[2]));
-    if not IsBound(at.(both)) then at.(both) := [r[1], r[2], []]; fi;
-    Append(at.(both)[3], [r[4], r[3]]);
-  od;
-  for both in RecNames(at) do SetEntrySCTable(T, at.(both)[1], at.(both)[2], at.(both)[3]); od;
-  return T;
-end;;
-"""
 MATRICES = """
 unit := function(n, l) local m, x; m := NullMat(n, n, Rationals);
   for x in l do m[x[1]][x[2]] := x[3]; od; return m; end;;
@@ -143,15 +137,33 @@ def as_file(n, table):
 
 
 def seconds(t):
-    return f"{t:.0f} s" if t >= 100 else f"{t:.1f} s" if t >= 1 else f"{1000 * t:.0f} ms"
+    if t >= 1:
+        return f"{t:.0f} s" if t >= 100 else f"{t:.1f} s"
+    return f"{1000 * t:.0f} ms" if t >= 0.01 else f"{1000 * t:.1f} ms" if t >= 0.001 else f"{1000 * t:.2f} ms"
 
 
-def row(task, work, theirs, ours, command):
+def call(task, space, answer=None):
+    """Seconds of a task by the library; its answer must be the expected one."""
+    _, text = used([options.calls, task, space])
+    found, answer_found = text.split(" ", 1)
+    if answer is not None:
+        equal(f"{task} of {space}", answer_found.strip(), answer)
+    return float(found)
+
+
+def ratio(theirs, ours):
     t, answer = theirs
-    known = t is not None
-    ratio = f"{t / ours:.1f}" if known else "-" if answer == "error" else f"> {options.seconds / ours:.0f}"
-    say(task, work, theirs, ours)
-    print(f"| {task} | `{work}` | {seconds(t) if known else answer} | {seconds(ours)} | {ratio} | `{command}` |", flush=True)
+    if t is None:
+        return "-" if answer == "error" else f"> {options.seconds / ours:.0f}"
+    quotient = t / ours
+    return f"{quotient:.0f}" if quotient >= 10 else f"{quotient:.1f}"
+
+
+def row(task, work, theirs, own_call, process, command):
+    t, answer = theirs
+    say(task, work, theirs, own_call, process)
+    print(f"| {task} | `{work}` | {seconds(t) if t is not None else answer} | {seconds(own_call)} | {ratio(theirs, own_call)} | "
+          f"{seconds(process)} | {ratio(theirs, process)} | `{command}` |", flush=True)
 
 
 def equal(what, ours, theirs):
@@ -163,7 +175,8 @@ load = " ".join(f"{x:.1f}" for x in os.getloadavg())
 release = subprocess.run(["gap", "-q", "-c", 'Print(GAPInfo.Version, "\\n"); QUIT;'], capture_output=True, text=True)
 print(f"{time.strftime('%Y-%m-%d')}; {os.cpu_count()} cores; load average at the start {load}; "
       f"GAP {release.stdout.strip()}; {affinor('--version')[1].strip()}.\n")
-print("| task | GAP | CPU of GAP | CPU of affinor, whole process | ratio | affinor |\n|---|---|---:|---:|---:|---|")
+print("| task | GAP | CPU of GAP | affinor, the call | ratio | affinor, the process | ratio | the process |\n"
+      "|---|---|---:|---:|---:|---:|---:|---|")
 
 def names(task, all_names):
     return all_names if task in TASKS else []
@@ -172,22 +185,24 @@ def names(task, all_names):
 for name in names("constants", ["G2", "F4", "E6", "E7", "E8", "D29"]):
     ours, _ = affinor("table", name, "--show", "structure", "--format", "csv")
     work = f'SimpleLieAlgebra("{name[0]}", {name[1:]}, Rationals)'
-    row(f"constants of {name}", work, gap("", f"{work};; answer := 0;;"), ours, f"table {name} --show structure")
+    row(f"constants of {name}", work, gap("", f"{work};; answer := 0;;"), call("constants", name), ours, f"table {name} --show structure")
 for name in names("constants", ["so(20)", "sl(20)"]):
     ours, _ = affinor("table", name, "--show", "structure", "--format", "csv")
     theirs = gap(MATRICES, f"of({name});; answer := 0;;")
-    row(f"constants of {name} from matrices", "StructureConstantsTable", theirs, ours, f'table "{name}" --show structure')
+    row(f"constants of {name} from matrices", "StructureConstantsTable", theirs, call("constants", name), ours, f'table "{name}" --show structure')
 for name in names("Jacobi", ["F4", "E6", "E7", "E8"]):
     program = as_gap(*constants(name))
     ours, _ = affinor("check", name)
-    row(f"Jacobi identity of {name}", "TestJacobi", gap(program, "answer := TestJacobi(T);;"), ours, f"check {name}")
+    row(f"Jacobi identity of {name}", "TestJacobi", gap(program, "answer := TestJacobi(T);;"), call("Jacobi", name, "true"), ours,
+        f"check {name}")
 for name in names("Killing", ["F4", "E6", "E7", "E8"]):
     program = as_gap(*constants(name))
     ours, text = affinor("info", name, "--format", "json")
     theirs = gap(program, "answer := DeterminantMat(KillingMatrix(Basis(L)));;")
     if theirs[0] is not None:
         equal(f"determinant of {name}", json.loads(text)["killing"]["determinant"], theirs[1])
-    row(f"Killing form of {name}, determinant", "DeterminantMat(KillingMatrix(..))", theirs, ours, f"info {name}")
+    row(f"Killing form of {name}, determinant", "DeterminantMat(KillingMatrix(..))", theirs,
+        call("Killing", name, json.loads(text)["killing"]["determinant"]), ours, f"info {name}")
 for name in names("centre", ["E7", "parabolic(E7,7)", "borel(E6)", "n(12)", "filiform(60)"]):
     ours, text = affinor("info", name, "--format", "json")
     theirs = gap(as_gap(*constants(name)), "answer := [Dimension(LieCentre(L)), List(LieDerivedSeries(L), Dimension), "
@@ -196,13 +211,13 @@ for name in names("centre", ["E7", "parabolic(E7,7)", "borel(E6)", "n(12)", "fil
         found = json.loads(text)
         equal(name, [found["centre"]["dimension"], found["derived_series"], found["radical"]["dimension"]],
               json.loads(theirs[1]))
-    row(f"centre, derived series, radical of {name}", "LieCentre, ..", theirs, ours, f'info "{name}"')
+    row(f"centre, derived series, radical of {name}", "LieCentre, ..", theirs, call("centre", name), ours, f'info "{name}"')
 for name in names("Levi", ["parabolic(E7,7)", "parabolic(E7,1,3,6)"]):
     ours, text = affinor("info", name, "--format", "json")
     theirs = gap(as_gap(*constants(name)), "answer := Dimension(LeviMalcevDecomposition(L)[1]);;")
     if theirs[0] is not None:
         equal(name, json.loads(text)["levi"]["dimension"], int(theirs[1]))
-    row(f"Levi subalgebra of {name}", "LeviMalcevDecomposition", theirs, ours, f'info "{name}"')
+    row(f"Levi subalgebra of {name}", "LeviMalcevDecomposition", theirs, call("Levi", name), ours, f'info "{name}"')
 for name in names("type", ["F4", "E6", "E7", "E8"]):
     n, table = constants(name)
     table = scrambled(n, table)
@@ -212,4 +227,5 @@ for name in names("type", ["F4", "E6", "E7", "E8"]):
     if theirs[0] is not None:
         equal(f"scrambled {name}", name, theirs[1])
     count = sum(map(len, table.values()))
-    row(f"type of scrambled {name}, {count:,} constants", "SemiSimpleType", theirs, ours, "info FILE")
+    row(f"type of scrambled {name}, {count:,} constants", "SemiSimpleType", theirs, call("type", as_file(n, table), name), ours,
+        "info FILE")

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 /// What is printed, and the name of its snapshots before the format.
-const OBJECTS: [(&str, &[&str]); 7] = [
+const OBJECTS: [(&str, &[&str]); 10] = [
     ("m3_table", &["table", "M3"]),
     ("so3_table", &["table", "SO3"]),
     ("m3_so3_comparison", &["compare"]),
@@ -16,14 +16,19 @@ const OBJECTS: [(&str, &[&str]); 7] = [
     ("bianchi_info", &["info", "bianchi(VII,h=2)"]),
     ("e8_info", &["info", "E8"]),
     ("scrambled_sum_info", &["info", "tests/data/structure/scrambled_sum.json"]),
+    ("berger_properties", &["properties", "so3", "--metric", "diag(1,1,1/4)"]),
+    ("heisenberg_properties", &["properties", "heisenberg(3)", "--metric", "identity"]),
+    ("hyperbolic_properties", &["properties", "bianchi(V)", "--metric", "identity"]),
 ];
 const FORMATS: [&str; 6] = ["text", "markdown", "latex", "csv", "json", "html"];
 
-/// The formats of an object: the JSON of E8 is half a megabyte, and `info` asserts its values. One page of each kind is enough.
+/// The formats of an object: the JSON of E8 is half a megabyte, and `info` asserts its values. One page of each kind is enough,
+/// and for properties text and JSON.
 fn formats(object: &str) -> impl Iterator<Item = &'static str> {
     let pages = ["so3_table", "m3_so3_comparison", "bianchi_info"].contains(&object);
     let kept = move |format: &&str| match *format {
         "html" => pages,
+        format if object.ends_with("_properties") => ["text", "json"].contains(&format),
         format => (object, format) != ("e8_info", "json"),
     };
     FORMATS.into_iter().filter(kept)

@@ -81,12 +81,6 @@ def test_export(program, name):
     assert text == run("table", name, "--show", "structure", "--format", program).stdout
 
 
-def test_sympy_runs_its_export():
-    names = {}
-    exec(af.LieAlgebra("sl2").export("sympy"), names)
-    assert np.array(names["c"].tolist(), dtype=float).tolist() == af.LieAlgebra("sl2").structure.to_numpy(float).tolist()
-
-
 def test_gap_reads_back(tmp_path):
     path = tmp_path / "table.g"
     path.write_text(so3.export("gap"))

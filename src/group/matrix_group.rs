@@ -2,10 +2,13 @@
 
 use super::logarithm::logarithm;
 use super::series::exp;
+use super::span::Span;
 use super::splitting::translations;
 use super::written::{TOLERANCE, Written, checked, expect_shape, replace};
 use super::{Embedded, LieGroup};
+use crate::algebra::Complex;
 use crate::{Bracket, Error, LieAlgebra, MatrixBasis};
+use affinor_tensors::Tolerance;
 use affinor_tensors::linear::Matrix;
 use nalgebra::{DMatrix, DVector};
 
@@ -36,9 +39,7 @@ const TRACE_ROUNDING: f64 = 1e-12;
 /// ```
 #[derive(Clone, Debug)]
 pub struct MatrixGroup {
-    basis: Vec<DMatrix<f64>>,
-    /// Takes the entries of a matrix to the coordinates of the nearest one in the algebra.
-    nearest: DMatrix<f64>,
+    span: Span,
     bracket: Bracket<f64>,
     /// The projection on the translations, if there are any.
     translations: Option<DMatrix<f64>>,
@@ -73,24 +74,24 @@ impl MatrixGroup {
     /// [`Error::NotClosed`]; [`Error::Shape`] without a matrix.
     pub fn from_basis(basis: &MatrixBasis<f64>) -> Result<Self, Error> {
         let bracket = basis.bracket()?;
-        let dense = |m: &Matrix<f64>| DMatrix::from_fn(m.rows(), m.columns(), |i, j| m.get(i, j));
-        let basis: Vec<DMatrix<f64>> = basis.matrices().iter().map(dense).collect();
-        if basis.is_empty() {
+        Self::with_bracket(basis, bracket)
+    }
+
+    /// The group of matrices whose bracket is known.
+    fn with_bracket(basis: &MatrixBasis<f64>, bracket: Bracket<f64>) -> Result<Self, Error> {
+        let matrices = basis.matrices();
+        let Some(first) = matrices.first() else {
             let (expected, found) = ("at least one matrix".into(), "none".into());
             return Err(Error::Shape { what: "the basis", expected, found });
-        }
-        let columns: Vec<_> =
-            basis.iter().map(|m| DVector::from_column_slice(m.as_slice())).collect();
-        let columns = DMatrix::from_columns(&columns);
-        let (q, r) = columns.clone().qr().unpack();
-        let nearest = r.solve_upper_triangular(&q.transpose()).ok_or(Error::SingularBasis)?;
-        // beside translations of kilometres the factors know rotations to the rounding of a kilometre: Newton's step for
-        // nearest columns = 1 brings each entry to its own
-        let residual = DMatrix::identity(basis.len(), basis.len()) - &nearest * &columns;
-        let nearest = &nearest + residual * &nearest;
-        let orthogonal = basis.iter().all(|m| *m == -m.transpose());
+        };
+        let span = Span::new(
+            first.rows(),
+            matrices.iter().map(|m| m.entries().map(|(i, j, v)| (i, j, *v))),
+        )?;
+        let skew = |m: &Matrix<f64>| m.entries().all(|(i, j, v)| m.get(j, i) == -v);
+        let orthogonal = matrices.iter().all(skew);
         let translations = if orthogonal { None } else { translations(bracket.structure()) };
-        Ok(MatrixGroup { basis, nearest, bracket, translations, orthogonal })
+        Ok(MatrixGroup { span, bracket, translations, orthogonal })
     }
 
     /// The group `exp(ad_x)` of inner automorphisms of an algebra without a centre: near the identity it is
@@ -99,7 +100,7 @@ impl MatrixGroup {
     /// # Errors
     /// [`Error::Centre`] with a central vector, which acts as 0.
     pub fn adjoint(algebra: &LieAlgebra<f64>) -> Result<Self, Error> {
-        Self::represented(algebra, &adjoint_matrices(algebra)?)
+        Self::represented(algebra, algebra.dimension(), adjoint_matrices(algebra))
     }
 
     /// A matrix group with this algebra: `exp(ad_x)` on `g` or, if the algebra has a centre, on the sum of `g` and its
@@ -109,30 +110,36 @@ impl MatrixGroup {
     /// [`Error::Centre`] with a central vector that every derivation maps to 0;
     /// [`Error::Size`] if the algebra has a centre and its derivations are too many to solve for.
     pub fn of_algebra(algebra: &LieAlgebra<f64>) -> Result<Self, Error> {
-        let ad = adjoint_matrices(algebra)?;
-        match Self::represented(algebra, &ad) {
+        match Self::adjoint(algebra) {
             Err(Error::Centre { .. }) => {}
             faithful => return faithful,
         }
         let derivations = derivations(algebra)?;
         let n = algebra.dimension();
-        let size = n + derivations.len();
-        let extended = |(x, ad): (usize, &DMatrix<f64>)| {
-            let mut m = DMatrix::zeros(size, size);
-            m.view_mut((0, 0), (n, n)).copy_from(ad);
+        let mut matrices = adjoint_matrices(algebra);
+        for (x, matrix) in matrices.iter_mut().enumerate() {
             for (at, derivation) in derivations.iter().enumerate() {
-                m.view_mut((0, n + at), (n, 1)).copy_from(&-derivation.column(x));
+                let image = derivation.column(x);
+                matrix.extend(image.iter().enumerate().map(|(i, value)| (i, n + at, -value)));
             }
-            m
-        };
-        let matrices: Vec<_> = ad.iter().enumerate().map(extended).collect();
-        Self::represented(algebra, &matrices)
+        }
+        Self::represented(algebra, n + derivations.len(), matrices)
     }
 
-    fn represented(algebra: &LieAlgebra<f64>, matrices: &[DMatrix<f64>]) -> Result<Self, Error> {
-        match MatrixBasis::from_dmatrices(algebra.labels(), matrices) {
+    /// The group of matrices of a representation: they have the bracket of the algebra.
+    fn represented(
+        algebra: &LieAlgebra<f64>,
+        size: usize,
+        matrices: Vec<Entries>,
+    ) -> Result<Self, Error> {
+        let real = |m: Entries| m.into_iter().map(|(i, j, v)| (i, j, Complex::real(v))).collect();
+        let matrices = matrices.into_iter().map(real).collect();
+        match MatrixBasis::new(algebra.labels(), size, matrices, Tolerance::default()) {
             Err(Error::Dependent { relation }) => Err(Error::Centre { central: relation }),
-            basis => Self::from_basis(&basis?),
+            basis => Self::with_bracket(
+                &basis?,
+                Bracket::new(algebra.labels(), algebra.structure().clone())?,
+            ),
         }
     }
 
@@ -152,14 +159,15 @@ impl MatrixGroup {
         };
         let tolerance = tolerance * (1.0 + g.norm() * inverse.norm());
         let determinant = g.determinant();
-        let special = self.basis.iter().all(|b| b.trace().abs() <= TRACE_ROUNDING * b.norm());
+        let traceless = |at| self.span.trace(at).abs() <= TRACE_ROUNDING * self.span.norm(at);
+        let special = (0..self.dimension()).all(traceless);
         let is_one = (determinant - 1.0).abs() <= tolerance;
         if (special && !is_one) || determinant <= 0.0 {
             return refused(format!("its determinant is {determinant}"));
         }
-        for (at, b) in self.basis.iter().enumerate() {
-            let off = self.outside(&(g * b * &inverse));
-            if off.is_nan() || off > tolerance * b.norm() {
+        for at in 0..self.dimension() {
+            let off = self.outside(&self.span.between(g, at, &inverse));
+            if off.is_nan() || off > tolerance * self.span.norm(at) {
                 let vector = at + 1;
                 return refused(format!(
                     "Ad takes basis vector {vector} out of the algebra by {off:e}"
@@ -189,13 +197,12 @@ impl MatrixGroup {
 
     /// The matrix of a vector, `x^i B_i`.
     pub fn generator(&self, x: &DVector<f64>) -> DMatrix<f64> {
-        let zero = DMatrix::zeros(self.size(), self.size());
-        self.basis.iter().zip(x.iter()).fold(zero, |sum, (b, x)| sum + b * *x)
+        self.span.combination(x)
     }
 
     /// The coordinates of the matrix of the algebra that is nearest to `m`, entry by entry.
     pub fn coordinates(&self, m: &DMatrix<f64>) -> DVector<f64> {
-        &self.nearest * DVector::from_column_slice(m.as_slice())
+        self.span.coordinates(m)
     }
 
     /// The distance of a matrix from the algebra.
@@ -204,12 +211,18 @@ impl MatrixGroup {
     }
 
     fn size(&self) -> usize {
-        self.basis[0].nrows()
+        self.span.size()
     }
 }
 
-fn adjoint_matrices(algebra: &LieAlgebra<f64>) -> Result<Vec<DMatrix<f64>>, Error> {
-    algebra.basis().map(|x| Ok(algebra.ad(&x)?.to_dmatrix()?)).collect()
+/// The entries `(row, column, value)` of a matrix.
+type Entries = Vec<(usize, usize, f64)>;
+
+/// The matrices of `[e_j, .]`.
+fn adjoint_matrices(algebra: &LieAlgebra<f64>) -> Vec<Entries> {
+    let mut matrices = vec![vec![]; algebra.dimension()];
+    algebra.structure().components().for_each(|(at, c)| matrices[at[1]].push((at[0], at[2], *c)));
+    matrices
 }
 
 /// The largest dimension of an algebra with a centre.
@@ -245,7 +258,7 @@ impl LieGroup for MatrixGroup {
     type Vector = DVector<f64>;
 
     fn dimension(&self) -> usize {
-        self.basis.len()
+        self.span.dimension()
     }
 
     fn identity(&self) -> Self::Element {
@@ -345,6 +358,6 @@ impl Written for MatrixGroup {
     }
 
     fn generators(&self) -> Vec<DMatrix<f64>> {
-        self.basis.clone()
+        (0..self.dimension()).map(|at| self.span.matrix(at)).collect()
     }
 }

@@ -18,14 +18,26 @@ const UNKNOWNS: usize = 400;
 /// `[c + f c, d + f d]` lies in the graph if `v + [c, f d] - [d, f c] = f e` for `[c, d] = e + v`: linear equations for `f`.
 pub(super) fn translations(structure: &Tensor<f64>) -> Option<DMatrix<f64>> {
     let n = structure.dimension();
-    // (ad_j)^i_k, by j
-    let mut ad = vec![DMatrix::zeros(n, n); n];
-    structure.components().for_each(|(at, c)| ad[at[1]][(at[0], at[2])] = *c);
-    let size = ad.iter().map(DMatrix::amax).fold(0.0, f64::max);
-    let killing = DMatrix::from_fn(n, n, |i, j| ad[i].component_mul(&ad[j].transpose()).sum());
+    // (k, i, c^i_jk) of each j
+    let mut ad = vec![vec![]; n];
+    structure.components().for_each(|(at, c)| ad[at[1]].push((at[2], at[0], *c)));
+    let size = structure.components().fold(0.0, |size: f64, (_, c)| size.max(c.abs()));
+    let mut killing = DMatrix::zeros(n, n);
+    let mut own = DMatrix::zeros(n, n);
+    for i in 0..n {
+        ad[i].iter().for_each(|&(k, l, c)| own[(l, k)] = c);
+        for j in 0..n {
+            killing[(i, j)] = ad[j].iter().map(|&(k, l, c)| own[(k, l)] * c).sum();
+        }
+        ad[i].iter().for_each(|&(k, l, _)| own[(l, k)] = 0.0);
+    }
     let (inside, outside) = kernel(killing, size * size * n as f64)?;
     let bracket = |x: &DVector<f64>, y: &DVector<f64>| -> DVector<f64> {
-        x.iter().zip(&ad).fold(DVector::zeros(n), |sum, (x, ad)| sum + ad * y * *x)
+        let mut sum = DVector::zeros(n);
+        for (x, ad) in x.iter().zip(&ad) {
+            ad.iter().for_each(|&(k, i, c)| sum[i] += c * y[k] * x);
+        }
+        sum
     };
     let is_zero = |x: &DVector<f64>| x.amax() <= ROUNDING * size;
     let pairs = || inside.iter().flat_map(|x| inside.iter().map(move |y| (x, y)));

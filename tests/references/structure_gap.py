@@ -11,6 +11,8 @@ import os
 import subprocess
 import sys
 
+from gap_table import READ
+
 MORE = [
     "se(2)", "sim(2)", "sim(3)", "galilei(2)", "t(2)", "t(3)", "t(4)", "n(3)", "n(4)", "n(5)", "n(6)", "borel(A2)",
     "borel(B2)", "borel(G2)", "borel(A3)", "parabolic(A3,1)", "parabolic(A3,2)", "parabolic(B3,1)", "parabolic(C3,3)",
@@ -22,21 +24,12 @@ MORE = [
 ]
 KEYS = ["derived_series", "lower_central_series", "upper_central_series", "radical", "nilradical", "centre",
         "killing_rank", "derivations", "cartan_subalgebra", "indecomposable_over_Q", "levi_type"]
-PROGRAM = r"""
+PROGRAM = READ + r"""
 BreakOnError := false;;
 say := function(words...) CallFuncList(Print, Concatenation(["@@"], words, ["\n"])); end;;
 SizeScreen([4096, 100]);;
 L := 0;; levi := 0;;
-begin := function(n, rows) local T, r, at, both;
-  T := EmptySCTable(n, 0, "antisymmetric"); at := rec();
-  for r in rows do
-    both := Concatenation(String(r[1]), ",", String(r[2]));
-    if not IsBound(at.(both)) then at.(both) := [r[1], r[2], []]; fi;
-    Append(at.(both)[3], [r[4], r[3]]);
-  od;
-  for both in RecNames(at) do SetEntrySCTable(T, at.(both)[1], at.(both)[2], at.(both)[3]); od;
-  L := LieAlgebraByStructureConstants(Rationals, T);
-end;;
+begin := function(n, rows) L := LieAlgebraByStructureConstants(Rationals, read(n, rows)); end;;
 """
 # each a statement of its own, so that an error of one leaves the others
 STATEMENTS = """

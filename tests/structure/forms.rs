@@ -71,7 +71,7 @@ fn is_symplectic(algebra: LieAlgebra<Rational>, name: &str) -> Option<bool> {
             assert_eq!(rank(&form), structure.dimension(), "{name}");
             Some(true)
         }
-        Existence::Impossible => Some(false),
+        Existence::Impossible | Existence::Unimodular => Some(false),
         Existence::Open => None,
     }
 }
@@ -90,7 +90,7 @@ fn is_contact(algebra: LieAlgebra<Rational>, name: &str) -> Option<bool> {
             assert_eq!(rank(&with), n, "{name}");
             Some(true)
         }
-        Existence::Impossible => Some(false),
+        Existence::Impossible | Existence::Unimodular => Some(false),
         Existence::Open => None,
     }
 }

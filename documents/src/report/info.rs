@@ -2,6 +2,7 @@
 
 mod forms;
 mod roots;
+mod rows;
 
 pub use roots::dynkin_type;
 
@@ -16,7 +17,9 @@ use affinor::algebra::structure::{
 use affinor_tensors::linear::Row;
 use affinor_tensors::text::combination;
 use affinor_tensors::{Kind, Notation, Rational, Symbolic, Tolerance};
+use rows::Rows;
 use serde_json::{Map, Value, json};
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 /// The name of the schema.
@@ -30,6 +33,8 @@ const LONGEST: usize = 240;
 pub struct Info {
     grid: Grid,
     json: Map<String, Value>,
+    /// The matrix that ends the object of a key.
+    matrices: BTreeMap<&'static str, Rows>,
 }
 
 /// The values of a parameter at which the answers are compared with the generic ones.
@@ -196,15 +201,15 @@ impl Info {
         let over_q = rational_subspace(levi);
         notes.roots(types.as_deref(), inside.as_ref().zip(over_q.as_ref()));
         notes.ideals(ideals.as_deref(), levi.is_zero());
-        notes.derivations(derivations, inner);
+        notes.derivations(derivations, inner, structure.derivations_by_theorem());
         notes.betti(betti.as_deref());
-        notes.count("index", "index", Some(index), "dimension minus the generic rank of f([x,y])");
-        notes.count(
-            "invariant forms",
-            "invariant_forms",
-            forms,
-            "dimension of B([x,y],z) = B(x,[y,z])",
-        );
+        let why = "dimension minus the generic rank of f([x,y]), modulo two primes";
+        notes.count("index", "index", Some(index), why);
+        let why = match n > MAX_DERIVATIONS {
+            true => "dimension of B([x,y],z) = B(x,[y,z])",
+            false => "dimension of B([x,y],z) = B(x,[y,z]); a rank modulo two primes",
+        };
+        notes.count("invariant forms", "invariant_forms", forms, why);
         let rational = over_the_rationals(structure)?;
         stage("forms");
         notes.cocycles(structure);
@@ -251,12 +256,13 @@ struct Notes {
     labels: Vec<String>,
     rows: Vec<Vec<Cell>>,
     json: Map<String, Value>,
+    matrices: BTreeMap<&'static str, Rows>,
 }
 
 impl Notes {
     fn new(labels: &[String]) -> Self {
         let labels = labels.iter().map(|label| printable(label)).collect();
-        Notes { labels, rows: vec![], json: Map::new() }
+        Notes { labels, rows: vec![], json: Map::new(), matrices: BTreeMap::new() }
     }
 
     fn row(&mut self, notion: &str, answer: impl Into<Cell>, witness: &str) {
@@ -287,7 +293,13 @@ impl Notes {
         self.json.insert(key.into(), json!(dimensions));
     }
 
-    fn subspace<S: Ground>(&mut self, title: &str, key: &str, subspace: &Subspace<S>, why: &str) {
+    fn subspace<S: Ground>(
+        &mut self,
+        title: &str,
+        key: &'static str,
+        subspace: &Subspace<S>,
+        why: &str,
+    ) {
         let dimension = subspace.dimension();
         let basis: Vec<String> =
             subspace.basis().iter().take(SHOWN).map(|row| self.vector(row)).collect();
@@ -300,10 +312,9 @@ impl Notes {
         };
         let trivial = dimension == 0 || dimension == subspace.ambient();
         self.row(title, answer, if trivial { "" } else { why });
-        let dense = subspace.dense();
-        let rows: Vec<Vec<String>> =
-            dense.iter().map(|row| row.iter().map(S::to_string).collect()).collect();
-        self.json.insert(key.into(), json!({ "dimension": dimension, "basis": rows }));
+        let rows = subspace.basis().iter().map(Vec::as_slice);
+        self.matrices.insert(key, Rows::new("basis", subspace.ambient(), rows));
+        self.json.insert(key.into(), json!({ "dimension": dimension }));
     }
 
     fn vector<S: Ground>(&self, row: &Row<S>) -> String {
@@ -325,12 +336,11 @@ impl Notes {
         let witness = if short { format!("diagonal {}", values.join(", ")) } else { String::new() };
         let answer = format!("rank {rank}, {signs}, determinant {shown}");
         self.row("Killing form", answer, &witness);
-        let rows: Vec<Vec<String>> = (killing.matrix.to_dense().iter())
-            .map(|row| row.iter().map(S::to_string).collect())
-            .collect();
-        let killing = json!({
-            "rank": rank, "signature": signature, "determinant": determinant, "matrix": rows,
-        });
+        let matrix = &killing.matrix;
+        let rows =
+            Rows::new("matrix", matrix.columns(), (0..matrix.rows()).map(|at| matrix.row(at)));
+        self.matrices.insert("killing", rows);
+        let killing = json!({ "rank": rank, "signature": signature, "determinant": determinant });
         self.json.insert("killing".into(), killing);
     }
 
@@ -365,7 +375,7 @@ impl Notes {
         self.row("simple ideals", lines.join("\n"), &witness);
     }
 
-    fn derivations(&mut self, all: Option<usize>, inner: usize) {
+    fn derivations(&mut self, all: Option<usize>, inner: usize, by_theorem: bool) {
         let Some(all) = all else {
             let why = format!("not counted beyond dimension {MAX_DERIVATIONS}");
             self.row("derivations", "-", &why);
@@ -374,7 +384,12 @@ impl Notes {
         };
         let outer = all - inner;
         let text = format!("dimension {all}: {inner} inner, {outer} outer");
-        self.row("derivations", text, "the dimension of the automorphism group");
+        // the rank modulo a prime is a lower bound of the rank, and there are at least the inner derivations
+        let why = match by_theorem || outer == 0 {
+            true => "the dimension of the automorphism group",
+            false => "the dimension of the automorphism group; a rank modulo two primes",
+        };
+        self.row("derivations", text, why);
         let json = json!({ "dimension": all, "inner": inner, "outer": outer });
         self.json.insert("derivations".into(), json);
     }
@@ -383,11 +398,11 @@ impl Notes {
         match betti {
             Some(numbers) => {
                 let text: Vec<String> = numbers.iter().map(u64::to_string).collect();
-                self.row(
-                    "Betti numbers",
-                    text.join(", "),
-                    "Chevalley-Eilenberg, trivial coefficients",
-                );
+                let why = match numbers.len() <= MAX_BETTI + 1 {
+                    true => "Chevalley-Eilenberg, trivial coefficients; ranks modulo two primes",
+                    false => "Chevalley-Eilenberg, trivial coefficients; by the exponents",
+                };
+                self.row("Betti numbers", text.join(", "), why);
             }
             None => {
                 let why = format!(
@@ -491,7 +506,7 @@ impl Notes {
         let title = format!("Structure of {}", printable(name));
         let header = ["notion", "answer", "witness"];
         let grid = Grid::new(title, &header, self.rows, Value::Null).with_head(head);
-        Info { grid, json }
+        Info { grid, json, matrices: self.matrices }
     }
 }
 
@@ -502,12 +517,12 @@ impl Report for Info {
         }
         // one key a line: bases are long
         for (at, (key, value)) in self.json.iter().enumerate() {
-            write!(
-                out,
-                "{}  {}: {value}",
-                if at == 0 { "{\n" } else { ",\n" },
-                Value::from(key.as_str())
-            )?;
+            out.write_all(if at == 0 { b"{\n" } else { b",\n" })?;
+            write!(out, "  {}: ", Value::from(key.as_str()))?;
+            match self.matrices.get(key.as_str()) {
+                Some(rows) => rows.write_into(value, out)?,
+                None => write!(out, "{value}")?,
+            }
         }
         writeln!(out, "\n}}")
     }

@@ -8,6 +8,12 @@ use affinor_tensors::linear::modular::Residues;
 pub const MAX_DIMENSION: usize = 30;
 
 impl<S: Ground> Structure<S> {
+    /// Whether [`derivations`](Self::derivations) follows from a theorem. Otherwise it is read from a rank modulo two
+    /// primes, and the true dimension is at most this.
+    pub fn derivations_by_theorem(&self) -> bool {
+        self.is_semisimple() || self.dimension() > MAX_DIMENSION || self.is_abelian()
+    }
+
     /// The dimension of the derivations; `None` beyond [`MAX_DIMENSION`] unless the algebra is reductive.
     /// Derivations of a semisimple algebra are inner (de Graaf 4.5); those of `s + z` are `ad s + gl(z)`.
     pub fn derivations(&self) -> Option<usize> {
@@ -15,7 +21,7 @@ impl<S: Ground> Structure<S> {
         if self.is_semisimple() {
             return Some(n);
         }
-        if n > MAX_DIMENSION || self.is_abelian() {
+        if self.derivations_by_theorem() {
             let z = self.radical().dimension();
             return self.is_reductive().then_some(n - z + z * z);
         }

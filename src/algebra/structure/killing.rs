@@ -1,10 +1,10 @@
 //! The Killing form: rank, signature, determinant, and a basis in which it is diagonal.
 
-use super::subspace::collected;
 use super::{Ground, Structure};
 use affinor_tensors::linear::modular::{PRIMES, Prime, Residues};
 use affinor_tensors::linear::{Matrix, Row};
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 
 /// A symmetric form and a basis `x_a` in which it is diagonal: `x_a^T K x_b = 0` for different `a`, `b`.
 #[derive(Clone, Debug)]
@@ -21,40 +21,30 @@ impl<S: Ground> Killing<S> {
     /// Diagonalises a symmetric matrix by elimination on rows and columns.
     pub fn new(matrix: Matrix<S>) -> Self {
         let n = matrix.rows();
-        let mut gram = matrix.to_dense();
+        let mut gram = Gram::new(&matrix);
         let mut vectors: Vec<Row<S>> = (0..n).map(|at| vec![(at, S::one())]).collect();
-        let mut open: Vec<usize> = (0..n).collect();
         let (mut basis, mut values) = (vec![], vec![]);
-        while !open.is_empty() {
-            let diagonal = open.iter().position(|&i| !gram[i][i].vanishes());
-            let place = diagonal.or_else(|| {
-                // all are isotropic: x_i + x_j is not, where K_ij is not zero
-                let (place, j) = open.iter().enumerate().find_map(|(place, &i)| {
-                    Some((place, *open.iter().find(|&&j| !gram[i][j].vanishes())?))
-                })?;
-                let i = open[place];
-                add_multiple(&mut gram, &mut vectors, &open, (i, j), &S::one());
-                Some(place)
-            });
-            let Some(place) = place else {
-                // the form vanishes on the rest
-                basis.extend(open.iter().map(|&i| std::mem::take(&mut vectors[i])));
-                values.extend(open.drain(..).map(|_| S::zero()));
-                break;
-            };
-            let pivot = open.remove(place);
-            let value = gram[pivot][pivot].clone();
+        // rows without entries stay so
+        while let Some(pivot) = gram.anisotropic.first().copied().or_else(|| {
+            // all are isotropic: x_i + x_j is not, where K_ij is not zero
+            let (i, j) = gram.first_entry()?;
+            gram.add(i, j);
+            vectors[i] = sum_of_rows(&vectors[i], &vectors[j], &S::one());
+            Some(i)
+        }) {
+            let (value, row) = gram.remove(pivot);
             let unit = value.recip().expect("a pivot that is not zero");
-            for &i in &open {
-                if !gram[i][pivot].vanishes() {
-                    let factor = -(gram[i][pivot].clone() * &unit);
-                    let live: Vec<usize> = open.iter().copied().chain([pivot]).collect();
-                    add_multiple(&mut gram, &mut vectors, &live, (i, pivot), &factor);
-                }
+            for (i, entry) in &row {
+                let factor = -(entry.clone() * &unit);
+                gram.add_to_row(*i, &row, &factor);
+                vectors[*i] = sum_of_rows(&vectors[*i], &vectors[pivot], &factor);
             }
             basis.push(std::mem::take(&mut vectors[pivot]));
             values.push(value);
         }
+        // the form vanishes on the rest
+        basis.extend(gram.open.iter().map(|&i| std::mem::take(&mut vectors[i])));
+        values.resize(n, S::zero());
         Killing { matrix, basis, values }
     }
 
@@ -81,28 +71,113 @@ impl<S: Ground> Killing<S> {
     }
 }
 
-/// Replaces `x_i` by `x_i + factor x_j` in the Gram matrix of the vectors that are left.
-fn add_multiple<S: Ground>(
-    gram: &mut [Vec<S>],
-    vectors: &mut [Row<S>],
-    open: &[usize],
-    (i, j): (usize, usize),
-    factor: &S,
-) {
-    for &k in open {
-        if !gram[j][k].vanishes() {
-            let value = gram[j][k].clone() * factor;
-            gram[i][k] = std::mem::replace(&mut gram[i][k], S::zero()) + &value;
+/// The Gram matrix of the vectors that are left, by sparse rows.
+struct Gram<S> {
+    rows: Vec<Row<S>>,
+    open: BTreeSet<usize>,
+    /// The open `i` with `K_ii` not zero.
+    anisotropic: BTreeSet<usize>,
+}
+
+impl<S: Ground> Gram<S> {
+    fn new(matrix: &Matrix<S>) -> Self {
+        let n = matrix.rows();
+        let rows: Vec<Row<S>> = (0..n).map(|i| matrix.row(i).to_vec()).collect();
+        let mut gram = Gram { rows, open: (0..n).collect(), anisotropic: BTreeSet::new() };
+        (0..n).for_each(|i| gram.note(i));
+        gram
+    }
+
+    /// Notes whether `K_ii` is zero.
+    fn note(&mut self, i: usize) {
+        match place(&self.rows[i], i) {
+            Ok(_) => self.anisotropic.insert(i),
+            Err(_) => self.anisotropic.remove(&i),
+        };
+    }
+
+    /// The first entry that is not zero.
+    fn first_entry(&self) -> Option<(usize, usize)> {
+        self.open.iter().find_map(|&i| Some((i, self.rows[i].first()?.0)))
+    }
+
+    /// Replaces `x_i` by `x_i + x_j`; both are isotropic.
+    fn add(&mut self, i: usize, j: usize) {
+        let row = self.rows[j].clone();
+        for (k, value) in &row {
+            // K_ii grows by K_ji and by K_ij
+            let value = if *k == i { value.clone() + value } else { value.clone() };
+            add_entry(&mut self.rows[i], *k, &value);
+            if *k != i {
+                add_entry(&mut self.rows[*k], i, &value);
+            }
+        }
+        self.note(i);
+    }
+
+    /// Takes `x_i` out: `K_ii`, and the other entries of its row.
+    fn remove(&mut self, i: usize) -> (S, Row<S>) {
+        let mut row = std::mem::take(&mut self.rows[i]);
+        let at = place(&row, i).expect("an entry that is not zero");
+        let (_, value) = row.remove(at);
+        for (k, _) in &row {
+            if let Ok(at) = place(&self.rows[*k], i) {
+                self.rows[*k].remove(at);
+            }
+        }
+        self.open.remove(&i);
+        self.anisotropic.remove(&i);
+        (value, row)
+    }
+
+    /// Adds a multiple of a row to the row of `x_i`.
+    fn add_to_row(&mut self, i: usize, row: &[(usize, S)], factor: &S) {
+        self.rows[i] = sum_of_rows(&self.rows[i], row, factor);
+        self.note(i);
+    }
+}
+
+fn place<S>(row: &[(usize, S)], at: usize) -> Result<usize, usize> {
+    row.binary_search_by_key(&at, |(i, _)| *i)
+}
+
+fn add_entry<S: Ground>(row: &mut Row<S>, at: usize, value: &S) {
+    match place(row, at) {
+        Ok(here) => {
+            let sum = row[here].1.clone() + value;
+            if sum.vanishes() {
+                row.remove(here);
+            } else {
+                row[here].1 = sum;
+            }
+        }
+        Err(here) => row.insert(here, (at, value.clone())),
+    }
+}
+
+/// `row + factor other`
+fn sum_of_rows<S: Ground>(row: &[(usize, S)], other: &[(usize, S)], factor: &S) -> Row<S> {
+    let mut sum = Vec::with_capacity(row.len() + other.len());
+    let (mut left, mut right) = (row.iter().peekable(), other.iter().peekable());
+    loop {
+        let first = match (left.peek(), right.peek()) {
+            (Some((i, _)), Some((j, _))) => i.cmp(j),
+            (Some(_), None) => Ordering::Less,
+            (None, Some(_)) => Ordering::Greater,
+            (None, None) => return sum,
+        };
+        let own = left.next_if(|_| first.is_le()).map(|(i, value)| (*i, value.clone()));
+        let added = right.next_if(|_| first.is_ge()).map(|(i, value)| (*i, value.clone() * factor));
+        match (own, added) {
+            (Some((i, own)), Some((_, added))) => {
+                let total = own + &added;
+                if !total.vanishes() {
+                    sum.push((i, total));
+                }
+            }
+            (one, other) => sum.extend(one.or(other)),
         }
     }
-    for &k in open {
-        if !gram[k][j].vanishes() {
-            let value = gram[k][j].clone() * factor;
-            gram[k][i] = std::mem::replace(&mut gram[k][i], S::zero()) + &value;
-        }
-    }
-    let scaled = vectors[j].iter().map(|(at, value)| (*at, value.clone() * factor));
-    vectors[i] = collected(vectors[i].iter().cloned().chain(scaled.collect::<Row<S>>()).collect());
 }
 
 impl<S: Ground> Structure<S> {
@@ -128,15 +203,49 @@ impl<S: Ground> Structure<S> {
     pub fn is_semisimple(&self) -> bool {
         let n = self.dimension();
         *self.semisimple.get_or_init(|| {
+            let blocks = blocks(self.killing_matrix());
             let full = |prime: Prime| {
-                let mut rows = vec![vec![0; n]; n];
-                for (i, j, value) in self.killing_matrix().entries() {
-                    rows[i][j] = value.residue(prime)?;
+                let mut regular = true;
+                for block in &blocks {
+                    let row = |&i: &usize| {
+                        let mut row = vec![0; block.len()];
+                        for (j, value) in self.killing_matrix().row(i) {
+                            row[block.binary_search(j).ok()?] = value.residue(prime)?;
+                        }
+                        Some(row)
+                    };
+                    let rows = block.iter().map(row).collect::<Option<_>>()?;
+                    regular &= Residues::new(prime, block.len(), rows).rank() == block.len();
                 }
-                Some(Residues::new(prime, n, rows).rank() == n)
+                Some(regular)
             };
             let regular = PRIMES.into_iter().find_map(full).unwrap_or(false);
             n > 0 && (regular || self.killing().rank() == n)
         })
     }
+}
+
+/// The finest blocks of indices, each ascending, outside which a symmetric matrix has no entry.
+fn blocks<S: Ground>(matrix: &Matrix<S>) -> Vec<Vec<usize>> {
+    let mut block_of = vec![None; matrix.rows()];
+    let mut blocks = vec![];
+    for first in 0..matrix.rows() {
+        if block_of[first].is_some() {
+            continue;
+        }
+        block_of[first] = Some(blocks.len());
+        let mut block = vec![first];
+        let mut at = 0;
+        while let Some(&i) = block.get(at) {
+            for (j, _) in matrix.row(i) {
+                if block_of[*j].replace(blocks.len()).is_none() {
+                    block.push(*j);
+                }
+            }
+            at += 1;
+        }
+        block.sort_unstable();
+        blocks.push(block);
+    }
+    blocks
 }

@@ -50,6 +50,11 @@ impl Reduction {
         Some(Reduction { prime, by_first })
     }
 
+    /// The algebra with the residues `(k, i, c^i_jk)` of each `j`.
+    pub(crate) fn from_constants(prime: Prime, by_first: Vec<Vec<(usize, usize, u64)>>) -> Self {
+        Reduction { prime, by_first }
+    }
+
     /// The prime.
     pub fn prime(&self) -> Prime {
         self.prime
@@ -132,13 +137,14 @@ impl Reduction {
     }
 
     /// Whether the vectors generate the algebra.
-    fn generates(&self, generators: &[Vec<u64>]) -> bool {
+    pub(crate) fn generates(&self, generators: &[Vec<u64>]) -> bool {
         let (n, p) = (self.dimension(), self.prime);
+        let ads: Vec<Residues> = generators.iter().map(|x| self.ad(x)).collect();
         let mut layer = generators.to_vec();
         let mut span = Residues::new(p, n, generators.to_vec());
         let mut rank = span.reduce().len();
         while rank < n {
-            let images = layer.iter().flat_map(|x| generators.iter().map(|g| self.bracket(g, x)));
+            let images = layer.iter().flat_map(|x| ads.iter().map(|ad| ad.apply(x)));
             let images: Vec<Vec<u64>> = images.collect();
             let mut next = Residues::new(p, n, [span.rows(), &images].concat());
             let grown = next.reduce().len();

@@ -27,6 +27,8 @@ pub enum Existence {
     Witness(Row<Rational>),
     /// The Pfaffian of the general form is the zero polynomial.
     Impossible,
+    /// The algebra is unimodular: then it has no exact symplectic form, and none at all if it is not solvable (Chu).
+    Unimodular,
     /// None was found, and the Pfaffian was not expanded.
     Open,
 }
@@ -35,7 +37,7 @@ impl Structure<Rational> {
     /// A closed 2-form that is not degenerate, with components as in [`TwoForms`].
     pub fn symplectic_form(&self, forms: &TwoForms<Rational>) -> Existence {
         if self.is_unimodular() && !self.is_solvable() {
-            return Existence::Impossible;
+            return Existence::Unimodular;
         }
         self.nondegenerate(&forms.closed)
     }
@@ -43,7 +45,7 @@ impl Structure<Rational> {
     /// An exact 2-form that is not degenerate.
     pub fn exact_symplectic_form(&self, forms: &TwoForms<Rational>) -> Existence {
         if self.is_unimodular() && self.dimension() > 0 {
-            return Existence::Impossible;
+            return Existence::Unimodular;
         }
         self.nondegenerate(&forms.exact)
     }

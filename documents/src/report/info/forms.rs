@@ -76,6 +76,9 @@ impl Notes {
                     Existence::Impossible => {
                         ("none".into(), "the Pfaffian of every closed 2-form vanishes")
                     }
+                    Existence::Unimodular => {
+                        ("none".into(), "unimodular, not solvable (theorem of Chu)")
+                    }
                     Existence::Open => ("-".into(), "none found"),
                 };
                 self.row("symplectic form", text, witness);
@@ -86,7 +89,7 @@ impl Notes {
                 let found = structure.contact_form();
                 let (text, witness) = match &found {
                     Existence::Witness(form) => (self.one_form(form), "a (d a)^k is not zero"),
-                    Existence::Impossible => {
+                    Existence::Impossible | Existence::Unimodular => {
                         ("none".into(), "a (d a)^k vanishes for every 1-form a")
                     }
                     Existence::Open => ("-".into(), "none found"),
@@ -167,7 +170,7 @@ fn monomials(n: usize, degree: u32) -> usize {
 fn existence(found: &Existence, form: impl Fn(&Row<Rational>) -> Value) -> Value {
     match found {
         Existence::Witness(row) => json!({ "exists": true, "form": form(row) }),
-        Existence::Impossible => json!({ "exists": false, "form": null }),
+        Existence::Impossible | Existence::Unimodular => json!({ "exists": false, "form": null }),
         Existence::Open => json!({ "exists": null, "form": null }),
     }
 }

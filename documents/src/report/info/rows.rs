@@ -1,0 +1,46 @@
+//! Dense matrices of a report, stored by their nonzero entries until they are written.
+
+use affinor_tensors::Ring;
+use serde_json::Value;
+use std::io::{self, Write};
+
+/// A matrix of numbers in text, the last entry of an object of JSON.
+#[derive(Clone, Debug)]
+pub(super) struct Rows {
+    key: &'static str,
+    columns: usize,
+    rows: Vec<Vec<(usize, String)>>,
+}
+
+impl Rows {
+    /// Sparse rows of a matrix with `columns` columns.
+    pub fn new<'a, S: Ring + 'a>(
+        key: &'static str,
+        columns: usize,
+        rows: impl Iterator<Item = &'a [(usize, S)]>,
+    ) -> Self {
+        let row = |row: &[(usize, S)]| row.iter().map(|(at, v)| (*at, v.to_string())).collect();
+        Rows { key, columns, rows: rows.map(row).collect() }
+    }
+
+    /// An object without its last brace, as `{"dimension":1`, then `,"key":[["1","0"]]}`.
+    pub fn write_into(&self, object: &Value, out: &mut dyn Write) -> io::Result<()> {
+        let object = object.to_string();
+        write!(out, "{},{}:[", object.strip_suffix('}').unwrap_or(&object), Value::from(self.key))?;
+        for (at, row) in self.rows.iter().enumerate() {
+            out.write_all(if at == 0 { b"[" } else { b",[" })?;
+            let mut entries = row.iter().peekable();
+            for column in 0..self.columns {
+                if column > 0 {
+                    out.write_all(b",")?;
+                }
+                match entries.next_if(|(place, _)| *place == column) {
+                    Some((_, value)) => write!(out, "{}", Value::from(value.as_str()))?,
+                    None => out.write_all(b"\"0\"")?,
+                }
+            }
+            out.write_all(b"]")?;
+        }
+        out.write_all(b"]}")
+    }
+}

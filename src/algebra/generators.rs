@@ -1,0 +1,101 @@
+//! Generators of an algebra with a bracket whose Jacobi identity is not known yet.
+//!
+//! The `x` for which `[x, .]` is a derivation, `[x,[y,z]] = [[x,y],z] + [y,[x,z]]` for all `y`, `z`, are a vector space
+//! that is closed under the bracket: then `ad_[x,y] = ad_x ad_y - ad_y ad_x`, a commutator of derivations. So the Jacobi
+//! identity holds for all triples if it holds for the triples that begin with a generator.
+
+use crate::algebra::structure::reduction::{Draw, Reduction};
+use affinor_tensors::linear::modular::PRIMES;
+use affinor_tensors::{Down, Ring, Tensor, Up};
+
+/// Larger algebras are not looked at in a dense basis: the time grows with the cube of the dimension.
+const LARGEST_DENSE: usize = 600;
+/// Below this dimension few triples are left out.
+const SMALLEST_DENSE: usize = 24;
+/// How many combinations of the basis are tried as generators.
+const COMBINATIONS: [usize; 3] = [2, 3, 5];
+
+/// The matrices `a^i_jk` of `[x_j, .]` for fewer generators `x_j` than basis vectors: `[x_j, e_k] = a^i_jk e_i`. `None`
+/// where the constants are not short rational numbers, or such generators were not found.
+pub(super) fn matrices_of_generators<S: Ring>(structure: &Tensor<S>) -> Option<Tensor<S>> {
+    let n = structure.dimension();
+    let values: Vec<&S> = structure.components().map(|(_, value)| value).collect();
+    let (integers, denominator) = S::clear_denominators(values.into_iter())?;
+    let mut constants: Vec<Vec<Constant>> = vec![vec![]; n];
+    for ((at, _), value) in structure.components().zip(integers) {
+        constants[at[1]].push((at[2], at[0], value));
+    }
+    constants.iter_mut().for_each(|of| of.sort_unstable());
+    let basis = among_the_basis(&constants);
+    if 2 * basis.len() <= n {
+        let chosen = structure.components().filter(|(at, _)| basis.binary_search(&at[1]).is_ok());
+        let chosen = chosen.map(|(at, value)| (at, value.clone()));
+        return Tensor::from_components(n, &[Up, Down, Down], chosen).ok();
+    }
+    if !(SMALLEST_DENSE..=LARGEST_DENSE).contains(&n) || structure.len() < n * n {
+        return None;
+    }
+    let components = combinations(&constants)?
+        .into_iter()
+        .map(|([i, j, k], value)| Some(([i, j, k], S::from_quotient(value, denominator)?)));
+    Tensor::from_components(n, &[Up, Down, Down], components.collect::<Option<Vec<_>>>()?).ok()
+}
+
+/// `(k, i, v)` of a first factor `e_j`: `[e_j, e_k] = .. + v e_i`.
+type Constant = (usize, usize, i64);
+
+/// Basis vectors that generate the algebra, ascending. Only brackets with one new basis vector are followed.
+fn among_the_basis(constants: &[Vec<Constant>]) -> Vec<usize> {
+    let n = constants.len();
+    let mut known = vec![false; n];
+    let mut generators = vec![];
+    for first in 0..n {
+        if known[first] {
+            continue;
+        }
+        generators.push(first);
+        known[first] = true;
+        let mut open = vec![first];
+        while let Some(j) = open.pop() {
+            for image in constants[j].chunk_by(|a, b| a.0 == b.0) {
+                let mut new = image.iter().filter(|(_, i, _)| !known[*i]);
+                if let (true, Some(&(_, i, _)), None) = (known[image[0].0], new.next(), new.next())
+                {
+                    known[i] = true;
+                    open.push(i);
+                }
+            }
+        }
+    }
+    generators
+}
+
+/// The components `([i, j, k], v)` of `[x_j, e_k]` for few combinations `x_j` of the basis that generate the algebra
+/// modulo a prime, and so over the rationals: vectors whose residues are independent are independent.
+fn combinations(constants: &[Vec<Constant>]) -> Option<Vec<([usize; 3], i64)>> {
+    let (n, prime) = (constants.len(), PRIMES[0]);
+    let residues =
+        |of: &Vec<Constant>| of.iter().map(|&(k, i, value)| (k, i, prime.integer(value))).collect();
+    let reduction = Reduction::from_constants(prime, constants.iter().map(residues).collect());
+    let small = |residue: u64| (residue % 5) as i64 - 2;
+    let found = COMBINATIONS.into_iter().find_map(|count| {
+        let mut draw = Draw::new(count as u64);
+        let vectors = (0..count).map(|_| draw.vector(prime, n).into_iter().map(small).collect());
+        let vectors: Vec<Vec<i64>> = vectors.collect();
+        let residues = vectors.iter().map(|x| x.iter().map(|&v| prime.integer(v)).collect());
+        reduction.generates(&residues.collect::<Vec<_>>()).then_some(vectors)
+    })?;
+    let mut components = vec![];
+    for (j, x) in found.iter().enumerate() {
+        let mut image = vec![0i64; n * n];
+        for (of, &factor) in constants.iter().zip(x).filter(|(_, factor)| **factor != 0) {
+            for &(k, i, value) in of {
+                let sum = value.checked_mul(factor).and_then(|v| v.checked_add(image[k * n + i]));
+                image[k * n + i] = sum?;
+            }
+        }
+        let nonzero = image.into_iter().enumerate().filter(|(_, value)| *value != 0);
+        components.extend(nonzero.map(|(at, value)| ([at % n, j, at / n], value)));
+    }
+    Some(components)
+}
