@@ -6,11 +6,11 @@ use crate::group::PyGroup;
 use crate::run::run;
 use crate::tensor::{PyTensor, Values};
 use affinor::{Canonical, Connection, ConnectionKind, Error, Geometry};
-use affinor_documents::certificate::{Check, certify};
+use affinor_documents::certificate::Check;
 use affinor_documents::definition::{
     Definition, InputError, Reading, Request, ScalarChoice, Space, Work,
 };
-use affinor_documents::report::{Format, Report, certificate};
+use affinor_documents::report::{Computation, Format, Report, certificate};
 use affinor_tensors::{Down, Notation, Rational, Ring, Symbolic, Tensor, Tolerance, Tracked};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -114,21 +114,6 @@ impl Work for Given<'_> {
             }
         };
         Geometries::wrap(geometry)
-    }
-}
-
-/// The checks of a certificate.
-struct Certificate;
-
-impl Work for Certificate {
-    type Output = Vec<Check>;
-
-    fn run<S: Notation>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<Vec<Check>, InputError> {
-        certify(definition, reading, &|_| ())
     }
 }
 
@@ -317,6 +302,6 @@ impl PySpace {
 impl PySpace {
     fn checks(&self, py: Python<'_>, scalar: &str, relative: Option<f64>) -> PyResult<Vec<Check>> {
         let (choice, tolerance, space) = (choice(scalar)?, tolerance(relative)?, &self.0);
-        run(py, || space.run(choice, tolerance, Certificate))
+        run(py, || Computation { scalar: choice, tolerance, ..Computation::of(space) }.checks())
     }
 }

@@ -188,8 +188,8 @@ fn exp_lanes(x: &[[f64; 3]; LANES], g: &mut [[f64; 4]; LANES]) {
         (quarter[t], cos[t], half[t]) = exp_near([columns[0][t], columns[1][t], columns[2][t]]);
     }
     let mut all_near = true;
-    for t in 0..LANES {
-        all_near &= quarter[t] < NEAR;
+    for quarter in &quarter {
+        all_near &= *quarter < NEAR;
     }
     for t in 0..LANES {
         g[t] = [cos[t], x[t][0] * half[t], x[t][1] * half[t], x[t][2] * half[t]];
@@ -230,8 +230,8 @@ fn log_lanes(g: &[[f64; 4]; LANES], x: &mut [[f64; 3]; LANES]) -> bool {
             log_near([columns[0][t], columns[1][t], columns[2][t], columns[3][t]]);
     }
     let mut all_unit = true;
-    for t in 0..LANES {
-        all_unit &= so3::is_unit(norm[t]);
+    for norm in &norm {
+        all_unit &= so3::is_unit(*norm);
     }
     for t in 0..LANES {
         x[t] = [g[t][1] * factor[t], g[t][2] * factor[t], g[t][3] * factor[t]];

@@ -2,9 +2,8 @@
 
 use super::source::{self, Language};
 use super::{Answer, Refusal, motion, transport};
-use affinor::geometry::equations::{EquationKind, Equations};
-use affinor::{Canonical, Error};
-use affinor_documents::certificate::certify;
+use affinor::Canonical;
+use affinor::geometry::equations::EquationKind;
 use affinor_documents::definition::{
     self, Definition, InputError, Reading, ScalarChoice, Space, Work,
 };
@@ -12,8 +11,8 @@ use affinor_documents::paper::{Paper, PaperFormat};
 use affinor_documents::picture::{self, Picture};
 use affinor_documents::problem::Problem;
 use affinor_documents::report::{
-    ComparedSide, Comparison, EquationReport, Format, Info, Properties, Quantity, Report, Table,
-    TableEntry, catalogue, certificate, conventions, dynkin_type,
+    ComparedSide, Comparison, Computation, Format, Info, Properties, Quantity, Report, Selection,
+    Table, TableEntry, catalogue, certificate, conventions, dynkin_type,
 };
 use affinor_tensors::{Notation, Tolerance};
 use serde::Deserialize;
@@ -76,8 +75,16 @@ impl Request {
             "paper" => return self.paper(),
             "transport" => (transport::transport(&self.path, &self.vector, &self.metric)?, vec![]),
             "motion" => (motion::motion(&self.problem, &self.methods)?, vec![]),
-            "table" => self.over_space(TableWork(self.quantities()?))?,
-            "check" => self.over_space(CheckWork)?,
+            "table" => {
+                let (space, quantities) = (self.open()?, self.quantities()?);
+                let selection = Selection { quantities, ..Selection::default() };
+                (Computation::of(&space).table(&selection)?.report, notes(&space))
+            }
+            "check" => {
+                let space = self.open()?;
+                let checks = Computation::of(&space).checks()?;
+                (Box::new(certificate(&space.definition.name, &checks, None)), notes(&space))
+            }
             "equations" => self.equations()?,
             "info" => {
                 let space = self.open()?;
@@ -109,7 +116,7 @@ impl Request {
         let drawn = || -> Result<Vec<Picture>, Refusal> {
             match self.report.as_str() {
                 "table" => {
-                    let work = HeatWork(self.quantities()?);
+                    let work = HeatMaps(self.quantities()?);
                     Ok(self.open()?.run(ScalarChoice::Exact, Tolerance::default(), work)?)
                 }
                 "info" => {
@@ -176,14 +183,6 @@ impl Request {
         Ok(space)
     }
 
-    fn over_space<W: Work<Output = Box<dyn Report>>>(
-        &self,
-        work: W,
-    ) -> Result<(Box<dyn Report>, Vec<String>), Refusal> {
-        let space = self.open()?;
-        Ok((space.run(ScalarChoice::Exact, Tolerance::default(), work)?, notes(&space)))
-    }
-
     fn equations(&self) -> Result<(Box<dyn Report>, Vec<String>), Refusal> {
         let kind = match self.motion.as_str() {
             "" => EquationKind::EulerPoincare,
@@ -191,8 +190,7 @@ impl Request {
                 .ok_or_else(|| Refusal::new(format!("`{name}` is no motion")))?,
         };
         let space = self.open()?;
-        let report = space.run(ScalarChoice::Exact, Tolerance::default(), EquationsWork(kind))?;
-        Ok((report, notes(&space)))
+        Ok((Computation::of(&space).equations(kind, false)?, notes(&space)))
     }
 
     fn comparison(&self) -> Result<Comparison, Refusal> {
@@ -200,7 +198,7 @@ impl Request {
             let name = if name.trim().is_empty() { default } else { name };
             let request =
                 definition::Request { space: Some(name.into()), ..definition::Request::default() };
-            Ok(Space::open(&request)?.run(ScalarChoice::Exact, Tolerance::default(), SideWork)?)
+            Ok(Computation::of(&Space::open(&request)?).side()?)
         };
         Ok(Comparison::new(side(&self.space, "M(3)")?, side(&self.other, "SO(3)")?))
     }
@@ -228,24 +226,10 @@ fn notes(space: &Space) -> Vec<String> {
     }
 }
 
-struct TableWork(Vec<Quantity>);
-
-impl Work for TableWork {
-    type Output = Box<dyn Report>;
-
-    fn run<S: Notation>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<Self::Output, InputError> {
-        Ok(Box::new(Table::new(&definition.geometry(reading)?, &self.0)?))
-    }
-}
-
 /// Heat maps of tensors.
-struct HeatWork(Vec<Quantity>);
+struct HeatMaps(Vec<Quantity>);
 
-impl Work for HeatWork {
+impl Work for HeatMaps {
     type Output = Vec<Picture>;
 
     fn run<S: Notation>(
@@ -261,55 +245,5 @@ impl Work for HeatWork {
             picture::heat(entry.quantity.title(), entry.quantity.symbol(), &entry.tensor)
         };
         Ok(table.tensors.iter().filter_map(drawn).collect())
-    }
-}
-
-struct CheckWork;
-
-impl Work for CheckWork {
-    type Output = Box<dyn Report>;
-
-    fn run<S: Notation>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<Self::Output, InputError> {
-        let checks = certify(definition, reading, &|_| ())?;
-        Ok(Box::new(certificate(&definition.name, &checks, None)))
-    }
-}
-
-struct EquationsWork(EquationKind);
-
-impl Work for EquationsWork {
-    type Output = Box<dyn Report>;
-
-    fn run<S: Notation>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<Self::Output, InputError> {
-        let geometry = definition.geometry(reading)?;
-        let equations = Equations::new(self.0, geometry.connection(), geometry.metric());
-        let equations = equations.map_err(|error| match error {
-            Error::NoMetric => InputError::usage("Euler-Poincare equations need a metric")
-                .help("give one, as in diag(J1,J2,J3), or choose other equations"),
-            other => other.into(),
-        })?;
-        Ok(Box::new(EquationReport::new(equations, &geometry)))
-    }
-}
-
-struct SideWork;
-
-impl Work for SideWork {
-    type Output = ComparedSide;
-
-    fn run<S: Notation>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<Self::Output, InputError> {
-        Ok(ComparedSide::new(&definition.geometry(reading)?)?)
     }
 }

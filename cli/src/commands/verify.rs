@@ -42,7 +42,8 @@ impl Arguments {
         }
         let stage = |name: &str| stages.begin(name);
         let computation = self.shared.computation(&space, &stage)?;
-        let (found, remarks) = stages.bound(|| computation.differences(&stored, &self.selection.of(quantities)))??;
+        let (found, remarks) =
+            stages.bound(|| computation.differences(&stored, &self.selection.of(quantities)))??;
         remarks.iter().for_each(|remark| note(remark));
         let inputs: Vec<_> = space.file.into_iter().chain([PathBuf::from(file)]).collect();
         self.shared.print(&stages, &inputs, &found)?;

@@ -86,13 +86,16 @@ pub(super) enum Construction<'d, D> {
 
 type Algebra = LieAlgebra<Symbolic>;
 
+/// Reads a part, which stands under a key of the file.
+type Read<'s, D> = &'s dyn Fn(&Part<D>, &str) -> Result<Algebra, InputError>;
+
 /// The key of a construction in a file, with the declared parameters.
 pub(super) struct Site<'s, D> {
     pub(super) source: &'s Source,
     pub(super) place: Place,
     pub(super) declared: BTreeSet<String>,
     /// Reads the algebra that a part names, or defines under a key of the file.
-    pub(super) read: &'s dyn Fn(&Part<D>, &str) -> Result<Algebra, InputError>,
+    pub(super) read: Read<'s, D>,
 }
 
 impl<D> Site<'_, D> {

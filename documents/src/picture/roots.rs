@@ -128,7 +128,7 @@ mod tests {
             (Series::F, 4, 12),
             (Series::E, 8, 30),
         ] {
-            let places = projected(CartanType::new(series, rank).unwrap());
+            let places = projected(CartanType::new(series, rank).expect("a type"));
             let (sin, cos) = (std::f64::consts::TAU / f64::from(h)).sin_cos();
             for ([x, y], long) in &places {
                 let turned = [cos * x - sin * y, sin * x + cos * y];
@@ -144,7 +144,7 @@ mod tests {
     /// Rank 2 is drawn without distortion: the angles between neighbours of B2 are 45 degrees.
     #[test]
     fn rank_two_is_itself() {
-        let places = projected(CartanType::new(Series::B, 2).unwrap());
+        let places = projected(CartanType::new(Series::B, 2).expect("a type"));
         let mut angles: Vec<f64> =
             places.iter().map(|([x, y], _)| y.atan2(*x).to_degrees()).collect();
         angles.sort_by(f64::total_cmp);
@@ -153,7 +153,11 @@ mod tests {
             "{angles:?}"
         );
         let size = |long: bool| {
-            places.iter().find(|(_, other)| *other == long).map(|([x, y], _)| x.hypot(*y)).unwrap()
+            places
+                .iter()
+                .find(|(_, other)| *other == long)
+                .map(|([x, y], _)| x.hypot(*y))
+                .expect("a root")
         };
         assert!((size(true) / size(false) - 2f64.sqrt()).abs() < 1e-12);
     }

@@ -203,7 +203,7 @@ fn equations<S: Notation>(
     let equations = Equations::new(kind, geometry.connection(), geometry.metric());
     let equations = equations.map_err(|error| match error {
         Error::NoMetric => InputError::usage("Euler-Poincare equations need a metric")
-            .help("give one, as in --metric \"diag(J1,J2,J3)\", or choose another --motion"),
+            .help("give one, as in \"diag(J1,J2,J3)\", or choose other equations"),
         other => other.into(),
     })?;
     let equations = if solved { equations.solved() } else { equations };
