@@ -92,7 +92,8 @@ fn links_lead_somewhere() -> Outcome {
         let path = root().join(name);
         let folder = path.parent().map(PathBuf::from).unwrap_or_default();
         for target in links(&std::fs::read_to_string(&path)?) {
-            assert!(folder.join(target).exists(), "{name}: {target}");
+            let file = target.split_once('#').map_or(target, |(file, _)| file);
+            assert!(folder.join(file).exists(), "{name}: {target}");
         }
     }
     Ok(())

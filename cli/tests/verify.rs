@@ -289,7 +289,7 @@ fn named_factors_verify() {
     let folder = TempDir::new().unwrap();
     let space = ["so3", "--metric", "[[a,b,c],[b,d,e],[c,e,f]]"];
     let show = ["--show", "affinities,curvature,ricci"];
-    let table = [&["table"], &space[..], &show, &["--format", "json"]].concat();
+    let table = [&["table"], &space[..], &show, &["--format", "json", "--common-factors"]].concat();
     let text = stdout(folder.path(), &table);
     let stored: Value = serde_json::from_str(&text).unwrap();
     let det = "a*d*f - a*e^2 - b^2*f + 2*b*c*e - c^2*d";
@@ -300,6 +300,11 @@ fn named_factors_verify() {
     };
     let outcome = verify(&text, "same.json");
     assert_eq!(outcome.status, 0, "{}{}", outcome.out, outcome.err);
+    // without the option each value stands for itself
+    let plain = [&["table"], &space[..], &show, &["--format", "json"]].concat();
+    let plain = stdout(folder.path(), &plain);
+    assert!(!plain.contains("\"where\"") && !plain.contains("/D"));
+    assert_eq!(verify(&plain, "plain.json").status, 0);
     // other names, and values without names, are the same values
     let renamed = text.replace("\"D\"", "\"det\"").replace("D)", "det)").replace("/D", "/det");
     let outcome = verify(&renamed.replace("*D^", "*det^"), "renamed.json");
@@ -348,7 +353,8 @@ fn values_are_not_longer_than_those_of_maxima() {
         ("so4", metric(6, &blocks), vec![("affinities", 15455)]),
     ] {
         for (tensor, maxima) in maxima {
-            let table = ["table", space, "--metric", &metric, "--show", tensor, "--format", "json"];
+            let table = ["table", space, "--metric", &metric, "--show", tensor];
+            let table = [&table[..], &["--format", "json", "--common-factors"]].concat();
             let table: Value = serde_json::from_str(&stdout(folder.path(), &table)).unwrap();
             let letters = |text: &Value| text.as_str().unwrap().replace(' ', "").len();
             let names = table["where"].as_object().into_iter().flatten();

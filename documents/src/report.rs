@@ -94,6 +94,9 @@ pub struct Table<S> {
     pub tolerance: Tolerance,
     /// Whether only one component of each set that is equal by symmetry is listed.
     pub independent: bool,
+    /// Whether JSON has names for the common factors of denominators, as text, Markdown, LaTeX and HTML do; otherwise each
+    /// of its values stands for itself.
+    pub common_factors: bool,
     /// The components of the metric, if there is one: its determinant is a common factor.
     pub metric: Option<Tensor<S>>,
     /// The tensors, in the order in which they are shown.
@@ -162,6 +165,7 @@ impl<S: Notation> Table<S> {
             }),
             tolerance: geometry.frame().structure().tolerance(),
             independent: false,
+            common_factors: false,
             metric: geometry.metric().map(|metric| metric.components().clone()),
             tensors,
         })

@@ -65,6 +65,7 @@ fn single<S: Notation>(quantity: Quantity, tensor: Tensor<S>) -> Table<S> {
         chart: None,
         tolerance: Tolerance::default(),
         independent: false,
+        common_factors: false,
         metric: None,
         tensors: vec![TableEntry { quantity, tensor }],
     }
@@ -369,6 +370,10 @@ fn lines_stay_within_eighty_columns() {
 fn wrapping_loses_nothing() {
     let table = m3(ConnectionKind::LeviCivita);
     let text = unwrapped(&render(&table, Format::Text)) + " ";
+    // with the common factor in the place of its name
+    let (_, line) = text.split_once("D = det g = ").unwrap();
+    let factor = format!("({})", line.split_once("  ").unwrap().0.trim());
+    let text = text.replace("/D", &format!("/{factor}")).replace("*D", &format!("*{factor}"));
     for entry in &table.tensors {
         for (_, value) in entry.tensor.components() {
             let size = if value.is_negative() { -value.clone() } else { value.clone() };

@@ -2,8 +2,8 @@
 
 use crate::errors::raise;
 use crate::group::{PyGroup, PyTransport};
+use crate::report::{format, written};
 use crate::run::run;
-use crate::space::{format, written};
 use crate::tensor::{PyTensor, Scalar, of};
 use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::geometry::properties::Property;

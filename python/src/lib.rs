@@ -5,6 +5,7 @@ mod errors;
 mod geometry;
 mod group;
 mod motion;
+mod report;
 mod run;
 mod space;
 mod structure;

@@ -3,6 +3,7 @@
 use crate::errors::raise;
 use crate::geometry::{PyGeometry, Values as Geometries};
 use crate::group::PyGroup;
+use crate::report::written;
 use crate::run::run;
 use crate::tensor::{PyTensor, Values};
 use affinor::{Canonical, Connection, ConnectionKind, Error, Geometry};
@@ -10,7 +11,7 @@ use affinor_documents::certificate::Check;
 use affinor_documents::definition::{
     Definition, InputError, Reading, Request, ScalarChoice, Space, Work,
 };
-use affinor_documents::report::{Computation, Format, Report, certificate};
+use affinor_documents::report::{Computation, certificate};
 use affinor_tensors::{Down, Notation, Rational, Ring, Symbolic, Tensor, Tolerance, Tracked};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -134,21 +135,6 @@ fn tolerance(relative: Option<f64>) -> PyResult<Tolerance> {
             PyValueError::new_err(format!("the tolerance {relative} is not in 0 <= x < 1"))
         })
     })
-}
-
-/// The format of a name.
-pub fn format(name: &str) -> PyResult<Format> {
-    Format::from_name(name).ok_or_else(|| {
-        let names: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
-        PyValueError::new_err(format!("the formats are {}, not {name:?}", names.join(", ")))
-    })
-}
-
-/// A report as text.
-pub fn written(report: &(impl Report + ?Sized), format: Format) -> Result<String, InputError> {
-    let mut bytes = Vec::new();
-    report.write(format, &mut bytes).map_err(|error| InputError::usage(error.to_string()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
 impl PySpace {
@@ -283,7 +269,7 @@ impl PySpace {
         tolerance: Option<f64>,
     ) -> PyResult<String> {
         let checks = self.checks(py, scalar, tolerance)?;
-        let format = self::format(format)?;
+        let format = crate::report::format(format)?;
         let tolerance = (scalar == "float").then_some(self::tolerance(tolerance)?);
         let report = certificate(&self.0.definition.name, &checks, tolerance);
         written(&report, format).map_err(|error| raise(py, &error))

@@ -2,8 +2,9 @@
 
 use crate::errors::raise;
 use crate::geometry::{PyGeometry, Values as Geometries};
+use crate::report::written;
 use crate::run::run;
-use crate::space::{PySpace, written};
+use crate::space::PySpace;
 use crate::tensor::{PyTensor, Scalar, Values, of};
 use affinor::algebra::structure::{Ground, Structure, Subspace};
 use affinor::{BasisChange, Bracket, LieAlgebra};

@@ -291,7 +291,10 @@ impl PyTensor {
         {
             let mut list = out.readwrite();
             let list = list.as_slice_mut()?;
-            run(py, || Ok(each!(&self.0, tensor => tensor.write_coordinates(list))))?;
+            run(py, || {
+                each!(&self.0, tensor => tensor.write_coordinates(list));
+                Ok(())
+            })?;
         }
         Ok(out)
     }

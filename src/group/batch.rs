@@ -360,7 +360,7 @@ mod tests {
     fn equal_floats_on_every_processor_at_every_place() {
         let scales = [0.0, 1e-170, 1e-9, 0.1, 1.2, 2.99, 3.0, 3.01, 6.3, 1e3, 1e150, f64::NAN];
         let axis = [0.28, -0.96, 0.6];
-        let vectors: Vec<[f64; 3]> = (0..90)
+        let vectors: Vec<[f64; 3]> = (0..6 * LANES)
             .map(|at| axis.map(|c| c * scales[at % scales.len()] + 1e-3 * at as f64))
             .collect();
         let bits =
@@ -377,7 +377,7 @@ mod tests {
             for end in start..vectors.len() {
                 let mut found = vec![[0.0; 4]; end - start];
                 exp_rows(&vectors[start..end], &mut found);
-                assert_eq!(bits(&found), bits(&plain[start..end]), "{start}..{end}");
+                assert!(bits(&found) == bits(&plain[start..end]), "{start}..{end}");
                 let mut back = vec![[0.0; 3]; end - start];
                 let valid = log_rows(&found, &mut back);
                 assert_eq!(valid, !back.as_flattened().iter().any(|c| c.is_nan()));

@@ -6,7 +6,7 @@ use super::note::{note, note_default_connection};
 use super::options::{OutputFormat, Shared, SpaceOptions};
 use super::output::deliver;
 use affinor_documents::definition::InputError;
-use affinor_documents::report::{Quantity, Selection};
+use affinor_documents::report::{Format, Quantity, Selection};
 use clap::{Args, ValueEnum};
 
 #[derive(Args)]
@@ -17,6 +17,9 @@ pub struct Arguments {
     pub options: SpaceOptions,
     #[command(flatten)]
     pub selection: Choice,
+    /// In JSON, write common factors of denominators once, under `where`, as the other formats do
+    #[arg(long)]
+    pub common_factors: bool,
     #[command(flatten)]
     pub code: CodeOptions,
     #[command(flatten)]
@@ -56,7 +59,12 @@ impl Arguments {
         let space = self.shared.open(self.space.as_deref(), &self.options)?;
         let stage = |name: &str| stages.begin(name);
         let computation = self.shared.computation(&space, &stage)?;
-        let selection = self.selection.of(self.selection.quantities());
+        let chosen = self.selection.of(self.selection.quantities());
+        let selection = Selection { common_factors: self.common_factors, ..chosen };
+        if self.common_factors && self.shared.output.format == OutputFormat::Report(Format::Csv) {
+            let error = InputError::usage("CSV has no names for common factors");
+            return Err(error.help("--format json has").into());
+        }
         if let OutputFormat::Program(program) = self.shared.output.format
             && selection.quantities == [Quantity::Structure]
         {
@@ -98,7 +106,7 @@ impl Choice {
     /// These tensors, shown as chosen.
     pub fn of(&self, quantities: Vec<Quantity>) -> Selection {
         let right_frame = self.frame == Frame::Right;
-        Selection { quantities, right_frame, independent: self.independent }
+        Selection { quantities, right_frame, independent: self.independent, ..Selection::default() }
     }
 }
 

@@ -46,6 +46,8 @@ pub struct Selection {
     pub right_frame: bool,
     /// Whether one component of each set that is equal by symmetry is shown.
     pub independent: bool,
+    /// Whether JSON too has names for common factors; see [`Table::common_factors`].
+    pub common_factors: bool,
 }
 
 /// A table, and what it lacks.
@@ -185,6 +187,7 @@ fn table<S: Notation>(
     let geometry = geometry(definition, reading, selection, stage)?;
     let mut table = Table::in_stages(&geometry, &selection.quantities, stage)?;
     table.independent = selection.independent;
+    table.common_factors = selection.common_factors;
     table.finite()?;
     Ok(table)
 }
@@ -203,7 +206,7 @@ fn equations<S: Notation>(
     let equations = Equations::new(kind, geometry.connection(), geometry.metric());
     let equations = equations.map_err(|error| match error {
         Error::NoMetric => InputError::usage("Euler-Poincare equations need a metric")
-            .help("give one, as in \"diag(J1,J2,J3)\", or choose other equations"),
+            .help("give one, as in --metric \"diag(J1,J2,J3)\", or choose another --motion"),
         other => other.into(),
     })?;
     let equations = if solved { equations.solved() } else { equations };

@@ -6,6 +6,7 @@ use affinor_tensors::linear::Matrix;
 use affinor_tensors::{CommonFactors, Kind, Notation, Symbolic, Tensor};
 
 /// The common factors of a table, and a line for each.
+#[derive(Default)]
 pub(super) struct NamedFactors {
     pub factors: CommonFactors,
     pub lines: Vec<NamedFactor>,
@@ -53,9 +54,8 @@ const LARGEST: usize = 8;
 impl<S: Notation> Table<S> {
     /// The factors whose names make the table shorter.
     pub(super) fn factors(&self) -> NamedFactors {
-        let none = NamedFactors { factors: CommonFactors::default(), lines: Vec::new() };
         if S::KIND != Kind::Symbolic || self.parameters.is_empty() {
-            return none;
+            return NamedFactors::default();
         }
         let shown: Vec<_> = self.tensors.iter().map(|entry| self.shown(entry)).collect();
         let (short, long): (Vec<_>, Vec<_>) = shown.iter().partition(|t| t.len() <= GROUPED);
@@ -67,7 +67,7 @@ impl<S: Notation> Table<S> {
         let mut values = groups.iter().map(|group| &group.value).chain(listed);
         let factors = S::common_factors(&mut values, &taken);
         if factors.is_empty() {
-            return none;
+            return NamedFactors::default();
         }
         let determinants = self.metric.as_ref().map(determinants).unwrap_or_default();
         let line = |(name, value): (&str, Symbolic)| {

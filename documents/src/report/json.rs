@@ -1,7 +1,7 @@
 //! JSON, schema `affinor.table/1`: one object, one component a line.
 
 use super::components::append;
-use super::factors::NamedFactor;
+use super::factors::{NamedFactor, NamedFactors};
 use super::head::kind_name;
 use super::{OnChart, Quantity, Table, TableEntry};
 use affinor_tensors::{CommonFactors, Kind, Notation, Up, Variance};
@@ -43,7 +43,7 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
         out.write_all(if position == 0 { b"\n" } else { b",\n" })?;
         write!(out, "    \"{key}\": {}", Value::from(text))?;
     }
-    let named = table.factors();
+    let named = if table.common_factors { table.factors() } else { NamedFactors::default() };
     write!(out, "\n  }},\n")?;
     if !named.lines.is_empty() {
         let line =

@@ -8,6 +8,7 @@
 mod collected;
 mod common;
 mod denominator;
+mod derivative;
 mod elementary;
 mod factors;
 mod fraction;

@@ -1,13 +1,11 @@
 //! Quotients of polynomials in lowest terms.
 
 use super::denominator::Denominator;
-use super::polynomial::{Polynomial, constant, content, power, select};
-use super::sum::SymbolicSum;
+use super::polynomial::{Polynomial, content, power, select};
 use super::variables::{Variables, places};
 use super::{Form, Rational, Symbolic};
-use crate::Sum;
 use crate::scalar::Field;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 use polycore::{Monomial, Order, Poly};
 use std::sync::Arc;
 
@@ -75,23 +73,6 @@ impl Fraction {
             numerator: power(&self.numerator, exponent),
             denominator: self.denominator.power(exponent),
         }
-    }
-
-    /// `N'/D - (N/D) (D'/D)`, where `D'/D` is the sum of `e f'/f` over the factors `f^e`.
-    pub(super) fn derivative(&self, variable: usize) -> Symbolic {
-        let derivative = |factor: &Polynomial| self.polynomial(&factor.derivative(variable));
-        let value = Symbolic::from(self.clone());
-        let one = constant(Rational::one(), self.variables.len());
-        let below = lowest_terms(&self.variables, one, self.denominator.clone());
-        let mut sum = SymbolicSum::default();
-        sum.add_product(&derivative(&self.numerator), &below);
-        for (factor, exponent) in self.denominator.parts(&self.variables) {
-            let slope = derivative(&factor.expanded(&self.variables));
-            let one = constant(Rational::from(-i64::from(exponent)), self.variables.len());
-            let ratio = slope * &lowest_terms(&self.variables, one, factor);
-            sum.add_product(&value, &ratio);
-        }
-        sum.value()
     }
 
     /// The same fraction over these of its variables, which include those that it depends on.

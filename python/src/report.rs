@@ -1,0 +1,21 @@
+//! Reports as text.
+
+use affinor_documents::definition::InputError;
+use affinor_documents::report::{Format, Report};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+/// The format of a name.
+pub fn format(name: &str) -> PyResult<Format> {
+    Format::from_name(name).ok_or_else(|| {
+        let names: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
+        PyValueError::new_err(format!("the formats are {}, not {name:?}", names.join(", ")))
+    })
+}
+
+/// A report as text.
+pub fn written(report: &(impl Report + ?Sized), format: Format) -> Result<String, InputError> {
+    let mut bytes = Vec::new();
+    report.write(format, &mut bytes).map_err(|error| InputError::usage(error.to_string()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
