@@ -127,7 +127,7 @@ proptest! {
 
 /// The rows `(equation, constant)` of the conditions on `phi^i_j`, unknown `i n + j`, in the order of the search: first
 /// `phi([a,x]) = [a, phi x]` and `phi` in `k`, then `g([x,y],z) + .. = 0` for `x`, `y`, `z` in order.
-fn conditions(space: &Geometry<Rational>) -> (Vec<(Vector, Rational)>, Vec<(Vector, Rational)>) {
+fn conditions(space: &Geometry<Rational>) -> [Vec<(Vector, Rational)>; 2] {
     let (algebra, metric) = (space.algebra().unwrap(), space.metric().unwrap());
     let n = algebra.dimension();
     let g = |x: &[Rational], y: &[Rational]| {
@@ -170,7 +170,7 @@ fn conditions(space: &Geometry<Rational>) -> (Vec<(Vector, Rational)>, Vec<(Vect
         }
         others.push((row, g(&bracket(&ex, &ey), &ez) + &g(&ey, &bracket(&ex, &ez))));
     }
-    (linear, others)
+    [linear, others]
 }
 
 fn solvable(equations: &[&(Vector, Rational)]) -> bool {
@@ -195,7 +195,7 @@ fn of_metrics_that_are_not_naturally_reductive() {
         let space = named(name, &format!("diag({})", written.join(",")));
         let (algebra, metric) = (space.algebra().unwrap(), space.metric().unwrap());
         let n = algebra.dimension();
-        let (linear, others) = conditions(&space);
+        let [linear, others] = conditions(&space);
         let Some(witness) = metric.naturally_reductive(algebra).unwrap().witness() else {
             let all: Vec<_> = linear.iter().chain(&others).collect();
             assert!(solvable(&all), "{name}");
@@ -213,7 +213,7 @@ fn of_metrics_that_are_not_naturally_reductive() {
     let space = named("so3", "diag(1,1,2)");
     let (algebra, metric) = (space.algebra().unwrap(), space.metric().unwrap());
     let phi = metric.naturally_reductive(algebra).unwrap().holds().unwrap();
-    let (linear, others) = conditions(&space);
+    let [linear, others] = conditions(&space);
     for (row, constant) in linear.iter().chain(&others) {
         let terms = row.iter().enumerate().map(|(at, v)| v.clone() * &phi.get(&[at / 3, at % 3]));
         assert!(terms.fold(constant.clone(), |sum, term| sum + &term).vanishes());

@@ -371,8 +371,8 @@ fn wrapping_loses_nothing() {
     let table = m3(ConnectionKind::LeviCivita);
     let text = unwrapped(&render(&table, Format::Text)) + " ";
     // with the common factor in the place of its name
-    let (_, line) = text.split_once("D = det g = ").unwrap();
-    let factor = format!("({})", line.split_once("  ").unwrap().0.trim());
+    let (_, rest) = text.split_once("D = det g = ").unwrap();
+    let factor = format!("({})", rest.split_once(" Structure").unwrap().0);
     let text = text.replace("/D", &format!("/{factor}")).replace("*D", &format!("*{factor}"));
     for entry in &table.tensors {
         for (_, value) in entry.tensor.components() {
