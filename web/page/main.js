@@ -81,26 +81,31 @@ function fraction(parts) {
   return 24 / common === 1 ? String(parts / common) : `${parts / common}/${24 / common}`;
 }
 
+/** The number of computations begun: only the newest ends the wait. */
+let begun = 0;
+
 /** Computes what the form says. @param {"push" | "replace" | "keep"} history */
 async function compute(history) {
   const request = state();
   if (history !== "keep" && write(request) !== location.hash) {
     window.history[history === "push" ? "pushState" : "replaceState"](null, "", write(request));
   }
+  const turn = ++begun;
   by("error").replaceChildren();
   by("stop").disabled = false;
   by("status").textContent = "computing…";
   try {
     const drawn = request.report in DRAWN;
     const { answer, ms } = await engine.ask(drawn ? { ...request, format: "json" } : request);
+    shown = request;
     if (drawn) await draw(request.report, JSON.parse(answer.text));
     else show(answer.text, answer.pictures);
-    shown = request;
+    if (turn !== begun) return;
     by("status").textContent = [`${Math.max(1, Math.round(ms))} ms`, ...answer.notes].join("; ");
     for (const button of by("copies").querySelectorAll("button")) button.disabled = false;
   } catch (problem) {
     const { kind, message, refusal } = /** @type {any} */ (problem);
-    if (kind === "replaced") return;
+    if (kind === "replaced" || turn !== begun) return;
     by("status").textContent = kind === "stopped" ? "stopped" : "";
     if (kind === "refused") refuse(refusal);
     else if (kind === "crashed") refuse({ message: `The computation failed, and the engine was started anew: ${message}`, help: "Your input is kept. A smaller space or fewer tensors may succeed." });
@@ -120,7 +125,7 @@ async function draw(report, data) {
   by("result").replaceChildren();
   by("values").hidden = false;
   by("table").replaceChildren();
-  if (by("values").open) tabulate();
+  if (by("values").open) await tabulate();
 }
 
 /** The values of a picture, in a table. */

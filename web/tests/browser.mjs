@@ -36,7 +36,17 @@ export async function open(hash = "", options = {}) {
   return page;
 }
 
-export const settled = (page) => page.waitForFunction(() => /** @type {any} */ (document.getElementById("stop")).disabled && !document.getElementById("status").textContent.includes("computing"));
+/** Waits until nothing has been computed for a moment: what a key or a click begins may begin a little later. */
+export async function settled(page) {
+  await page.evaluate(() => { delete (/** @type {any} */ (window).idleSince); });
+  await page.waitForFunction(() => {
+    const state = /** @type {any} */ (window);
+    const stop = /** @type {any} */ (document.getElementById("stop"));
+    const idle = stop.disabled && !document.getElementById("status").textContent.includes("computing");
+    state.idleSince = idle ? state.idleSince ?? performance.now() : undefined;
+    return idle && performance.now() - state.idleSince > 150;
+  });
+}
 export const text = (page, id) => page.locator(`#${id}`).innerText();
 
 /** What axe-core objects to. */

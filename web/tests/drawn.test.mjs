@@ -90,6 +90,7 @@ test("geodesics follow the entries of the metric", async () => {
   await page.fill("#vector", "0.5, 0, 1");
   await page.click("button[type=submit]");
   await settled(page);
+  assert.equal(await text(page, "error"), "");
   // another direction: the geodesic leaves the one-parameter group
   const own = (at) => page.locator("#view figure").nth(at).locator(".own").evaluateAll((lines) => lines.map((line) => line.getAttribute("points")));
   assert.notDeepEqual(await own(3), await own(1));

@@ -62,7 +62,7 @@ test("every report, and its copies", async () => {
 
 test("a definition of one's own, with a message under the letters", async () => {
   const page = await open("#report=table&show=ricci");
-  await page.click("summary");
+  await page.click("#own summary");
   await page.fill("#definition", 'basis = ["x", "y"]\nbrackets = "[x, q] = y"');
   await page.click("button[type=submit]");
   await settled(page);
