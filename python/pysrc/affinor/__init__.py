@@ -8,7 +8,7 @@ from importlib.metadata import version as _version
 
 from affinor._engine import set_threads, threads
 from affinor._sweep import Draw, Motions, Sweep, sweep
-from affinor.algebra import Check, LieAlgebra, catalogue, check
+from affinor.algebra import Check, LieAlgebra, catalogue
 from affinor.errors import (
     AffinorError,
     AntisymmetryError,
@@ -24,7 +24,7 @@ from affinor.errors import (
     ShapeError,
     SymmetryError,
 )
-from affinor.geometry import Geodesic, Geometry, Property, compare, conventions
+from affinor.geometry import Geodesic, Geometry, Property, check, compare, conventions
 from affinor.group import SE2, SE3, SE23, SL2, SO2, SO3, Group, RotationGroup, groups
 from affinor.motion import Problem, Trajectory, convergence, simulate
 from affinor.structure import Report

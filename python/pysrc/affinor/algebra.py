@@ -17,7 +17,7 @@ from affinor.group import Group
 from affinor.structure import Structured
 from affinor.tensor import Tensor
 
-__all__ = ["Check", "LieAlgebra", "catalogue", "check"]
+__all__ = ["Check", "LieAlgebra", "catalogue"]
 
 Request = dict[str, Any]
 """The arguments of a space: those of ``_engine.Space``."""
@@ -354,7 +354,7 @@ class LieAlgebra(Structured):
 
     def check(self) -> list[Check]:
         """The checks of the certificate."""
-        return check(self)
+        return checks(self._source)
 
     # -- equality and display --------------------------------------------------------------------------------------------
 
@@ -431,24 +431,9 @@ class Check:
         return f"<Check {self.name}: {'ok' if self.ok else 'FAILS'}, {self.detail}>"
 
 
-def check(
-    space: Any,
-    *,
-    basis: str | Sequence[str] | None = None,
-    connection: Any = None,
-    metric: Any = None,
-    scalar: str = "exact",
-    tolerance: float | None = None,
-) -> list[Check]:
-    """Antisymmetry, the Jacobi identity, the metric and the Bianchi identities, each with a witness if it fails.
-
-    ``space`` is anything that a LieAlgebra or a Geometry is made of. Failures are results, not exceptions.
-    """
-    from affinor.geometry import completed
-
-    source = completed(source_of(space, basis=basis, scalar=scalar, tolerance=tolerance), connection, metric)
-    found = source.space().check(source.scalar, source.tolerance)
-    return [Check(*entry) for entry in found]
+def checks(source: Source) -> list[Check]:
+    """The checks of a source with its connection and metric."""
+    return [Check(*entry) for entry in source.space().check(source.scalar, source.tolerance)]
 
 
 def catalogue(pattern: str = "") -> list[tuple[str, str, str]]:

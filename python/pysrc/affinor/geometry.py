@@ -10,13 +10,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from affinor import _engine
 from affinor._scalars import Scalar, Symbols, is_matrix, is_sympy, merged, text_of, value_of
-from affinor.algebra import DESCRIPTIONS, Check, LieAlgebra, Source, settings, source_of
+from affinor.algebra import DESCRIPTIONS, Check, LieAlgebra, Source, checks, settings, source_of
 from affinor.errors import MathematicsError
 from affinor.group import Group
 from affinor.structure import Report
 from affinor.tensor import Tensor
 
-__all__ = ["Geodesic", "Geometry", "Property", "compare", "conventions"]
+__all__ = ["Geodesic", "Geometry", "Property", "check", "compare", "conventions"]
 
 QUANTITIES = [key for key, *_ in _engine.quantities()]
 _LETTERS = {
@@ -60,6 +60,23 @@ def completed(source: Source, connection: Any, metric: Any) -> Source:
     if connection is not None:
         request["connection"] = connection_text(connection, symbols)
     return Source(request, symbols, source.scalar, source.tolerance)
+
+
+def check(
+    space: Any,
+    *,
+    basis: str | Sequence[str] | None = None,
+    connection: Any = None,
+    metric: Any = None,
+    scalar: str = "exact",
+    tolerance: float | None = None,
+) -> list[Check]:
+    """Antisymmetry, the Jacobi identity, the metric and the Bianchi identities, each with a witness if it fails.
+
+    ``space`` is anything that a LieAlgebra or a Geometry is made of. Failures are results, not exceptions.
+    """
+    source = source_of(space, basis=basis, scalar=scalar, tolerance=tolerance)
+    return checks(completed(source, connection, metric))
 
 
 class Property(NamedTuple):
@@ -395,8 +412,7 @@ class Geometry:
 
     def check(self) -> list[Check]:
         """The checks of the certificate."""
-        found = self._source.space().check(self._source.scalar, self._source.tolerance)
-        return [Check(*entry) for entry in found]
+        return checks(self._source)
 
     def subs(self, values: Mapping[Any, Scalar]) -> Geometry:
         """The geometry with parameters replaced, by name or by symbol."""
