@@ -37,7 +37,6 @@ mod kernel;
 mod notation;
 mod paths;
 mod rows;
-mod threads;
 
 use crate::{Ring, Tensor, TensorError, Up, Variance};
 use arithmetic::{Factor, InRing, OnIntegers, Term};

@@ -29,6 +29,7 @@ pub mod scalar;
 mod serial;
 mod tensor;
 pub mod text;
+mod threads;
 
 pub use contraction::contract;
 pub use error::{NotationError, TensorError};

@@ -7,7 +7,7 @@
 use super::Paths;
 use super::arithmetic::{Arithmetic, Term};
 use super::rows::{Entry, Laid, Place, Rows, sum};
-use super::threads;
+use crate::threads;
 use crate::{Ring, Tensor};
 use std::ops::Range;
 

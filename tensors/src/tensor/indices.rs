@@ -1,8 +1,11 @@
 //! The indices of a component, and the iteration over all nonzero components.
 
 use super::Tensor;
-use crate::Ring;
+use crate::{Ring, threads};
 use std::ops::{Deref, Range};
+
+/// Up to so many components are written on one thread.
+const TOGETHER: usize = 1 << 16;
 
 /// The indices of one component, from 0; a slice of `usize`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,21 +91,38 @@ impl<S: Ring> Tensor<S> {
     /// # Panics
     /// If the length of the list is not the rank times the number of nonzero components.
     pub fn write_coordinates(&self, list: &mut [i64]) {
-        let (rank, count) = (self.rank(), self.len());
-        assert_eq!(list.len(), rank * count, "an index for each slot of each component");
-        let Some(last) = rank.checked_sub(1) else { return };
-        let (fronts, ends) = list.split_at_mut(last * count);
-        let shown = self.keys.iter().zip(&self.values).filter(|(_, value)| !value.is_small());
+        let count = self.len();
+        assert_eq!(list.len(), self.rank() * count, "an index for each slot of each component");
+        if count > 0 {
+            self.write_rows(0..self.keys.len(), list.chunks_exact_mut(count).collect(), TOGETHER);
+        }
+    }
+
+    /// The indices of some of the stored components, a row a slot; more than `together` of them on two threads.
+    fn write_rows(&self, stored: Range<usize>, mut rows: Vec<&mut [i64]>, together: usize) {
+        if stored.len() > together {
+            let middle = stored.start + stored.len() / 2;
+            let first =
+                self.values[stored.start..middle].iter().filter(|value| !value.is_small()).count();
+            let (before, after) = rows.into_iter().map(|row| row.split_at_mut(first)).unzip();
+            return threads::join(
+                || self.write_rows(stored.start..middle, before, together),
+                || self.write_rows(middle..stored.end, after, together),
+            );
+        }
+        let Some((ends, fronts)) = rows.split_last_mut() else { return };
+        let stored = self.keys[stored.clone()].iter().zip(&self.values[stored]);
+        let shown = stored.filter(|(_, value)| !value.is_small());
         // neighbours mostly share all indices but the last: these are divided out once
-        let (mut base, mut before) = (u64::MAX, Indices([0; Indices::MAX], rank));
-        for ((at, (&key, _)), end) in shown.enumerate().zip(ends) {
+        let (mut base, mut before) = (u64::MAX, Indices([0; Indices::MAX], self.rank()));
+        for ((at, (&key, _)), end) in shown.enumerate().zip(ends.iter_mut()) {
             let ahead = key.wrapping_sub(base);
             if key < base || ahead >= self.dimension as u64 {
                 before = self.indices(key);
-                base = key - before[last] as u64;
+                base = key - before[fronts.len()] as u64;
             }
-            for slot in 0..last {
-                fronts[slot * count + at] = before.0[slot] as i64;
+            for (row, index) in fronts.iter_mut().zip(before.0) {
+                row[at] = index as i64;
             }
             *end = (key - base) as i64;
         }
@@ -119,5 +139,35 @@ impl<S> Tensor<S> {
             key /= n;
         }
         indices
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Down, Tracked, Up, contract};
+
+    #[test]
+    fn coordinates_do_not_depend_on_the_number_of_threads() {
+        // rows 1 and 3 sum to a rounding error, which is stored and not shown
+        let row = |i: usize| {
+            if i % 2 == 1 { [0.1, 0.2, -0.3, 0.0, 0.0] } else { [1.0, 0.0, 2.0, 0.5, i as f64] }
+        };
+        let a = (0..5).flat_map(|i| {
+            row(i).into_iter().enumerate().map(move |(j, x)| ([i, j], Tracked::from(x)))
+        });
+        let b = (0..25).map(|k| ([k / 5, k % 5], Tracked::from([1.0, 3.0, 0.0, 7.0, 5.0][k % 5])));
+        let a = Tensor::from_components(5, &[Down, Down], a).unwrap();
+        let b = Tensor::from_components(5, &[Up, Down], b).unwrap();
+        let tensor = contract("a_ij b^j_k -> _ik", &[("a", &a), ("b", &b)]).unwrap();
+        assert!(tensor.keys.len() > tensor.len());
+        let expected = [0, 1].map(|slot| tensor.components().map(move |(at, _)| at[slot] as i64));
+        let expected: Vec<_> = expected.into_iter().flatten().collect();
+        for together in [1, 2, 3, 7, 100] {
+            let mut list = vec![-1; expected.len()];
+            let rows = list.chunks_exact_mut(tensor.len()).collect();
+            tensor.write_rows(0..tensor.keys.len(), rows, together);
+            assert_eq!(list, expected, "{together} together");
+        }
     }
 }

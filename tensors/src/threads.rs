@@ -1,4 +1,4 @@
-//! Threads for a contraction: those of rayon, or one without the feature `parallel`.
+//! The threads of rayon, or one without the feature `parallel`.
 
 #[cfg(feature = "parallel")]
 use crate::scalar::effort;
@@ -6,7 +6,7 @@ use crate::scalar::effort;
 use rayon::prelude::*;
 
 /// The number of threads.
-pub(super) fn count() -> usize {
+pub(crate) fn count() -> usize {
     #[cfg(feature = "parallel")]
     return rayon::current_num_threads();
     #[cfg(not(feature = "parallel"))]
@@ -14,7 +14,7 @@ pub(super) fn count() -> usize {
 }
 
 /// The values of `f` at `0..n`, in order. Each thread makes its own state by `init`.
-pub(super) fn map<W, T: Send>(
+pub(crate) fn map<W, T: Send>(
     n: u64,
     init: impl Fn() -> W + Send + Sync,
     f: impl Fn(&mut W, u64) -> T + Send + Sync,
@@ -27,4 +27,15 @@ pub(super) fn map<W, T: Send>(
     }
     #[cfg(not(feature = "parallel"))]
     (0..n).scan(init(), |state, at| Some(f(state, at))).collect()
+}
+
+/// Both, on two threads if two are free.
+pub(crate) fn join(a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
+    #[cfg(feature = "parallel")]
+    rayon::join(a, b);
+    #[cfg(not(feature = "parallel"))]
+    {
+        a();
+        b();
+    }
 }
