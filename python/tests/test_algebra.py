@@ -1,6 +1,7 @@
 """Algebras and geometries: every way in, and the same values out."""
 
 import json
+import re
 from fractions import Fraction
 from pathlib import Path
 
@@ -192,3 +193,13 @@ def test_milnors_formula(metric):
     ricci = af.Geometry("so3", metric=metric).ricci
     assert ricci[0, 0] == (a + b - c) * (a - b + c) / (2 * b * c)
     assert ricci[0, 1] == 0
+
+
+@pytest.mark.parametrize("text", ["[x,y]=z, [y,z]=x, [z,x]=y", "[x,y]=z; [y,z]=x; [z,x]=y;", "\n[x, y] = z\n[y, z] = x\n[z, x] = y\n"])
+def test_brackets_of_one_text(text: str) -> None:
+    expected = af.LieAlgebra({"basis": "x y z", "brackets": ["[x,y]=z", "[y,z]=x", "[z,x]=y"]}).structure
+    assert af.LieAlgebra(text, basis="x y z").structure == expected
+    assert af.LieAlgebra([part for part in re.split(r"[;\n]|, (?=\[)", text) if part], basis="x y z").structure == expected
+    with pytest.raises(af.InputError) as refused:
+        af.LieAlgebra(text.replace("= x", "= u").replace("=x", "=u"), basis="x y z")
+    assert "u" in str(refused.value)

@@ -110,6 +110,8 @@ def test_plots():
     errors = af.convergence(TOP, "Omega1", ["kick2", "rkmk4"], [0.1, 0.05])
     assert 3 < errors["kick2"][0] / errors["kick2"][1] < 5
     assert errors["rkmk4"][0] / errors["rkmk4"][1] > 10
+    kick, _ = errors.plot().lines
+    np.testing.assert_array_equal(kick.get_xydata(), np.column_stack([[0.1, 0.05], errors["kick2"]]))
 
 
 def test_events():

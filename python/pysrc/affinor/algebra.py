@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -62,8 +63,13 @@ def source_of(
     if isinstance(space, str):
         if basis is not None:
             names = " ".join(_labels(basis) or [])
-            return Source({"basis": names, "brackets": [space]}, {}, scalar, tolerance)
+            return Source({"basis": names, "brackets": _brackets(space)}, {}, scalar, tolerance)
         return Source({"space": space}, {}, scalar, tolerance)
+    if isinstance(space, (list, tuple)) and space and all(isinstance(text, str) for text in space):
+        if basis is None:
+            raise TypeError("brackets need the names of a basis: basis='x y z'")
+        names = " ".join(_labels(basis) or [])
+        return Source({"basis": names, "brackets": list(space)}, {}, scalar, tolerance)
     symbols: Symbols = {}
     if isinstance(space, Mapping):
         keys = document(space, symbols)
@@ -75,6 +81,11 @@ def source_of(
         name = str(keys.get("name", "definition"))
         return Source({"definition": (name, json.dumps(keys))}, symbols, scalar, tolerance)
     return structure_source(space, basis=basis, scalar=scalar, tolerance=tolerance)
+
+
+def _brackets(text: str) -> list[str]:
+    """The brackets of a text, with semicolons also for lines and for commas between brackets: places in it stay the same."""
+    return [re.sub(r"[\n,](?![^\[]*\])", ";", text)]
 
 
 def _labels(basis: str | Sequence[str] | None) -> list[str] | None:
@@ -182,8 +193,8 @@ class LieAlgebra(Structured):
     """A Lie algebra with a basis; the Jacobi identity is checked.
 
     ``LieAlgebra("so3")`` takes a name of the catalogue, a sum of names (``"so3+R^3"``), or the path of a definition file;
-    ``LieAlgebra("[x,y]=z", basis="x y z")`` brackets; ``LieAlgebra({"basis": [...], "brackets": ...})`` the keys of a
-    definition file; ``LieAlgebra(array)`` structure constants (:meth:`from_structure`).
+    ``LieAlgebra("[x,y]=z, [y,z]=x", basis="x y z")`` brackets, in one text or in a list;
+    ``LieAlgebra({"basis": [...], "brackets": ...})`` the keys of a definition file; ``LieAlgebra(array)`` structure constants (:meth:`from_structure`).
 
     Structure constants are ``c[i, j, k]``, with ``[e_j, e_k] = c^i_jk e_i``.
     """

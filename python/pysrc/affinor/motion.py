@@ -294,6 +294,20 @@ def simulate(
     return trajectory
 
 
+class Convergence(dict[str, Floats]):
+    """The errors of methods, each an array with a value a step size."""
+
+    def __init__(self, errors: Mapping[str, Floats], steps: Sequence[float]) -> None:
+        super().__init__(errors)
+        self.steps = list(steps)
+
+    def plot(self, ax: Any = None) -> Any:
+        """The errors over the step size, on logarithmic axes; the axes of matplotlib."""
+        from affinor._plots import plot_convergence
+
+        return plot_convergence(self, self.steps, ax)
+
+
 def convergence(
     problem: str | os.PathLike[str] | Mapping[str, Any],
     column: str,
@@ -301,16 +315,15 @@ def convergence(
     steps: Sequence[float],
     *,
     reference: float | None = None,
-) -> dict[str, Floats]:
+) -> Convergence:
     """The error of a column at the end, for each method and step size.
 
     Without a ``reference`` the value of ``rkmk853`` with the tolerance 1e-13 is taken.
     """
     if reference is None:
         reference = float(simulate(problem, method="rkmk853", tolerance=1e-13)[column][-1])
-    return {
-        method: np.array(
-            [abs(simulate(problem, method=method, step=step)[column][-1] - reference) for step in steps]
-        )
-        for method in methods
-    }
+
+    def error(method: str, step: float) -> float:
+        return abs(simulate(problem, method=method, step=step)[column][-1] - reference)
+
+    return Convergence({method: np.array([error(method, step) for step in steps]) for method in methods}, steps)

@@ -68,12 +68,18 @@ impl<G: LieGroup> LocalCoordinates<G> for Canonical {
 
     #[inline(always)]
     fn carried(group: &G, point: &Self::Point, momentum: &G::Vector) -> G::Vector {
-        group.coadjoint_exp(&point.u, momentum)
+        match &point.translated {
+            Some((_, turn)) => group.coadjoint(turn, momentum),
+            None => group.coadjoint_exp(&point.u, momentum),
+        }
     }
 
     #[inline(always)]
     fn carried_back(group: &G, point: &Self::Point, force: &G::Vector) -> G::Vector {
-        group.coadjoint_exp(&-point.u.clone(), force)
+        match &point.translated {
+            Some((_, turn)) => group.coadjoint_back(turn, force),
+            None => group.coadjoint_exp(&-point.u.clone(), force),
+        }
     }
 
     fn sizes(group: &G, x: &G::Vector) -> [f64; 2] {
