@@ -195,9 +195,9 @@ def test_milnors_formula(metric):
     assert ricci[0, 1] == 0
 
 
-@pytest.mark.parametrize("text", ["[x,y]=z, [y,z]=x, [z,x]=y", "[x,y]=z; [y,z]=x; [z,x]=y;", "\n[x, y] = z\n[y, z] = x\n[z, x] = y\n"])
+@pytest.mark.parametrize("text", ["[x,y]=z, [y,z]=x, [z,x]=y", "[x,y]=z; [y,z]=x; [z,x]=y;", "\n[x, y] = z  # a, b\n[y, z] = x\n[z, x] = y\n"])
 def test_brackets_of_one_text(text: str) -> None:
-    expected = af.LieAlgebra({"basis": "x y z", "brackets": ["[x,y]=z", "[y,z]=x", "[z,x]=y"]}).structure
+    expected = af.LieAlgebra({"basis": ["x", "y", "z"], "brackets": ["[x,y]=z", "[y,z]=x", "[z,x]=y"]}).structure
     assert af.LieAlgebra(text, basis="x y z").structure == expected
     assert af.LieAlgebra([part for part in re.split(r"[;\n]|, (?=\[)", text) if part], basis="x y z").structure == expected
     with pytest.raises(af.InputError) as refused:

@@ -84,8 +84,8 @@ def source_of(
 
 
 def _brackets(text: str) -> list[str]:
-    """The brackets of a text, with semicolons also for lines and for commas between brackets: places in it stay the same."""
-    return [re.sub(r"[\n,](?![^\[]*\])", ";", text)]
+    """The brackets of a text, with semicolons for the commas between brackets: places in it stay the same."""
+    return [re.sub(r",(?![^\[]*\])", ";", text)]
 
 
 def _labels(basis: str | Sequence[str] | None) -> list[str] | None:

@@ -188,33 +188,39 @@ impl<G: SimulationGroup> Forces<G> {
         let n = group.dimension();
         self.observables.evaluate(&self.scope, at, &|_| f64::NAN, buffers);
         let Buffers { values, entries, workspace } = buffers;
-        sums.clear();
-        sums.resize(2 * n, 0.0);
-        let (mine, other) = sums.split_at_mut(n);
-        let own = if G::RIGHT { Side::Space } else { Side::Body };
-        for (side, i, formula, text) in &self.terms {
-            let value = formula.value_in(values, workspace);
-            if !value.is_finite() {
-                self.note(&format!("the force {text}"), value, at);
-            }
-            (if *side == own { &mut *mine } else { &mut *other })[*i] += value;
-        }
-        if let Some((side, table)) = &self.table {
-            table.add(at.time, self.interval.get(), if *side == own { mine } else { other });
-        }
-        for (side, function) in &self.functions {
-            let found = (function.0)(at.time, &group.write(at.element), at.velocity.components());
-            let sums = if *side == own { &mut *mine } else { &mut *other };
-            for (i, sum) in sums.iter_mut().enumerate() {
-                let value = found.get(i).copied().unwrap_or(f64::NAN);
+        let mut total = G::Vector::zeros(n);
+        if !(self.terms.is_empty() && self.table.is_none() && self.functions.is_empty()) {
+            sums.clear();
+            sums.resize(2 * n, 0.0);
+            let (mine, other) = sums.split_at_mut(n);
+            let own = if G::RIGHT { Side::Space } else { Side::Body };
+            for (side, i, formula, text) in &self.terms {
+                let value = formula.value_in(values, workspace);
                 if !value.is_finite() {
-                    self.note(&format!("component {} of the force", i + 1), value, at);
+                    self.note(&format!("the force {text}"), value, at);
                 }
-                *sum += value;
+                (if *side == own { &mut *mine } else { &mut *other })[*i] += value;
+            }
+            if let Some((side, table)) = &self.table {
+                table.add(at.time, self.interval.get(), if *side == own { mine } else { other });
+            }
+            for (side, function) in &self.functions {
+                let found =
+                    (function.0)(at.time, &group.write(at.element), at.velocity.components());
+                let sums = if *side == own { &mut *mine } else { &mut *other };
+                for (i, sum) in sums.iter_mut().enumerate() {
+                    let value = found.get(i).copied().unwrap_or(f64::NAN);
+                    if !value.is_finite() {
+                        self.note(&format!("component {} of the force", i + 1), value, at);
+                    }
+                    *sum += value;
+                }
+            }
+            total = G::Vector::from_components(mine);
+            if other.iter().any(|component| *component != 0.0) {
+                total = total + group.coadjoint(at.element, &G::Vector::from_components(other));
             }
         }
-        let is_zero = other.iter().all(|component| *component == 0.0);
-        let mut total = G::Vector::from_components(mine);
         if let Some((formula, text)) = &self.potential {
             slopes.resize(values.len(), 0.0);
             let value = formula.gradient_in(values, slopes, workspace);
@@ -230,10 +236,7 @@ impl<G: SimulationGroup> Forces<G> {
                 total = total * f64::NAN;
             }
         }
-        if is_zero {
-            return total;
-        }
-        total + group.coadjoint(at.element, &G::Vector::from_components(other))
+        total
     }
 
     /// Records a force that is not finite, with the point.

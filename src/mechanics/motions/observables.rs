@@ -16,7 +16,7 @@ pub struct Point<'p, G: SimulationGroup> {
     pub element: &'p G::Element,
     /// The velocity.
     pub velocity: &'p G::Vector,
-    /// The momentum in the frame of the equations, where it is not `J Omega`.
+    /// The momentum in the frame of the equations; without it `J Omega`.
     pub momentum: Option<&'p G::Vector>,
     /// The energy, where it is not the sum of a kinetic and a potential energy.
     pub energy: Option<f64>,

@@ -9,7 +9,7 @@ use super::{Forces, Method, Motion};
 use crate::mechanics::formula::Formula;
 use crate::mechanics::integrators::kick;
 use crate::mechanics::integrators::moser_veselov::Order;
-use crate::mechanics::{Adaptive, EulerPoincare, State};
+use crate::mechanics::{Adaptive, CotangentSystem, EulerPoincare, State};
 use crate::{Connection, Error, Metric};
 
 /// The data of a motion on a group, beside the group.
@@ -104,7 +104,9 @@ impl<G: SimulationGroup> Observed for Body<G> {
     }
 
     fn at<R>(&self, state: &State<G>, look: impl FnOnce(&Point<G>) -> R) -> R {
-        let velocity = self.velocity(state);
-        look(&Point::new(state.time, &state.element, &velocity))
+        let momentum = self.momentum(state);
+        let velocity = self.velocity_of(&momentum);
+        let point = Point::new(state.time, &state.element, &velocity);
+        look(&Point { momentum: Some(&momentum), ..point })
     }
 }
