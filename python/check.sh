@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # Builds the wheel, installs it in a fresh environment without Rust, and tests it there: types, tests, notebooks.
 # PYTHON is the interpreter (3.11 or later), PROFILE the profile of cargo. AFFINOR_RAY=1 tests sweeps on Ray too.
-# AFFINOR_COMMAND is the program to compare with, if it is built; WORKERS the number of processes of the tests.
+# AFFINOR_COMMAND is the program to compare with, if it is built; WORKERS the number of processes of the tests;
+# ENVIRONMENT a folder for the environment that is tested, which then stays.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 python=${PYTHON:-python3}
 profile=${PROFILE:-dev}
 work=$(mktemp -d)
+environment=${ENVIRONMENT:-$work/test}
 trap 'rm -rf "$work"' EXIT
 
 step() {
@@ -18,8 +20,8 @@ step() {
 # packages of the tests arrive while the wheel is built
 extras=test
 [ "${AFFINOR_RAY:-}" = 1 ] && extras=test,ray
-step "$python" -m venv "$work/test"
-"$work/test/bin/python" -m pip install --quiet $("$python" - "$extras" <<'PYTHON'
+step "$python" -m venv "$environment"
+"$environment/bin/python" -m pip install --quiet $("$python" - "$extras" <<'PYTHON'
 import re, sys, tomllib
 
 project = tomllib.load(open("python/pyproject.toml", "rb"))["project"]
@@ -53,11 +55,11 @@ step "$work/build/bin/maturin" build --locked --profile "$profile" --manifest-pa
 # a second environment without Rust, and tests away from the sources
 wheel=$(echo "$work"/dist/*.whl)
 wait "$packages" || { cat "$work/packages.txt" >&2; exit 1; }
-step "$work/test/bin/python" -m pip install --quiet "$wheel[$extras]"
+step "$environment/bin/python" -m pip install --quiet "$wheel[$extras]"
 here=$PWD
 cd "$work"
 run() {
-    step env -u CARGO_HOME -u RUSTUP_HOME PATH="$work/test/bin:/usr/bin:/bin" AFFINOR_COMMAND="$command" "$@"
+    step env -u CARGO_HOME -u RUSTUP_HOME PATH="$environment/bin:/usr/bin:/bin" AFFINOR_COMMAND="$command" "$@"
 }
 run python -m affinor >"$work/comparison.txt"
 cmp "$work/comparison.txt" <("$command" compare)

@@ -1,11 +1,7 @@
 // The page in a browser.
 import assert from "node:assert/strict";
-import fs from "node:fs";
-import path from "node:path";
-import zlib from "node:zlib";
 import { test } from "node:test";
 import { affinor, ask, needsCommand, open, settled, text, violations } from "./browser.mjs";
-import { dist } from "./server.mjs";
 
 test("the first report is the comparison of the paper", async () => {
   const page = await open();
@@ -149,13 +145,4 @@ test("the values of the program", needsCommand, async () => {
   const show = "structure,torsion,killing";
   const answers = await ask(page, names.map((space) => ({ report: "table", space, show, format: "json" })));
   names.forEach((space, at) => assert.equal(answers[at].text, affinor("table", space, "--show", show, "--format", "json"), space));
-});
-
-test("what is sent stays within the budget", () => {
-  const size = (name) => zlib.brotliCompressSync(fs.readFileSync(path.join(dist, name))).length;
-  const module = size("engine_bg.wasm");
-  const rest = fs.readdirSync(dist).filter((name) => !name.endsWith(".wasm")).reduce((sum, name) => sum + size(name), 0);
-  console.log(`engine ${module} bytes with brotli, everything else ${rest}`);
-  assert.ok(module < 1_500_000, String(module));
-  assert.ok(rest < 40_000, String(rest));
 });
