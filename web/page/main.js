@@ -2,6 +2,7 @@
 // The page: a form, a report, and the address that holds the state of both.
 import { FIELDS, REPORTS, read, used, write } from "./address.js";
 import { Engine } from "./engine-client.js";
+import { Grid } from "./grid.js";
 import { Problem } from "./problem.js";
 
 /** @param {string} id @returns {any} */
@@ -16,6 +17,7 @@ const DRAWN = {
 /** The picture on the page. @type {{report: string, view: any} | null} */
 let picture = null;
 const problem = new Problem(by("example"), by("parameters"), by("problem"), (history) => compute(history));
+const grid = new Grid(by("grid"), (metric) => { by("metric").value = metric; compute("replace"); });
 /** The request whose report is shown. @type {Record<string, string>} */
 let shown = {};
 
@@ -64,7 +66,7 @@ function fill(state) {
 function enable() {
   const names = used(state().report);
   /** Fields that write into others. @type {Record<string, string>} */
-  const into = { lambda: "connection", example: "problem", parameters: "problem", "moments-field": "path" };
+  const into = { lambda: "connection", example: "problem", parameters: "problem", "moments-field": "path", "grid-field": "metric" };
   for (const name of [...FIELDS, ...Object.keys(into)]) {
     const idle = !names.includes(into[name] ?? name);
     by(name).disabled = idle;
@@ -72,6 +74,20 @@ function enable() {
   }
   by("space").placeholder = names.includes("other") ? "M3" : "";
   by("lambda-value").textContent = fraction(Number(by("lambda").value));
+}
+
+/** The grid of the metric, in the basis of the space. */
+async function square() {
+  if (!by("grid-field").open || by("grid").contains(document.activeElement)) return;
+  const { space = "", definition = "", metric = "", report } = state();
+  if (report === "transport") return grid.show(["e1", "e2", "e3"], metric);
+  try {
+    // the empty metric: entries that are being written need not be a metric yet
+    const { answer } = await engine.ask({ report: "table", space, definition, show: "structure", format: "json" });
+    grid.show(JSON.parse(answer.text).algebra.basis, metric);
+  } catch (problem) {
+    if (/** @type {any} */ (problem).kind === "refused") by("grid").replaceChildren("A grid needs a space.");
+  }
 }
 
 /** @param {number} parts twenty-fourths */
@@ -113,6 +129,7 @@ async function compute(history) {
     else if (kind !== "stopped") throw problem;
   }
   by("stop").disabled = true;
+  if (!engine.busy) await square();
 }
 
 /** A report as a picture, with its table on request. @param {string} report @param {any} data */
@@ -212,6 +229,7 @@ by("reports").addEventListener("change", () => {
   enable();
   compute("push");
 });
+by("grid-field").addEventListener("toggle", square);
 by("values").addEventListener("toggle", () => { if (by("values").open) tabulate(); });
 document.querySelectorAll(".moment").forEach((slider) => slider.addEventListener("input", () => {
   by("metric").value = `diag(${[...document.querySelectorAll(".moment")].map((slider) => /** @type {any} */ (slider).value).join(",")})`;

@@ -145,15 +145,3 @@ test("the values of the program for the catalogue up to dimension 30 and 200 ran
   console.log(`${small.length} names of the catalogue and ${files.length} definitions`);
   assert.ok(small.length > 40);
 });
-
-test("the slider recomputes so(3) within a frame; the first table stands within a second", async () => {
-  const page = await open("#report=table&space=so3&connection=zero");
-  const requests = Array.from({ length: 41 }, (_, k) => ({ report: "table", space: "so3", connection: `lambda=${k}/40` }));
-  const times = (await ask(page, requests)).slice(1).map(({ ms }) => ms).sort((a, b) => a - b);
-  const cold = await open("#report=table&space=so3&connection=zero");
-  const first = await cold.evaluate(() => performance.now());
-  const median = times[times.length >> 1];
-  console.log(`so(3) in the worker: median ${median.toFixed(1)} ms; first table after ${Math.round(first)} ms at most`);
-  // a busy machine is allowed three times as much
-  assert.ok(median < 3 * 16.7 && first < 3000, `${median} ${first}`);
-});

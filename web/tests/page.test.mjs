@@ -72,6 +72,54 @@ test("a definition of one's own, with a message under the letters", async () => 
   assert.ok(await page.locator('#result math[alttext="= -1"]').count());
 });
 
+test("the metric as a grid: symbols in symmetric places, the field and the table follow", async () => {
+  const page = await open("#report=table&space=sl(2)&metric=diag(a,1,2)&show=metric");
+  await page.click("#grid-field summary");
+  await page.waitForSelector("#grid input");
+  assert.deepEqual(await page.locator("#grid input").evaluateAll((all) => all.map(({ value }) => value)), ["a", "0", "0", "0", "1", "0", "0", "0", "2"]);
+  await page.locator("#grid input").nth(1).fill("b");
+  await settled(page);
+  assert.equal(await page.inputValue("#metric"), "[[a, b, 0], [b, 1, 0], [0, 0, 2]]");
+  assert.match(decodeURIComponent(page.url()), /metric=\[\[a,\+b/);
+  assert.equal(await page.locator("#grid input").nth(3).inputValue(), "b");
+  assert.ok(await page.locator('#result math[alttext="= b"]').count());
+  assert.deepEqual(await violations(page), []);
+  // an entry that is half written leaves a message, and the grid
+  await page.locator("#grid input").nth(8).fill("2/");
+  await page.waitForFunction(() => document.getElementById("error").textContent !== "");
+  await page.locator("#grid input").nth(8).fill("2/3");
+  await settled(page);
+  assert.equal(await text(page, "error"), "");
+  await page.fill("#space", "E6");
+  await page.click("button[type=submit]");
+  await page.waitForFunction(() => document.getElementById("grid").textContent.includes("78"));
+  assert.deepEqual(page.problems, []);
+});
+
+test("matrices, structure constants, a chart, and a file that is dropped", async () => {
+  const own = {
+    matrices: 'basis = ["h", "x", "y"]\nmatrices = [[[1, 0], [0, -1]], [[0, 1], [0, 0]], [[0, 0], [1, 0]]]',
+    constants: "dimension = 3\nstructure_constants = [[1, 2, 3, 1], [2, 1, 3, -1]]",
+    chart: 'metric = [["1", "0"], ["0", "sin(t)^2"]]\n[chart]\ncoordinates = ["t", "p"]',
+  };
+  const shown = { matrices: "killing", constants: "structure", chart: "scalar_curvature" };
+  for (const [kind, definition] of Object.entries(own)) {
+    const show = shown[kind];
+    const page = await open(`#report=table&show=${show}`);
+    // dropped, as a file
+    await page.evaluate(([definition, kind]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([definition], `${kind}.toml`));
+      document.getElementById("own").dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+    }, [definition, kind]);
+    await page.waitForFunction(() => document.getElementById("definition").value !== "");
+    await settled(page);
+    assert.equal(await text(page, "error"), "", kind);
+    assert.ok((await page.locator("#result math").count()) > 0, kind);
+    await page.context().close();
+  }
+});
+
 test("sixty wrong inputs leave a message and a living page", async () => {
   const page = await open("#report=table&space=so3");
   const bad = ["so33", "", "so(", "E9", "so(3,", "heisenberg(4)", "A0", "sl(1)", "x.toml", "/etc/passwd", "so3@", "so3@nonsense", "so3@lambda=", "so3@zero;metric=", "so3+", "+so3", "R^", "R^99999999999", "so(2000)", "ß", "\u0000", "so3@levi-civita", "M4", "[x,y]=z", "-"];

@@ -157,9 +157,9 @@ mod tests {
             row(i).into_iter().enumerate().map(move |(j, x)| ([i, j], Tracked::from(x)))
         });
         let b = (0..25).map(|k| ([k / 5, k % 5], Tracked::from([1.0, 3.0, 0.0, 7.0, 5.0][k % 5])));
-        let a = Tensor::from_components(5, &[Down, Down], a).unwrap();
-        let b = Tensor::from_components(5, &[Up, Down], b).unwrap();
-        let tensor = contract("a_ij b^j_k -> _ik", &[("a", &a), ("b", &b)]).unwrap();
+        let a = Tensor::from_components(5, &[Down, Down], a).expect("a tensor");
+        let b = Tensor::from_components(5, &[Up, Down], b).expect("a tensor");
+        let tensor = contract("a_ij b^j_k -> _ik", &[("a", &a), ("b", &b)]).expect("a tensor");
         assert!(tensor.keys.len() > tensor.len());
         let expected = [0, 1].map(|slot| tensor.components().map(move |(at, _)| at[slot] as i64));
         let expected: Vec<_> = expected.into_iter().flatten().collect();
