@@ -324,6 +324,6 @@ def convergence(
         reference = float(simulate(problem, method="rkmk853", tolerance=1e-13)[column][-1])
 
     def error(method: str, step: float) -> float:
-        return abs(simulate(problem, method=method, step=step)[column][-1] - reference)
+        return abs(float(simulate(problem, method=method, step=step)[column][-1]) - reference)
 
     return Convergence({method: np.array([error(method, step) for step in steps]) for method in methods}, steps)
