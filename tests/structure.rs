@@ -1,5 +1,6 @@
 //! Structure theory against stored invariants, in random bases, beside other summands, multiplied out.
 
+mod certificates;
 mod families;
 mod forms;
 mod gap;

@@ -3,7 +3,7 @@
 //! - [`Ground`]: the scalars, rationals and rational functions of parameters;
 //! - [`Subspace`]: subspaces in reduced row echelon form; `products`: brackets of vectors;
 //! - [`Structure`]: an algebra with its brackets tabulated; `series`, `killing`, `radical`, `cartan`, `levi`;
-//! - [`reduction`]: the algebra modulo a prime, for ranks; `derivations`, `cohomology`;
+//! - [`reduction`]: the algebra modulo a prime, for ranks; `derivations`, `cohomology`; `certificates`: dimensions proved over the rationals; `index`;
 //! - [`dynkin`], `root_spaces`, `ideals`, [`real_forms`]: Dynkin types, roots, simple ideals over the reals and their names;
 //! - `cocycles`, `symplectic`, `complex_structures`: closed forms of low degree, symplectic and contact forms, Casimir functions;
 //! - `decomposition`: indecomposable ideals; `identification`: names in low dimension;
@@ -12,6 +12,7 @@
 //! W. A. de Graaf, *Lie Algebras: Theory and Algorithms*, North-Holland 2000.
 
 mod cartan;
+mod certificates;
 mod cocycles;
 mod cohomology;
 mod complex_structures;
@@ -22,6 +23,7 @@ pub mod dynkin;
 mod ground;
 mod ideals;
 mod identification;
+mod index;
 mod killing;
 mod levi;
 mod products;
@@ -33,6 +35,7 @@ mod series;
 mod subspace;
 mod symplectic;
 
+pub use certificates::Counted;
 pub use cocycles::{MAX_DIMENSION as MAX_FORMS, TwoForms};
 pub use cohomology::MAX_DIMENSION as MAX_BETTI;
 pub use complex_structures::ComplexStructure;

@@ -76,6 +76,10 @@ fn class<S: Field>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
     while !term.is_empty() {
         let mut next = Echelon::new().with_tolerance(algebra.structure().tolerance());
         for vector in &term {
+            // brackets span no more than the term before
+            if next.rank() == term.len() {
+                break;
+            }
             for e in &basis {
                 next.insert(algebra.bracket(e, vector)?.into_iter().enumerate())?;
             }

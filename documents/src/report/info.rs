@@ -11,8 +11,8 @@ use super::head::{printable, printable_list};
 use super::{Format, Report};
 use crate::definition::{Definition, InputError, Reading};
 use affinor::algebra::structure::{
-    Ground, Identification, Indecomposable, Killing, MAX_BETTI, MAX_DECOMPOSED, MAX_DERIVATIONS,
-    RealIdeal, Structure, Subspace,
+    Counted, Ground, Identification, Indecomposable, Killing, MAX_BETTI, MAX_DECOMPOSED,
+    MAX_DERIVATIONS, RealIdeal, Structure, Subspace,
 };
 use affinor_tensors::linear::Row;
 use affinor_tensors::text::combination;
@@ -148,11 +148,12 @@ impl Info {
             None => None,
         };
         stage("derivations");
-        let (derivations, inner) = (structure.derivations(), n - centre.dimension());
-        let forms = structure.invariant_forms();
+        let (counted, inner) = (structure.derivations_counted(), n - centre.dimension());
+        let derivations = counted.map(|all| all.dimension);
+        let forms = structure.invariant_forms_counted();
         stage("cohomology");
-        let betti = structure.betti();
-        let (index, unimodular) = (structure.index(), structure.is_unimodular());
+        let betti = structure.betti_proved();
+        let (index, unimodular) = (structure.index_counted(), structure.is_unimodular());
 
         let last = |series: &[Subspace<S>]| series.last().is_some_and(Subspace::is_zero);
         let (solvable, nilpotent) = (last(derived), last(derived) && last(lower));
@@ -201,14 +202,11 @@ impl Info {
         let over_q = rational_subspace(levi);
         notes.roots(types.as_deref(), inside.as_ref().zip(over_q.as_ref()));
         notes.ideals(ideals.as_deref(), levi.is_zero());
-        notes.derivations(derivations, inner, structure.derivations_by_theorem());
-        notes.betti(betti.as_deref());
-        let why = "dimension minus the generic rank of f([x,y]), modulo two primes";
+        notes.derivations(counted, inner);
+        notes.betti(betti.as_ref().map(|(numbers, proved)| (&numbers[..], *proved)));
+        let why = "dimension minus the generic rank of f([x,y])";
         notes.count("index", "index", Some(index), why);
-        let why = match n > MAX_DERIVATIONS {
-            true => "dimension of B([x,y],z) = B(x,[y,z])",
-            false => "dimension of B([x,y],z) = B(x,[y,z]); a rank modulo two primes",
-        };
+        let why = "dimension of B([x,y],z) = B(x,[y,z])";
         notes.count("invariant forms", "invariant_forms", forms, why);
         let rational = over_the_rationals(structure)?;
         stage("forms");
@@ -233,6 +231,11 @@ fn rational_subalgebra<S: Ground>(
         return Ok(None);
     }
     Ok(structure.subalgebra(levi)?.over_the_rationals())
+}
+
+/// How sure a dimension is that was found by ranks modulo primes.
+fn certainty(proved: bool) -> &'static str {
+    if proved { "proved" } else { "modulo two primes" }
 }
 
 /// A subspace whose basis is rational.
@@ -375,8 +378,8 @@ impl Notes {
         self.row("simple ideals", lines.join("\n"), &witness);
     }
 
-    fn derivations(&mut self, all: Option<usize>, inner: usize, by_theorem: bool) {
-        let Some(all) = all else {
+    fn derivations(&mut self, counted: Option<Counted>, inner: usize) {
+        let Some(Counted { dimension: all, proved }) = counted else {
             let why = format!("not counted beyond dimension {MAX_DERIVATIONS}");
             self.row("derivations", "-", &why);
             self.json.insert("derivations".into(), Value::Null);
@@ -384,25 +387,22 @@ impl Notes {
         };
         let outer = all - inner;
         let text = format!("dimension {all}: {inner} inner, {outer} outer");
-        // the rank modulo a prime is a lower bound of the rank, and there are at least the inner derivations
-        let why = match by_theorem || outer == 0 {
-            true => "the dimension of the automorphism group",
-            false => "the dimension of the automorphism group; a rank modulo two primes",
-        };
-        self.row("derivations", text, why);
+        let why = format!("the dimension of the automorphism group; {}", certainty(proved));
+        self.row("derivations", text, &why);
         let json = json!({ "dimension": all, "inner": inner, "outer": outer });
         self.json.insert("derivations".into(), json);
     }
 
-    fn betti(&mut self, betti: Option<&[u64]>) {
+    fn betti(&mut self, betti: Option<(&[u64], bool)>) {
         match betti {
-            Some(numbers) => {
+            Some((numbers, proved)) => {
                 let text: Vec<String> = numbers.iter().map(u64::to_string).collect();
-                let why = match numbers.len() <= MAX_BETTI + 1 {
-                    true => "Chevalley-Eilenberg, trivial coefficients; ranks modulo two primes",
-                    false => "Chevalley-Eilenberg, trivial coefficients; by the exponents",
+                let how = match numbers.len() <= MAX_BETTI + 1 {
+                    true => certainty(proved),
+                    false => "by the exponents",
                 };
-                self.row("Betti numbers", text.join(", "), why);
+                let why = format!("Chevalley-Eilenberg, trivial coefficients; {how}");
+                self.row("Betti numbers", text.join(", "), &why);
             }
             None => {
                 let why = format!(
@@ -411,12 +411,17 @@ impl Notes {
                 self.row("Betti numbers", "-", &why);
             }
         }
-        self.json.insert("betti".into(), json!(betti));
+        self.json.insert("betti".into(), json!(betti.map(|(numbers, _)| numbers)));
     }
 
-    fn count(&mut self, title: &str, key: &str, count: Option<usize>, witness: &str) {
+    fn count(&mut self, title: &str, key: &str, count: Option<Counted>, meaning: &str) {
+        let witness = match count {
+            Some(count) => format!("{meaning}; {}", certainty(count.proved)),
+            None => meaning.to_string(),
+        };
+        let count = count.map(|count| count.dimension);
         let text = count.map_or_else(|| "-".into(), |count| count.to_string());
-        self.row(title, text, witness);
+        self.row(title, text, &witness);
         self.json.insert(key.into(), json!(count));
     }
 

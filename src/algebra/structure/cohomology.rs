@@ -1,11 +1,13 @@
 //! Betti numbers: the dimensions of Chevalley-Eilenberg cohomology with trivial coefficients.
 
+use super::certificates::Counted;
 use super::dynkin::exponents;
 use super::reduction::Reduction;
+use super::subspace::collected;
 use super::{Ground, Structure};
-use affinor_tensors::linear::modular::Prime;
 use polycore::Lead;
 use polycore::modp_echelon::Echelon;
+use std::collections::BTreeMap;
 
 /// The largest dimension at which the ranks of all differentials are computed.
 pub const MAX_DIMENSION: usize = 11;
@@ -20,13 +22,29 @@ impl<S: Ground> Structure<S> {
     /// The polynomial of a reductive algebra is `(1+t)^z prod (1 + t^(2m+1))`, with the dimension `z` of
     /// the centre and the exponents `m` of its simple factors.
     pub fn betti(&self) -> Option<Vec<u64>> {
+        Some(self.betti_proved()?.0)
+    }
+
+    /// As [`betti`](Self::betti), and whether the numbers are proved: by a theorem, or by closed forms multiplied out. In a
+    /// unimodular algebra `d` on `Lambda^k` has the rank of `d` on `Lambda^(n-1-k)` (Poincare duality).
+    pub fn betti_proved(&self) -> Option<(Vec<u64>, bool)> {
         let n = self.dimension();
         if n <= MAX_DIMENSION {
-            let images = self.reductions().take(2).map(|reduction| reduction.ranks());
-            let ranks = images.reduce(|a, b| a.iter().zip(&b).map(|(a, b)| *a.max(b)).collect())?;
-            // rank of d on Lambda^(k-1) and on Lambda^k
-            let betti = |k: usize| (binomial(n, k) - ranks[k] - ranks[k + 1]) as u64;
-            return Some((0..=n).map(betti).collect());
+            let mut closed: Vec<Counted> = vec![];
+            for k in 0..=n {
+                let dual = n.checked_sub(k + 1).filter(|dual| *dual < k && self.is_unimodular());
+                closed.push(match dual.map(|dual| (dual, closed[dual])) {
+                    Some((dual, Counted { dimension, proved })) => {
+                        let rank = binomial(n, dual) - dimension;
+                        Counted { dimension: binomial(n, k) - rank, proved }
+                    }
+                    None => self.closed_forms(k),
+                });
+            }
+            let rank = |k: usize| binomial(n, k) - closed[k].dimension;
+            let exact = |k: usize| if k == 0 { 0 } else { rank(k - 1) };
+            let betti = (0..=n).map(|k| (closed[k].dimension - exact(k)) as u64);
+            return Some((betti.collect(), closed.iter().all(|counted| counted.proved)));
         }
         if !self.is_reductive() {
             return None;
@@ -44,7 +62,25 @@ impl<S: Ground> Structure<S> {
             }
             polynomial = product;
         }
-        Some(polynomial)
+        Some((polynomial, true))
+    }
+
+    /// The closed forms of degree `k`.
+    fn closed_forms(&self, k: usize) -> Counted {
+        let n = self.dimension();
+        let sets: Vec<usize> =
+            (0..1usize << n).filter(|set| set.count_ones() as usize == k).collect();
+        let kernel = |reduction: &Reduction| reduction.closed_forms(&sets);
+        self.counted(sets.len(), kernel, |structure, form| {
+            let image = form.iter().flat_map(|(at, factor)| {
+                let terms = differential(n, |j| structure.products.of(j), sets[*at]);
+                terms.into_iter().map(move |(to, minus, c)| {
+                    let value = c.clone() * factor;
+                    (to, if minus { -value } else { value })
+                })
+            });
+            collected(image.collect()).is_empty()
+        })
     }
 }
 
@@ -53,42 +89,49 @@ fn binomial(n: usize, k: usize) -> usize {
 }
 
 impl Reduction {
-    /// The ranks of `0 -> Lambda^0 -> .. -> Lambda^n -> 0`.
-    fn ranks(&self) -> Vec<usize> {
-        let n = self.dimension();
-        let inner = (0..n).map(|k| self.rank_of_differential(k));
-        [0].into_iter().chain(inner).chain([0]).collect()
-    }
-
-    /// The rank of `d: Lambda^k -> Lambda^(k+1)`, `d e^i = -sum over j < l of c^i_jl e^j e^l`.
-    fn rank_of_differential(&self, k: usize) -> usize {
+    /// A basis of the closed forms among those with these index sets, in reduced echelon form.
+    fn closed_forms(&self, sets: &[usize]) -> Vec<Vec<u64>> {
         let (n, p) = (self.dimension(), self.prime());
-        let mut echelon = Echelon::new(Lead::Low, p.get());
-        for set in (0..1usize << n).filter(|set| set.count_ones() as usize == k) {
-            let mut image: Vec<(usize, u64)> = vec![];
-            for i in (0..n).filter(|i| set >> i & 1 == 1) {
-                let rest = set & !(1 << i);
-                let before = sign(p, rest & ((1 << i) - 1));
-                for j in (0..n).filter(|j| rest >> j & 1 == 0) {
-                    for &(l, component, value) in self.of(j) {
-                        if component != i || l <= j || rest >> l & 1 == 1 {
-                            continue;
-                        }
-                        // e^j e^l in the place of e^i, then sorted
-                        let below = |at: usize| rest & ((1 << at) - 1);
-                        let turn = p.mul(sign(p, below(j)), sign(p, below(l)));
-                        let value = p.mul(p.neg(value), p.mul(before, turn));
-                        image.push((rest | 1 << j | 1 << l, value));
-                    }
-                }
+        let mut equations: BTreeMap<usize, Vec<(usize, u64)>> = BTreeMap::new();
+        for (at, &set) in sets.iter().enumerate() {
+            for (to, minus, &value) in differential(n, |j| self.of(j), set) {
+                let value = if minus { p.neg(value) } else { value };
+                equations.entry(to).or_default().push((at, value));
             }
-            echelon.insert(&image);
         }
-        echelon.rank()
+        let mut echelon = Echelon::new(Lead::Low, p.get());
+        equations.values().for_each(|row| {
+            echelon.insert(row);
+        });
+        let dense = |row: Vec<(usize, u64)>| {
+            let mut vector = vec![0; sets.len()];
+            row.into_iter().for_each(|(at, value)| vector[at] = value);
+            vector
+        };
+        echelon.nullspace(sets.len()).into_iter().map(dense).collect()
     }
 }
 
-/// The sign of moving a factor past a set of others.
-fn sign(p: Prime, passed: usize) -> u64 {
-    if passed.count_ones().is_multiple_of(2) { 1 } else { p.neg(1) }
+/// The terms `(set, minus, c)` of `d e^set`, with `d e^i = -sum over j < l of c^i_jl e^j e^l`.
+fn differential<'a, V>(
+    n: usize,
+    of: impl Fn(usize) -> &'a [(usize, usize, V)],
+    set: usize,
+) -> Vec<(usize, bool, &'a V)> {
+    let odd = |passed: usize| passed.count_ones() % 2 == 1;
+    let mut terms = vec![];
+    for i in (0..n).filter(|i| set >> i & 1 == 1) {
+        let rest = set & !(1 << i);
+        let below = |at: usize| odd(rest & ((1 << at) - 1));
+        for j in (0..n).filter(|j| rest >> j & 1 == 0) {
+            for (l, component, value) in of(j) {
+                if *component == i && *l > j && rest >> l & 1 == 0 {
+                    // e^j e^l in the place of e^i, then sorted
+                    let minus = !(below(i) ^ below(j) ^ below(*l));
+                    terms.push((rest | 1 << j | 1 << l, minus, value));
+                }
+            }
+        }
+    }
+    terms
 }

@@ -1,45 +1,105 @@
 //! Dimensions of derivations, of the centroid and of invariant symmetric forms (de Graaf 1.9, 1.11).
 
+use super::certificates::Counted;
 use super::reduction::Reduction;
+use super::subspace::collected;
 use super::{Ground, Structure};
+use affinor_tensors::Rational;
+use affinor_tensors::linear::Row;
 use affinor_tensors::linear::modular::Residues;
 
 /// The largest dimension of an algebra, not reductive, whose derivations are counted.
 pub const MAX_DIMENSION: usize = 30;
 
 impl<S: Ground> Structure<S> {
-    /// Whether [`derivations`](Self::derivations) follows from a theorem. Otherwise it is read from a rank modulo two
-    /// primes, and the true dimension is at most this.
-    pub fn derivations_by_theorem(&self) -> bool {
-        self.is_semisimple() || self.dimension() > MAX_DIMENSION || self.is_abelian()
+    /// The dimension of the derivations; `None` beyond [`MAX_DIMENSION`] unless the algebra is reductive.
+    pub fn derivations(&self) -> Option<usize> {
+        Some(self.derivations_counted()?.dimension)
     }
 
-    /// The dimension of the derivations; `None` beyond [`MAX_DIMENSION`] unless the algebra is reductive.
+    /// As [`derivations`](Self::derivations), and whether the number is proved: by a theorem, or by a basis multiplied out.
     /// Derivations of a semisimple algebra are inner (de Graaf 4.5); those of `s + z` are `ad s + gl(z)`.
-    pub fn derivations(&self) -> Option<usize> {
+    pub fn derivations_counted(&self) -> Option<Counted> {
         let n = self.dimension();
         if self.is_semisimple() {
-            return Some(n);
+            return Some(Counted::theorem(n));
         }
-        if self.derivations_by_theorem() {
+        if n > MAX_DIMENSION || self.is_abelian() {
             let z = self.radical().dimension();
-            return self.is_reductive().then_some(n - z + z * z);
+            return self.is_reductive().then(|| Counted::theorem(n - z + z * z));
         }
-        let equations = |reduction: &Reduction| reduction.derivation_equations().rank();
-        Some(n * n - self.rank_modulo_primes(equations))
+        let kernel = |reduction: &Reduction| reduction.derivation_equations().kernel();
+        let counted = self.counted(n * n, kernel, Structure::is_derivation_row);
+        // there are at least the inner ones
+        let inner = n - self.centre().dimension();
+        Some(Counted { proved: counted.proved || counted.dimension == inner, ..counted })
     }
 
     /// The dimension of the symmetric forms with `B([x,y],z) = B(x,[y,z])`; `None` beyond [`MAX_DIMENSION`]
     /// unless the algebra is reductive: then a form for each simple factor over the complex numbers, and all on the centre.
     pub fn invariant_forms(&self) -> Option<usize> {
+        Some(self.invariant_forms_counted()?.dimension)
+    }
+
+    /// As [`invariant_forms`](Self::invariant_forms), and whether the number is proved.
+    pub fn invariant_forms_counted(&self) -> Option<Counted> {
         let n = self.dimension();
         if n > MAX_DIMENSION {
             let z = self.radical().dimension();
             let factors = self.is_reductive().then(|| self.dynkin_type())??;
-            return Some(factors.len() + z * (z + 1) / 2);
+            return Some(Counted::theorem(factors.len() + z * (z + 1) / 2));
         }
-        let equations = |reduction: &Reduction| reduction.form_equations().rank();
-        Some(n * (n + 1) / 2 - self.rank_modulo_primes(equations))
+        let kernel = |reduction: &Reduction| reduction.form_equations().kernel();
+        Some(self.counted(n * (n + 1) / 2, kernel, Structure::is_invariant_row))
+    }
+}
+
+impl Structure<Rational> {
+    /// Whether the map with `D^a_b` at `a n + b` is a derivation.
+    fn is_derivation_row(&self, map: &Row<Rational>) -> bool {
+        let n = self.dimension();
+        let (mut rows, mut columns) = (vec![vec![]; n], vec![vec![]; n]);
+        for (at, value) in map {
+            rows[at / n].push((at % n, value));
+            columns[at % n].push((at / n, value));
+        }
+        (0..n).all(|j| {
+            let mut terms = vec![];
+            // [D e_j, e_k]
+            for &(a, d) in &columns[j] {
+                let line = self.products.of(a).iter();
+                terms.extend(line.map(|(k, i, c)| (k * n + i, c.clone() * d)));
+            }
+            for (a, i, c) in self.products.of(j) {
+                // [e_j, D e_k], then -D [e_j, e_k], where a stands for k
+                terms.extend(rows[*a].iter().map(|(k, d)| (k * n + i, c.clone() * *d)));
+                terms.extend(columns[*i].iter().map(|(b, d)| (a * n + b, -(c.clone() * *d))));
+            }
+            collected(terms).is_empty()
+        })
+    }
+
+    /// Whether the symmetric form with `B_jk`, `j <= k`, one after another, is invariant.
+    fn is_invariant_row(&self, form: &Row<Rational>) -> bool {
+        let n = self.dimension();
+        let mut places = (0..n).flat_map(|j| (j..n).map(move |k| (j, k))).enumerate();
+        let mut rows = vec![vec![]; n];
+        for (at, value) in form {
+            let Some((_, (j, k))) = places.find(|(place, _)| place == at) else { return false };
+            rows[j].push((k, value));
+            if j != k {
+                rows[k].push((j, value));
+            }
+        }
+        (0..n).all(|x| {
+            let terms = self.products.of(x).iter().flat_map(|(j, i, c)| {
+                rows[*i].iter().flat_map(move |(k, b)| {
+                    let value = c.clone() * *b;
+                    [(j * n + k, value.clone()), (k * n + j, value)]
+                })
+            });
+            collected(terms.collect()).is_empty()
+        })
     }
 }
 

@@ -1,7 +1,7 @@
-//! A Lie algebra modulo a prime: brackets of residues, and ranks that do not depend on the prime.
+//! A Lie algebra modulo a prime: brackets of residues, for ranks.
 //!
 //! The rank of a matrix modulo a prime is at most its rank, and equal to it for all but finitely many
-//! primes. Ranks here are the larger one of two primes.
+//! primes.
 
 use super::{Ground, Structure};
 use affinor_tensors::linear::modular::{PRIMES, Prime, Residues};
@@ -110,19 +110,6 @@ impl Reduction {
         Residues::new(p, n, rows)
     }
 
-    /// The rank of the form `f([x, y])` for a pseudorandom linear form `f`.
-    fn rank_of_generic_form(&self) -> usize {
-        let (n, p) = (self.dimension(), self.prime);
-        let form = Draw::new(1).vector(p, n);
-        let mut rows = vec![vec![0; n]; n];
-        for (j, row) in rows.iter_mut().enumerate() {
-            for &(k, i, value) in self.of(j) {
-                row[k] = p.reduce(row[k] + value * form[i]);
-            }
-        }
-        Residues::new(p, n, rows).rank()
-    }
-
     /// Few vectors that generate the algebra: pseudorandom ones, as many as are needed.
     pub(super) fn generators(&self) -> Vec<Vec<u64>> {
         let (n, p) = (self.dimension(), self.prime);
@@ -166,16 +153,5 @@ impl<S: Ground> Structure<S> {
     /// The algebra modulo primes that divide no denominator.
     pub fn reductions(&self) -> impl Iterator<Item = Reduction> {
         PRIMES.into_iter().filter_map(|prime| Reduction::new(self, prime))
-    }
-
-    /// The largest rank of two primes.
-    pub(super) fn rank_modulo_primes(&self, rank: impl Fn(&Reduction) -> usize) -> usize {
-        self.reductions().take(2).map(|reduction| rank(&reduction)).max().unwrap_or(0)
-    }
-
-    /// The index: the dimension minus the largest rank of the forms `f([x, y])`, the number of
-    /// independent invariants of the coadjoint representation.
-    pub fn index(&self) -> usize {
-        self.dimension() - self.rank_modulo_primes(Reduction::rank_of_generic_form)
     }
 }

@@ -148,7 +148,7 @@ fn search(n: usize, family: Vec<Dense>) -> Found {
 }
 
 /// The Pfaffian of the rows and columns in a list, expanded along the first.
-fn pfaffian(matrix: &[Vec<Symbolic>], rows: &[usize]) -> Symbolic {
+pub(super) fn pfaffian(matrix: &[Vec<Symbolic>], rows: &[usize]) -> Symbolic {
     let Some((&first, rest)) = rows.split_first() else { return Symbolic::one() };
     let mut sum = Symbolic::zero();
     for (at, &second) in rest.iter().enumerate() {

@@ -1,0 +1,110 @@
+//! The index: the dimension minus the largest rank of the forms `f([x, y])`.
+//!
+//! The rank at a form, modulo a prime, is a lower bound of the largest rank `r`. That it is no larger is proved by a lower
+//! bound of the index: the dimension of the centre; the rank of a reductive algebra; `2 dim a - n` for an abelian ideal `a`,
+//! as two blocks of the form are left; that an antisymmetric form has even rank. Else it is proved by Pfaffians: if those
+//! of `r` rows are not zero and those of the same rows and any two others are, as polynomials in `f`, the Schur complement
+//! of the rows is zero, and the rank is `r`.
+
+use super::certificates::Counted;
+use super::reduction::{Draw, Reduction};
+use super::symplectic::pfaffian;
+use super::{Ground, Structure, Subspace};
+use affinor_tensors::linear::modular::Residues;
+use affinor_tensors::{Rational, Ring, Symbolic};
+use num_traits::Zero;
+
+/// The largest dimension at which abelian ideals are looked for.
+const MAX_IDEALS: usize = 60;
+/// The most products of entries in the Pfaffians that are expanded.
+const MAX_PRODUCTS: usize = 4000;
+/// The most coordinates of the form in the entries of a row of a Pfaffian, on average.
+const MAX_TERMS: usize = 30;
+
+impl<S: Ground> Structure<S> {
+    /// The index: the dimension minus the largest rank of the forms `f([x, y])`, the number of
+    /// independent invariants of the coadjoint representation.
+    pub fn index(&self) -> usize {
+        self.dimension() - self.regular_rows().len()
+    }
+
+    /// The index, and whether it is proved.
+    pub fn index_counted(&self) -> Counted {
+        let (n, rows) = (self.dimension(), self.regular_rows());
+        let dimension = n - rows.len();
+        let proved = self.has_index(dimension)
+            || self.over_the_rationals().is_some_and(|all| all.has_no_more_rows(&rows));
+        Counted { dimension, proved }
+    }
+
+    /// Rows on which a form `f([x, y])` is not degenerate, as many as were found.
+    fn regular_rows(&self) -> Vec<usize> {
+        let rows = self.reductions().take(2).map(|reduction| reduction.regular_rows());
+        rows.max_by_key(Vec::len).unwrap_or_default()
+    }
+
+    /// Whether the index is at least this by a lower bound.
+    fn has_index(&self, index: usize) -> bool {
+        let n = self.dimension();
+        if index <= self.centre().dimension().max(n % 2) {
+            return true;
+        }
+        if self.is_reductive() {
+            return index <= self.cartan_subalgebra().dimension();
+        }
+        let large = |v: &Subspace<S>| 2 * v.dimension() >= n + index;
+        let abelian = |v: &Subspace<S>| self.bracket(v, v).is_zero();
+        let derived = self.derived_series().iter().filter(|v| large(v));
+        let lower = self.lower_central_series().iter().filter(|v| large(v));
+        let mut terms = derived.chain(lower);
+        let centralizer = |v: &Subspace<S>| Some(self.centralizer(v)).filter(large);
+        terms.any(abelian)
+            || n <= MAX_IDEALS
+                && self.lower_central_series().iter().filter_map(centralizer).any(|v| abelian(&v))
+    }
+}
+
+impl Structure<Rational> {
+    /// Whether every Pfaffian of these rows and two others is zero; `false` if they are too long.
+    fn has_no_more_rows(&self, rows: &[usize]) -> bool {
+        let n = self.dimension();
+        let others: Vec<usize> = (0..n).filter(|row| rows.binary_search(row).is_err()).collect();
+        let pairs = others.len() * others.len().saturating_sub(1) / 2;
+        let products = (1..=rows.len() + 1).step_by(2).try_fold(pairs, usize::checked_mul);
+        let terms = (0..n).map(|j| self.products.of(j).len()).sum::<usize>();
+        if products.is_none_or(|all| all > MAX_PRODUCTS) || terms > MAX_TERMS * n {
+            return false;
+        }
+        let mut form = vec![vec![Symbolic::zero(); n]; n];
+        for (j, row) in form.iter_mut().enumerate() {
+            for (k, i, value) in self.products.of(j) {
+                let term =
+                    Symbolic::constant(value.clone()) * &Symbolic::parameter(&format!("f{i}"));
+                row[*k] = std::mem::replace(&mut row[*k], Symbolic::zero()) + &term;
+            }
+        }
+        others.iter().enumerate().all(|(at, &a)| {
+            others[at + 1..].iter().all(|&b| {
+                let mut rows = [rows, &[a, b]].concat();
+                rows.sort_unstable();
+                pfaffian(&form, &rows).vanishes()
+            })
+        })
+    }
+}
+
+impl Reduction {
+    /// Rows on which the form `f([x, y])` for a pseudorandom linear form `f` is not degenerate. Rows that are a basis of
+    /// all rows are such, for an antisymmetric form.
+    fn regular_rows(&self) -> Vec<usize> {
+        let (n, p) = (self.dimension(), self.prime());
+        let form = Draw::new(1).vector(p, n);
+        let mut rows = vec![vec![0; n]; n];
+        for (j, row) in rows.iter_mut().enumerate() {
+            for &(k, i, value) in self.of(j) {
+                row[k] = p.reduce(row[k] + value * form[i]);
+            }
+        }
+        Residues::new(p, n, rows).reduce()
+    }
+}
