@@ -3,8 +3,8 @@
 
 export class Engine {
   /** @type {Worker | undefined} */ #worker;
-  /** @type {{request: object, resolve: Function, reject: Function, id: number} | undefined} */ #running;
-  /** @type {{request: object, resolve: Function, reject: Function, id: number} | undefined} */ #waiting;
+  /** @type {{request: object, resolve: Function, reject: Function, id: number, stage?: (name: string) => void} | undefined} */ #running;
+  /** @type {{request: object, resolve: Function, reject: Function, id: number, stage?: (name: string) => void} | undefined} */ #waiting;
   #ready = false;
   #next = 0;
 
@@ -18,11 +18,14 @@ export class Engine {
     this.#worker.onerror = (event) => this.#receive({ kind: "failed", message: event.message || "the engine did not load" });
   }
 
-  /** Asks for a report. Rejects with {kind, ..} of the worker, or {kind: "stopped"}. @param {object} request @returns {Promise<any>} */
-  ask(request) {
+  /**
+   * Asks for a report. Rejects with {kind, ..} of the worker, or {kind: "stopped"}.
+   * @param {object} request @param {(name: string) => void} [stage] called with the name of each stage that begins @returns {Promise<any>}
+   */
+  ask(request, stage) {
     return new Promise((resolve, reject) => {
       this.#waiting?.reject({ kind: "replaced" });
-      this.#waiting = { request, resolve, reject, id: ++this.#next };
+      this.#waiting = { request, resolve, reject, id: ++this.#next, stage };
       this.#send();
     });
   }
@@ -50,6 +53,9 @@ export class Engine {
     else if (data.kind === "failed") {
       for (const job of [this.#running, this.#waiting]) job?.reject(data);
       this.#running = this.#waiting = undefined;
+      return;
+    } else if (data.kind === "stage") {
+      if (this.#running?.id === data.id) this.#running?.stage?.(data.name);
       return;
     } else if (this.#running?.id === data.id) {
       const job = this.#running;

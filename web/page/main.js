@@ -108,11 +108,13 @@ async function compute(history) {
   }
   const turn = ++begun;
   by("error").replaceChildren();
-  by("stop").disabled = false;
+  wait(true);
   by("status").textContent = "computing…";
   try {
     const drawn = request.report in DRAWN;
-    const { answer, ms } = await engine.ask(drawn ? { ...request, format: "json" } : request);
+    const { answer, ms } = await engine.ask(drawn ? { ...request, format: "json" } : request, (name) => {
+      if (turn === begun) by("status").textContent = `computing: ${name}`;
+    });
     shown = request;
     if (drawn) await draw(request.report, JSON.parse(answer.text));
     else show(answer.text, answer.pictures);
@@ -128,9 +130,25 @@ async function compute(history) {
     else if (kind === "failed") refuse({ message: `The engine did not load: ${message}`, help: "This page needs a browser with WebAssembly and modules in workers." });
     else if (kind !== "stopped") throw problem;
   }
-  by("stop").disabled = true;
+  wait(false);
   if (!engine.busy) await square();
 }
+
+/** When the wait began. */
+let since = 0;
+
+/** A button to stop, and the seconds that have passed: not in the status, which is read aloud. @param {boolean} begins */
+function wait(begins) {
+  by("stop").disabled = !begins;
+  since = begins ? since || performance.now() : 0;
+  by("wait").hidden = true;
+}
+setInterval(() => {
+  const seconds = Math.floor((performance.now() - since) / 1000);
+  if (!since || seconds < 1) return;
+  by("wait").hidden = false;
+  by("seconds").textContent = `${seconds} s`;
+}, 250);
 
 /** A report as a picture, with its table on request. @param {string} report @param {any} data */
 async function draw(report, data) {
@@ -174,38 +192,69 @@ function show(html, pictures = []) {
   }));
 }
 
-/** The main part of a page of the engine. @param {string} html */
+/** What a page of the engine has in its body. @param {string} html */
 function contents(html) {
-  const page = new DOMParser().parseFromString(html, "text/html");
-  const main = page.querySelector("main");
-  for (const heading of main?.querySelectorAll("h1, h2, h3") ?? []) {
+  const { body } = new DOMParser().parseFromString(html, "text/html");
+  for (const heading of body.querySelectorAll("h1, h2, h3")) {
     // the page has its own first heading
     const lower = document.createElement(`h${Number(heading.tagName[1]) + 1}`);
     for (const { name, value } of heading.attributes) lower.setAttribute(name, value);
     lower.append(...heading.childNodes);
     heading.replaceWith(lower);
   }
+  for (const link of body.querySelectorAll("nav a")) {
+    const button = Object.assign(document.createElement("button"), { type: "button", className: "link", textContent: link.textContent });
+    button.addEventListener("click", () => by(link.getAttribute("href")?.slice(1) ?? "").scrollIntoView());
+    link.replaceWith(button);
+  }
   // other links than states would replace the state in the address, or lead to files that are not here
-  for (const link of main?.querySelectorAll("a[href]:not([href^='#report='])") ?? []) link.replaceWith(...link.childNodes);
-  return main?.childNodes ?? [];
+  for (const link of body.querySelectorAll("a[href]:not([href^='#report='])")) link.replaceWith(...link.childNodes);
+  // the page has a header and a main part of its own
+  for (const part of body.querySelectorAll("header, main")) part.replaceWith(...part.childNodes);
+  return body.childNodes;
 }
 
 /** The input of a source of a message. @type {Record<string, string>} */
 const SOURCES = { "definition.toml": "definition", "definition.json": "definition", "problem.toml": "problem", path: "path", vector: "vector", "--metric": "metric", "--connection": "connection", "--set": "set" };
 
-/** @param {{message: string, place?: any, help?: string | null}} refusal */
-function refuse({ message, place, help }) {
+/** @param {{message: string, place?: any, help?: string | null}} refusal @param {boolean} [typing] whether the cursor stays where it is */
+function refuse({ message, place, help }, typing = false) {
   const line = (/** @type {string} */ tag, /** @type {string | null | undefined | false} */ text) =>
     text ? [Object.assign(document.createElement(tag), { textContent: text })] : [];
   const under = place?.text && `${place.source}, line ${place.line}\n${place.text}\n${" ".repeat(place.from)}${"^".repeat(Math.max(1, place.to - place.from))}`;
   by("error").replaceChildren(...line("p", message), ...line("pre", under), ...line("p", help && `Help: ${help}`));
   const input = place?.selection && by(SOURCES[place.source]);
-  if (input && /** @type {any} */ (document.activeElement)?.type !== "range") {
+  if (!typing && input && /** @type {any} */ (document.activeElement)?.type !== "range") {
     const closed = input.closest("details");
     if (closed) closed.open = true;
     input.focus();
     input.setSelectionRange(...place.selection);
   }
+}
+
+/** The fields whose letters are checked while they are typed. */
+const LIVE = ["definition", "metric", "connection", "set"];
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let pause;
+
+/** Checks what is typed: the brackets, the Jacobi identity and the names, and no tensor. */
+async function check() {
+  const { report, other, ...fields } = state();
+  // what is being computed has its own message
+  if (!by("stop").disabled || !used(report).includes("definition")) return;
+  try {
+    await engine.ask({ ...fields, report: "table", show: "structure", format: "csv" });
+    by("error").replaceChildren();
+  } catch (problem) {
+    const { kind, refusal } = /** @type {any} */ (problem);
+    if (kind === "refused") refuse(refusal, true);
+  }
+}
+for (const name of LIVE) {
+  by(name).addEventListener("input", () => {
+    clearTimeout(pause);
+    pause = setTimeout(check, 250);
+  });
 }
 
 /** @param {string} format */

@@ -35,6 +35,18 @@ pub fn call(request: &str) -> Result<String, String> {
     answer.map(|answer| written(&answer.json())).map_err(|refusal| written(&refusal.json()))
 }
 
+/// What the page shows while it waits: the stage that begins.
+#[cfg(target_arch = "wasm32")]
+#[wasm_bindgen]
+extern "C" {
+    /// Of the worker.
+    fn stage(name: &str);
+}
+
+/// Elsewhere nobody waits.
+#[cfg(not(target_arch = "wasm32"))]
+fn stage(_: &str) {}
+
 /// Sends the place and the message of a panic to the console.
 #[cfg(target_arch = "wasm32")]
 #[wasm_bindgen(start)]

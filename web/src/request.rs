@@ -78,17 +78,17 @@ impl Request {
             "table" => {
                 let (space, quantities) = (self.open()?, self.quantities()?);
                 let selection = Selection { quantities, ..Selection::default() };
-                (Computation::of(&space).table(&selection)?.report, notes(&space))
+                (computation(&space).table(&selection)?.report, notes(&space))
             }
             "check" => {
                 let space = self.open()?;
-                let checks = Computation::of(&space).checks()?;
+                let checks = computation(&space).checks()?;
                 (Box::new(certificate(&space.definition.name, &checks, None)), notes(&space))
             }
             "equations" => self.equations()?,
             "info" => {
                 let space = self.open()?;
-                (Box::new(Info::of(&space.definition, &|_| ())?), notes(&space))
+                (Box::new(Info::of(&space.definition, &crate::stage)?), notes(&space))
             }
             "properties" => {
                 let space = self.open()?;
@@ -190,7 +190,7 @@ impl Request {
                 .ok_or_else(|| Refusal::new(format!("`{name}` is no motion")))?,
         };
         let space = self.open()?;
-        Ok((Computation::of(&space).equations(kind, false)?, notes(&space)))
+        Ok((computation(&space).equations(kind, false)?, notes(&space)))
     }
 
     fn comparison(&self) -> Result<Comparison, Refusal> {
@@ -198,7 +198,7 @@ impl Request {
             let name = if name.trim().is_empty() { default } else { name };
             let request =
                 definition::Request { space: Some(name.into()), ..definition::Request::default() };
-            Ok(Computation::of(&Space::open(&request)?).side()?)
+            Ok(computation(&Space::open(&request)?).side()?)
         };
         Ok(Comparison::new(side(&self.space, "M(3)")?, side(&self.other, "SO(3)")?))
     }
@@ -216,6 +216,11 @@ impl Request {
             _ => paper.write(format, &[], out),
         })
     }
+}
+
+/// An exact computation whose stages the page shows.
+fn computation(space: &Space) -> Computation<'_> {
+    Computation { stage: &crate::stage, ..Computation::of(space) }
 }
 
 /// The parameters that the input introduced.

@@ -72,6 +72,23 @@ test("a definition of one's own, with a message under the letters", async () => 
   assert.ok(await page.locator('#result math[alttext="= -1"]').count());
 });
 
+test("a message stands under the letters while they are typed, and goes when they are right", async () => {
+  const page = await open("#report=table&show=ricci");
+  await page.click("#own summary");
+  await page.focus("#definition");
+  await page.keyboard.insertText('basis = ["x", "y"]\nbrackets = "[x, q] = y"');
+  await page.waitForFunction(() => /line 2[^]*\n +\^/.test(document.getElementById("error").textContent));
+  const end = await page.evaluate(() => document.getElementById("definition").value.length);
+  assert.equal(await page.evaluate(() => document.getElementById("definition").selectionStart), end, "the cursor stays");
+  for (let k = 0; k < '] = y"'.length; k++) await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("Backspace");
+  await page.keyboard.type("y");
+  await page.waitForFunction(() => document.getElementById("error").textContent === "");
+  // Jacobi fails: [x, [y, z]] = 0 + [x, y] and no other double bracket
+  await page.fill("#definition", 'basis = ["x", "y", "z"]\nbrackets = """\n[x, y] = z\n[y, z] = y\n"""');
+  await page.waitForFunction(() => document.getElementById("error").textContent.includes("Jacobi"));
+});
+
 test("the metric as a grid: symbols in symmetric places, the field and the table follow", async () => {
   const page = await open("#report=table&space=sl(2)&metric=diag(a,1,2)&show=metric");
   await page.click("#grid-field summary");
@@ -162,6 +179,31 @@ test("long work can be stopped, and the input is kept", async () => {
   assert.ok(await page.locator('#result math[alttext="Ric_11"]').count());
 });
 
+test("long work shows its stages and the seconds", async () => {
+  const page = await open("#report=table&space=so3");
+  const stages = await page.evaluate(async () => {
+    const status = document.getElementById("status"), seen = [];
+    const watch = new MutationObserver(() => seen.push(status.textContent));
+    watch.observe(status, { childList: true, characterData: true, subtree: true });
+    document.getElementById("space").value = "E6";
+    document.getElementById("show").value = "curvature";
+    document.getElementById("form").requestSubmit();
+    await new Promise((resolve) => { const timer = setInterval(() => { if (/\d+ ms/.test(status.textContent) && seen.length) { clearInterval(timer); resolve(); } }, 50); });
+    return seen;
+  });
+  assert.ok(stages.includes("computing: curvature"), stages.join(", "));
+  // 21 letters: minutes
+  const metric = Array.from({ length: 6 }, (_, i) => Array.from({ length: 6 }, (_, j) => `a${Math.min(i, j) + 1}${Math.max(i, j) + 1}`));
+  await page.fill("#space", "se3");
+  await page.fill("#connection", "levi-civita");
+  await page.fill("#metric", `[${metric.map((row) => `[${row}]`)}]`);
+  await page.click("button[type=submit]");
+  await page.waitForFunction(() => document.getElementById("seconds").textContent === "1 s");
+  assert.deepEqual(await violations(page), []);
+  await page.click("#stop");
+  await page.waitForFunction(() => document.getElementById("wait").hidden);
+});
+
 test("it works without a network once it is loaded", async () => {
   const page = await open("#report=table&space=so3");
   await page.context().setOffline(true);
@@ -177,13 +219,19 @@ test("an address that is not understood leaves a message", async () => {
 });
 
 test("no violation of accessibility, no sideways scroll", async () => {
-  for (const [width, colorScheme] of [[360, "light"], [360, "dark"], [800, "dark"], [1600, "light"]]) {
-    for (const hash of ["", "#report=table&space=so3@zero", "#report=info&space=se(3)", "#report=table&space=nothing"]) {
-      const page = await open(hash, { viewport: { width, height: 900 }, colorScheme });
-      assert.deepEqual(await violations(page), [], `${width} ${colorScheme} ${hash}`);
+  const body = "space=so3&connection=levi-civita&metric=diag(1,2,3)";
+  const states = ["", "#report=table&space=so3@zero", "#report=info&space=se(3)", "#report=info&space=E6", "#report=table&space=nothing", `#report=table&${body}`, `#report=check&${body}`,
+    `#report=properties&${body}`, `#report=equations&${body}`, "#report=list", "#report=conventions", "#report=transport", "#report=motion", "#report=paper"];
+  for (const [width, colorScheme] of [[360, "light"], [360, "dark"], [800, "dark"], [1600, "light"], [3840, "dark"]]) {
+    const page = await open("", { viewport: { width, height: 900 }, colorScheme });
+    for (const hash of states) {
+      await page.evaluate((hash) => { location.hash = hash || "#report=compare"; }, hash);
+      await settled(page);
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${width} ${hash}`);
-      await page.context().close();
+      // colours and names do not depend on the width
+      if ([360, 1600].includes(width)) assert.deepEqual(await violations(page), [], `${width} ${colorScheme} ${hash}`);
     }
+    await page.context().close();
   }
 });
 

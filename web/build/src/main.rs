@@ -42,6 +42,9 @@ fn build(folder: &Path) -> Result<PathBuf> {
         &profile,
         "--crate-type",
         "cdylib",
+        "--",
+        // one tab may not take the memory of the machine
+        "-Clink-arg=--max-memory=1073741824",
     ];
     let done = Command::new(cargo).args(arguments).current_dir(folder).status()?;
     if !done.success() {
