@@ -1,14 +1,16 @@
 """affinor beside other programs: curvature of Levi-Civita, by size (`numbers`) and by symbols (`symbols`), and
-where symbols become too many (`limits`).
+where symbols become too many (`limits`); and of metrics over charts (`charts`).
 
     python3 benches/peers/run.py numbers --affinor target/release/affinor > numbers.md
     python3 benches/peers/run.py symbols --affinor target/release/affinor > symbols.md
     python3 benches/peers/run.py limits  --affinor target/release/affinor > limits.md
+    python3 benches/peers/run.py charts  --affinor target/release/affinor > charts.md
 
 Each is one run that writes one Markdown document; progress goes to standard error. What is not installed has a
 column of dashes. The peers, on Debian:
 
-    apt-get install maxima maxima-share gap-core
+    apt-get install maxima maxima-share gap-core g++ libginac-dev
+    pip install python-flint symengine                      # likewise
     pip install numpy scipy sympy                           # for the python3 that runs this, or --python
     pip install geomstats==2.8.0 'numpy<2'                  # in an environment of its own: --geomstats
     pip install passagemath-modules passagemath-symbolics passagemath-gap passagemath-combinat passagemath-repl \\
@@ -29,10 +31,12 @@ How it is measured
 - One thread each (OPENBLAS_NUM_THREADS=1) unless the column says otherwise.
 - Results are compared: the number of nonzero components always; values as the caption says.
 
-Beside this file: `peer.py`, what the Python ones share; `numbers_*.py` and `symbols_*.py`, one for each peer.
+Beside this file: `peer.py`, what the Python ones share; `numbers_*.py`, `symbols_*.py`, `charts_*.py` and `symbols_ginac.cpp`, which is compiled here.
 """
 import argparse
 import csv
+import json
+import math
 import os
 import random
 import re
@@ -50,12 +54,24 @@ from fractions import Fraction
 HERE = os.path.dirname(os.path.abspath(__file__))
 NUMBERS = ["so3", "sl3", "so5", "G2", "so8", "F4", "E6", "so(16)", "E7", "E8"]
 SMALL = 14  # the largest dimension whose values are compared
-SYMBOLS = ["so3", "se3", "so4"]
+SYMBOLS = ["so3", "sl(2)", "se3", "so4", "so(3,1)", "heisenberg(5)", "sl3"]
+LIMITS = ["se3", "so4"]
+BOX = "r^2 + a^2*cos(h)^2"
+CHARTS = {  # coordinates, parameters, rows of the metric
+    "ellipsoid": ("u,v", "a,b,c", ["(a^2*cos(v)^2 + b^2*sin(v)^2)*sin(u)^2,(b^2 - a^2)*sin(u)*cos(u)*sin(v)*cos(v)",
+                                   "(b^2 - a^2)*sin(u)*cos(u)*sin(v)*cos(v),(a^2*sin(v)^2 + b^2*cos(v)^2)*cos(u)^2 + c^2*sin(u)^2"]),
+    "trigonometric": ("u,v", "a", ["2 + cos(u),a*sin(u)*sin(v)", "a*sin(u)*sin(v),3 + cos(v)"]),
+    "Schwarzschild": ("t,r,h,p", "m", ["2*m/r - 1,0,0,0", "0,1/(1 - 2*m/r),0,0", "0,0,r^2,0", "0,0,0,r^2*sin(h)^2"]),
+    "de Sitter, flat slices": ("t,r,h,p", "H", ["-1,0,0,0", "0,exp(t)^2*H,0,0", "0,0,r^2*exp(t)^2*H,0", "0,0,0,r^2*sin(h)^2*exp(t)^2*H"]),
+    "Kerr": ("t,r,h,p", "m,a", [
+        f"2*m*r/({BOX}) - 1,0,0,-2*m*a*r*sin(h)^2/({BOX})", f"0,({BOX})/(r^2 - 2*m*r + a^2),0,0", f"0,0,{BOX},0",
+        f"-2*m*a*r*sin(h)^2/({BOX}),0,0,(r^2 + a^2 + 2*m*a^2*r*sin(h)^2/({BOX}))*sin(h)^2"]),
+}
 PRIME = 2**61 - 1
 MINUTE = 60
 
 arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-arguments.add_argument("table", choices=["numbers", "symbols", "limits"])
+arguments.add_argument("table", choices=["numbers", "symbols", "limits", "charts"])
 arguments.add_argument("--affinor", default="target/release/affinor", help="the program")
 arguments.add_argument("--python", default=sys.executable, help="Python with numpy, scipy, sympy")
 arguments.add_argument("--sage", help="Python with passagemath")
@@ -186,10 +202,10 @@ def constants(name):
 
 
 def peer(script, python, *rest):
-    """Runs a peer; what it reports, as {tensor: (seconds, count)}, and its values."""
+    """Runs a peer, by a Python or by itself; what it reports, as {tensor: (seconds, count)}, and its values."""
     handle, path = tempfile.mkstemp(dir=FOLDER)
     os.close(handle)
-    done = run([python, os.path.join(HERE, script), rest[0], path, *rest[1:]])
+    done = run([*python, os.path.join(HERE, script), rest[0], path, *rest[1:]])
     done.reports = {w[1]: (float(w[2]), int(w[3])) for w in map(str.split, done.output.splitlines())
                     if w[:1] == ["RESULT"]}
     done.values = {}
@@ -248,6 +264,10 @@ def about():
     platform = "import platform as p; print(p.python_version())"
     parts = [version([options.affinor, "--version"]), "Python " + version([python, "-c", platform]),
              "SymPy " + version([python, "-c", module("sympy")]), version(["maxima", "--version"])]
+    if options.table == "symbols":
+        parts += ["python-flint " + version([python, "-c", module("python-flint")]),
+                  "SymEngine " + version([python, "-c", module("symengine")]),
+                  "GiNaC " + version(["pkg-config", "--modversion", "ginac"])]
     if options.table == "numbers":
         parts += ["SciPy " + version([python, "-c", module("scipy")]),
                   "GAP " + version(["gap", "-q", "-c", 'Print(GAPInfo.Version, "\\n"); QUIT;'])]
@@ -285,7 +305,7 @@ def sizes_of(label, spaces, script, python, *more):
     """The column of a peer, until it gives up: what each size took, and whether values were compared."""
     column = []
     for name, n, path, number, expected in spaces:
-        done = peer(script, python, path, *more)
+        done = peer(script, [python], path, *more)
         if done.why:
             return column + [(done.why, False)]
         t, count = done.reports["curvature"]
@@ -434,8 +454,11 @@ def cell(name, kind, rows, tensor):
 
 def symbols():
     tensors = ["affinities", "curvature", "ricci"]
-    peers = {"Maxima": ("symbols_maxima.py", []), "SymPy, field": ("symbols_sympy.py", ["field"]),
-             "SymPy, cancel": ("symbols_sympy.py", ["cancel"])}
+    python, ginac = [options.python], os.path.join(FOLDER, "ginac")
+    peers = {"Maxima": ("symbols_maxima.py", python, []), "python-flint": ("symbols_fractions.py", python, ["flint"]),
+             "GiNaC": (ginac, [], []), "SymEngine": ("symbols_fractions.py", python, ["symengine"]),
+             "SymPy, field": ("symbols_sympy.py", python, ["field"]), "SymPy, cancel": ("symbols_sympy.py", python, ["cancel"])}
+    subprocess.run(["g++", "-O2", "-std=c++17", os.path.join(HERE, "symbols_ginac.cpp"), "-o", ginac, "-lginac", "-lcln"], check=True)
     about()
     spaces = []
     with ThreadPoolExecutor(options.jobs) as pool:
@@ -447,8 +470,8 @@ def symbols():
                 rows = matrix(n, free)
                 ours = {tensor: pool.submit(cell, name, kind, rows, tensor) for tensor in tensors}
                 text = ";".join(",".join(row) for row in rows)
-                theirs = {label: pool.submit(peer, script, options.python, path, text, *more)
-                          for label, (script, more) in peers.items()}
+                theirs = {label: pool.submit(peer, script, python, path, text, *more)
+                          for label, (script, python, more) in peers.items()}
                 spaces.append((name, kind, letters(rows), ours, theirs))
     times, sizes, agreed = [], [], 0
     for name, kind, names, ours, theirs in spaces:
@@ -469,7 +492,8 @@ def symbols():
                 texts = {at: v for at, v in done.values.items() if at[0] == tensor}
                 row_of_sizes.append(megabytes(sum(map(len, texts.values()))) if texts else "not printed")
                 count = count or number
-                if count != number:
+                # SymEngine does not know whether an expression is zero
+                if count != number and label != "SymEngine":
                     sys.exit(f"{name} {kind} {tensor}: {label} has {number} components, not {count}")
                 if expected and texts and done is not mine:
                     if {at: value_at(v, point) for at, v in texts.items()} != expected:
@@ -508,7 +532,7 @@ def chain(name, label, n, order, first, allowed):
 def limits():
     about()
     chains = []
-    for name in SYMBOLS[1:]:
+    for name in LIMITS:
         n, _ = constants(name)
         order = off_diagonal(n)
         inside = blocks(n)
@@ -526,7 +550,48 @@ def limits():
         for cells in rows:
             row(*cells)
 
+def charts():
+    tensors, python = ["affinities", "curvature", "ricci"], [options.python]
+    peers = {"Maxima": "charts_maxima.py", "SymPy": "charts_sympy.py"}
+    about()
+    print("CPU time from the metric to the tensor, each component simplified. affinor: connection and tensor; whole process. "
+          "Peers: each row includes the rows above it\n")
+    head("chart", "tensor", "components", "affinor", *peers)
+    agreed = 0
+    for name, (coordinates, parameters, rows) in CHARTS.items():
+        path = os.path.join(FOLDER, "chart.toml")
+        quoted = lambda names: json.dumps(names.split(","))
+        with open(path, "w") as file:
+            entries = ",".join(quoted(row) for row in rows)
+            file.write(f"parameters = {quoted(parameters)}\n[chart]\ncoordinates = {quoted(coordinates)}\n[metric]\ncomponents = [{entries}]\n")
+        theirs = {label: peer(script, python, coordinates, ";".join(rows), parameters) for label, script in peers.items()}
+        # a place where no component is singular
+        draw = random.Random(1)
+        point = {letter: draw.uniform(0.3, 0.6) for letter in f"{coordinates},{parameters}".split(",")} | {"r": 3.1}
+        names = vars(math) | {"cot": lambda v: 1 / math.tan(v)} | point
+        for tensor in tensors:
+            table = os.path.join(FOLDER, "chart.csv")
+            done = affinor(path, None, tensor, "--threads", "1", path=table)
+            expected = components(table) if not done.why else {}
+            ours = done.why or f"{part(done.stages['connection'] + done.stages[tensor], done.cpu)}; {seconds(done.cpu)}"
+            cells = []
+            for label, theirs_done in theirs.items():
+                if tensor not in theirs_done.reports:
+                    cells.append(theirs_done.why)
+                    continue
+                cells.append(seconds(theirs_done.reports[tensor][0]))
+                found = {at: v for at, v in theirs_done.values.items() if at[0] == tensor}
+                if expected and found:
+                    value = lambda text: eval(text.replace("^", "**").replace("%e", "e"), dict(names))
+                    at_all = found.keys() | expected.keys()
+                    wrong = [at for at in at_all if abs(value(found.get(at, "0")) - value(expected.get(at, "0"))) > 1e-9]
+                    if wrong:
+                        sys.exit(f"{name} {wrong[0]}: {label} has {found.get(wrong[0])}, affinor {expected.get(wrong[0])}")
+                    agreed += 1
+            row(name, tensor, len(expected) or "", ours, *cells)
+    print(f"\nIn all {agreed} cells in which both a peer and affinor ended, the values agreed at a random point.")
+
 try:
-    {"numbers": numbers, "symbols": symbols, "limits": limits}[options.table]()
+    {"numbers": numbers, "symbols": symbols, "limits": limits, "charts": charts}[options.table]()
 finally:
     shutil.rmtree(FOLDER)

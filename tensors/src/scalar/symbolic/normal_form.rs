@@ -7,10 +7,14 @@
 //! degree, if that takes fewer terms: `a^2*sin(x)^2 + b^2*cos(x)^2`. Sines stay in denominators:
 //! `1/(1 + sin x)` is shorter than `(1 - sin x)/cos^2 x`.
 
-use super::Symbolic;
 use super::elementary::{angle, half_tangent};
-use crate::scalar::Ring;
+use super::sum::SymbolicSum;
+use super::{Form, Symbolic};
+use crate::scalar::{Ring, Sum};
 use num_traits::{One, Zero, pow};
+use polycore::{Monomial, Poly};
+use std::collections::BTreeMap;
+use std::mem;
 
 /// The value with variables `sin(x)` and `cos(x)` in place of every `tan(x/2)`. It is for writing
 /// only, because it does not contain the relation `sin^2 + cos^2 = 1`.
@@ -43,29 +47,40 @@ fn over_sines(value: &Symbolic, x: &str) -> Symbolic {
 /// The coefficients of the powers of a variable, the constant first.
 fn by_power(polynomial: &Symbolic, variable: &str) -> Vec<Symbolic> {
     let mut coefficients = Vec::new();
-    for ([at], term) in apart(polynomial, [variable]) {
-        coefficients.resize(coefficients.len().max(at + 1), Symbolic::zero());
-        coefficients[at] += &term;
+    for ([at], part) in apart(polynomial, [variable]) {
+        coefficients.resize(at, Symbolic::zero());
+        coefficients.push(part);
     }
     coefficients
 }
 
-/// The terms of a polynomial: the powers of some variables, and the rest of the term.
+/// A polynomial by the powers of some variables: the rest of the terms with each.
 fn apart<const N: usize>(
     polynomial: &Symbolic,
     variables: [&str; N],
-) -> impl Iterator<Item = ([usize; N], Symbolic)> {
-    polynomial.terms().into_iter().map(move |(powers, c)| {
-        let power = |variable| {
-            let found = powers.iter().find(|(name, _)| name == variable);
-            found.map_or(0, |(_, e)| *e as usize)
-        };
-        let others = powers.iter().filter(|(name, _)| !variables.contains(&&**name));
-        let rest = others.fold(Symbolic::constant(c), |rest, (name, e)| {
-            rest * &pow(Symbolic::parameter(name), *e as usize)
-        });
-        (variables.map(power), rest)
-    })
+) -> BTreeMap<[usize; N], Symbolic> {
+    let Form::Fraction(f) = &polynomial.0 else {
+        let constant = (!polynomial.vanishes()).then(|| ([0; N], polynomial.clone()));
+        return constant.into_iter().collect();
+    };
+    let columns = variables.map(|name| f.variables.iter().position(|own| **own == *name));
+    let mut parts = BTreeMap::<_, Vec<_>>::new();
+    for (monomial, c) in &f.numerator.terms {
+        let mut rest = monomial.exps().to_vec();
+        let powers = columns.map(|k| k.map_or(0, |k| mem::take(&mut rest[k]) as usize));
+        // of equal powers, so that the order of the terms stays
+        parts.entry(powers).or_default().push((Monomial::new(rest), c.clone()));
+    }
+    let polynomial = |terms| Poly { terms, ..f.numerator.clone() };
+    parts.into_iter().map(|(at, terms)| (at, f.polynomial(&polynomial(terms)))).collect()
+}
+
+/// The number of terms of the numerator.
+fn length(value: &Symbolic) -> usize {
+    match &value.0 {
+        Form::Constant(_) => usize::from(!value.vanishes()),
+        Form::Fraction(f) => f.numerator.terms.len(),
+    }
 }
 
 /// `sum p_a (1 - cos x)^a (1 + cos x)^(degree - a)`, by Horner's rule.
@@ -89,13 +104,25 @@ fn gathered(value: Symbolic, x: &str) -> Symbolic {
         return value;
     }
     let square = Symbolic::one() - &(cosine(x) * &cosine(x));
-    let ratio = sine(x) * &sine(x) / &square;
     let count = |part: Symbolic| {
-        let quotients = std::iter::successors(Some(part), |part| Some(part.clone() / &square));
-        quotients.skip(1).take_while(|part| part.denominator().is_one()).count()
+        let divided = |part: &Symbolic| divisible(part, x).then(|| part.clone() / &square);
+        std::iter::successors(Some(part), divided).count() - 1
     };
     let (above, below) = (count(value.numerator()), count(value.denominator()));
+    if above == below {
+        return value;
+    }
+    let ratio = sine(x) * &sine(x) / &square;
     value * &pow(ratio.clone(), above) / &pow(ratio, below)
+}
+
+/// Whether a polynomial is divisible by `1 - cos^2 x`: zero where `cos x` is 1 and where it is -1.
+fn divisible(polynomial: &Symbolic, x: &str) -> bool {
+    let mut sums = [SymbolicSum::default(), SymbolicSum::default()];
+    for ([power], part) in apart(polynomial, [&format!("cos({x})")]) {
+        sums[power % 2].add_term(&part);
+    }
+    sums.iter().all(|sum| sum.value().vanishes())
 }
 
 /// Polynomials of a higher degree are written in only one form.
@@ -104,9 +131,8 @@ const DEGREE: usize = 64;
 /// The value with numerator and denominator each in the form with the fewest terms.
 fn shortest(value: &Symbolic, x: &str) -> Symbolic {
     let [above, below] = [value.numerator(), value.denominator()].map(|part| {
-        let count = |form: &Symbolic| form.terms().len();
         let forms = others(&part, x).into_iter();
-        forms.fold(part, |best, form| if count(&form) < count(&best) { form } else { best })
+        forms.fold(part, |best, form| if length(&form) < length(&best) { form } else { best })
     });
     above / &below
 }
@@ -117,16 +143,17 @@ fn others(polynomial: &Symbolic, x: &str) -> Vec<Symbolic> {
     let [sin2, cos2] = [&sin, &cos].map(|f| f.clone() * f);
     let one = Symbolic::one();
     let names = [format!("sin({x})"), format!("cos({x})")];
-    let split: Vec<_> = apart(polynomial, names.each_ref().map(String::as_str)).collect();
-    let highest = split.iter().map(|([s, c], _)| s + c).max().unwrap_or(0);
+    let split = apart(polynomial, names.each_ref().map(String::as_str));
+    let highest = split.keys().map(|[s, c]| s + c).max().unwrap_or(0);
     if highest > DEGREE {
         return Vec::new();
     }
     let sum = |form: &dyn Fn(usize, usize) -> Symbolic| {
-        let terms = split.iter().map(|([s, c], rest)| rest.clone() * &form(*s, *c));
-        terms.fold(Symbolic::zero(), |sum, term| sum + &term)
+        let mut sum = SymbolicSum::default();
+        split.iter().for_each(|([s, c], rest)| sum.add_product(rest, &form(*s, *c)));
+        sum.value()
     };
-    let even = split.iter().all(|([s, c], _)| (highest - s - c) % 2 == 0);
+    let even = split.keys().all(|[s, c]| (highest - s - c) % 2 == 0);
     let by_cosines = sum(&|s, c| {
         pow(one.clone() - &cos2, s / 2) * &pow(sin.clone(), s % 2) * &pow(cos.clone(), c)
     });
