@@ -148,8 +148,7 @@ impl Search<'_> {
         loop {
             self.left = self.left.checked_sub(1)?;
             // columns count from the highest monomial
-            let falling = |rows: &[Polynomial]| turned(&reduced(&turned(rows)));
-            system.equations = falling(&system.equations);
+            system.equations = turned(&reduced(&turned(&system.equations)));
             if system.equations.iter().any(|row| total(row) == 0)
                 || !(self.admissible)(&system.results)
             {
