@@ -4,10 +4,10 @@ use super::invariants::{scrambled, stored};
 use crate::common::algebras::{by_table, catalogued};
 use affinor::algebra::catalogue;
 use affinor::algebra::structure::{Existence, Structure};
-use affinor::{LieAlgebra, Rational};
+use affinor::{LieAlgebra, Rational, Symbolic};
 use affinor_tensors::Ring;
 use affinor_tensors::linear::{Matrix, Row};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 type Dense = Vec<Vec<Rational>>;
 
@@ -243,6 +243,35 @@ fn casimir_functions() {
     assert_eq!(degrees("bianchi(V)", 4), [0usize; 0]);
     assert_eq!(degrees("bianchi(IV)", 4), [0usize; 0]);
     assert_eq!(degrees("patera(4,8)", 3), [1, 2]);
+}
+
+/// With parameters the answers hold for generic values: at a value that is not exceptional the witness is still one.
+#[test]
+fn forms_with_parameters() {
+    let at = |name: &str, letter: &str| {
+        let value: BTreeMap<String, Symbolic> =
+            [(letter.to_string(), Symbolic::constant(Rational::from(3)))].into();
+        let generic = Structure::new(catalogue::algebra::<Symbolic>(name).unwrap());
+        (generic, move |v: &Symbolic| v.substitute(&value).unwrap().as_constant().cloned().unwrap())
+    };
+    let special =
+        |name: &str, letter: &str| catalogued(&name.replace(')', &format!(",{letter}=3)")));
+    for (name, letter) in [("patera(4,9)", "b"), ("degraaf(6,21)", "e"), ("degraaf(6,24)", "e")] {
+        let (generic, value) = at(name, letter);
+        let forms = generic.two_forms().unwrap();
+        let Existence::Witness(form) = generic.symplectic_form(&forms) else { panic!("{name}") };
+        let form: Row<Rational> = form.iter().map(|(at, v)| (*at, value(v))).collect();
+        let n = generic.dimension();
+        assert_closed(&special(name, letter), &matrix_of(n, &form), name);
+        assert_eq!(rank(&matrix_of(n, &form)), n, "{name}");
+    }
+    // a contact form of bianchi(VI): [e1, e3] = .., [e2, e3] = .. with different eigenvalues
+    let (generic, value) = at("bianchi(VI)", "h");
+    let Existence::Witness(form) = generic.contact_form() else { panic!("bianchi(VI)") };
+    let form: Vec<Rational> = dense(3, &form.iter().map(|(at, v)| (*at, value(v))).collect());
+    let mut with = differential(&special("bianchi(VI)", "h"), &form);
+    with.push(form);
+    assert_eq!(rank(&with), 3);
 }
 
 /// A form over a table that is no algebra of the catalogue: so(3) over the square root of 3.

@@ -10,10 +10,17 @@ use affinor_tensors::{Down, Field, Up};
 fn multiply_out(algebra: &LieAlgebra<Rational>, found: &Identification, name: &str) {
     let Some(images) = &found.isomorphism else { panic!("no isomorphism with {name}") };
     assert_eq!(found.under_root, None, "{name}");
-    let n = algebra.dimension();
-    let change = Tensor::from_fn(n, [Up, Down], |[i, a]| images[a][i].clone()).unwrap();
+    respects(algebra, images, &catalogued(name));
+}
+
+fn respects(
+    algebra: &LieAlgebra<Rational>,
+    images: &[Vec<Rational>],
+    named: &LieAlgebra<Rational>,
+) {
+    let change = Tensor::from_fn(images.len(), [Up, Down], |[i, a]| images[a][i].clone()).unwrap();
     let moved = algebra.change_basis(&BasisChange::new(change).unwrap()).unwrap();
-    assert_eq!(moved.structure(), catalogued(name).structure(), "{name}");
+    assert_eq!(moved.structure(), named.structure());
 }
 
 #[test]
@@ -165,6 +172,57 @@ fn nilpotent_algebras_of_dimension_four() {
             multiply_out(&algebra, &found, named);
         }
     }
+}
+
+/// Nilpotent algebras of dimension 5 and 6, sums included, with their isomorphisms; parameters `e` that differ from the named one by
+/// a square.
+#[test]
+fn isomorphisms_of_nilpotent_algebras() {
+    let families = ["6,19)", "6,21)", "6,22)", "6,24)"];
+    let mut names = vec![];
+    for name in affinor::algebra::catalogue::names(5)
+        .into_iter()
+        .chain(affinor::algebra::catalogue::names(6))
+    {
+        if families.iter().any(|family| name.ends_with(family)) {
+            for e in ["0", "1", "-1", "4", "-9/4"] {
+                names.push(name.replace(')', &format!(",e={e})")));
+            }
+        } else if name.starts_with("degraaf") {
+            names.push(name);
+        }
+    }
+    assert_eq!(names.len(), 6 + 13 + 4 * 5);
+    let sums = ["degraaf(5,4)+R^1", "degraaf(5,6)+R^1", "degraaf(5,8)+R^1", "degraaf(5,9)+R^1"];
+    names.extend(sums.map(String::from));
+    let sums = ["degraaf(4,3)+R^1", "degraaf(4,3)+R^2", "degraaf(3,2)+R^2", "degraaf(3,2)+R^3"];
+    names.extend(sums.map(String::from));
+    let mut missing = vec![];
+    for name in &names {
+        for seed in 0..3 {
+            let algebra = scrambled(&summed(name), seed);
+            let found = Structure::new(algebra.clone()).identify().unwrap();
+            let [named] = &found.names[..] else { panic!("{name}: {found:?}") };
+            match &found.isomorphism {
+                Some(images) => respects(&algebra, images, &summed(named)),
+                None => missing.push(format!("{name} in basis {seed}")),
+            }
+        }
+    }
+    // docs/structure.md says so: the search ends without one in a few bases of one family
+    assert!(missing.iter().all(|name| name.starts_with("degraaf(6,24,")), "{missing:?}");
+    assert!(missing.len() <= 5, "{missing:?}");
+    // 3 is no square: an isomorphism with e = 1 needs its root
+    for family in [19, 21, 22, 24] {
+        let found = Structure::new(summed(&format!("degraaf(6,{family},e=3)"))).identify().unwrap();
+        assert_eq!(found.names, [format!("degraaf(6,{family},e=1)")]);
+        assert_eq!(found.isomorphism, None);
+    }
+}
+
+fn summed(names: &str) -> LieAlgebra<Rational> {
+    let sum = |a: LieAlgebra<Rational>, b| a.direct_sum(&b).unwrap();
+    names.split('+').map(catalogued).reduce(sum).unwrap()
 }
 
 /// Of two real forms of one type and signature the Cartan subalgebra tells su(9,5) and su*(14), and so(12,6) from so*(18).

@@ -40,7 +40,7 @@ pub struct Info {
 /// The values of a parameter at which the answers are compared with the generic ones.
 const TRIED: [&str; 7] = ["-2", "-1", "-1/2", "0", "1/2", "1", "2"];
 /// The answers that are compared.
-const COMPARED: [&str; 12] = [
+const COMPARED: [&str; 14] = [
     "unimodular",
     "derived_series",
     "lower_central_series",
@@ -53,6 +53,8 @@ const COMPARED: [&str; 12] = [
     "betti",
     "index",
     "invariant_forms",
+    "symplectic",
+    "contact",
 ];
 
 fn fraction(text: &str) -> Option<Rational> {
@@ -61,8 +63,14 @@ fn fraction(text: &str) -> Option<Rational> {
 }
 
 /// The part of an answer that does not depend on a basis.
-fn dimensions(answer: &Value) -> &Value {
-    answer.get("dimension").unwrap_or(answer)
+fn dimensions(answer: &Value) -> Value {
+    let exists = |form: &Value| form["exists"].clone();
+    match answer {
+        Value::Object(form) if form.contains_key("exists") => {
+            json!([exists(answer), form.get("exact").map(exists)])
+        }
+        _ => answer.get("dimension").unwrap_or(answer).clone(),
+    }
 }
 
 impl Info {
@@ -211,7 +219,8 @@ impl Info {
         let rational = over_the_rationals(structure)?;
         stage("forms");
         notes.cocycles(structure);
-        notes.nondegenerate_forms(rational.as_ref());
+        notes.complex_structure(rational.as_ref());
+        notes.nondegenerate_forms(structure);
         stage("casimirs");
         notes.casimirs(rational.as_ref());
         stage("decomposition");

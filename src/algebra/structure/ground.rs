@@ -17,6 +17,9 @@ pub trait Ground: Field {
 
     /// The value as a rational number, if it depends on no parameter.
     fn rational(&self) -> Option<Rational>;
+
+    /// The value as a rational function.
+    fn symbolic(&self) -> Symbolic;
 }
 
 impl Ground for Rational {
@@ -34,6 +37,10 @@ impl Ground for Rational {
 
     fn rational(&self) -> Option<Rational> {
         Some(self.clone())
+    }
+
+    fn symbolic(&self) -> Symbolic {
+        Symbolic::constant(self.clone())
     }
 }
 
@@ -61,6 +68,10 @@ impl Ground for Symbolic {
 
     fn rational(&self) -> Option<Rational> {
         self.as_constant().cloned()
+    }
+
+    fn symbolic(&self) -> Symbolic {
+        self.clone()
     }
 }
 

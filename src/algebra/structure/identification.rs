@@ -1,11 +1,13 @@
 //! The name of an algebra of low dimension: real ones up to dimension 4, nilpotent ones up to 6.
 //!
-//! Up to dimension 4 the isomorphism is a witness where it is rational; of simple algebras also over square roots. Nilpotent
+//! The isomorphism is a witness where it is rational and found; of simple algebras also over square roots. Nilpotent
 //! algebras are told apart by the dimensions of both central series and of the derivations, and by the Betti
 //! numbers; these separate all real ones up to dimension 6 but for the sign of the parameter of four families, which
 //! quadratic forms decide.
 
 mod four;
+mod nilpotent;
+mod polynomials;
 mod sign;
 mod witness;
 
@@ -45,7 +47,7 @@ impl Structure<Rational> {
         let found = self.by_invariants()?;
         let named = found.isomorphism.is_none() && found.parameter.is_none();
         match &found.names[..] {
-            [name] if named && self.dimension() <= 4 => match self.isomorphism_with(name) {
+            [name] if named => match self.isomorphism_with(name) {
                 Some(images) => Some(self.with_images(name, images)),
                 None => Some(found),
             },

@@ -7,12 +7,13 @@
 //! one, and none at all if it is not solvable: B.-Y. Chu, *Trans. Amer. Math. Soc.* 197 (1974) 145-159.
 
 use super::cocycles::TwoForms;
-use super::{Structure, Subspace};
+use super::{Ground, Structure, Subspace};
 use crate::Error;
 use crate::algebra::LieAlgebra;
 use crate::algebra::lie_poisson::LiePoisson;
-use affinor_tensors::linear::{Matrix, Row};
-use affinor_tensors::{Rational, Ring, Symbolic};
+use affinor_tensors::Symbolic;
+use affinor_tensors::linear::Row;
+use affinor_tensors::linear::modular::{PRIMES, Prime, Residues};
 use num_traits::{One, Zero};
 
 /// The largest dimension at which a Pfaffian is expanded, that is: at which "there is none" can be proved.
@@ -22,9 +23,9 @@ const TRIALS: usize = 12;
 
 /// Whether a form exists.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Existence {
-    /// Such a form, by its components.
-    Witness(Row<Rational>),
+pub enum Existence<S> {
+    /// Such a form, by its components; not degenerate for generic values of the parameters.
+    Witness(Row<S>),
     /// The Pfaffian of the general form is the zero polynomial.
     Impossible,
     /// The algebra is unimodular: then it has no exact symplectic form, and none at all if it is not solvable (Chu).
@@ -33,9 +34,9 @@ pub enum Existence {
     Open,
 }
 
-impl Structure<Rational> {
+impl<S: Ground> Structure<S> {
     /// A closed 2-form that is not degenerate, with components as in [`TwoForms`].
-    pub fn symplectic_form(&self, forms: &TwoForms<Rational>) -> Existence {
+    pub fn symplectic_form(&self, forms: &TwoForms<S>) -> Existence<S> {
         if self.is_unimodular() && !self.is_solvable() {
             return Existence::Unimodular;
         }
@@ -43,14 +44,14 @@ impl Structure<Rational> {
     }
 
     /// An exact 2-form that is not degenerate.
-    pub fn exact_symplectic_form(&self, forms: &TwoForms<Rational>) -> Existence {
+    pub fn exact_symplectic_form(&self, forms: &TwoForms<S>) -> Existence<S> {
         if self.is_unimodular() && self.dimension() > 0 {
             return Existence::Unimodular;
         }
         self.nondegenerate(&forms.exact)
     }
 
-    fn nondegenerate(&self, forms: &Subspace<Rational>) -> Existence {
+    fn nondegenerate(&self, forms: &Subspace<S>) -> Existence<S> {
         let n = self.dimension();
         let family = forms.basis().iter().map(|row| antisymmetric(n, row)).collect();
         match search(n, family) {
@@ -61,16 +62,16 @@ impl Structure<Rational> {
     }
 
     /// A contact form `a`: `a (d a)^k` is not zero in dimension `2 k + 1`.
-    pub fn contact_form(&self) -> Existence {
+    pub fn contact_form(&self) -> Existence<S> {
         let n = self.dimension();
         let bordered = |i: usize| {
-            let differential = antisymmetric(n, &self.differential(&[(i, Rational::from(1))]));
-            let mut matrix = vec![vec![Rational::from(0); n + 1]; n + 1];
+            let differential = antisymmetric(n, &self.differential(&[(i, S::one())]));
+            let mut matrix = vec![vec![S::zero(); n + 1]; n + 1];
             for (j, row) in differential.iter().enumerate() {
                 matrix[j + 1][1..].clone_from_slice(row);
             }
-            matrix[0][i + 1] = Rational::from(1);
-            matrix[i + 1][0] = Rational::from(-1);
+            matrix[0][i + 1] = S::one();
+            matrix[i + 1][0] = -S::one();
             matrix
         };
         match search(n + 1, (0..n).map(bordered).collect()) {
@@ -81,12 +82,11 @@ impl Structure<Rational> {
     }
 
     /// A linear form `f` at which `f([x, y])` has its largest rank, the dimension minus the index.
-    pub fn regular_form(&self) -> Option<Row<Rational>> {
+    pub fn regular_form(&self) -> Option<Row<S>> {
         let n = self.dimension();
         let rank = n - self.index();
-        let differentials: Vec<_> = (0..n)
-            .map(|i| antisymmetric(n, &self.differential(&[(i, Rational::from(1))])))
-            .collect();
+        let differentials: Vec<_> =
+            (0..n).map(|i| antisymmetric(n, &self.differential(&[(i, S::one())]))).collect();
         shortened(&differentials, n, rank)
     }
 
@@ -95,16 +95,15 @@ impl Structure<Rational> {
     /// # Errors
     /// As [`LiePoisson::casimir_generators`].
     pub fn casimirs(&self, most: u32) -> Result<Vec<Symbolic>, Error> {
-        let algebra: LieAlgebra<Symbolic> =
-            self.algebra().map(|value| Symbolic::constant(value.clone()))?;
+        let algebra: LieAlgebra<Symbolic> = self.algebra().map(Ground::symbolic)?;
         LiePoisson::right(&algebra)?.casimir_generators(most)
     }
 }
 
-type Dense = Vec<Vec<Rational>>;
+type Dense<S> = Vec<Vec<S>>;
 
-fn antisymmetric(n: usize, form: &[(usize, Rational)]) -> Dense {
-    let mut matrix = vec![vec![Rational::from(0); n]; n];
+fn antisymmetric<S: Ground>(n: usize, form: &[(usize, S)]) -> Dense<S> {
+    let mut matrix = vec![vec![S::zero(); n]; n];
     for (at, value) in form {
         matrix[at / n][at % n] = value.clone();
         matrix[at % n][at / n] = -value.clone();
@@ -112,14 +111,14 @@ fn antisymmetric(n: usize, form: &[(usize, Rational)]) -> Dense {
     matrix
 }
 
-enum Found {
-    Parameters(Row<Rational>),
+enum Found<S> {
+    Parameters(Row<S>),
     Nothing,
     Open,
 }
 
 /// Parameters at which a combination of antisymmetric matrices of size `n` is regular.
-fn search(n: usize, family: Vec<Dense>) -> Found {
+fn search<S: Ground>(n: usize, family: Vec<Dense<S>>) -> Found<S> {
     if n % 2 == 1 || family.is_empty() {
         return if n == 0 { Found::Parameters(vec![]) } else { Found::Nothing };
     }
@@ -129,13 +128,14 @@ fn search(n: usize, family: Vec<Dense>) -> Found {
     if n > MAX_PFAFFIAN {
         return Found::Open;
     }
+    // no parameter of the brackets begins with a space
     let parameters: Vec<Symbolic> =
-        (0..family.len()).map(|at| Symbolic::parameter(&format!("t{at}"))).collect();
+        (0..family.len()).map(|at| Symbolic::parameter(&format!(" t{at}"))).collect();
     let entry = |i: usize, j: usize| {
         family.iter().zip(&parameters).fold(Symbolic::zero(), |sum, (matrix, t)| {
             match matrix[i][j].vanishes() {
                 true => sum,
-                false => sum + &(Symbolic::constant(matrix[i][j].clone()) * t),
+                false => sum + &(matrix[i][j].symbolic() * t),
             }
         })
     };
@@ -163,20 +163,26 @@ pub(super) fn pfaffian(matrix: &[Vec<Symbolic>], rows: &[usize]) -> Symbolic {
 }
 
 /// Small parameters at which a combination of matrices has a rank: of a few pseudorandom ones, with as many zeros and ones
-/// as the rank allows.
-fn shortened(family: &[Dense], n: usize, rank: usize) -> Option<Row<Rational>> {
+/// as the rank allows. The rank modulo a prime is no larger than the rank, so it proves that.
+fn shortened<S: Ground>(family: &[Dense<S>], n: usize, rank: usize) -> Option<Row<S>> {
+    let residues = |prime: Prime| {
+        let matrix = |matrix: &Dense<S>| -> Option<Vec<Vec<u64>>> {
+            matrix.iter().map(|row| row.iter().map(|v| v.residue(prime)).collect()).collect()
+        };
+        Some((prime, family.iter().map(matrix).collect::<Option<Vec<_>>>()?))
+    };
+    let (prime, reduced) = PRIMES.into_iter().find_map(residues)?;
     let regular = |t: &[i64]| {
-        let mut sum = vec![vec![Rational::from(0); n]; n];
-        for (factor, matrix) in t.iter().zip(family).filter(|(factor, _)| **factor != 0) {
+        let mut sum = vec![vec![0; n]; n];
+        for (factor, matrix) in t.iter().zip(&reduced).filter(|(factor, _)| **factor != 0) {
+            let factor = prime.integer(*factor);
             for (row, terms) in sum.iter_mut().zip(matrix) {
-                for (entry, term) in row.iter_mut().zip(terms).filter(|(_, term)| !term.vanishes())
-                {
-                    let term = term.clone() * &Rational::from(*factor);
-                    *entry = std::mem::replace(entry, Rational::from(0)) + &term;
+                for (entry, term) in row.iter_mut().zip(terms) {
+                    *entry = prime.add(*entry, prime.mul(factor, *term));
                 }
             }
         }
-        Matrix::from_dense(&sum).is_ok_and(|sum| sum.rank() == Ok(rank))
+        Residues::new(prime, n, sum).rank() == rank
     };
     let mut state = 0x9e37_79b9_u64;
     let mut draw = |below: u64| {
@@ -200,7 +206,7 @@ fn shortened(family: &[Dense], n: usize, rank: usize) -> Option<Row<Rational>> {
             }
         }
         let kept = t.into_iter().enumerate().filter(|(_, value)| *value != 0);
-        return Some(kept.map(|(at, value)| (at, Rational::from(value))).collect());
+        return Some(kept.map(|(at, value)| (at, S::from_i64(value))).collect());
     }
     None
 }

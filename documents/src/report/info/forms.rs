@@ -1,7 +1,7 @@
 //! Closed forms of low degree, symplectic and contact forms, Casimir functions.
 
 use super::{Notes, SHOWN};
-use affinor::algebra::structure::{Existence, Ground, Structure};
+use affinor::algebra::structure::{Existence, Ground, MAX_DECOMPOSED, Structure};
 use affinor_tensors::Rational;
 use affinor_tensors::linear::Row;
 use affinor_tensors::text::combination;
@@ -56,11 +56,10 @@ impl Notes {
     }
 
     /// Symplectic forms in even dimension, contact forms in odd dimension, and a form of largest rank.
-    pub(super) fn nondegenerate_forms(&mut self, structure: Option<&Structure<Rational>>) {
+    pub(super) fn nondegenerate_forms<S: Ground>(&mut self, structure: &Structure<S>) {
         let (mut symplectic, mut contact, mut regular) = (Value::Null, Value::Null, Value::Null);
-        self.complex_structure(structure);
-        if let Some(structure) = structure.filter(|structure| structure.dimension() > 0) {
-            let n = structure.dimension();
+        let n = structure.dimension();
+        if (1..=MAX_DECOMPOSED).contains(&n) {
             if let Some(forms) = structure.two_forms().filter(|_| n.is_multiple_of(2)) {
                 let [any, exact] =
                     [structure.symplectic_form(&forms), structure.exact_symplectic_form(&forms)];
@@ -105,7 +104,7 @@ impl Notes {
     }
 
     /// A complex structure, in dimension 2 and 4.
-    fn complex_structure(&mut self, structure: Option<&Structure<Rational>>) {
+    pub(super) fn complex_structure(&mut self, structure: Option<&Structure<Rational>>) {
         let Some(found) = structure.and_then(|structure| structure.complex_structure()) else {
             self.json.insert("complex_structure".into(), Value::Null);
             return;
@@ -167,7 +166,7 @@ fn monomials(n: usize, degree: u32) -> usize {
     (1..=degree as usize).fold(1, |count, k| count * (n + k - 1) / k)
 }
 
-fn existence(found: &Existence, form: impl Fn(&Row<Rational>) -> Value) -> Value {
+fn existence<S>(found: &Existence<S>, form: impl Fn(&Row<S>) -> Value) -> Value {
     match found {
         Existence::Witness(row) => json!({ "exists": true, "form": form(row) }),
         Existence::Impossible | Existence::Unimodular => json!({ "exists": false, "form": null }),

@@ -11,6 +11,14 @@ use affinor_tensors::{Rational, Ring};
 impl Structure<Rational> {
     /// Whether the parameter of a family is positive; `None` for other names, or where a form is degenerate.
     pub(super) fn has_positive_parameter(&self, name: &str) -> Option<bool> {
+        let determinant = self.determinant_of_form(name)?;
+        let definite = !determinant.vanishes() && !determinant.is_negative();
+        let is_sum = ["degraaf(6,19,", "degraaf(6,21,"].iter().any(|head| name.starts_with(head));
+        (!determinant.vanishes()).then_some(definite == is_sum)
+    }
+
+    /// Four times the determinant of the form, known up to squares; `None` for other names.
+    pub(super) fn determinant_of_form(&self, name: &str) -> Option<Rational> {
         let family = name.strip_prefix("degraaf(6,")?.split(',').next()?;
         // a form with coefficients (A, B, C) has the determinant A C - B^2 / 4
         let [a, b, c] = match family {
@@ -23,9 +31,7 @@ impl Structure<Rational> {
             }
             _ => return None,
         };
-        let determinant = a * &c * &Rational::from(4) - &(b.clone() * &b);
-        let definite = !determinant.vanishes() && !determinant.is_negative();
-        (!determinant.vanishes()).then_some(definite == matches!(family, "19" | "21"))
+        Some(a * &c * &Rational::from(4) - &(b.clone() * &b))
     }
 
     fn bracket_of(&self, x: &Vector, y: &Vector) -> Vector {

@@ -23,13 +23,19 @@ pub(super) struct Images {
 }
 
 impl Structure<Rational> {
-    /// The images of the basis of a named algebra of dimension 3 (simple) or 4, where one is found.
+    /// The images of the basis of a named algebra of dimension 3 (simple), 4, or 5 and 6 (nilpotent), where one is found.
     pub(super) fn isomorphism_with(&self, name: &str) -> Option<Images> {
         let named = Structure::new(catalogued(name)?);
         if !self.is_solvable() {
             return self.onto_simple(&named);
         }
+        let forms = self.determinant_of_form(name).zip(named.determinant_of_form(name));
+        if forms.is_some_and(|(own, other)| (own * &other).sqrt().is_none()) {
+            // isomorphic over the real numbers alone
+            return None;
+        }
         let vectors = match (self.is_nilpotent(), self.nilradical().dimension()) {
+            (true, 5..) => self.onto_nilpotent(&named),
             (true, _) => images(&named.nilpotent_form()?, &self.nilpotent_form()?),
             (_, 2) => images(&named.form_on_plane()?, &self.form_on_plane()?),
             _ => self.onto_extension(&named),
@@ -38,7 +44,7 @@ impl Structure<Rational> {
     }
 
     /// Whether `[f_i, f_j] = c^k_ij f_k` for the images `f_i`, which are a basis.
-    fn respects(&self, named: &Self, images: &[Vector]) -> bool {
+    pub(super) fn respects(&self, named: &Self, images: &[Vector]) -> bool {
         let n = self.dimension();
         let brackets = (0..n).all(|i| {
             let ad = self.products.ad(&images[i]);

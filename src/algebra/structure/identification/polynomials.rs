@@ -1,0 +1,288 @@
+//! Small systems of polynomial equations over the rationals: one solution, by elimination where it is possible and search else.
+//!
+//! A polynomial is a sparse row; the column of a monomial is made of its variables, six bits each. So a set of equations
+//! is a matrix, and its echelon form eliminates monomials: those of high degree, or those of low degree.
+
+use super::{Subspace, Vector, collected, scale};
+use affinor_tensors::{Field, Rational};
+use num_rational::BigRational;
+use polycore::Uni;
+
+/// Bits of a variable in the code of a monomial.
+const BITS: usize = 6;
+/// The most variables of a system.
+pub(super) const MAX_VARIABLES: usize = (1 << BITS) - 1;
+/// The highest degree that a substitution may reach; ten variables fit into a code.
+const MAX_DEGREE: usize = 8;
+/// The longest polynomial that a substitution may reach.
+const MAX_TERMS: usize = 400;
+
+/// A polynomial: coefficients of monomials.
+pub(super) type Polynomial = Vector;
+
+/// The variables of a monomial, from the largest to the smallest; variables count from 0.
+fn variables(code: usize) -> Vec<usize> {
+    let digits = (0..=MAX_DEGREE + 1).rev().map(|place| code >> (BITS * place) & MAX_VARIABLES);
+    digits.filter(|digit| *digit > 0).map(|digit| digit - 1).collect()
+}
+
+/// The monomial of variables in decreasing order.
+fn code(variables: &[usize]) -> usize {
+    variables.iter().fold(0, |code, variable| code << BITS | (variable + 1))
+}
+
+fn degree(code: usize) -> usize {
+    (usize::BITS - code.leading_zeros()).div_ceil(BITS as u32) as usize
+}
+
+/// The degree of a polynomial.
+fn total(polynomial: &[(usize, Rational)]) -> usize {
+    polynomial.iter().map(|(at, _)| degree(*at)).max().unwrap_or(0)
+}
+
+/// A variable as a polynomial.
+pub(super) fn variable(at: usize) -> Polynomial {
+    vec![(code(&[at]), Rational::from(1))]
+}
+
+fn times(a: usize, b: usize) -> usize {
+    let mut all = [variables(a), variables(b)].concat();
+    all.sort_unstable_by(|x, y| y.cmp(x));
+    code(&all)
+}
+
+/// The product of two polynomials.
+pub(super) fn product(a: &Polynomial, b: &Polynomial) -> Polynomial {
+    let terms = a.iter().flat_map(|(i, x)| b.iter().map(move |(j, y)| (i, x, j, y)));
+    collected(terms.map(|(i, x, j, y)| (times(*i, *j), x.clone() * y)).collect())
+}
+
+/// The sum of two polynomials.
+pub(super) fn plus(a: &Polynomial, b: &Polynomial) -> Polynomial {
+    collected(a.iter().chain(b).cloned().collect())
+}
+
+/// The coefficients of the powers of a variable.
+fn in_powers(polynomial: &Polynomial, of: usize) -> Vec<Polynomial> {
+    let mut powers: Vec<Polynomial> = vec![];
+    for (at, value) in polynomial {
+        let (own, rest): (Vec<usize>, Vec<usize>) =
+            variables(*at).into_iter().partition(|v| *v == of);
+        powers.resize(powers.len().max(own.len() + 1), vec![]);
+        powers[own.len()].push((code(&rest), value.clone()));
+    }
+    powers.into_iter().map(collected).collect()
+}
+
+/// The polynomial with a variable replaced.
+fn substituted(polynomial: &Polynomial, of: usize, by: &Polynomial) -> Option<Polynomial> {
+    let powers = in_powers(polynomial, of);
+    if powers.len() <= 1 {
+        return Some(polynomial.clone());
+    }
+    powers.iter().rev().try_fold(vec![], |sum, coefficient| {
+        let fits = total(&sum) + total(by) <= MAX_DEGREE;
+        let next = plus(&product(&sum, by), if fits { coefficient } else { return None });
+        (next.len() <= MAX_TERMS).then_some(next)
+    })
+}
+
+/// The variables that occur.
+fn occurring(polynomial: &Polynomial) -> Vec<usize> {
+    let mut all: Vec<usize> = polynomial.iter().flat_map(|(at, _)| variables(*at)).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+/// The value of a polynomial.
+pub(super) fn value(polynomial: &Polynomial, at: &impl Fn(usize) -> Rational) -> Rational {
+    let term = |(code, factor): &(usize, Rational)| {
+        variables(*code).into_iter().fold(factor.clone(), |product, v| product * &at(v))
+    };
+    polynomial.iter().map(term).fold(Rational::from(0), |sum, term| sum + &term)
+}
+
+/// The rational roots of a polynomial in one variable; `coefficients` from the lowest.
+fn roots(coefficients: &[Rational]) -> Vec<Rational> {
+    let polynomial = Uni::new(coefficients.iter().map(BigRational::from).collect());
+    let linear = polyfactor::factor(&polynomial).into_iter().filter(|(f, _)| f.deg() == 1);
+    linear
+        .filter_map(|(f, _)| {
+            let [constant, lead] = [0, 1].map(|at| Rational::from(f.0[at].clone()));
+            Some(-(constant * &lead.recip()?))
+        })
+        .collect()
+}
+
+/// Equations, and polynomials that take part in every substitution.
+#[derive(Clone)]
+pub(super) struct System {
+    pub equations: Vec<Polynomial>,
+    pub results: Vec<Polynomial>,
+}
+
+/// What one equation allows.
+enum Step {
+    Replace(usize, Polynomial),
+    Beside(Polynomial),
+}
+
+/// A search with a limit.
+pub(super) struct Search<'a> {
+    /// Whether the results may still become a solution.
+    pub admissible: &'a dyn Fn(&[Polynomial]) -> bool,
+    /// The variables in the order in which values are tried.
+    pub order: &'a [usize],
+    /// So many of them get values before polynomials of higher degree are eliminated.
+    pub first: usize,
+    /// Which values are tried first.
+    pub seed: usize,
+    /// How many steps are left.
+    pub left: usize,
+}
+
+impl Search<'_> {
+    /// The results as numbers.
+    pub fn solve(&mut self, mut system: System) -> Option<Vec<Rational>> {
+        loop {
+            self.left = self.left.checked_sub(1)?;
+            // columns count from the highest monomial
+            system.equations = turned(&reduced(&turned(&system.equations)));
+            if system.equations.iter().any(|row| total(row) == 0)
+                || !(self.admissible)(&system.results)
+            {
+                return None;
+            }
+            let linear = system.equations.iter().find(|row| total(row) == 1);
+            if let Some((at, by)) = linear.and_then(|row| self.isolated(row)) {
+                system = system.with(at, &by)?;
+                continue;
+            }
+            let rising = reduced(&system.equations);
+            let branches = system.equations.iter().chain(&rising).find_map(factors);
+            if let Some(branches) = branches {
+                return branches.into_iter().find_map(|steps| {
+                    let next =
+                        steps.into_iter().try_fold(system.clone(), |system, step| match step {
+                            Step::Replace(at, by) => system.with(at, &by),
+                            Step::Beside(by) => {
+                                let mut system = system;
+                                system.equations.push(by);
+                                Some(system)
+                            }
+                        })?;
+                    self.solve(next)
+                });
+            }
+            let free = |v: &&usize| {
+                let all = system.equations.iter().chain(&system.results);
+                all.flat_map(occurring).any(|other| other == **v)
+            };
+            let next = self.order.iter().position(|v| free(&v));
+            let Some(place) = next else {
+                let constant = |row: &Polynomial| value(row, &|_| Rational::from(0));
+                return system
+                    .equations
+                    .is_empty()
+                    .then(|| system.results.iter().map(constant).collect());
+            };
+            if place >= self.first {
+                let mut short: Vec<&Polynomial> = system.equations.iter().collect();
+                short.sort_by_key(|row| (total(row), row.len()));
+                let next = short
+                    .into_iter()
+                    .filter_map(|row| self.isolated(row))
+                    .find_map(|(at, by)| system.clone().with(at, &by));
+                if let Some(next) = next {
+                    system = next;
+                    continue;
+                }
+            }
+            let at = self.order[place];
+            return self.values(place).into_iter().find_map(|number| {
+                let by = collected(vec![(0, Rational::from(number))]);
+                self.solve(system.clone().with(at, &by)?)
+            });
+        }
+    }
+
+    /// Small numbers in an order that depends on the seed.
+    fn values(&self, place: usize) -> Vec<i64> {
+        let mixed = (self.seed * 7 + place * 5 + self.seed * place * 3) % 11;
+        match (self.seed, mixed) {
+            (0, _) => vec![0, 1, -1],
+            (_, 0..=3) => vec![0, 1, 2],
+            (_, 4..=6) => vec![1, 0, -1],
+            (_, 7) => vec![-1, 1],
+            (_, 8) => vec![2, 1],
+            _ => vec![-2, 3],
+        }
+    }
+
+    /// A variable that an equation contains once, with a number as factor, and what it is equal to.
+    fn isolated(&self, row: &Polynomial) -> Option<(usize, Polynomial)> {
+        // those that would get a value last come first
+        self.order.iter().rev().find_map(|&at| {
+            let powers = in_powers(row, at);
+            let [rest, factor] = &powers[..] else { return None };
+            let [(0, factor)] = &factor[..] else { return None };
+            Some((at, scale(rest, &-factor.recip()?)))
+        })
+    }
+}
+
+impl System {
+    fn with(self, at: usize, by: &Polynomial) -> Option<System> {
+        let all = |rows: &[Polynomial]| -> Option<Vec<Polynomial>> {
+            rows.iter().map(|row| substituted(row, at, by)).collect()
+        };
+        Some(System { equations: all(&self.equations)?, results: all(&self.results)? })
+    }
+}
+
+/// The echelon form.
+fn reduced(rows: &[Polynomial]) -> Vec<Polynomial> {
+    Subspace::span(usize::MAX, rows.iter().cloned()).basis().to_vec()
+}
+
+/// The columns in the opposite order.
+fn turned(rows: &[Polynomial]) -> Vec<Polynomial> {
+    let turn = |row: &Polynomial| {
+        row.iter().rev().map(|(at, value)| (usize::MAX - 1 - at, value.clone())).collect()
+    };
+    rows.iter().map(turn).collect()
+}
+
+/// The cases of an equation with a common variable, in one variable, or homogeneous in two.
+fn factors(row: &Polynomial) -> Option<Vec<Vec<Step>>> {
+    let all = occurring(row);
+    let common = all.iter().find(|at| row.iter().all(|(code, _)| variables(*code).contains(at)));
+    if let Some(&at) = common {
+        let quotient = in_powers(row, at);
+        let quotient = quotient[1..].iter().enumerate().flat_map(|(power, rest)| {
+            let power = code(&vec![at; power]);
+            rest.iter().map(move |(code, value)| (times(power, *code), value.clone()))
+        });
+        let quotient = collected(quotient.collect());
+        let other = (total(&quotient) > 0).then(|| vec![Step::Beside(quotient)]);
+        return Some(other.into_iter().chain([vec![Step::Replace(at, vec![])]]).collect());
+    }
+    let coefficients = |at: usize| -> Vec<Rational> {
+        let one = |_| Rational::from(1);
+        in_powers(row, at).iter().map(|rest| value(rest, &one)).collect()
+    };
+    match all[..] {
+        [at] => {
+            let by = |root| vec![Step::Replace(at, collected(vec![(0, root)]))];
+            Some(roots(&coefficients(at)).into_iter().map(by).collect())
+        }
+        [x, y] if row.iter().all(|(code, _)| degree(*code) == total(row)) => {
+            // x = r y, or both are zero
+            let by = |root| vec![Step::Replace(x, scale(&variable(y), &root))];
+            let zero = vec![Step::Replace(x, vec![]), Step::Replace(y, vec![])];
+            Some(roots(&coefficients(x)).into_iter().map(by).chain([zero]).collect())
+        }
+        _ => None,
+    }
+}
