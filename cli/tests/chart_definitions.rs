@@ -60,6 +60,32 @@ fn spaces_of_constant_curvature() {
     }
 }
 
+/// Functions of products of a parameter and a coordinate. The last is de Sitter's space in flat slices:
+/// S. W. Hawking, G. F. R. Ellis, *The Large Scale Structure of Space-Time* (1973), 5.2.
+#[test]
+fn constant_curvature_in_a_parameter() {
+    for (metric, coordinates, k) in [
+        ("diag(1, exp(2*a*x))", "['x', 'y']", "-a^2"),
+        ("diag(1, cos(a*x)^2)", "['x', 'y']", "a^2"),
+        ("diag(1, (sin(a*x)/a)^2, (sin(a*x)*sin(y)/a)^2)", "['x', 'y', 'z']", "a^2"),
+        ("diag(-1, exp(2*a*t), exp(2*a*t), exp(2*a*t))", "['t', 'x', 'y', 'z']", "a^2"),
+    ] {
+        let text =
+            format!("metric = '{metric}'\nparameters = ['a']\nchart.coordinates = {coordinates}");
+        let [r, constant] = lowered(&parsed(&text));
+        assert_eq!(r, constant.scale(&value(k)), "{metric}");
+        // a value of the parameter reaches the arguments
+        let mut definition = Definition::parse("a.toml", &text).unwrap();
+        definition.set(&[("a".into(), value("-3"))].into()).unwrap();
+        let [r, constant] = lowered(&of(&definition));
+        assert_eq!(r, constant.scale(&value(&k.replace('a', "(-3)"))), "{metric}");
+        // sin(x/2) has no exact value here
+        let mut definition = Definition::parse("a.toml", &text).unwrap();
+        let refused = definition.set(&[("a".into(), value("1/4"))].into()).unwrap_err();
+        assert!(refused.message.contains("no exact value"), "{}", refused.message);
+    }
+}
+
 /// C. W. Misner, K. S. Thorne, J. A. Wheeler, *Gravitation* (1973): (31.7) with box 14.5 for
 /// orthonormal fields.
 #[test]

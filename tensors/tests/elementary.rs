@@ -31,6 +31,10 @@ fn identities_hold_exactly() {
         ("tan(2*x)", "2*tan(x)/(1 - tan(x)^2)"),
         ("1/(1 - cos(x)) + 1/(1 + cos(x))", "2/sin(x)^2"),
         ("exp(x + 2*y - x)", "exp(y)^2"),
+        ("sin(a*x + y)", "sin(a*x)*cos(y) + cos(a*x)*sin(y)"),
+        ("cos((a + b)*x)", "cos(a*x)*cos(b*x) - sin(a*x)*sin(b*x)"),
+        ("sin(2*x*a)^2 + cos(2*a*x)^2", "1"),
+        ("exp((x + y)^2)", "exp(x^2)*exp(x*y)^2*exp(y^2)"),
         ("cosh(x)^2 - sinh(x)^2", "1"),
         ("tanh(2*x)", "2*tanh(x)/(1 + tanh(x)^2)"),
         ("sin(0*x) + cos(0) + exp(x - x)", "2"),
@@ -39,6 +43,8 @@ fn identities_hold_exactly() {
     }
     assert_ne!(value("sin(x)"), value("sin(y)"));
     assert_ne!(value("exp(x)"), value("x"));
+    assert_ne!(value("sin(a*x)"), value("sin(x)"));
+    assert_ne!(value("exp(x^2)"), value("exp(x)^2"));
 }
 
 #[test]
@@ -53,6 +59,9 @@ fn derivatives_follow_the_chain_rule() {
         ("tanh(x)", "1/cosh(x)^2"),
         ("x*sin(2*x - y)", "sin(2*x - y) + 2*x*cos(2*x - y)"),
         ("sin(y)*exp(y)", "0"),
+        ("sin(a*x)", "a*cos(a*x)"),
+        ("exp(-x^2)", "-2*x*exp(-x^2)"),
+        ("x*tan(x^2*y - b*y)", "tan(x^2*y - b*y) + 2*x^2*y*(1 + tan(x^2*y - b*y)^2)"),
     ] {
         assert_eq!(value(function).derivative("x"), value(derivative), "{function}");
     }
@@ -73,6 +82,8 @@ fn values_are_written_as_a_person_would() {
         ("1/2*sin(x)", "1/2*sin(x)", r"\frac{1}{2} \sin x"),
         ("exp(2*x - y)", "exp(2*x)/exp(y)", r"\frac{e^{2 x}}{e^{y}}"),
         ("x*exp(x)", "x*exp(x)", "x e^{x}"),
+        ("exp(2*a*x^2)", "exp(2*a*x^2)", "e^{2 a x^{2}}"),
+        ("sin(J2*x)^2", "sin(J2*x)^2", r"\sin^{2}(J_{2} x)"),
         ("a^2 + r^2*sin(x)^2", "r^2*sin(x)^2 + a^2", r"r^{2} \sin^{2} x + a^{2}"),
         ("a*sin(x)^2 + b*cos(x)^2", "a*sin(x)^2 + b*cos(x)^2", r"a \sin^{2} x + b \cos^{2} x"),
         ("1/(y + sin(x)^4)", "1/(sin(x)^4 + y)", r"\frac{1}{\sin^{4} x + y}"),
@@ -89,17 +100,20 @@ fn values_are_written_as_a_person_would() {
         assert_eq!(Notation::is_negative(&value), text.starts_with('-'), "{input}");
     }
     assert_eq!(value("M*sin(x)*exp(t)").parameters(), ["M", "t", "x"]);
+    assert_eq!(value("sin(a*x)*exp(b^2*x)*x").parameters(), ["a", "b", "x"]);
 }
 
 #[test]
 fn what_has_no_exact_value_is_refused() {
     for (text, reason) in [
         ("sqrt(x)", "`sqrt` is no function here: there are sin, cos, tan"),
-        ("sin(x/2)", "the argument of sin is a sum of integer multiples of names"),
-        ("sin(x^2)", "integer multiples"),
+        ("sin(x/2)", "the argument of sin is a sum of integer multiples of products of names"),
+        ("sin(x/y)", "integer multiples"),
+        ("exp(x + 1)", "integer multiples"),
         ("exp(1)", "integer multiples"),
         ("sin(1/x)", "integer multiples"),
-        ("cos(x*y)", "integer multiples"),
+        ("cos(x*y/2)", "integer multiples"),
+        ("cos(x*sin(y))", "integer multiples"),
         ("sin(sin(x))", "integer multiples"),
         ("exp(exp(x))", "integer multiples"),
         ("sin(17*x)", "more than 16 multiples"),
@@ -119,24 +133,53 @@ fn what_has_no_exact_value_is_refused() {
     }
 }
 
+/// Substitution reaches the arguments: of a quotient of functions, and of the value itself.
+#[test]
+fn substitution_reaches_arguments() {
+    let set = |pairs: &[(&str, &str)]| -> std::collections::BTreeMap<String, Symbolic> {
+        pairs.iter().map(|(name, text)| (name.to_string(), value(text))).collect()
+    };
+    for (text, pairs, image) in [
+        ("a + sin(a*x)", &[("a", "2")][..], "2 + sin(2*x)"),
+        ("sin(x)/exp(a*x)", &[("a", "-3")], "sin(x)*exp(3*x)"),
+        ("cos(a*x)", &[("a", "0")], "1"),
+        ("cos(a*x)", &[("a", "b - 1")], "cos(b*x - x)"),
+        ("exp(x^2)*y", &[("x", "y"), ("y", "x")], "exp(y^2)*x"),
+        ("tan(x)", &[("x", "x + y")], "tan(x + y)"),
+    ] {
+        assert_eq!(value(text).substitute(&set(pairs)), Some(value(image)), "{text}");
+    }
+    for (text, pairs) in [
+        ("sin(a*x)", ("a", "1/2")),
+        ("sin(x)", ("x", "1")),
+        ("exp(a*x)", ("a", "sin(x)")),
+        ("1/sin(a*x)", ("a", "0")),
+    ] {
+        assert_eq!(value(text).substitute(&set(&[pairs])), None, "{text}");
+    }
+}
+
 /// A random expression, and its value at a point by the functions of f64.
 fn expressions() -> impl Strategy<Value = (String, f64)> {
     let x = |name: &str| if name == "x" { 0.7 } else { -1.3 };
     let leaf = prop_oneof![
         prop::sample::select(vec!["x", "y"]).prop_map(move |v| (v.to_string(), x(v))),
         (-3i32..4).prop_map(|n| (format!("({n})"), f64::from(n))),
-        (prop::sample::select(vec!["sin", "cos", "exp", "tan"]), -2i32..3, -2i32..3).prop_map(
-            |(name, m, n)| {
-                let at = f64::from(m) * 0.7 - f64::from(n) * 1.3;
+        (prop::sample::select(vec!["sin", "cos", "exp", "tan"]), -2i32..3, -2i32..3, any::<bool>())
+            .prop_map(|(name, m, n, product)| {
+                // sums of three products would be long
+                let (text, at) = match product {
+                    false => (format!("{m}*x + {n}*y"), f64::from(m) * 0.7 - f64::from(n) * 1.3),
+                    true => (format!("{m}*x*y"), -f64::from(m) * 0.91),
+                };
                 let value = match name {
                     "sin" => at.sin(),
                     "cos" => at.cos(),
                     "exp" => at.exp(),
                     _ => at.tan(),
                 };
-                (format!("{name}({m}*x + {n}*y)"), value)
-            }
-        ),
+                (format!("{name}({text})"), value)
+            }),
     ];
     leaf.prop_recursive(2, 6, 2, |inner| {
         (inner.clone(), inner, prop::sample::select(vec!['+', '*', '-'])).prop_map(

@@ -112,6 +112,7 @@ fn functions() {
             &["a.toml:3:23", "`z` is neither a basis vector here nor a coordinate nor a declared"],
         ),
         ("sin(a)", &["a.toml:3:19", "sin takes coordinates, and `a` is none"]),
+        ("sin(x + a)", &["a.toml:3:19", "sin takes coordinates, and `a` is none"]),
         ("sin(x/2)", &["a sum of integer multiples"]),
         ("exp(1)", &["a sum of integer multiples"]),
         ("cos(1000*x)", &["more than 16 multiples"]),

@@ -70,8 +70,11 @@ impl<'n> Names<'n> {
         if self.coordinates.is_empty() {
             return Err(format!("`{}` is no function here: only a chart has some", shown(name)));
         }
-        let others = argument.parameters();
-        match others.iter().find(|other| !self.coordinates.contains(*other)) {
+        // each term has one: `sin(a*x)`
+        let coordinate = |(other, _): &(String, u32)| self.coordinates.contains(other);
+        let terms = argument.terms().into_iter().map(|(powers, _)| powers);
+        let others = terms.filter(|powers| !powers.iter().any(coordinate)).flatten();
+        match others.map(|(other, _)| other).next() {
             Some(other) => Err(format!("{} takes coordinates, and `{other}` is none", shown(name))),
             None => Symbolic::function(name, argument),
         }

@@ -37,7 +37,7 @@ impl Definition {
             } else if let Some(substituted) = value.substitute(values) {
                 *value = substituted;
             } else {
-                let message = format!("the denominator of {value} becomes zero");
+                let message = format!("{value} has no value there: a denominator is zero, or a function has no exact value");
                 failed = Some(InputError::mathematics(message));
             }
         });
@@ -50,10 +50,15 @@ fn growth(value: &Symbolic, values: &BTreeMap<String, Symbolic>) -> f64 {
     let part = |part: Symbolic| {
         let terms = part.numerator_terms();
         let images = terms.iter().map(|(powers, _)| {
-            let given = powers.iter().filter_map(|(name, power)| Some((values.get(name)?, power)));
+            // a function of a parameter too
+            let given = powers.iter().filter_map(|(name, power)| {
+                let own = Symbolic::parameter(name);
+                let image = own.substitute(values).filter(|image| *image != own)?;
+                Some((image, power))
+            });
             let image = given.fold((1.0, 0.0), |(terms, size), (value, power)| {
                 let power = f64::from(*power);
-                (terms * terms_of_power(value, power), size + power * value.size() as f64)
+                (terms * terms_of_power(&value, power), size + power * value.size() as f64)
             });
             image.0 * image.1
         });

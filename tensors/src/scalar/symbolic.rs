@@ -83,9 +83,9 @@ impl Symbolic {
     /// The names of the parameters on which the value depends, in alphabetical order; `x` for
     /// `sin(x)`.
     pub fn parameters(&self) -> Vec<String> {
-        let own = self.variables().iter().map(|name| elementary::parameter(name).to_string());
-        let mut names: Vec<String> = own.collect();
-        if names.iter().zip(self.variables()).any(|(name, own)| **name != **own) {
+        let own = self.variables().iter().flat_map(|name| elementary::parameters(name));
+        let mut names: Vec<String> = own.map(str::to_string).collect();
+        if !names.is_sorted_by(|a, b| variables::natural(a, b).is_lt()) {
             names.sort_by(|a, b| variables::natural(a, b));
             names.dedup();
         }
@@ -199,10 +199,9 @@ impl Notation for Symbolic {
         Some(Self::constant(value.clone()))
     }
     /// `None` unless the name is an identifier: an ASCII letter or `_`, then letters, digits or `_`;
-    /// or that of a variable for functions of one, `tan(x/2)` or `exp(x)`.
+    /// or that of a variable for functions of some, `tan(x/2)` or `exp(a*x)`.
     fn parameter(name: &str) -> Option<Self> {
-        let own = elementary::parameter(name);
-        crate::expression::is_name(own).then(|| Symbolic::parameter(name))
+        elementary::is_variable(name).then(|| Symbolic::parameter(name))
     }
     fn to_f64(&self) -> Option<f64> {
         self.as_constant().map(Rational::to_f64)
@@ -226,8 +225,8 @@ impl Notation for Symbolic {
             Form::Fraction(f) => writing::leads_negative(&f.numerator),
         }
     }
-    /// `sin`, `cos`, `tan`, `cot`, `exp`, `sinh`, `cosh` and `tanh` of integer combinations of
-    /// parameters.
+    /// `sin`, `cos`, `tan`, `cot`, `exp`, `sinh`, `cosh` and `tanh` of integer combinations of products of
+    /// parameters, like `2*x - a*y`.
     fn function(name: &str, argument: &Self) -> Result<Self, String> {
         Self::function_of(name, argument)
     }

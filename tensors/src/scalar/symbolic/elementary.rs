@@ -1,17 +1,21 @@
-//! Sines, cosines and exponentials of parameters, as rational functions.
+//! Sines, cosines and exponentials of products of parameters, as rational functions.
 //!
-//! Sines, cosines and exponentials of a parameter `x` are rational in `t = tan(x/2)` and
-//! `E = exp(x)`: `sin x = 2t/(1 + t^2)`, `cos x = (1 - t^2)/(1 + t^2)`, `dt/dx = (1 + t^2)/2`,
-//! `dE/dx = E`. The functions `x`, `t` and `E` are algebraically independent, so each is a variable
-//! of the fractions. Lowest terms are therefore unique, and equality is exact. The variables `sin x`
-//! and `cos x` would not be independent: `1 - sin^2 x - cos^2 x` is zero. Only parsing and
-//! differentiation (here) and writing ([`normal_form`](super::normal_form)) treat these variables
-//! in a special way.
+//! Sines, cosines and exponentials of a product `u` of parameters, like `x` or `a*x`, are rational in
+//! `t = tan(u/2)` and `E = exp(u)`: `sin u = 2t/(1 + t^2)`, `cos u = (1 - t^2)/(1 + t^2)`,
+//! `dt/du = (1 + t^2)/2`, `dE/du = E`. Different products are linearly independent modulo constants, so the
+//! parameters and the functions `t` and `E` of all products are algebraically independent (J. Ax, *Ann. Math.*
+//! 93 (1971) 252-268), and each is a variable of the fractions. Lowest terms are therefore unique, and
+//! equality is exact. The variables `sin x` and `cos x` would not be independent: `1 - sin^2 x - cos^2 x`
+//! is zero, nor would `tan(x/2)` and `tan(x/4)`. Only parsing, differentiation and substitution (here) and
+//! writing ([`normal_form`](super::normal_form)) treat these variables in a special way.
 
 use super::Symbolic;
+use super::variables::natural;
 use crate::expression::{MAX_SIZE, is_name};
 use crate::scalar::{Field, Notation, Ring};
 use num_traits::{One, ToPrimitive, Zero};
+use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// The largest sum of multiples in the argument of a function: `sin(2*x - y)` has 3.
 const MAX_MULTIPLES: u64 = 16;
@@ -19,37 +23,85 @@ const MAX_MULTIPLES: u64 = 16;
 /// The names of the functions.
 const FUNCTIONS: [&str; 8] = ["sin", "cos", "tan", "cot", "exp", "sinh", "cosh", "tanh"];
 
-/// The name of the variable that stands for `tan(x/2)`.
-pub(super) fn half_tangent(x: &str) -> String {
-    format!("tan({x}/2)")
+/// The name of the variable that stands for `tan(u/2)`.
+pub(super) fn half_tangent(u: &str) -> String {
+    format!("tan({u}/2)")
 }
 
-/// The name of the variable that stands for `exp(x)`.
-pub(super) fn exponential(x: &str) -> String {
-    format!("exp({x})")
+/// The name of the variable that stands for `exp(u)`.
+pub(super) fn exponential(u: &str) -> String {
+    format!("exp({u})")
 }
 
-/// The parameter `x`, if the variable is `tan(x/2)`.
+/// The product `u`, if the variable is `tan(u/2)`.
 pub(super) fn angle(variable: &str) -> Option<&str> {
     variable.strip_prefix("tan(")?.strip_suffix("/2)")
 }
 
-/// The parameter `x`, if the variable is `exp(x)`.
+/// The product `u`, if the variable is `exp(u)`.
 fn exponent(variable: &str) -> Option<&str> {
     variable.strip_prefix("exp(")?.strip_suffix(')')
 }
 
-/// The parameter on which a variable depends: itself, or the argument of its function.
-pub(super) fn parameter(variable: &str) -> &str {
-    angle(variable).or_else(|| exponent(variable)).unwrap_or(variable)
+/// The argument of a variable that is a function.
+fn argument(variable: &str) -> Option<&str> {
+    angle(variable).or_else(|| exponent(variable))
+}
+
+/// The parameters of a product and their powers: `a^2*x`.
+fn powers(product: &str) -> impl Iterator<Item = (&str, u32)> {
+    product.split('*').map(|factor| match factor.split_once('^') {
+        Some((name, power)) => (name, power.parse().unwrap_or(1)),
+        None => (factor, 1),
+    })
+}
+
+/// A product as it is written in the names of variables.
+fn product(powers: &[(String, u32)]) -> String {
+    let power = |(name, e): &(String, u32)| match e {
+        1 => name.clone(),
+        _ => format!("{name}^{e}"),
+    };
+    powers.iter().map(power).collect::<Vec<_>>().join("*")
+}
+
+/// The parameters on which a variable depends: itself, or those of the argument of its function.
+pub(super) fn parameters(variable: &str) -> impl Iterator<Item = &str> {
+    powers(argument(variable).unwrap_or(variable)).map(|(name, _)| name)
+}
+
+/// Whether this is a name, or that of a variable as it is written here.
+pub(super) fn is_variable(name: &str) -> bool {
+    let Some(u) = argument(name) else { return is_name(name) };
+    let powers: Vec<(String, u32)> = powers(u).map(|(name, e)| (name.to_owned(), e)).collect();
+    let ordered = powers.is_sorted_by(|(a, _), (b, _)| natural(a, b).is_lt());
+    ordered && powers.iter().all(|(name, e)| is_name(name) && *e > 0) && product(&powers) == u
 }
 
 /// The value of a variable; `lookup` returns the values of parameters.
 pub(super) fn value(variable: &str, lookup: impl Fn(&str) -> Option<f64>) -> Option<f64> {
-    match (angle(variable), exponent(variable)) {
-        (Some(x), _) => Some((lookup(x)? / 2.0).tan()),
-        (_, Some(x)) => Some(lookup(x)?.exp()),
-        _ => lookup(variable),
+    let Some(u) = argument(variable) else { return lookup(variable) };
+    let argument =
+        powers(u).try_fold(1.0, |value, (name, e)| Some(value * lookup(name)?.powf(e.into())))?;
+    Some(if angle(variable).is_some() { (argument / 2.0).tan() } else { argument.exp() })
+}
+
+/// A product as a value.
+fn of_product(u: &str) -> Symbolic {
+    powers(u).fold(Symbolic::one(), |value, (name, e)| {
+        value * &num_traits::pow(Symbolic::parameter(name), e as usize)
+    })
+}
+
+/// The variable, a function, at another argument; `None` if that has no function here.
+pub(super) fn at_argument(variable: &str, values: &BTreeMap<String, Symbolic>) -> Option<Symbolic> {
+    let u = of_product(argument(variable)?).substitute(values)?;
+    match angle(variable) {
+        None => Symbolic::function_of("exp", &u).ok(),
+        Some(_) => {
+            let [p, q] = half_angle(&u.multiples()?).ok()?;
+            Some(q * &p.recip()?)
+        }
     }
 }
 
@@ -66,15 +118,22 @@ impl Symbolic {
     /// # Ok::<(), String>(())
     /// ```
     pub fn derivative(&self, name: &str) -> Self {
-        let through = |variable: String, rate: fn(Symbolic) -> Symbolic| {
-            let outer = self.partial(&variable);
-            if outer.vanishes() { outer } else { outer * &rate(Symbolic::parameter(&variable)) }
+        let along = |variable: &Arc<str>| {
+            let Some(u) = argument(variable).filter(|u| powers(u).any(|(own, _)| own == name))
+            else {
+                return Self::zero();
+            };
+            let own = Self::parameter(variable);
+            let rate = match angle(variable) {
+                Some(_) => (own.clone() * &own + &Self::one()) / &Self::from_i64(2),
+                None => own,
+            };
+            self.partial(variable) * &rate * &of_product(u).partial(name)
         };
-        let half = |t: Symbolic| (t.clone() * &t + &Symbolic::one()) / &Symbolic::from_i64(2);
-        self.partial(name) + &through(half_tangent(name), half) + &through(exponential(name), |e| e)
+        self.variables().iter().map(along).fold(self.partial(name), |sum, rate| sum + &rate)
     }
 
-    /// `sin`, `cos`, `tan`, `cot`, `exp`, `sinh`, `cosh` or `tanh` of an integer combination of
+    /// `sin`, `cos`, `tan`, `cot`, `exp`, `sinh`, `cosh` or `tanh` of an integer combination of products of
     /// parameters.
     pub(super) fn function_of(name: &str, argument: &Self) -> Result<Self, String> {
         if !FUNCTIONS.contains(&name) {
@@ -84,7 +143,7 @@ impl Symbolic {
             ));
         }
         let multiples = argument.multiples().ok_or_else(|| {
-            format!("the argument of {name} is a sum of integer multiples of names, like 2*x - y")
+            format!("the argument of {name} is a sum of integer multiples of products of names, like 2*x - a*y")
         })?;
         let sum = multiples.iter().fold(0, |sum: u64, (_, n)| sum.saturating_add(n.unsigned_abs()));
         if sum > MAX_MULTIPLES {
@@ -124,11 +183,12 @@ impl Symbolic {
         }
     }
 
-    /// The value as a sum of integer multiples of parameters.
+    /// The value as a sum of integer multiples of products of parameters.
     fn multiples(&self) -> Option<Vec<(String, i64)>> {
-        let multiple = |(powers, n): (Vec<(String, u32)>, crate::Rational)| match &powers[..] {
-            [(x, 1)] if is_name(x) && n.is_integer() => Some((x.clone(), n.to_f64().to_i64()?)),
-            _ => None,
+        let multiple = |(powers, n): (Vec<(String, u32)>, crate::Rational)| {
+            let names = !powers.is_empty() && powers.iter().all(|(name, _)| is_name(name));
+            let n = n.to_f64().to_i64().filter(|_| n.is_integer())?;
+            names.then(|| (product(&powers), n))
         };
         if !self.denominator().is_one() {
             return None;

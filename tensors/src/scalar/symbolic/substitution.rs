@@ -2,10 +2,11 @@
 
 use super::fraction::Fraction;
 use super::polynomial::Polynomial;
-use super::{Form, Symbolic};
+use super::{Form, Symbolic, elementary};
 use crate::scalar::Field;
 use num_traits::Zero;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// The largest total degree that a substitution may lead to.
 const DEGREE_LIMIT: u64 = 1 << 30;
@@ -14,7 +15,8 @@ impl Symbolic {
     /// The value with `values[name]` substituted for every parameter `name`, simultaneously. Other
     /// parameters stay.
     ///
-    /// `None` when the denominator becomes zero, or when a total degree could pass `2^30`.
+    /// `None` when the denominator becomes zero, when a total degree could pass `2^30`, or when a function
+    /// gets an argument of which it has no exact value, such as `sin(1)`.
     ///
     /// ```
     /// use affinor_tensors::Symbolic;
@@ -27,13 +29,19 @@ impl Symbolic {
         let Form::Fraction(f) = &self.0 else {
             return Some(self.clone());
         };
-        let given: Vec<_> = f.variables.iter().map(|name| values.get(&**name)).collect();
-        if given.iter().all(Option::is_none) {
+        let given = |name: &Arc<str>| {
+            let mut names = elementary::parameters(name);
+            values.contains_key(&**name) || names.any(|name| values.contains_key(name))
+        };
+        if !f.variables.iter().any(given) {
             return Some(self.clone());
         }
-        let own = f.variables.iter().map(|name| Symbolic::parameter(name));
-        let given: Vec<Symbolic> =
-            given.into_iter().zip(own).map(|(v, own)| v.cloned().unwrap_or(own)).collect();
+        let image_of = |name: &Arc<str>| match values.get(&**name) {
+            Some(value) => Some(value.clone()),
+            None if given(name) => elementary::at_argument(name, values),
+            None => Some(Symbolic::parameter(name)),
+        };
+        let given = f.variables.iter().map(image_of).collect::<Option<Vec<Symbolic>>>()?;
         if degree_bound(f, &given) > DEGREE_LIMIT {
             return None;
         }
@@ -52,7 +60,7 @@ impl Symbolic {
         let value = match &self.0 {
             Form::Constant(c) => c.to_f64(),
             Form::Fraction(f) => {
-                let point = f.variables.iter().map(|name| super::elementary::value(name, &lookup));
+                let point = f.variables.iter().map(|name| elementary::value(name, &lookup));
                 let point: Vec<f64> = point.collect::<Option<_>>()?;
                 at(&f.numerator, &point) / at(&f.expanded_denominator(), &point)
             }

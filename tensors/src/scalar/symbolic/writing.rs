@@ -258,11 +258,23 @@ fn function_power(function: &str, argument: &str, exponent: u32, markup: Markup)
         (Markup::Text, "exp") if exponent > 1 => format!("exp({exponent}*{argument})"),
         (Markup::Text, _) => format!("{function}({argument}){power}"),
         (Markup::Latex, "exp") if exponent > 1 => {
-            format!("e^{{{exponent} {}}}", latex_name(argument))
+            format!("e^{{{exponent} {}}}", latex_product(argument))
         }
-        (Markup::Latex, "exp") => format!("e^{{{}}}", latex_name(argument)),
-        (Markup::Latex, _) => format!("\\{function}{power} {}", latex_name(argument)),
+        (Markup::Latex, "exp") => format!("e^{{{}}}", latex_product(argument)),
+        (Markup::Latex, _) if argument.contains('*') => {
+            format!("\\{function}{power}({})", latex_product(argument))
+        }
+        (Markup::Latex, _) => format!("\\{function}{power} {}", latex_product(argument)),
     }
+}
+
+/// `a*x^2` is `a x^{2}`.
+fn latex_product(product: &str) -> String {
+    let factor = |factor: &str| match factor.split_once('^') {
+        Some((name, e)) => format!("{}^{{{e}}}", latex_name(name)),
+        None => latex_name(factor),
+    };
+    product.split('*').map(factor).collect::<Vec<_>>().join(" ")
 }
 
 /// `J11` is `J_{11}`, `lambda` is `\lambda`, `abc_x` is `\mathit{abc}_{x}`.
