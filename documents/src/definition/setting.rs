@@ -37,7 +37,11 @@ impl Definition {
             } else if let Some(substituted) = value.substitute(values) {
                 *value = substituted;
             } else {
-                let message = format!("{value} has no value there: a denominator is zero, or a function has no exact value");
+                let below = value.denominator().substitute(values);
+                let message = match below.is_some_and(|below| below.vanishes()) {
+                    true => format!("the denominator of {value} becomes zero"),
+                    false => format!("{value} has no exact value there"),
+                };
                 failed = Some(InputError::mathematics(message));
             }
         });
