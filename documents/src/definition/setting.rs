@@ -4,7 +4,7 @@ use super::Definition;
 use super::input::{InputError, shown};
 use super::notation::{Names, check_name, split};
 use super::source::Source;
-use affinor_tensors::{Notation, Symbolic};
+use affinor_tensors::{Notation, Ring, Symbolic};
 use std::collections::BTreeMap;
 
 /// The largest size of a value after its parameters are replaced.
