@@ -52,6 +52,7 @@ fn spaces_of_constant_curvature() {
         ("sphere.toml", "1/a^2"),
         ("hyperbolic_plane.toml", "-1"),
         ("poincare_half_space.toml", "-1"),
+        ("hopf.toml", "1/R^2"),
     ] {
         let geometry = geometry(file);
         let [r, constant] = lowered(&geometry);
@@ -79,9 +80,9 @@ fn constant_curvature_in_a_parameter() {
         definition.set(&[("a".into(), value("-3"))].into()).unwrap();
         let [r, constant] = lowered(&of(&definition));
         assert_eq!(r, constant.scale(&value(&k.replace('a', "(-3)"))), "{metric}");
-        // sin(x/2) has no exact value here
+        // no exact value: the parts of an angle are bounded
         let mut definition = Definition::parse("a.toml", &text).unwrap();
-        let refused = definition.set(&[("a".into(), value("1/4"))].into()).unwrap_err();
+        let refused = definition.set(&[("a".into(), value("1/40"))].into()).unwrap_err();
         assert!(refused.message.contains("no exact value"), "{}", refused.message);
     }
 }
@@ -101,6 +102,56 @@ fn the_field_of_a_mass_is_empty_and_curved() {
     assert_eq!(gamma.get(&[1, 1, 1]), value("-M/(r*(r - 2*M))"));
     assert_eq!(gamma.get(&[1, 2, 2]), value("2*M - r"));
     assert_eq!(gamma.get(&[2, 3, 3]), value("-sin(theta)*cos(theta)"));
+}
+
+/// Observers at rest, with their acceleration `M/r^2/sqrt(1 - 2M/r)`; and the coordinates of observers in free fall from
+/// infinity: K. Martel, E. Poisson, *Am. J. Phys.* 69 (2001) 476-480.
+#[test]
+fn the_same_field_in_roots() {
+    let rest = geometry("schwarzschild_static.toml");
+    assert!(rest.connection().ricci().is_empty());
+    assert_eq!(kretschmann(&rest), value("48*M^2/r^6"));
+    let acceleration = rest.connection().gamma().get(&[1, 0, 0]);
+    let expected = value("M/r^2/sqrt(r - 2*M)*sqrt(r)");
+    assert_eq!(acceleration, expected);
+    let fall = parsed(
+        "metric = [['2*M/r - 1', 'sqrt(2*M/r)', '0', '0'], ['sqrt(2*M/r)', '1', '0', '0'],\n\
+         ['0', '0', 'r^2', '0'], ['0', '0', '0', 'r^2*sin(theta)^2']]\nparameters = ['M']\n\
+         chart = {coordinates = ['t', 'r', 'theta', 'phi'], positive = ['M', 'r']}",
+    );
+    assert!(fall.connection().ricci().is_empty());
+    assert_eq!(kretschmann(&fall), value("48*M^2/r^6"));
+}
+
+/// Spaces of constant curvature in coordinates with roots, logarithms and parts of angles: each is another chart of a space
+/// above.
+#[test]
+fn constant_curvature_in_roots_and_logarithms() {
+    // x = r^2 and another origin of the angle at each x; x = exp(r)
+    let turned = "[['1/(4*x) + x^2', 'x*sqrt(x)'], ['x*sqrt(x)', 'x']]";
+    let scaled = "[['1/(4*a*x) + x^2/a', 'x*sqrt(x/a)'], ['x*sqrt(x/a)', 'x']]";
+    for (metric, k) in [
+        (turned, "0"),
+        (scaled, "0"),
+        ("'diag(1/x^2, log(x)^2)'", "0"),
+        ("'diag(1/(a^2*x^2), log(x/a)^2)'", "0"),
+        ("'diag(1, sin(x/3)^2)'", "1/9"),
+        ("'diag(1, (exp(x/2) + exp(-x/2))^2)'", "-1/4"),
+    ] {
+        let text = format!(
+            "metric = {metric}\nparameters = ['a']\n\
+             chart = {{coordinates = ['x', 'phi'], positive = ['x', 'a']}}"
+        );
+        let [r, constant] = lowered(&parsed(&text));
+        assert_eq!(r, constant.scale(&value(k)), "{metric}");
+    }
+    // the unit vectors of polar coordinates in cartesian ones
+    let unit = parsed(
+        "metric = 'identity'\nchart.coordinates = ['x', 'y']\n[frame]\n\
+         u = '(x*d_x + y*d_y)/sqrt(x^2 + y^2)'\nv = '(x*d_y - y*d_x)/sqrt(x^2 + y^2)'",
+    );
+    assert!(unit.connection().curvature().is_empty());
+    assert_eq!(unit.connection().gamma().get(&[0, 1, 1]), value("-1/sqrt(x^2 + y^2)"));
 }
 
 /// R. C. Henry, *Astrophys. J.* 535 (2000) 350: with `c = cos(theta)` and `x = r^2 + a^2 c^2`,

@@ -127,10 +127,18 @@ fn tensors_as_programs_give_the_exact_values() {
 #[test]
 fn charts_as_programs() {
     let folder = tempfile::tempdir().unwrap();
-    for (file, point) in
-        [("sphere.toml", &[0.7, 0.3][..]), ("schwarzschild.toml", &[0.4, 9.5, 1.1, 0.2])]
-    {
-        let space = definition(file);
+    // products, parts of angles, roots and logarithms
+    let products = folder.path().join("products.toml");
+    let text = "parameters = ['a']\nmetric = 'diag(exp(2*r), cos(a*r/2)^2 + log(r)^2*sqrt(y))'\n\
+                chart = {coordinates = ['r', 'y'], positive = ['r', 'y']}\n";
+    std::fs::write(&products, text).unwrap();
+    for (space, point) in [
+        (definition("sphere.toml"), &[0.7, 0.3][..]),
+        (definition("schwarzschild.toml"), &[0.4, 9.5, 1.1, 0.2]),
+        (definition("schwarzschild_static.toml"), &[0.4, 9.5, 1.1, 0.2]),
+        (definition("hopf.toml"), &[0.8, 0.1, 0.3]),
+        (products.to_str().unwrap().into(), &[0.7, 0.4]),
+    ] {
         let opened = open(&space, ["", ""], None);
         let convert = |value: &Symbolic| Some(value.clone());
         let reading = Reading { convert: &convert, tolerance: Tolerance::default() };

@@ -38,7 +38,7 @@ use affinor::algebra::catalogue::MAX_DIMENSION;
 use affinor::geometry::{ConnectionKind, FrameOrigin, Geometry};
 use affinor::{Bracket, Canonical, Error, LieAlgebra, MatrixBasis, Metric};
 use affinor_tensors::{Down, Notation, Ring, Symbolic, Tensor, Tolerance, Up};
-use chart::OnChart;
+use chart::{Functions, OnChart};
 use num_traits::Zero;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -175,9 +175,14 @@ impl Definition {
 
     /// The coordinates of the chart, of which values may be functions; none without a chart.
     pub fn coordinates(&self) -> &[String] {
+        self.functions().map_or(&[], |functions| &functions.coordinates)
+    }
+
+    /// The functions on the chart.
+    fn functions(&self) -> Option<&Functions> {
         match &self.origin {
-            Origin::Chart(chart) => &chart.coordinates,
-            _ => &[],
+            Origin::Chart(chart) => Some(&chart.functions),
+            _ => None,
         }
     }
 

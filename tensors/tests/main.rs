@@ -17,6 +17,7 @@ mod jets;
 mod linear;
 mod linear_laws;
 mod operations;
+mod positive;
 mod recorded;
 mod scalars;
 mod symbolic;

@@ -221,16 +221,63 @@ fn sines_and_cosines_are_dependent() {
     assert_eq!(tangent.derivative("a"), Recorded::one() + &(tangent.clone() * &tangent));
     assert_eq!(sine.derivative("b"), Recorded::zero());
     let program = StraightLine::new(&[tangent * &exponential]);
-    let function = |f: Function, x: &f64| match f {
+    let value = program.evaluate(|_| 0.7, float).unwrap();
+    assert!((value[0] - 0.7f64.tan() * 0.7f64.exp()).abs() < 1e-15);
+    assert!(Recorded::function("gamma", &x).is_err());
+}
+
+/// The addition theorems hold for sums of products of inputs, also in parts, and whatever their signs.
+#[test]
+fn functions_of_sums_obey_the_addition_theorems() {
+    let [a, b, c] = inputs();
+    let f = |name: &str, x: &Recorded| Recorded::function(name, x).unwrap();
+    let (x, y) = (a.clone() * &b, b * &c);
+    let half = x.clone() * &Recorded::from_quotient(1, 2).unwrap();
+    let sum = x.clone() + &y;
+    assert_eq!(f("sin", &sum), f("sin", &x) * &f("cos", &y) + &(f("cos", &x) * &f("sin", &y)));
+    assert_eq!(f("exp", &sum), f("exp", &x) * &f("exp", &y));
+    assert_eq!(f("sin", &-x.clone()), -f("sin", &x));
+    assert_eq!(f("exp", &-x.clone()), f("exp", &x).recip().unwrap());
+    assert_eq!(f("sin", &x), f("sin", &half) * &f("cos", &half) * &Recorded::from_i64(2));
+    assert_ne!(f("sin", &x), f("sin", &y));
+    let difference = y.clone() - &x;
+    let opposite = x.clone() - &y;
+    assert_eq!(f("cos", &difference), f("cos", &opposite));
+    // one of the two is the negative of the other in the program
+    let program = StraightLine::new(&[difference, f("exp", &opposite), f("log", &opposite)]);
+    let value = |name: &str| if name == "a" { 0.9 } else { 0.3 + f64::from(name == "c") / 8.0 };
+    let found = program.evaluate(value, float).unwrap();
+    let expected = value("b") * (value("a") - value("c"));
+    let expected = [-expected, expected.exp(), expected.ln()];
+    assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14), "{found:?}");
+}
+
+/// Roots and logarithms: derivatives, and the square of a root.
+#[test]
+fn roots_and_logarithms_have_derivatives() {
+    let [a, b, _] = inputs();
+    let p = a.clone() * &a + &b;
+    let [root, log] = ["sqrt", "log"].map(|name| Recorded::function(name, &p).unwrap());
+    assert_eq!(root.clone() * &root, p);
+    let inverse = root.recip().unwrap();
+    assert_eq!(inverse.clone() * &root, Recorded::one());
+    assert_eq!(inverse.clone() * &inverse * &inverse * &a, inverse * &a * &p.recip().unwrap());
+    assert_eq!(log.derivative("a"), (a.clone() + &a) * &p.recip().unwrap());
+    let program = StraightLine::new(&[root.derivative("a"), log, root]);
+    let found = program.evaluate(|name| if name == "a" { 1.5 } else { 0.25 }, float).unwrap();
+    let (p, root) = (2.5f64, 2.5f64.sqrt());
+    let expected = [1.5 / root, p.ln(), root];
+    assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-15), "{found:?}");
+}
+
+fn float(function: Function, x: &f64) -> f64 {
+    match function {
         Function::Sin => x.sin(),
         Function::Cos => x.cos(),
         Function::Exp => x.exp(),
-    };
-    let value = program.evaluate(|_| 0.7, function).unwrap();
-    assert!((value[0] - 0.7f64.tan() * 0.7f64.exp()).abs() < 1e-15);
-    let refused = Recorded::function("sin", &(x.clone() + &x)).unwrap_err();
-    assert_eq!(refused, "a program knows `sin` of a name alone");
-    assert!(Recorded::function("log", &x).is_err());
+        Function::Log => x.ln(),
+        Function::Sqrt => x.sqrt(),
+    }
 }
 
 /// Numbers that a prime of the certificate divides are no zeros.

@@ -106,18 +106,33 @@ fn frames() {
 #[test]
 fn functions() {
     definitions("a.toml", with_metric).usage(&[
-        ("log(x)", &["a.toml:3:19", "`log` is no function here: there are sin, cos, tan"]),
+        ("gamma(x)", &["a.toml:3:19", "`gamma` is no function here: there are sin, cos, tan"]),
+        ("sqrt(x*y)", &["a.toml:3:19", "unknown sign: declare which are positive, of x, y"]),
+        ("sqrt(x^2)", &["unknown sign: declare which are positive, of x"]),
+        ("log(0)", &["the argument of log is zero"]),
+        ("sqrt(-4)", &["the argument of sqrt is negative: -4"]),
+        ("sqrt(1 + sin(x))", &["a.toml:3:19", "the argument of sqrt contains a function"]),
+        ("sin(sqrt(x))", &["sin takes coordinates, and `sqrt(x)` is none"]),
         (
             "sin(z)^2",
             &["a.toml:3:23", "`z` is neither a basis vector here nor a coordinate nor a declared"],
         ),
         ("sin(a)", &["a.toml:3:19", "sin takes coordinates, and `a` is none"]),
         ("sin(x + a)", &["a.toml:3:19", "sin takes coordinates, and `a` is none"]),
-        ("sin(x/2)", &["a sum of integer multiples"]),
-        ("exp(1)", &["a sum of integer multiples"]),
+        ("sin(x/17)", &["the argument of sin has parts below 1/16"]),
+        ("exp(1)", &["a sum of multiples of products of names"]),
         ("cos(1000*x)", &["more than 16 multiples"]),
         ("sin()", &["a.toml:3:23", "is not expected here"]),
         ("1/(cosh(x)^2 - sinh(x)^2 - 1)", &["division by zero"]),
+    ]);
+    let positive = |list: &str| chart("metric = \"identity\"", &format!("positive = [{list}]"));
+    definitions("a.toml", positive).usage(&[
+        ("\"x*y\"", &["a.toml:6:14", "unknown sign: declare which are positive, of x, y"]),
+        ("\"x\", \"-x\"", &["a.toml:6:19", "a positive function is negative: -x"]),
+        ("\"x - x\"", &["a.toml:6:14", "a positive function is zero"]),
+        ("\"z\"", &["a.toml:6:14", "`z` is neither a basis vector here nor a coordinate"]),
+        ("\"cos(x)\"", &["a positive function contains a function"]),
+        ("1", &["a.toml:6:13", "integer `1`"]),
     ]);
     definitions("a.toml", with_metric).mathematics(&[(
         "sin(2*x) - 2*sin(x)*cos(x)",

@@ -1,15 +1,25 @@
 //! Charts in definitions: coordinates, and fields whose components are functions of them.
 
 use super::input::InputError;
-use super::source::Place;
+use super::notation::Names;
+use super::source::{Place, Source};
+use super::written::ChartText;
 use super::{Given, Reading};
 use affinor::geometry::chart::{Chart, Fields};
+use affinor_tensors::scalar::PositiveFactors;
 use affinor_tensors::{Down, Notation, Tensor, Up};
 
-/// Coordinates, and fields by their components in the coordinate frame.
+/// The functions on a chart: of its coordinates, with the signs by which roots and logarithms are defined.
+#[derive(Clone, Debug)]
+pub(crate) struct Functions {
+    pub coordinates: Vec<String>,
+    pub positive: PositiveFactors,
+}
+
+/// Fields by their components in the coordinate frame.
 #[derive(Clone, Debug)]
 pub(super) struct OnChart {
-    pub coordinates: Vec<String>,
+    pub functions: Functions,
     pub fields: Vec<Given>,
     /// The place of the fields.
     pub place: Place,
@@ -29,7 +39,23 @@ impl OnChart {
             }
         }
         let components = Tensor::from_components(labels.len(), &[Up, Down], entries)?;
-        let fields = Chart::new(&self.coordinates)?.fields(labels, components);
+        let fields = Chart::new(&self.functions.coordinates)?.fields(labels, components);
         fields.map_err(|error| InputError::from(error).at(&self.place))
+    }
+}
+
+impl ChartText {
+    /// The functions, and their positive factors.
+    pub fn functions(&self, names: &Names, source: &Source) -> Result<Functions, InputError> {
+        let coordinates = self.coordinates.iter().map(|name| name.to_string()).collect();
+        let mut functions = Functions { coordinates, positive: PositiveFactors::default() };
+        for text in &self.positive {
+            let excerpt = source.excerpt(text);
+            let names = Names { functions: Some(&functions), ..*names };
+            let positive = names.scalar(excerpt.content(), &excerpt)?;
+            let declared = functions.positive.declare(&positive);
+            declared.map_err(|reason| InputError::usage(reason).at(&source.at(text)))?;
+        }
+        Ok(functions)
     }
 }

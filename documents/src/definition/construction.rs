@@ -204,7 +204,7 @@ impl<D> Site<'_, D> {
         if indices.len() != n + centre.len() {
             return Err(self.refuse("a vector of the centre has the name of another vector"));
         }
-        let names = Names { labels: &indices, parameters: Some(&self.declared), coordinates: &[] };
+        let names = Names { labels: &indices, parameters: Some(&self.declared), functions: None };
         let mut cocycle = vec![];
         for block in &given.cocycle.0 {
             let source = self.source.excerpt(block);
@@ -250,7 +250,7 @@ impl<D> Site<'_, D> {
 
     fn matrix(&self, matrix: &MatrixRows) -> Result<Matrix<Symbolic>, InputError> {
         let labels = BTreeMap::new();
-        let names = Names { labels: &labels, parameters: Some(&self.declared), coordinates: &[] };
+        let names = Names { labels: &labels, parameters: Some(&self.declared), functions: None };
         let entry = |Cell(text): &Cell| {
             let source = self.source.excerpt(text);
             names.scalar(source.content(), &source)
@@ -272,7 +272,7 @@ impl<D> Site<'_, D> {
     ) -> Result<Vec<Row<Symbolic>>, InputError> {
         let labels = structure.algebra().labels().iter().cloned();
         let indices: BTreeMap<String, usize> = labels.zip(0..).collect();
-        let names = Names { labels: &indices, parameters: Some(&self.declared), coordinates: &[] };
+        let names = Names { labels: &indices, parameters: Some(&self.declared), functions: None };
         let vector = |text: &Text| {
             let source = self.source.excerpt(text);
             let vector = names.vector(source.content(), &source)?;

@@ -1,6 +1,6 @@
 //! The keys of a definition file, read into a definition.
 
-use super::chart::OnChart;
+use super::chart::{Functions, OnChart};
 use super::construction::{
     Construction, Contraction, Extension, OtherBasis, Quotient, Semidirect, Site, Subalgebra,
     Truncated, pairs,
@@ -72,24 +72,31 @@ impl Document {
         let labels: Vec<String> = labels.iter().map(|(label, _)| label.clone()).collect();
         let parameters = self.declared(&indices, source)?;
         let declared = parameters.iter().cloned().collect();
-        let coordinates: Vec<_> = self.coordinates().iter().map(|name| name.to_string()).collect();
-        let names = Names { parameters: Some(&parameters), ..Names::open(&indices, &coordinates) };
-        let origin = match (&self.brackets, &self.structure_constants, &self.matrices) {
-            (None, None, None) if built.is_some() => {
+        let names = Names { parameters: Some(&parameters), ..Names::open(&indices, None) };
+        let functions = self.chart.as_ref().map(|chart| chart.functions(&names, source));
+        let functions = functions.transpose()?;
+        let names = Names { functions: functions.as_ref(), ..names };
+        let given = (&self.brackets, &self.structure_constants, &self.matrices);
+        let origin = match (given, &functions) {
+            ((None, None, None), _) if built.is_some() => {
                 let place = Place::within(source.clone());
                 Origin::Brackets(built.iter().flat_map(|algebra| pairs(algebra, &place)).collect())
             }
-            (None, None, None) if self.chart.is_some() => self.fields(&names, source)?,
-            _ if self.chart.is_some() => {
+            ((None, None, None), Some(functions)) => self.fields(functions, &names, source)?,
+            (_, Some(_)) => {
                 let message = "a chart defines the brackets by its fields: give no others";
                 return Err(source.refused("chart", message));
             }
-            (Some(block), None, None) => Origin::Brackets(block.statements("", &names, source)?),
-            (None, Some(rows), None) => {
+            ((Some(block), None, None), None) => {
+                Origin::Brackets(block.statements("", &names, source)?)
+            }
+            ((None, Some(rows), None), None) => {
                 Origin::Brackets(structure_constants(rows, labels.len(), &names, source)?)
             }
-            (None, None, Some(matrices)) => matrix_basis(matrices, &labels, &names, source)?,
-            (None, None, None) => {
+            ((None, None, Some(matrices)), None) => {
+                matrix_basis(matrices, &labels, &names, source)?
+            }
+            ((None, None, None), None) => {
                 return Err(InputError::usage(format!("{} defines no bracket", source.name)).help(
                     "give one of brackets, structure_constants, matrices, chart, or a construction",
                 ));
@@ -213,8 +220,13 @@ impl Document {
     }
 
     /// The fields of `frame` in terms of the coordinate fields; without `frame` the coordinate fields.
-    fn fields(&self, names: &Names, source: &Source) -> Result<Origin, InputError> {
-        let coordinates = names.coordinates;
+    fn fields(
+        &self,
+        functions: &Functions,
+        names: &Names,
+        source: &Source,
+    ) -> Result<Origin, InputError> {
+        let coordinates = &functions.coordinates;
         let labels = coordinates.iter().zip(0..).map(|(name, at)| (field_of(name), at)).collect();
         let names = Names { labels: &labels, ..*names };
         let place = source.key(if self.frame.is_some() { "frame" } else { "chart" });
@@ -238,7 +250,7 @@ impl Document {
                 fields.iter().map(field).collect::<Result<_, InputError>>()?
             }
         };
-        Ok(Origin::Chart(OnChart { coordinates: coordinates.to_vec(), fields, place }))
+        Ok(Origin::Chart(OnChart { functions: functions.clone(), fields, place }))
     }
 
     /// The basis from `basis`, `dimension`, or the names or the number of the matrices. Names that the file has come with
@@ -263,7 +275,7 @@ impl Document {
             };
         }
         let numbered = |at: usize| (format!("e{}", at + 1), None);
-        if let Some(ChartText { coordinates }) = &self.chart {
+        if let Some(ChartText { coordinates, .. }) = &self.chart {
             if self.basis.is_some() || self.dimension.is_some() {
                 let message = "the basis of a chart is its frame: give no other";
                 return Err(source.refused("chart", message));

@@ -29,7 +29,7 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
     let n = check_dimension(dimension)?;
     let labels: Vec<String> = (1..=n).map(|at| format!("e{at}")).collect();
     let none = BTreeMap::new();
-    let names = Names::open(&none, &[]);
+    let names = Names::open(&none, None);
     let mut given = Pairs::new();
     for Entry { j, k, i, value, place } in entries {
         let index = |at: &str| {

@@ -1,5 +1,6 @@
 //! Expressions of definitions: linear combinations like `h*e2 + 1/2 e1`, complex entries, metrics, connections.
 
+use super::chart::Functions;
 use super::input::{InputError, shown};
 use super::source::{Place, Source};
 use super::{ConnectionChoice, Given, MetricChoice};
@@ -8,7 +9,7 @@ use affinor::algebra::Complex;
 use affinor_tensors::expression::{
     Expression, ExpressionError, Meaning, Scalars, is_name, no_function,
 };
-use affinor_tensors::{Field, Notation, Rational, Ring, Symbolic};
+use affinor_tensors::{Field, Rational, Ring, Symbolic};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The names that an expression may use.
@@ -16,14 +17,14 @@ pub(crate) struct Names<'n> {
     pub labels: &'n BTreeMap<String, usize>,
     /// The declared parameters; with `None` every unknown name is a parameter.
     pub parameters: Option<&'n BTreeSet<String>>,
-    /// The coordinates, which may be arguments of functions like `sin`. They are also declared as parameters.
-    pub coordinates: &'n [String],
+    /// The functions on a chart. Its coordinates are also declared as parameters.
+    pub functions: Option<&'n Functions>,
 }
 
 impl<'n> Names<'n> {
     /// The names of scalars beside these basis vectors; every unknown name is a parameter.
-    pub fn open(labels: &'n BTreeMap<String, usize>, coordinates: &'n [String]) -> Self {
-        Names { labels, parameters: None, coordinates }
+    pub fn open(labels: &'n BTreeMap<String, usize>, functions: Option<&'n Functions>) -> Self {
+        Names { labels, parameters: None, functions }
     }
 
     /// Parses `text`, a piece of `source`, and evaluates it.
@@ -61,22 +62,26 @@ impl<'n> Names<'n> {
 
     /// A function of coordinates, or the square root of a square.
     fn function(&self, name: &str, argument: &Symbolic) -> Result<Symbolic, String> {
-        if name == "sqrt" {
+        let Some(functions) = self.functions else {
+            if name != "sqrt" {
+                let name = shown(name);
+                return Err(format!("`{name}` is no function here: only a chart has some"));
+            }
             let root = argument.as_constant().and_then(Rational::sqrt).map(Symbolic::constant);
             return root.ok_or_else(|| {
                 format!("the square root of {argument} is not rational; exact values are")
             });
-        }
-        if self.coordinates.is_empty() {
-            return Err(format!("`{}` is no function here: only a chart has some", shown(name)));
+        };
+        if let "sqrt" | "log" = name {
+            return functions.positive.function(name, argument);
         }
         // each term has one: `sin(a*x)`
-        let coordinate = |(other, _): &(String, u32)| self.coordinates.contains(other);
+        let coordinate = |(other, _): &(String, u32)| functions.coordinates.contains(other);
         let terms = argument.terms().into_iter().map(|(powers, _)| powers);
         let others = terms.filter(|powers| !powers.iter().any(coordinate)).flatten();
         match others.map(|(other, _)| other).next() {
             Some(other) => Err(format!("{} takes coordinates, and `{other}` is none", shown(name))),
-            None => Symbolic::function(name, argument),
+            None => functions.positive.function(name, argument),
         }
     }
 
@@ -118,7 +123,7 @@ impl<'n> Names<'n> {
         match self.parameters {
             Some(declared) if !declared.contains(name) => {
                 let name = shown(name);
-                let known = if self.coordinates.is_empty() { "" } else { "coordinate nor a " };
+                let known = if self.functions.is_none() { "" } else { "coordinate nor a " };
                 Err(format!(
                     "`{name}` is neither a basis vector here nor a {known}declared parameter"
                 ))

@@ -150,14 +150,14 @@ impl Space {
         read: impl FnOnce(&Names) -> Result<MetricChoice, InputError>,
     ) -> Result<(), InputError> {
         let labels = self.labels();
-        let names = Names::open(&labels, self.definition.coordinates());
+        let names = Names::open(&labels, self.definition.functions());
         self.definition.metric = Some(read(&names)?);
         Ok(())
     }
 
     fn set_connection(&mut self, source: &Source) -> Result<(), InputError> {
         let labels = self.labels();
-        let names = Names::open(&labels, self.definition.coordinates());
+        let names = Names::open(&labels, self.definition.functions());
         let choice = notation::connection(&names, source)?;
         self.definition.connection = Some(choice);
         Ok(())
@@ -171,7 +171,7 @@ impl Space {
         let source = Source::new("--set", text);
         let before = self.definition.parameters();
         let labels = self.labels();
-        let names = Names::open(&labels, self.definition.coordinates());
+        let names = Names::open(&labels, self.definition.functions());
         let mut values = settings(&source, &names)?;
         values.retain(|name, _| before.contains(name) || !others.contains(name));
         let set = self.definition.set(&values);
@@ -386,7 +386,7 @@ fn inline(labels: &str, brackets: &[String]) -> Result<Definition, InputError> {
     let labels = source.text.split([' ', ',', '\t', '\n']);
     let labels: Vec<&str> = labels.filter(|label| !label.is_empty()).collect();
     let indices = basis(&labels, &|at| source.whole(labels[at]))?;
-    let names = Names { labels: &indices, parameters: None, coordinates: &[] };
+    let names = Names { labels: &indices, parameters: None, functions: None };
     let mut given = BTreeMap::new();
     for block in brackets {
         let source = Source::new("--bracket", block);

@@ -44,11 +44,13 @@ pub(crate) struct ConnectionText {
     pub affinities: Option<Block>,
 }
 
-/// A chart by its coordinates.
+/// A chart by its coordinates, and functions that are positive on it.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ChartText {
     pub coordinates: Vec<Text>,
+    #[serde(default)]
+    pub positive: Vec<Text>,
 }
 
 /// A number: an expression in a string, an integer, or a decimal.

@@ -45,7 +45,7 @@ pub struct Recorded {
     node: Option<Arc<Node>>,
 }
 
-/// An elementary function of an input.
+/// An elementary function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Function {
     /// The sine.
@@ -54,6 +54,10 @@ pub enum Function {
     Cos,
     /// The exponential.
     Exp,
+    /// The natural logarithm.
+    Log,
+    /// The square root.
+    Sqrt,
 }
 
 impl Function {
@@ -63,6 +67,8 @@ impl Function {
             Function::Sin => "sin",
             Function::Cos => "cos",
             Function::Exp => "exp",
+            Function::Log => "log",
+            Function::Sqrt => "sqrt",
         }
     }
 }
@@ -75,8 +81,7 @@ struct Node {
 
 enum Operation {
     Input(Arc<str>),
-    /// A function of the input of that name.
-    Function(Function, Arc<str>),
+    Function(Function, Arc<Node>),
     /// A constant, and multiples of other nodes.
     Sum(Rational, Vec<(Rational, Arc<Node>)>),
     Product(Arc<Node>, Arc<Node>),
@@ -86,10 +91,10 @@ enum Operation {
 impl Operation {
     fn operands(&self) -> Vec<&Arc<Node>> {
         match self {
-            Operation::Input(_) | Operation::Function(..) => vec![],
+            Operation::Input(_) => vec![],
             Operation::Sum(_, terms) => terms.iter().map(|(_, node)| node).collect(),
             Operation::Product(a, b) => vec![a, b],
-            Operation::Reciprocal(a) => vec![a],
+            Operation::Reciprocal(a) | Operation::Function(_, a) => vec![a],
         }
     }
 }
@@ -100,10 +105,10 @@ impl Drop for Node {
         let taken = |operation: &mut Operation| {
             let empty = Operation::Sum(Rational::zero(), vec![]);
             match std::mem::replace(operation, empty) {
-                Operation::Input(_) | Operation::Function(..) => vec![],
+                Operation::Input(_) => vec![],
                 Operation::Sum(_, terms) => terms.into_iter().map(|(_, node)| node).collect(),
                 Operation::Product(a, b) => vec![a, b],
-                Operation::Reciprocal(a) => vec![a],
+                Operation::Reciprocal(a) | Operation::Function(_, a) => vec![a],
             }
         };
         let mut open = taken(&mut self.operation);
@@ -216,6 +221,43 @@ impl Recorded {
         sum.scaled(&content)
     }
 
+    /// A function of a value.
+    fn call(function: Function, argument: &Self) -> Self {
+        let (zero, one) = (Rational::zero(), Rational::one());
+        let node = match &argument.node {
+            Some(node) if argument.factor.is_one() => node.clone(),
+            node => {
+                let (constant, terms) = match node {
+                    None => (argument.factor.clone(), vec![]),
+                    Some(node) => (Rational::zero(), vec![(argument.factor.clone(), node.clone())]),
+                };
+                let image = Image::rational(&argument.factor);
+                let own = node.as_ref().map_or(Some(Image::ONE), |node| node.image);
+                let image = image.zip(own).map(|(factor, own)| factor.mul(own));
+                Arc::new(Node { operation: Operation::Sum(constant, terms), image })
+            }
+        };
+        // multiples of one angle are known by the image of that angle
+        let flat = match &node.operation {
+            Operation::Sum(constant, terms) => Some((constant, &terms[..])),
+            _ => None,
+        };
+        let single = [(one, node.clone())];
+        let (constant, terms) = flat.unwrap_or((&zero, &single[..]));
+        let multiples = terms.iter().map(|(factor, node)| {
+            let (key, negative) = node.key();
+            let Key::Image(image) = key else { return None };
+            Some((if negative { -factor.clone() } else { factor.clone() }, image))
+        });
+        let constant = (!constant.vanishes()).then(|| Some((constant.clone(), Image::ONE)));
+        let multiples: Option<Vec<_>> = multiples.chain(constant).collect();
+        let image = multiples.and_then(|multiples| match function {
+            Function::Log | Function::Sqrt => Some(Image::named(function.name(), node.image?)),
+            _ => Image::function(function, &multiples),
+        });
+        Self::of(Operation::Function(function, node), image)
+    }
+
     fn scaled(self, factor: &Rational) -> Self {
         if factor.vanishes() {
             return Self::zero();
@@ -282,6 +324,12 @@ impl Field for Recorded {
             None => Self::constant(factor),
             Some(node) => match &node.operation {
                 Operation::Reciprocal(inner) => Recorded { factor, node: Some(inner.clone()) },
+                // so that a product contains each root once, and sums of such products cancel
+                Operation::Function(Function::Sqrt, argument) => {
+                    let argument =
+                        Recorded { factor: Rational::one(), node: Some(argument.clone()) };
+                    Recorded { factor, node: Some(node.clone()) } * &argument.recip()?
+                }
                 _ => {
                     let image = node.image.and_then(Image::recip);
                     Self::of(Operation::Reciprocal(node.clone()), image).scaled(&factor)
@@ -335,7 +383,7 @@ impl Notation for Recorded {
     }
     fn parameters(&self) -> Vec<String> {
         let name = |node: &Arc<Node>| match &node.operation {
-            Operation::Input(name) | Operation::Function(_, name) => Some(name.to_string()),
+            Operation::Input(name) => Some(name.to_string()),
             _ => None,
         };
         let mut names: Vec<_> = post_order(&self.node).into_iter().filter_map(name).collect();
@@ -343,19 +391,18 @@ impl Notation for Recorded {
         names.dedup();
         names
     }
-    /// `sin`, `cos`, `tan` and `exp` of an input.
+    /// `sin`, `cos`, `tan`, `exp`, `log` and `sqrt` of any value.
+    ///
+    /// Sums of angles and of exponents obey the addition theorems; roots and logarithms of different values
+    /// count as independent.
     fn function(name: &str, argument: &Self) -> Result<Self, String> {
-        let operation = argument.node.as_ref().map(|node| &node.operation);
-        let Some(Operation::Input(input)) = operation.filter(|_| argument.factor.is_one()) else {
-            return Err(format!("a program knows `{name}` of a name alone"));
-        };
-        let of = |function: Function| {
-            Self::of(Operation::Function(function, input.clone()), Image::function(function, input))
-        };
+        let of = |function| Self::call(function, argument);
         match name {
             "sin" => Ok(of(Function::Sin)),
             "cos" => Ok(of(Function::Cos)),
             "exp" => Ok(of(Function::Exp)),
+            "log" => Ok(of(Function::Log)),
+            "sqrt" => Ok(of(Function::Sqrt)),
             "tan" => match of(Function::Cos).recip() {
                 Some(secant) => Ok(of(Function::Sin) * &secant),
                 None => Err("`tan` is not defined here".into()),

@@ -2,9 +2,10 @@
 //!
 //! A value without parameters is a [`Rational`]. Any other value is a quotient of coprime
 //! polynomials in exactly the parameters it depends on, in alphabetical order. A parameter is
-//! identified by its name, so any two values combine. Equal values have equal forms. Sines, cosines
-//! and exponentials of parameters are rational functions of additional variables.
+//! identified by its name, so any two values combine. Equal values have equal forms. Sines, cosines,
+//! exponentials, logarithms and square roots are rational functions of additional variables.
 
+mod canonical;
 mod collected;
 mod common;
 mod denominator;
@@ -16,12 +17,14 @@ mod normal_form;
 mod operators;
 mod packed;
 mod polynomial;
+mod positive;
 mod substitution;
 mod sum;
 mod variables;
 mod writing;
 
 use super::{Field, Kind, Notation, Rational, Ring};
+use elementary::Variable;
 use fraction::Fraction;
 use polynomial::Polynomial;
 use std::fmt;
@@ -29,6 +32,7 @@ use std::sync::Arc;
 use writing::{Markup, Writer};
 
 pub use common::CommonFactors;
+pub use positive::PositiveFactors;
 
 /// A rational function of named parameters with rational coefficients, in lowest terms.
 ///
@@ -92,8 +96,8 @@ impl Symbolic {
         names
     }
 
-    /// The variables of the fraction: parameters, and `tan(x/2)` and `exp(x)` for functions of
-    /// them.
+    /// The variables of the fraction: parameters, and `tan(x/2)`, `exp(x)`, `log(x)` and `sqrt(x)` for
+    /// functions of them.
     fn variables(&self) -> &[Arc<str>] {
         match &self.0 {
             Form::Constant(_) => &[],
@@ -180,7 +184,7 @@ impl Field for Symbolic {
     fn recip(&self) -> Option<Self> {
         match &self.0 {
             Form::Constant(c) => c.recip().map(Self::constant),
-            Form::Fraction(f) => f.recip().map(Self::from),
+            Form::Fraction(f) => canonical::reciprocal(f),
         }
     }
     fn pivot_weight(&self) -> f64 {
@@ -199,7 +203,7 @@ impl Notation for Symbolic {
         Some(Self::constant(value.clone()))
     }
     /// `None` unless the name is an identifier: an ASCII letter or `_`, then letters, digits or `_`;
-    /// or that of a variable for functions of some, `tan(x/2)` or `exp(a*x)`.
+    /// or that of a variable for functions of some, `tan(x/2)`, `exp(a*x)` or `sqrt(x)`.
     fn parameter(name: &str) -> Option<Self> {
         elementary::is_variable(name).then(|| Symbolic::parameter(name))
     }
@@ -221,12 +225,16 @@ impl Notation for Symbolic {
     fn is_negative(&self) -> bool {
         match &self.0 {
             Form::Constant(c) => c.is_negative(),
-            Form::Fraction(_) if self.has_angles() => normal_form::in_sines(self).is_negative(),
+            Form::Fraction(_) if self.has_written_form() => match &normal_form::written(self).0 {
+                Form::Constant(c) => c.is_negative(),
+                Form::Fraction(f) => writing::leads_negative(&f.numerator),
+            },
             Form::Fraction(f) => writing::leads_negative(&f.numerator),
         }
     }
-    /// `sin`, `cos`, `tan`, `cot`, `exp`, `sinh`, `cosh` and `tanh` of integer combinations of products of
-    /// parameters, like `2*x - a*y`.
+    /// `sin`, `cos`, `tan`, `cot`, `exp`, `sinh`, `cosh` and `tanh` of combinations of products of
+    /// parameters, like `2*x - a*y/2`; `sqrt` and `log` of numbers and irreducible polynomials, and of what else
+    /// [`PositiveFactors`] can tell.
     fn function(name: &str, argument: &Self) -> Result<Self, String> {
         Self::function_of(name, argument)
     }
@@ -259,9 +267,12 @@ impl Notation for Symbolic {
 }
 
 impl Symbolic {
-    /// Whether the text contains sines or cosines.
-    fn has_angles(&self) -> bool {
-        self.variables().iter().any(|name| elementary::angle(name).is_some())
+    /// Whether the text contains sines, cosines or roots, which have a form of their own.
+    fn has_written_form(&self) -> bool {
+        let written = |name: &Arc<str>| {
+            matches!(Variable::of(name), Variable::HalfTangent { .. } | Variable::Root(_))
+        };
+        self.variables().iter().any(written)
     }
 
     /// The value as text or as LaTeX, with functions of angles in sines and cosines.

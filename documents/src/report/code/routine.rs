@@ -45,7 +45,7 @@ pub struct Routine {
 pub trait Dialect {
     /// The component of a vector.
     fn component(&self, vector: &str, at: usize) -> String;
-    /// A function of a name.
+    /// A function of a value.
     fn call(&self, function: Function, argument: &str) -> String;
     /// The definition of a temporary value.
     fn definition(&self, name: &str, value: &str) -> String;
@@ -96,9 +96,7 @@ impl Routine {
         for (step, uses) in self.program.steps().iter().zip(self.program.uses()) {
             let text = match step {
                 Step::Input(name) => Text::atom(self.argument(name, dialect)),
-                Step::Function(function, name) => {
-                    Text::atom(dialect.call(*function, &self.argument(name, dialect)))
-                }
+                Step::Function(function, a) => Text::atom(dialect.call(*function, &texts[*a].text)),
                 Step::Sum(constant, terms) => sum(constant, terms, &texts)?,
                 Step::Product(a, b) => product(&texts[*a], &texts[*b]),
                 Step::Reciprocal(a) => {

@@ -11,7 +11,8 @@ impl Dialect for Rust {
         format!("{vector}[{at}]")
     }
     fn call(&self, function: Function, argument: &str) -> String {
-        format!("{argument}.{}()", function.name())
+        let name = if function == Function::Log { "ln" } else { function.name() };
+        format!("f64::{name}({argument})")
     }
     fn definition(&self, name: &str, value: &str) -> String {
         format!("let {name} = {value};")

@@ -1,7 +1,7 @@
 //! Partial derivatives of recorded values, in forward mode.
 
-use super::{Function, Image, Node, Operation, Recorded, post_order};
-use crate::scalar::{Sum, Tolerance};
+use super::{Function, Node, Operation, Recorded, post_order};
+use crate::scalar::{Field, Sum, Tolerance};
 use num_traits::{One, Zero};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -41,18 +41,20 @@ fn rate<'k>(
     let value = |node: &Arc<Node>| Recorded { factor: One::one(), node: Some(node.clone()) };
     match &node.operation {
         Operation::Input(own) if **own == *name => Recorded::one(),
-        Operation::Function(function, own) if **own == *name => {
-            let of = |function| {
-                let image = Image::function(function, own);
-                Recorded::of(Operation::Function(function, own.clone()), image)
+        Operation::Function(function, argument) => {
+            let Some(rate) = of(argument) else { return Recorded::zero() };
+            let argument = value(argument);
+            let own = value(node);
+            let slope = match function {
+                Function::Sin => Recorded::call(Function::Cos, &argument),
+                Function::Cos => -Recorded::call(Function::Sin, &argument),
+                Function::Exp => own,
+                Function::Log => argument.recip().unwrap_or_default(),
+                Function::Sqrt => (own.clone() + &own).recip().unwrap_or_default(),
             };
-            match function {
-                Function::Sin => of(Function::Cos),
-                Function::Cos => -of(Function::Sin),
-                Function::Exp => of(Function::Exp),
-            }
+            rate.clone() * &slope
         }
-        Operation::Input(_) | Operation::Function(..) => Recorded::zero(),
+        Operation::Input(_) => Recorded::zero(),
         Operation::Sum(_, terms) => {
             let rates =
                 terms.iter().filter_map(|(factor, node)| Some(of(node)?.clone().scaled(factor)));

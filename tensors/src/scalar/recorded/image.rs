@@ -3,7 +3,7 @@
 //! Two rational functions with different images are different. Two different ones of degree `d` share
 //! an image with a probability below `d^2 / 2^122` (R. Zippel, *EUROSAM* 1979, 216-226; J. T. Schwartz,
 //! *J. ACM* 27 (1980) 701-717): the coordinates of the point are hashes of the names. Sines and
-//! cosines are rational functions of `tan(x/2)`, as in [`Symbolic`](crate::Symbolic).
+//! cosines are rational functions of `tan(x/2)`, as in [`Symbolic`](crate::Symbolic), of a fixed part of the angle `x`.
 
 use super::Function;
 use crate::Rational;
@@ -11,6 +11,9 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::{BigRational, Ratio};
 use num_traits::ToPrimitive;
+
+/// The parts of an angle whose functions obey the addition theorems.
+const PARTS: i64 = 720;
 
 const PRIMES: [u64; 2] = [(1 << 61) - 1, (1 << 62) - 57];
 
@@ -48,20 +51,11 @@ impl Image {
         if self.0.contains(&0) {
             return None;
         }
-        let power = |at: usize| {
+        let inverse = |at: usize| {
             let p = u128::from(PRIMES[at]);
-            let (mut base, mut result) = (u128::from(self.0[at]), 1);
-            let mut exponent = PRIMES[at] - 2;
-            while exponent > 0 {
-                if exponent & 1 == 1 {
-                    result = result * base % p;
-                }
-                base = base * base % p;
-                exponent >>= 1;
-            }
-            result as u64
+            power(u128::from(self.0[at]), 1, PRIMES[at] - 2, |a, b| a * b % p) as u64
         };
-        Some(Self::each(power))
+        Some(Self::each(inverse))
     }
 
     /// The image of a number; `None` if a prime divides its denominator.
@@ -82,8 +76,19 @@ impl Image {
 
     /// The coordinate of the point that belongs to a variable.
     pub fn variable(name: &str) -> Self {
+        Self::coordinate(name.bytes())
+    }
+
+    /// The coordinate of the point that belongs to a function of a value with this image.
+    pub fn named(function: &str, argument: Image) -> Self {
+        let residues = argument.0.into_iter().flat_map(u64::to_le_bytes);
+        // no name has parentheses
+        Self::coordinate(function.bytes().chain([b'(']).chain(residues))
+    }
+
+    fn coordinate(bytes: impl Iterator<Item = u8>) -> Self {
         // FNV-1a, then the finaliser of SplitMix64
-        let hash = name.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+        let hash = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
             (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
         });
         let mixed = |seed: u64| {
@@ -95,16 +100,38 @@ impl Image {
         Self::each(|at| 2 + mixed(at as u64 + 1) % (PRIMES[at] - 4))
     }
 
-    /// The image of a function of a variable.
-    pub fn function(function: Function, name: &str) -> Option<Self> {
+    /// The image of the sine, cosine or exponential of a sum of multiples of values, by the addition
+    /// theorems; `None` if a multiple is not one of `1/PARTS`.
+    pub fn function(function: Function, multiples: &[(Rational, Image)]) -> Option<Self> {
+        let parts = Rational::from(PARTS);
+        let parts_of = |factor: &Rational| {
+            let ratio = Ratio::<i64>::try_from(&(factor.clone() * &parts)).ok()?;
+            ratio.is_integer().then(|| ratio.to_integer())
+        };
+        let multiples = multiples.iter().map(|(factor, value)| Some((parts_of(factor)?, *value)));
+        let multiples: Vec<(i64, Image)> = multiples.collect::<Option<_>>()?;
         if function == Function::Exp {
-            return Some(Self::variable(&format!("exp({name})")));
+            return multiples.into_iter().try_fold(Self::ONE, |product, (n, value)| {
+                let e = Self::named("exp", value);
+                let e = if n < 0 { e.recip()? } else { e };
+                Some(product.mul(power(e, Self::ONE, n.unsigned_abs(), Self::mul)))
+            });
         }
-        let t = Self::variable(&format!("tan({name}/2)"));
-        let below = Self::ONE.add(t.mul(t)).recip()?;
+        // p + iq, the product of the (1 + i tan(x/(2 PARTS)))^n
+        let times = |[a, b]: [Self; 2], [c, d]: [Self; 2]| {
+            [a.mul(c).add(b.mul(d).negated()), a.mul(d).add(b.mul(c))]
+        };
+        let one = [Self::ONE, Self::ZERO];
+        let [p, q] = multiples.into_iter().fold(one, |product, (n, value)| {
+            let t = Self::named("tan", value);
+            let t = if n < 0 { t.negated() } else { t };
+            times(product, power([Self::ONE, t], one, n.unsigned_abs(), times))
+        });
+        let [pp, qq, pq] = [p.mul(p), q.mul(q), p.mul(q)];
+        let below = pp.add(qq).recip()?;
         Some(match function {
-            Function::Sin => t.add(t).mul(below),
-            _ => Self::ONE.add(t.mul(t).negated()).mul(below),
+            Function::Sin => pq.add(pq).mul(below),
+            _ => pp.add(qq.negated()).mul(below),
         })
     }
 
@@ -112,4 +139,17 @@ impl Image {
     pub fn certain(self) -> Option<Self> {
         (self == Self::ZERO || !self.0.contains(&0)).then_some(self)
     }
+}
+
+/// `base^exponent`, by squaring.
+fn power<T: Copy>(mut base: T, one: T, mut exponent: u64, times: impl Fn(T, T) -> T) -> T {
+    let mut result = one;
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            result = times(result, base);
+        }
+        base = times(base, base);
+        exponent >>= 1;
+    }
+    result
 }

@@ -1,7 +1,7 @@
 //! The operators of recorded values, and their short text.
 
 use super::image::Image;
-use super::{Node, Operation, Recorded};
+use super::{Function, Node, Operation, Recorded};
 use crate::scalar::operators::forward_operators;
 use crate::text::is_sum;
 use num_traits::{One, Zero};
@@ -48,7 +48,8 @@ fn product(a: &Arc<Node>, b: &Arc<Node>) -> Recorded {
 /// The most factors of a product in which a common factor is sought.
 const FACTORS: usize = 8;
 
-/// The product without the factors that cancel, in products of a few; `None` if none does.
+/// The product without the factors that cancel, and with the arguments of roots for their squares, in products of a few;
+/// `None` if none does.
 fn cancelled(a: &Arc<Node>, b: &Arc<Node>) -> Option<Recorded> {
     let mut parts = [vec![], vec![]];
     let mut open = vec![(a, false), (b, false)];
@@ -70,6 +71,16 @@ fn cancelled(a: &Arc<Node>, b: &Arc<Node>) -> Option<Recorded> {
         match below.iter().position(|other| other.key().0 == key) {
             Some(at) => negative ^= below.swap_remove(at).key().1 != sign,
             None => kept.push(node),
+        }
+    }
+    let root = |node: &&Arc<Node>| matches!(node.operation, Operation::Function(Function::Sqrt, _));
+    while let Some((first, second)) = kept.iter().enumerate().find_map(|(at, node)| {
+        let mut earlier = kept[..at].iter();
+        Some((earlier.position(|other| root(node) && other.key() == node.key())?, at))
+    }) {
+        let node = kept.remove(second);
+        if let Operation::Function(_, argument) = &node.operation {
+            kept[first] = argument;
         }
     }
     if kept.len() + below.len() == given {
@@ -125,7 +136,7 @@ fn operation(node: &Arc<Node>, levels: usize) -> String {
     };
     match &node.operation {
         Operation::Input(name) => name.to_string(),
-        Operation::Function(function, name) => format!("{}({name})", function.name()),
+        Operation::Function(function, a) => format!("{}({})", function.name(), below(a)),
         Operation::Sum(..) if levels == 0 => "...".into(),
         Operation::Sum(constant, terms) => {
             let mut text = String::new();
@@ -141,6 +152,8 @@ fn operation(node: &Arc<Node>, levels: usize) -> String {
             }
             if constant.is_zero() {
                 text
+            } else if text.is_empty() {
+                constant.to_string()
             } else {
                 format!("{text} + {}", enclosed(constant.to_string()))
             }

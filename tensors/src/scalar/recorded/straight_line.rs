@@ -2,7 +2,7 @@
 
 use super::{Function, Key, Operation, Recorded, post_order};
 use crate::{Field, Rational};
-use num_traits::One;
+use num_traits::{One, Zero};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -20,8 +20,8 @@ pub struct StraightLine {
 pub enum Step {
     /// An input.
     Input(String),
-    /// A function of an input.
-    Function(Function, String),
+    /// A function of a step.
+    Function(Function, usize),
     /// A constant and multiples of steps.
     Sum(Rational, Vec<(Rational, usize)>),
     /// The product of two steps.
@@ -34,19 +34,19 @@ impl Step {
     /// The steps that are used, a square twice.
     pub fn operands(&self) -> Vec<usize> {
         match self {
-            Step::Input(_) | Step::Function(..) => vec![],
+            Step::Input(_) => vec![],
             Step::Sum(_, terms) => terms.iter().map(|(_, at)| *at).collect(),
             Step::Product(a, b) => vec![*a, *b],
-            Step::Reciprocal(a) => vec![*a],
+            Step::Reciprocal(a) | Step::Function(_, a) => vec![*a],
         }
     }
 
     fn renumber(&mut self, f: impl Fn(usize) -> usize) {
         match self {
-            Step::Input(_) | Step::Function(..) => {}
+            Step::Input(_) => {}
             Step::Sum(_, terms) => terms.iter_mut().for_each(|(_, at)| *at = f(*at)),
             Step::Product(a, b) => (*a, *b) = (f(*a), f(*b)),
-            Step::Reciprocal(a) => *a = f(*a),
+            Step::Reciprocal(a) | Step::Function(_, a) => *a = f(*a),
         }
     }
 }
@@ -92,8 +92,13 @@ impl StraightLine {
             };
             let (step, negated) = match &node.operation {
                 Operation::Input(name) => (Step::Input(name.to_string()), false),
-                Operation::Function(function, name) => {
-                    (Step::Function(*function, name.to_string()), false)
+                Operation::Function(function, a) => {
+                    let (mut at, minus) = place(a);
+                    if minus {
+                        steps.push(Step::Sum(Rational::zero(), vec![(-Rational::one(), at)]));
+                        at = steps.len() - 1;
+                    }
+                    (Step::Function(*function, at), false)
                 }
                 Operation::Sum(constant, terms) => {
                     let terms = terms.iter().map(|(factor, node)| {
@@ -164,12 +169,11 @@ impl StraightLine {
 
     /// The names of the inputs, sorted.
     pub fn inputs(&self) -> impl Iterator<Item = &str> {
-        let name = |step| match step {
-            &Step::Input(ref name) | &Step::Function(_, ref name) => Some(name.as_str()),
+        let names = self.steps.iter().filter_map(|step| match step {
+            Step::Input(name) => Some(name.as_str()),
             _ => None,
-        };
-        let names: std::collections::BTreeSet<_> = self.steps.iter().filter_map(name).collect();
-        names.into_iter()
+        });
+        names.collect::<std::collections::BTreeSet<_>>().into_iter()
     }
 
     /// How often each step is used, by other steps and by outputs.
@@ -189,7 +193,7 @@ impl StraightLine {
                 Step::Input(_) => {}
                 Step::Function(..) => count.functions += 1,
                 Step::Sum(constant, terms) => {
-                    let constant = usize::from(!num_traits::Zero::is_zero(constant));
+                    let constant = usize::from(!constant.is_zero());
                     count.additions += (terms.len() + constant).saturating_sub(1);
                     count.multiplications +=
                         terms.iter().filter(|(factor, _)| !plain(factor)).count();
@@ -215,7 +219,7 @@ impl StraightLine {
         for step in &self.steps {
             let value = match step {
                 Step::Input(name) => input(name),
-                Step::Function(f, name) => function(*f, &input(name)),
+                Step::Function(f, a) => function(*f, &values[*a]),
                 Step::Sum(constant, terms) => {
                     let mut sum = constant_in(constant)?;
                     for (factor, at) in terms {

@@ -29,8 +29,8 @@ use std::sync::{Arc, Mutex};
 #[derive(Debug, Default)]
 pub struct CommonFactors {
     named: Vec<(String, Arc<Factor>)>,
-    /// Values with functions of angles, in sines and cosines.
-    in_sines: Mutex<HashMap<Symbolic, Symbolic>>,
+    /// Values with functions, as they are written.
+    written: Mutex<HashMap<Symbolic, Symbolic>>,
 }
 
 /// Shorter sums are written out, so that short values keep their form.
@@ -68,15 +68,15 @@ impl CommonFactors {
 
     /// The form of a value in which it is written.
     pub(super) fn written<'v>(&self, value: &'v Symbolic) -> Cow<'v, Symbolic> {
-        if !value.has_angles() {
+        if !value.has_written_form() {
             return Cow::Borrowed(value);
         }
         let known = |forms: &HashMap<Symbolic, Symbolic>| forms.get(value).cloned();
-        if let Some(form) = self.in_sines.lock().ok().and_then(|forms| known(&forms)) {
+        if let Some(form) = self.written.lock().ok().and_then(|forms| known(&forms)) {
             return Cow::Owned(form);
         }
-        let form = normal_form::in_sines(value);
-        if let Ok(mut forms) = self.in_sines.lock() {
+        let form = normal_form::written(value);
+        if let Ok(mut forms) = self.written.lock() {
             forms.insert(value.clone(), form.clone());
         }
         Cow::Owned(form)
@@ -102,7 +102,7 @@ impl CommonFactors {
                 found[at].1 += 1;
             }
             // keeps the addresses valid
-            forms.extend(value.has_angles().then_some(f));
+            forms.extend(value.has_written_form().then_some(f));
         }
         found.retain(|(factor, count)| {
             let length = value(factor).to_string().len();

@@ -6,46 +6,131 @@
 //! parameters and the functions `t` and `E` of all products are algebraically independent (J. Ax, *Ann. Math.*
 //! 93 (1971) 252-268), and each is a variable of the fractions. Lowest terms are therefore unique, and
 //! equality is exact. The variables `sin x` and `cos x` would not be independent: `1 - sin^2 x - cos^2 x`
-//! is zero, nor would `tan(x/2)` and `tan(x/4)`. Only parsing, differentiation and substitution (here) and
-//! writing ([`normal_form`](super::normal_form)) treat these variables in a special way.
+//! is zero, nor would `tan(x/2)` and `tan(x/4)`: a value has one of them, that of the largest part of `x` with
+//! which it can be written ([`canonical`](super::canonical)).
+//!
+//! | variable | stands for | made by |
+//! |---|---|---|
+//! | `tan(u/2)`, `tan(u/4)` | the half tangent of `u`, of `u/2` | `sin(u)`, `cos(u/2)` |
+//! | `exp(u)`, `exp(u/2)` | the exponential | `exp(u)`, `cosh(u/2)` |
+//! | `log(p)` | the logarithm of an irreducible polynomial or a prime | [`PositiveFactors`](super::PositiveFactors) |
+//! | `sqrt(p)` | its square root | the same |
+//!
+//! Only parsing, differentiation and substitution (here), normal forms and writing
+//! ([`normal_form`](super::normal_form)) treat these variables in a special way.
 
 use super::Symbolic;
-use super::variables::natural;
 use crate::expression::{MAX_SIZE, is_name};
 use crate::scalar::{Field, Notation, Ring};
-use num_traits::{One, ToPrimitive, Zero};
+use num_rational::Ratio;
+use num_traits::{One, Zero};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The largest sum of multiples in the argument of a function: `sin(2*x - y)` has 3.
 const MAX_MULTIPLES: u64 = 16;
 
+/// The most parts of a product: `sin(x/16)`.
+const MAX_PARTS: u32 = 16;
+
 /// The names of the functions.
-const FUNCTIONS: [&str; 8] = ["sin", "cos", "tan", "cot", "exp", "sinh", "cosh", "tanh"];
+const FUNCTIONS: [&str; 10] =
+    ["sin", "cos", "tan", "cot", "exp", "sinh", "cosh", "tanh", "log", "sqrt"];
 
-/// The name of the variable that stands for `tan(u/2)`.
-pub(super) fn half_tangent(u: &str) -> String {
-    format!("tan({u}/2)")
+/// What a variable of a fraction stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Variable<'v> {
+    Parameter,
+    /// `tan(product/(2 parts))`.
+    HalfTangent {
+        product: &'v str,
+        parts: u32,
+    },
+    /// `exp(product/parts)`.
+    Exponential {
+        product: &'v str,
+        parts: u32,
+    },
+    /// The logarithm of a polynomial.
+    Logarithm(&'v str),
+    /// The square root of a polynomial.
+    Root(&'v str),
 }
 
-/// The name of the variable that stands for `exp(u)`.
-pub(super) fn exponential(u: &str) -> String {
-    format!("exp({u})")
+use Variable::{Exponential, HalfTangent, Logarithm, Parameter, Root};
+
+impl<'v> Variable<'v> {
+    pub fn of(name: &'v str) -> Self {
+        let inside = name.strip_suffix(')').and_then(|rest| rest.split_once('('));
+        let Some((function, inside)) = inside else { return Parameter };
+        let (product, parts) = match inside.rsplit_once('/') {
+            Some((product, parts)) => (product, parts.parse().unwrap_or(0)),
+            None => (inside, 1),
+        };
+        match function {
+            "tan" if parts > 0 && parts % 2 == 0 => HalfTangent { product, parts: parts / 2 },
+            "exp" if parts > 0 => Exponential { product, parts },
+            "log" => Logarithm(inside),
+            "sqrt" => Root(inside),
+            _ => Parameter,
+        }
+    }
+
+    /// The product and its parts, of half tangents and exponentials.
+    pub fn parts(self) -> Option<(&'v str, u32)> {
+        match self {
+            HalfTangent { product, parts } | Exponential { product, parts } => {
+                Some((product, parts))
+            }
+            _ => None,
+        }
+    }
+
+    /// The function that the variable is, and its argument.
+    fn call(self) -> Option<(&'static str, Symbolic)> {
+        let part = |product, parts: u32| of_product(product) / &Symbolic::from_i64(parts.into());
+        Some(match self {
+            Parameter => return None,
+            HalfTangent { product, parts } => ("tan", part(product, 2 * parts)),
+            Exponential { product, parts } => ("exp", part(product, parts)),
+            Logarithm(p) => ("log", p.parse().ok()?),
+            Root(p) => ("sqrt", p.parse().ok()?),
+        })
+    }
+
+    /// The derivative of the variable by the argument of its function; `own` is the variable.
+    fn slope(self, own: &Symbolic, argument: &Symbolic) -> Symbolic {
+        match self {
+            Parameter => Symbolic::zero(),
+            HalfTangent { .. } => own.clone() * own + &Symbolic::one(),
+            Exponential { .. } => own.clone(),
+            Logarithm(_) => Symbolic::one() / argument,
+            Root(_) => own.clone() / &(argument.clone() * &Symbolic::from_i64(2)),
+        }
+    }
 }
 
-/// The product `u`, if the variable is `tan(u/2)`.
-pub(super) fn angle(variable: &str) -> Option<&str> {
-    variable.strip_prefix("tan(")?.strip_suffix("/2)")
+/// The name of the variable that stands for `tan(product/(2 parts))`.
+pub(super) fn half_tangent(product: &str, parts: u32) -> String {
+    format!("tan({product}/{})", 2 * parts)
 }
 
-/// The product `u`, if the variable is `exp(u)`.
-fn exponent(variable: &str) -> Option<&str> {
-    variable.strip_prefix("exp(")?.strip_suffix(')')
+/// The name of the variable that stands for `exp(product/parts)`.
+pub(super) fn exponential(product: &str, parts: u32) -> String {
+    format!("exp({})", part(product, parts))
 }
 
-/// The argument of a variable that is a function.
-fn argument(variable: &str) -> Option<&str> {
-    angle(variable).or_else(|| exponent(variable))
+/// A part of a product as it is written: `a*x/2`.
+pub(super) fn part(product: &str, parts: u32) -> String {
+    if parts == 1 { product.to_owned() } else { format!("{product}/{parts}") }
+}
+
+/// The angle `u` as it is written, if the variable is `tan(u/2)`.
+pub(super) fn angle(variable: &str) -> Option<String> {
+    match Variable::of(variable) {
+        HalfTangent { product, parts } => Some(part(product, parts)),
+        _ => None,
+    }
 }
 
 /// The parameters of a product and their powers: `a^2*x`.
@@ -67,23 +152,38 @@ fn product(powers: &[(String, u32)]) -> String {
 
 /// The parameters on which a variable depends: itself, or those of the argument of its function.
 pub(super) fn parameters(variable: &str) -> impl Iterator<Item = &str> {
-    powers(argument(variable).unwrap_or(variable)).map(|(name, _)| name)
+    let inside = match Variable::of(variable) {
+        Parameter => variable,
+        _ => variable.split_once('(').map_or(variable, |(_, inside)| inside),
+    };
+    let other = |c: char| !c.is_ascii_alphanumeric() && c != '_';
+    let whole = inside == variable;
+    let names = inside.split(move |c| !whole && other(c));
+    names.filter(move |name| whole || is_name(name))
 }
 
 /// Whether this is a name, or that of a variable as it is written here.
 pub(super) fn is_variable(name: &str) -> bool {
-    let Some(u) = argument(name) else { return is_name(name) };
-    let powers: Vec<(String, u32)> = powers(u).map(|(name, e)| (name.to_owned(), e)).collect();
-    let ordered = powers.is_sorted_by(|(a, _), (b, _)| natural(a, b).is_lt());
-    ordered && powers.iter().all(|(name, e)| is_name(name) && *e > 0) && product(&powers) == u
+    let is = |(function, argument): (&str, Symbolic)| {
+        Symbolic::function_of(function, &argument).is_ok_and(|f| f == Symbolic::parameter(name))
+    };
+    is_name(name) || Variable::of(name).call().is_some_and(is)
 }
 
 /// The value of a variable; `lookup` returns the values of parameters.
-pub(super) fn value(variable: &str, lookup: impl Fn(&str) -> Option<f64>) -> Option<f64> {
-    let Some(u) = argument(variable) else { return lookup(variable) };
-    let argument =
-        powers(u).try_fold(1.0, |value, (name, e)| Some(value * lookup(name)?.powf(e.into())))?;
-    Some(if angle(variable).is_some() { (argument / 2.0).tan() } else { argument.exp() })
+pub(super) fn value(variable: &str, lookup: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
+    let part = |product, parts: u32| {
+        let power = |value, (name, e): (&str, u32)| Some(value * lookup(name)?.powf(e.into()));
+        Some(powers(product).try_fold(1.0, power)? / f64::from(parts))
+    };
+    let polynomial = |p: &str| p.parse::<Symbolic>().ok()?.evaluate_at(lookup);
+    match Variable::of(variable) {
+        Parameter => lookup(variable),
+        HalfTangent { product, parts } => part(product, 2 * parts).map(f64::tan),
+        Exponential { product, parts } => part(product, parts).map(f64::exp),
+        Logarithm(p) => polynomial(p).map(f64::ln),
+        Root(p) => polynomial(p).map(f64::sqrt),
+    }
 }
 
 /// A product as a value.
@@ -95,14 +195,8 @@ fn of_product(u: &str) -> Symbolic {
 
 /// The variable, a function, at another argument; `None` if that has no function here.
 pub(super) fn at_argument(variable: &str, values: &BTreeMap<String, Symbolic>) -> Option<Symbolic> {
-    let u = of_product(argument(variable)?).substitute(values)?;
-    match angle(variable) {
-        None => Symbolic::function_of("exp", &u).ok(),
-        Some(_) => {
-            let [p, q] = half_angle(&u.multiples()?).ok()?;
-            Some(q * &p.recip()?)
-        }
-    }
+    let (function, argument) = Variable::of(variable).call()?;
+    Symbolic::function_of(function, &argument.substitute(values)?).ok()
 }
 
 impl Symbolic {
@@ -119,23 +213,25 @@ impl Symbolic {
     /// ```
     pub fn derivative(&self, name: &str) -> Self {
         let along = |variable: &Arc<str>| {
-            let Some(u) = argument(variable).filter(|u| powers(u).any(|(own, _)| own == name))
-            else {
+            let of = Variable::of(variable);
+            let depends = of != Parameter && parameters(variable).any(|own| own == name);
+            let Some((_, argument)) = depends.then(|| of.call()).flatten() else {
                 return Self::zero();
             };
-            let own = Self::parameter(variable);
-            let rate = match angle(variable) {
-                Some(_) => (own.clone() * &own + &Self::one()) / &Self::from_i64(2),
-                None => own,
-            };
-            self.partial(variable) * &rate * &of_product(u).partial(name)
+            let slope = of.slope(&Self::parameter(variable), &argument);
+            self.partial(variable) * &slope * &argument.derivative(name)
         };
         self.variables().iter().map(along).fold(self.partial(name), |sum, rate| sum + &rate)
     }
 
-    /// `sin`, `cos`, `tan`, `cot`, `exp`, `sinh`, `cosh` or `tanh` of an integer combination of products of
-    /// parameters.
+    /// `sin`, `cos`, `tan`, `cot`, `exp`, `sinh`, `cosh` or `tanh` of a combination of products of
+    /// parameters; `sqrt` and `log` of a power of one irreducible polynomial or quotient.
     pub(super) fn function_of(name: &str, argument: &Self) -> Result<Self, String> {
+        super::PositiveFactors::default().function(name, argument)
+    }
+
+    /// A function of a sum of multiples of products of parameters.
+    pub(super) fn function_of_sum(name: &str, argument: &Self) -> Result<Self, String> {
         if !FUNCTIONS.contains(&name) {
             return Err(format!(
                 "`{name}` is no function here: there are {}",
@@ -143,11 +239,16 @@ impl Symbolic {
             ));
         }
         let multiples = argument.multiples().ok_or_else(|| {
-            format!("the argument of {name} is a sum of integer multiples of products of names, like 2*x - a*y")
+            format!("the argument of {name} is a sum of multiples of products of names, like 2*x - a*y/2")
         })?;
-        let sum = multiples.iter().fold(0, |sum: u64, (_, n)| sum.saturating_add(n.unsigned_abs()));
+        let sum = multiples
+            .iter()
+            .fold(0, |sum: u64, multiple| sum.saturating_add(multiple.count.unsigned_abs()));
         if sum > MAX_MULTIPLES {
             return Err(format!("the argument of {name} has more than {MAX_MULTIPLES} multiples"));
+        }
+        if multiples.iter().any(|multiple| multiple.parts > MAX_PARTS) {
+            return Err(format!("the argument of {name} has parts below 1/{MAX_PARTS}"));
         }
         let quotient = |above: Symbolic, below: Symbolic| {
             let below = below.recip().ok_or_else(|| format!("{name} is not defined here"))?;
@@ -166,10 +267,10 @@ impl Symbolic {
                 }
             }
             _ => {
-                let e = multiples.iter().fold(Symbolic::one(), |product, (x, n)| {
-                    let e = Symbolic::parameter(&exponential(x));
-                    let e = if *n < 0 { Symbolic::one() / &e } else { e };
-                    product * &num_traits::pow(e, n.unsigned_abs() as usize)
+                let e = multiples.iter().fold(Symbolic::one(), |result, multiple| {
+                    let e = Symbolic::parameter(&exponential(&multiple.product, multiple.parts));
+                    let e = if multiple.count < 0 { Symbolic::one() / &e } else { e };
+                    result * &num_traits::pow(e, multiple.count.unsigned_abs() as usize)
                 });
                 let back = Symbolic::one() / &e;
                 let (sum, difference) = (e.clone() + &back, e.clone() - &back);
@@ -183,12 +284,13 @@ impl Symbolic {
         }
     }
 
-    /// The value as a sum of integer multiples of products of parameters.
-    fn multiples(&self) -> Option<Vec<(String, i64)>> {
+    /// The value as a sum of multiples of products of parameters.
+    fn multiples(&self) -> Option<Vec<Multiple>> {
         let multiple = |(powers, n): (Vec<(String, u32)>, crate::Rational)| {
             let names = !powers.is_empty() && powers.iter().all(|(name, _)| is_name(name));
-            let n = n.to_f64().to_i64().filter(|_| n.is_integer())?;
-            names.then(|| (product(&powers), n))
+            let n = Ratio::<i64>::try_from(&n).ok().filter(|_| names)?;
+            let parts = u32::try_from(*n.denom()).ok()?;
+            Some(Multiple { product: product(&powers), count: *n.numer(), parts })
         };
         if !self.denominator().is_one() {
             return None;
@@ -197,13 +299,20 @@ impl Symbolic {
     }
 }
 
+/// `count/parts` times a product.
+struct Multiple {
+    product: String,
+    count: i64,
+    parts: u32,
+}
+
 /// `p` and `q` with `tan(y/2) = q/p`, from `p + iq`, the product of the `(1 + i tan(x/2))^n`.
-fn half_angle(multiples: &[(String, i64)]) -> Result<[Symbolic; 2], String> {
+fn half_angle(multiples: &[Multiple]) -> Result<[Symbolic; 2], String> {
     let (mut p, mut q) = (Symbolic::one(), Symbolic::zero());
-    for (x, n) in multiples {
-        let t = Symbolic::parameter(&half_tangent(x));
-        let t = if *n < 0 { -t } else { t };
-        for _ in 0..n.unsigned_abs() {
+    for Multiple { product, count, parts } in multiples {
+        let t = Symbolic::parameter(&half_tangent(product, *parts));
+        let t = if *count < 0 { -t } else { t };
+        for _ in 0..count.unsigned_abs() {
             (p, q) = (p.clone() - &bounded(&q, &t)?, q + &bounded(&p, &t)?);
         }
     }

@@ -1,4 +1,4 @@
-//! The normal form in which functions of angles are written, in sines and cosines.
+//! The form in which functions are written: angles in sines and cosines, roots below the line where that is shorter.
 //!
 //! Numerator and denominator are divided by the least power of `1 + t^2`, with `t = tan(x/2)`, that
 //! makes both polynomials in `sin x` and `cos x`. They are linear in the sine: `1/(1 + t^2)` is
@@ -7,21 +7,66 @@
 //! degree, if that takes fewer terms: `a^2*sin(x)^2 + b^2*cos(x)^2`. Sines stay in denominators:
 //! `1/(1 + sin x)` is shorter than `(1 - sin x)/cos^2 x`.
 
-use super::elementary::{angle, half_tangent};
+use super::elementary::{Variable, Variable::Root, angle};
+use super::fraction::lowest_terms;
+use super::polynomial::{Polynomial, constant};
 use super::sum::SymbolicSum;
-use super::{Form, Symbolic};
+use super::{Form, Rational, Symbolic};
 use crate::scalar::{Ring, Sum};
 use num_traits::{One, Zero, pow};
 use polycore::{Monomial, Poly};
 use std::collections::BTreeMap;
 use std::mem;
 
+/// The value as it is written.
+pub(super) fn written(value: &Symbolic) -> Symbolic {
+    let value = in_sines(value);
+    let roots = value.variables().iter().filter(|name| matches!(Variable::of(name), Root(_)));
+    let roots: Vec<_> = roots.cloned().collect();
+    roots.iter().fold(value, |value, root| below_the_line(&value, root).unwrap_or(value))
+}
+
+/// `1/sqrt(p)` for `sqrt(p)/p`; `None` unless the root is a factor above and `p` one below.
+fn below_the_line(value: &Symbolic, root: &str) -> Option<Symbolic> {
+    let (Form::Fraction(f), Root(p)) = (&value.0, Variable::of(root)) else { return None };
+    let Form::Fraction(p) = p.parse::<Symbolic>().ok()?.0 else { return None };
+    let at = f.variables.iter().position(|name| **name == *root)?;
+    let above = by_power(&value.numerator(), root);
+    let [zero, coefficient] = &above[..] else { return None };
+    if !zero.vanishes() {
+        return None;
+    }
+    let mut denominator = f.denominator.clone();
+    denominator.monomial = (0..f.variables.len()).map(|at| f.denominator.exponent(at)).collect();
+    let exponent = match &p.numerator.terms[..] {
+        [_] => {
+            let place = f.variables.iter().position(|name| *name == p.variables[0])?;
+            &mut denominator.monomial[place]
+        }
+        _ => {
+            let same = |g: &Polynomial| *g == p.numerator || *g == -&p.numerator;
+            let factors = denominator.factors.iter_mut();
+            let found = factors.filter(|(g, _)| g.variables == p.variables && same(&g.polynomial));
+            &mut found.last()?.1
+        }
+    };
+    *exponent = exponent.checked_sub(1)?;
+    denominator.factors.retain(|(_, e)| *e > 0);
+    denominator.monomial[at] += 1;
+    let negative = p.numerator.lc().is_some_and(Rational::is_negative);
+    let one = constant(Rational::from(if negative { -1 } else { 1 }), f.variables.len());
+    Some(coefficient.clone() * &lowest_terms(&f.variables, one, denominator))
+}
+
 /// The value with variables `sin(x)` and `cos(x)` in place of every `tan(x/2)`. It is for writing
 /// only, because it does not contain the relation `sin^2 + cos^2 = 1`.
-pub(super) fn in_sines(value: &Symbolic) -> Symbolic {
-    let variables = value.variables();
-    let angles: Vec<&str> = variables.iter().filter_map(|name| angle(name)).collect();
-    angles.iter().fold(value.clone(), |value, x| shortest(&gathered(over_sines(&value, x), x), x))
+fn in_sines(value: &Symbolic) -> Symbolic {
+    let mut value = value.clone();
+    // a coefficient may be a function of a larger part of another angle
+    while let Some((t, x)) = value.variables().iter().find_map(|t| Some((t.clone(), angle(t)?))) {
+        value = shortest(&gathered(over_sines(&value, &t, &x), &x), &x);
+    }
+    value
 }
 
 fn sine(x: &str) -> Symbolic {
@@ -32,9 +77,9 @@ fn cosine(x: &str) -> Symbolic {
     Symbolic::parameter(&format!("cos({x})"))
 }
 
-fn over_sines(value: &Symbolic, x: &str) -> Symbolic {
-    let t = half_tangent(x);
-    let [above, below] = [value.numerator(), value.denominator()].map(|part| by_power(&part, &t));
+/// The value in the sine and cosine of `x`, where `t` is the variable `tan(x/2)`.
+fn over_sines(value: &Symbolic, t: &str, x: &str) -> Symbolic {
+    let [above, below] = [value.numerator(), value.denominator()].map(|part| by_power(&part, t));
     let highest = above.len().max(below.len()).saturating_sub(1).div_ceil(2);
     let image = |coefficients: &[Symbolic]| {
         let half = |from: usize| coefficients.iter().skip(from).step_by(2);

@@ -2,7 +2,7 @@
 
 use super::fraction::Fraction;
 use super::polynomial::Polynomial;
-use super::{Form, Symbolic, elementary};
+use super::{Form, Symbolic, canonical, elementary};
 use crate::scalar::Field;
 use num_traits::Zero;
 use std::collections::BTreeMap;
@@ -57,10 +57,14 @@ impl Symbolic {
     ///
     /// `None` when a parameter is not found or the value is not a finite number.
     pub fn evaluate(&self, lookup: impl Fn(&str) -> Option<f64>) -> Option<f64> {
+        self.evaluate_at(&lookup)
+    }
+
+    pub(super) fn evaluate_at(&self, lookup: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
         let value = match &self.0 {
             Form::Constant(c) => c.to_f64(),
             Form::Fraction(f) => {
-                let point = f.variables.iter().map(|name| elementary::value(name, &lookup));
+                let point = f.variables.iter().map(|name| elementary::value(name, lookup));
                 let point: Vec<f64> = point.collect::<Option<_>>()?;
                 at(&f.numerator, &point) / at(&f.expanded_denominator(), &point)
             }
@@ -94,7 +98,7 @@ fn image(f: &Polynomial, values: &[Symbolic]) -> Symbolic {
 fn power(value: &Symbolic, exponent: u32) -> Symbolic {
     match &value.0 {
         Form::Constant(c) => Symbolic::constant(num_traits::pow(c.clone(), exponent as usize)),
-        Form::Fraction(f) => f.power(exponent).into(),
+        Form::Fraction(f) => canonical::settled(f.power(exponent).into()),
     }
 }
 

@@ -11,7 +11,7 @@ use super::fraction::{Fraction, lowest_terms};
 use super::packed::{Gathered, Layout, Overflow, Word, exact};
 use super::polynomial::{Polynomial, cofactors, constant, power, product, select};
 use super::variables::{Variables, places, union};
-use super::{Form, Rational, Symbolic};
+use super::{Form, Rational, Symbolic, canonical};
 use crate::{Ring, Sum, Tolerance};
 use num_integer::Integer;
 use num_rational::Ratio;
@@ -93,7 +93,22 @@ impl SymbolicSum {
                     _ => f,
                 }
             }
-            _ => Common::new(&self.constant, &self.products).value(),
+            products => {
+                let fractions = products.iter().flat_map(|p| p.factors.iter().flatten());
+                match canonical::common_parts(fractions) {
+                    None => Common::new(&self.constant, products).value(),
+                    Some(parts) => {
+                        let refined = products.iter().map(|p| Product {
+                            coefficient: p.coefficient.clone(),
+                            factors: p
+                                .factors
+                                .each_ref()
+                                .map(|f| f.as_ref().map(|f| canonical::in_parts(f, &parts))),
+                        });
+                        Common::new(&self.constant, &refined.collect::<Vec<_>>()).value()
+                    }
+                }
+            }
         }
     }
 }
@@ -252,7 +267,7 @@ impl<'s> Common<'s> {
         }
         let denominator =
             Denominator { monomial: self.exponents[..n].into(), factors: coprime(factors) };
-        Some(lowest_terms(&self.variables, numerator, denominator))
+        Some(canonical::settled(lowest_terms(&self.variables, numerator, denominator)))
     }
 
     /// The numerator, computed with polynomials of any size.

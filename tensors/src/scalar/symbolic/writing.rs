@@ -1,11 +1,15 @@
 //! Fractions as text and as LaTeX.
 
+use super::Symbolic;
 use super::collected::{self, Part};
 use super::common::CommonFactors;
+use super::elementary::{Variable, part};
 use super::factors::{Factors, factors, known, sort, within_limits};
 use super::fraction::Fraction;
 use super::polynomial::{Polynomial, common_denominator};
+use crate::expression::is_name;
 use crate::scalar::{Notation, Rational};
+use num_integer::Integer;
 use num_traits::One;
 use polycore::Monomial;
 
@@ -251,30 +255,37 @@ fn power(name: &str, exponent: u32, markup: Markup) -> String {
     base + &markup.exponent(exponent)
 }
 
-/// `sin(x)^2`, `exp(2*x)`, `\sin^{2} x`, `e^{2 x}`.
+/// `sin(x)^2`, `exp(2*x)`, `\sin^{2} x`, `e^{2 x}`, `\sqrt{x}`.
 fn function_power(function: &str, argument: &str, exponent: u32, markup: Markup) -> String {
     let power = markup.exponent(exponent);
+    let multiple = || match Variable::of(&format!("exp({argument})")).parts() {
+        Some((product, parts)) => {
+            let common = exponent.gcd(&parts);
+            let number = Some(exponent / common).filter(|n| *n > 1).map(|n| format!("{n}*"));
+            number.unwrap_or_default() + &part(product, parts / common)
+        }
+        None => argument.to_owned(),
+    };
     match (markup, function) {
-        (Markup::Text, "exp") if exponent > 1 => format!("exp({exponent}*{argument})"),
+        (Markup::Text, "exp") => format!("exp({})", multiple()),
         (Markup::Text, _) => format!("{function}({argument}){power}"),
-        (Markup::Latex, "exp") if exponent > 1 => {
-            format!("e^{{{exponent} {}}}", latex_product(argument))
+        (Markup::Latex, "exp") => format!("e^{{{}}}", latex_argument(&multiple())),
+        (Markup::Latex, "sqrt") => format!("\\sqrt{{{}}}{power}", latex_argument(argument)),
+        (Markup::Latex, _) if is_name(argument) => {
+            format!("\\{function}{power} {}", latex_name(argument))
         }
-        (Markup::Latex, "exp") => format!("e^{{{}}}", latex_product(argument)),
-        (Markup::Latex, _) if argument.contains('*') => {
-            format!("\\{function}{power}({})", latex_product(argument))
-        }
-        (Markup::Latex, _) => format!("\\{function}{power} {}", latex_product(argument)),
+        (Markup::Latex, _) => format!("\\{function}{power}({})", latex_argument(argument)),
     }
 }
 
-/// `a*x^2` is `a x^{2}`.
-fn latex_product(product: &str) -> String {
-    let factor = |factor: &str| match factor.split_once('^') {
-        Some((name, e)) => format!("{}^{{{e}}}", latex_name(name)),
-        None => latex_name(factor),
+/// `a*x/2` is `\frac{a x}{2}`; a polynomial is written as such.
+fn latex_argument(argument: &str) -> String {
+    let (above, below) = match argument.rsplit_once('/') {
+        Some((above, below)) => (above, Some(below)),
+        None => (argument, None),
     };
-    product.split('*').map(factor).collect::<Vec<_>>().join(" ")
+    let above = above.parse().map_or_else(|_| above.to_owned(), |value: Symbolic| value.to_latex());
+    below.map_or(above.clone(), |below| format!("\\frac{{{above}}}{{{below}}}"))
 }
 
 /// `J11` is `J_{11}`, `lambda` is `\lambda`, `abc_x` is `\mathit{abc}_{x}`.
