@@ -2,13 +2,15 @@
 
 use crate::common::algebras::{algebras, by_table, catalogued, seeds};
 use crate::common::charts::constant;
-use crate::common::{integer, rationals, stored};
+use crate::common::{fraction, integer, rationals, stored};
+use affinor::algebra::catalogue;
 use affinor::{Bracket, Canonical, Connection, Error, LieAlgebra, LiePoisson};
 use affinor_tensors::linear::{Echelon, Matrix};
 use affinor_tensors::{Rational, Symbolic, Tensor, Up, contract};
 use num_traits::Zero;
 use proptest::collection::vec;
 use proptest::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
 
 fn symbolic(algebra: &LieAlgebra<Rational>) -> LieAlgebra<Symbolic> {
     algebra.map(|v| Symbolic::constant(v.clone())).unwrap()
@@ -239,7 +241,7 @@ fn limits_are_named() {
     assert_eq!(line.casimirs(255).unwrap().len(), 1);
     assert_eq!(line.casimir_generators(40).unwrap(), line.coordinates());
     assert!(line.casimir_generators(u32::MAX).is_err());
-    // parameters are welcome in brackets, but not in Casimirs
+    // a parameter is welcome unless it has the name of a coordinate
     let with = |name: &str| {
         let constants = [(0, 1, 1, Symbolic::parameter(name))];
         let bracket = Bracket::from_constants(crate::common::labels(2), constants).unwrap();
@@ -248,7 +250,7 @@ fn limits_are_named() {
     let space = with("k").unwrap();
     let x = space.coordinates();
     assert_eq!(space.bracket(&x[0], &x[1]).unwrap().to_string(), "-k*mu2");
-    assert!(matches!(space.casimirs(1), Err(Error::NotConstant { .. })));
+    assert!(space.casimirs(1).unwrap().is_empty());
     assert!(matches!(with("mu2"), Err(Error::Coordinate { .. })));
     let nothing = left(&by_table(0, &[]));
     assert_eq!(nothing.casimirs(0).unwrap().len(), 1);
@@ -256,4 +258,99 @@ fn limits_are_named() {
     assert!(nothing.casimir_generators(u32::MAX).is_err());
     assert!(nothing.is_casimir(&constant(3)));
     assert!(catalogued("so(3)").coadjoint_orbit_dimension(&[integer(1)]).is_err());
+}
+
+/// A table whose constants are products of a number and a parameter, or the number alone for `""`.
+fn with_parameters(n: usize, table: &[(usize, usize, usize, i64, &str)]) -> LieAlgebra<Symbolic> {
+    let value = |number: i64, name: &str| match name {
+        "" => constant(number),
+        _ => constant(number) * &Symbolic::parameter(name),
+    };
+    let constants = table.iter().map(|(i, j, k, c, name)| (i - 1, j - 1, k - 1, value(*c, name)));
+    Bracket::from_constants(crate::common::labels(n), constants).unwrap().try_into().unwrap()
+}
+
+/// so(3) with three scales, so(4) and so(3,1) over se(3), the oscillator algebra over heisenberg(3), and families of
+/// the catalogue.
+fn families() -> Vec<(&'static str, LieAlgebra<Symbolic>, Vec<u32>)> {
+    let rotations = [(1, 2, 3, 1, "a"), (2, 3, 1, 1, "b"), (3, 1, 2, 1, "c")];
+    let mut motions = vec![];
+    for (i, j, k) in [(1, 2, 3), (2, 3, 1), (3, 1, 2)] {
+        motions.extend([
+            (i, j, k, 1, ""),
+            (i, j + 3, k + 3, 1, ""),
+            (i + 3, j, k + 3, 1, ""),
+            (i + 3, j + 3, k, 1, "k"),
+        ]);
+    }
+    let deformed = [(1, 2, 3, 1, ""), (3, 1, 1, 1, "k"), (3, 2, 2, -1, "k")];
+    let named = |name: &str| catalogue::algebra::<Symbolic>(name).unwrap();
+    vec![
+        ("so(3)", with_parameters(3, &rotations), vec![2]),
+        ("so(4), so(3,1)", with_parameters(6, &motions), vec![2, 2]),
+        ("sl(2) over heisenberg(3)", with_parameters(3, &deformed), vec![2]),
+        ("bianchi(VI)", named("bianchi(VI)"), vec![]),
+        ("patera(4,5)", named("patera(4,5)"), vec![]),
+        ("degraaf(6,24)", named("degraaf(6,24)"), vec![1, 1]),
+    ]
+}
+
+fn at(values: &BTreeMap<String, Symbolic>, algebra: &LieAlgebra<Symbolic>) -> LiePoisson {
+    LiePoisson::left(&algebra.map(|v| v.substitute(values).unwrap()).unwrap()).unwrap()
+}
+
+fn all_at(algebra: &LieAlgebra<Symbolic>, numbers: &[Rational]) -> BTreeMap<String, Symbolic> {
+    let names: BTreeSet<String> =
+        algebra.structure().components().flat_map(|(_, v)| v.parameters()).collect();
+    let constants = numbers.iter().cloned().map(Symbolic::constant);
+    names.into_iter().zip(constants).collect()
+}
+
+proptest! {
+    #![proptest_config(crate::common::property::cases(8))]
+
+    /// Casimir functions with parameters are Casimir functions identically, and at every value of the parameters.
+    #[test]
+    fn casimirs_with_parameters(numbers in vec(rationals(), 3)) {
+        for (name, algebra, degrees) in families() {
+            let space = LiePoisson::left(&algebra).unwrap();
+            let special = at(&all_at(&algebra, &numbers), &algebra);
+            let generators = space.casimir_generators(3).unwrap();
+            prop_assert_eq!(generators.len(), degrees.len(), "{}", name);
+            for generator in generators {
+                prop_assert!(space.is_casimir(&generator), "{}", name);
+                prop_assert_eq!(generator.denominator(), constant(1));
+                let value = generator.substitute(&all_at(&algebra, &numbers)).unwrap();
+                prop_assert!(special.is_casimir(&value), "{}", name);
+            }
+            // ranks fall at exceptional values only
+            for degree in 0..=3 {
+                let generic = space.casimirs(degree).unwrap().len();
+                prop_assert_eq!(generic, hilbert(&degrees, degree), "{}", name);
+                prop_assert!(generic <= special.casimirs(degree).unwrap().len(), "{}", name);
+            }
+        }
+    }
+}
+
+/// The invariants of so(4) and so(3,1) as deformations of se(3), `j.p` and `k j.j + p.p`; at k = 0 those of se(3). The
+/// algebras of type VI have polynomial invariants where the quotient of the weights is a negative rational number.
+#[test]
+fn casimirs_at_exceptional_values() {
+    let written = |space: &LiePoisson, degree| -> Vec<String> {
+        space.casimirs(degree).unwrap().iter().map(Symbolic::to_string).collect()
+    };
+    let families = families();
+    let (_, motions, _) = &families[1];
+    let generic =
+        ["k*(mu1^2 + mu2^2 + mu3^2) + mu4^2 + mu5^2 + mu6^2", "mu1*mu4 + mu2*mu5 + mu3*mu6"];
+    assert_eq!(written(&LiePoisson::left(motions).unwrap(), 2), generic);
+    let still = at(&all_at(motions, &[integer(0)]), motions);
+    assert_eq!(written(&still, 2), ["mu1*mu4 + mu2*mu5 + mu3*mu6", "mu4^2 + mu5^2 + mu6^2"]);
+    let (_, six, _) = &families[3];
+    for (h, degree) in [(integer(-1), 2), (integer(-2), 3), (fraction(-2, 3), 5)] {
+        let special = at(&all_at(six, std::slice::from_ref(&h)), six);
+        assert_eq!(special.casimir_generators(degree).unwrap().len(), 1, "{h}");
+        assert!(special.casimir_generators(degree - 1).unwrap().is_empty(), "{h}");
+    }
 }

@@ -8,11 +8,13 @@ One run writes one Markdown table; progress goes to standard error. On Debian: a
 How it is measured
 - GAP reads the same structure constants (`affinor table NAME --show structure --format json`) and measures itself: CPU
   seconds from the table in memory to the answer, without start and reading. A cell ends at --seconds (180).
+- GAP's process: CPU seconds of the whole of `gap`, with start, reading and printing. It is the peer of our process.
 - The call: seconds of the same task by the library, from the algebra in memory to the answer, the least of the repetitions
   of one second (benches/structure_calls.rs). It is the peer of GAP's call.
 - The process: CPU seconds of the whole command, with start, reading, the check of the Jacobi identity, all else that the
   command computes, and printing. `affinor --version` takes 1 to 3 ms.
-- GAP and the process once. A scrambled table is an algebra after random elementary changes of the basis, two for each basis vector.
+- GAP and the process once. A permuted table is an algebra whose basis vectors are permuted, with random signs and without
+  names; a scrambled one is an algebra after random elementary changes of the basis, two for each basis vector.
 - Where GAP prints an answer, it is compared with affinor's.
 """
 import argparse
@@ -35,6 +37,7 @@ arguments.add_argument("--calls", required=True, help="the program of benches/st
 arguments.add_argument("--seconds", type=int, default=180, help="CPU limit of a cell of GAP [180]")
 arguments.add_argument("--tasks", default="constants,Jacobi,Killing,centre,Levi,type",
                        help="the tasks by their first words [all]")
+arguments.add_argument("--scrambled", default="F4,E6,E7,E8", help="the types of scrambled tables [F4,E6,E7,E8]")
 options = arguments.parse_args()
 TASKS = options.tasks.split(",")
 FOLDER = tempfile.mkdtemp(prefix="structure")
@@ -68,17 +71,21 @@ def affinor(*words):
 
 
 def gap(program, work):
-    """CPU seconds of `work`, its answer in the variable `answer`; None and why where GAP does not end."""
+    """CPU seconds of `work`, its answer in the variable `answer`, and CPU seconds of the process; None and why where GAP does not
+    end."""
     # long numbers stay in one line
     text = "SizeScreen([100000, 24]);;\n" + program + f'start := Runtime();; {work}\nPrint("RESULT ", Runtime() - start, " ", answer, "\\n"); QUIT;\n'
     limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (options.seconds + 60, options.seconds + 60))
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run(["gap", "-q", "--quitonbreak", "-o", "8g"], input=text, capture_output=True, text=True,
                           preexec_fn=limit)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    process = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     found = [line.split(" ", 2)[1:] for line in done.stdout.splitlines() if line.startswith("RESULT")]
     if not found:
-        return None, f"> {options.seconds} s" if done.returncode < 0 else "error"
+        return None, f"> {options.seconds} s" if done.returncode < 0 else "error", None
     seconds = int(found[0][0]) / 1000
-    return (seconds, found[0][1]) if seconds <= options.seconds else (None, f"> {options.seconds} s")
+    return (seconds, found[0][1], process) if seconds <= options.seconds else (None, f"> {options.seconds} s", None)
 
 
 def constants(name):
@@ -120,6 +127,18 @@ def scrambled(n, table, seed=1):
     return found
 
 
+def permuted(n, table, seed=1):
+    """The table of the basis in another order, with other signs."""
+    draw = random.Random(seed)
+    place = draw.sample(range(n), n)
+    sign = [draw.choice([1, -1]) for _ in range(n)]
+    found = {}
+    for (i, j), image in table.items():
+        factor = sign[i] * sign[j] * (1 if place[i] < place[j] else -1)
+        found[min(place[i], place[j]), max(place[i], place[j])] = {place[k]: factor * sign[k] * v for k, v in image.items()}
+    return found
+
+
 def rows(table):
     return [[i + 1, j + 1, k + 1, str(v)] for (i, j), image in table.items() for k, v in image.items()]
 
@@ -151,19 +170,19 @@ def call(task, space, answer=None):
     return float(found)
 
 
-def ratio(theirs, ours):
-    t, answer = theirs
-    if t is None:
+def ratio(theirs, answer, ours):
+    if theirs is None:
         return "-" if answer == "error" else f"> {options.seconds / ours:.0f}"
-    quotient = t / ours
+    quotient = theirs / ours
     return f"{quotient:.0f}" if quotient >= 10 else f"{quotient:.1f}"
 
 
 def row(task, work, theirs, own_call, process, command):
-    t, answer = theirs
+    t, answer, whole = theirs
     say(task, work, theirs, own_call, process)
-    print(f"| {task} | `{work}` | {seconds(t) if t is not None else answer} | {seconds(own_call)} | {ratio(theirs, own_call)} | "
-          f"{seconds(process)} | {ratio(theirs, process)} | `{command}` |", flush=True)
+    written = [answer if value is None else seconds(value) for value in (t, whole)]
+    print(f"| {task} | `{work}` | {written[0]} | {seconds(own_call)} | {ratio(t, answer, own_call)} | "
+          f"`{command}` | {written[1]} | {seconds(process)} | {ratio(whole, answer, process)} |", flush=True)
 
 
 def equal(what, ours, theirs):
@@ -175,8 +194,8 @@ load = " ".join(f"{x:.1f}" for x in os.getloadavg())
 release = subprocess.run(["gap", "-q", "-c", 'Print(GAPInfo.Version, "\\n"); QUIT;'], capture_output=True, text=True)
 print(f"{time.strftime('%Y-%m-%d')}; {os.cpu_count()} cores; load average at the start {load}; "
       f"GAP {release.stdout.strip()}; {affinor('--version')[1].strip()}.\n")
-print("| task | GAP | CPU of GAP | affinor, the call | ratio | affinor, the process | ratio | the process |\n"
-      "|---|---|---:|---:|---:|---:|---:|---|")
+print("| task | GAP | the call: GAP | affinor | ratio | the process | GAP | affinor | ratio |\n"
+      "|---|---|---:|---:|---:|---|---:|---:|---:|")
 
 def names(task, all_names):
     return all_names if task in TASKS else []
@@ -218,14 +237,15 @@ for name in names("Levi", ["parabolic(E7,7)", "parabolic(E7,1,3,6)"]):
     if theirs[0] is not None:
         equal(name, json.loads(text)["levi"]["dimension"], int(theirs[1]))
     row(f"Levi subalgebra of {name}", "LeviMalcevDecomposition", theirs, call("Levi", name), ours, f'info "{name}"')
-for name in names("type", ["F4", "E6", "E7", "E8"]):
-    n, table = constants(name)
-    table = scrambled(n, table)
-    ours, text = affinor("info", as_file(n, table), "--format", "json")
-    equal(f"scrambled {name}", json.loads(text)["dynkin_type"], name)
-    theirs = gap(as_gap(n, table), "answer := SemiSimpleType(L);;")
-    if theirs[0] is not None:
-        equal(f"scrambled {name}", name, theirs[1])
-    count = sum(map(len, table.values()))
-    row(f"type of scrambled {name}, {count:,} constants", "SemiSimpleType", theirs, call("type", as_file(n, table), name), ours,
-        "info FILE")
+for kind, change, all_names in [("permuted", permuted, ["F4", "E6", "E7", "E8"]), ("scrambled", scrambled, options.scrambled.split(","))]:
+    for name in names("type", all_names):
+        n, table = constants(name)
+        table = change(n, table)
+        ours, text = affinor("info", as_file(n, table), "--format", "json")
+        equal(f"{kind} {name}", json.loads(text)["dynkin_type"], name)
+        theirs = gap(as_gap(n, table), "answer := SemiSimpleType(L);;")
+        if theirs[0] is not None:
+            equal(f"{kind} {name}", name, theirs[1])
+        count = sum(map(len, table.values()))
+        row(f"type of {kind} {name}, {count:,} constants", "SemiSimpleType", theirs, call("type", as_file(n, table), name), ours,
+            "info FILE")

@@ -148,9 +148,22 @@ fn with_parameters_holds_for_generic_values() {
     // VI_0, III and V
     assert_eq!(generic["exceptional_values"], json!(["-1", "0", "1"]));
     assert_eq!(info("bianchi(VII)")["exceptional_values"], json!(["0"]));
+    // mu1^p mu2^q is invariant where p + h q = 0
+    assert_eq!(generic["casimirs"]["generators"], json!([]));
+    assert_eq!(generic["exceptional_casimirs"], json!(["-2", "-1", "-1/2", "0"]));
     let special = run(root(), &["info", "bianchi(VI)", "--set", "h=-1", "--format", "json"], b"");
     let special: Value = serde_json::from_str(&special.out).unwrap();
     assert_eq!((&special["generic"], &special["unimodular"]), (&json!(false), &json!(true)));
+    let scaled = "parameters = ['a', 'b', 'c']\nbasis = ['x', 'y', 'z']\nbrackets = '''
+        [x, y] = a*z
+        [y, z] = b*x
+        [z, x] = c*y'''";
+    let casimirs = json!({
+        "degree": 4,
+        "degrees": [2],
+        "generators": ["a*mu3^2 + b*mu1^2 + c*mu2^2"],
+    });
+    assert_eq!(info_of(scaled)["casimirs"], casimirs);
     // the inertia of M(3) does not concern its algebra
     assert_eq!(info("M3")["generic"], false);
 }

@@ -29,6 +29,7 @@ use affinor_tensors::{Down, Field, Ring, Symbolic, Tensor, Up};
 pub struct LiePoisson {
     coordinates: Vec<Symbolic>,
     names: Vec<String>,
+    structure: Tensor<Symbolic>,
     tensor: Tensor<Symbolic>,
 }
 
@@ -58,7 +59,8 @@ impl LiePoisson {
         let coordinates: Vec<_> = names.iter().map(|name| Symbolic::parameter(name)).collect();
         let tensor = paired(algebra, &Tensor::vector(&coordinates, Down));
         let tensor = tensor.scale(&Symbolic::from_i64(sign));
-        Ok(LiePoisson { coordinates, names, tensor })
+        let structure = algebra.structure().clone();
+        Ok(LiePoisson { coordinates, names, structure, tensor })
     }
 
     /// The coordinates `mu_i`.

@@ -79,6 +79,7 @@ pub struct Structure<S> {
     centre: OnceCell<Subspace<S>>,
     radical: OnceCell<Subspace<S>>,
     levi: OnceCell<Subspace<S>>,
+    cartan: OnceCell<Subspace<S>>,
     types: OnceCell<Option<Vec<CartanType>>>,
 }
 
@@ -97,6 +98,7 @@ impl<S: Ground> Structure<S> {
             centre: OnceCell::new(),
             radical: OnceCell::new(),
             levi: OnceCell::new(),
+            cartan: OnceCell::new(),
             types: OnceCell::new(),
         }
     }
@@ -159,6 +161,11 @@ impl<S: Ground> Structure<S> {
         let algebra = || self.algebra.map(|value| value.rational().unwrap_or_default()).ok();
         let same = Structure::new(rational.then(algebra)??);
         same.know_types(self.types.get());
+        if let Some(cartan) = self.cartan.get() {
+            let value = |(at, value): &(usize, S)| (*at, value.rational().unwrap_or_default());
+            let rows = cartan.basis().iter().map(|row| row.iter().map(value).collect::<Vec<_>>());
+            same.cartan.get_or_init(|| Subspace::span(self.dimension(), rows));
+        }
         Some(same)
     }
 

@@ -70,8 +70,7 @@ impl<S: Field> Nilpotent<S> {
 
 /// The index of the first term of the lower central series that is zero.
 fn class<S: Field>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
-    let basis: Vec<_> = algebra.basis().collect();
-    let mut term = basis.clone();
+    let mut term: Vec<_> = algebra.basis().collect();
     let mut class = 0;
     while !term.is_empty() {
         let mut next = Echelon::new().with_tolerance(algebra.structure().tolerance());
@@ -80,8 +79,12 @@ fn class<S: Field>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
             if next.rank() == term.len() {
                 break;
             }
-            for e in &basis {
-                next.insert(algebra.bracket(e, vector)?.into_iter().enumerate())?;
+            let mut brackets = vec![vec![]; algebra.dimension()];
+            for (at, value) in algebra.ad(vector)?.components() {
+                brackets[at[1]].push((at[0], value.clone()));
+            }
+            for bracket in brackets {
+                next.insert(bracket)?;
             }
         }
         if next.rank() == term.len() {
@@ -92,7 +95,7 @@ fn class<S: Field>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
                 format!("the vector {vector} in every term of the lower central series");
             return Err(Error::NotNilpotent { component });
         }
-        term = Matrix::from_rows(basis.len(), next.rows().to_vec())?.to_dense();
+        term = Matrix::from_rows(algebra.dimension(), next.rows().to_vec())?.to_dense();
         class += 1;
     }
     Ok(class)

@@ -73,6 +73,16 @@ fn dimensions(answer: &Value) -> Value {
     }
 }
 
+/// Whether two algebras have generators of their Casimir functions in the same degrees, as far as both were searched.
+fn same_casimirs(a: &Value, b: &Value) -> bool {
+    let [first, second] = [a, b].map(|found| found["degree"].as_u64().unwrap_or(0));
+    let up_to = |found: &Value| -> Vec<u64> {
+        let degrees = found["degrees"].as_array().into_iter().flatten().filter_map(Value::as_u64);
+        degrees.filter(|degree| *degree <= first.min(second)).collect()
+    };
+    up_to(a) == up_to(b)
+}
+
 impl Info {
     /// The structure of the algebra of a definition; `stage` is called before each part.
     ///
@@ -101,26 +111,35 @@ impl Info {
 
     /// Adds the values of a parameter, of a few, at which an answer differs from the generic one.
     fn exceptional_values(&mut self, parameter: &str, definition: &Definition) {
-        let differs = |value: &&str| {
+        let at = |value: &&'static str| {
             let number = Symbolic::constant(fraction(value)?);
             let mut special = definition.clone();
             special.set(&[(parameter.to_string(), number)].into()).ok()?;
-            let special = Info::of(&special, &|_| ()).ok()?;
-            Some(
-                COMPARED
-                    .iter()
-                    .any(|key| dimensions(&special.json[*key]) != dimensions(&self.json[*key])),
-            )
+            Some((*value, Info::of(&special, &|_| ()).ok()?.json))
         };
-        let found: Vec<&str> =
-            TRIED.into_iter().filter(|value| differs(value) == Some(true)).collect();
-        let answer = match found[..] {
+        let special: Vec<_> = TRIED.iter().filter_map(at).collect();
+        let differs = |json: &Map<String, Value>| {
+            COMPARED.iter().any(|key| dimensions(&json[*key]) != dimensions(&self.json[*key]))
+        };
+        let more =
+            |json: &Map<String, Value>| !same_casimirs(&json["casimirs"], &self.json["casimirs"]);
+        let values = |wanted: &dyn Fn(&Map<String, Value>) -> bool| -> Vec<&str> {
+            special.iter().filter(|(_, json)| wanted(json)).map(|(value, _)| *value).collect()
+        };
+        let (found, casimirs) = (values(&differs), values(&more));
+        let answer = |found: &[&str]| match found {
             [] => "none of those tried".to_string(),
             _ => format!("{parameter} = {}", found.join(", ")),
         };
-        let row = ["exceptional values", &answer, &format!("tried: {}", TRIED.join(", "))];
-        self.grid.rows.push(row.map(Cell::from).to_vec());
+        let tried = format!("tried: {}", TRIED.join(", "));
+        let mut rows = vec![["exceptional values", &answer(&found), &tried].map(Cell::from)];
+        if casimirs.iter().any(|value| !found.contains(value)) {
+            let why = "generators of other degrees";
+            rows.push(["Casimirs change at", &answer(&casimirs), why].map(Cell::from));
+        }
+        self.grid.rows.extend(rows.into_iter().map(|row| row.to_vec()));
         self.json.insert("exceptional_values".into(), json!(found));
+        self.json.insert("exceptional_casimirs".into(), json!(casimirs));
     }
 
     /// The structure of an algebra of this name, whose structure constants depend on `parameters`.
@@ -222,7 +241,7 @@ impl Info {
         notes.complex_structure(rational.as_ref());
         notes.nondegenerate_forms(structure);
         stage("casimirs");
-        notes.casimirs(rational.as_ref());
+        notes.casimirs(structure);
         stage("decomposition");
         notes.decomposition(rational.as_ref())?;
         stage("identification");

@@ -1,10 +1,14 @@
 //! Polynomial Casimir functions, the invariants of the coadjoint action, by degree.
+//!
+//! On a polynomial the coordinate `mu_i` acts by `{mu_i, mu^a} = c^k_ij a_j mu_k mu^a / mu_j`, up to the sign of the
+//! bracket. A function on which all coordinates act as zero is a Casimir function. With parameters in the brackets this
+//! is linear algebra over the field of their rational functions.
 
 use super::LiePoisson;
 use crate::Error;
 use crate::algebra::invariants::common_kernel;
 use affinor_tensors::linear::{Echelon, Row};
-use affinor_tensors::{Rational, Ring, Symbolic, Tolerance};
+use affinor_tensors::{Field, Rational, Symbolic, Tolerance};
 use num_traits::{One, Zero};
 use std::collections::BTreeMap;
 
@@ -21,95 +25,188 @@ impl LiePoisson {
     /// For a simple algebra of rank `l` they are the polynomials in `l` generators, whose degrees are
     /// the exponents plus 1 (C. Chevalley, *Amer. J. Math.* 77 (1955) 778-782).
     ///
+    /// With parameters in the structure constants they are a basis for generic values. Each is a polynomial in the
+    /// parameters as well, without a common factor, so it is a Casimir function at every value at which the structure
+    /// constants are defined. At exceptional values some may depend on the others, and there may be more.
+    ///
+    /// ```
+    /// use affinor::algebra::Bracket;
+    /// use affinor::{LieAlgebra, LiePoisson, Symbolic};
+    /// let [a, b, c] = ["a", "b", "c"].map(Symbolic::parameter);
+    /// let labels = ["e1", "e2", "e3"].map(String::from).to_vec();
+    /// let constants = [(0, 1, 2, a), (1, 2, 0, b), (2, 0, 1, c)];
+    /// let space = LiePoisson::left(&LieAlgebra::try_from(Bracket::from_constants(labels, constants)?)?)?;
+    /// assert_eq!(space.casimirs(2)?[0].to_string(), "a*mu3^2 + b*mu1^2 + c*mu2^2");
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
-    /// [`Error::Size`] beyond [`MAX_DEGREE`] or [`MAX_MONOMIALS`]; [`Error::NotConstant`] when the
-    /// structure constants have parameters.
+    /// [`Error::Size`] beyond [`MAX_DEGREE`] or [`MAX_MONOMIALS`].
     pub fn casimirs(&self, degree: u32) -> Result<Vec<Symbolic>, Error> {
-        let monomials = Monomials::new(self, degree)?;
-        let invariants = self.invariants(&monomials)?;
-        Ok(invariants.iter().map(|row| monomials.polynomial(row)).collect())
+        match self.constants::<Rational>() {
+            Some(constants) => self.of_degree(&constants, degree),
+            None => self.of_degree(&self.constants::<Symbolic>().unwrap_or_default(), degree),
+        }
     }
 
     /// Generators of the polynomial Casimir functions up to degree `most`, sorted by degree. Products
-    /// and sums of earlier generators are left out.
+    /// and sums of earlier generators are left out. With parameters they are generators for generic values.
     ///
     /// # Errors
     /// As [`casimirs`](Self::casimirs).
     pub fn casimir_generators(&self, most: u32) -> Result<Vec<Symbolic>, Error> {
+        match self.constants::<Rational>() {
+            Some(constants) => self.generators(&constants, most),
+            None => self.generators(&self.constants::<Symbolic>().unwrap_or_default(), most),
+        }
+    }
+
+    fn of_degree<F: Coefficient>(
+        &self,
+        constants: &[Vec<Constant<F>>],
+        degree: u32,
+    ) -> Result<Vec<Symbolic>, Error> {
+        let monomials = Monomials::new(self, degree)?;
+        let invariants = monomials.invariants(constants)?;
+        Ok(invariants.iter().map(|row| self.written(&monomials, row)).collect())
+    }
+
+    fn generators<F: Coefficient>(
+        &self,
+        constants: &[Vec<Constant<F>>],
+        most: u32,
+    ) -> Result<Vec<Symbolic>, Error> {
         expect_size(self, most)?;
-        let mut generators: Vec<(u32, Symbolic)> = vec![];
+        let mut generators: Vec<(u32, Polynomial<F>)> = vec![];
+        let mut written = vec![];
         for degree in 1..=most {
             let monomials = Monomials::new(self, degree)?;
             let mut known = Echelon::new();
-            for product in products(&generators, degree) {
-                known.insert(monomials.row(&product))?;
+            for product in products(&generators, degree, self.names.len()) {
+                known.insert(monomials.row(product))?;
             }
-            for row in self.invariants(&monomials)? {
+            for row in monomials.invariants(constants)? {
                 let rest = known.reduce(row);
                 if known.insert(rest.iter().cloned())? {
+                    written.push(self.written(&monomials, &rest));
                     generators.push((degree, monomials.polynomial(&rest)));
                 }
             }
         }
-        Ok(generators.into_iter().map(|(_, generator)| generator).collect())
+        Ok(written)
     }
 
-    fn invariants(&self, monomials: &Monomials) -> Result<Vec<Row<Rational>>, Error> {
-        let varies = |value: &Symbolic| value.parameters().iter().any(|p| !self.names.contains(p));
-        if let Some((at, value)) = self.tensor.components().find(|(_, value)| varies(value)) {
-            let component = format!("{{mu{}, mu{}}}", at[0] + 1, at[1] + 1);
-            let what = "a search for Casimir functions";
-            return Err(Error::NotConstant { what, component, value: value.to_string() });
+    /// For each `i` the constants `c^k_ij`, as `(j, k, c)`, if they are of that field.
+    fn constants<F: Coefficient>(&self) -> Option<Vec<Vec<Constant<F>>>> {
+        let mut constants = vec![vec![]; self.names.len()];
+        for (at, value) in self.structure.components() {
+            constants[at[1]].push((at[2], at[0], F::of(value)?));
         }
-        let image = |coordinate: &Symbolic, row: &[(usize, Rational)]| {
-            Ok(monomials.row(&self.bracket(coordinate, &monomials.polynomial(row))?))
-        };
-        let size = monomials.values.len();
-        let kernel =
-            common_kernel(MONOMIALS, size, Tolerance::default(), &self.coordinates, image)?;
-        Ok((0..kernel.rows()).map(|at| kernel.row(at).to_vec()).collect())
+        Some(constants)
+    }
+
+    /// A polynomial without denominators that depend on parameters.
+    fn written<F: Coefficient>(&self, monomials: &Monomials, row: &[(usize, F)]) -> Symbolic {
+        let mut common = Symbolic::one();
+        let values: Vec<Symbolic> = row.iter().map(|(_, value)| value.symbolic()).collect();
+        for value in &values {
+            common = common.clone() * &(value.clone() * &common).denominator();
+        }
+        row.iter().zip(values).fold(Symbolic::zero(), |sum, ((at, _), value)| {
+            let powers = self.coordinates.iter().zip(&monomials.exponents[*at]);
+            sum + &powers.fold(value * &common, |product, (coordinate, power)| {
+                product * &num_traits::pow(coordinate.clone(), *power as usize)
+            })
+        })
     }
 }
 
 const MONOMIALS: &str = "monomials";
 
-/// A monomial as [`Symbolic::terms`] writes it.
-type Powers = Vec<(String, u32)>;
+/// `(j, k, c^k_ij)` for an `i`.
+type Constant<F> = (usize, usize, F);
+
+/// Coefficients by exponents.
+type Polynomial<F> = BTreeMap<Vec<u32>, F>;
+
+/// The fields of coefficients: the rational numbers, and rational functions of parameters.
+trait Coefficient: Field {
+    fn of(value: &Symbolic) -> Option<Self>;
+    fn symbolic(&self) -> Symbolic;
+}
+
+impl Coefficient for Rational {
+    fn of(value: &Symbolic) -> Option<Self> {
+        value.as_constant().cloned()
+    }
+
+    fn symbolic(&self) -> Symbolic {
+        Symbolic::constant(self.clone())
+    }
+}
+
+impl Coefficient for Symbolic {
+    fn of(value: &Symbolic) -> Option<Self> {
+        Some(value.clone())
+    }
+
+    fn symbolic(&self) -> Symbolic {
+        self.clone()
+    }
+}
 
 /// The monomials of one degree, numbered.
 struct Monomials {
-    values: Vec<Symbolic>,
-    places: BTreeMap<Powers, usize>,
+    exponents: Vec<Vec<u32>>,
+    places: BTreeMap<Vec<u32>, usize>,
 }
 
 impl Monomials {
     fn new(space: &LiePoisson, degree: u32) -> Result<Self, Error> {
         expect_size(space, degree)?;
         let exponents = exponents(space.names.len(), degree);
-        let named = |exponents: &Vec<u32>| -> Powers {
-            let powers = space.names.iter().cloned().zip(exponents.iter().copied());
-            powers.filter(|(_, power)| *power > 0).collect()
-        };
-        let value = |exponents: &Vec<u32>| {
-            let powers = space.coordinates.iter().zip(exponents);
-            powers.fold(Symbolic::one(), |product, (coordinate, power)| {
-                product * &num_traits::pow(coordinate.clone(), *power as usize)
-            })
-        };
-        let places = exponents.iter().map(named).zip(0..).collect();
-        Ok(Monomials { values: exponents.iter().map(value).collect(), places })
+        let places = exponents.iter().cloned().zip(0..).collect();
+        Ok(Monomials { exponents, places })
     }
 
-    fn polynomial(&self, row: &[(usize, Rational)]) -> Symbolic {
-        row.iter().fold(Symbolic::zero(), |sum, (at, coefficient)| {
-            sum + &(self.values[*at].clone() * &Symbolic::constant(coefficient.clone()))
-        })
+    /// A basis of the polynomials on which every coordinate acts as zero.
+    fn invariants<F: Coefficient>(
+        &self,
+        constants: &[Vec<Constant<F>>],
+    ) -> Result<Vec<Row<F>>, Error> {
+        let image = |action: &Vec<Constant<F>>, row: &[(usize, F)]| Ok(self.image(action, row));
+        let size = self.exponents.len();
+        let kernel = common_kernel(MONOMIALS, size, Tolerance::default(), constants, image)?;
+        Ok((0..kernel.rows()).map(|at| kernel.row(at).to_vec()).collect())
+    }
+
+    /// `c^k_j mu_k df/dmu_j`.
+    fn image<F: Coefficient>(&self, action: &[Constant<F>], row: &[(usize, F)]) -> Row<F> {
+        let mut image: BTreeMap<usize, F> = BTreeMap::new();
+        for (at, coefficient) in row {
+            for (j, k, constant) in action {
+                let mut exponents = self.exponents[*at].clone();
+                let power = exponents[*j];
+                if power == 0 {
+                    continue;
+                }
+                exponents[*j] -= 1;
+                exponents[*k] += 1;
+                let term = coefficient.clone() * constant * &F::from_i64(power.into());
+                let entry = image.entry(self.places[&exponents]).or_insert_with(F::zero);
+                *entry = entry.clone() + &term;
+            }
+        }
+        image.into_iter().filter(|(_, value)| !value.vanishes()).collect()
+    }
+
+    fn polynomial<F: Coefficient>(&self, row: &[(usize, F)]) -> Polynomial<F> {
+        row.iter().map(|(at, value)| (self.exponents[*at].clone(), value.clone())).collect()
     }
 
     /// The coefficients of a polynomial of this degree.
-    fn row(&self, polynomial: &Symbolic) -> Row<Rational> {
-        let place = |(powers, coefficient)| (self.places[&powers], coefficient);
-        polynomial.terms().into_iter().map(place).collect()
+    fn row<F: Coefficient>(&self, polynomial: Polynomial<F>) -> Row<F> {
+        polynomial.into_iter().map(|(powers, value)| (self.places[&powers], value)).collect()
     }
 }
 
@@ -151,14 +248,31 @@ fn exponents(n: usize, degree: u32) -> Vec<Vec<u32>> {
     }
 }
 
-/// All products of that degree of factors with their degrees, each once.
-fn products(factors: &[(u32, Symbolic)], degree: u32) -> Vec<Symbolic> {
+/// All products of that degree of factors with their degrees, each once, in `n` variables.
+fn products<F: Coefficient>(
+    factors: &[(u32, Polynomial<F>)],
+    degree: u32,
+    n: usize,
+) -> Vec<Polynomial<F>> {
     let Some(((own, factor), others)) = factors.split_first() else {
-        return if degree == 0 { vec![Symbolic::from_i64(1)] } else { vec![] };
+        return if degree == 0 { vec![[(vec![0; n], F::one())].into()] } else { vec![] };
     };
-    let mut all = products(others, degree);
+    let mut all = products(others, degree, n);
     if let Some(rest) = degree.checked_sub(*own) {
-        all.extend(products(factors, rest).into_iter().map(|product| product * factor));
+        all.extend(products(factors, rest, n).iter().map(|product| multiplied(product, factor)));
     }
     all
+}
+
+fn multiplied<F: Coefficient>(a: &Polynomial<F>, b: &Polynomial<F>) -> Polynomial<F> {
+    let mut product = Polynomial::new();
+    for (left, first) in a {
+        for (right, second) in b {
+            let powers = left.iter().zip(right).map(|(a, b)| a + b).collect();
+            let entry = product.entry(powers).or_insert_with(F::zero);
+            *entry = entry.clone() + &(first.clone() * second);
+        }
+    }
+    product.retain(|_, value: &mut F| !value.vanishes());
+    product
 }

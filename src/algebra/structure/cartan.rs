@@ -12,6 +12,10 @@ impl<S: Ground> Structure<S> {
     /// The elements tried are first sums of basis vectors that commute, which keeps the numbers
     /// short, then sums of more and more basis vectors.
     pub fn cartan_subalgebra(&self) -> Subspace<S> {
+        self.cartan.get_or_init(|| self.search_cartan_subalgebra()).clone()
+    }
+
+    fn search_cartan_subalgebra(&self) -> Subspace<S> {
         let n = self.dimension();
         if self.is_nilpotent() {
             return self.whole();

@@ -381,7 +381,7 @@ pub(super) fn inverse_of_columns(p: Prime, columns: &[Vec<u64>]) -> Option<Resid
 }
 
 /// The monic relation between the powers, ascending, if the last one is the first that depends.
-fn relation_of(p: Prime, powers: &[Vec<u64>]) -> Option<Vec<u64>> {
+pub(super) fn relation_of(p: Prime, powers: &[Vec<u64>]) -> Option<Vec<u64>> {
     let rows = (0..powers[0].len()).map(|i| powers.iter().map(|power| power[i]).collect());
     let kernel = Residues::new(p, powers.len(), rows.collect()).kernel();
     match kernel.as_slice() {

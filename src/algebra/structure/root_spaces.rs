@@ -1,13 +1,17 @@
 //! Root spaces of a semisimple algebra, where a Cartan subalgebra splits over the rationals (de Graaf 4.9, 5.11).
 
+use super::dynkin::relation_of;
 use super::ideals::monic;
 use super::products::Ad;
+use super::reduction::Reduction;
 use super::subspace::combination;
 use super::{Structure, Subspace};
 use crate::algebra::roots::CartanType;
+use affinor_tensors::linear::modular::PRIMES;
 use affinor_tensors::linear::{Echelon, Matrix, Row};
 use affinor_tensors::{Field, Rational, Ring};
 use num_rational::BigRational;
+use polycore::{Fp, Uni};
 use std::collections::{BTreeMap, HashSet};
 
 /// The largest number of eigenvalues that the parts of one vector may have.
@@ -49,6 +53,9 @@ impl Structure<Rational> {
 
     fn split_by(&self, cartan: Subspace<Rational>, types: Vec<CartanType>) -> Option<RootSpaces> {
         let n = self.dimension();
+        if !self.may_split(&cartan) {
+            return None;
+        }
         let mut spaces: BTreeMap<Vec<Rational>, Vec<Row<Rational>>> = BTreeMap::new();
         spaces.insert(vec![], self.whole().basis().to_vec());
         for h in cartan.basis() {
@@ -80,6 +87,37 @@ impl Structure<Rational> {
         found.roots.extend(opposites);
         found.simple = found.numbered(&simple)?;
         Some(found)
+    }
+
+    /// False if the parts of some unit vectors have more than [`MAX_EIGENVALUES`] or eigenvalues that are not rational, for
+    /// the first vector of the Cartan subalgebra. Modulo a prime this takes no time, while in a dense basis the rational
+    /// numbers of the powers of `ad` are long.
+    fn may_split(&self, cartan: &Subspace<Rational>) -> bool {
+        let Some(h) = cartan.basis().first() else { return true };
+        let found = PRIMES.into_iter().find_map(|prime| {
+            let mut dense = vec![0; self.dimension()];
+            for (at, value) in h {
+                dense[*at] = prime.rational(value)?;
+            }
+            Some((Reduction::new(self, prime)?, dense))
+        });
+        let Some((reduction, h)) = found else { return true };
+        let (n, p, ad) = (self.dimension(), reduction.prime(), reduction.ad(&h));
+        [0, n / 2, n - 1].into_iter().all(|at| {
+            let mut unit = vec![0; n];
+            unit[at] = 1;
+            let mut powers = vec![unit];
+            while powers.len() <= MAX_EIGENVALUES {
+                let next = ad.apply(&powers[powers.len() - 1]);
+                powers.push(next);
+                if let Some(minimal) = relation_of(p, &powers) {
+                    let coefficients = minimal.iter().map(|v| Fp::new(*v, p.get()));
+                    let (_, factors) = polyfactor::factor_mod(&Uni::new(coefficients.collect()));
+                    return factors.iter().all(|(factor, _)| factor.deg() == 1);
+                }
+            }
+            false
+        })
     }
 }
 

@@ -2,9 +2,9 @@
 
 use super::{Notes, SHOWN};
 use affinor::algebra::structure::{Existence, Ground, MAX_DECOMPOSED, Structure};
-use affinor_tensors::Rational;
 use affinor_tensors::linear::Row;
 use affinor_tensors::text::combination;
+use affinor_tensors::{Kind, Notation, Rational, Symbolic};
 use serde_json::{Value, json};
 
 /// The highest degree of Casimir functions, the largest number of monomials of that degree, and the largest product of that
@@ -12,6 +12,8 @@ use serde_json::{Value, json};
 const CASIMIR_DEGREE: u32 = 4;
 const MONOMIALS: usize = 350;
 const TERMS: usize = 60_000;
+/// The same product where the brackets have parameters.
+const TERMS_OF_PARAMETERS: usize = 6_000;
 /// Longer answers are written in JSON only.
 const LONGEST: usize = 240;
 
@@ -134,20 +136,14 @@ impl Notes {
     }
 
     /// Polynomial Casimir functions up to a degree, in the basis of the algebra.
-    pub(super) fn casimirs(&mut self, structure: Option<&Structure<Rational>>) {
-        let found = structure.and_then(|structure| {
-            let constants = structure.algebra().structure().len();
-            let fits = |count: usize| count <= MONOMIALS && count * constants <= TERMS;
-            let degree = (1..=CASIMIR_DEGREE)
-                .take_while(|degree| fits(monomials(structure.dimension(), *degree)))
-                .last()?;
-            let generators = structure.casimirs(degree).ok()?;
-            Some((degree, generators.iter().map(ToString::to_string).collect::<Vec<_>>()))
-        });
+    pub(super) fn casimirs<S: Ground + Notation>(&mut self, structure: &Structure<S>) {
+        let found = casimirs(structure);
         let Some((degree, generators)) = found else {
             self.json.insert("casimirs".into(), Value::Null);
             return;
         };
+        let degrees: Vec<u32> = generators.iter().map(degree_in_mu).collect();
+        let generators: Vec<String> = generators.iter().map(ToString::to_string).collect();
         let text = generators.join(", ");
         let text = match generators.len() {
             0 => "none".into(),
@@ -156,9 +152,32 @@ impl Notes {
         };
         let witness = format!("polynomials in mu_i = mu(e_i), generators up to degree {degree}");
         self.row("Casimir functions", text, &witness);
-        let json = json!({ "degree": degree, "generators": generators });
+        let json = json!({ "degree": degree, "degrees": degrees, "generators": generators });
         self.json.insert("casimirs".into(), json);
     }
+}
+
+/// Generators of the Casimir functions, and the degree up to which they were sought.
+fn casimirs<S: Ground + Notation>(structure: &Structure<S>) -> Option<(u32, Vec<Symbolic>)> {
+    let n = structure.dimension();
+    let constants = structure.algebra().structure().len();
+    let terms = match S::KIND {
+        Kind::Symbolic => TERMS_OF_PARAMETERS,
+        _ => TERMS,
+    };
+    let fits = |count: usize| count <= MONOMIALS && count * constants <= terms;
+    let low = (1..=CASIMIR_DEGREE).take_while(|degree| fits(monomials(n, *degree)));
+    let degree = low.last().filter(|_| n <= MAX_DECOMPOSED)?;
+    Some((degree, structure.casimirs(degree).ok()?))
+}
+
+/// The degree of a homogeneous polynomial in `mu1, mu2, ..`, whose coefficients may have parameters.
+fn degree_in_mu(polynomial: &Symbolic) -> u32 {
+    let coordinate =
+        |name: &str| name.strip_prefix("mu").is_some_and(|number| number.parse::<usize>().is_ok());
+    let terms = polynomial.terms();
+    let powers = terms.first().into_iter().flat_map(|(powers, _)| powers);
+    powers.filter(|(name, _)| coordinate(name)).map(|(_, power)| power).sum()
 }
 
 /// How many monomials of a degree there are in `n` variables.
