@@ -6,44 +6,20 @@ import json
 import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from affinor import _engine
 from affinor._scalars import Scalar, Symbols, document, integers, is_matrix, merged, names_in, text_of
+from affinor._source import Source
 from affinor.errors import MathematicsError
 from affinor.group import Group
 from affinor.structure import Structured
 from affinor.tensor import Tensor
 
 __all__ = ["Check", "LieAlgebra", "catalogue"]
-
-Request = dict[str, Any]
-"""The arguments of a space: those of ``_engine.Space``."""
-
-
-class Source:
-    """What a space is made of: the arguments of the engine, the symbols of SymPy in them, and the scalar."""
-
-    __slots__ = ("request", "scalar", "symbols", "tolerance")
-
-    def __init__(self, request: Request, symbols: Symbols, scalar: str, tolerance: float | None) -> None:
-        if scalar not in ("exact", "float"):
-            raise ValueError(f"the scalar is exact or float, not {scalar!r}")
-        self.request, self.symbols = request, symbols
-        self.scalar, self.tolerance = scalar, tolerance
-
-    def space(self, **more: Any) -> _engine.Space:
-        """The space, perhaps with another connection, metric or values of parameters."""
-        return _engine.Space(**{**self.request, **more})
-
-    def with_(self, **more: Any) -> Source:
-        return Source({**self.request, **more}, self.symbols, self.scalar, self.tolerance)
-
-    def of(self) -> tuple[Any, ...]:
-        return self.request, self.symbols, self.scalar, self.tolerance
 
 
 def source_of(
@@ -217,7 +193,7 @@ class LieAlgebra(Structured):
         self._engine = self._space.algebra(source.scalar, source.tolerance)
 
     @classmethod
-    def _of(cls, source: Source) -> LieAlgebra:
+    def _of(cls, source: Source) -> Self:
         algebra = cls.__new__(cls)
         algebra._set(source)
         return algebra
@@ -340,7 +316,11 @@ class LieAlgebra(Structured):
         structure = Tensor._of(engine, merged(self._source.symbols, change._symbols))
         return self._structured(structure, self.name, _labels(basis))
 
-    def _structured(self, structure: Tensor, name: str, labels: list[str] | None) -> LieAlgebra:
+    @classmethod
+    def _read(cls, space: Any, basis: list[str] | None = None) -> Self:
+        return cls(space, basis=basis)
+
+    def _structured(self, structure: Tensor, name: str, labels: list[str] | None) -> Self:
         tidy = None if labels is None or any("'" in label for label in labels) else labels
         source = structure_source(
             structure,
@@ -351,7 +331,7 @@ class LieAlgebra(Structured):
             tolerance=self._source.tolerance,
         )
         source.symbols = merged(source.symbols, structure._symbols)
-        return LieAlgebra._of(source)
+        return type(self)._of(source)
 
     def subs(self, values: Mapping[Any, Scalar]) -> LieAlgebra:
         """The algebra with parameters replaced, by name or by symbol."""

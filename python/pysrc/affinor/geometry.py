@@ -10,7 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from affinor import _engine
 from affinor._scalars import Scalar, Symbols, is_matrix, is_sympy, merged, text_of, value_of
-from affinor.algebra import DESCRIPTIONS, Check, LieAlgebra, Source, checks, settings, source_of
+from affinor._source import Source
+from affinor.algebra import DESCRIPTIONS, Check, LieAlgebra, checks, settings, source_of
 from affinor.errors import MathematicsError
 from affinor.group import Group
 from affinor.structure import Report

@@ -6,7 +6,7 @@ import json
 import operator
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,11 +16,9 @@ from affinor._engine import Geometry as Components
 from affinor._engine import Space
 from affinor._engine import Tensor as Constants
 from affinor._scalars import Symbols, is_matrix, merged, value_of
+from affinor._source import Source
 from affinor.errors import InputError
 from affinor.tensor import Tensor
-
-if TYPE_CHECKING:
-    from affinor.algebra import LieAlgebra, Source
 
 __all__ = ["Report"]
 
@@ -253,37 +251,37 @@ class Structured:
 
     # -- constructions ---------------------------------------------------------------------------------------------------
 
-    def subalgebra(self, vectors: Iterable[Any], *, basis: Basis = None) -> LieAlgebra:
+    def subalgebra(self, vectors: Iterable[Any], *, basis: Basis = None) -> Self:
         """The subalgebra with these vectors as its basis.
 
         A vector is its components, or a text such as ``"e1 + 2*e2"``. A span that is not closed raises ConstructionError.
         """
         return self._subalgebra("spanned", vectors, "span in", basis)
 
-    def generated(self, vectors: Iterable[Any], *, basis: Basis = None) -> LieAlgebra:
+    def generated(self, vectors: Iterable[Any], *, basis: Basis = None) -> Self:
         """The subalgebra that vectors generate."""
         return self._subalgebra("generated", vectors, "subalgebra of", basis)
 
-    def centralizer(self, vectors: Iterable[Any], *, basis: Basis = None) -> LieAlgebra:
+    def centralizer(self, vectors: Iterable[Any], *, basis: Basis = None) -> Self:
         """The subalgebra of all vectors that commute with these."""
         return self._subalgebra("centralizer", vectors, "centralizer in", basis)
 
-    def derived_subalgebra(self, *, basis: Basis = None) -> LieAlgebra:
+    def derived_subalgebra(self, *, basis: Basis = None) -> Self:
         """The subalgebra ``[L, L]``."""
         return self._subalgebra("derived", [], "derived algebra of", basis)
 
-    def _subalgebra(self, way: str, vectors: Iterable[Any], title: str, basis: Basis) -> LieAlgebra:
+    def _subalgebra(self, way: str, vectors: Iterable[Any], title: str, basis: Basis) -> Self:
         given = self._vectors(vectors)
         found = _engine.subalgebra(self._engine, way, [vector._engine for vector in given])
         return self._made(found, f"{title} {self.name}", basis, given)
 
-    def quotient(self, vectors: Iterable[Any], *, basis: Basis = None) -> LieAlgebra:
+    def quotient(self, vectors: Iterable[Any], *, basis: Basis = None) -> Self:
         """The quotient by the ideal that vectors span; a span that is no ideal raises ConstructionError."""
         given = self._vectors(vectors)
         found = _engine.quotient(self._engine, [vector._engine for vector in given])
         return self._made(found, f"quotient of {self.name}", basis, given)
 
-    def central_extension(self, cocycle: Any, centre: str | Sequence[str] = "z", *, basis: Basis = None) -> LieAlgebra:
+    def central_extension(self, cocycle: Any, centre: str | Sequence[str] = "z", *, basis: Basis = None) -> Self:
         """The extension by a centre with the names ``centre``: ``[x, y]`` gets the further component ``omega(x, y)``.
 
         ``cocycle`` is a text such as ``"[e1, e2] = z"``; or ``omega[j, k]`` for one central vector, ``omega[a, j, k]`` for
@@ -301,10 +299,8 @@ class Structured:
         """The cocycle as constants ``w^i_jk`` over the algebra and the centre."""
         n = len(labels) - count
         if isinstance(cocycle, str):
-            from affinor.algebra import LieAlgebra
-
             # brackets into the centre are always an algebra
-            return LieAlgebra(cocycle, basis=labels).structure
+            return self._read(cocycle, labels).structure
         if isinstance(cocycle, Mapping):
             entries = dict(cocycle)
         else:
@@ -321,42 +317,40 @@ class Structured:
             components[n + at[0], at[1], at[2]] = value
         return Tensor(components, "^__", dimension=n + count)
 
-    def semidirect(self, on: Any, by: Iterable[Any] | None = None, *, basis: Basis = None) -> LieAlgebra:
+    def semidirect(self, on: Any, by: Iterable[Any] | None = None, *, basis: Basis = None) -> Self:
         """The semidirect sum with ``on``, an algebra on which this one acts: ``[e_j, v] = D_j v``.
 
         ``by`` has a matrix ``D_j`` for each basis vector of this algebra. ``semidirect("adjoint")`` acts on the algebra
         itself as a vector space, ``semidirect("coadjoint")`` on its dual space. Matrices that are no derivations, or no
         action, raise ConstructionError.
         """
-        from affinor.algebra import LieAlgebra
-
         if by is None:
             plain = {"adjoint": self.tangent_algebra, "coadjoint": self.with_dual}
             if not isinstance(on, str) or on not in plain:
                 raise TypeError("give the matrices of the action, or one of 'adjoint' and 'coadjoint' without matrices")
             return plain[on](basis=basis)
-        other = on if isinstance(on, LieAlgebra) else LieAlgebra(on)
+        other = on if isinstance(on, Structured) else self._read(on)
         matrices = [matrix if isinstance(matrix, Tensor) else Tensor(matrix, "^_") for matrix in by]
         found = _engine.semidirect(self._engine, other._engine, [matrix._engine for matrix in matrices])
         return self._made(found, f"{self.name} on {other.name}", basis, matrices, other._source.symbols)
 
-    def with_dual(self, *, basis: Basis = None) -> LieAlgebra:
+    def with_dual(self, *, basis: Basis = None) -> Self:
         """The semidirect sum with the dual space, by the coadjoint action."""
         return self._made(_engine.with_dual(self._engine), f"{self.name} with its dual", basis)
 
-    def truncated(self, order: int, *, basis: Basis = None) -> LieAlgebra:
+    def truncated(self, order: int, *, basis: Basis = None) -> Self:
         """Polynomials in ``t`` with values in this algebra and ``t^order = 0``."""
         return self._made(_engine.truncated(self._engine, order), f"{self.name}[t]/t^{order}", basis)
 
-    def tangent_algebra(self, *, basis: Basis = None) -> LieAlgebra:
+    def tangent_algebra(self, *, basis: Basis = None) -> Self:
         """The algebra of the tangent bundle: the semidirect sum with itself as a vector space, by the adjoint action."""
         return self.truncated(2, basis=basis)
 
-    def complexification(self, *, basis: Basis = None) -> LieAlgebra:
+    def complexification(self, *, basis: Basis = None) -> Self:
         """The complexification, as a real algebra of twice the dimension: ``x`` and ``i x``."""
         return self._made(_engine.complexification(self._engine), f"complexification of {self.name}", basis)
 
-    def contraction(self, weights: Sequence[int], *, basis: Basis = None) -> LieAlgebra:
+    def contraction(self, weights: Sequence[int], *, basis: Basis = None) -> Self:
         """The Inonu-Wigner contraction: ``e_i`` is scaled by ``t^w_i``, in the limit of ``t`` to 0.
 
         Weights for which there is no limit raise ConstructionError.
@@ -371,14 +365,24 @@ class Structured:
         basis: Basis,
         given: Iterable[Tensor] = (),
         symbols: Symbols | None = None,
-    ) -> LieAlgebra:
+    ) -> Self:
         labels, engine = found
         if basis is not None:
             labels = basis.replace(",", " ").split() if isinstance(basis, str) else [str(label) for label in basis]
         known = merged(self._source.symbols, symbols or {}, *(tensor._symbols for tensor in given))
         return self._structured(Tensor._of(engine, known), name, labels)
 
-    def _structured(self, structure: Tensor, name: str, labels: list[str] | None) -> LieAlgebra:
+    @classmethod
+    def _read(cls, space: Any, basis: list[str] | None = None) -> Self:
+        """The algebra of a name, brackets or constants."""
+        raise NotImplementedError
+
+    @property
+    def structure(self) -> Tensor:
+        """The structure constants ``c^i_jk``."""
+        raise NotImplementedError
+
+    def _structured(self, structure: Tensor, name: str, labels: list[str] | None) -> Self:
         """The algebra of these constants, with the scalar and the tolerance of this one."""
         raise NotImplementedError
 
