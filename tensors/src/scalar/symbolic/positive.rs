@@ -93,8 +93,8 @@ impl PositiveFactors {
         Ok(primes.chain(factors).fold(Symbolic::zero(), term))
     }
 
-    /// The factors of a positive function, each positive. Squares of factors of either sign are left out where they are
-    /// not `needed`.
+    /// The factors of a positive function, each positive. Where the function is `declared`, squares of factors of
+    /// unknown sign are left out.
     fn oriented(&self, what: &str, value: &Symbolic, declared: bool) -> Result<Oriented, String> {
         let (mut content, factors) = factors(what, value)?;
         let mut oriented = Vec::new();
