@@ -119,7 +119,7 @@ fn functions() {
         ),
         ("sin(a)", &["a.toml:3:19", "sin takes coordinates, and `a` is none"]),
         ("sin(x + a)", &["a.toml:3:19", "sin takes coordinates, and `a` is none"]),
-        ("sin(x/17)", &["the argument of sin has parts below 1/16"]),
+        ("sin(x/5)", &["the argument of sin has parts other than twelfths"]),
         ("exp(1)", &["a sum of multiples of products of names"]),
         ("cos(1000*x)", &["more than 16 multiples"]),
         ("sin()", &["a.toml:3:23", "is not expected here"]),

@@ -30,8 +30,8 @@ use std::sync::Arc;
 /// The largest sum of multiples in the argument of a function: `sin(2*x - y)` has 3.
 const MAX_MULTIPLES: u64 = 16;
 
-/// The most parts of a product: `sin(x/16)`.
-const MAX_PARTS: u32 = 16;
+/// The parts of a product divide this number, so that functions of different parts meet in few: `sin(x/12)`.
+const PARTS: u32 = 12;
 
 /// The names of the functions.
 const FUNCTIONS: [&str; 10] =
@@ -247,8 +247,8 @@ impl Symbolic {
         if sum > MAX_MULTIPLES {
             return Err(format!("the argument of {name} has more than {MAX_MULTIPLES} multiples"));
         }
-        if multiples.iter().any(|multiple| multiple.parts > MAX_PARTS) {
-            return Err(format!("the argument of {name} has parts below 1/{MAX_PARTS}"));
+        if multiples.iter().any(|multiple| PARTS % multiple.parts != 0) {
+            return Err(format!("the argument of {name} has parts other than twelfths"));
         }
         let quotient = |above: Symbolic, below: Symbolic| {
             let below = below.recip().ok_or_else(|| format!("{name} is not defined here"))?;
