@@ -247,7 +247,7 @@ impl Symbolic {
         if sum > MAX_MULTIPLES {
             return Err(format!("the argument of {name} has more than {MAX_MULTIPLES} multiples"));
         }
-        if multiples.iter().any(|multiple| PARTS % multiple.parts != 0) {
+        if multiples.iter().any(|multiple| !PARTS.is_multiple_of(multiple.parts)) {
             return Err(format!("the argument of {name} has parts other than twelfths"));
         }
         let quotient = |above: Symbolic, below: Symbolic| {
