@@ -24,6 +24,8 @@ pub(crate) enum Node {
     Text(String),
     /// A fraction: what is above and below the bar.
     Fraction([Vec<Node>; 2]),
+    /// A square root.
+    Root(Vec<Node>),
     /// An accent over a letter.
     Accent(Accent, Box<Node>),
     /// Indices and powers, in order: whether each run is above, and its pieces.
@@ -171,6 +173,18 @@ impl<'a> Reader<'a> {
     /// The pieces that begin with a character, with the indices and powers of the last one.
     fn scripted(&mut self, first: char) -> Vec<Node> {
         let mut atoms = self.atoms(first);
+        let open = self.names && self.rest.starts_with('(') && self.depth < DEEPEST;
+        if open && let Some(Node::Function(name)) = atoms.last() {
+            // a function of values is one piece with its argument, also above and below a bar
+            let root = name == "sqrt";
+            let group = self.group();
+            if root {
+                atoms.pop();
+                atoms.push(Node::Root(without_brackets(group)));
+            } else {
+                atoms.extend(group);
+            }
+        }
         if let Some(base) = atoms.pop() {
             let last = self.scripts(base);
             atoms.push(last);
@@ -378,6 +392,12 @@ mod tests {
         let value = parse_value("(a - 3*b)/(4*a^2)");
         assert_eq!(value, [Node::Fraction([parse_value("a - 3*b"), parse_value("4*a^2")])]);
         assert_eq!(parse_value("2.5e-7"), [Node::Number("2.5e-7".into())]);
+        // a function keeps its argument
+        let tangent = parse_value("sin(x)/cos(x)");
+        assert_eq!(tangent, [Node::Fraction([parse_value("sin(x)"), parse_value("cos(x)")])]);
+        let root = Node::Root(parse_value("r - 2*M"));
+        assert_eq!(parse_value("sqrt(r - 2*M)/r")[0], Node::Fraction([vec![root], parse("r")]));
+        assert_eq!(parse_value("sin(x)^2").len(), 4);
         // a power keeps its brackets
         let Node::Fraction([above, _]) = &parse_value("(a + b)^2/c")[0] else { panic!() };
         assert_eq!(above[0], Node::Operator("("));

@@ -106,6 +106,7 @@ fn piece(node: &Node) -> String {
         Node::Operator(sign @ ("," | ";")) => format!("<mo separator=\"true\">{sign}</mo>"),
         Node::Operator(sign) => format!("<mo>{sign}</mo>"),
         Node::Text(text) => format!("<mtext> {} </mtext>", escaped(text)),
+        Node::Root(inner) => format!("<msqrt>{}</msqrt>", pieces(inner)),
         Node::Fraction([above, below]) => format!("<mfrac>{}{}</mfrac>", row(above), row(below)),
         Node::Accent(accent, letter) => {
             let sign = match accent {

@@ -24,6 +24,7 @@ fn piece(node: &Node) -> String {
         Node::Number(number) => number.clone(),
         Node::Operator(sign) => operator(sign).into(),
         Node::Text(text) => format!("\\text{{ {} }}", latex_escaped(text)),
+        Node::Root(inner) => format!("\\sqrt{{{}}}", pieces(inner)),
         Node::Fraction([above, below]) => {
             format!("\\frac{{{}}}{{{}}}", pieces(above), pieces(below))
         }
