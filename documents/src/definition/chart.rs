@@ -1,5 +1,6 @@
 //! Charts in definitions: coordinates, and fields whose components are functions of them.
 
+use super::functions::Functions;
 use super::input::InputError;
 use super::notation::Names;
 use super::source::{Place, Source};
@@ -8,13 +9,6 @@ use super::{Given, Reading};
 use affinor::geometry::chart::{Chart, Fields};
 use affinor_tensors::scalar::PositiveFactors;
 use affinor_tensors::{Down, Notation, Tensor, Up};
-
-/// The functions on a chart: of its coordinates, with the signs by which roots and logarithms are defined.
-#[derive(Clone, Debug)]
-pub(crate) struct Functions {
-    pub coordinates: Vec<String>,
-    pub positive: PositiveFactors,
-}
 
 /// Fields by their components in the coordinate frame.
 #[derive(Clone, Debug)]

@@ -1,10 +1,11 @@
 //! The keys of a definition file, read into a definition.
 
-use super::chart::{Functions, OnChart};
+use super::chart::OnChart;
 use super::construction::{
     Construction, Contraction, Extension, OtherBasis, Quotient, Semidirect, Site, Subalgebra,
     Truncated, pairs,
 };
+use super::functions::Functions;
 use super::input::{InputError, shown};
 use super::notation::{
     Names, basis, check_name, connection, lines, metric, metric_rows, shape, statement,

@@ -1,6 +1,6 @@
 //! Expressions of definitions: linear combinations like `h*e2 + 1/2 e1`, complex entries, metrics, connections.
 
-use super::chart::Functions;
+use super::functions::Functions;
 use super::input::{InputError, shown};
 use super::source::{Place, Source};
 use super::{ConnectionChoice, Given, MetricChoice};

@@ -11,10 +11,8 @@ use super::denominator::Denominator;
 use super::elementary::{Variable, exponential, half_tangent};
 use super::fraction::{Fraction, lowest_terms};
 use super::polynomial::{Polynomial, constant, content, power, product, select};
-use super::sum::SymbolicSum;
 use super::variables::{Variables, natural, places};
 use super::{Form, Rational, Symbolic};
-use crate::Sum;
 use crate::scalar::Field;
 use num_integer::Integer;
 use num_traits::{One, Zero};
@@ -121,13 +119,12 @@ fn without_squares(f: &Fraction, at: usize, p: &str) -> Symbolic {
     let root = Symbolic::parameter(&f.variables[at]);
     let one = constant(Rational::one(), f.variables.len());
     let below = lowest_terms(&f.variables, one, f.denominator.clone());
-    let mut sum = SymbolicSum::default();
-    for (e, part) in by_power(&f.numerator, at) {
+    let term = |(e, part): (u32, Polynomial)| {
         let part = f.polynomial(&part) * &num_traits::pow(p.clone(), e as usize / 2);
-        let part = if e % 2 == 1 { part * &root } else { part };
-        sum.add_product(&part, &below);
-    }
-    settled(sum.value())
+        if e % 2 == 1 { part * &root } else { part }
+    };
+    let terms = by_power(&f.numerator, at).into_iter().map(term);
+    settled(terms.fold(Symbolic::zero(), |sum, term| sum + &term) * &below)
 }
 
 /// Numerator and denominator of `tan(k x)` for `tan(x) = t`, or of `t^k`; `t` is the variable at a place.

@@ -70,27 +70,29 @@ impl PositiveFactors {
     }
 
     fn root(&self, argument: &Symbolic) -> Result<Symbolic, String> {
-        let Oriented { content, factors } =
-            self.oriented("the argument of sqrt", argument, false)?;
-        let primes = prime_powers("sqrt", &content)?.into_iter();
-        let primes = primes.map(|(p, e)| (Symbolic::constant(p.into()), e));
+        let powers = self.powers("sqrt", argument)?.into_iter();
         let root = |product: Symbolic, (factor, e): (Symbolic, i64)| {
             let variable = Symbolic::parameter(&format!("sqrt({factor})"));
             let product = product * &power(&factor, e.div_euclid(2));
             if e % 2 == 0 { product } else { product * &variable }
         };
-        Ok(primes.chain(factors).fold(Symbolic::one(), root))
+        Ok(powers.fold(Symbolic::one(), root))
     }
 
     fn logarithm(&self, argument: &Symbolic) -> Result<Symbolic, String> {
-        let Oriented { content, factors } =
-            self.oriented("the argument of log", argument, false)?;
-        let primes = prime_powers("log", &content)?.into_iter();
-        let primes = primes.map(|(p, e)| (Symbolic::constant(p.into()), e));
+        let powers = self.powers("log", argument)?.into_iter();
         let term = |sum: Symbolic, (factor, e): (Symbolic, i64)| {
             sum + &(Symbolic::parameter(&format!("log({factor})")) * &Symbolic::from_i64(e))
         };
-        Ok(primes.chain(factors).fold(Symbolic::zero(), term))
+        Ok(powers.fold(Symbolic::zero(), term))
+    }
+
+    /// The primes and the positive polynomials in the argument of a function, with their exponents.
+    fn powers(&self, function: &str, argument: &Symbolic) -> Result<Vec<(Symbolic, i64)>, String> {
+        let what = format!("the argument of {function}");
+        let Oriented { content, factors } = self.oriented(&what, argument, false)?;
+        let primes = prime_powers(function, &content)?.into_iter();
+        Ok(primes.map(|(p, e)| (Symbolic::constant(p.into()), e)).chain(factors).collect())
     }
 
     /// The factors of a positive function, each positive. Where the function is `declared`, squares of factors of
