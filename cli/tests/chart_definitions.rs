@@ -24,7 +24,7 @@ fn parsed(text: &str) -> Geometry<Symbolic> {
 fn value(text: &str) -> Symbolic {
     let names = |name: &str| Ok(Symbolic::parameter(name));
     let expression = Expression::parse(text).unwrap();
-    expression.evaluate(&Scalars(names, <Symbolic as Notation>::function)).unwrap()
+    expression.evaluate(&Scalars(names, <Symbolic as Notation>::call)).unwrap()
 }
 
 /// `R_ijkl` and `g_ik g_jl - g_il g_jk`.

@@ -32,7 +32,7 @@ pub fn fraction<'py>(py: Python<'py>, value: &Rational) -> PyResult<Bound<'py, P
 /// A number or an expression in the notation of definitions.
 pub fn read<S: Notation>(text: &str) -> PyResult<S> {
     let names = |name: &str| S::parameter(name).ok_or_else(|| format!("`{name}` is no number"));
-    let scalars = affinor_tensors::expression::Scalars(names, S::function);
+    let scalars = affinor_tensors::expression::Scalars(names, S::call);
     let value = Expression::parse(text).and_then(|expression| expression.evaluate(&scalars));
     value.map_err(|error| PyValueError::new_err(format!("in `{text}`: {error}")))
 }

@@ -84,16 +84,19 @@ pub trait Meaning {
     fn call(&self, name: &str, arguments: Vec<Self::Value>) -> Result<Self::Value, String> {
         match <[_; 1]>::try_from(arguments) {
             Ok([argument]) => self.function(name, argument),
-            Err(several) => {
-                Err(format!("there is no function `{name}` of {} arguments here", several.len()))
-            }
+            Err(several) => Err(several_arguments(name, several.len())),
         }
     }
 }
 
 /// The value of a function where none is known: an error.
-pub fn no_function<V>(name: &str, _: &V) -> Result<V, String> {
+pub fn no_function<V, A: ?Sized>(name: &str, _: &A) -> Result<V, String> {
     Err(format!("`{name}` is no function here"))
+}
+
+/// The reason why a function of one argument has no value at several.
+pub(crate) fn several_arguments(name: &str, count: usize) -> String {
+    format!("there is no function `{name}` of {count} arguments here")
 }
 
 impl Expression {
@@ -192,14 +195,14 @@ fn power<M: Meaning>(meaning: &M, mut base: M::Value, mut n: u64) -> Result<M::V
 }
 
 /// The meaning of expressions as scalars: one closure gives the values of names, another the values
-/// of functions, like [`Notation::function`] or [`no_function`].
+/// of functions, like [`Notation::call`] or [`no_function`].
 pub struct Scalars<N, F>(pub N, pub F);
 
 impl<S, N, F> Meaning for Scalars<N, F>
 where
     S: Notation,
     N: Fn(&str) -> Result<S, String>,
-    F: Fn(&str, &S) -> Result<S, String>,
+    F: Fn(&str, &[S]) -> Result<S, String>,
 {
     type Value = S;
     fn number(&self, number: &Rational) -> Result<S, String> {
@@ -222,8 +225,8 @@ where
     fn reciprocal(&self, a: S) -> Result<S, String> {
         finite(a.recip().ok_or("division by zero")?)
     }
-    fn function(&self, name: &str, argument: S) -> Result<S, String> {
-        self.1(name, &argument)
+    fn call(&self, name: &str, arguments: Vec<S>) -> Result<S, String> {
+        self.1(name, &arguments)
     }
 }
 

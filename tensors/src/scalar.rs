@@ -32,7 +32,7 @@ pub use notation::{Kind, Notation};
 pub use rational::Rational;
 use rational::RationalSum;
 pub use recorded::{Count, Function, Output, Recorded, Step, StraightLine, derivatives};
-pub use symbolic::{CommonFactors, PositiveFactors, Symbolic};
+pub use symbolic::{CommonFactors, FreeFunction, PositiveFactors, Symbolic};
 pub use tracked::Tracked;
 
 /// A commutative ring with 1, with operators by value and by reference.

@@ -13,6 +13,7 @@ mod denominators;
 mod effort;
 mod elementary;
 mod expression;
+mod free_functions;
 mod jets;
 mod linear;
 mod linear_laws;

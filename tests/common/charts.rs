@@ -116,7 +116,7 @@ pub fn euler_angles() -> Chart {
 pub fn value(text: &str) -> Symbolic {
     let names = |name: &str| Ok(Symbolic::parameter(name));
     let expression = Expression::parse(text).unwrap();
-    expression.evaluate(&Scalars(names, <Symbolic as Notation>::function)).unwrap()
+    expression.evaluate(&Scalars(names, <Symbolic as Notation>::call)).unwrap()
 }
 
 /// The matrix with these entries.

@@ -1,13 +1,13 @@
 //! Charts in definitions: coordinates, and fields whose components are functions of them.
 
 use super::functions::Functions;
-use super::input::InputError;
+use super::input::{InputError, shown};
 use super::notation::Names;
 use super::source::{Place, Source};
 use super::written::ChartText;
 use super::{Given, Reading};
 use affinor::geometry::chart::{Chart, Fields};
-use affinor_tensors::scalar::PositiveFactors;
+use affinor_tensors::scalar::{FreeFunction, PositiveFactors};
 use affinor_tensors::{Down, Notation, Tensor, Up};
 
 /// Fields by their components in the coordinate frame.
@@ -41,8 +41,13 @@ impl OnChart {
 impl ChartText {
     /// The functions, and their positive factors.
     pub fn functions(&self, names: &Names, source: &Source) -> Result<Functions, InputError> {
-        let coordinates = self.coordinates.iter().map(|name| name.to_string()).collect();
-        let mut functions = Functions { coordinates, positive: PositiveFactors::default() };
+        let coordinates: Vec<_> = self.coordinates.iter().map(|name| name.to_string()).collect();
+        let mut functions =
+            Functions { coordinates, free: vec![], positive: PositiveFactors::default() };
+        for text in &self.functions {
+            let free = self.free(text, names, &functions);
+            functions.free.push(free.map_err(|error| error.at(&source.at(text)))?);
+        }
         for text in &self.positive {
             let excerpt = source.excerpt(text);
             let names = Names { functions: Some(&functions), ..*names };
@@ -51,5 +56,36 @@ impl ChartText {
             declared.map_err(|reason| InputError::usage(reason).at(&source.at(text)))?;
         }
         Ok(functions)
+    }
+
+    /// A function that is declared without being given, `f(r, theta)`.
+    fn free(
+        &self,
+        text: &str,
+        names: &Names,
+        known: &Functions,
+    ) -> Result<FreeFunction, InputError> {
+        let free = FreeFunction::read(text).map_err(InputError::usage)?;
+        let refuse = |message: String| Err(InputError::usage(message));
+        if free != free.original() {
+            return refuse(format!("the name of a function has no `_`: {}", shown(text)));
+        }
+        if let Some(other) = free.arguments().iter().find(|name| !known.coordinates.contains(name))
+        {
+            return refuse(format!("`{}` takes coordinates, and `{other}` is none", free.name()));
+        }
+        // `a` and its derivatives `a_t`
+        let is = |name: &str| {
+            FreeFunction::new(name, free.arguments()).is_ok_and(|own| own.original() == free)
+        };
+        let declared = names.parameters.into_iter().flatten().chain(names.labels.keys());
+        let others = known.free.iter().map(FreeFunction::name);
+        if let Some(taken) = declared.map(String::as_str).chain(others).find(|name| is(name)) {
+            return refuse(format!(
+                "the function `{}` is already the name of something",
+                shown(taken)
+            ));
+        }
+        Ok(free)
     }
 }

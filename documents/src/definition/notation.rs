@@ -1,6 +1,6 @@
 //! Expressions of definitions: linear combinations like `h*e2 + 1/2 e1`, complex entries, metrics, connections.
 
-use super::functions::Functions;
+use super::functions::{self, Functions};
 use super::input::{InputError, shown};
 use super::source::{Place, Source};
 use super::{ConnectionChoice, Given, MetricChoice};
@@ -56,33 +56,16 @@ impl<'n> Names<'n> {
 
     /// A scalar.
     pub fn scalar(&self, text: &str, source: &Source) -> Result<Symbolic, InputError> {
-        let function = |name: &str, argument: &Symbolic| self.function(name, argument);
+        let function = |name: &str, arguments: &[Symbolic]| self.call(name, arguments);
         self.read(text, source, &Scalars(|name: &str| self.parameter(name), function))
     }
 
     /// A function of coordinates, or the square root of a square.
-    fn function(&self, name: &str, argument: &Symbolic) -> Result<Symbolic, String> {
-        let Some(functions) = self.functions else {
-            if name != "sqrt" {
-                let name = shown(name);
-                return Err(format!("`{name}` is no function here: only a chart has some"));
-            }
-            let root = argument.as_constant().and_then(Rational::sqrt).map(Symbolic::constant);
-            return root.ok_or_else(|| {
-                format!("the square root of {argument} is not rational; exact values are")
-            });
-        };
-        if let "sqrt" | "log" = name {
-            return functions.positive.function(name, argument);
-        }
-        // each term has one: `sin(a*x)`
-        let coordinate = |(other, _): &(String, u32)| functions.coordinates.contains(other);
-        let terms = argument.terms().into_iter().map(|(powers, _)| powers);
-        let others = terms.filter(|powers| !powers.iter().any(coordinate)).flatten();
-        match others.map(|(other, _)| other).next() {
-            Some(other) => Err(format!("{} takes coordinates, and `{other}` is none", shown(name))),
-            None => functions.positive.function(name, argument),
-        }
+    fn call(&self, name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
+        self.functions.map_or_else(
+            || functions::without_chart(name, arguments),
+            |functions| functions.call(name, arguments),
+        )
     }
 
     /// A linear combination of basis vectors.
@@ -393,11 +376,12 @@ impl Meaning for Elements<'_> {
         }
         scalars().reciprocal(a.scalar).map(Element::scalar)
     }
-    fn function(&self, name: &str, argument: Element) -> Result<Element, String> {
-        if !argument.vector.is_empty() {
+    fn call(&self, name: &str, arguments: Vec<Element>) -> Result<Element, String> {
+        if arguments.iter().any(|argument| !argument.vector.is_empty()) {
             return Err("a basis vector is no argument".into());
         }
-        self.0.function(name, &argument.scalar).map(Element::scalar)
+        let arguments: Vec<_> = arguments.into_iter().map(|argument| argument.scalar).collect();
+        self.0.call(name, &arguments).map(Element::scalar)
     }
 }
 

@@ -4,6 +4,7 @@ use super::Definition;
 use super::input::{InputError, shown};
 use super::notation::{Names, check_name, split};
 use super::source::Source;
+use affinor_tensors::scalar::FreeFunction;
 use affinor_tensors::{Notation, Ring, Symbolic};
 use std::collections::BTreeMap;
 
@@ -11,19 +12,31 @@ use std::collections::BTreeMap;
 const MAX_SIZE: f64 = (1u64 << 22) as f64;
 
 impl Definition {
-    /// Replaces parameters by values, all at once.
+    /// Replaces parameters and free functions by values, all at once.
     ///
     /// # Errors
     /// A name that is no parameter here, a denominator that becomes zero, or a value that grows
     /// beyond all bounds.
     pub fn set(&mut self, values: &BTreeMap<String, Symbolic>) -> Result<(), InputError> {
         let mut parameters = self.parameters();
-        let others: Vec<_> =
-            self.declared.iter().filter(|name| !parameters.contains(name)).cloned().collect();
+        let others = self
+            .declared
+            .iter()
+            .filter(|name| !parameters.contains(name) && !self.coordinates().contains(name));
+        let others: Vec<_> = others.cloned().collect();
         parameters.extend(others);
         if let Some(fixed) = values.keys().find(|name| self.coordinates().contains(*name)) {
             let message = format!("`{}` is a coordinate, not a parameter", shown(fixed));
             return Err(InputError::usage(message).help("set parameters only"));
+        }
+        for free in self.functions().map_or(&[][..], |functions| &functions.free) {
+            let others = self.coordinates().iter().filter(|name| !free.arguments().contains(name));
+            let value = values.get(&free.variable()).map_or(vec![], Symbolic::parameters);
+            if let Some(other) = others.into_iter().find(|name| value.contains(name)) {
+                let message = format!("{} cannot depend on {other}", free.variable());
+                return Err(InputError::usage(message));
+            }
+            parameters.push(free.variable());
         }
         if let Some(unknown) = values.keys().find(|name| !parameters.contains(name)) {
             return Err(no_parameter(unknown, &parameters));
@@ -100,9 +113,12 @@ pub(super) fn settings(
             return Err(error.help("separate several by commas, as in --set \"J1=1/2,h=-1\""));
         };
         let name = name.trim();
-        check_name(name).map_err(|error| error.at(&source.whole(name)))?;
+        let free = FreeFunction::read(name).map(|function| function.variable());
+        if free.is_err() {
+            check_name(name).map_err(|error| error.at(&source.whole(name)))?;
+        }
         let value = names.scalar(value, source)?;
-        if values.insert(name.to_string(), value).is_some() {
+        if values.insert(free.unwrap_or_else(|_| name.to_string()), value).is_some() {
             let error = InputError::usage(format!("the parameter `{name}` is set twice"));
             return Err(error.at(&place));
         }

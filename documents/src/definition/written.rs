@@ -44,11 +44,13 @@ pub(crate) struct ConnectionText {
     pub affinities: Option<Block>,
 }
 
-/// A chart by its coordinates, and functions that are positive on it.
+/// A chart by its coordinates, functions that are not given, and functions that are positive on it.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ChartText {
     pub coordinates: Vec<Text>,
+    #[serde(default)]
+    pub functions: Vec<Text>,
     #[serde(default)]
     pub positive: Vec<Text>,
 }

@@ -443,7 +443,7 @@ fn read<S: Notation>(value: &str, names: &[(String, S)]) -> Result<S, String> {
         named.or_else(|| S::parameter(name)).ok_or(format!("`{name}` is no number"))
     };
     let expression = Expression::parse(value).map_err(|error| error.to_string())?;
-    expression.evaluate(&Scalars(parameter, S::function)).map_err(|error| error.to_string())
+    expression.evaluate(&Scalars(parameter, S::call)).map_err(|error| error.to_string())
 }
 
 fn compare<S: Notation>(

@@ -70,7 +70,7 @@ fn evaluate(text: &str) -> Vec<Result<(), ExpressionError>> {
     fn over<S: Notation>(text: &str) -> Result<(), ExpressionError> {
         let name = |name: &str| S::parameter(name).or_else(|| S::from_quotient(1, 3));
         let names = |text: &str| name(text).ok_or("no value".to_string());
-        let meaning = Scalars(names, S::function);
+        let meaning = Scalars(names, S::call);
         let value = Expression::parse(text)?.evaluate(&meaning)?;
         // a value is written, read, and stays itself
         let again = Expression::parse(&value.to_string())?.evaluate(&meaning)?;

@@ -1,7 +1,7 @@
 //! Scalars with a written form: conversion from numbers and parameters, to text and LaTeX.
 
 use super::{CommonFactors, Field, Rational};
-use crate::expression::no_function;
+use crate::expression::{no_function, several_arguments};
 
 /// The three kinds of scalars that tables are computed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,6 +40,17 @@ pub trait Notation: Field {
     /// The reason in words: an unknown function, or an argument for which this scalar has no value.
     fn function(name: &str, argument: &Self) -> Result<Self, String> {
         no_function(name, argument)
+    }
+
+    /// The value of a function at a list of arguments; by default functions take one.
+    ///
+    /// # Errors
+    /// As [`function`](Self::function).
+    fn call(name: &str, arguments: &[Self]) -> Result<Self, String> {
+        match arguments {
+            [argument] => Self::function(name, argument),
+            several => Err(several_arguments(name, several.len())),
+        }
     }
 
     /// The partial derivative by the parameter of that name; zero for numbers.

@@ -8,7 +8,8 @@ mod image;
 mod operators;
 mod straight_line;
 
-use super::{Field, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance};
+use super::symbolic::is_elementary;
+use super::{Field, FreeFunction, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance};
 use crate::expression::{Expression, ExpressionError, Scalars, is_name};
 use image::Image;
 use num_traits::{One, Zero};
@@ -222,7 +223,7 @@ impl Recorded {
     }
 
     /// A function of a value.
-    fn call(function: Function, argument: &Self) -> Self {
+    fn of_function(function: Function, argument: &Self) -> Self {
         let (zero, one) = (Rational::zero(), Rational::one());
         let node = match &argument.node {
             Some(node) if argument.factor.is_one() => node.clone(),
@@ -396,7 +397,7 @@ impl Notation for Recorded {
     /// Sums of angles and of exponents obey the addition theorems; roots and logarithms of different values
     /// count as independent.
     fn function(name: &str, argument: &Self) -> Result<Self, String> {
-        let of = |function| Self::call(function, argument);
+        let of = |function| Self::of_function(function, argument);
         match name {
             "sin" => Ok(of(Function::Sin)),
             "cos" => Ok(of(Function::Cos)),
@@ -409,6 +410,19 @@ impl Notation for Recorded {
             },
             _ => Err(format!("`{name}` has no counterpart in a program")),
         }
+    }
+    /// Free functions of inputs are inputs: `a(t)` and `a_t(t)`.
+    fn call(name: &str, arguments: &[Self]) -> Result<Self, String> {
+        if let ([argument], true) = (arguments, is_elementary(name)) {
+            return Self::function(name, argument);
+        }
+        let input = |value: &Self| match (&value.node.as_ref()?.operation, value.factor.is_one()) {
+            (Operation::Input(name), true) => Some(name.clone()),
+            _ => None,
+        };
+        let names = arguments.iter().map(input).collect::<Option<Vec<_>>>();
+        let names = names.ok_or_else(|| format!("`{name}` is no function of names"))?;
+        Ok(Self::input(&FreeFunction::new(name, &names)?.variable()))
     }
     fn derivative(&self, name: &str) -> Self {
         derivatives(std::slice::from_ref(self), name).pop().unwrap_or_default()
@@ -435,7 +449,7 @@ impl TryFrom<&Symbolic> for Recorded {
             return Ok(Self::constant(constant.clone()));
         }
         let name = |name: &str| Ok(Self::input(name));
-        Expression::parse(&value.to_string())?.evaluate(&Scalars(name, Self::function))
+        Expression::parse(&value.to_string())?.evaluate(&Scalars(name, <Self as Notation>::call))
     }
 }
 

@@ -3,7 +3,7 @@
 //! A value without parameters is a [`Rational`]. Any other value is a quotient of coprime
 //! polynomials in exactly the parameters it depends on, in alphabetical order. A parameter is
 //! identified by its name, so any two values combine. Equal values have equal forms. Sines, cosines,
-//! exponentials, logarithms and square roots are rational functions of additional variables.
+//! exponentials, logarithms, square roots and free functions are rational functions of additional variables.
 
 mod canonical;
 mod collected;
@@ -13,6 +13,7 @@ mod derivative;
 mod elementary;
 mod factors;
 mod fraction;
+mod free;
 mod normal_form;
 mod operators;
 mod packed;
@@ -32,6 +33,8 @@ use std::sync::Arc;
 use writing::{Markup, Writer};
 
 pub use common::CommonFactors;
+pub(crate) use elementary::is_elementary;
+pub use free::FreeFunction;
 pub use positive::PositiveFactors;
 
 /// A rational function of named parameters with rational coefficients, in lowest terms.
@@ -237,6 +240,10 @@ impl Notation for Symbolic {
     /// [`PositiveFactors`] can tell.
     fn function(name: &str, argument: &Self) -> Result<Self, String> {
         Self::function_of(name, argument)
+    }
+    /// Functions of one argument as above, and free functions of names, like `a(t)` and its derivative `a_t(t)`.
+    fn call(name: &str, arguments: &[Self]) -> Result<Self, String> {
+        Self::called(name, arguments)
     }
     fn derivative(&self, name: &str) -> Self {
         Symbolic::derivative(self, name)

@@ -65,7 +65,12 @@ impl Routine {
         let values = arrays.iter().flat_map(|array| array.entries.iter().map(|(_, v)| v.clone()));
         let program = StraightLine::new(&values.collect::<Vec<_>>());
         let free = |name: &&str| !name.contains('[') && !coordinates.iter().any(|own| own == name);
-        let parameters = program.inputs().filter(free).map(str::to_string).collect();
+        let parameters: Vec<_> = program.inputs().filter(free).map(str::to_string).collect();
+        let values = parameters.iter().filter(|name| name.contains('('));
+        let values: Vec<_> = values.map(|name| format!("{} is {name}", parameter(name))).collect();
+        if !values.is_empty() {
+            about.push(format!("Values of functions: {}.", values.join(", ")));
+        }
         about.extend(arrays.iter().map(|array| format!("{}: {}.", array.name, array.about)));
         if arrays.iter().any(Array::has_zeros) {
             about.push("Components that are not assigned vanish identically.".into());
@@ -77,7 +82,7 @@ impl Routine {
 
     /// The parameters as arguments.
     pub fn arguments(&self) -> Vec<String> {
-        self.parameters.iter().map(|name| format!("p_{name}")).collect()
+        self.parameters.iter().map(|name| parameter(name)).collect()
     }
 
     /// Whether functions like the sine are called.
@@ -134,9 +139,14 @@ impl Routine {
         match (component, self.coordinates.iter().position(|own| own == name)) {
             (Some((vector, at)), _) => dialect.component(vector, at),
             (_, Some(at)) => dialect.component("x", at),
-            _ => format!("p_{name}"),
+            _ => parameter(name),
         }
     }
+}
+
+/// The argument for a parameter, or for the value of a free function: `p_a_t` for `a_t(t)`.
+fn parameter(name: &str) -> String {
+    format!("p_{}", name.split('(').next().unwrap_or(name))
 }
 
 /// The number of operations, and the condition of divisions.

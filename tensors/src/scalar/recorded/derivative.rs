@@ -1,7 +1,7 @@
 //! Partial derivatives of recorded values, in forward mode.
 
 use super::{Function, Node, Operation, Recorded, post_order};
-use crate::scalar::{Field, Sum, Tolerance};
+use crate::scalar::{Field, FreeFunction, Sum, Tolerance};
 use num_traits::{One, Zero};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -46,15 +46,18 @@ fn rate<'k>(
             let argument = value(argument);
             let own = value(node);
             let slope = match function {
-                Function::Sin => Recorded::call(Function::Cos, &argument),
-                Function::Cos => -Recorded::call(Function::Sin, &argument),
+                Function::Sin => Recorded::of_function(Function::Cos, &argument),
+                Function::Cos => -Recorded::of_function(Function::Sin, &argument),
                 Function::Exp => own,
                 Function::Log => argument.recip().unwrap_or_default(),
                 Function::Sqrt => (own.clone() + &own).recip().unwrap_or_default(),
             };
             rate.clone() * &slope
         }
-        Operation::Input(_) => Recorded::zero(),
+        Operation::Input(own) => {
+            let derivative = FreeFunction::read(own).ok().and_then(|f| f.derivative(name));
+            derivative.map_or_else(Recorded::zero, |f| Recorded::input(&f.variable()))
+        }
         Operation::Sum(_, terms) => {
             let rates =
                 terms.iter().filter_map(|(factor, node)| Some(of(node)?.clone().scaled(factor)));

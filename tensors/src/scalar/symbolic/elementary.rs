@@ -15,11 +15,13 @@
 //! | `exp(u)`, `exp(u/2)` | the exponential | `exp(u)`, `cosh(u/2)` |
 //! | `log(p)` | the logarithm of an irreducible polynomial or a prime | [`PositiveFactors`](super::PositiveFactors) |
 //! | `sqrt(p)` | its square root | the same |
+//! | `a(t)`, `a_t(t)` | a function that is not given, its derivative | [`FreeFunction`] |
 //!
 //! Only parsing, differentiation and substitution (here), normal forms and writing
 //! ([`normal_form`](super::normal_form)) treat these variables in a special way.
 
 use super::Symbolic;
+use super::free::FreeFunction;
 use crate::expression::{MAX_SIZE, is_name};
 use crate::scalar::{Field, Notation, Ring};
 use num_rational::Ratio;
@@ -36,6 +38,11 @@ const PARTS: u32 = 12;
 /// The names of the functions.
 const FUNCTIONS: [&str; 10] =
     ["sin", "cos", "tan", "cot", "exp", "sinh", "cosh", "tanh", "log", "sqrt"];
+
+/// Whether this is the name of an elementary function.
+pub(crate) fn is_elementary(name: &str) -> bool {
+    FUNCTIONS.contains(&name)
+}
 
 /// What a variable of a fraction stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,9 +62,11 @@ pub(super) enum Variable<'v> {
     Logarithm(&'v str),
     /// The square root of a polynomial.
     Root(&'v str),
+    /// A function that is not given, or a derivative of one.
+    Free(&'v str),
 }
 
-use Variable::{Exponential, HalfTangent, Logarithm, Parameter, Root};
+use Variable::{Exponential, Free, HalfTangent, Logarithm, Parameter, Root};
 
 impl<'v> Variable<'v> {
     pub fn of(name: &'v str) -> Self {
@@ -72,7 +81,8 @@ impl<'v> Variable<'v> {
             "exp" if parts > 0 => Exponential { product, parts },
             "log" => Logarithm(inside),
             "sqrt" => Root(inside),
-            _ => Parameter,
+            _ if is_elementary(function) => Parameter,
+            _ => Free(name),
         }
     }
 
@@ -86,11 +96,11 @@ impl<'v> Variable<'v> {
         }
     }
 
-    /// The function that the variable is, and its argument.
+    /// The elementary function that the variable is, and its argument.
     fn call(self) -> Option<(&'static str, Symbolic)> {
         let part = |product, parts: u32| of_product(product) / &Symbolic::from_i64(parts.into());
         Some(match self {
-            Parameter => return None,
+            Parameter | Free(_) => return None,
             HalfTangent { product, parts } => ("tan", part(product, 2 * parts)),
             Exponential { product, parts } => ("exp", part(product, parts)),
             Logarithm(p) => ("log", p.parse().ok()?),
@@ -101,7 +111,7 @@ impl<'v> Variable<'v> {
     /// The derivative of the variable by the argument of its function; `own` is the variable.
     fn slope(self, own: &Symbolic, argument: &Symbolic) -> Symbolic {
         match self {
-            Parameter => Symbolic::zero(),
+            Parameter | Free(_) => Symbolic::zero(),
             HalfTangent { .. } => own.clone() * own + &Symbolic::one(),
             Exponential { .. } => own.clone(),
             Logarithm(_) => Symbolic::one() / argument,
@@ -156,9 +166,11 @@ pub(super) fn parameters(variable: &str) -> impl Iterator<Item = &str> {
         Parameter => variable,
         _ => variable.split_once('(').map_or(variable, |(_, inside)| inside),
     };
-    let other = |c: char| !c.is_ascii_alphanumeric() && c != '_';
     let whole = inside == variable;
-    let names = inside.split(move |c| !whole && other(c));
+    let end = move |c: char| !whole && !c.is_ascii_alphanumeric() && c != '_';
+    // a name before a parenthesis is that of a function
+    let names = inside.split_inclusive(end).filter(move |name| whole || !name.ends_with('('));
+    let names = names.map(move |name| name.trim_end_matches(end));
     names.filter(move |name| whole || is_name(name))
 }
 
@@ -167,7 +179,8 @@ pub(super) fn is_variable(name: &str) -> bool {
     let is = |(function, argument): (&str, Symbolic)| {
         Symbolic::function_of(function, &argument).is_ok_and(|f| f == Symbolic::parameter(name))
     };
-    is_name(name) || Variable::of(name).call().is_some_and(is)
+    let free = |name| FreeFunction::read(name).is_ok_and(|f| f.variable() == name);
+    is_name(name) || Variable::of(name).call().map_or_else(|| free(name), is)
 }
 
 /// The value of a variable; `lookup` returns the values of parameters.
@@ -178,7 +191,7 @@ pub(super) fn value(variable: &str, lookup: &dyn Fn(&str) -> Option<f64>) -> Opt
     };
     let polynomial = |p: &str| p.parse::<Symbolic>().ok()?.evaluate_at(lookup);
     match Variable::of(variable) {
-        Parameter => lookup(variable),
+        Parameter | Free(_) => lookup(variable),
         HalfTangent { product, parts } => part(product, 2 * parts).map(f64::tan),
         Exponential { product, parts } => part(product, parts).map(f64::exp),
         Logarithm(p) => polynomial(p).map(f64::ln),
@@ -193,8 +206,20 @@ fn of_product(u: &str) -> Symbolic {
     })
 }
 
+/// Whether a variable changes where these parameters and functions get values.
+pub(super) fn changes(variable: &str, values: &BTreeMap<String, Symbolic>) -> bool {
+    let given = |name: &str| values.contains_key(name);
+    given(variable)
+        || parameters(variable).any(given)
+        || matches!(Variable::of(variable), Free(_))
+            && FreeFunction::read(variable).is_ok_and(|f| given(&f.original().variable()))
+}
+
 /// The variable, a function, at another argument; `None` if that has no function here.
 pub(super) fn at_argument(variable: &str, values: &BTreeMap<String, Symbolic>) -> Option<Symbolic> {
+    if let Free(name) = Variable::of(variable) {
+        return FreeFunction::read(name).ok()?.image(values);
+    }
     let (function, argument) = Variable::of(variable).call()?;
     Symbolic::function_of(function, &argument.substitute(values)?).ok()
 }
@@ -214,6 +239,12 @@ impl Symbolic {
     pub fn derivative(&self, name: &str) -> Self {
         let along = |variable: &Arc<str>| {
             let of = Variable::of(variable);
+            if let Free(free) = of {
+                let derivative = FreeFunction::read(free).ok().and_then(|f| f.derivative(name));
+                return derivative.map_or_else(Self::zero, |derivative| {
+                    self.partial(variable) * &Self::parameter(&derivative.variable())
+                });
+            }
             let depends = of != Parameter && parameters(variable).any(|own| own == name);
             let Some((_, argument)) = depends.then(|| of.call()).flatten() else {
                 return Self::zero();
@@ -230,9 +261,26 @@ impl Symbolic {
         super::PositiveFactors::default().function(name, argument)
     }
 
+    /// An elementary function of one argument, or a free function of names.
+    pub(super) fn called(name: &str, arguments: &[Self]) -> Result<Self, String> {
+        if let ([argument], true) = (arguments, is_elementary(name)) {
+            return Self::function_of(name, argument);
+        }
+        let argument =
+            |value: &Self| value.parameters().pop().filter(|own| *value == Self::parameter(own));
+        let names = arguments.iter().map(argument).collect::<Option<Vec<_>>>();
+        let names = names.ok_or_else(|| {
+            format!(
+                "`{name}` is no function here: there are {}, and free functions of names",
+                FUNCTIONS.join(", ")
+            )
+        })?;
+        Ok(Self::parameter(&FreeFunction::new(name, &names)?.variable()))
+    }
+
     /// A function of a sum of multiples of products of parameters.
     pub(super) fn function_of_sum(name: &str, argument: &Self) -> Result<Self, String> {
-        if !FUNCTIONS.contains(&name) {
+        if !is_elementary(name) {
             return Err(format!(
                 "`{name}` is no function here: there are {}",
                 FUNCTIONS.join(", ")

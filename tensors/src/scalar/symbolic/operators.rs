@@ -80,9 +80,9 @@ impl From<Rational> for Symbolic {
 impl std::str::FromStr for Symbolic {
     type Err = ExpressionError;
 
-    /// Reads an [`Expression`] over any parameters: `(a^2 - b)/(4*c)`, `sin(2*x)`.
+    /// Reads an [`Expression`] over any parameters: `(a^2 - b)/(4*c)`, `sin(2*x)`, and free functions `f(x)`.
     fn from_str(text: &str) -> Result<Self, ExpressionError> {
-        let names = Scalars(|name: &str| Ok(Symbolic::parameter(name)), Self::function_of);
+        let names = Scalars(|name: &str| Ok(Symbolic::parameter(name)), Self::called);
         Expression::parse(text)?.evaluate(&names)
     }
 }

@@ -5,6 +5,7 @@
 //! argument positive.
 
 use super::denominator::Denominator;
+use super::elementary::Variable::{self, Free, Parameter};
 use super::polynomial::primitive;
 use super::{Form, Symbolic};
 use crate::Rational;
@@ -144,7 +145,7 @@ fn factors(what: &str, value: &Symbolic) -> Result<(Rational, Vec<(Symbolic, i64
         Form::Constant(c) => return Ok((c.clone(), Vec::new())),
         Form::Fraction(f) => f,
     };
-    if f.variables.iter().any(|name| name.ends_with(')')) {
+    if f.variables.iter().any(|name| !matches!(Variable::of(name), Parameter | Free(_))) {
         return Err(format!("{what} contains a function, and may be a quotient of polynomials"));
     }
     let (content, above) = primitive(&f.numerator);

@@ -13,10 +13,10 @@ const DEGREE_LIMIT: u64 = 1 << 30;
 
 impl Symbolic {
     /// The value with `values[name]` substituted for every parameter `name`, simultaneously. Other
-    /// parameters stay.
+    /// parameters stay. The name of a free function, `a(t)`, may get a value too, which its derivatives follow.
     ///
     /// `None` when the denominator becomes zero, when a total degree could pass `2^30`, or when a function
-    /// gets an argument of which it has no exact value, such as `sin(1)`.
+    /// gets an argument of which it has no exact value, such as `sin(1)`, or `a(2)` for a free function.
     ///
     /// ```
     /// use affinor_tensors::Symbolic;
@@ -29,10 +29,7 @@ impl Symbolic {
         let Form::Fraction(f) = &self.0 else {
             return Some(self.clone());
         };
-        let given = |name: &Arc<str>| {
-            let mut names = elementary::parameters(name);
-            values.contains_key(&**name) || names.any(|name| values.contains_key(name))
-        };
+        let given = |name: &Arc<str>| elementary::changes(name, values);
         if !f.variables.iter().any(given) {
             return Some(self.clone());
         }

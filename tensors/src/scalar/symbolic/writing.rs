@@ -6,6 +6,7 @@ use super::common::CommonFactors;
 use super::elementary::{Variable, part};
 use super::factors::{Factors, factors, known, sort, within_limits};
 use super::fraction::Fraction;
+use super::free::FreeFunction;
 use super::polynomial::{Polynomial, common_denominator};
 use crate::expression::is_name;
 use crate::scalar::{Notation, Rational};
@@ -248,6 +249,9 @@ fn factors_in(f: &Polynomial) -> usize {
 }
 
 fn power(name: &str, exponent: u32, markup: Markup) -> String {
+    if let (Markup::Latex, Variable::Free(name)) = (markup, Variable::of(name)) {
+        return latex_function(name) + &markup.exponent(exponent);
+    }
     if let Some((function, argument)) = name.strip_suffix(')').and_then(|n| n.split_once('(')) {
         return function_power(function, argument, exponent, markup);
     }
@@ -286,6 +290,18 @@ fn latex_argument(argument: &str) -> String {
     };
     let above = above.parse().map_or_else(|_| above.to_owned(), |value: Symbolic| value.to_latex());
     below.map_or(above.clone(), |below| format!("\\frac{{{above}}}{{{below}}}"))
+}
+
+/// `f_r_theta(r,theta)` is `f_{,r \\theta}`, and `f1_t(t)` is `f_{1,t}`.
+fn latex_function(variable: &str) -> String {
+    let Ok(function) = FreeFunction::read(variable) else { return variable.into() };
+    let by: Vec<String> = function.differentiated_by().map(latex_name).collect();
+    let name = latex_name(function.name());
+    match (by.is_empty(), name.strip_suffix('}').filter(|name| name.contains("_{"))) {
+        (true, _) => name,
+        (false, Some(name)) => format!("{name},{}}}", by.join(" ")),
+        (false, None) => format!("{name}_{{,{}}}", by.join(" ")),
+    }
 }
 
 /// `J11` is `J_{11}`, `lambda` is `\lambda`, `abc_x` is `\mathit{abc}_{x}`.
