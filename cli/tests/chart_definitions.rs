@@ -154,6 +154,79 @@ fn constant_curvature_in_roots_and_logarithms() {
     assert_eq!(unit.connection().gamma().get(&[0, 1, 1]), value("-1/sqrt(x^2 + y^2)"));
 }
 
+/// A. Friedmann's equations, S. Weinberg, *Gravitation and Cosmology* (1972), (15.1.18)-(15.1.20); and the limits of a
+/// constant rate of expansion (S. W. Hawking, G. F. R. Ellis, 5.2) and of E. A. Milne's flat universe.
+#[test]
+fn an_expanding_universe() {
+    let text = std::fs::read_to_string(definition("expanding_universe.toml")).unwrap();
+    let read = || Definition::parse("a.toml", &text).unwrap();
+    let geometry = of(&read());
+    let ricci = geometry.connection().ricci();
+    assert_eq!(ricci.get(&[0, 0]), value("-3*a_t_t(t)/a(t)"));
+    let space = value("(a(t)*a_t_t(t) + 2*a_t(t)^2 + 2*k)/a(t)^2");
+    let g = geometry.metric().unwrap().components();
+    for i in 1..4 {
+        assert_eq!(ricci.get(&[i, i]), g.get(&[i, i]) * &space);
+    }
+    assert_eq!(ricci.components().count(), 4);
+    for (a, k, curvature) in
+        [("exp(H*t)", "0", "H^2"), ("cosh(H*t)/H", "1", "H^2"), ("t", "-1", "0")]
+    {
+        let mut definition = read();
+        definition.set(&[("a(t)".into(), value(a)), ("k".into(), value(k))].into()).unwrap();
+        let [r, constant] = lowered(&of(&definition));
+        assert_eq!(r, constant.scale(&value(curvature)), "{a}");
+    }
+}
+
+/// A static field of spherical symmetry with any `f(r)`, in coordinates and by unit vectors; with
+/// `f = 1 - 2M/r - L r^2/3` it is that of F. Kottler, *Ann. Phys.* 361 (1918) 401, with `Ric = L g`.
+#[test]
+fn any_static_field() {
+    let head = "parameters = ['M', 'L']\n[chart]\ncoordinates = ['t', 'r', 'theta', 'phi']\n\
+                functions = ['f(r)']\npositive = ['f(r)']\n[metric]\n";
+    let coordinates = format!("{head}components = 'diag(-f(r), 1/f(r), r^2, r^2*sin(theta)^2)'");
+    let unit = format!(
+        "{head}components = 'diag(-1, 1, 1, 1)'\n[frame]\na = 'd_t/sqrt(f(r))'\nb = 'sqrt(f(r))*d_r'\n\
+         c = '1/r*d_theta'\nd = '1/(r*sin(theta))*d_phi'"
+    );
+    for text in [coordinates, unit] {
+        let geometry = parsed(&text);
+        let ricci = geometry.connection().ricci();
+        let inverse = geometry.metric().unwrap().inverse();
+        let scalar = contract("U^ij S_ij ->", &[("U", inverse), ("S", &ricci)]).unwrap();
+        assert_eq!(scalar.to_scalar(), Some(value("-f_r_r(r) - 4*f_r(r)/r - 2*f(r)/r^2 + 2/r^2")));
+        if text.contains("frame") {
+            continue;
+        }
+        let mut definition = Definition::parse("a.toml", &text).unwrap();
+        let f = value("1 - 2*M/r - L*r^2/3");
+        definition.set(&[("f(r)".into(), f)].into()).unwrap();
+        let kottler = of(&definition);
+        let g = kottler.metric().unwrap().components();
+        assert_eq!(kottler.connection().ricci(), g.scale(&value("L")));
+    }
+}
+
+/// Values for the functions of a metric may be set before its tensors, or in them.
+#[test]
+fn functions_are_set_before_or_after() {
+    let text = "chart = {coordinates = ['x', 'y'], functions = ['f(x, y)', 'g(y)']}\n\
+                metric = [['f(x, y)', 'x*g(y)'], ['x*g(y)', '1 + g_y(y)']]";
+    let given =
+        [("f(x,y)".to_string(), value("x^2 + 3*y")), ("g(y)".to_string(), value("exp(2*y)"))];
+    let given = std::collections::BTreeMap::from(given);
+    let mut definition = Definition::parse("a.toml", text).unwrap();
+    let before = of(&definition);
+    definition.set(&given).unwrap();
+    let after = of(&definition);
+    let set = |tensor: &Tensor<Symbolic>| tensor.map(|v| v.substitute(&given).unwrap());
+    assert_eq!(set(before.connection().gamma()), *after.connection().gamma());
+    assert_eq!(set(before.connection().curvature()), *after.connection().curvature());
+    let nabla = |geometry: &Geometry<Symbolic>| geometry.connection().nabla_curvature().clone();
+    assert_eq!(set(&nabla(&before)), nabla(&after));
+}
+
 /// R. C. Henry, *Astrophys. J.* 535 (2000) 350: with `c = cos(theta)` and `x = r^2 + a^2 c^2`,
 /// `R_ijkl R^ijkl = 48 M^2 (r^2 - a^2 c^2)(x^2 - 16 r^2 a^2 c^2)/x^6`.
 #[test]

@@ -137,6 +137,7 @@ fn charts_as_programs() {
         (definition("schwarzschild.toml"), &[0.4, 9.5, 1.1, 0.2]),
         (definition("schwarzschild_static.toml"), &[0.4, 9.5, 1.1, 0.2]),
         (definition("hopf.toml"), &[0.8, 0.1, 0.3]),
+        (definition("expanding_universe.toml"), &[2.5, 0.6, 1.1, 0.2]),
         (products.to_str().unwrap().into(), &[0.7, 0.4]),
     ] {
         let opened = open(&space, ["", ""], None);

@@ -186,8 +186,20 @@ impl<'a> Reader<'a> {
             }
         }
         if let Some(base) = atoms.pop() {
+            let name = match &base {
+                Node::Scripts(base, _) => matches!(**base, Node::Letter(_)),
+                base => matches!(base, Node::Letter(_)),
+            };
             let last = self.scripts(base);
             atoms.push(last);
+            // a letter, or the derivative of a function: `a_t(t)^2`
+            if self.names && name && self.rest.starts_with('(') && self.depth < DEEPEST {
+                atoms.extend(self.group());
+                if let Some(bracket) = atoms.pop() {
+                    let last = self.scripts(bracket);
+                    atoms.push(last);
+                }
+            }
         }
         atoms
     }
@@ -325,6 +337,12 @@ impl<'a> Reader<'a> {
             }
         }
         let run = self.run(|c| c.is_ascii_alphanumeric());
+        if self.names
+            && let Some(letter) = greek(run)
+        {
+            nodes.push(Node::Letter(letter));
+            return nodes;
+        }
         if !nodes.is_empty() && run.parse::<u32>().is_ok() {
             // a power such as -12 is one number
             nodes.push(Node::Number(run.into()));
@@ -398,6 +416,22 @@ mod tests {
         let root = Node::Root(parse_value("r - 2*M"));
         assert_eq!(parse_value("sqrt(r - 2*M)/r")[0], Node::Fraction([vec![root], parse("r")]));
         assert_eq!(parse_value("sin(x)^2").len(), 4);
+        for text in [
+            "a(t)",
+            "a_t(t)",
+            "f_r_theta(r,theta)",
+            "a_t_t(t)^2",
+            "f1(r)",
+            "f1_r(r)",
+            "mu(r)",
+            "nu_r(r)",
+        ] {
+            let quotient = parse_value(&format!("{text}/b_x(x)"));
+            assert_eq!(quotient, [Node::Fraction([text, "b_x(x)"].map(parse_value))], "{text}");
+        }
+        let theta = (false, vec![letter('θ')]);
+        let derivative = Node::Scripts(Box::new(letter('f')), vec![theta]);
+        assert_eq!(parse_value("f_theta(theta)")[0], derivative);
         // a power keeps its brackets
         let Node::Fraction([above, _]) = &parse_value("(a + b)^2/c")[0] else { panic!() };
         assert_eq!(above[0], Node::Operator("("));

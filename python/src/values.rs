@@ -6,6 +6,7 @@ use num_rational::{BigRational, Ratio};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
+use pyo3::types::PyTuple;
 use std::cell::RefCell;
 
 /// The class `fractions.Fraction`.
@@ -37,7 +38,7 @@ pub fn read<S: Notation>(text: &str) -> PyResult<S> {
     value.map_err(|error| PyValueError::new_err(format!("in `{text}`: {error}")))
 }
 
-/// The value of a text in other objects: `number(p, q)`, `name(text)`, `function(name, value)`, and the operators of
+/// The value of a text in other objects: `number(p, q)`, `name(text)`, `function(name, *values)`, and the operators of
 /// Python.
 #[pyfunction]
 pub fn evaluate<'py>(
@@ -93,7 +94,13 @@ impl<'py> Meaning for Objects<'py> {
     fn reciprocal(&self, a: Self::Value) -> Result<Self::Value, String> {
         self.keep(a.pow(-1, a.py().None()))
     }
-    fn function(&self, name: &str, argument: Self::Value) -> Result<Self::Value, String> {
-        self.keep(self.function.call1((name, argument)))
+    fn call(&self, name: &str, arguments: Vec<Self::Value>) -> Result<Self::Value, String> {
+        let call = || {
+            let py = self.function.py();
+            let name = name.into_pyobject(py)?.into_any();
+            let all = PyTuple::new(py, std::iter::once(name).chain(arguments))?;
+            self.function.call1(all)
+        };
+        self.keep(call())
     }
 }

@@ -77,6 +77,7 @@ def test_left_invariant_metrics(name, metric):
 
 
 x, y, r, theta, phi, t = sp.symbols("x y r theta phi t", real=True)
+scale, height = sp.Function("a"), sp.Function("f")
 CHARTS = {
     "sphere": ([theta, phi], sp.diag(1, sp.sin(theta) ** 2)),
     "sphere of radius a": ([theta, phi], a**2 * sp.diag(1, sp.sin(theta) ** 2)),
@@ -84,6 +85,8 @@ CHARTS = {
     "horocycles": ([x, t], sp.diag(sp.exp(2 * t), 1)),
     "polar": ([r, phi], sp.diag(1, r**2)),
     "space in spherical coordinates": ([r, theta, phi], sp.diag(1, r**2, r**2 * sp.sin(theta) ** 2)),
+    "expanding plane": ([t, x, y], sp.diag(-1, scale(t) ** 2, scale(t) ** 2)),
+    "any surface": ([x, y], sp.Matrix([[height(x, y), x], [x, sp.Derivative(height(x, y), x)]])),
     "product": ([theta, phi, x], sp.diag(1, sp.cos(theta) ** 2, b)),
 }
 
@@ -115,6 +118,21 @@ def test_charts(name):
 
 def test_there_are_thirty_cases():
     assert len(CASES) + len(CHARTS) >= 30
+
+
+def test_free_functions():
+    a = scale(t)
+    universe = af.Geometry.on_chart("t x y z", metric="diag(-1, a(t)^2, a(t)^2, a(t)^2)", functions=["a(t)"])
+    time = sp.Symbol("t")
+    expected = 6 * (sp.diff(scale(time), time, 2) / scale(time) + sp.diff(scale(time), time) ** 2 / scale(time) ** 2)
+    assert sp.simplify(universe.scalar_curvature - expected) == 0
+    assert universe.subs({"a(t)": "exp(2*t)"}).scalar_curvature == 48
+    with pytest.raises(ValueError, match="assumptions"):
+        af.Geometry.on_chart([t, x], metric=sp.diag(1, sp.Function("b", positive=True)(t)))
+    with pytest.raises(af.AffinorError, match="no function"):
+        af.Geometry.on_chart("t x", metric="diag(1, b(t))")
+    roots = af.Geometry.on_chart("t x", metric="diag(1/a(t), a(t))", functions=[a.subs(t, time)], positive=["a(t)"])
+    assert roots.scalar_curvature == -sp.diff(scale(time), time, 2)
 
 
 def test_fields_on_a_chart():

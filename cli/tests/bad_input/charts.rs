@@ -134,6 +134,31 @@ fn functions() {
         ("\"cos(x)\"", &["a positive function contains a function"]),
         ("1", &["a.toml:6:13", "integer `1`"]),
     ]);
+    let free = |list: &str| chart("metric = \"identity\"", &format!("functions = [{list}]"));
+    definitions("a.toml", free).usage(&[
+        ("\"f\"", &["a.toml:6:15", "`f` is no function like a(t)"]),
+        ("\"f(x, x)\"", &["a.toml:6:15", "`f` has the argument `x` twice"]),
+        ("\"f(z)\"", &["`f` takes coordinates, and `z` is none"]),
+        ("\"f(a)\"", &["`f` takes coordinates, and `a` is none"]),
+        ("\"f_x(x)\"", &["the name of a function has no `_`: f_x(x)"]),
+        ("\"f_z(x)\"", &["`f_z` is no derivative of a function of x: f_x"]),
+        ("\"sin(x)\"", &["`sin` is another function"]),
+        ("\"x(y)\"", &["the function `x` is already the name of something"]),
+        ("\"d(x)\"", &["the function `d_x` is already the name of something"]),
+        ("\"f(x)\", \"f(x, y)\"", &["a.toml:6:23", "the function `f` is already the name"]),
+        ("\"f(x + y)\"", &["the arguments of `f` are names"]),
+    ]);
+    let with_free =
+        |entry: &str| chart(&format!("metric = \"diag(1, {entry})\""), "functions = [\"f(x, y)\"]");
+    definitions("a.toml", with_free).usage(&[
+        ("f(y, x)", &["a.toml:3:19", "it is declared as f(x,y)"]),
+        ("f(x)", &["it is declared as f(x,y)"]),
+        ("f_z(x, y)", &["`f_z` is no derivative of a function of x, y: f_x"]),
+        ("f", &["`f` is neither a basis vector here nor a coordinate"]),
+        ("g(x, y)", &["there is no function `g` of 2 arguments here"]),
+        ("sin(f(x, y))", &["sin takes coordinates, and `f(x,y)` is none"]),
+        ("sqrt(f(x, y))*sqrt(x*f(x, y))", &["declare which are positive, of x, f(x,y)"]),
+    ]);
     definitions("a.toml", with_metric).mathematics(&[(
         "sin(2*x) - 2*sin(x)*cos(x)",
         &["the metric is degenerate: d_y is orthogonal"],

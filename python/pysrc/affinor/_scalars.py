@@ -21,7 +21,8 @@ Scalar: TypeAlias = Any
 Symbols: TypeAlias = dict[str, Any]
 """The SymPy symbols of the parameters, by name, with their assumptions."""
 
-_NAMES = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?!\s*\()")
+_NAMES = re.compile(r"(?<![\w.])[A-Za-z_]\w*\b(?!\s*\()")
+_ELEMENTARY = {"sin", "cos", "tan", "cot", "exp", "sinh", "cosh", "tanh", "log", "sqrt"}
 _FUNCTIONS = {"Abs": "abs", "Max": "max", "Min": "min", "log": "log", "ceiling": None}
 
 
@@ -154,6 +155,9 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
                 return f"exp({write(exponent)})"
         elif node is sympy.E and floats:
             return "exp(1)"
+        elif node.is_Derivative and not isinstance(node.expr, sympy.Derivative) and node.expr.is_Function:
+            by = "".join(f"_{write(variable)}" for variable in node.variables)
+            return f"{node.expr.func.__name__}{by}({', '.join(map(write, node.expr.args))})"
         elif node.is_Function:
             name = _FUNCTIONS.get(node.func.__name__, node.func.__name__)
             if name is not None:
@@ -184,6 +188,25 @@ def merged(*several: Mapping[str, Any]) -> Symbols:
     return result
 
 
+def free_functions(value: Any) -> set[str]:
+    """The undefined functions of SymPy in expressions, matrices and lists of them, as a chart declares them: ``a(t)``."""
+    if isinstance(value, Mapping):
+        return set().union(*map(free_functions, value.values()))
+    if isinstance(value, (list, tuple)):
+        return set().union(*map(free_functions, value))
+    if not hasattr(value, "atoms"):
+        return set()
+    from sympy import Function
+    from sympy.core.function import AppliedUndef
+
+    found = set()
+    for function in value.atoms(AppliedUndef):
+        if function.func != Function(function.func.__name__):
+            raise ValueError(f"the function {function.func} has assumptions, which would be lost")
+        found.add(f"{function.func.__name__}({', '.join(map(str, function.args))})")
+    return found
+
+
 def names_in(texts: Iterable[str], *, without: Iterable[str] = ()) -> list[str]:
     """The names that occur in expressions, sorted, except those of functions."""
     found = {name for text in texts for name in _NAMES.findall(text)}
@@ -197,8 +220,13 @@ def to_sympy(text: str, symbols: Mapping[str, Any]) -> Any:
     def name(name: str) -> Any:
         return symbols[name] if name in symbols else sympy.Symbol(name)
 
-    def function(name: str, argument: Any) -> Any:
-        return getattr(sympy, name)(argument)
+    def function(name: str, *arguments: Any) -> Any:
+        if name in _ELEMENTARY:
+            return getattr(sympy, name)(*arguments)
+        # f_r_theta is a derivative of f
+        head, *by = name.split("_")
+        places = {str(argument): argument for argument in arguments}
+        return sympy.Function(head)(*arguments).diff(*(places[argument] for argument in by))
 
     return _engine.evaluate(text, sympy.Rational, name, function)
 

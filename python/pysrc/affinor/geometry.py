@@ -163,19 +163,24 @@ class Geometry:
         connection: Any = None,
         affinities: str | Sequence[str] | None = None,
         parameters: Sequence[Any] = (),
+        functions: Sequence[Any] = (),
+        positive: Sequence[Any] = (),
         name: str = "chart",
     ) -> Geometry:
         """A geometry over coordinates, with a metric in the frame of the coordinates or of ``fields``.
 
         Coordinates are symbols of SymPy or names; metric and fields may contain sin, cos, exp and others of them. A field is
-        a text such as ``"1/sin(theta)*d_phi"``, or its components in the coordinate frame.
+        a text such as ``"1/sin(theta)*d_phi"``, or its components in the coordinate frame. ``functions`` are functions of
+        coordinates that are not given, such as ``"a(t)"``; those of SymPy in the metric and the fields need no mention.
+        ``positive`` are functions that are positive, for roots and logarithms.
         """
         symbols: Symbols = {}
         if not isinstance(coordinates, Iterable):
             raise TypeError(f"coordinates are a text or a list of symbols, not {type(coordinates).__name__}")
         listed = coordinates.replace(",", " ").split() if isinstance(coordinates, str) else list(coordinates)
         names = [text_of(name, symbols) for name in listed]
-        keys: dict[str, Any] = {"name": name, "chart": {"coordinates": names}}
+        chart = {"coordinates": names}
+        keys: dict[str, Any] = {"name": name, "chart": chart}
         if fields is not None:
             keys["frame"] = {label: _field(field, names, symbols) for label, field in fields.items()}
         if metric is not None:
@@ -184,9 +189,12 @@ class Geometry:
             keys["connection"] = connection_text(connection, symbols)
         if affinities is not None:
             keys["affinities"] = affinities
-        from affinor._scalars import names_in
+        from affinor._scalars import free_functions, names_in
 
-        texts = [keys.get("metric", ""), *map(str, keys.get("frame", {}).values())]
+        declared = [text_of(function, symbols) for function in functions]
+        chart["functions"] = declared + sorted(free_functions([metric, fields or {}]).difference(declared))
+        chart["positive"] = [text_of(function, symbols) for function in positive]
+        texts = [keys.get("metric", ""), *map(str, keys.get("frame", {}).values()), *chart["positive"]]
         known = {*names, *(f"d_{name}" for name in names), "diag", "identity", "killing"}
         found = [text_of(parameter, symbols) for parameter in parameters]
         keys["parameters"] = sorted({*found, *names_in(texts, without=known)})
