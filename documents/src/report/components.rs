@@ -39,16 +39,19 @@ pub(super) fn groups_with<S: Notation>(
     tensor: &Tensor<S>,
     factors: &CommonFactors,
 ) -> Vec<Group<S>> {
-    let negative = |value: &S| value.text_with(factors).starts_with('-');
+    let negative = |value: &S| value.is_negative_with(factors);
     let mut groups: Vec<Group<S>> = Vec::new();
-    let mut places = HashMap::new();
+    let mut places: HashMap<u64, Vec<usize>> = HashMap::new();
     for (at, value) in mirrored(tensor, &negative) {
         let negative = negative(&value);
         let size = if negative { -value } else { value };
-        let place = *places.entry(size.text_with(factors)).or_insert(groups.len());
-        if place == groups.len() {
+        let candidates = places.entry(size.fingerprint()).or_default();
+        let known = candidates.iter().copied().find(|place| groups[*place].value == size);
+        let place = known.unwrap_or_else(|| {
+            candidates.push(groups.len());
             groups.push(Group { value: size, members: Vec::new() });
-        }
+            groups.len() - 1
+        });
         groups[place].members.push((at, negative));
     }
     for group in &mut groups {

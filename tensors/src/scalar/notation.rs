@@ -2,6 +2,7 @@
 
 use super::{CommonFactors, Field, Rational};
 use crate::expression::{no_function, several_arguments};
+use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// The three kinds of scalars that tables are computed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,6 +83,18 @@ pub trait Notation: Field {
     fn text_with(&self, factors: &CommonFactors) -> String {
         let _ = factors;
         self.to_string()
+    }
+
+    /// Whether the text with the names of these factors begins with a minus sign.
+    fn is_negative_with(&self, factors: &CommonFactors) -> bool {
+        self.text_with(factors).starts_with('-')
+    }
+
+    /// A number that equal values share, and different values seldom.
+    fn fingerprint(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.to_string().hash(&mut hasher);
+        hasher.finish()
     }
 
     /// The value in LaTeX with the names of these factors.

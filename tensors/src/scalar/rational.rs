@@ -14,7 +14,7 @@ use dashu_ratio::RBig;
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_rational::{BigRational, Ratio};
-use num_traits::{ToPrimitive, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 use std::cmp::Ordering;
 use std::fmt;
 use std::num::NonZeroI64;
@@ -100,6 +100,51 @@ impl Rational {
         match &self.0 {
             Small { numerator, .. } => *numerator < 0,
             Big(r) => **r < RBig::ZERO,
+        }
+    }
+
+    /// The rational `q`, with the sign of the first value, for which the quotients of all values by `q` are coprime integers;
+    /// one where there are no values or only zeros.
+    pub(crate) fn content<'r>(values: impl Iterator<Item = &'r Rational> + Clone) -> Self {
+        let first = values.clone().find(|value| !value.vanishes());
+        let Some(first) = first else { return Self::one() };
+        let positive = match Self::content_in_words(values.clone()) {
+            Some(content) => content,
+            None => {
+                let start = (BigInt::zero(), BigInt::one());
+                let (above, below) = values.fold(start, |(above, below), value| {
+                    let value = BigRational::from(value);
+                    (above.gcd(value.numer()), below.lcm(value.denom()))
+                });
+                BigRational::new(above, below).into()
+            }
+        };
+        if first.is_negative() { -positive } else { positive }
+    }
+
+    /// The same without its sign, if all words are long enough.
+    fn content_in_words<'r>(values: impl Iterator<Item = &'r Rational>) -> Option<Self> {
+        let (mut above, mut below) = (0u64, 1u64);
+        for value in values {
+            let (numerator, denominator) = value.words()?;
+            if above != 1 {
+                above = gcd(above, numerator.unsigned_abs());
+            }
+            if denominator != 1 {
+                let denominator = denominator.unsigned_abs();
+                below = (below / gcd(below, denominator)).checked_mul(denominator)?;
+            }
+        }
+        Some(Self::reduced(above.into(), below.into()))
+    }
+
+    /// The number of letters of the text, without a sign.
+    pub(crate) fn letters(&self) -> usize {
+        let digits = |n: i64| n.unsigned_abs().checked_ilog10().unwrap_or(0) as usize + 1;
+        match self.words() {
+            Some((numerator, 1)) => digits(numerator),
+            Some((numerator, denominator)) => digits(numerator) + 1 + digits(denominator),
+            None => self.to_string().trim_start_matches('-').len(),
         }
     }
 

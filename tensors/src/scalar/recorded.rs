@@ -207,7 +207,7 @@ impl Recorded {
         if collected.is_empty() {
             return Self::constant(constant);
         }
-        let content = content(collected.iter().map(|(factor, _)| factor));
+        let content = Rational::content(collected.iter().map(|(factor, _)| factor));
         let inverse = Rational::one() / &content;
         let constant = constant * &inverse;
         collected.iter_mut().for_each(|(factor, _)| *factor *= &inverse);
@@ -278,19 +278,6 @@ impl Recorded {
         }
         (Rational::zero(), vec![(factor, node)])
     }
-}
-
-/// The positive number with which all quotients are coprime integers, with the sign of the first value.
-fn content<'r>(mut values: impl Iterator<Item = &'r Rational>) -> Rational {
-    use num_rational::BigRational;
-    let Some(first) = values.next() else { return Rational::one() };
-    let mut content = first.clone().abs();
-    for value in values {
-        let quotient = BigRational::from(&(value.clone() / &content));
-        // the content of content * (1, n/d) is content / d, where n and d are coprime
-        content /= &Rational::from(BigRational::from(quotient.denom().clone()));
-    }
-    if first.is_negative() { -content } else { content }
 }
 
 impl Ring for Recorded {

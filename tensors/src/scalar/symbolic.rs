@@ -29,6 +29,7 @@ use elementary::Variable;
 use fraction::Fraction;
 use polynomial::Polynomial;
 use std::fmt;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 use writing::{Markup, Writer};
 
@@ -226,14 +227,18 @@ impl Notation for Symbolic {
         self.written(Markup::Latex, factors)
     }
     fn is_negative(&self) -> bool {
-        match &self.0 {
+        self.is_negative_with(&CommonFactors::default())
+    }
+    fn is_negative_with(&self, factors: &CommonFactors) -> bool {
+        match &factors.written(self).0 {
             Form::Constant(c) => c.is_negative(),
-            Form::Fraction(_) if self.has_written_form() => match &normal_form::written(self).0 {
-                Form::Constant(c) => c.is_negative(),
-                Form::Fraction(f) => writing::leads_negative(&f.numerator),
-            },
             Form::Fraction(f) => writing::leads_negative(&f.numerator),
         }
+    }
+    fn fingerprint(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.hash(&mut hasher);
+        hasher.finish()
     }
     /// `sin`, `cos`, `tan`, `cot`, `exp`, `sinh`, `cosh` and `tanh` of combinations of products of
     /// parameters, like `2*x - a*y/2`; `sqrt` and `log` of numbers and irreducible polynomials, and of what else

@@ -5,99 +5,179 @@
 //! with the leading term stands first, so that the sum begins with the sign of its expanded form.
 
 use super::super::Rational;
-use super::polynomial::{Polynomial, content, lowered};
+use super::polynomial::Polynomial;
 use super::variables::Variables;
 use num_traits::One;
-use polycore::{Monomial, Order, Poly};
 
 /// A deeper nesting is not begun. Expressions may be nested
 /// [`MAX_DEPTH`](crate::expression::MAX_DEPTH) deep.
 const MAX_NESTING: usize = 40;
 
+/// The variables of a monomial by their places, and their exponents.
+pub(super) type Powers = Vec<(usize, u32)>;
+
 /// `coefficient * monomial * (inner)`; without parentheses if there are no inner parts.
 pub(super) struct Part {
     pub coefficient: Rational,
-    pub monomial: Monomial,
+    pub powers: Powers,
     pub inner: Vec<Part>,
 }
 
 /// The parts of a nonzero sum of terms; a single term has one part.
 pub(super) fn parts(sum: &Polynomial, variables: &Variables) -> Vec<Part> {
+    let powers = |exponents: &[u32]| -> Powers {
+        exponents.iter().copied().enumerate().filter(|(_, e)| *e > 0).collect()
+    };
     let lengths: Vec<usize> = variables.iter().map(|name| name.len()).collect();
-    let (parts, _) = collect(sum.clone(), &lengths, 0);
+    let terms = sum.terms.iter().enumerate();
+    let terms = terms.map(|(place, (m, c))| {
+        let (coefficient, powers) = (c.clone(), powers(m.exps()));
+        let letters = letters(&coefficient, &powers, &lengths);
+        Term { place, coefficient, powers, letters }
+    });
+    let mut terms: Vec<_> = terms.collect();
+    let counts = vec![0; lengths.len()];
+    let (parts, _) = Collector { lengths, counts }.collect(&mut terms, 0);
     parts
 }
 
-/// The parts, and the letters of their text.
-fn collect(sum: Polynomial, lengths: &[usize], nesting: usize) -> (Vec<Part>, usize) {
-    let expanded = |sum: &Polynomial| -> usize {
-        let terms = sum.terms.iter().map(|(m, c)| SIGN + letters(c, m, lengths));
-        terms.sum::<usize>().saturating_sub(SIGN)
-    };
-    let length = expanded(&sum);
-    let split = Some(&sum).filter(|_| nesting < MAX_NESTING && sum.terms.len() > 1);
-    let split = split.and_then(|sum| shared(sum, lengths));
-    let Some(Shared { factor, with, without, leads }) = split else { return (single(sum), length) };
-    let unit = content(&with);
-    let quotient = with.scale(&(Rational::one() / &unit));
-    let outside = letters(&unit, &factor, lengths);
-    let (inner, inside) = collect(quotient, lengths, nesting + 1);
-    let product = Part { coefficient: unit, monomial: factor, inner };
-    let (rest, more) = match without.is_zero() {
-        true => (Vec::new(), 0),
-        false => collect(without, lengths, nesting),
-    };
-    let collected = outside + inside + "*()".len() + if more > 0 { SIGN + more } else { 0 };
-    if collected >= length {
-        return (single(sum), length);
+/// A term.
+#[derive(Default)]
+struct Term {
+    /// Its place in the sum.
+    place: usize,
+    coefficient: Rational,
+    powers: Powers,
+    /// The letters without the sign.
+    letters: usize,
+}
+
+impl Term {
+    fn exponent(&self, at: usize) -> u32 {
+        self.powers.iter().find(|(place, _)| *place == at).map_or(0, |(_, e)| *e)
     }
-    let mut parts = vec![product];
-    if leads {
-        parts.extend(rest);
-    } else {
-        parts.splice(0..0, rest);
+
+    /// The term over another, of which it has all powers.
+    fn divide(&mut self, inverse: &Rational, powers: &[(usize, u32)], lengths: &[usize]) {
+        for (at, e) in powers {
+            self.powers.iter_mut().filter(|(place, _)| place == at).for_each(|(_, own)| *own -= e);
+        }
+        self.powers.retain(|(_, e)| *e > 0);
+        self.scale(inverse);
+        self.letters = letters(&self.coefficient, &self.powers, lengths);
     }
-    (parts, collected)
+
+    /// The term times another; its letters stay those of the quotient.
+    fn multiply(&mut self, unit: &Rational, powers: &[(usize, u32)]) {
+        for (at, e) in powers {
+            match self.powers.binary_search_by_key(at, |(place, _)| *place) {
+                Ok(place) => self.powers[place].1 += e,
+                Err(place) => self.powers.insert(place, (*at, *e)),
+            }
+        }
+        self.scale(unit);
+    }
+
+    fn scale(&mut self, factor: &Rational) {
+        if !factor.is_one() {
+            self.coefficient *= factor;
+        }
+    }
+}
+
+struct Collector {
+    /// The lengths of the names.
+    lengths: Vec<usize>,
+    /// Zeros, one for each variable.
+    counts: Vec<usize>,
+}
+
+impl Collector {
+    /// The parts, and the letters of their text. The order of the terms may change, they do not.
+    fn collect(&mut self, terms: &mut [Term], nesting: usize) -> (Vec<Part>, usize) {
+        let all = terms.iter().map(|term| SIGN + term.letters);
+        let length = all.sum::<usize>().saturating_sub(SIGN);
+        let shared = if nesting < MAX_NESTING { self.shared(terms) } else { None };
+        let Some(at) = shared else { return (single(terms), length) };
+        let leads = terms[0].exponent(at) > 0;
+        let (with, without) = apart(terms, at);
+        let powers = common(with);
+        let unit = Rational::content(with.iter().map(|term| &term.coefficient));
+        let inverse = Rational::one() / &unit;
+        with.iter_mut().for_each(|term| term.divide(&inverse, &powers, &self.lengths));
+        let outside = letters(&unit, &powers, &self.lengths);
+        let (inner, inside) = self.collect(with, nesting + 1);
+        with.iter_mut().for_each(|term| term.multiply(&unit, &powers));
+        let (rest, more) = match without.is_empty() {
+            true => (Vec::new(), 0),
+            false => self.collect(without, nesting),
+        };
+        let collected = outside + inside + "*()".len() + if more > 0 { SIGN + more } else { 0 };
+        if collected >= length {
+            terms.sort_by_key(|term| term.place);
+            return (single(terms), length);
+        }
+        let mut parts = vec![Part { coefficient: unit, powers, inner }];
+        if leads {
+            parts.extend(rest);
+        } else {
+            parts.splice(0..0, rest);
+        }
+        (parts, collected)
+    }
+
+    /// The variable that saves most letters, the first of several; `None` if no two terms share one.
+    fn shared(&mut self, terms: &[Term]) -> Option<usize> {
+        let all = || terms.iter().flat_map(|term| &term.powers).map(|(at, _)| *at);
+        all().for_each(|at| self.counts[at] += 1);
+        let gain = |at: &usize| (self.counts[*at] * self.lengths[*at], usize::MAX - at);
+        let found = all().filter(|at| self.counts[*at] > 1).max_by_key(gain);
+        all().for_each(|at| self.counts[at] = 0);
+        found
+    }
+}
+
+/// The terms with a variable first, and the others, each in their order.
+fn apart(terms: &mut [Term], at: usize) -> (&mut [Term], &mut [Term]) {
+    let (with, without): (Vec<_>, Vec<_>) =
+        terms.iter_mut().map(std::mem::take).partition(|term| term.exponent(at) > 0);
+    let count = with.len();
+    let ordered = with.into_iter().chain(without);
+    terms.iter_mut().zip(ordered).for_each(|(term, ordered)| *term = ordered);
+    terms.split_at_mut(count)
 }
 
 /// The letters of a sign between terms, with its spaces.
 const SIGN: usize = 3;
 
 /// The terms, each a part.
-fn single(sum: Polynomial) -> Vec<Part> {
-    let part = |(monomial, coefficient)| Part { coefficient, monomial, inner: Vec::new() };
-    sum.terms.into_iter().map(part).collect()
+fn single(terms: &[Term]) -> Vec<Part> {
+    let part = |Term { coefficient, powers, .. }: &Term| Part {
+        coefficient: coefficient.clone(),
+        powers: powers.clone(),
+        inner: Vec::new(),
+    };
+    terms.iter().map(part).collect()
+}
+
+/// The powers that all terms have.
+fn common(terms: &[Term]) -> Powers {
+    let Some((first, others)) = terms.split_first() else { return vec![] };
+    let mut powers = first.powers.clone();
+    for term in others {
+        powers.iter_mut().for_each(|(at, e)| *e = (*e).min(term.exponent(*at)));
+        powers.retain(|(_, e)| *e > 0);
+    }
+    powers
 }
 
 /// The letters of a term without its sign.
-fn letters(coefficient: &Rational, monomial: &Monomial, lengths: &[usize]) -> usize {
-    let powers = monomial.exps().iter().zip(lengths).filter(|(e, _)| **e > 0);
+fn letters(coefficient: &Rational, powers: &[(usize, u32)], lengths: &[usize]) -> usize {
     let exponent = |e: u32| if e > 1 { 2 + e.ilog10() as usize } else { 0 };
-    let powers = powers.map(|(e, length)| 1 + length + exponent(*e));
-    let size = coefficient.clone().abs();
-    let number = if size.is_one() { 0 } else { 1 + size.to_string().len() };
+    let powers = powers.iter().map(|(at, e)| 1 + lengths[*at] + exponent(*e));
+    let number = match coefficient.letters() {
+        _ if coefficient.is_one() || *coefficient == Rational::from(-1) => 0,
+        letters => 1 + letters,
+    };
     (number + powers.sum::<usize>()).saturating_sub(1).max(1)
-}
-
-/// `factor * with + without`.
-struct Shared {
-    factor: Monomial,
-    with: Polynomial,
-    without: Polynomial,
-    /// Whether the leading term has the factor.
-    leads: bool,
-}
-
-/// The factor to take out of the terms that have its variable.
-fn shared(sum: &Polynomial, lengths: &[usize]) -> Option<Shared> {
-    let count = |at: usize| sum.terms.iter().filter(|(m, _)| m.exps()[at] > 0).count();
-    let gain = |at: usize| (count(at) * lengths[at], usize::MAX - at);
-    let at = (0..sum.nvars).filter(|&at| count(at) > 1).max_by_key(|&at| gain(at))?;
-    let (with, without): (Vec<_>, Vec<_>) =
-        sum.terms.iter().cloned().partition(|(m, _)| m.exps()[at] > 0);
-    let part = |terms| Poly { terms, nvars: sum.nvars, order: Order::GrLex };
-    let with = part(with);
-    let factor = with.min_exps();
-    let leads = sum.terms[0].0.exps()[at] > 0;
-    Some(Shared { with: lowered(&with, &factor), factor, without: part(without), leads })
 }

@@ -2,11 +2,12 @@
 
 use super::denominator::Factor;
 use super::fraction::Fraction;
+use super::free::FreeFunction;
 use super::polynomial::Polynomial;
 use super::variables::Variables;
 use super::{Form, Symbolic, normal_form};
 use std::borrow::Cow;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::{Arc, Mutex};
 
 /// Sums that occur in the denominators of several values, each with a name: `D = a^2 + b`.
@@ -88,9 +89,13 @@ impl CommonFactors {
         let mut found: Vec<(Arc<Factor>, usize)> = Vec::new();
         let mut places: HashMap<*const Factor, usize> = HashMap::new();
         let mut forms = Vec::new();
+        let mut functions = BTreeSet::new();
         for value in values {
             let form = factors.written(value).into_owned();
             let Form::Fraction(f) = form.0 else { continue };
+            let free = f.variables.iter().filter(|name| name.ends_with(')'));
+            let free = free.filter_map(|name| FreeFunction::read(name).ok());
+            functions.extend(free.map(|function| function.name().to_string()));
             for (factor, _) in &f.denominator.factors {
                 let known = places.get(&Arc::as_ptr(factor)).copied();
                 let at = known.or_else(|| found.iter().position(|(f, _)| same(f, factor)));
@@ -114,7 +119,7 @@ impl CommonFactors {
                 let rest = name.strip_prefix(letter);
                 rest.is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()))
             };
-            !taken.iter().any(clash)
+            !taken.iter().chain(&functions).any(clash)
         });
         let Some(prefix) = prefix else { return factors };
         let number = |at: usize| if found.len() > 1 { (at + 1).to_string() } else { String::new() };

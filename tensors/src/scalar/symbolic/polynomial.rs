@@ -136,10 +136,7 @@ pub(super) fn lowered(f: &Polynomial, m: &Monomial) -> Polynomial {
 /// The rational `q`, with the sign of the leading coefficient, for which `f / q` has coprime
 /// integer coefficients.
 pub(super) fn content(f: &Polynomial) -> Rational {
-    match &f.terms[..] {
-        [(_, c)] => c.clone(),
-        _ => from_big(&f.map(to_big).content()),
-    }
+    Rational::content(f.terms.iter().map(|(_, c)| c))
 }
 
 /// The content, and the polynomial divided by it; the zero polynomial has content 1.

@@ -12,7 +12,6 @@ use crate::expression::is_name;
 use crate::scalar::{Notation, Rational};
 use num_integer::Integer;
 use num_traits::One;
-use polycore::Monomial;
 
 /// The two ways to write a value.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -57,19 +56,18 @@ impl Writer<'_> {
         let (sign, size) =
             if leads_negative(&above) { ("-", -&above) } else { ("", above.clone()) };
         if whole && unit.is_one() {
-            let factored = self.factored(f, &size, Place::Alone);
-            return factored.map_or_else(|| self.sum(f, &above), |text| format!("{sign}{text}"));
+            return match self.factored(f, &size, Place::Alone) {
+                Ok(product) => format!("{sign}{product}"),
+                Err(sum) if sign.is_empty() => sum,
+                Err(_) => self.sum(f, &above),
+            };
         }
-        let top = self.part(f, &size, Place::Above);
+        let top = self.factored(f, &size, Place::Above).unwrap_or_else(|sum| sum);
         let bottom = self.denominator(f, unit);
         match self.markup {
             Markup::Latex => format!("{sign}\\frac{{{top}}}{{{bottom}}}"),
             Markup::Text => format!("{sign}{top}/{bottom}"),
         }
-    }
-
-    fn part(self, f: &Fraction, part: &Polynomial, place: Place) -> String {
-        self.factored(f, part, place).unwrap_or_else(|| self.enclosed_sum(f, part, place))
     }
 
     /// The sum, in parentheses where a division would otherwise apply to a part of it.
@@ -111,27 +109,43 @@ impl Writer<'_> {
                 _ => (factors(&part()), part()),
             },
         };
-        self.factored_as(f, &part, &found, Place::Below)
-            .unwrap_or_else(|| self.enclosed_sum(f, &part, Place::Below))
+        self.shorter(f, &part, &found, Place::Below).unwrap_or_else(|sum| sum)
     }
 
-    /// The product of the factors, if its text is shorter than that of the sum. LaTeX follows.
-    fn factored(self, f: &Fraction, part: &Polynomial, place: Place) -> Option<String> {
-        (part.terms.len() > 1).then(|| self.factored_as(f, part, &factors(part), place))?
+    /// The product of the factors if its text is shorter, otherwise the sum. LaTeX follows the text.
+    fn factored(self, f: &Fraction, part: &Polynomial, place: Place) -> Result<String, String> {
+        match part.terms.len() {
+            0 | 1 => Err(self.enclosed_sum(f, part, place)),
+            _ => self.shorter(f, part, &factors(part), place),
+        }
     }
 
-    fn factored_as(
+    /// The product of these factors if its text is shorter, otherwise the sum.
+    fn shorter(
         self,
         f: &Fraction,
         part: &Polynomial,
         found: &Factors,
         place: Place,
-    ) -> Option<String> {
+    ) -> Result<String, String> {
+        let whole = match &found.factors[..] {
+            [(factor, 1)] if found.content.is_one() => {
+                self.names.of_polynomial(&f.variables, factor).is_none()
+            }
+            _ => false,
+        };
+        if whole || part.terms.len() < 2 {
+            return Err(self.enclosed_sum(f, part, place));
+        }
         let text = Writer { markup: Markup::Text, ..self };
-        let shorter = part.terms.len() > 1
-            && text.enclosed_product(f, found, place).len()
-                < text.enclosed_sum(f, part, place).len();
-        shorter.then(|| self.enclosed_product(f, found, place))
+        let [product, sum] =
+            [text.enclosed_product(f, found, place), text.enclosed_sum(f, part, place)];
+        match (self.markup, product.len() < sum.len()) {
+            (Markup::Text, true) => Ok(product),
+            (Markup::Text, false) => Err(sum),
+            (Markup::Latex, true) => Ok(self.enclosed_product(f, found, place)),
+            (Markup::Latex, false) => Err(self.enclosed_sum(f, part, place)),
+        }
     }
 
     /// The product of the factors, in parentheses where a division would otherwise apply to a part of
@@ -175,9 +189,9 @@ impl Writer<'_> {
 
     fn parts(self, f: &Fraction, parts: &[Part]) -> String {
         let mut text = String::new();
-        for Part { coefficient, monomial, inner } in parts {
+        for Part { coefficient, powers, inner } in parts {
             text += sign(text.is_empty(), coefficient);
-            text += &self.term(f, &coefficient.clone().abs(), monomial);
+            text += &self.term(f, &coefficient.clone().abs(), powers.iter().copied());
             if !inner.is_empty() {
                 let inner = self.in_parentheses(&self.parts(f, inner));
                 text += if self.markup == Markup::Latex { " " } else { "*" };
@@ -192,19 +206,24 @@ impl Writer<'_> {
         let mut text = String::new();
         for (m, c) in &part.terms {
             text += sign(text.is_empty(), c);
-            text += &self.term(f, &c.clone().abs(), m);
+            let powers = m.exps().iter().copied().enumerate().filter(|(_, e)| *e > 0);
+            text += &self.term(f, &c.clone().abs(), powers);
         }
         text
     }
 
-    fn term(self, f: &Fraction, coefficient: &Rational, monomial: &Monomial) -> String {
+    fn term(
+        self,
+        f: &Fraction,
+        coefficient: &Rational,
+        powers: impl Iterator<Item = (usize, u32)>,
+    ) -> String {
+        let mut powers = powers.map(|(at, e)| power(&f.variables[at], e, self.markup)).peekable();
         let number = match self.markup {
-            _ if coefficient.is_one() && !monomial.is_one() => None,
+            _ if coefficient.is_one() && powers.peek().is_some() => None,
             Markup::Text => Some(coefficient.to_string()),
             Markup::Latex => Some(coefficient.latex()),
         };
-        let powers = f.variables.iter().zip(monomial.exps()).filter(|(_, e)| **e > 0);
-        let powers = powers.map(|(name, &exponent)| power(name, exponent, self.markup));
         self.markup.product(number.into_iter().chain(powers))
     }
 }
