@@ -12,7 +12,7 @@ use super::fraction::lowest_terms;
 use super::polynomial::{Polynomial, constant};
 use super::sum::SymbolicSum;
 use super::{Form, Rational, Symbolic};
-use crate::scalar::{Ring, Sum};
+use crate::scalar::{Field, Ring, Sum};
 use num_traits::{One, Zero, pow};
 use polycore::{Monomial, Poly};
 use std::collections::BTreeMap;
@@ -78,15 +78,45 @@ fn cosine(x: &str) -> Symbolic {
 }
 
 /// The value in the sine and cosine of `x`, where `t` is the variable `tan(x/2)`.
+///
+/// A polynomial of degree `d` in `t` becomes one in sine and cosine times `(1 + cos x)^h`, with `h = d/2` rounded up. Factors of the
+/// denominator that are even in `t` contain no sines, and stay apart.
 fn over_sines(value: &Symbolic, t: &str, x: &str) -> Symbolic {
-    let [above, below] = [value.numerator(), value.denominator()].map(|part| by_power(&part, t));
-    let highest = above.len().max(below.len()).saturating_sub(1).div_ceil(2);
-    let image = |coefficients: &[Symbolic]| {
-        let half = |from: usize| coefficients.iter().skip(from).step_by(2);
-        let odd = homogeneous(half(1), highest.saturating_sub(1), x);
-        homogeneous(half(0), highest, x) + &(odd * &sine(x))
-    };
-    image(&above) / &image(&below)
+    let Form::Fraction(f) = &value.0 else { return value.clone() };
+    let half = |coefficients: &[Symbolic]| coefficients.len().saturating_sub(1).div_ceil(2);
+    let mut below = Symbolic::one();
+    let (mut rest, mut degree) = (Symbolic::one(), 0);
+    for (part, exponent) in f.denominator.parts(&f.variables) {
+        let polynomial = f.polynomial(&part.expanded(&f.variables));
+        let coefficients = by_power(&polynomial, t);
+        if coefficients.iter().skip(1).step_by(2).all(Symbolic::vanishes) {
+            let image = in_sine(&coefficients, half(&coefficients), x);
+            below *= &pow(inverse(&image), exponent as usize);
+            degree += half(&coefficients) * exponent as usize;
+        } else {
+            rest *= &pow(polynomial, exponent as usize);
+        }
+    }
+    let rest = by_power(&rest, t);
+    below *= &inverse(&in_sine(&rest, half(&rest), x));
+    degree += half(&rest);
+    let above = by_power(&value.numerator(), t);
+    let highest = half(&above).max(degree);
+    if highest > degree {
+        below *= &pow(inverse(&(Symbolic::one() + &cosine(x))), highest - degree);
+    }
+    in_sine(&above, highest, x) * &below
+}
+
+/// The polynomial with these coefficients in `tan(x/2)` times `(1 + cos x)^h`.
+fn in_sine(coefficients: &[Symbolic], h: usize, x: &str) -> Symbolic {
+    let part = |from: usize| coefficients.iter().skip(from).step_by(2);
+    homogeneous(part(0), h, x) + &(homogeneous(part(1), h.saturating_sub(1), x) * &sine(x))
+}
+
+/// The reciprocal of a value other than zero.
+fn inverse(value: &Symbolic) -> Symbolic {
+    value.recip().unwrap_or_default()
 }
 
 /// The coefficients of the powers of a variable, the constant first.
@@ -175,11 +205,21 @@ const DEGREE: usize = 64;
 
 /// The value with numerator and denominator each in the form with the fewest terms.
 fn shortest(value: &Symbolic, x: &str) -> Symbolic {
+    let Form::Fraction(f) = &value.0 else { return value.clone() };
     let [above, below] = [value.numerator(), value.denominator()].map(|part| {
         let forms = others(&part, x).into_iter();
-        forms.fold(part, |best, form| if length(&form) < length(&best) { form } else { best })
+        let shorter = |best: Option<Symbolic>, form| match length(&form) {
+            found if found < length(best.as_ref().unwrap_or(&part)) => Some(form),
+            _ => best,
+        };
+        forms.fold(None, shorter)
     });
-    above / &below
+    let one = constant(Rational::one(), f.variables.len());
+    let below = match below {
+        Some(below) => inverse(&below),
+        None => lowest_terms(&f.variables, one, f.denominator.clone()),
+    };
+    above.unwrap_or_else(|| value.numerator()) * &below
 }
 
 /// The other forms of a polynomial: with as few sines or cosines as possible, and homogeneous.
