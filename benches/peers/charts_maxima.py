@@ -1,5 +1,6 @@
-"""Maxima, metrics over charts: loops with `diff`, each component simplified by `trigsimp`.
-Arguments: coordinates, the file of values, rows of the metric separated by semicolons, parameters."""
+"""Maxima, metrics over charts: loops with `diff`, each component simplified by `trigsimp`, or by `ratsimp` where there are no
+sines and cosines. Arguments: coordinates, the file of values, rows of the metric separated by semicolons, parameters, free functions."""
+import re
 import subprocess
 import sys
 
@@ -7,7 +8,7 @@ coordinates, path, metric = sys.argv[1:4]
 # own names have two letters, unlike coordinates and parameters
 PROGRAM = """
 XX:[%(coordinates)s]$ NN:length(XX)$ GG:matrix(%(metric)s)$
-low(VV):=trigsimp(VV)$
+low(VV):=%(simplify)s(VV)$
 emit(name,RR):=for CC in RR do (printf(file,"~a",name), for QQ:1 thru length(CC)-1 do printf(file," ~d",CC[QQ]), printf(file," ~a~%%",string(last(CC))))$
 affinities():=block([RR:[],VV,HH:map('low,invert(GG))],
  for II thru NN do for JJ thru NN do for KK:JJ thru NN do (
@@ -28,5 +29,5 @@ start:elapsed_run_time()$ SS:curvature()$ spent:spent+elapsed_run_time()-start$ 
 start:elapsed_run_time()$ SS:ricci()$ spent:spent+elapsed_run_time()-start$ say("ricci",SS)$
 """
 rows = ",".join(f"[{row}]" for row in metric.split(";"))
-program = PROGRAM % {"coordinates": coordinates, "metric": rows, "values": path}
+program = PROGRAM % {"simplify": "trigsimp" if re.search("sin|cos", metric) else "ratsimp", "coordinates": coordinates, "metric": rows, "values": path}
 sys.exit(subprocess.run(["maxima", "--very-quiet"], text=True, input=program).returncode)

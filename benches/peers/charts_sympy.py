@@ -1,13 +1,15 @@
 """SymPy, metrics over charts: `diff`, each component by `simplify`. Arguments as in charts_maxima.py."""
 import sys
 import time
-from sympy import Matrix, Rational, diff, simplify, symbols, sympify
+from sympy import Derivative, Function, Matrix, Rational, diff, simplify, symbols, sympify
+from chart_metrics import entries
 from peer import report, values
 
 letters = {name: symbols(name, real=True) for name in f"{sys.argv[1]},{sys.argv[4]}".split(",") if name}
+letters |= {name.split("(")[0]: Function(name.split("(")[0]) for name in sys.argv[5].split(";") if name}
 x = [letters[name] for name in sys.argv[1].split(",")]
 n, all_ = len(x), range(len(x))
-g = Matrix([[sympify(v.replace("^", "**"), locals=letters) for v in row.split(",")] for row in sys.argv[3].split(";")])
+g = Matrix([[sympify(v.replace("^", "**"), locals=letters) for v in entries(row)] for row in sys.argv[3].split(";")])
 spent = 0
 
 
@@ -17,7 +19,8 @@ def stage(name, work):
     found = {at: v for at, v in ((at, simplify(v)) for at, v in work()) if v != 0}
     spent += time.process_time() - start
     report(name, spent, len(found))
-    values(sys.argv[2], name, found.items())
+    head = lambda d: Function("_".join(map(str, [d.expr.func, *d.variables])))(*d.expr.args)
+    values(sys.argv[2], name, ((at, v.replace(lambda e: isinstance(e, Derivative), head)) for at, v in found.items()))
     return found
 
 

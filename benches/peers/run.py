@@ -31,12 +31,10 @@ How it is measured
 - One thread each (OPENBLAS_NUM_THREADS=1) unless the column says otherwise.
 - Results are compared: the number of nonzero components always; values as the caption says.
 
-Beside this file: `peer.py`, what the Python ones share; `numbers_*.py`, `symbols_*.py`, `charts_*.py` and `symbols_ginac.cpp`, which is compiled here.
+Beside this file: `peer.py`, what the Python ones share; `numbers_*.py`, `symbols_*.py`, `charts_*.py` with `chart_metrics.py`, and `symbols_ginac.cpp`, which is compiled here.
 """
 import argparse
 import csv
-import json
-import math
 import os
 import random
 import re
@@ -51,22 +49,14 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 
+import chart_metrics
+
+csv.field_size_limit(1 << 30)
 HERE = os.path.dirname(os.path.abspath(__file__))
 NUMBERS = ["so3", "sl3", "so5", "G2", "so8", "F4", "E6", "so(16)", "E7", "E8"]
 SMALL = 14  # the largest dimension whose values are compared
 SYMBOLS = ["so3", "sl(2)", "se3", "so4", "so(3,1)", "heisenberg(5)", "sl3"]
 LIMITS = ["se3", "so4"]
-BOX = "r^2 + a^2*cos(h)^2"
-CHARTS = {  # coordinates, parameters, rows of the metric
-    "ellipsoid": ("u,v", "a,b,c", ["(a^2*cos(v)^2 + b^2*sin(v)^2)*sin(u)^2,(b^2 - a^2)*sin(u)*cos(u)*sin(v)*cos(v)",
-                                   "(b^2 - a^2)*sin(u)*cos(u)*sin(v)*cos(v),(a^2*sin(v)^2 + b^2*cos(v)^2)*cos(u)^2 + c^2*sin(u)^2"]),
-    "trigonometric": ("u,v", "a", ["2 + cos(u),a*sin(u)*sin(v)", "a*sin(u)*sin(v),3 + cos(v)"]),
-    "Schwarzschild": ("t,r,h,p", "m", ["2*m/r - 1,0,0,0", "0,1/(1 - 2*m/r),0,0", "0,0,r^2,0", "0,0,0,r^2*sin(h)^2"]),
-    "de Sitter, flat slices": ("t,r,h,p", "H", ["-1,0,0,0", "0,exp(t)^2*H,0,0", "0,0,r^2*exp(t)^2*H,0", "0,0,0,r^2*sin(h)^2*exp(t)^2*H"]),
-    "Kerr": ("t,r,h,p", "m,a", [
-        f"2*m*r/({BOX}) - 1,0,0,-2*m*a*r*sin(h)^2/({BOX})", f"0,({BOX})/(r^2 - 2*m*r + a^2),0,0", f"0,0,{BOX},0",
-        f"-2*m*a*r*sin(h)^2/({BOX}),0,0,(r^2 + a^2 + 2*m*a^2*r*sin(h)^2/({BOX}))*sin(h)^2"]),
-}
 PRIME = 2**61 - 1
 MINUTE = 60
 
@@ -558,17 +548,12 @@ def charts():
           "Peers: each row includes the rows above it\n")
     head("chart", "tensor", "components", "affinor", *peers)
     agreed = 0
-    for name, (coordinates, parameters, rows) in CHARTS.items():
+    for name, (coordinates, parameters, functions, rows) in chart_metrics.CHARTS.items():
         path = os.path.join(FOLDER, "chart.toml")
-        quoted = lambda names: json.dumps(names.split(","))
         with open(path, "w") as file:
-            entries = ",".join(quoted(row) for row in rows)
-            file.write(f"parameters = {quoted(parameters)}\n[chart]\ncoordinates = {quoted(coordinates)}\n[metric]\ncomponents = [{entries}]\n")
-        theirs = {label: peer(script, python, coordinates, ";".join(rows), parameters) for label, script in peers.items()}
-        # a place where no component is singular
-        draw = random.Random(1)
-        point = {letter: draw.uniform(0.3, 0.6) for letter in f"{coordinates},{parameters}".split(",")} | {"r": 3.1}
-        names = vars(math) | {"cot": lambda v: 1 / math.tan(v)} | point
+            file.write(chart_metrics.definition(coordinates, parameters, functions, rows))
+        theirs = {label: peer(script, python, coordinates, ";".join(rows), parameters, functions) for label, script in peers.items()}
+        names = chart_metrics.Names(coordinates, parameters, functions)
         for tensor in tensors:
             table = os.path.join(FOLDER, "chart.csv")
             done = affinor(path, None, tensor, "--threads", "1", path=table)
@@ -582,9 +567,8 @@ def charts():
                 cells.append(seconds(theirs_done.reports[tensor][0]))
                 found = {at: v for at, v in theirs_done.values.items() if at[0] == tensor}
                 if expected and found:
-                    value = lambda text: eval(text.replace("^", "**").replace("%e", "e"), dict(names))
                     at_all = found.keys() | expected.keys()
-                    wrong = [at for at in at_all if abs(value(found.get(at, "0")) - value(expected.get(at, "0"))) > 1e-9]
+                    wrong = [at for at in at_all if not names.agree(found.get(at, "0"), expected.get(at, "0"))]
                     if wrong:
                         sys.exit(f"{name} {wrong[0]}: {label} has {found.get(wrong[0])}, affinor {expected.get(wrong[0])}")
                     agreed += 1

@@ -98,7 +98,8 @@ impl<'py> Meaning for Objects<'py> {
         let call = || {
             let py = self.function.py();
             let name = name.into_pyobject(py)?.into_any();
-            let all = PyTuple::new(py, std::iter::once(name).chain(arguments))?;
+            let all: Vec<_> = std::iter::once(name).chain(arguments).collect();
+            let all = PyTuple::new(py, all)?;
             self.function.call1(all)
         };
         self.keep(call())

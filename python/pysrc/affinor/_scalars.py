@@ -226,7 +226,8 @@ def to_sympy(text: str, symbols: Mapping[str, Any]) -> Any:
         # f_r_theta is a derivative of f
         head, *by = name.split("_")
         places = {str(argument): argument for argument in arguments}
-        return sympy.Function(head)(*arguments).diff(*(places[argument] for argument in by))
+        value = sympy.Function(head)(*arguments)
+        return value.diff(*(places[argument] for argument in by)) if by else value
 
     return _engine.evaluate(text, sympy.Rational, name, function)
 

@@ -3,7 +3,7 @@
 //! The limit counts terms, not seconds, so the same computation ends in the same way on every
 //! machine and with any number of threads.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
@@ -39,6 +39,34 @@ const PRODUCTS: u64 = 512;
 
 thread_local! {
     static CURRENT: RefCell<Option<Arc<Effort>>> = const { RefCell::new(None) };
+    /// All that this thread counted, with and without a limit.
+    static COUNTED: Cell<Counted> = const { Cell::new(Counted { terms: 0, products: 0 }) };
+}
+
+/// The terms and the products of terms of a computation.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Counted {
+    terms: u64,
+    products: u64,
+}
+
+impl Counted {
+    /// A result, and what was counted on the way to it; `None` if the limit was passed, and the result is not to be kept.
+    pub fn of<T>(work: impl FnOnce() -> T) -> (T, Option<Counted>) {
+        let before = COUNTED.get();
+        let result = work();
+        let after = COUNTED.get();
+        let counted = Counted {
+            terms: after.terms.wrapping_sub(before.terms),
+            products: after.products.wrapping_sub(before.products),
+        };
+        (result, products(0).then_some(counted))
+    }
+
+    /// Counts the same once more, for a result that was kept. So a limit does not depend on what is kept.
+    pub fn again(self) {
+        charge(self);
+    }
 }
 
 impl Effort {
@@ -105,11 +133,18 @@ pub(crate) fn inherit<T>(effort: Option<Arc<Effort>>, work: impl FnOnce() -> T) 
     result
 }
 
-fn charge(count: impl Fn(&Effort) -> &AtomicU64, by: u64) -> bool {
+/// Whether the limit allows this too.
+fn charge(by: Counted) -> bool {
+    let Counted { terms, products } = COUNTED.get();
+    COUNTED.set(Counted {
+        terms: terms.wrapping_add(by.terms),
+        products: products.wrapping_add(by.products),
+    });
     CURRENT.with_borrow(|effort| match effort {
         None => true,
         Some(effort) => {
-            count(effort).fetch_add(by, Relaxed);
+            effort.terms.fetch_add(by.terms, Relaxed);
+            effort.products.fetch_add(by.products, Relaxed);
             effort.exceeded().is_none()
         }
     })
@@ -117,10 +152,10 @@ fn charge(count: impl Fn(&Effort) -> &AtomicU64, by: u64) -> bool {
 
 /// Counts products of terms before they are formed. Whether the limit allows them.
 pub(super) fn products(count: usize) -> bool {
-    charge(|effort| &effort.products, count as u64)
+    charge(Counted { terms: 0, products: count as u64 })
 }
 
 /// Counts the terms of a value. Whether the limit allows them.
 pub(super) fn terms(count: usize) -> bool {
-    charge(|effort| &effort.terms, count as u64)
+    charge(Counted { terms: count as u64, products: 0 })
 }

@@ -15,6 +15,7 @@ mod factors;
 mod fraction;
 mod free;
 mod normal_form;
+mod once;
 mod operators;
 mod packed;
 mod polynomial;
@@ -289,6 +290,13 @@ impl Symbolic {
 
     /// The value as text or as LaTeX, with functions of angles in sines and cosines.
     fn written(&self, markup: Markup, names: &CommonFactors) -> String {
+        match names.is_empty() {
+            true => once::text(self, markup, || self.written_with(markup, names)),
+            false => self.written_with(markup, names),
+        }
+    }
+
+    fn written_with(&self, markup: Markup, names: &CommonFactors) -> String {
         match (&names.written(self).0, markup) {
             (Form::Constant(c), Markup::Text) => c.to_string(),
             (Form::Constant(c), Markup::Latex) => c.latex(),

@@ -44,7 +44,7 @@ fn scaled(form: Form, c: &Rational) -> Symbolic {
     match form {
         _ if c.is_zero() => Symbolic::zero(),
         form if c.is_one() => Symbolic(form),
-        Form::Fraction(f) => f.times(c).into(),
+        Form::Fraction(f) => SymbolicSum::of_multiple(c.clone(), f),
         Form::Constant(a) => Symbolic::constant(a * c),
     }
 }
@@ -63,7 +63,7 @@ impl Neg for Symbolic {
     fn neg(self) -> Symbolic {
         match self.0 {
             Form::Constant(c) => Symbolic::constant(-c),
-            Form::Fraction(f) => f.times(&-Rational::one()).into(),
+            Form::Fraction(f) => SymbolicSum::of_multiple(-Rational::one(), f),
         }
     }
 }

@@ -11,7 +11,7 @@ use super::fraction::{Fraction, lowest_terms};
 use super::packed::{Gathered, Layout, Overflow, Word, exact};
 use super::polynomial::{Polynomial, cofactors, constant, power, product, select};
 use super::variables::{Variables, places, union};
-use super::{Form, Rational, Symbolic, canonical};
+use super::{Form, Rational, Symbolic, canonical, once};
 use crate::{Ring, Sum, Tolerance};
 use num_integer::Integer;
 use num_rational::Ratio;
@@ -30,8 +30,15 @@ pub struct SymbolicSum {
 /// `coefficient * factors[0] * factors[1]`.
 #[derive(Clone, Debug)]
 pub(super) struct Product {
-    coefficient: Rational,
-    factors: [Option<Arc<Fraction>>; 2],
+    pub coefficient: Rational,
+    pub factors: [Option<Arc<Fraction>>; 2],
+}
+
+impl Product {
+    /// Where the factors are stored.
+    pub fn addresses(&self) -> [usize; 2] {
+        self.factors.each_ref().map(|f| f.as_ref().map_or(0, |f| Arc::as_ptr(f) as usize))
+    }
 }
 
 impl Sum<Symbolic> for SymbolicSum {
@@ -73,6 +80,13 @@ impl SymbolicSum {
         sum.value()
     }
 
+    /// `c a`.
+    pub(super) fn of_multiple(coefficient: Rational, a: Arc<Fraction>) -> Symbolic {
+        let mut sum = SymbolicSum::default();
+        sum.add(coefficient, [Some(a), None]);
+        sum.value()
+    }
+
     /// `a b`.
     pub(super) fn of_product([a, b]: [Arc<Fraction>; 2]) -> Symbolic {
         let mut sum = SymbolicSum::default();
@@ -83,6 +97,17 @@ impl SymbolicSum {
     pub(super) fn value(&self) -> Symbolic {
         match &self.products[..] {
             [] => Symbolic::constant(self.constant.clone()),
+            [Product { coefficient, factors: [Some(f), None] }]
+                if coefficient.is_one() && self.constant.is_zero() =>
+            {
+                Symbolic(Form::Fraction(f.clone()))
+            }
+            products => once::value(&self.constant, products, || self.computed()),
+        }
+    }
+
+    fn computed(&self) -> Symbolic {
+        match &self.products[..] {
             [Product { coefficient, factors: [Some(f), None] }] => {
                 let f = match coefficient.is_one() {
                     true => Symbolic(Form::Fraction(f.clone())),
