@@ -6,5 +6,6 @@ mod forms;
 mod gap;
 mod invariants;
 mod names;
+mod orthogonal_forms;
 mod root_systems;
 mod witnesses;

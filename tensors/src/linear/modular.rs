@@ -126,6 +126,11 @@ impl Residues {
         Some(Self::new(prime, matrix.columns(), rows))
     }
 
+    /// The prime.
+    pub fn prime(&self) -> Prime {
+        self.prime
+    }
+
     /// The rows.
     pub fn rows(&self) -> &[Vec<u64>] {
         &self.rows
@@ -270,6 +275,13 @@ impl Images {
     /// The numbers, if the primes are enough for short ones.
     pub fn rationals(&self) -> Option<Vec<Rational>> {
         Some(self.0.reconstruct()?.into_iter().map(Rational::from).collect())
+    }
+
+    /// The integers of least size: the numbers, if they are integers below half the product of the primes.
+    pub fn integers(&self) -> Vec<Rational> {
+        let modulus = self.0.modulus();
+        let least = |x: &BigInt| polycore::crt::symmetric(x, &modulus);
+        self.0.residues().iter().map(|x| BigRational::from_integer(least(x)).into()).collect()
     }
 }
 
