@@ -50,6 +50,7 @@ pub use identification::Identification;
 pub use killing::Killing;
 pub use root_spaces::{RootSpace, RootSpaces};
 pub use subspace::Subspace;
+pub(in crate::algebra) use subspace::denominator;
 pub use symplectic::Existence;
 
 use crate::Error;

@@ -166,7 +166,7 @@ pub(crate) fn collected<S: Field>(mut terms: Row<S>) -> Row<S> {
 }
 
 /// The least positive integer whose products with all values are integers.
-pub(super) fn denominator<'a>(values: impl Iterator<Item = &'a Rational>) -> Rational {
+pub(in crate::algebra) fn denominator<'a>(values: impl Iterator<Item = &'a Rational>) -> Rational {
     values.fold(Rational::from(1), |factor, value| {
         let rest = BigRational::from(&(value.clone() * &factor));
         factor * &Rational::from(BigRational::from_integer(rest.denom().clone()))
