@@ -33,18 +33,24 @@ pub(super) fn matrices_of_generators<S: Ring>(structure: &Tensor<S>) -> Option<T
     }
     constants.iter_mut().for_each(|of| of.sort_unstable());
     let basis = among_the_basis(&constants);
-    if 2 * basis.len() <= n {
-        let chosen = structure.components().filter(|(at, _)| basis.binary_search(&at[1]).is_ok());
-        let chosen = chosen.map(|(at, value)| (at, value.clone()));
-        return Tensor::from_components(n, &[Up, Down, Down], chosen).ok();
+    let among_basis = |j: usize| basis.binary_search(&j).is_ok();
+    let few = 2 * basis.len() <= n;
+    // two combinations have full matrices
+    let short = structure.components().filter(|(at, _)| among_basis(at[1])).count() <= 2 * n * n;
+    let dense = (SMALLEST_DENSE..=LARGEST_DENSE).contains(&n) && structure.len() >= n * n;
+    if dense
+        && !(few && short)
+        && let Some(components) = combinations(&constants)
+    {
+        let components = components
+            .into_iter()
+            .map(|([i, j, k], value)| Some(([i, j, k], S::from_quotient(value, denominator)?)));
+        let components = components.collect::<Option<Vec<_>>>()?;
+        return Tensor::from_components(n, &[Up, Down, Down], components).ok();
     }
-    if !(SMALLEST_DENSE..=LARGEST_DENSE).contains(&n) || structure.len() < n * n {
-        return None;
-    }
-    let components = combinations(&constants)?
-        .into_iter()
-        .map(|([i, j, k], value)| Some(([i, j, k], S::from_quotient(value, denominator)?)));
-    Tensor::from_components(n, &[Up, Down, Down], components.collect::<Option<Vec<_>>>()?).ok()
+    let chosen = structure.components().filter(|(at, _)| among_basis(at[1]));
+    let chosen = chosen.map(|(at, value)| (at, value.clone()));
+    few.then(|| Tensor::from_components(n, &[Up, Down, Down], chosen).ok()).flatten()
 }
 
 /// Whether `[x_j, .]` is a derivation for the matrices of these, `A ad_y - ad_y A = ad_(A y)` for each of a basis; `None` where

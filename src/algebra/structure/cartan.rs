@@ -3,8 +3,8 @@
 use super::radical::TRIALS;
 use super::reduction::Reduction;
 use super::{Ground, Structure, Subspace};
-use affinor_tensors::linear::Row;
 use affinor_tensors::linear::modular::{PRIMES, Residues};
+use affinor_tensors::linear::{Matrix, Row};
 use std::cmp::Ordering;
 
 impl<S: Ground> Structure<S> {
@@ -81,7 +81,12 @@ impl<S: Ground> Structure<S> {
     fn null_component_of_dimension(&self, x: &[(usize, S)], rank: usize) -> Option<Subspace<S>> {
         let n = self.dimension();
         if !self.is_dense() {
-            return Some(self.null_component(x)).filter(|null| null.dimension() == rank);
+            let ad = self.products.ad(x);
+            let kernel = self.whole().kernel_of(|v| ad.image(v));
+            // the image is orthogonal to the kernel: they meet in zero if the Killing form is not degenerate on the kernel
+            let basis = Matrix::from_rows(n, kernel.basis().iter().cloned()).ok()?;
+            let form = basis.mul(self.killing_matrix()).ok()?.mul(&basis.transpose()).ok()?;
+            return (kernel.dimension() == rank && form.rank().ok()? == rank).then_some(kernel);
         }
         let regular = PRIMES.into_iter().find_map(|prime| {
             let mut dense = vec![0; n];

@@ -141,7 +141,7 @@ impl Split {
         let (rank, m) = (split.rank, n - split.rank);
         let v = split.basis.get(rank)?.clone();
         // A w = [A v, y] on V, for w = [v, y]
-        let right = algebra.ad(&draw.vector(p, n));
+        let right = algebra.ad(&draw.vector(p, n)).sparse();
         let mut w = split.roots_part(&right.apply(&v));
         let mut columns = vec![];
         for k in 0..m {
@@ -168,6 +168,7 @@ impl Split {
         let mut basis = ad.clone().kernel();
         let rank = basis.len();
         let m = n - rank;
+        let ad = ad.sparse();
         let v = ad.apply(&draw.vector(p, n));
         let mut power = v.clone();
         for _ in 0..m {

@@ -198,9 +198,40 @@ impl Residues {
         free.map(vector).collect()
     }
 
+    /// The matrix by the entries that are not zero, for many products with vectors.
+    pub fn sparse(&self) -> SparseResidues {
+        let row = |row: &Vec<u64>| {
+            let entries = row.iter().enumerate().filter(|(_, value)| **value != 0);
+            entries.map(|(at, value)| (at as u32, *value as u32)).collect()
+        };
+        SparseResidues { prime: self.prime, rows: self.rows.iter().map(row).collect() }
+    }
+
     /// The vector `A x`.
     pub fn apply(&self, x: &[u64]) -> Vec<u64> {
         self.rows.iter().map(|row| self.prime.dot(row, x)).collect()
+    }
+}
+
+/// A matrix of residues by its entries that are not zero.
+#[derive(Clone, Debug)]
+pub struct SparseResidues {
+    prime: Prime,
+    rows: Vec<Vec<(u32, u32)>>,
+}
+
+impl SparseResidues {
+    /// The vector `A x`.
+    pub fn apply(&self, x: &[u64]) -> Vec<u64> {
+        let p = self.prime;
+        let entry = |row: &Vec<(u32, u32)>| {
+            // three products of residues below 2^31 and a residue stay below 2^64
+            row.chunks(3).fold(0, |sum, pair| {
+                let terms = pair.iter().map(|(at, value)| u64::from(*value) * x[*at as usize]);
+                p.reduce(sum + terms.sum::<u64>())
+            })
+        };
+        self.rows.iter().map(entry).collect()
     }
 }
 
