@@ -1,6 +1,7 @@
 //! The Jacobi identity by generators and by all triples of basis vectors: one verdict.
 
 use crate::common::algebras::catalogued;
+use crate::structure::invariants::scrambled;
 use affinor::{BasisChange, Bracket, LieAlgebra, Rational, Tensor};
 use affinor_tensors::{Down, Ring, Up};
 
@@ -43,6 +44,15 @@ fn every_constant_counts_in_the_basis_of_the_catalogue() {
     // all constants of so(5) belong to some triple that cancels
     let so5 = catalogued("so(5)");
     assert_eq!(violations(&so5, 1), constants(&so5).len());
+}
+
+/// With one constant of eight that is not zero, the matrices are multiplied as dense ones.
+#[test]
+fn every_constant_counts_in_a_full_table() {
+    let dense = scrambled(&catalogued("so(8)"), 1);
+    let n = dense.dimension();
+    assert!(8 * dense.structure().len() > n * n * n);
+    assert!(violations(&dense, 1999) > 0);
 }
 
 /// Dimension 24 and more: combinations of the basis generate; below, all triples are computed.

@@ -3,6 +3,7 @@
 use crate::common::algebras::{algebras, by_table, catalogued, seeds};
 use crate::common::charts::constant;
 use crate::common::{fraction, integer, rationals, stored};
+use crate::structure::invariants::scrambled;
 use affinor::algebra::catalogue;
 use affinor::{Bracket, Canonical, Connection, Error, LieAlgebra, LiePoisson};
 use affinor_tensors::linear::{Echelon, Matrix};
@@ -331,6 +332,33 @@ proptest! {
             }
         }
     }
+}
+
+/// In any basis and with parameters the coefficients are integers without a common divisor.
+#[test]
+fn casimirs_are_primitive() {
+    let mut checked = 0;
+    let mut primitive = |space: &LiePoisson, name: &str| {
+        for generator in space.casimir_generators(3).unwrap() {
+            let integers = generator.terms().into_iter().map(|(_, value)| value.to_i64().unwrap());
+            assert_eq!(integers.fold(0, divisor), 1, "{name}: {generator}");
+            checked += 1;
+        }
+    };
+    for name in ["so(3)", "sl(2)", "sl(3)", "se(3)", "so(4)", "heisenberg(5)", "degraaf(5,9)"] {
+        for seed in 0..3 {
+            primitive(&left(&scrambled(&catalogued(name), seed)), name);
+        }
+    }
+    for (name, algebra, _) in families() {
+        primitive(&LiePoisson::left(&algebra).unwrap(), name);
+    }
+    assert!(checked > 30);
+}
+
+/// The greatest common divisor.
+fn divisor(a: i64, b: i64) -> i64 {
+    if b == 0 { a.abs() } else { divisor(b, a % b) }
 }
 
 /// The invariants of so(4) and so(3,1) as deformations of se(3), `j.p` and `k j.j + p.p`; at k = 0 those of se(3). The

@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::algebra::frame::{Frame, expect_numbers, formula};
-use crate::algebra::generators::matrices_of_generators;
+use crate::algebra::generators::{are_dense_derivations, matrices_of_generators};
 use affinor_tensors::text::combination;
 use affinor_tensors::{Down, Ring, Sum, Tensor, TensorError, Tolerance, Up};
 use std::collections::BTreeMap;
@@ -133,6 +133,9 @@ impl<S: Ring> Bracket<S> {
 
     /// Whether `[x_j, .]` is a derivation for the matrices `a^i_jk` of these.
     fn are_derivations(&self, matrices: &Tensor<S>) -> bool {
+        if let Some(are) = are_dense_derivations(self.structure(), matrices) {
+            return are;
+        }
         let residual = formula(
             "a^m_jk c^i_ml - a^m_jl c^i_mk - a^i_jm c^m_kl -> ^i_j[kl]",
             &[("a", matrices), ("c", self.structure())],

@@ -142,6 +142,7 @@ static FAMILIES: &[Family] = &[
     bianchi::FAMILY,
     tables::PATERA,
     tables::DE_GRAAF,
+    tables::GONG,
     simple::A,
     simple::B,
     simple::C,

@@ -7,11 +7,17 @@
 use crate::algebra::structure::reduction::{Draw, Reduction};
 use affinor_tensors::linear::modular::PRIMES;
 use affinor_tensors::{Down, Ring, Tensor, Up};
+use nalgebra::{DMatrix, Dyn};
+use std::collections::BTreeMap;
 
 /// Larger algebras are not looked at in a dense basis: the time grows with the cube of the dimension.
 const LARGEST_DENSE: usize = 600;
 /// Below this dimension few triples are left out.
 const SMALLEST_DENSE: usize = 24;
+/// Beyond this dimension a dense table of all constants takes too much memory.
+const LARGEST_IN_FLOATS: usize = 200;
+/// Tables are multiplied as dense ones if at least one constant of so many is not zero.
+const FILLED: usize = 8;
 /// How many combinations of the basis are tried as generators.
 const COMBINATIONS: [usize; 3] = [2, 3, 5];
 
@@ -27,18 +33,68 @@ pub(super) fn matrices_of_generators<S: Ring>(structure: &Tensor<S>) -> Option<T
     }
     constants.iter_mut().for_each(|of| of.sort_unstable());
     let basis = among_the_basis(&constants);
-    if 2 * basis.len() <= n {
-        let chosen = structure.components().filter(|(at, _)| basis.binary_search(&at[1]).is_ok());
-        let chosen = chosen.map(|(at, value)| (at, value.clone()));
-        return Tensor::from_components(n, &[Up, Down, Down], chosen).ok();
+    let among_basis = |j: usize| basis.binary_search(&j).is_ok();
+    let few = 2 * basis.len() <= n;
+    // two combinations have full matrices
+    let short = structure.components().filter(|(at, _)| among_basis(at[1])).count() <= 2 * n * n;
+    let dense = (SMALLEST_DENSE..=LARGEST_DENSE).contains(&n) && structure.len() >= n * n;
+    if dense
+        && !(few && short)
+        && let Some(components) = combinations(&constants)
+    {
+        let components = components
+            .into_iter()
+            .map(|([i, j, k], value)| Some(([i, j, k], S::from_quotient(value, denominator)?)));
+        let components = components.collect::<Option<Vec<_>>>()?;
+        return Tensor::from_components(n, &[Up, Down, Down], components).ok();
     }
-    if !(SMALLEST_DENSE..=LARGEST_DENSE).contains(&n) || structure.len() < n * n {
+    let chosen = structure.components().filter(|(at, _)| among_basis(at[1]));
+    let chosen = chosen.map(|(at, value)| (at, value.clone()));
+    few.then(|| Tensor::from_components(n, &[Up, Down, Down], chosen).ok()).flatten()
+}
+
+/// Whether `[x_j, .]` is a derivation for the matrices of these, `A ad_y - ad_y A = ad_(A y)` for each of a basis; `None` where
+/// few constants are not zero, or where the numbers are no short rational ones.
+///
+/// Products of matrices of integers are exact in floats as long as no sum exceeds 2^53.
+pub(super) fn are_dense_derivations<S: Ring>(
+    structure: &Tensor<S>,
+    matrices: &Tensor<S>,
+) -> Option<bool> {
+    let n = structure.dimension();
+    if !(SMALLEST_DENSE..=LARGEST_IN_FLOATS).contains(&n) || FILLED * structure.len() < n * n * n {
         return None;
     }
-    let components = combinations(&constants)?
-        .into_iter()
-        .map(|([i, j, k], value)| Some(([i, j, k], S::from_quotient(value, denominator)?)));
-    Tensor::from_components(n, &[Up, Down, Down], components.collect::<Option<Vec<_>>>()?).ok()
+    // entries a^i_jk of each j at [i, k]
+    let numbers = |tensor: &Tensor<S>| {
+        let values: Vec<&S> = tensor.components().map(|(_, value)| value).collect();
+        let (integers, _) = S::clear_denominators(values.into_iter())?;
+        let largest = integers.iter().map(|value| value.unsigned_abs()).max()?;
+        let mut found = BTreeMap::new();
+        for ((at, _), value) in tensor.components().zip(integers) {
+            let matrix = found.entry(at[1]).or_insert_with(|| DMatrix::<f64>::zeros(n, n));
+            matrix[(at[0], at[2])] = value as f64;
+        }
+        Some((found, largest))
+    };
+    let ((ads, size), (generators, other)) = (numbers(structure)?, numbers(matrices)?);
+    let sums = size.checked_mul(other)?.checked_mul(3 * n as u64)?;
+    if sums >= 1 << 53 {
+        return None;
+    }
+    let mut all = DMatrix::zeros(n * n, n);
+    ads.iter().for_each(|(k, ad)| all.column_mut(*k).copy_from_slice(ad.as_slice()));
+    Some(generators.values().all(|a| {
+        let images = &all * a;
+        (0..n).all(|k| {
+            let mut rest = images.column(k).clone_owned().reshape_generic(Dyn(n), Dyn(n));
+            if let Some(ad) = ads.get(&k) {
+                rest.gemm(1.0, ad, a, 1.0);
+                rest.gemm(-1.0, a, ad, 1.0);
+            }
+            rest.iter().all(|entry| *entry == 0.0)
+        })
+    }))
 }
 
 /// `(k, i, v)` of a first factor `e_j`: `[e_j, e_k] = .. + v e_i`.

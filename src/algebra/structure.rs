@@ -2,9 +2,10 @@
 //!
 //! - [`Ground`]: the scalars, rationals and rational functions of parameters;
 //! - [`Subspace`]: subspaces in reduced row echelon form; `products`: brackets of vectors;
+//! - `kernels`: kernels of dense matrices, lifted from residues;
 //! - [`Structure`]: an algebra with its brackets tabulated; `series`, `killing`, `radical`, `cartan`, `levi`;
 //! - [`reduction`]: the algebra modulo a prime, for ranks; `derivations`, `cohomology`; `certificates`: dimensions proved over the rationals; `index`;
-//! - [`dynkin`], `root_spaces`, `ideals`, [`real_forms`]: Dynkin types, roots, simple ideals over the reals and their names;
+//! - [`dynkin`], `root_spaces`, `ideals`, [`real_forms`], `orthogonal_forms`: Dynkin types, roots, simple ideals over the reals and their names;
 //! - `cocycles`, `symplectic`, `complex_structures`: closed forms of low degree, symplectic and contact forms, Casimir functions;
 //! - `decomposition`: indecomposable ideals; `identification`: names in low dimension;
 //! - `constructions`: quotients, extensions, semidirect sums, contractions, complexifications.
@@ -24,8 +25,10 @@ mod ground;
 mod ideals;
 mod identification;
 mod index;
+mod kernels;
 mod killing;
 mod levi;
+mod orthogonal_forms;
 mod products;
 mod radical;
 pub mod real_forms;
@@ -47,6 +50,7 @@ pub use identification::Identification;
 pub use killing::Killing;
 pub use root_spaces::{RootSpace, RootSpaces};
 pub use subspace::Subspace;
+pub(in crate::algebra) use subspace::denominator;
 pub use symplectic::Existence;
 
 use crate::Error;

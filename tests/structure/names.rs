@@ -197,21 +197,16 @@ fn isomorphisms_of_nilpotent_algebras() {
     names.extend(sums.map(String::from));
     let sums = ["degraaf(4,3)+R^1", "degraaf(4,3)+R^2", "degraaf(3,2)+R^2", "degraaf(3,2)+R^3"];
     names.extend(sums.map(String::from));
-    let mut missing = vec![];
     for name in &names {
-        for seed in 0..3 {
+        // a normal form gives those of one family, a search the others
+        for seed in 0..if name.starts_with("degraaf(6,24,") { 20 } else { 3 } {
             let algebra = scrambled(&summed(name), seed);
             let found = Structure::new(algebra.clone()).identify().unwrap();
             let [named] = &found.names[..] else { panic!("{name}: {found:?}") };
-            match &found.isomorphism {
-                Some(images) => respects(&algebra, images, &summed(named)),
-                None => missing.push(format!("{name} in basis {seed}")),
-            }
+            let Some(images) = &found.isomorphism else { panic!("{name} in basis {seed}") };
+            respects(&algebra, images, &summed(named));
         }
     }
-    // docs/structure.md says so: the search ends without one in a few bases of one family
-    assert!(missing.iter().all(|name| name.starts_with("degraaf(6,24,")), "{missing:?}");
-    assert!(missing.len() <= 5, "{missing:?}");
     // 3 is no square: an isomorphism with e = 1 needs its root
     for family in [19, 21, 22, 24] {
         let found = Structure::new(summed(&format!("degraaf(6,{family},e=3)"))).identify().unwrap();
@@ -223,19 +218,6 @@ fn isomorphisms_of_nilpotent_algebras() {
 fn summed(names: &str) -> LieAlgebra<Rational> {
     let sum = |a: LieAlgebra<Rational>, b| a.direct_sum(&b).unwrap();
     names.split('+').map(catalogued).reduce(sum).unwrap()
-}
-
-/// Of two real forms of one type and signature the Cartan subalgebra tells su(9,5) and su*(14), and so(12,6) from so*(18).
-#[test]
-fn real_forms_of_equal_signature() {
-    let names = |name: &str| {
-        let ideals = Structure::new(catalogued(name)).simple_ideals().unwrap().unwrap();
-        ideals.real[0].names.clone()
-    };
-    assert_eq!(names("su(9,5)"), ["su(9,5)"]);
-    assert_eq!(names("sl(7,H)"), ["su*(14)"]);
-    assert_eq!(names("so(12,6)"), ["so(12,6)"]);
-    assert!(names("so*(18)").contains(&"so*(18)".to_string()));
 }
 
 /// Each nilpotent algebra has its own name, the sign of a parameter included.

@@ -1,4 +1,4 @@
-//! Tables of the literature: real algebras of dimension up to 4, nilpotent ones of dimension up to 6.
+//! Tables of the literature: real algebras of dimension up to 4, nilpotent ones of dimension up to 6, and of step 2 in dimension 7.
 
 use super::bianchi::evaluate;
 use super::name::{Argument, rule};
@@ -30,6 +30,20 @@ pub(super) const DE_GRAAF: Family = Family {
               the reals e = -1, 0, 1 are enough; e is a parameter if not given",
     example: "degraaf(5,6)",
     reader: Reader::Words(|name, arguments| read(&DE_GRAAF, DE_GRAAF_TABLE, name, arguments)),
+};
+
+/// The nilpotent algebras of dimension 7 and step 2 that are no sums.
+///
+/// With a centre of dimension 1 there is one; with dimension 2 they are pencils of alternating forms on R^5 without a common
+/// kernel, two by Kronecker; with dimension 3 nets of alternating forms on R^4, which the rank and the signature of the
+/// Pfaffian up to sign tell apart, six by Witt. Numbers of M.-P. Gong, *Classification of nilpotent Lie algebras of dimension 7*,
+/// Ph.D. thesis, University of Waterloo 1998: the dimensions of the upper central series, then a letter.
+pub(super) const GONG: Family = Family {
+    pattern: "gong(7,k)",
+    needs: "7,17 or 7,27A or 7,27B or 7,37A to 7,37D or 7,37B1 or 7,37D1",
+    summary: "the real nilpotent algebras of dimension 7 and step 2 that are no sums, in the numbers of Gong; basis e1..e7",
+    example: "gong(7,37D1)",
+    reader: Reader::Words(|name, arguments| read(&GONG, GONG_TABLE, name, arguments)),
 };
 
 /// The number, the parameters, and the brackets `jk>i:v`, meaning `[e_j, e_k] = .. + v e_i`.
@@ -84,11 +98,23 @@ const DE_GRAAF_TABLE: &str = "\
 6,25|12>3:1 13>5:1 14>6:1
 6,26|12>4:1 13>5:1 23>6:1";
 
+const GONG_TABLE: &str = "\
+7,17|12>7:1 34>7:1 56>7:1
+7,27A|12>6:1 14>7:1 35>7:1
+7,27B|12>6:1 15>7:1 23>7:1 34>6:1
+7,37A|12>5:1 23>6:1 24>7:1
+7,37B|12>5:1 23>6:1 34>7:1
+7,37B1|12>5:1 13>6:1 14>7:1 24>6:1 34>5:-1
+7,37C|12>5:1 23>6:1 24>7:1 34>5:1
+7,37D|12>5:1 13>6:1 24>7:1 34>5:1
+7,37D1|12>5:1 13>6:1 14>7:1 23>7:1 24>6:-1 34>5:1";
+
 /// The names of all rows of a family; none for a family without a table.
 pub(super) fn names(family: &Family) -> Vec<String> {
     let table = match family.pattern {
         pattern if pattern == PATERA.pattern => PATERA_TABLE,
         pattern if pattern == DE_GRAAF.pattern => DE_GRAAF_TABLE,
+        pattern if pattern == GONG.pattern => GONG_TABLE,
         _ => return vec![],
     };
     let number = |row: &str| row.split([' ', '|']).next().unwrap_or_default().to_string();

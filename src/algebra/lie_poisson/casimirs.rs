@@ -7,9 +7,12 @@
 use super::LiePoisson;
 use crate::Error;
 use crate::algebra::invariants::common_kernel;
+use crate::algebra::structure::denominator;
 use affinor_tensors::linear::{Echelon, Row};
 use affinor_tensors::{Field, Rational, Symbolic, Tolerance};
-use num_traits::{One, Zero};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
 use std::collections::BTreeMap;
 
 /// The largest number of monomials of one degree in a search for Casimir functions. As with
@@ -105,20 +108,37 @@ impl LiePoisson {
         Some(constants)
     }
 
-    /// A polynomial without denominators that depend on parameters.
+    /// A polynomial without denominators that depend on parameters; its coefficients are integers without a common divisor.
     fn written<F: Coefficient>(&self, monomials: &Monomials, row: &[(usize, F)]) -> Symbolic {
         let mut common = Symbolic::one();
         let values: Vec<Symbolic> = row.iter().map(|(_, value)| value.symbolic()).collect();
         for value in &values {
             common = common.clone() * &(value.clone() * &common).denominator();
         }
+        let values: Vec<Symbolic> = values.into_iter().map(|value| value * &common).collect();
+        let coefficients = values.iter().flat_map(Symbolic::terms).map(|(_, value)| value);
+        let unit = Symbolic::constant(primitive_factor(&coefficients.collect::<Vec<_>>()));
         row.iter().zip(values).fold(Symbolic::zero(), |sum, ((at, _), value)| {
             let powers = self.coordinates.iter().zip(&monomials.exponents[*at]);
-            sum + &powers.fold(value * &common, |product, (coordinate, power)| {
+            sum + &powers.fold(value * &unit, |product, (coordinate, power)| {
                 product * &num_traits::pow(coordinate.clone(), *power as usize)
             })
         })
     }
+}
+
+/// The positive number whose products with all numbers are integers without a common divisor.
+fn primitive_factor(numbers: &[Rational]) -> Rational {
+    let above = denominator(numbers.iter());
+    let divisor = numbers.iter().fold(BigInt::zero(), |mut divisor, number| {
+        let mut rest = BigRational::from(&(number.clone() * &above)).to_integer();
+        while !rest.is_zero() {
+            (divisor, rest) = (rest.clone(), divisor % rest);
+        }
+        divisor
+    });
+    let below = Rational::from(BigRational::from_integer(divisor.abs()));
+    below.recip().map_or(above.clone(), |unit| above * &unit)
 }
 
 const MONOMIALS: &str = "monomials";

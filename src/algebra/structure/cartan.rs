@@ -1,8 +1,10 @@
 //! Cartan subalgebras: nilpotent subalgebras that are their own normalizers (de Graaf 3.2).
 
 use super::radical::TRIALS;
+use super::reduction::Reduction;
 use super::{Ground, Structure, Subspace};
-use affinor_tensors::linear::Row;
+use affinor_tensors::linear::modular::{PRIMES, Residues};
+use affinor_tensors::linear::{Matrix, Row};
 use std::cmp::Ordering;
 
 impl<S: Ground> Structure<S> {
@@ -20,6 +22,7 @@ impl<S: Ground> Structure<S> {
         if self.is_nilpotent() {
             return self.whole();
         }
+        let rank = self.rank_of_semisimple();
         let commuting = self.commuting_basis_vectors(|_| true);
         let mut seed = 0x9e37_79b9_7f4a_7c15_u64;
         let mut draw = move |below: usize| {
@@ -39,7 +42,15 @@ impl<S: Ground> Structure<S> {
                     x.push((draw(n), S::from_i64(weight(&mut draw))));
                 }
             }
-            let null = self.null_component(&super::subspace::collected(x));
+            let x = super::subspace::collected(x);
+            if let Some(rank) = rank {
+                // Cartan subalgebras are the null components of least dimension
+                match self.null_component_of_dimension(&x, rank) {
+                    Some(null) => return null,
+                    None => continue,
+                }
+            }
+            let null = self.null_component(&x);
             let smaller = best.as_ref().is_none_or(|best| null.dimension() < best.dimension());
             if smaller {
                 let sub = self.subalgebra(&null).expect("a null component is a subalgebra");
@@ -50,6 +61,55 @@ impl<S: Ground> Structure<S> {
             }
         }
         unreachable!("almost every element has a nilpotent null component")
+    }
+
+    /// The rank of a semisimple algebra by its types.
+    fn rank_of_semisimple(&self) -> Option<usize> {
+        let types = self.dynkin_type().filter(|_| self.is_semisimple())?;
+        Some(types.iter().map(|one| one.rank()).sum())
+    }
+
+    /// Whether brackets of basis vectors have more than two terms on average: then rational elimination meets long numbers.
+    fn is_dense(&self) -> bool {
+        let n = self.dimension();
+        let constants: usize = (0..n).map(|j| self.products.of(j).len()).sum();
+        constants > 2 * n * n
+    }
+
+    /// The null component of `ad x` in a semisimple algebra, if its dimension is the rank: then it is the kernel. Modulo a prime it can
+    /// only be greater, and no null component over the rationals is smaller than the rank.
+    fn null_component_of_dimension(&self, x: &[(usize, S)], rank: usize) -> Option<Subspace<S>> {
+        let n = self.dimension();
+        if !self.is_dense() {
+            let ad = self.products.ad(x);
+            let kernel = self.whole().kernel_of(|v| ad.image(v));
+            // the image is orthogonal to the kernel: they meet in zero if the Killing form is not degenerate on the kernel
+            let basis = Matrix::from_rows(n, kernel.basis().iter().cloned()).ok()?;
+            let form = basis.mul(self.killing_matrix()).ok()?.mul(&basis.transpose()).ok()?;
+            return (kernel.dimension() == rank && form.rank().ok()? == rank).then_some(kernel);
+        }
+        let regular = PRIMES.into_iter().find_map(|prime| {
+            let mut dense = vec![0; n];
+            for (at, value) in x {
+                dense[*at] = value.residue(prime)?;
+            }
+            let ad = Reduction::new(self, prime)?.ad(&dense);
+            let kernel = ad.clone().kernel();
+            // no vector of the kernel is an image
+            let image = (0..n).map(|k| ad.rows().iter().map(|row| row[k]).collect()).collect();
+            let mut image = Residues::new(prime, n, image);
+            image.reduce();
+            let both = Residues::new(prime, n, [image.rows(), &kernel[..]].concat()).rank();
+            Some(kernel.len() == rank && both == n)
+        });
+        if regular != Some(true) {
+            return None;
+        }
+        let mut rows = vec![vec![]; n];
+        for (k, column) in self.products.ad(x).columns() {
+            column.iter().for_each(|(i, value)| rows[*i].push((k, value.clone())));
+        }
+        Subspace::lifted_kernel(n, &rows).or_else(|| Some(self.null_component(x)))
     }
 
     /// The vectors that some power of `ad x` sends to zero.
@@ -77,8 +137,7 @@ impl<S: Ground> Structure<S> {
             x.push((at, weight.clone()));
             weight = weight * &S::from_i64(3);
         }
-        let null = self.null_component(&x);
-        (null.dimension() == rank).then_some(null)
+        self.null_component_of_dimension(&x, rank)
     }
 
     /// Basis vectors that commute, each with a Killing square that is not zero; those that are preferred come first.

@@ -137,21 +137,11 @@ impl Reduction {
 impl Split {
     pub fn new(algebra: &Reduction, draw: &mut Draw) -> Option<Self> {
         let (n, p) = (algebra.dimension(), algebra.prime());
-        let ad = algebra.ad(&draw.vector(p, n));
-        let mut basis = ad.clone().kernel();
-        let rank = basis.len();
-        let m = n - rank;
-        let v = ad.apply(&draw.vector(p, n));
-        let mut power = v.clone();
-        for _ in 0..m {
-            let next = ad.apply(&power);
-            basis.push(std::mem::replace(&mut power, next));
-        }
-        let coordinates = inverse_of_columns(p, &basis)?;
-        let relation = coordinates.apply(&power)[rank..].to_vec();
-        let mut split = Split { prime: p, rank, basis, coordinates, relation, centroid: vec![] };
+        let mut split = Self::of(&algebra.ad(&draw.vector(p, n)), draw)?;
+        let (rank, m) = (split.rank, n - split.rank);
+        let v = split.basis.get(rank)?.clone();
         // A w = [A v, y] on V, for w = [v, y]
-        let right = algebra.ad(&draw.vector(p, n));
+        let right = algebra.ad(&draw.vector(p, n)).sparse();
         let mut w = split.roots_part(&right.apply(&v));
         let mut columns = vec![];
         for k in 0..m {
@@ -169,6 +159,30 @@ impl Split {
             .map(|even| even.into_iter().flat_map(|q| [q, 0]).collect())
             .collect();
         (!split.centroid.is_empty()).then_some(split)
+    }
+
+    /// The kernel and a cyclic vector of the image of `X`, without the centroid; `None` if no power of `X` sends to zero what `X` does
+    /// not, or if the vector is not cyclic.
+    pub fn of(ad: &Residues, draw: &mut Draw) -> Option<Self> {
+        let (n, p) = (ad.columns(), ad.prime());
+        let mut basis = ad.clone().kernel();
+        let rank = basis.len();
+        let m = n - rank;
+        let ad = ad.sparse();
+        let v = ad.apply(&draw.vector(p, n));
+        let mut power = v.clone();
+        for _ in 0..m {
+            let next = ad.apply(&power);
+            basis.push(std::mem::replace(&mut power, next));
+        }
+        let coordinates = inverse_of_columns(p, &basis)?;
+        let relation = coordinates.apply(&power)[rank..].to_vec();
+        Some(Split { prime: p, rank, basis, coordinates, relation, centroid: vec![] })
+    }
+
+    /// The `s_k` with `X^m v = sum of s_k X^k v`.
+    pub fn relation(&self) -> &[u64] {
+        &self.relation
     }
 
     fn dimension_of_v(&self) -> usize {
@@ -204,7 +218,7 @@ impl Split {
     }
 
     /// The traces of `X^k` on V, for `k` below `2 m + 3`, by Newton's identities.
-    fn power_sums(&self) -> Vec<u64> {
+    pub fn power_sums(&self) -> Vec<u64> {
         let (p, m) = (self.prime, self.dimension_of_v());
         // t^m - sum of relation_k t^k: the elementary functions up to sign
         let mut sums = vec![p.integer(m as i64)];
@@ -322,42 +336,56 @@ impl Split {
         }
     }
 
-    /// Whether the roots are those of B_r or C_r in some `a_1, .., a_r`: with the power sums `s_k` of the
-    /// `a_i`, `tr X^2k = 2 sum over even m of binomial(2k,m) s_m s_(2k-m) + (2 - 4^k) s_2k` in B_r and
-    /// `.. + 4^k s_2k` in C_r. The `s_2k` that follow are those of `r` numbers if Newton's identity of
-    /// order `r + 1` holds.
+    /// Whether the roots are those of B_r or C_r in some `a_1, .., a_r`. The power sums `s_2k` that follow are those of `r` numbers if
+    /// Newton's identity of order `r + 1` holds.
     fn is_classical(&self, series: Series, r: usize, sums: &[u64]) -> bool {
         let p = self.prime;
-        let integer = |v: i64| p.integer(v);
-        let mut s = vec![integer(r as i64)];
-        for k in 1..=r + 1 {
-            let four = polycore::modp::pow(4, k as u64, p.get());
-            let own = match series {
-                Series::B => p.add(2, p.neg(four)),
-                _ => four,
-            };
-            let mut inner = 0;
-            for i in 1..k {
-                inner = p.reduce(inner + p.mul(binomial(p, 2 * k, 2 * i), s[i]) * s[k - i]);
-            }
-            let known = p.add(sums[2 * k], p.neg(p.mul(2, inner)));
-            let factor = p.add(integer(4 * r as i64), own);
-            let Some(unit) = p.inv(factor) else { return false };
-            s.push(p.mul(known, unit));
-        }
-        // k e_k = sum of (-1)^(i-1) e_(k-i) s_i
-        let mut e = vec![1];
-        for k in 1..=r + 1 {
-            let mut sum = 0;
-            for i in 1..=k {
-                let term = p.mul(e[k - i], s[i]);
-                sum = p.add(sum, if i % 2 == 1 { term } else { p.neg(term) });
-            }
-            let Some(unit) = p.inv(integer(k as i64)) else { return false };
-            e.push(p.mul(sum, unit));
-        }
-        e[r + 1] == 0
+        let functions = weight_power_sums(p, series, r, sums, r + 1)
+            .and_then(|sums| elementary_functions(p, &sums));
+        functions.is_some_and(|functions| functions[r + 1] == 0)
     }
+}
+
+/// The power sums `s_0, s_2, .., s_2k` up to `k = count` of the weights `a_1, .., a_r` of B_r, C_r or D_r, of those of the roots:
+/// `tr X^2k = 2 sum over even m of binomial(2k,m) s_m s_(2k-m) + f s_2k` with `f = 2 - 4^k` in B_r, `4^k` in C_r, `-4^k` in D_r.
+/// `None` if a factor of `s_2k` is zero.
+pub(super) fn weight_power_sums(
+    p: Prime,
+    series: Series,
+    r: usize,
+    sums: &[u64],
+    count: usize,
+) -> Option<Vec<u64>> {
+    let mut s = vec![p.integer(r as i64)];
+    for k in 1..=count {
+        let four = polycore::modp::pow(4, k as u64, p.get());
+        let own = match series {
+            Series::B => p.add(2, p.neg(four)),
+            Series::D => p.neg(four),
+            _ => four,
+        };
+        let mut inner = 0;
+        for i in 1..k {
+            inner = p.reduce(inner + p.mul(binomial(p, 2 * k, 2 * i), s[i]) * s[k - i]);
+        }
+        let known = p.add(sums[2 * k], p.neg(p.mul(2, inner)));
+        s.push(p.mul(known, p.inv(p.add(p.integer(4 * r as i64), own))?));
+    }
+    Some(s)
+}
+
+/// The elementary symmetric functions of numbers, of their power sums: `k e_k = sum of (-1)^(i-1) e_(k-i) s_i`.
+pub(super) fn elementary_functions(p: Prime, s: &[u64]) -> Option<Vec<u64>> {
+    let mut e = vec![1];
+    for k in 1..s.len() {
+        let mut sum = 0;
+        for i in 1..=k {
+            let term = p.mul(e[k - i], s[i]);
+            sum = p.add(sum, if i % 2 == 1 { term } else { p.neg(term) });
+        }
+        e.push(p.mul(sum, p.inv(p.integer(k as i64))?));
+    }
+    Some(e)
 }
 
 fn binomial(p: Prime, n: usize, k: usize) -> u64 {

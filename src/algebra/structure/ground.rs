@@ -18,6 +18,9 @@ pub trait Ground: Field {
     /// The value as a rational number, if it depends on no parameter.
     fn rational(&self) -> Option<Rational>;
 
+    /// A rational number.
+    fn from_rational(value: Rational) -> Self;
+
     /// The value as a rational function.
     fn symbolic(&self) -> Symbolic;
 }
@@ -37,6 +40,10 @@ impl Ground for Rational {
 
     fn rational(&self) -> Option<Rational> {
         Some(self.clone())
+    }
+
+    fn from_rational(value: Rational) -> Self {
+        value
     }
 
     fn symbolic(&self) -> Symbolic {
@@ -68,6 +75,10 @@ impl Ground for Symbolic {
 
     fn rational(&self) -> Option<Rational> {
         self.as_constant().cloned()
+    }
+
+    fn from_rational(value: Rational) -> Self {
+        Symbolic::constant(value)
     }
 
     fn symbolic(&self) -> Symbolic {

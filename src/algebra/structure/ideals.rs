@@ -158,13 +158,16 @@ impl Structure<Rational> {
         Some(ideals)
     }
 
-    /// Of two real forms with the same type and signature, the one to which the Cartan subalgebra belongs, if it decides.
+    /// Of two real forms with the same type and signature, the one to which a regular element or the Cartan subalgebra belongs, if it decides.
     ///
     /// The noncompact part of a Cartan subalgebra has at most the real rank as its dimension: of su(p,q), so(p,q) the smaller of
     /// `p` and `q`, of so*(2n) half of `n`. The Cartan subalgebras of su*(2n) are conjugate, with a part of dimension
     /// `n - 1`, which exceeds the real rank of the other form.
     fn by_cartan_subalgebra(&self, rank: usize, names: Vec<String>) -> Vec<String> {
         let [indefinite, quaternionic] = &names[..] else { return names };
+        if let Some(quaternionic) = self.is_quaternionic_orthogonal() {
+            return vec![names[usize::from(quaternionic)].clone()];
+        }
         let noncompact = |cartan: Subspace<Rational>| {
             let basis = Matrix::from_rows(self.dimension(), cartan.basis().iter().cloned()).ok()?;
             let form = basis.mul(self.killing_matrix()).ok()?.mul(&basis.transpose()).ok()?;

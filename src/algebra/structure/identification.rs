@@ -7,6 +7,7 @@
 
 mod four;
 mod nilpotent;
+mod pairing;
 mod polynomials;
 mod sign;
 mod witness;

@@ -1,7 +1,8 @@
 //! The index: the dimension minus the largest rank of the forms `f([x, y])`.
 //!
+//! Of a reductive algebra it is the rank.
 //! The rank at a form, modulo a prime, is a lower bound of the largest rank `r`. That it is no larger is proved by a lower
-//! bound of the index: the dimension of the centre; the rank of a reductive algebra; `2 dim a - n` for an abelian ideal `a`,
+//! bound of the index: the dimension of the centre; `2 dim a - n` for an abelian ideal `a`,
 //! as two blocks of the form are left; that an antisymmetric form has even rank. Else it is proved by Pfaffians: if those
 //! of `r` rows are not zero and those of the same rows and any two others are, as polynomials in `f`, the Schur complement
 //! of the rows is zero, and the rank is `r`.
@@ -25,11 +26,15 @@ impl<S: Ground> Structure<S> {
     /// The index: the dimension minus the largest rank of the forms `f([x, y])`, the number of
     /// independent invariants of the coadjoint representation.
     pub fn index(&self) -> usize {
-        self.dimension() - self.regular_rows().len()
+        self.index_counted().dimension
     }
 
     /// The index, and whether it is proved.
     pub fn index_counted(&self) -> Counted {
+        if self.is_reductive() {
+            // forms and elements are the same by an invariant form, and a regular element has a Cartan subalgebra as its centralizer
+            return Counted::theorem(self.cartan_subalgebra().dimension());
+        }
         let (n, rows) = (self.dimension(), self.regular_rows());
         let dimension = n - rows.len();
         let proved = self.has_index(dimension)
@@ -48,9 +53,6 @@ impl<S: Ground> Structure<S> {
         let n = self.dimension();
         if index <= self.centre().dimension().max(n % 2) {
             return true;
-        }
-        if self.is_reductive() {
-            return index <= self.cartan_subalgebra().dimension();
         }
         let large = |v: &Subspace<S>| 2 * v.dimension() >= n + index;
         let abelian = |v: &Subspace<S>| self.bracket(v, v).is_zero();

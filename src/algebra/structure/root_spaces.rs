@@ -210,6 +210,9 @@ fn eigenvectors(
     n: usize,
     vector: &Row<Rational>,
 ) -> Option<Vec<(Rational, Row<Rational>)>> {
+    if let Some(value) = eigenvalue(&ad.image(vector), vector) {
+        return Some(vec![(value, vector.clone())]);
+    }
     let mut powers = vec![vector.clone()];
     let mut span = Echelon::new();
     span.insert(vector.iter().cloned()).ok()?;
@@ -249,4 +252,16 @@ fn eigenvectors(
         parts.push((root, combination(&powers, &coefficients)));
     }
     Some(parts)
+}
+
+/// The factor that takes a vector to its image, if there is one.
+fn eigenvalue(image: &Row<Rational>, vector: &Row<Rational>) -> Option<Rational> {
+    let Some((at, first)) = image.first() else { return Some(Rational::from(0)) };
+    let (_, own) = vector.first().filter(|(place, _)| place == at)?;
+    let factor = first.clone() * &own.recip()?;
+    let same = |((i, value), (j, entry)): (&(usize, Rational), &(usize, Rational))| {
+        i == j && *value == entry.clone() * &factor
+    };
+    let parallel = image.len() == vector.len() && image.iter().zip(vector).all(same);
+    parallel.then_some(factor)
 }

@@ -1,7 +1,8 @@
 //! Subspaces of an algebra, by the reduced row echelon form of a basis.
 
-use affinor_tensors::Field;
 use affinor_tensors::linear::{Echelon, Matrix, Row};
+use affinor_tensors::{Field, Rational};
+use num_rational::BigRational;
 
 /// A subspace of the vectors with `ambient` components. Equal subspaces have equal bases.
 #[derive(Clone, Debug)]
@@ -162,4 +163,12 @@ pub(crate) fn collected<S: Field>(mut terms: Row<S>) -> Row<S> {
     };
     let sums = terms.chunk_by(|a, b| a.0 == b.0).map(sum);
     sums.filter(|(_, value)| !value.vanishes()).collect()
+}
+
+/// The least positive integer whose products with all values are integers.
+pub(in crate::algebra) fn denominator<'a>(values: impl Iterator<Item = &'a Rational>) -> Rational {
+    values.fold(Rational::from(1), |factor, value| {
+        let rest = BigRational::from(&(value.clone() * &factor));
+        factor * &Rational::from(BigRational::from_integer(rest.denom().clone()))
+    })
 }

@@ -126,6 +126,11 @@ impl Residues {
         Some(Self::new(prime, matrix.columns(), rows))
     }
 
+    /// The prime.
+    pub fn prime(&self) -> Prime {
+        self.prime
+    }
+
     /// The rows.
     pub fn rows(&self) -> &[Vec<u64>] {
         &self.rows
@@ -193,9 +198,40 @@ impl Residues {
         free.map(vector).collect()
     }
 
+    /// The matrix by the entries that are not zero, for many products with vectors.
+    pub fn sparse(&self) -> SparseResidues {
+        let row = |row: &Vec<u64>| {
+            let entries = row.iter().enumerate().filter(|(_, value)| **value != 0);
+            entries.map(|(at, value)| (at as u32, *value as u32)).collect()
+        };
+        SparseResidues { prime: self.prime, rows: self.rows.iter().map(row).collect() }
+    }
+
     /// The vector `A x`.
     pub fn apply(&self, x: &[u64]) -> Vec<u64> {
         self.rows.iter().map(|row| self.prime.dot(row, x)).collect()
+    }
+}
+
+/// A matrix of residues by its entries that are not zero.
+#[derive(Clone, Debug)]
+pub struct SparseResidues {
+    prime: Prime,
+    rows: Vec<Vec<(u32, u32)>>,
+}
+
+impl SparseResidues {
+    /// The vector `A x`.
+    pub fn apply(&self, x: &[u64]) -> Vec<u64> {
+        let p = self.prime;
+        let entry = |row: &Vec<(u32, u32)>| {
+            // three products of residues below 2^31 and a residue stay below 2^64
+            row.chunks(3).fold(0, |sum, pair| {
+                let terms = pair.iter().map(|(at, value)| u64::from(*value) * x[*at as usize]);
+                p.reduce(sum + terms.sum::<u64>())
+            })
+        };
+        self.rows.iter().map(entry).collect()
     }
 }
 
@@ -270,6 +306,13 @@ impl Images {
     /// The numbers, if the primes are enough for short ones.
     pub fn rationals(&self) -> Option<Vec<Rational>> {
         Some(self.0.reconstruct()?.into_iter().map(Rational::from).collect())
+    }
+
+    /// The integers of least size: the numbers, if they are integers below half the product of the primes.
+    pub fn integers(&self) -> Vec<Rational> {
+        let modulus = self.0.modulus();
+        let least = |x: &BigInt| polycore::crt::symmetric(x, &modulus);
+        self.0.residues().iter().map(|x| BigRational::from_integer(least(x)).into()).collect()
     }
 }
 

@@ -147,7 +147,7 @@ impl Structure<Rational> {
         equations
     }
 
-    fn column_of(&self, i: usize, j: usize) -> Vector {
+    pub(super) fn column_of(&self, i: usize, j: usize) -> Vector {
         let unit = |at: usize| vec![(at, Rational::from(1))];
         self.products.ad(&unit(i)).image(&unit(j))
     }

@@ -35,6 +35,11 @@ impl Structure<Rational> {
             return None;
         }
         let vectors = match (self.is_nilpotent(), self.nilradical().dimension()) {
+            (true, 5..) if name.starts_with("degraaf(6,24,") => {
+                // [x1, x4] = e x6
+                let bracket = named.column_of(0, 3).pop();
+                self.onto_pairing(&bracket.map_or_else(|| Rational::from(0), |(_, e)| e))
+            }
             (true, 5..) => self.onto_nilpotent(&named),
             (true, _) => images(&named.nilpotent_form()?, &self.nilpotent_form()?),
             (_, 2) => images(&named.form_on_plane()?, &self.form_on_plane()?),

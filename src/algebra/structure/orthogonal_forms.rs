@@ -1,0 +1,322 @@
+//! The real forms so(p,q) and so*(2r) of D_r, told apart by one regular element.
+//!
+//! Let `a_1, -a_1, .., a_r, -a_r` be the eigenvalues of `x` on the vectors of dimension `2 r`. The numbers `a_i^2` are the roots of a
+//! polynomial `g` over the rationals; those of `ad_x` are `a_i + a_j` and so on. In so(p,q) a positive `a_i^2` belongs to a plane of
+//! signature (1, 1). In so*(2r) there is none: a Cartan subalgebra is that of a sum of so*(4), where the `a_i^2` are
+//! conjugate, and so*(2), where they are negative. Two negative ones, of `u` and `v`, belong to two planes that `x` turns: in so(p,q) the roots
+//! `u + v` and `u - v` are both compact, if the form has one sign on both planes, or else both not compact. In so*(2r) one of them is compact,
+//! for the compact roots are those of u(r). The Killing form is negative on compact root spaces. Without positive `a_i^2`
+//! so(p,q) has at least `|p - q| / 2` negative ones. S. Helgason, *Differential Geometry, Lie Groups, and Symmetric Spaces*, ch. X.
+
+use super::Structure;
+use super::dynkin::{Split, elementary_functions, weight_power_sums};
+use super::reduction::{Draw, Reduction};
+use super::subspace::{collected, denominator};
+use crate::algebra::roots::Series;
+use affinor_tensors::Rational;
+use affinor_tensors::linear::Row;
+use affinor_tensors::linear::modular::{Images, PRIMES, primes};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Pow, Signed, Zero};
+use polycore::Uni;
+use std::cmp::Ordering;
+
+/// How many elements are tried.
+const TRIALS: usize = 24;
+/// The precision doubles from the first number of binary places to the last.
+const PLACES: [usize; 2] = [64, 1 << 14];
+
+impl Structure<Rational> {
+    /// Whether a real form of D_r with `r` at least 5 is so*(2r), and not so(p,q); `None` for other algebras and where no
+    /// element of a few decides, and for `r` = 16, 64, .., powers of 4.
+    ///
+    /// ```
+    /// use affinor::algebra::{catalogue, structure::Structure};
+    /// let form = |name: &str| Structure::new(catalogue::algebra(name).unwrap());
+    /// assert_eq!(form("so*(10)").is_quaternionic_orthogonal(), Some(true));
+    /// assert_eq!(form("so(6,4)").is_quaternionic_orthogonal(), Some(false));
+    /// ```
+    pub fn is_quaternionic_orthogonal(&self) -> Option<bool> {
+        let types = self.dynkin_type().filter(|_| self.is_semisimple())?;
+        let [one] = types[..] else { return None };
+        let r = one.rank();
+        if one.series() != Series::D || r < 5 {
+            return None;
+        }
+        let [plus, minus, _] = self.killing().signature()?;
+        // (p - q)^2 = p + q + 2 (dim k - dim p)
+        let square = (2 * r + 2 * minus).checked_sub(2 * plus)?;
+        let n = self.dimension();
+        let mut draw = Draw::new(5);
+        let mut below = move |size: usize| draw.residue(PRIMES[0]) as usize % size;
+        (0..TRIALS).find_map(|trial| {
+            let many = (2 << (trial % 8)).min(n);
+            let terms = (0..many).map(|_| (below(n), Rational::from(1 + below(4) as i64)));
+            let x = collected(terms.collect());
+            let start: Row<Rational> =
+                (0..n).map(|at| (at, Rational::from(below(5) as i64 - 2))).collect();
+            Element::new(self, &x, r)?.is_quaternionic(self, &start, square)
+        })
+    }
+}
+
+/// `ad_x` with integer entries, and its polynomials.
+struct Element {
+    /// The columns of the matrix.
+    columns: Vec<Vec<BigInt>>,
+    /// The polynomial with the roots `4 a_i^2`, ascending.
+    squares: Vec<BigInt>,
+    /// The polynomial with the roots `(a_i + a_j)^2` and `(a_i - a_j)^2`, ascending.
+    roots: Vec<BigInt>,
+}
+
+impl Element {
+    /// `None` if the element is not regular.
+    fn new(structure: &Structure<Rational>, x: &Row<Rational>, r: usize) -> Option<Self> {
+        let n = structure.dimension();
+        let ad = structure.products.ad(x);
+        let factor =
+            denominator(ad.columns().flat_map(|(_, column)| column).map(|(_, value)| value));
+        let mut columns = vec![vec![BigInt::zero(); n]; n];
+        for (k, column) in ad.columns() {
+            for (i, value) in column {
+                columns[k][*i] = integer(&(value.clone() * &factor));
+            }
+        }
+        // The numbers 2 a_i are algebraic integers, and the squares of the sizes of all eigenvalues add up to at most those of the entries.
+        // So the coefficients are integers, below (1 + sum / (2 r (r - 1)))^(r (r - 1)).
+        let norm: BigInt = columns.iter().flatten().map(|entry| entry * entry).sum();
+        let half = r * (r - 1);
+        let most: BigInt = (BigInt::from(2) + norm / BigInt::from(2 * half)).pow(half);
+        let mut images = Images::new(r + half);
+        let mut product = BigInt::one();
+        let mut draw = Draw::new(6);
+        let mut refused = 0;
+        for prime in primes() {
+            if product > &most * BigInt::from(2) {
+                break;
+            }
+            let found = Reduction::new(structure, prime).and_then(|reduction| {
+                let factor = prime.rational(&factor)?;
+                let mut dense = vec![0; n];
+                for (at, value) in x {
+                    dense[*at] = prime.mul(prime.rational(value)?, factor);
+                }
+                let split = Split::of(&reduction.ad(&dense), &mut draw)?;
+                let sums = weight_power_sums(prime, Series::D, r, &split.power_sums(), r)?;
+                let elementary = elementary_functions(prime, &sums)?;
+                let squares = (1..=r).rev().map(|k| {
+                    let four = polycore::modp::pow(4, k as u64, prime.get());
+                    let value = prime.mul(elementary[k], four);
+                    if k % 2 == 1 { prime.neg(value) } else { value }
+                });
+                let squares: Vec<u64> = squares.collect();
+                let roots = split.relation().iter().step_by(2).map(|v| prime.neg(*v));
+                Some(squares.into_iter().chain(roots).collect::<Vec<u64>>())
+            });
+            match found {
+                Some(found) if images.add(prime, &found) => product *= prime.get(),
+                _ if refused > 3 => return None,
+                _ => refused += 1,
+            }
+        }
+        let mut squares: Vec<BigInt> = images.integers().iter().map(integer).collect();
+        let mut roots = squares.split_off(r);
+        squares.push(BigInt::one());
+        roots.push(BigInt::one());
+        Some(Element { columns, squares, roots })
+    }
+
+    fn is_quaternionic(
+        &self,
+        structure: &Structure<Rational>,
+        start: &Row<Rational>,
+        difference: usize,
+    ) -> Option<bool> {
+        let rational = self.squares.iter().map(|c| BigRational::from_integer(c.clone()));
+        let polynomial = Uni::new(rational.collect());
+        let separable = polynomial.gcd(&polynomial.derivative()).deg() == 0;
+        if self.squares[0].is_zero() || !separable {
+            return None;
+        }
+        let places = polynomial.isolate();
+        let (first, last) = (places.first(), places.last());
+        let zero = BigRational::zero();
+        if last.is_some_and(|(_, upper)| polynomial.sturm(&zero, upper) > 0) {
+            return Some(false);
+        }
+        let negative = first.map_or(0, |(lower, _)| polynomial.sturm(lower, &zero));
+        if negative < 2 {
+            return (difference > 4).then_some(true);
+        }
+        let moments = self.moments(structure, start);
+        let mut digits = PLACES[0];
+        while digits <= PLACES[1] {
+            if let Some(same) = self.same_kind(&places[..2], &moments, digits) {
+                return Some(!same);
+            }
+            digits *= 2;
+        }
+        None
+    }
+
+    /// `K(v, X^2k v)` for `v = X u`.
+    fn moments(&self, structure: &Structure<Rational>, u: &Row<Rational>) -> Vec<BigInt> {
+        let killing = structure.killing_matrix();
+        let n = self.columns.len();
+        let factor = denominator((0..n).flat_map(|i| killing.row(i)).map(|(_, value)| value));
+        let form: Vec<Vec<(usize, BigInt)>> = (0..n)
+            .map(|i| killing.row(i).iter().map(|(j, v)| (*j, integer(&(v.clone() * &factor)))))
+            .map(Iterator::collect)
+            .collect();
+        let apply = |vector: &[BigInt]| {
+            let mut image = vec![BigInt::zero(); n];
+            for (column, value) in self.columns.iter().zip(vector).filter(|(_, v)| !v.is_zero()) {
+                let entries = image.iter_mut().zip(column).filter(|(_, entry)| !entry.is_zero());
+                entries.for_each(|(sum, entry)| *sum += entry * value);
+            }
+            image
+        };
+        let mut vector = vec![BigInt::zero(); n];
+        u.iter().for_each(|(at, value)| vector[*at] = integer(value));
+        let mut moments = vec![];
+        for k in 0..self.roots.len() - 1 {
+            vector = apply(&vector);
+            let square = form.iter().zip(&vector).map(|(row, value)| {
+                row.iter().map(|(j, entry)| entry * &vector[*j]).sum::<BigInt>() * value
+            });
+            let square: BigInt = square.sum();
+            // X is skew for the form
+            moments.push(if k % 2 == 0 { square } else { -square });
+        }
+        moments
+    }
+
+    /// Whether the roots `u + v` and `u - v` are both compact or both not, where two isolating intervals hold `4 u^2` and `4 v^2`; `None`
+    /// if the precision does not suffice.
+    fn same_kind(
+        &self,
+        intervals: &[(BigRational, BigRational)],
+        moments: &[BigInt],
+        places: usize,
+    ) -> Option<bool> {
+        let one = BigRational::from_integer(BigInt::one() << places);
+        let mut sizes = vec![];
+        for (lower, upper) in intervals {
+            let (lower, upper) = (lower * &one, upper * &one);
+            if !lower.is_integer() || !upper.is_integer() {
+                return None;
+            }
+            let root = bisected(&self.squares, lower.to_integer(), upper.to_integer(), places)?;
+            // 2 |u| is the root of the opposite
+            let opposite = Interval { lower: -root.upper, upper: -root.lower };
+            sizes.push(opposite.sqrt(places)?);
+        }
+        let kind = |size: Interval| {
+            let square = size.times(&size, places);
+            // - (u +- v)^2, of 2 u and 2 v
+            let eigenvalue =
+                Interval { lower: -(square.upper >> 2usize) - 1, upper: -(square.lower >> 2usize) };
+            self.kind(&eigenvalue, moments, places)
+        };
+        let sum = sizes[0].plus(&sizes[1]);
+        let difference = sizes[0]
+            .plus(&Interval { lower: -sizes[1].upper.clone(), upper: -sizes[1].lower.clone() });
+        Some(kind(sum)? == kind(difference)?)
+    }
+
+    /// The sign of `K(w, w)` for the part `w` of `v` in the eigenspace of `X^2` of a simple root `m` of `F`: with `h = F / (t - m)`
+    /// it is that of `K(h(X^2) v, v) F'(m)`, since `h(X^2)` is `F'(m)` on the eigenspace and zero on all others.
+    fn kind(&self, eigenvalue: &Interval, moments: &[BigInt], places: usize) -> Option<Ordering> {
+        let constant = |value: &BigInt| {
+            let value = value.clone() << places;
+            Interval { lower: value.clone(), upper: value }
+        };
+        let mut value = constant(&BigInt::one());
+        let mut derivative = constant(&BigInt::zero());
+        let mut part = constant(&BigInt::zero());
+        for (coefficient, moment) in self.roots.iter().zip(moments).rev() {
+            part = part.plus(&value.multiple(moment));
+            derivative = derivative.times(eigenvalue, places).plus(&value);
+            value = value.times(eigenvalue, places).plus(&constant(coefficient));
+        }
+        Some(if part.sign()? == derivative.sign()? { Ordering::Greater } else { Ordering::Less })
+    }
+}
+
+/// Numbers between two bounds, both times a power of 2.
+struct Interval {
+    lower: BigInt,
+    upper: BigInt,
+}
+
+impl Interval {
+    fn plus(&self, other: &Self) -> Self {
+        Interval { lower: &self.lower + &other.lower, upper: &self.upper + &other.upper }
+    }
+
+    fn multiple(&self, factor: &BigInt) -> Self {
+        let (a, b) = (&self.lower * factor, &self.upper * factor);
+        if factor.is_negative() {
+            Interval { lower: b, upper: a }
+        } else {
+            Interval { lower: a, upper: b }
+        }
+    }
+
+    fn times(&self, other: &Self, places: usize) -> Self {
+        let (a, b) = (self.multiple(&other.lower), self.multiple(&other.upper));
+        // shifts round down
+        let lower = a.lower.min(b.lower) >> places;
+        let upper = -(-a.upper.max(b.upper) >> places);
+        Interval { lower, upper }
+    }
+
+    /// `None` if the numbers may be negative.
+    fn sqrt(&self, places: usize) -> Option<Self> {
+        let root = |value: &BigInt| (value << places).sqrt();
+        let positive = self.lower.is_positive();
+        positive.then(|| Interval { lower: root(&self.lower), upper: root(&self.upper) + 1 })
+    }
+
+    /// The sign of all numbers, none of them zero.
+    fn sign(&self) -> Option<Ordering> {
+        match (self.lower.is_positive(), self.upper.is_negative()) {
+            (true, _) => Some(Ordering::Greater),
+            (_, true) => Some(Ordering::Less),
+            _ => None,
+        }
+    }
+}
+
+/// The root between two numbers, all times a power of 2, in an interval of length 1; `None` if the signs at the bounds do not differ.
+fn bisected(
+    polynomial: &[BigInt],
+    mut lower: BigInt,
+    mut upper: BigInt,
+    places: usize,
+) -> Option<Interval> {
+    let sign = |at: &BigInt| {
+        let terms = polynomial.iter().rev().enumerate();
+        let value = terms.fold(BigInt::zero(), |sum, (k, c)| sum * at + (c << (places * k)));
+        value.sign()
+    };
+    let (below, above) = (sign(&lower), sign(&upper));
+    if below != -above || below == num_bigint::Sign::NoSign {
+        return None;
+    }
+    while &upper - &lower > BigInt::one() {
+        let middle: BigInt = (&lower + &upper) >> 1usize;
+        if sign(&middle) == below {
+            lower = middle;
+        } else {
+            upper = middle;
+        }
+    }
+    Some(Interval { lower, upper })
+}
+
+fn integer(value: &Rational) -> BigInt {
+    BigRational::from(value).to_integer()
+}
