@@ -12,7 +12,7 @@ use super::ready::Ready;
 use crate::definition::input::InputError;
 use affinor::group::{Opposite, So3};
 #[cfg(not(target_family = "wasm"))]
-use affinor::group::{Se2, Se3, Sl2, So2};
+use affinor::group::{Se2, Se3};
 use affinor::mechanics::motions::SimulationGroup;
 use affinor_tensors::Tolerance;
 
@@ -47,18 +47,20 @@ impl GroupClass {
                 return self.motion_on(Opposite(group), &start);
             }
             // with its own type, a group in closed form needs no allocation in a step
-            macro_rules! with_its_type {
-                ($($Group:ty)*) => {
-                    $(if let Some(group) = group.downcast_ref::<$Group>() {
-                        return self.motion_on(*group, &start);
-                    })*
-                };
+            if let Self::EulerPoincare(class) = self {
+                macro_rules! with_its_type {
+                    ($($Group:ty)*) => {
+                        $(if let Some(group) = group.downcast_ref::<$Group>() {
+                            return class.motion(*group, &start);
+                        })*
+                    };
+                }
+                // for a browser the size of the program counts more
+                #[cfg(target_family = "wasm")]
+                with_its_type!(So3);
+                #[cfg(not(target_family = "wasm"))]
+                with_its_type!(So3 Se2 Se3);
             }
-            // for a browser the size of the program counts more
-            #[cfg(target_family = "wasm")]
-            with_its_type!(So3);
-            #[cfg(not(target_family = "wasm"))]
-            with_its_type!(So2 So3 Se2 Se3 Sl2);
             self.motion_on(group, &start)
         })
     }
