@@ -47,19 +47,22 @@ impl GroupClass {
                 return self.motion_on(Opposite(group), &start);
             }
             // with its own type, a group in closed form needs no allocation in a step
-            if let Self::EulerPoincare(class) = self {
-                macro_rules! with_its_type {
-                    ($($Group:ty)*) => {
-                        $(if let Some(group) = group.downcast_ref::<$Group>() {
-                            return class.motion(*group, &start);
-                        })*
-                    };
-                }
-                // for a browser the size of the program counts more
-                #[cfg(target_family = "wasm")]
-                with_its_type!(So3);
-                #[cfg(not(target_family = "wasm"))]
-                with_its_type!(So3 Se2 Se3);
+            macro_rules! with_its_type {
+                ($($Group:ty)*) => {
+                    $(if let Some(group) = group.downcast_ref::<$Group>() {
+                        return self.motion_on(*group, &start);
+                    })*
+                };
+            }
+            // for a browser the size of the program counts more
+            #[cfg(target_family = "wasm")]
+            with_its_type!(So3);
+            // every type costs seconds of compilation, so rare groups have none
+            #[cfg(not(target_family = "wasm"))]
+            with_its_type!(So3 Se3);
+            #[cfg(not(target_family = "wasm"))]
+            if let (Self::EulerPoincare(class), Some(group)) = (self, group.downcast_ref::<Se2>()) {
+                return class.motion(*group, &start);
             }
             self.motion_on(group, &start)
         })
