@@ -38,12 +38,12 @@ impl<S: Ring> Bracket<S> {
         labels: impl IntoIterator<Item: AsRef<str>>,
         bracket: impl Fn(usize, usize) -> Vec<(usize, S)>,
     ) -> Result<Self, Error> {
-        let labels: Vec<_> = labels.into_iter().collect();
+        let labels = owned(labels);
         let n = labels.len();
         let pairs = (0..n).flat_map(|j| (j + 1..n).map(move |k| (j, k)));
         let constants =
             pairs.flat_map(|(j, k)| bracket(j, k).into_iter().map(move |(i, v)| (j, k, i, v)));
-        Self::from_constants(labels, constants)
+        Self::of_constants(labels, constants.collect())
     }
 
     /// The bracket with `[e_j, e_k] = ... + v e_i` for each `(j, k, i, v)`, from 0, in any order.
@@ -59,8 +59,11 @@ impl<S: Ring> Bracket<S> {
         labels: impl IntoIterator<Item: AsRef<str>>,
         constants: impl IntoIterator<Item = (usize, usize, usize, S)>,
     ) -> Result<Self, Error> {
-        let labels = labels.into_iter().map(|label| label.as_ref().to_string());
-        let labels: Vec<String> = labels.collect();
+        Self::of_constants(owned(labels), constants.into_iter().collect())
+    }
+
+    /// The same for lists: compiled once a scalar, not once an iterator.
+    fn of_constants(labels: Vec<String>, constants: Vec<Constant<S>>) -> Result<Self, Error> {
         let given = sorted(&labels, constants)?;
         let pairs: Vec<&[Constant<S>]> = given.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).collect();
         let of = |j: usize, k: usize| {
@@ -165,12 +168,15 @@ impl<S: Ring> fmt::Display for Bracket<S> {
 /// `(j, k, i, v)`: `[e_j, e_k] = ... + v e_i`.
 type Constant<S> = (usize, usize, usize, S);
 
+fn owned(labels: impl IntoIterator<Item: AsRef<str>>) -> Vec<String> {
+    labels.into_iter().map(|label| label.as_ref().to_string()).collect()
+}
+
 /// The constants sorted by pair and component, after the check that each is a number given once.
 fn sorted<S: Ring>(
     labels: &[String],
-    constants: impl IntoIterator<Item = Constant<S>>,
+    mut given: Vec<Constant<S>>,
 ) -> Result<Vec<Constant<S>>, Error> {
-    let mut given: Vec<Constant<S>> = constants.into_iter().collect();
     let dimension = labels.len();
     for (j, k, i, v) in &given {
         if let Some(&index) = [j, k, i].into_iter().find(|index| **index >= dimension) {

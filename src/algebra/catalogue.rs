@@ -195,8 +195,16 @@ impl Entry {
         labels: Vec<String>,
         constants: impl IntoIterator<Item = (usize, usize, usize, Symbolic)>,
     ) -> Self {
-        let nonzero = constants.into_iter().filter(|(.., value)| !value.vanishes());
-        let mut constants: Vec<_> = nonzero.collect();
+        Self::of_constants(name, labels, constants.into_iter().collect())
+    }
+
+    /// The same for a list: compiled once, not once a family.
+    fn of_constants(
+        name: String,
+        labels: Vec<String>,
+        mut constants: Vec<(usize, usize, usize, Symbolic)>,
+    ) -> Self {
+        constants.retain(|(.., value)| !value.vanishes());
         constants.sort_unstable_by_key(|&(j, k, i, _)| (j, k, i));
         let values = constants.iter().map(|(.., value)| value);
         let mut parameters: Vec<_> = values.flat_map(Symbolic::parameters).collect();

@@ -35,7 +35,13 @@ impl<S: Ring> Frame<S> {
         labels: impl IntoIterator<Item: AsRef<str>>,
         structure: Tensor<S>,
     ) -> Result<Self, Error> {
-        let labels = labels.into_iter().map(|label| label.as_ref().to_string()).collect();
+        Self::labelled(
+            labels.into_iter().map(|label| label.as_ref().to_string()).collect(),
+            structure,
+        )
+    }
+
+    fn labelled(labels: Arc<[String]>, structure: Tensor<S>) -> Result<Self, Error> {
         let frame = Frame { labels, structure, derivations: None, isotropy: None };
         expect_slots("the structure", &frame.structure, frame.labels.len(), &[Up, Down, Down])?;
         expect_numbers("the structure", &frame.structure)?;

@@ -54,7 +54,15 @@ impl<S: Field> MatrixBasis<S> {
         tolerance: Tolerance,
     ) -> Result<Self, Error> {
         let labels = labels.into_iter().map(|label| label.as_ref().to_string());
-        let labels: Vec<String> = labels.collect();
+        Self::labelled(labels.collect(), size, matrices, tolerance)
+    }
+
+    fn labelled(
+        labels: Vec<String>,
+        size: usize,
+        matrices: Vec<Vec<(usize, usize, Complex<S>)>>,
+        tolerance: Tolerance,
+    ) -> Result<Self, Error> {
         if labels.len() != matrices.len() {
             let (expected, found) = (labels.len().to_string(), matrices.len().to_string());
             return Err(Error::Shape { what: "the number of matrices", expected, found });

@@ -41,8 +41,12 @@ impl<S: Field> Metric<S> {
         labels: impl IntoIterator<Item: AsRef<str>>,
         components: Tensor<S>,
     ) -> Result<Self, Error> {
-        let labels: Vec<_> = labels.into_iter().collect();
-        let label = |i: usize| labels[i].as_ref().to_string();
+        let labels = labels.into_iter().map(|label| label.as_ref().to_string());
+        Self::labelled(&labels.collect::<Vec<_>>(), components)
+    }
+
+    fn labelled(labels: &[String], components: Tensor<S>) -> Result<Self, Error> {
+        let label = |i: usize| labels[i].clone();
         expect_slots("the metric", &components, labels.len(), &[Down, Down])?;
         expect_numbers("the metric", &components)?;
         let skew = formula("g_ij - g_ji -> _ij", &[("g", &components)]);

@@ -15,24 +15,29 @@ use std::fmt::Display;
 pub fn combination<S: Display>(terms: impl IntoIterator<Item = (S, String)>) -> String {
     let mut text = String::new();
     for (coefficient, label) in terms {
-        let value = written(&coefficient);
-        let compound = is_sum(&value);
-        let (sign, size) = match value.strip_prefix('-') {
-            Some(size) if !compound => (" - ", size.to_string()),
-            _ if compound => (" + ", format!("({value})")),
-            _ => (" + ", value),
-        };
-        text.push_str(match (text.is_empty(), sign) {
-            (true, " - ") => "-",
-            (true, _) => "",
-            (false, sign) => sign,
-        });
-        match size.as_str() {
-            "1" => text.push_str(&label),
-            size => text.push_str(&format!("{size}*{label}")),
-        }
+        add_term(&mut text, coefficient.to_string(), &label);
     }
     if text.is_empty() { "0".into() } else { text }
+}
+
+/// Appends a term to a combination.
+fn add_term(text: &mut String, coefficient: String, label: &str) {
+    let value = short(coefficient);
+    let compound = is_sum(&value);
+    let (sign, size) = match value.strip_prefix('-') {
+        Some(size) if !compound => (" - ", size.to_string()),
+        _ if compound => (" + ", format!("({value})")),
+        _ => (" + ", value),
+    };
+    text.push_str(match (text.is_empty(), sign) {
+        (true, " - ") => "-",
+        (true, _) => "",
+        (false, sign) => sign,
+    });
+    match size.as_str() {
+        "1" => text.push_str(label),
+        size => text.push_str(&format!("{size}*{label}")),
+    }
 }
 
 /// Whether a written value is a sum of several terms.
@@ -46,7 +51,10 @@ pub fn is_sum(value: &str) -> bool {
 
 /// A value in plain text; a float far from 1 with an exponent, in place of its zeros.
 pub fn written(value: &impl Display) -> String {
-    let text = value.to_string();
+    short(value.to_string())
+}
+
+fn short(text: String) -> String {
     // a point stands in floats only
     match text.parse::<f64>() {
         Ok(x) if text.contains('.') && x != 0.0 && x.abs() < 1e-5 => format!("{x:e}"),

@@ -4,6 +4,8 @@
 use crate::scalar::effort;
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
+#[cfg(feature = "parallel")]
+use std::sync::{Mutex, PoisonError};
 
 /// The number of threads.
 pub(crate) fn count() -> usize {
@@ -22,11 +24,28 @@ pub(crate) fn map<W, T: Send>(
     #[cfg(feature = "parallel")]
     {
         let limit = effort::current();
-        let f = |state: &mut W, at: u64| effort::inherit(limit.clone(), || f(state, at));
-        (0..n).into_par_iter().map_init(init, f).collect()
+        let values: Vec<Mutex<Option<T>>> = (0..n).map(|_| Mutex::new(None)).collect();
+        let worker = || {
+            let (mut state, f, limit, values) = (init(), &f, &limit, &values);
+            let work = move |at: u64| {
+                let value = effort::inherit(limit.clone(), || f(&mut state, at));
+                *values[at as usize].lock().unwrap_or_else(PoisonError::into_inner) = Some(value);
+            };
+            Box::new(work) as Box<dyn FnMut(u64) + '_>
+        };
+        each(n, &worker);
+        let value =
+            |value: Mutex<Option<T>>| value.into_inner().unwrap_or_else(PoisonError::into_inner);
+        values.into_iter().filter_map(value).collect()
     }
     #[cfg(not(feature = "parallel"))]
     (0..n).scan(init(), |state, at| Some(f(state, at))).collect()
+}
+
+/// Calls a worker of each thread with `0..n`. Without generics the machinery of rayon is compiled once.
+#[cfg(feature = "parallel")]
+fn each<'w>(n: u64, worker: &(dyn Fn() -> Box<dyn FnMut(u64) + 'w> + Sync)) {
+    (0..n).into_par_iter().for_each_init(worker, |work, at| work(at));
 }
 
 /// Both, on two threads if two are free.

@@ -63,7 +63,8 @@ impl<S: Field> Echelon<S> {
         &mut self,
         row: impl IntoIterator<Item = (usize, S)>,
     ) -> Result<bool, LinearError> {
-        self.insert_at(row, |remainder| remainder.first())
+        let remainder = self.reduce(row);
+        self.insert_at(remainder, |row| row.first())
     }
 
     /// Like [`insert`](Self::insert), but the pivot is the component of the remainder with the largest
@@ -77,16 +78,16 @@ impl<S: Field> Echelon<S> {
         row: impl IntoIterator<Item = (usize, S)>,
         columns: usize,
     ) -> Result<bool, LinearError> {
-        self.insert_at(row, |remainder| heaviest(remainder.iter().filter(|(j, _)| *j < columns)))
+        let remainder = self.reduce(row);
+        self.insert_at(remainder, |row| heaviest(row.iter().filter(|(j, _)| *j < columns)))
     }
 
-    /// Adds a vector to the span with the pivot that `choose` finds in its remainder.
+    /// Adds the remainder of a vector to the span with the pivot that `choose` finds in it.
     fn insert_at(
         &mut self,
-        row: impl IntoIterator<Item = (usize, S)>,
+        remainder: Row<S>,
         choose: impl Fn(&[(usize, S)]) -> Option<&(usize, S)>,
     ) -> Result<bool, LinearError> {
-        let remainder = self.reduce(row);
         let Some((column, lead)) = choose(&remainder) else {
             return Ok(false);
         };
@@ -98,7 +99,10 @@ impl<S: Field> Echelon<S> {
 
     /// The remainder of a vector modulo the subspace; it is zero at every pivot column.
     pub fn reduce(&self, row: impl IntoIterator<Item = (usize, S)>) -> Row<S> {
-        let row = collect(row, self.tolerance);
+        self.remainder(collect(row, self.tolerance))
+    }
+
+    fn remainder(&self, row: Row<S>) -> Row<S> {
         // the basis is reduced, so the coordinates stand in the vector itself
         let parts = (row.iter()).filter_map(|(j, value)| Some((self.led_by(*j)?, value)));
         let sums = parts

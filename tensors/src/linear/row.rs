@@ -16,7 +16,11 @@ pub(super) fn collect<S: Ring>(
     entries: impl IntoIterator<Item = (usize, S)>,
     tolerance: Tolerance,
 ) -> Row<S> {
-    let mut entries: Vec<_> = entries.into_iter().collect();
+    added(entries.into_iter().collect(), tolerance)
+}
+
+/// The same for a list: compiled once a scalar, not once an iterator.
+fn added<S: Ring>(mut entries: Row<S>, tolerance: Tolerance) -> Row<S> {
     entries.sort_by_key(|(j, _)| *j);
     let sums = entries.chunk_by(|a, b| a.0 == b.0).map(|run| {
         let mut sum = S::Sum::term(&run[0].1);
