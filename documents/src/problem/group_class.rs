@@ -12,7 +12,7 @@ use super::ready::Ready;
 use crate::definition::input::InputError;
 use affinor::group::{Opposite, So3};
 #[cfg(not(target_family = "wasm"))]
-use affinor::group::{Se2, Se3};
+use affinor::group::{Se2, Se3, Sl2, So2};
 use affinor::mechanics::motions::SimulationGroup;
 use affinor_tensors::Tolerance;
 
@@ -57,13 +57,8 @@ impl GroupClass {
             // for a browser the size of the program counts more
             #[cfg(target_family = "wasm")]
             with_its_type!(So3);
-            // every type costs seconds of compilation, so rare groups have none
             #[cfg(not(target_family = "wasm"))]
-            with_its_type!(So3 Se3);
-            #[cfg(not(target_family = "wasm"))]
-            if let (Self::EulerPoincare(class), Some(group)) = (self, group.downcast_ref::<Se2>()) {
-                return class.motion(*group, &start);
-            }
+            with_its_type!(So2 So3 Se2 Se3 Sl2);
             self.motion_on(group, &start)
         })
     }

@@ -282,6 +282,7 @@ fn spread<S: Ring>(
     let mut all: Vec<(u64, S)> = keys.into_iter().zip(values).collect();
     // insert the index `end` of the group at every place among those before it
     for end in group.start + 1..group.end {
+        all.reserve_exact(all.len() * (end - group.start));
         for at in 0..all.len() {
             let (mut key, mut value) = all[at].clone();
             for left in (group.start..end).rev() {
@@ -294,6 +295,9 @@ fn spread<S: Ring>(
             }
         }
     }
-    all.sort_by_key(|(key, _)| *key);
-    all.into_iter().unzip()
+    // the keys are different
+    all.sort_unstable_by_key(|(key, _)| *key);
+    let mut sorted = (Vec::with_capacity(all.len()), Vec::with_capacity(all.len()));
+    sorted.extend(all);
+    sorted
 }

@@ -2,7 +2,7 @@
 //!
 //! The tensors of a large algebra have millions of components with a few thousand different values. A sum is known by the
 //! addresses of its values, and returns the value that it had before; equal results share one address, so the sums of the next
-//! tensor are recognised too. The memory is small: a sum that is not found is computed.
+//! tensor are recognised too. Only short sums of short values are remembered.
 
 use super::super::effort::Counted;
 use super::fraction::Fraction;
@@ -10,18 +10,19 @@ use super::sum::Product;
 use super::writing::Markup;
 use super::{Form, Rational, Symbolic};
 use std::cell::RefCell;
+use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
-/// The number of sums, and of values, that are remembered; a newer one takes the place of another.
-const PLACES: usize = 1 << 12;
+/// So many sums, values and texts are remembered; then all are forgotten.
+const MOST: usize = 1 << 14;
 
 /// Longer sums and values are not remembered: they are computed slowly, and seldom repeated.
 const MAX_PRODUCTS: usize = 24;
 const MAX_TERMS: usize = 48;
 
 thread_local! {
-    static KNOWN: RefCell<Known> = const { RefCell::new(Known::new()) };
+    static KNOWN: RefCell<Known> = RefCell::default();
 }
 
 /// A sum with its value. The products keep their values alive, so that no other value takes their addresses.
@@ -40,18 +41,13 @@ struct Text {
     counted: Counted,
 }
 
+#[derive(Default)]
 struct Known {
     /// Sums by the hash of their values' addresses, and values by their hash.
-    sums: Vec<Option<Sum>>,
-    values: Vec<Option<Arc<Fraction>>>,
+    sums: HashMap<u64, Sum>,
+    values: HashMap<u64, Arc<Fraction>>,
     /// Texts by the address of the value.
-    texts: Vec<Option<Text>>,
-}
-
-impl Known {
-    const fn new() -> Self {
-        Known { sums: Vec::new(), values: Vec::new(), texts: Vec::new() }
-    }
+    texts: HashMap<u64, Text>,
 }
 
 /// The value of `constant + products`, which is computed if it is not known.
@@ -60,7 +56,10 @@ pub(super) fn value(
     products: &[Product],
     compute: impl FnOnce() -> Symbolic,
 ) -> Symbolic {
-    if products.len() > MAX_PRODUCTS {
+    let long = |f: &Arc<Fraction>| !f.is_short();
+    if products.len() > MAX_PRODUCTS
+        || products.iter().any(|p| p.factors.iter().flatten().any(long))
+    {
         return compute();
     }
     let mut hasher = DefaultHasher::new();
@@ -69,7 +68,7 @@ pub(super) fn value(
         product.coefficient.hash(&mut hasher);
         product.addresses().hash(&mut hasher);
     }
-    let place = hasher.finish() as usize % PLACES;
+    let key = hasher.finish();
     let same = |sum: &Sum| {
         let equal = |(a, b): (&Product, &Product)| {
             a.addresses() == b.addresses() && a.coefficient == b.coefficient
@@ -79,7 +78,7 @@ pub(super) fn value(
             && sum.products.iter().zip(products).all(equal)
     };
     let found = KNOWN.with_borrow(|known| {
-        let sum = known.sums.get(place)?.as_ref()?;
+        let sum = known.sums.get(&key)?;
         same(sum).then(|| (sum.value.clone(), sum.counted))
     });
     if let Some((value, counted)) = found {
@@ -90,7 +89,7 @@ pub(super) fn value(
     if let Some(counted) = counted.filter(|_| value.is_short()) {
         let (constant, products) = (constant.clone(), products.to_vec());
         let sum = Sum { constant, products, value: value.clone(), counted };
-        KNOWN.with_borrow_mut(|known| put(&mut known.sums, place, sum));
+        KNOWN.with_borrow_mut(|known| put(&mut known.sums, key, sum));
     }
     value
 }
@@ -103,11 +102,11 @@ fn shared(value: Symbolic) -> Symbolic {
     };
     let mut hasher = DefaultHasher::new();
     value.hash(&mut hasher);
-    let place = hasher.finish() as usize % PLACES;
-    KNOWN.with_borrow_mut(|known| match known.values.get(place).and_then(Option::as_ref) {
+    let key = hasher.finish();
+    KNOWN.with_borrow_mut(|known| match known.values.get(&key) {
         Some(known) if known.is_written_as(&f) => Symbolic(Form::Fraction(known.clone())),
         _ => {
-            put(&mut known.values, place, f);
+            put(&mut known.values, key, f);
             value
         }
     })
@@ -119,10 +118,9 @@ pub(super) fn text(value: &Symbolic, markup: Markup, write: impl FnOnce() -> Str
         Form::Fraction(f) if value.is_short() => f,
         _ => return write(),
     };
-    // addresses are multiples of 16
-    let place = (Arc::as_ptr(f) as usize >> 4) % PLACES;
+    let key = Arc::as_ptr(f) as u64;
     let found = KNOWN.with_borrow(|known| {
-        let found = known.texts.get(place)?.as_ref()?;
+        let found = known.texts.get(&key)?;
         let same = Arc::ptr_eq(&found.value, f) && found.markup == markup;
         same.then(|| (found.text.clone(), found.counted))
     });
@@ -133,31 +131,33 @@ pub(super) fn text(value: &Symbolic, markup: Markup, write: impl FnOnce() -> Str
     let (text, counted) = Counted::of(write);
     if let Some(counted) = counted {
         let entry = Text { value: f.clone(), markup, text: text.clone(), counted };
-        KNOWN.with_borrow_mut(|known| put(&mut known.texts, place, entry));
+        KNOWN.with_borrow_mut(|known| put(&mut known.texts, key, entry));
     }
     text
 }
 
-fn put<T>(places: &mut Vec<Option<T>>, place: usize, entry: T) {
-    if places.is_empty() {
-        places.resize_with(PLACES, || None);
+fn put<T>(known: &mut HashMap<u64, T>, key: u64, entry: T) {
+    if known.len() >= MOST {
+        known.clear();
     }
-    places[place] = Some(entry);
+    known.insert(key, entry);
 }
 
 impl Symbolic {
     fn is_short(&self) -> bool {
         match &self.0 {
             Form::Constant(_) => true,
-            Form::Fraction(f) => {
-                let below = f.denominator.factors.iter().map(|(f, _)| f.polynomial.terms.len());
-                below.fold(f.numerator.terms.len(), usize::saturating_add) <= MAX_TERMS
-            }
+            Form::Fraction(f) => f.is_short(),
         }
     }
 }
 
 impl Fraction {
+    fn is_short(&self) -> bool {
+        let below = self.denominator.factors.iter().map(|(f, _)| f.polynomial.terms.len());
+        below.fold(self.numerator.terms.len(), usize::saturating_add) <= MAX_TERMS
+    }
+
     /// Whether the values are equal, with the same factors in the same order.
     fn is_written_as(&self, other: &Self) -> bool {
         self.variables == other.variables
