@@ -48,6 +48,7 @@ pub(crate) use text::grouped_in_text;
 use affinor::{Error, Geometry};
 use affinor_tensors::{Kind, Notation, Tensor, Tolerance};
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::io::{self, BufWriter, Write};
 
 /// The tensors of one geometry, ready to be printed.
@@ -147,14 +148,13 @@ impl<S: Notation> Table<S> {
             }
         }
         let shown = tensors.iter().flat_map(|entry| entry.tensor.components());
-        let mut parameters: Vec<String> = shown.flat_map(|(_, value)| value.parameters()).collect();
-        parameters.sort();
-        parameters.dedup();
+        let mut parameters = BTreeSet::new();
+        shown.for_each(|(_, value)| parameters.extend(value.parameters()));
         Ok(Table {
             name: geometry.name().into(),
             algebra: geometry.algebra_name().into(),
             labels: geometry.frame().labels().to_vec(),
-            parameters,
+            parameters: parameters.into_iter().collect(),
             connection: geometry.kind().name().into(),
             connection_words: geometry.kind().describe(),
             lambda: geometry.kind().lambda(),

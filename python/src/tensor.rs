@@ -260,12 +260,11 @@ impl PyTensor {
 
     /// The names of the parameters, sorted.
     fn parameters(&self) -> Vec<String> {
-        let mut names: Vec<String> = each!(&self.0, tensor => {
-            tensor.components().flat_map(|(_, value)| value.parameters()).collect()
+        let mut names = std::collections::BTreeSet::new();
+        each!(&self.0, tensor => {
+            tensor.components().for_each(|(_, value)| names.extend(value.parameters()))
         });
-        names.sort();
-        names.dedup();
-        names
+        names.into_iter().collect()
     }
 
     /// One component, indices from 0: a fraction, a float, or the text of an expression.

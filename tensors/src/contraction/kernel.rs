@@ -101,6 +101,7 @@ struct Walk<'w, S, A: Arithmetic<S>> {
     arithmetic: &'w A,
     /// The terms that are alive at each depth, stored one after the other.
     alive: Vec<Alive>,
+    /// Empty where it is not filled.
     sums: Vec<A::Sum>,
     /// A bit for each of `sums`, set if it is filled, and the places of the filled ones.
     filled: Vec<u64>,
@@ -201,7 +202,6 @@ impl<'w, S: Ring, A: Arithmetic<S>> Walk<'w, S, A> {
         let (word, bit) = (&mut self.filled[at / 64], 1u64 << (at % 64));
         if *word & bit == 0 {
             *word |= bit;
-            self.sums[at] = A::Sum::default();
             self.touched.push(place);
         }
         self.arithmetic.add_product(&mut self.sums[at], a, b, negative);
@@ -215,7 +215,9 @@ impl<'w, S: Ring, A: Arithmetic<S>> Walk<'w, S, A> {
             let (a, b) = (u64::from(a), u64::from(b));
             let slot = a * n + b;
             self.filled[slot as usize / 64] &= !(1u64 << (slot % 64));
-            if let Some(value) = self.arithmetic.finish(&self.sums[slot as usize]) {
+            // emptied now, because a sum of products keeps their values
+            let sum = std::mem::take(&mut self.sums[slot as usize]);
+            if let Some(value) = self.arithmetic.finish(&sum) {
                 let number = (self.finished.len() as u64) << 1;
                 self.finished.push(value);
                 self.order.push((slot << 32) | number);
