@@ -55,9 +55,16 @@ fn names() -> Vec<String> {
         ]
         .map(String::from)
         .to_vec(),
-        ["free_nilpotent(2,3)", "filiform(5)", "damek_ricci(1,2)", "patera(4,8)", "degraaf(5,6)"]
-            .map(String::from)
-            .to_vec(),
+        [
+            "free_nilpotent(2,3)",
+            "filiform(5)",
+            "damek_ricci(1,2)",
+            "patera(4,8)",
+            "degraaf(5,6)",
+            "gong(7,17)",
+        ]
+        .map(String::from)
+        .to_vec(),
         ["so(3)+heisenberg(3)", "sl(2)+R^2", "aff(1)+se(2)"].map(String::from).to_vec(),
     ];
     families.concat()
