@@ -14,14 +14,17 @@ mod elementary;
 mod factors;
 mod fraction;
 mod free;
+mod function_names;
 mod normal_form;
 mod once;
 mod operators;
 mod packed;
 mod polynomial;
 mod positive;
+mod product;
 mod substitution;
 mod sum;
+mod texts;
 mod variables;
 mod writing;
 
@@ -35,8 +38,8 @@ use std::sync::Arc;
 use writing::{Markup, Writer};
 
 pub use common::CommonFactors;
-pub(crate) use elementary::is_elementary;
 pub use free::FreeFunction;
+pub(crate) use function_names::is_elementary;
 pub use positive::PositiveFactors;
 
 /// A rational function of named parameters with rational coefficients, in lowest terms.
@@ -291,7 +294,7 @@ impl Symbolic {
     /// The value as text or as LaTeX, with functions of angles in sines and cosines.
     fn written(&self, markup: Markup, names: &CommonFactors) -> String {
         match names.is_empty() {
-            true => once::text(self, markup, || self.written_with(markup, names)),
+            true => texts::text(self, markup, || self.written_with(markup, names)),
             false => self.written_with(markup, names),
         }
     }

@@ -22,6 +22,7 @@
 
 use super::Symbolic;
 use super::free::FreeFunction;
+use super::function_names::{FUNCTIONS, is_elementary};
 use crate::expression::{MAX_SIZE, is_name};
 use crate::scalar::{Field, Notation, Ring};
 use num_rational::Ratio;
@@ -34,15 +35,6 @@ const MAX_MULTIPLES: u64 = 16;
 
 /// The parts of a product divide this number, so that functions of different parts meet in few: `sin(x/12)`.
 const PARTS: u32 = 12;
-
-/// The names of the functions.
-const FUNCTIONS: [&str; 10] =
-    ["sin", "cos", "tan", "cot", "exp", "sinh", "cosh", "tanh", "log", "sqrt"];
-
-/// Whether this is the name of an elementary function.
-pub(crate) fn is_elementary(name: &str) -> bool {
-    FUNCTIONS.contains(&name)
-}
 
 /// What a variable of a fraction stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

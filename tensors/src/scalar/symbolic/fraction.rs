@@ -9,6 +9,9 @@ use num_traits::Zero;
 use polycore::{Monomial, Order, Poly};
 use std::sync::Arc;
 
+/// The most terms of a short value.
+const MAX_SHORT: usize = 48;
+
 /// A quotient that depends on each of its variables, of which there is at least one.
 ///
 /// Numerator and denominator are coprime; the denominator has coprime integer coefficients, the
@@ -33,6 +36,12 @@ impl Fraction {
     /// The larger of the total degrees of numerator and denominator.
     pub(super) fn degree(&self) -> u32 {
         self.numerator.total_degree().max(self.denominator.degree())
+    }
+
+    /// Whether it has few terms. Only short values are remembered, because long ones seldom repeat.
+    pub(super) fn is_short(&self) -> bool {
+        let below = self.denominator.factors.iter().map(|(f, _)| f.polynomial.terms.len());
+        below.fold(self.numerator.terms.len(), usize::saturating_add) <= MAX_SHORT
     }
 
     /// The denominator as a sum of terms.

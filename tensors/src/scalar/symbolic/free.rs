@@ -5,7 +5,7 @@
 //! are sorted in its name, and a name is unique.
 
 use super::Symbolic;
-use super::elementary::is_elementary;
+use super::function_names::is_elementary;
 use crate::expression::is_name;
 use std::collections::BTreeMap;
 

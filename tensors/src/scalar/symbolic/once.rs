@@ -6,20 +6,18 @@
 
 use super::super::effort::Counted;
 use super::fraction::Fraction;
-use super::sum::Product;
-use super::writing::Markup;
+use super::product::Product;
 use super::{Form, Rational, Symbolic};
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
-/// So many sums, values and texts are remembered; then all are forgotten.
+/// So many entries of a kind are remembered; then all are forgotten.
 const MOST: usize = 1 << 14;
 
-/// Longer sums and values are not remembered: they are computed slowly, and seldom repeated.
+/// Longer sums are not remembered: they are computed slowly, and seldom repeated.
 const MAX_PRODUCTS: usize = 24;
-const MAX_TERMS: usize = 48;
 
 thread_local! {
     static KNOWN: RefCell<Known> = RefCell::default();
@@ -33,21 +31,11 @@ struct Sum {
     counted: Counted,
 }
 
-/// The text of a value, whose address it keeps.
-struct Text {
-    value: Arc<Fraction>,
-    markup: Markup,
-    text: String,
-    counted: Counted,
-}
-
 #[derive(Default)]
 struct Known {
     /// Sums by the hash of their values' addresses, and values by their hash.
     sums: HashMap<u64, Sum>,
     values: HashMap<u64, Arc<Fraction>>,
-    /// Texts by the address of the value.
-    texts: HashMap<u64, Text>,
 }
 
 /// The value of `constant + products`, which is computed if it is not known.
@@ -86,7 +74,11 @@ pub(super) fn value(
         return value;
     }
     let (value, counted) = Counted::of(|| shared(compute()));
-    if let Some(counted) = counted.filter(|_| value.is_short()) {
+    let short = match &value.0 {
+        Form::Constant(_) => true,
+        Form::Fraction(f) => f.is_short(),
+    };
+    if let Some(counted) = counted.filter(|_| short) {
         let (constant, products) = (constant.clone(), products.to_vec());
         let sum = Sum { constant, products, value: value.clone(), counted };
         KNOWN.with_borrow_mut(|known| put(&mut known.sums, key, sum));
@@ -97,7 +89,7 @@ pub(super) fn value(
 /// The value, at the address of an equal one that is known.
 fn shared(value: Symbolic) -> Symbolic {
     let f = match &value.0 {
-        Form::Fraction(f) if value.is_short() => f.clone(),
+        Form::Fraction(f) if f.is_short() => f.clone(),
         _ => return value,
     };
     let mut hasher = DefaultHasher::new();
@@ -112,52 +104,15 @@ fn shared(value: Symbolic) -> Symbolic {
     })
 }
 
-/// The text of a value, which is written if it is not known.
-pub(super) fn text(value: &Symbolic, markup: Markup, write: impl FnOnce() -> String) -> String {
-    let f = match &value.0 {
-        Form::Fraction(f) if value.is_short() => f,
-        _ => return write(),
-    };
-    let key = Arc::as_ptr(f) as u64;
-    let found = KNOWN.with_borrow(|known| {
-        let found = known.texts.get(&key)?;
-        let same = Arc::ptr_eq(&found.value, f) && found.markup == markup;
-        same.then(|| (found.text.clone(), found.counted))
-    });
-    if let Some((text, counted)) = found {
-        counted.again();
-        return text;
-    }
-    let (text, counted) = Counted::of(write);
-    if let Some(counted) = counted {
-        let entry = Text { value: f.clone(), markup, text: text.clone(), counted };
-        KNOWN.with_borrow_mut(|known| put(&mut known.texts, key, entry));
-    }
-    text
-}
-
-fn put<T>(known: &mut HashMap<u64, T>, key: u64, entry: T) {
+/// Remembers an entry.
+pub(super) fn put<T>(known: &mut HashMap<u64, T>, key: u64, entry: T) {
     if known.len() >= MOST {
         known.clear();
     }
     known.insert(key, entry);
 }
 
-impl Symbolic {
-    fn is_short(&self) -> bool {
-        match &self.0 {
-            Form::Constant(_) => true,
-            Form::Fraction(f) => f.is_short(),
-        }
-    }
-}
-
 impl Fraction {
-    fn is_short(&self) -> bool {
-        let below = self.denominator.factors.iter().map(|(f, _)| f.polynomial.terms.len());
-        below.fold(self.numerator.terms.len(), usize::saturating_add) <= MAX_TERMS
-    }
-
     /// Whether the values are equal, with the same factors in the same order.
     fn is_written_as(&self, other: &Self) -> bool {
         self.variables == other.variables

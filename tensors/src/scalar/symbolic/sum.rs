@@ -10,6 +10,7 @@ use super::denominator::{Denominator, Factor, Powers, common_base, coprime};
 use super::fraction::{Fraction, lowest_terms};
 use super::packed::{Gathered, Layout, Overflow, Word, exact};
 use super::polynomial::{Polynomial, cofactors, constant, power, product, select};
+use super::product::Product;
 use super::variables::{Variables, places, union};
 use super::{Form, Rational, Symbolic, canonical, once};
 use crate::{Ring, Sum, Tolerance};
@@ -25,20 +26,6 @@ use std::sync::Arc;
 pub struct SymbolicSum {
     constant: Rational,
     products: Vec<Product>,
-}
-
-/// `coefficient * factors[0] * factors[1]`.
-#[derive(Clone, Debug)]
-pub(super) struct Product {
-    pub coefficient: Rational,
-    pub factors: [Option<Arc<Fraction>>; 2],
-}
-
-impl Product {
-    /// Where the factors are stored.
-    pub fn addresses(&self) -> [usize; 2] {
-        self.factors.each_ref().map(|f| f.as_ref().map_or(0, |f| Arc::as_ptr(f) as usize))
-    }
 }
 
 impl Sum<Symbolic> for SymbolicSum {

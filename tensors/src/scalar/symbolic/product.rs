@@ -1,0 +1,19 @@
+//! A term of a sum: a number times at most two values.
+
+use super::fraction::Fraction;
+use crate::Rational;
+use std::sync::Arc;
+
+/// `coefficient * factors[0] * factors[1]`.
+#[derive(Clone, Debug)]
+pub(super) struct Product {
+    pub coefficient: Rational,
+    pub factors: [Option<Arc<Fraction>>; 2],
+}
+
+impl Product {
+    /// Where the factors are stored.
+    pub fn addresses(&self) -> [usize; 2] {
+        self.factors.each_ref().map(|f| f.as_ref().map_or(0, |f| Arc::as_ptr(f) as usize))
+    }
+}
