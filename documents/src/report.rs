@@ -48,7 +48,6 @@ pub(crate) use text::grouped_in_text;
 use affinor::{Error, Geometry};
 use affinor_tensors::{Kind, Notation, Tensor, Tolerance};
 use std::borrow::Cow;
-use std::collections::BTreeSet;
 use std::io::{self, BufWriter, Write};
 
 /// The tensors of one geometry, ready to be printed.
@@ -147,9 +146,8 @@ impl<S: Notation> Table<S> {
                 tensors.push(TableEntry { quantity, tensor });
             }
         }
-        let shown = tensors.iter().flat_map(|entry| entry.tensor.components());
-        let mut parameters = BTreeSet::new();
-        shown.for_each(|(_, value)| parameters.extend(value.parameters()));
+        let parameters =
+            S::parameters_of(&mut tensors.iter().flat_map(|entry| entry.tensor.nonzero()));
         Ok(Table {
             name: geometry.name().into(),
             algebra: geometry.algebra_name().into(),

@@ -50,17 +50,16 @@ impl<S: Notation> EquationReport<S> {
             .fields()
             .map(|fields| (fields.chart().coordinates().to_vec(), fields.components().clone()));
         let rows = equations.rows();
-        let fields = position.iter().flat_map(|(_, fields)| fields.components().map(|(_, v)| v));
-        let values = rows.iter().flat_map(coefficients).chain(fields);
-        let mut parameters: Vec<String> = values.flat_map(Notation::parameters).collect();
-        parameters.sort();
-        parameters.dedup();
+        let parameters = {
+            let fields = position.iter().flat_map(|(_, fields)| fields.nonzero());
+            S::parameters_of(&mut rows.iter().flat_map(coefficients).chain(fields))
+        };
         EquationReport {
             equations,
             name: geometry.name().into(),
             labels: geometry.frame().labels().to_vec(),
             connection: [geometry.kind().name().into(), geometry.kind().describe()],
-            parameters,
+            parameters: parameters.into_iter().collect(),
             frame: geometry.frame_name(),
             position,
             genuine,

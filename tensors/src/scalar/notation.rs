@@ -2,6 +2,7 @@
 
 use super::{CommonFactors, Field, Rational};
 use crate::expression::{no_function, several_arguments};
+use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// The three kinds of scalars that tables are computed in.
@@ -33,6 +34,11 @@ pub trait Notation: Field {
     /// The parameters that the value depends on, sorted.
     fn parameters(&self) -> Vec<String> {
         vec![]
+    }
+
+    /// The parameters that any of the values depends on.
+    fn parameters_of(values: &mut dyn Iterator<Item = &Self>) -> BTreeSet<String> {
+        values.flat_map(Self::parameters).collect()
     }
 
     /// The value of an elementary function like `sin` at an argument.

@@ -5,6 +5,7 @@
 //! identified by its name, so any two values combine. Equal values have equal forms. Sines, cosines,
 //! exponentials, logarithms, square roots and free functions are rational functions of additional variables.
 
+mod cache;
 mod canonical;
 mod collected;
 mod common;
@@ -32,9 +33,11 @@ use super::{Field, Kind, Notation, Rational, Ring};
 use elementary::Variable;
 use fraction::Fraction;
 use polynomial::Polynomial;
+use std::collections::BTreeSet;
 use std::fmt;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
+use variables::Name;
 use writing::{Markup, Writer};
 
 pub use common::CommonFactors;
@@ -106,7 +109,7 @@ impl Symbolic {
 
     /// The variables of the fraction: parameters, and `tan(x/2)`, `exp(x)`, `log(x)` and `sqrt(x)` for
     /// functions of them.
-    fn variables(&self) -> &[Arc<str>] {
+    fn variables(&self) -> &[Name] {
         match &self.0 {
             Form::Constant(_) => &[],
             Form::Fraction(f) => &f.variables,
@@ -263,6 +266,10 @@ impl Notation for Symbolic {
     fn parameters(&self) -> Vec<String> {
         Symbolic::parameters(self)
     }
+    fn parameters_of(values: &mut dyn Iterator<Item = &Self>) -> BTreeSet<String> {
+        let names = variables::distinct(values.map(Self::variables));
+        names.iter().flat_map(|name| elementary::parameters(name)).map(str::to_string).collect()
+    }
     /// The sizes of the products over a common denominator.
     fn sum_size(&self, other: &Self) -> usize {
         let ([n, d], [m, e]) = (self.parts(), other.parts());
@@ -285,7 +292,7 @@ impl Notation for Symbolic {
 impl Symbolic {
     /// Whether the text contains sines, cosines or roots, which have a form of their own.
     fn has_written_form(&self) -> bool {
-        let written = |name: &Arc<str>| {
+        let written = |name: &Name| {
             matches!(Variable::of(name), Variable::HalfTangent { .. } | Variable::Root(_))
         };
         self.variables().iter().any(written)
@@ -294,7 +301,7 @@ impl Symbolic {
     /// The value as text or as LaTeX, with functions of angles in sines and cosines.
     fn written(&self, markup: Markup, names: &CommonFactors) -> String {
         match names.is_empty() {
-            true => texts::text(self, markup, || self.written_with(markup, names)),
+            true => texts::text(self, markup, |value| value.written_with(markup, names)),
             false => self.written_with(markup, names),
         }
     }

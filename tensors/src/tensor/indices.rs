@@ -55,6 +55,12 @@ impl<'t, S: Ring> Iterator for Components<'t, S> {
     }
 }
 
+/// Threads take the components in pieces of so many stored ones.
+const PIECE: usize = 1 << 14;
+
+/// Each thread takes so many pieces before the results are handed on.
+const ROUND: usize = 8;
+
 impl<'t, S: Ring> IntoIterator for &'t Tensor<S> {
     type Item = (Indices, &'t S);
     type IntoIter = Components<'t, S>;
@@ -65,6 +71,43 @@ impl<'t, S: Ring> IntoIterator for &'t Tensor<S> {
 }
 
 impl<S: Ring> Tensor<S> {
+    /// Divides the nonzero components into pieces, in their order, and hands the result of `work` for each piece to
+    /// `take`, in that order. All threads work at once.
+    ///
+    /// # Errors
+    /// The first one of `take`. No further piece is handed to it.
+    pub fn in_pieces<T: Send, E>(
+        &self,
+        work: impl Fn(Components<'_, S>) -> T + Send + Sync,
+        take: impl FnMut(T) -> Result<(), E>,
+    ) -> Result<(), E> {
+        self.in_pieces_of(PIECE, work, take)
+    }
+
+    fn in_pieces_of<T: Send, E>(
+        &self,
+        length: usize,
+        work: impl Fn(Components<'_, S>) -> T + Send + Sync,
+        mut take: impl FnMut(T) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let piece = |at: usize| {
+            let end = self.keys.len().min((at + 1) * length);
+            work(Components { tensor: self, rest: at * length..end })
+        };
+        let pieces = self.keys.len().div_ceil(length);
+        let round = ROUND * threads::count();
+        for first in (0..pieces).step_by(round) {
+            let count = round.min(pieces - first);
+            match count {
+                1 => take(piece(first))?,
+                _ => threads::map(count as u64, || (), |(), at| piece(first + at as usize))
+                    .into_iter()
+                    .try_for_each(&mut take)?,
+            }
+        }
+        Ok(())
+    }
+
     /// The nonzero components without their indices, in the order of these.
     pub fn nonzero(&self) -> impl Iterator<Item = &S> {
         self.values.iter().filter(|value| !value.is_small())
@@ -169,5 +212,36 @@ mod tests {
             tensor.write_rows(0..tensor.keys.len(), rows, together);
             assert_eq!(list, expected, "{together} together");
         }
+    }
+
+    #[test]
+    fn pieces_are_all_components_in_order() {
+        let value = |k: usize| [Tracked::from(1.0), Tracked::from(k as f64)][k % 2].clone();
+        let components = (0..25).filter(|k| k % 4 > 0).map(|k| ([k / 5, k % 5], value(k)));
+        let tensor = Tensor::from_components(5, &[Down, Down], components).expect("a tensor");
+        for length in [1, 2, 3, 7, 25, 100] {
+            let mut found = Vec::new();
+            let done: Result<(), ()> = tensor.in_pieces_of(
+                length,
+                |piece| piece.map(|(at, value)| (at, value.clone())).collect::<Vec<_>>(),
+                |piece| {
+                    found.extend(piece);
+                    Ok(())
+                },
+            );
+            assert_eq!(done, Ok(()));
+            let all = tensor.components().map(|(at, value)| (at, value.clone()));
+            assert_eq!(found, all.collect::<Vec<_>>(), "{length}");
+        }
+        let mut taken = 0;
+        let stopped = tensor.in_pieces_of(
+            1,
+            |piece| piece.count(),
+            |_| {
+                taken += 1;
+                if taken == 3 { Err(()) } else { Ok(()) }
+            },
+        );
+        assert_eq!((stopped, taken), (Err(()), 3));
     }
 }

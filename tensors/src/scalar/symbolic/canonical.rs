@@ -11,7 +11,7 @@ use super::denominator::Denominator;
 use super::elementary::{Variable, exponential, half_tangent};
 use super::fraction::{Fraction, lowest_terms};
 use super::polynomial::{Polynomial, constant, content, power, product, select};
-use super::variables::{Variables, natural, places};
+use super::variables::{Name, Variables, places};
 use super::{Form, Rational, Symbolic};
 use crate::scalar::Field;
 use num_integer::Integer;
@@ -21,11 +21,6 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use Variable::{Exponential, HalfTangent, Root};
-
-/// Whether a variable is a function. Functions are the last variables.
-fn has_functions(f: &Fraction) -> bool {
-    f.variables.last().is_some_and(|name| name.ends_with(')'))
-}
 
 /// What is common to the functions of all parts of a product: their kind, and the product.
 fn family(variable: &str) -> Option<((bool, &str), u32)> {
@@ -40,7 +35,7 @@ pub(super) fn common_parts<'f>(
 ) -> Option<BTreeMap<(bool, &'f str), u32>> {
     let mut finest = BTreeMap::new();
     let mut different = false;
-    for f in fractions.filter(|f| has_functions(f)) {
+    for f in fractions.filter(|f| f.has_functions()) {
         for (family, parts) in f.variables.iter().filter_map(|name| family(name)) {
             let known = finest.entry(family).or_insert(parts);
             different |= *known != parts;
@@ -65,7 +60,7 @@ pub(super) fn in_parts(f: &Arc<Fraction>, parts: &BTreeMap<(bool, &str), u32>) -
 /// The value in its unique form.
 pub(super) fn settled(value: Symbolic) -> Symbolic {
     let Form::Fraction(f) = &value.0 else { return value };
-    if !has_functions(f) {
+    if !f.has_functions() {
         return value;
     }
     for (at, name) in f.variables.iter().enumerate() {
@@ -85,7 +80,7 @@ pub(super) fn settled(value: Symbolic) -> Symbolic {
 
 /// `1 / f`, without roots in the denominator: `1/(a + b v) = (a - b v)/(a^2 - b^2 p)`.
 pub(super) fn reciprocal(f: &Fraction) -> Option<Symbolic> {
-    let roots = f.variables.iter().enumerate().filter(|_| has_functions(f));
+    let roots = f.variables.iter().enumerate().filter(|_| f.has_functions());
     let mut root = roots.filter_map(|(at, name)| match Variable::of(name) {
         Root(p) => Some((at, p)),
         _ => None,
@@ -206,13 +201,13 @@ fn in_multiples(g: &Polynomial, at: usize, k: u32, m: u32) -> Option<Polynomial>
 
 /// The quotient of coprime polynomials, in the variables of `f`, but for one that has other parts.
 fn quotient(f: &Fraction, at: usize, parts: u32, above: Polynomial, below: Polynomial) -> Fraction {
-    let mut names: Vec<(usize, Arc<str>)> = f.variables.iter().cloned().enumerate().collect();
+    let mut names: Vec<(usize, Name)> = f.variables.iter().copied().enumerate().collect();
     names[at].1 = match Variable::of(&f.variables[at]) {
-        HalfTangent { product, .. } => half_tangent(product, parts).into(),
-        Exponential { product, .. } => exponential(product, parts).into(),
-        _ => f.variables[at].clone(),
+        HalfTangent { product, .. } => Name::new(&half_tangent(product, parts)),
+        Exponential { product, .. } => Name::new(&exponential(product, parts)),
+        _ => f.variables[at],
     };
-    names.sort_by(|(_, a), (_, b)| natural(a, b));
+    names.sort_by_key(|(_, name)| *name);
     let columns: Vec<_> = names.iter().map(|(at, _)| Some(*at)).collect();
     let variables: Variables = names.into_iter().map(|(_, name)| name).collect();
     // another order of the variables is another order of the terms
@@ -223,5 +218,5 @@ fn quotient(f: &Fraction, at: usize, parts: u32, above: Polynomial, below: Polyn
     // the content has the sign of the first coefficient
     let unit = Rational::one() / &content(&below);
     let denominator = Denominator::of(&variables, &below.scale(&unit));
-    Fraction { numerator: numerator.scale(&unit), denominator, variables }
+    Fraction::new(variables, numerator.scale(&unit), denominator)
 }

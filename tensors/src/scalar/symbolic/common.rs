@@ -136,10 +136,6 @@ fn same(a: &Factor, b: &Factor) -> bool {
 }
 
 fn value(factor: &Factor) -> Symbolic {
-    Fraction {
-        variables: factor.variables.clone(),
-        numerator: factor.polynomial.clone(),
-        denominator: Default::default(),
-    }
-    .into()
+    let (variables, numerator) = (factor.variables.clone(), factor.polynomial.clone());
+    Fraction::new(variables, numerator, Default::default()).into()
 }

@@ -38,7 +38,7 @@ impl Factor {
     pub fn new(variables: &Variables, polynomial: &Polynomial, irreducible: bool) -> Arc<Self> {
         let degrees = polynomial.degrees();
         let kept: Vec<usize> = (0..degrees.len()).filter(|&k| degrees[k] > 0).collect();
-        let names = kept.iter().map(|&k| variables[k].clone()).collect();
+        let names = kept.iter().map(|&k| variables[k]).collect();
         let columns: Vec<_> = kept.into_iter().map(Some).collect();
         let polynomial = select(polynomial, &columns);
         Arc::new(Factor { variables: names, polynomial, irreducible })

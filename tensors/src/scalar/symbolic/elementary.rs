@@ -23,12 +23,12 @@
 use super::Symbolic;
 use super::free::FreeFunction;
 use super::function_names::{FUNCTIONS, is_elementary};
+use super::variables::Name;
 use crate::expression::{MAX_SIZE, is_name};
 use crate::scalar::{Field, Notation, Ring};
 use num_rational::Ratio;
 use num_traits::{One, Zero};
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 /// The largest sum of multiples in the argument of a function: `sin(2*x - y)` has 3.
 const MAX_MULTIPLES: u64 = 16;
@@ -229,7 +229,7 @@ impl Symbolic {
     /// # Ok::<(), String>(())
     /// ```
     pub fn derivative(&self, name: &str) -> Self {
-        let along = |variable: &Arc<str>| {
+        let along = |variable: &Name| {
             let of = Variable::of(variable);
             if let Free(free) = of {
                 let derivative = FreeFunction::read(free).ok().and_then(|f| f.derivative(name));

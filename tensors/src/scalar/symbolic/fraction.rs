@@ -2,35 +2,64 @@
 
 use super::denominator::Denominator;
 use super::polynomial::{Polynomial, content, power, select};
-use super::variables::{Variables, places};
+use super::variables::{Name, Variables, places};
 use super::{Form, Rational, Symbolic};
 use crate::scalar::Field;
 use num_traits::Zero;
 use polycore::{Monomial, Order, Poly};
+use std::ops::Deref;
 use std::sync::Arc;
 
 /// The most terms of a short value.
 const MAX_SHORT: usize = 48;
 
 /// A quotient that depends on each of its variables, of which there is at least one.
-///
-/// Numerator and denominator are coprime; the denominator has coprime integer coefficients, the
-/// leading one positive. Equal values have equal numerators, and equal denominators once these are
-/// expanded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Fraction {
     pub(super) variables: Variables,
+    pub(super) quotient: Arc<Quotient>,
+}
+
+/// A quotient of polynomials in any variables: the fractions `a/(a + b)` and `x/(x + y)` share theirs.
+///
+/// Numerator and denominator are coprime; the denominator has coprime integer coefficients, the
+/// leading one positive. Equal values have equal numerators, and equal denominators once these are
+/// expanded. Only the factors of denominators know their variables.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Quotient {
     pub(super) numerator: Polynomial,
     pub(super) denominator: Denominator,
 }
 
+impl Deref for Fraction {
+    type Target = Quotient;
+    fn deref(&self) -> &Quotient {
+        &self.quotient
+    }
+}
+
 impl Fraction {
+    pub(super) fn new(
+        variables: Variables,
+        numerator: Polynomial,
+        denominator: Denominator,
+    ) -> Self {
+        Fraction { variables, quotient: Arc::new(Quotient { numerator, denominator }) }
+    }
+
     pub(super) fn parameter(name: &str) -> Self {
-        Fraction {
-            variables: Arc::new([name.into()]),
-            numerator: Poly::monomial(Monomial::var(0, 1), Order::GrLex),
-            denominator: Denominator::default(),
-        }
+        let numerator = Poly::monomial(Monomial::var(0, 1), Order::GrLex);
+        Fraction::new(Arc::new([Name::new(name)]), numerator, Denominator::default())
+    }
+
+    /// Whether other names may be given to its variables, and nothing else changes.
+    pub(super) fn is_nameless(&self) -> bool {
+        self.denominator.factors.is_empty() && !self.has_functions()
+    }
+
+    /// Whether a variable is a function. Functions are the last variables.
+    pub(super) fn has_functions(&self) -> bool {
+        self.variables.last().is_some_and(|name| name.ends_with(')'))
     }
 
     /// The larger of the total degrees of numerator and denominator.
@@ -57,43 +86,27 @@ impl Fraction {
     /// `self + c`.
     pub(super) fn plus(&self, c: &Rational) -> Self {
         let numerator = &self.numerator + &self.expanded_denominator().scale(c);
-        Fraction { numerator, ..self.clone() }
+        Fraction::new(self.variables.clone(), numerator, self.denominator.clone())
     }
 
     /// `c self` for a constant other than zero.
     pub(super) fn times(&self, c: &Rational) -> Self {
-        Fraction { numerator: self.numerator.scale(c), ..self.clone() }
+        let numerator = self.numerator.scale(c);
+        Fraction::new(self.variables.clone(), numerator, self.denominator.clone())
     }
 
     /// `1 / self`; `None` only for the value zero, which is not a fraction.
     pub(super) fn recip(&self) -> Option<Self> {
         let unit = content(&self.numerator).recip()?;
-        Some(Fraction {
-            variables: self.variables.clone(),
-            numerator: self.expanded_denominator().scale(&unit),
-            denominator: Denominator::of(&self.variables, &self.numerator.scale(&unit)),
-        })
+        let denominator = Denominator::of(&self.variables, &self.numerator.scale(&unit));
+        let numerator = self.expanded_denominator().scale(&unit);
+        Some(Fraction::new(self.variables.clone(), numerator, denominator))
     }
 
     /// `self^exponent` for a positive exponent: coprime parts have coprime powers.
     pub(super) fn power(&self, exponent: u32) -> Self {
-        Fraction {
-            variables: self.variables.clone(),
-            numerator: power(&self.numerator, exponent),
-            denominator: self.denominator.power(exponent),
-        }
-    }
-
-    /// The same fraction over these of its variables, which include those that it depends on.
-    fn over(self, kept: &[usize]) -> Self {
-        let columns: Vec<_> = kept.iter().copied().map(Some).collect();
-        let monomial = kept.iter().map(|at| self.denominator.exponent(*at)).collect();
-        let monomial = Some(monomial).filter(|_| !self.denominator.monomial.is_empty());
-        Fraction {
-            variables: kept.iter().map(|&at| self.variables[at].clone()).collect(),
-            numerator: select(&self.numerator, &columns),
-            denominator: Denominator { monomial: monomial.unwrap_or_default(), ..self.denominator },
-        }
+        let numerator = power(&self.numerator, exponent);
+        Fraction::new(self.variables.clone(), numerator, self.denominator.power(exponent))
     }
 }
 
@@ -125,6 +138,13 @@ pub(super) fn lowest_terms(
         // a primitive constant denominator is 1
         return Symbolic::constant(content(&numerator));
     }
-    let fraction = Fraction { variables: variables.clone(), numerator, denominator };
-    if kept.len() == variables.len() { fraction.into() } else { fraction.over(&kept).into() }
+    if kept.len() == variables.len() {
+        return Fraction::new(variables.clone(), numerator, denominator).into();
+    }
+    let columns: Vec<_> = kept.iter().copied().map(Some).collect();
+    if !denominator.monomial.is_empty() {
+        denominator.monomial = kept.iter().map(|at| denominator.exponent(*at)).collect();
+    }
+    let variables = kept.iter().map(|&at| variables[at]).collect();
+    Fraction::new(variables, select(&numerator, &columns), denominator).into()
 }

@@ -63,7 +63,7 @@ fn below_the_line(value: &Symbolic, root: &str) -> Option<Symbolic> {
 fn in_sines(value: &Symbolic) -> Symbolic {
     let mut value = value.clone();
     // a coefficient may be a function of a larger part of another angle
-    while let Some((t, x)) = value.variables().iter().find_map(|t| Some((t.clone(), angle(t)?))) {
+    while let Some((t, x)) = value.variables().iter().find_map(|t| Some((*t, angle(t)?))) {
         value = shortest(&gathered(over_sines(&value, &t, &x), &x), &x);
     }
     value

@@ -1,20 +1,21 @@
 //! Sums that occur again and again are computed and stored once.
 //!
-//! The tensors of a large algebra have millions of components with a few thousand different values. A sum is known by the
-//! addresses of its values, and returns the value that it had before; equal results share one address, so the sums of the next
-//! tensor are recognised too. Only short sums of short values are remembered.
+//! The tensors of a large algebra have millions of components with a few thousand different values, or as many up to the
+//! names of the parameters: `(a - b)/c` and `(x - y)/z` are one quotient of polynomials in three variables. A sum is
+//! known by the addresses of its quotients, and by the places of their variables among all variables of the sum. Equal
+//! results share one address, so the sums of the next tensor are recognised too. Only short sums of short values are
+//! remembered.
 
 use super::super::effort::Counted;
-use super::fraction::Fraction;
+use super::cache::{Cache, Mixer, hash};
+use super::fraction::{Fraction, Quotient};
 use super::product::Product;
+use super::variables::{Name, Variables};
 use super::{Form, Rational, Symbolic};
+use num_rational::Ratio;
 use std::cell::RefCell;
-use std::collections::HashMap;
-use std::hash::{DefaultHasher, Hash, Hasher};
+use std::hash::{Hash, Hasher};
 use std::sync::Arc;
-
-/// So many entries of a kind are remembered; then all are forgotten.
-const MOST: usize = 1 << 14;
 
 /// Longer sums are not remembered: they are computed slowly, and seldom repeated.
 const MAX_PRODUCTS: usize = 24;
@@ -23,19 +24,96 @@ thread_local! {
     static KNOWN: RefCell<Known> = RefCell::default();
 }
 
-/// A sum with its value. The products keep their values alive, so that no other value takes their addresses.
+#[derive(Default)]
+struct Known {
+    sums: Cache<Sum>,
+    multiples: Cache<Multiple>,
+    quotients: Cache<Arc<Quotient>>,
+    values: Cache<Arc<Fraction>>,
+    pattern: Pattern,
+}
+
+/// A sum with its value.
 struct Sum {
-    constant: Rational,
-    products: Vec<Product>,
-    value: Symbolic,
+    key: Box<[u64]>,
+    /// They are kept alive, so that no other quotient takes their addresses.
+    _quotients: Vec<Arc<Quotient>>,
+    value: Value,
     counted: Counted,
 }
 
+/// A quotient times a number.
+struct Multiple {
+    coefficient: Rational,
+    quotient: Arc<Quotient>,
+    value: Arc<Quotient>,
+    counted: Counted,
+}
+
+enum Value {
+    /// With the names of its variables. A value of functions may have other variables than the sum.
+    Named(Symbolic),
+    /// A quotient of polynomials in these of the variables of the sum.
+    Nameless(Arc<Quotient>, Box<[u8]>),
+}
+
+/// A sum as it is looked up.
 #[derive(Default)]
-struct Known {
-    /// Sums by the hash of their values' addresses, and values by their hash.
-    sums: HashMap<u64, Sum>,
-    values: HashMap<u64, Arc<Fraction>>,
+struct Pattern {
+    /// The names of all variables, in their order.
+    names: Vec<Name>,
+    /// Coefficients, addresses and places; the addresses of the names, where these matter.
+    key: Vec<u64>,
+}
+
+impl Pattern {
+    /// Describes a sum. Whether that is possible: the numbers fit machine words, and there are few names.
+    fn describe(&mut self, constant: &Rational, products: &[Product]) -> bool {
+        let fractions = || products.iter().flat_map(|p| p.factors.iter().flatten());
+        self.names.clear();
+        self.key.clear();
+        for name in fractions().flat_map(|f| f.variables.iter()) {
+            if !self.names.contains(name) {
+                let at = self.names.partition_point(|other| other < name);
+                self.names.insert(at, *name);
+            }
+        }
+        if self.names.len() > usize::from(u8::MAX) || !self.number(constant) {
+            return false;
+        }
+        for product in products {
+            if !self.number(&product.coefficient) {
+                return false;
+            }
+            for factor in &product.factors {
+                let Some(f) = factor else {
+                    self.key.push(0);
+                    continue;
+                };
+                self.key.push(Arc::as_ptr(&f.quotient).addr() as u64);
+                for names in f.variables.chunks(8) {
+                    let place = |name| self.names.iter().position(|own| own == name).unwrap_or(0);
+                    self.key
+                        .push(names.iter().fold(0, |word, name| word << 8 | place(name) as u64));
+                }
+            }
+        }
+        if !fractions().all(|f| f.is_nameless()) {
+            self.key.extend(self.names.iter().map(|name| name.address() as u64));
+        }
+        true
+    }
+
+    fn number(&mut self, number: &Rational) -> bool {
+        let Ok(number) = Ratio::<i64>::try_from(number) else { return false };
+        let (above, below) = (*number.numer(), *number.denom());
+        match above.checked_mul(2) {
+            // odd
+            Some(twice) if below == 1 => self.key.push(twice as u64 + 1),
+            _ => self.key.extend([0, above as u64, below as u64]),
+        }
+        true
+    }
 }
 
 /// The value of `constant + products`, which is computed if it is not known.
@@ -44,79 +122,141 @@ pub(super) fn value(
     products: &[Product],
     compute: impl FnOnce() -> Symbolic,
 ) -> Symbolic {
-    let long = |f: &Arc<Fraction>| !f.is_short();
-    if products.len() > MAX_PRODUCTS
-        || products.iter().any(|p| p.factors.iter().flatten().any(long))
-    {
+    let fractions = || products.iter().flat_map(|p| p.factors.iter().flatten());
+    if products.len() > MAX_PRODUCTS || !fractions().all(|f| f.is_short()) {
         return compute();
     }
-    let mut hasher = DefaultHasher::new();
-    constant.hash(&mut hasher);
-    for product in products {
-        product.coefficient.hash(&mut hasher);
-        product.addresses().hash(&mut hasher);
-    }
-    let key = hasher.finish();
-    let same = |sum: &Sum| {
-        let equal = |(a, b): (&Product, &Product)| {
-            a.addresses() == b.addresses() && a.coefficient == b.coefficient
-        };
-        sum.constant == *constant
-            && sum.products.len() == products.len()
-            && sum.products.iter().zip(products).all(equal)
+    let found = KNOWN.with_borrow_mut(|known| {
+        if !known.pattern.describe(constant, products) {
+            return Err(None);
+        }
+        let key = hash(&known.pattern.key);
+        match known.sums.get(key).filter(|sum| *sum.key == known.pattern.key) {
+            None => Err(Some((key, known.pattern.key.clone(), known.pattern.names.clone()))),
+            Some(Sum { value: Value::Named(value), counted, .. }) => Ok((value.clone(), *counted)),
+            Some(Sum { value: Value::Nameless(quotient, kept), counted, .. }) => {
+                let names = kept.iter().map(|at| known.pattern.names[usize::from(*at)]);
+                let make = || names.clone().collect();
+                Ok((shared(&mut known.values, quotient, names.clone(), make), *counted))
+            }
+        }
+    });
+    let (hash, key, names) = match found {
+        Ok((value, counted)) => {
+            counted.again();
+            return value;
+        }
+        Err(None) => return compute(),
+        Err(Some(pattern)) => pattern,
     };
-    let found = KNOWN.with_borrow(|known| {
-        let sum = known.sums.get(&key)?;
-        same(sum).then(|| (sum.value.clone(), sum.counted))
+    let (value, counted) = Counted::of(compute);
+    let short = match &value.0 {
+        Form::Constant(_) => true,
+        Form::Fraction(f) => f.is_short(),
+    };
+    let Some(counted) = counted.filter(|_| short) else { return value };
+    KNOWN.with_borrow_mut(|known| {
+        let nameless = fractions().all(|f| f.is_nameless());
+        let (value, result) = match value.0 {
+            Form::Constant(_) => (Value::Named(value.clone()), value),
+            Form::Fraction(f) => {
+                let quotient = equal(&mut known.quotients, &f.quotient);
+                let result = with_names_of(&mut known.values, &quotient, &f);
+                let place = |name| names.iter().position(|own| own == name).map(|at| at as u8);
+                let kept = f.variables.iter().map(place).collect::<Option<Box<[u8]>>>();
+                match kept.filter(|_| nameless) {
+                    Some(kept) => (Value::Nameless(quotient, kept), result),
+                    None => (Value::Named(result.clone()), result),
+                }
+            }
+        };
+        let quotients = fractions().map(|f| f.quotient.clone()).collect();
+        let sum = Sum { key: key.into(), _quotients: quotients, value, counted };
+        known.sums.put(hash, sum);
+        result
+    })
+}
+
+/// `c f` for a number other than zero.
+pub(super) fn multiple(coefficient: &Rational, f: &Arc<Fraction>) -> Symbolic {
+    let compute = || f.times(coefficient);
+    if !f.is_short() {
+        return compute().into();
+    }
+    let mut mixer = Mixer::default();
+    coefficient.hash(&mut mixer);
+    mixer.write_usize(Arc::as_ptr(&f.quotient).addr());
+    let key = mixer.finish();
+    let found = KNOWN.with_borrow_mut(|known| {
+        let found = known.multiples.get(key)?;
+        let same = Arc::ptr_eq(&found.quotient, &f.quotient) && found.coefficient == *coefficient;
+        same.then(|| (with_names_of(&mut known.values, &found.value, f), found.counted))
     });
     if let Some((value, counted)) = found {
         counted.again();
         return value;
     }
-    let (value, counted) = Counted::of(|| shared(compute()));
-    let short = match &value.0 {
-        Form::Constant(_) => true,
-        Form::Fraction(f) => f.is_short(),
-    };
-    if let Some(counted) = counted.filter(|_| short) {
-        let (constant, products) = (constant.clone(), products.to_vec());
-        let sum = Sum { constant, products, value: value.clone(), counted };
-        KNOWN.with_borrow_mut(|known| put(&mut known.sums, key, sum));
-    }
-    value
-}
-
-/// The value, at the address of an equal one that is known.
-fn shared(value: Symbolic) -> Symbolic {
-    let f = match &value.0 {
-        Form::Fraction(f) if f.is_short() => f.clone(),
-        _ => return value,
-    };
-    let mut hasher = DefaultHasher::new();
-    value.hash(&mut hasher);
-    let key = hasher.finish();
-    KNOWN.with_borrow_mut(|known| match known.values.get(&key) {
-        Some(known) if known.is_written_as(&f) => Symbolic(Form::Fraction(known.clone())),
-        _ => {
-            put(&mut known.values, key, f);
-            value
-        }
+    let (value, counted) = Counted::of(compute);
+    let Some(counted) = counted else { return value.into() };
+    KNOWN.with_borrow_mut(|known| {
+        let value = equal(&mut known.quotients, &value.quotient);
+        let result = with_names_of(&mut known.values, &value, f);
+        let (coefficient, quotient) = (coefficient.clone(), f.quotient.clone());
+        known.multiples.put(key, Multiple { coefficient, quotient, value, counted });
+        result
     })
 }
 
-/// Remembers an entry.
-pub(super) fn put<T>(known: &mut HashMap<u64, T>, key: u64, entry: T) {
-    if known.len() >= MOST {
-        known.clear();
+/// The quotient, at the address of an equal one that is known.
+fn equal(known: &mut Cache<Arc<Quotient>>, quotient: &Arc<Quotient>) -> Arc<Quotient> {
+    let mut mixer = Mixer::default();
+    quotient.numerator.terms.hash(&mut mixer);
+    quotient.denominator.monomial.hash(&mut mixer);
+    let key = mixer.finish();
+    match known.get(key).filter(|known| known.is_written_as(quotient)) {
+        Some(known) => known.clone(),
+        None => {
+            known.put(key, quotient.clone());
+            quotient.clone()
+        }
     }
-    known.insert(key, entry);
 }
 
-impl Fraction {
-    /// Whether the values are equal, with the same factors in the same order.
+/// The quotient with the names of a fraction.
+fn with_names_of(
+    known: &mut Cache<Arc<Fraction>>,
+    quotient: &Arc<Quotient>,
+    f: &Fraction,
+) -> Symbolic {
+    shared(known, quotient, f.variables.iter().copied(), || f.variables.clone())
+}
+
+/// The quotient with these names, at the address of an equal value that is known.
+fn shared(
+    known: &mut Cache<Arc<Fraction>>,
+    quotient: &Arc<Quotient>,
+    names: impl Iterator<Item = Name> + Clone,
+    variables: impl FnOnce() -> Variables,
+) -> Symbolic {
+    let mut mixer = Mixer::default();
+    mixer.write_usize(Arc::as_ptr(quotient).addr());
+    names.clone().for_each(|name| mixer.write_usize(name.address()));
+    let key = mixer.finish();
+    let same = |f: &&Arc<Fraction>| {
+        Arc::ptr_eq(&f.quotient, quotient) && f.variables.iter().copied().eq(names)
+    };
+    if let Some(value) = known.get(key).filter(same) {
+        return Symbolic(Form::Fraction(value.clone()));
+    }
+    let value = Arc::new(Fraction { variables: variables(), quotient: quotient.clone() });
+    known.put(key, value.clone());
+    Symbolic(Form::Fraction(value))
+}
+
+impl Quotient {
+    /// Whether the quotients are equal, with the same factors in the same order.
     fn is_written_as(&self, other: &Self) -> bool {
-        self.variables == other.variables
-            && self.numerator == other.numerator
+        self.numerator == other.numerator
             && self.denominator.monomial == other.denominator.monomial
             && self.denominator.factors == other.denominator.factors
     }

@@ -1,7 +1,7 @@
 //! The operators of rational functions, and their conversions.
 
 use super::sum::SymbolicSum;
-use super::{Form, Rational, Symbolic};
+use super::{Form, Rational, Symbolic, once};
 use crate::expression::{Expression, ExpressionError, Scalars};
 use crate::scalar::Field;
 use crate::scalar::operators::forward_operators;
@@ -44,7 +44,7 @@ fn scaled(form: Form, c: &Rational) -> Symbolic {
     match form {
         _ if c.is_zero() => Symbolic::zero(),
         form if c.is_one() => Symbolic(form),
-        Form::Fraction(f) => SymbolicSum::of_multiple(c.clone(), f),
+        Form::Fraction(f) => once::multiple(c, &f),
         Form::Constant(a) => Symbolic::constant(a * c),
     }
 }
@@ -63,7 +63,7 @@ impl Neg for Symbolic {
     fn neg(self) -> Symbolic {
         match self.0 {
             Form::Constant(c) => Symbolic::constant(-c),
-            Form::Fraction(f) => SymbolicSum::of_multiple(-Rational::one(), f),
+            Form::Fraction(f) => once::multiple(&-Rational::one(), &f),
         }
     }
 }

@@ -10,10 +10,3 @@ pub(super) struct Product {
     pub coefficient: Rational,
     pub factors: [Option<Arc<Fraction>>; 2],
 }
-
-impl Product {
-    /// Where the factors are stored.
-    pub fn addresses(&self) -> [usize; 2] {
-        self.factors.each_ref().map(|f| f.as_ref().map_or(0, |f| Arc::as_ptr(f) as usize))
-    }
-}

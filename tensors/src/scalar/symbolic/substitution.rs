@@ -2,11 +2,11 @@
 
 use super::fraction::Fraction;
 use super::polynomial::Polynomial;
+use super::variables::Name;
 use super::{Form, Symbolic, canonical, elementary};
 use crate::scalar::Field;
 use num_traits::Zero;
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 /// The largest total degree that a substitution may lead to.
 const DEGREE_LIMIT: u64 = 1 << 30;
@@ -29,11 +29,11 @@ impl Symbolic {
         let Form::Fraction(f) = &self.0 else {
             return Some(self.clone());
         };
-        let given = |name: &Arc<str>| elementary::changes(name, values);
+        let given = |name: &Name| elementary::changes(name, values);
         if !f.variables.iter().any(given) {
             return Some(self.clone());
         }
-        let image_of = |name: &Arc<str>| match values.get(&**name) {
+        let image_of = |name: &Name| match values.get(&**name) {
             Some(value) => Some(value.clone()),
             None if given(name) => elementary::at_argument(name, values),
             None => Some(Symbolic::parameter(name)),

@@ -67,13 +67,6 @@ impl SymbolicSum {
         sum.value()
     }
 
-    /// `c a`.
-    pub(super) fn of_multiple(coefficient: Rational, a: Arc<Fraction>) -> Symbolic {
-        let mut sum = SymbolicSum::default();
-        sum.add(coefficient, [Some(a), None]);
-        sum.value()
-    }
-
     /// `a b`.
     pub(super) fn of_product([a, b]: [Arc<Fraction>; 2]) -> Symbolic {
         let mut sum = SymbolicSum::default();
@@ -84,10 +77,11 @@ impl SymbolicSum {
     pub(super) fn value(&self) -> Symbolic {
         match &self.products[..] {
             [] => Symbolic::constant(self.constant.clone()),
-            [Product { coefficient, factors: [Some(f), None] }]
-                if coefficient.is_one() && self.constant.is_zero() =>
-            {
-                Symbolic(Form::Fraction(f.clone()))
+            [Product { coefficient, factors: [Some(f), None] }] if self.constant.is_zero() => {
+                match coefficient.is_one() {
+                    true => Symbolic(Form::Fraction(f.clone())),
+                    false => once::multiple(coefficient, f),
+                }
             }
             products => once::value(&self.constant, products, || self.computed()),
         }

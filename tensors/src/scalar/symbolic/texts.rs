@@ -1,47 +1,97 @@
-//! Texts of values that occur again and again are written once.
+//! Texts of values that occur again and again are written once, up to the names of the parameters.
 
 use super::super::effort::Counted;
-use super::fraction::Fraction;
-use super::once::put;
-use super::writing::Markup;
+use super::cache::{Cache, hash};
+use super::fraction::{Fraction, Quotient};
+use super::variables::Name;
+use super::writing::{Markup, parameter};
 use super::{Form, Symbolic};
 use std::cell::RefCell;
-use std::collections::HashMap;
 use std::sync::Arc;
 
+/// Longer names are not left out: one placeholder is made for every place and length.
+const MAX_LENGTH: usize = 32;
+
 thread_local! {
-    /// Texts by the address of the value.
-    static KNOWN: RefCell<HashMap<u64, Text>> = RefCell::default();
+    static KNOWN: RefCell<Cache<Text>> = RefCell::default();
 }
 
-/// The text of a value, whose address it keeps.
+/// The text of a value.
 struct Text {
-    value: Arc<Fraction>,
-    markup: Markup,
-    text: String,
+    /// The address of the quotient, the markup, and the lengths of the names or their addresses.
+    key: Box<[u64]>,
+    /// It is kept alive, so that no other quotient takes its address.
+    _quotient: Arc<Quotient>,
+    /// The text, with a placeholder for each name.
+    template: String,
     counted: Counted,
 }
 
 /// The text of a value, which is written if it is not known.
-pub(super) fn text(value: &Symbolic, markup: Markup, write: impl FnOnce() -> String) -> String {
+pub(super) fn text(
+    value: &Symbolic,
+    markup: Markup,
+    write: impl FnOnce(&Symbolic) -> String,
+) -> String {
     let f = match &value.0 {
         Form::Fraction(f) if f.is_short() => f,
-        _ => return write(),
+        _ => return write(value),
     };
-    let key = Arc::as_ptr(f) as u64;
+    let fits = |name: &Name| name.len() <= MAX_LENGTH;
+    let nameless = f.is_nameless() && f.variables.len() < 32 && f.variables.iter().all(fits);
+    let name = |name: &Name| if nameless { name.len() } else { name.address() } as u64;
+    let head = [Arc::as_ptr(&f.quotient).addr() as u64, markup as u64];
+    let key: Vec<u64> = head.into_iter().chain(f.variables.iter().map(name)).collect();
+    let hash = hash(&key);
     let found = KNOWN.with_borrow(|known| {
-        let found = known.get(&key)?;
-        let same = Arc::ptr_eq(&found.value, f) && found.markup == markup;
-        same.then(|| (found.text.clone(), found.counted))
+        let found = known.get(hash).filter(|text| *text.key == key)?;
+        Some((found.filled(f, markup), found.counted))
     });
     if let Some((text, counted)) = found {
         counted.again();
         return text;
     }
-    let (text, counted) = Counted::of(write);
-    if let Some(counted) = counted {
-        let entry = Text { value: f.clone(), markup, text: text.clone(), counted };
-        KNOWN.with_borrow_mut(|known| put(known, key, entry));
+    let quotient = f.quotient.clone();
+    let (template, counted) = Counted::of(|| match nameless {
+        true => {
+            let variables = f.variables.iter().enumerate().map(placeholder).collect();
+            write(&Fraction { variables, quotient: quotient.clone() }.into())
+        }
+        false => write(value),
+    });
+    let Some(counted) = counted else { return template };
+    let text = Text { key: key.into(), _quotient: quotient, template, counted };
+    let filled = text.filled(f, markup);
+    KNOWN.with_borrow_mut(|known| known.put(hash, text));
+    filled
+}
+
+impl Text {
+    /// The text with the names of the value.
+    fn filled(&self, f: &Fraction, markup: Markup) -> String {
+        let mut text = String::with_capacity(self.template.len());
+        let mut rest = &self.template[..];
+        while let Some(at) = rest.find(is_placeholder) {
+            let place = usize::from(rest.as_bytes()[at] - 1);
+            let name = &f.variables[place];
+            text.push_str(&rest[..at]);
+            match markup {
+                Markup::Text => text.push_str(name),
+                Markup::Latex => text.push_str(&parameter(name, markup)),
+            }
+            rest = &rest[at + name.len()..];
+        }
+        text.push_str(rest);
+        text
     }
-    text
+}
+
+/// What stands for a variable: as many times as its name has letters, the control character of its place.
+fn placeholder((at, name): (usize, &Name)) -> Name {
+    let letter = char::from(at as u8 + 1);
+    Name::new(&std::iter::repeat_n(letter, name.len()).collect::<String>())
+}
+
+fn is_placeholder(letter: char) -> bool {
+    ('\u{1}'..='\u{1f}').contains(&letter)
 }

@@ -274,8 +274,15 @@ fn power(name: &str, exponent: u32, markup: Markup) -> String {
     if let Some((function, argument)) = name.strip_suffix(')').and_then(|n| n.split_once('(')) {
         return function_power(function, argument, exponent, markup);
     }
-    let base = if markup == Markup::Latex { latex_name(name) } else { name.to_owned() };
-    base + &markup.exponent(exponent)
+    parameter(name, markup) + &markup.exponent(exponent)
+}
+
+/// The name of a parameter. Placeholders of [`texts`](super::texts) stay as they are.
+pub(super) fn parameter(name: &str, markup: Markup) -> String {
+    match markup {
+        Markup::Latex if !name.starts_with(char::is_control) => latex_name(name),
+        _ => name.to_owned(),
+    }
 }
 
 /// `sin(x)^2`, `exp(2*x)`, `\sin^{2} x`, `e^{2 x}`, `\sqrt{x}`.
