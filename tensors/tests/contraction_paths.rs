@@ -40,6 +40,7 @@ fn paths(dimension: usize) -> impl Iterator<Item = (Paths, &'static ThreadPool)>
                     marked_words,
                     parallel_from,
                     reserved,
+                    round: reserved,
                     largest_integer,
                     kept_quotients,
                     ..Paths::default()

@@ -60,13 +60,74 @@ proptest! {
     }
 }
 
+/// Names of several lengths, whose order is that of their letters, of their numbers, or decided by the last digit.
+const ORDERED: [&str; 10] =
+    ["J1000000", "J1000001", "K", "a", "b2", "b10", "b10c", "omega1", "omega2", "x_1"];
+
+/// A value of two parameters, also with functions and factors in the denominator.
+fn shape(at: usize, [x, y]: [&str; 2]) -> Symbolic {
+    let text = match at {
+        0 => format!("{x}"),
+        1 => format!("({x} - {y})/(2*{x})"),
+        2 => format!("({x}^2 + {x}*{y} - 3)/{y}"),
+        3 => format!("-{y}/{x}"),
+        4 => format!("{y}/({x} + {y})"),
+        5 => format!("1/{x} + 1/{y} + {x}/3"),
+        6 => format!("sqrt({x})*{y}"),
+        7 => format!("sin({x})/{y}"),
+        8 => format!("cos({x}/2) + {y}"),
+        _ => format!("2/{x}^2"),
+    };
+    text.parse().unwrap()
+}
+
+type Shapes = Vec<[(usize, usize, usize); 2]>;
+
+fn shapes() -> impl Strategy<Value = Shapes> {
+    let one = |most: usize| (0..most, 0..3usize, 0..3usize);
+    let plain = prop::collection::vec([one(4), one(4)], 1..5);
+    let all = prop::collection::vec([one(10), one(10)], 1..4);
+    prop_oneof![2 => plain, 1 => all]
+}
+
+/// The sum in these names, as text and in LaTeX; and its negative.
+fn written(shapes: &Shapes, names: [&str; 3]) -> [String; 4] {
+    let value = |(at, x, y): (usize, usize, usize)| {
+        shape(at, [names[x], names[if y == x { (x + 1) % 3 } else { y }]])
+    };
+    let mut sum = <Symbolic as Ring>::Sum::default();
+    shapes.iter().for_each(|[a, b]| sum.add_product(&value(*a), &value(*b)));
+    let value = sum.finish(Tolerance::default()).unwrap_or_default();
+    let negative = -value.clone();
+    [value.to_string(), value.to_latex(), negative.to_string(), negative.to_latex()]
+}
+
+proptest! {
+    #![proptest_config(property::cases(64))]
+
+    #[test]
+    fn sums_in_other_names_are_those_of_a_thread_that_remembers_nothing(
+        all in prop::collection::vec(shapes(), 1..6),
+        renamed in prop::collection::vec(prop::sample::subsequence(&ORDERED[..], 3).prop_shuffle(), 2..8),
+    ) {
+        for names in renamed.iter().map(|names| [names[0], names[1], names[2]]) {
+            for shapes in &all {
+                let fresh = std::thread::scope(|scope| {
+                    scope.spawn(|| written(shapes, names)).join().unwrap()
+                });
+                prop_assert_eq!(written(shapes, names), fresh, "{:?} {:?}", shapes, names);
+            }
+        }
+    }
+}
+
 /// More different sums than are remembered.
 #[test]
 fn many_different_sums() {
     let [a, b] = ["a", "b"].map(Symbolic::parameter);
     let text = |n: i64| (a.clone() * &Symbolic::from_i64(n) + &b.recip().unwrap()).to_string();
-    let all: Vec<String> = (1..20_000).map(text).collect();
-    for (n, found) in (1..20_000).zip(&all).step_by(7) {
+    let all: Vec<String> = (1..80_000).map(text).collect();
+    for (n, found) in (1..80_000).zip(&all).step_by(7) {
         assert_eq!(*found, text(n));
         assert_eq!(*found, if n == 1 { "(a*b + 1)/b".into() } else { format!("({n}*a*b + 1)/b") });
     }

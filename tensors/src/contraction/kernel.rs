@@ -26,8 +26,9 @@ pub(super) fn run<S: Ring, A: Arithmetic<S>>(
         terms.iter().filter_map(|term| Laid::new(term, n, outer, rank, paths)).collect();
     let plan = Plan { n, outer, rank, groups, terms: &laid };
     let entries: usize = laid.iter().map(Laid::entries).sum();
-    let blocks: Vec<(Vec<u64>, Vec<S>)> = if laid.is_empty() {
-        vec![]
+    let (mut keys, mut values) = (Vec::new(), Vec::new());
+    if laid.is_empty() {
+        // zero
     } else if outer == 0 || entries < paths.parallel_from || threads::count() == 1 {
         let mut walk = Walk::new(&plan, arithmetic);
         // memory that is reserved and not used costs nothing, growing does
@@ -38,21 +39,20 @@ pub(super) fn run<S: Ring, A: Arithmetic<S>>(
         walk.descend(0, 0, 0);
         walk.keys.shrink_to_fit();
         walk.values.shrink_to_fit();
-        vec![(walk.keys, walk.values)]
+        (keys, values) = (walk.keys, walk.values);
     } else {
-        let block = |walk: &mut Walk<S, A>, first: u64| {
-            walk.enter(0, 0, 0, first);
-            (std::mem::take(&mut walk.keys), std::mem::take(&mut walk.values))
-        };
-        threads::map(n, || Walk::new(&plan, arithmetic), block)
-    };
-    let (mut keys, mut values) = (Vec::new(), Vec::new());
-    for (block_keys, block_values) in blocks {
-        if keys.is_empty() {
-            (keys, values) = (block_keys, block_values);
-        } else {
-            keys.extend(block_keys);
-            values.extend(block_values);
+        // in rounds, so that few results are stored twice
+        let round = paths.round.max(1).saturating_mul(threads::count() as u64).min(n);
+        for start in (0..n).step_by(round as usize) {
+            let block = |walk: &mut Walk<S, A>, at: u64| {
+                walk.enter(0, 0, 0, start + at);
+                (std::mem::take(&mut walk.keys), std::mem::take(&mut walk.values))
+            };
+            let count = round.min(n - start);
+            for block in threads::map(count, || Walk::new(&plan, arithmetic), block) {
+                keys.extend(block.0);
+                values.extend(block.1);
+            }
         }
     }
     plan.groups_across()

@@ -15,6 +15,9 @@ pub struct Paths {
     pub marked_words: u64,
     /// A contraction of operands with fewer components runs on one thread.
     pub parallel_from: usize,
+    /// On several threads, each one computes the components of this many leading indices before all are collected.
+    /// 0 counts as 1.
+    pub round: u64,
     /// Memory is reserved for at most twice this many components of the result.
     pub reserved: u64,
     /// The largest number of places of the accumulator, which is the square of the dimension for a
@@ -34,6 +37,7 @@ impl Default for Paths {
             direct_rows: 1 << 22,
             marked_words: 1 << 22,
             parallel_from: 4096,
+            round: 16,
             reserved: 1 << 21,
             places: MAX_PLACES,
             largest_integer: i64::MAX as u64,

@@ -216,21 +216,21 @@ mod tests {
 
     #[test]
     fn pieces_are_all_components_in_order() {
-        let value = |k: usize| [Tracked::from(1.0), Tracked::from(k as f64)][k % 2].clone();
+        let value = |k: usize| [Tracked::from(1.0), Tracked::from(k as f64)][k % 2];
         let components = (0..25).filter(|k| k % 4 > 0).map(|k| ([k / 5, k % 5], value(k)));
         let tensor = Tensor::from_components(5, &[Down, Down], components).expect("a tensor");
         for length in [1, 2, 3, 7, 25, 100] {
             let mut found = Vec::new();
             let done: Result<(), ()> = tensor.in_pieces_of(
                 length,
-                |piece| piece.map(|(at, value)| (at, value.clone())).collect::<Vec<_>>(),
+                |piece| piece.map(|(at, value)| (at, *value)).collect::<Vec<_>>(),
                 |piece| {
                     found.extend(piece);
                     Ok(())
                 },
             );
             assert_eq!(done, Ok(()));
-            let all = tensor.components().map(|(at, value)| (at, value.clone()));
+            let all = tensor.components().map(|(at, value)| (at, *value));
             assert_eq!(found, all.collect::<Vec<_>>(), "{length}");
         }
         let mut taken = 0;

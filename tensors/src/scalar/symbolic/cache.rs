@@ -2,50 +2,58 @@
 
 use std::hash::Hasher;
 
-/// Entries by hashes. A new entry takes the place of an older one when both have the same slot.
-pub(super) struct Cache<T> {
-    slots: Vec<Option<(u64, Box<T>)>>,
+/// Entries by hashes, in buckets of a few. The number of buckets grows with the entries, up to `MOST`, a power of two.
+/// Then, in a full bucket, a new entry takes the place of an older one.
+pub(super) struct Cache<T, const MOST: usize> {
+    buckets: Vec<[Option<(u64, T)>; WAYS]>,
     entries: usize,
 }
 
-/// The most slots. Their number grows with the entries.
-const MOST: usize = 1 << 17;
+/// With a pointer for each entry, a bucket is as long as a cache line of the processor.
+const WAYS: usize = 4;
 
-impl<T> Default for Cache<T> {
+impl<T, const MOST: usize> Default for Cache<T, MOST> {
     fn default() -> Self {
-        Cache { slots: Vec::new(), entries: 0 }
+        Cache { buckets: Vec::new(), entries: 0 }
     }
 }
 
-impl<T> Cache<T> {
+impl<T, const MOST: usize> Cache<T, MOST> {
     /// The entry with a hash. Other values may have the same hash.
     pub fn get(&self, hash: u64) -> Option<&T> {
-        let (own, entry) = self.slots.get(self.slot(hash))?.as_ref()?;
-        (*own == hash).then_some(entry)
+        let bucket = self.buckets.get(self.bucket(hash))?;
+        let found = bucket.iter().flatten().find(|(own, _)| *own == hash);
+        found.map(|(_, entry)| entry)
     }
 
+    /// Remembers an entry in the place of any other with this hash.
     pub fn put(&mut self, hash: u64, entry: T) {
-        if 2 * self.entries >= self.slots.len() && self.slots.len() < MOST {
-            let slots = (4 * self.slots.len()).clamp(64, MOST);
-            let old = std::mem::take(&mut self.slots);
-            self.slots.resize_with(slots, || None);
+        if self.entries >= 2 * self.buckets.len() && self.buckets.len() < MOST {
+            let buckets = (4 * self.buckets.len()).clamp(16, MOST);
+            let old = std::mem::take(&mut self.buckets);
+            self.buckets.resize_with(buckets, || [const { None }; WAYS]);
             self.entries = 0;
-            old.into_iter().flatten().for_each(|(hash, entry)| self.place(hash, entry));
+            let entries = old.into_iter().flatten().flatten();
+            entries.for_each(|(hash, entry)| self.place(hash, entry));
         }
-        self.place(hash, Box::new(entry));
+        self.place(hash, entry);
     }
 
-    fn place(&mut self, hash: u64, entry: Box<T>) {
-        let slot = self.slot(hash);
-        self.entries += usize::from(self.slots[slot].is_none());
-        self.slots[slot] = Some((hash, entry));
+    fn place(&mut self, hash: u64, entry: T) {
+        let at = self.bucket(hash);
+        let bucket = &mut self.buckets[at];
+        let way = bucket.iter().position(|slot| slot.as_ref().is_none_or(|(own, _)| *own == hash));
+        // the last bits do not choose the bucket
+        let way = way.unwrap_or(hash as usize % WAYS);
+        self.entries += usize::from(bucket[way].is_none());
+        bucket[way] = Some((hash, entry));
     }
 
-    /// The first bits of a hash; out of range as long as there are no slots.
-    fn slot(&self, hash: u64) -> usize {
-        match self.slots.len() {
+    /// The first bits of a hash; out of range as long as there are no buckets.
+    fn bucket(&self, hash: u64) -> usize {
+        match self.buckets.len() {
             0 => 0,
-            slots => (hash >> (64 - slots.ilog2())) as usize,
+            buckets => (hash >> (64 - buckets.ilog2())) as usize,
         }
     }
 }
@@ -85,4 +93,32 @@ pub(super) fn hash(key: &[u64]) -> u64 {
     let mut mixer = Mixer::default();
     key.iter().for_each(|word| mixer.write_u64(*word));
     mixer.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_entry_is_found_until_another_takes_its_place() {
+        const MOST: usize = 64;
+        let mut cache = Cache::<u64, MOST>::default();
+        assert_eq!(cache.get(0), None);
+        let key = |at: u64| hash(&[at]);
+        for at in 0..10 * (WAYS * MOST) as u64 {
+            cache.put(key(at), at);
+            assert_eq!(cache.get(key(at)), Some(&at));
+        }
+        assert!(cache.entries <= WAYS * MOST);
+        let found = (0..10 * (WAYS * MOST) as u64).filter_map(|at| Some((at, cache.get(key(at))?)));
+        assert!(
+            found.fold(0, |count, (at, entry)| {
+                assert_eq!(at, *entry);
+                count + 1
+            }) == cache.entries
+        );
+        cache.put(key(0), 1);
+        cache.put(key(0), 2);
+        assert_eq!(cache.get(key(0)), Some(&2));
+    }
 }

@@ -26,12 +26,17 @@ thread_local! {
 
 #[derive(Default)]
 struct Known {
-    sums: Cache<Sum>,
-    multiples: Cache<Multiple>,
-    quotients: Cache<Arc<Quotient>>,
-    values: Cache<Arc<Fraction>>,
+    sums: Cache<Box<Sum>, { 1 << 15 }>,
+    multiples: Cache<Box<Multiple>, { 1 << 13 }>,
+    quotients: Quotients,
+    values: Values,
     pattern: Pattern,
 }
+
+type Quotients = Cache<Arc<Quotient>, { 1 << 14 }>;
+
+/// Few, so that they stay at hand: with many parameters most values are new.
+type Values = Cache<Arc<Fraction>, { 1 << 12 }>;
 
 /// A sum with its value.
 struct Sum {
@@ -131,7 +136,7 @@ pub(super) fn value(
             return Err(None);
         }
         let key = hash(&known.pattern.key);
-        match known.sums.get(key).filter(|sum| *sum.key == known.pattern.key) {
+        match known.sums.get(key).map(|sum| &**sum).filter(|sum| *sum.key == known.pattern.key) {
             None => Err(Some((key, known.pattern.key.clone(), known.pattern.names.clone()))),
             Some(Sum { value: Value::Named(value), counted, .. }) => Ok((value.clone(), *counted)),
             Some(Sum { value: Value::Nameless(quotient, kept), counted, .. }) => {
@@ -172,7 +177,7 @@ pub(super) fn value(
         };
         let quotients = fractions().map(|f| f.quotient.clone()).collect();
         let sum = Sum { key: key.into(), _quotients: quotients, value, counted };
-        known.sums.put(hash, sum);
+        known.sums.put(hash, Box::new(sum));
         result
     })
 }
@@ -202,13 +207,14 @@ pub(super) fn multiple(coefficient: &Rational, f: &Arc<Fraction>) -> Symbolic {
         let value = equal(&mut known.quotients, &value.quotient);
         let result = with_names_of(&mut known.values, &value, f);
         let (coefficient, quotient) = (coefficient.clone(), f.quotient.clone());
-        known.multiples.put(key, Multiple { coefficient, quotient, value, counted });
+        let multiple = Multiple { coefficient, quotient, value, counted };
+        known.multiples.put(key, Box::new(multiple));
         result
     })
 }
 
 /// The quotient, at the address of an equal one that is known.
-fn equal(known: &mut Cache<Arc<Quotient>>, quotient: &Arc<Quotient>) -> Arc<Quotient> {
+fn equal(known: &mut Quotients, quotient: &Arc<Quotient>) -> Arc<Quotient> {
     let mut mixer = Mixer::default();
     quotient.numerator.terms.hash(&mut mixer);
     quotient.denominator.monomial.hash(&mut mixer);
@@ -223,17 +229,13 @@ fn equal(known: &mut Cache<Arc<Quotient>>, quotient: &Arc<Quotient>) -> Arc<Quot
 }
 
 /// The quotient with the names of a fraction.
-fn with_names_of(
-    known: &mut Cache<Arc<Fraction>>,
-    quotient: &Arc<Quotient>,
-    f: &Fraction,
-) -> Symbolic {
+fn with_names_of(known: &mut Values, quotient: &Arc<Quotient>, f: &Fraction) -> Symbolic {
     shared(known, quotient, f.variables.iter().copied(), || f.variables.clone())
 }
 
 /// The quotient with these names, at the address of an equal value that is known.
 fn shared(
-    known: &mut Cache<Arc<Fraction>>,
+    known: &mut Values,
     quotient: &Arc<Quotient>,
     names: impl Iterator<Item = Name> + Clone,
     variables: impl FnOnce() -> Variables,

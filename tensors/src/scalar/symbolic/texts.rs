@@ -13,7 +13,7 @@ use std::sync::Arc;
 const MAX_LENGTH: usize = 32;
 
 thread_local! {
-    static KNOWN: RefCell<Cache<Text>> = RefCell::default();
+    static KNOWN: RefCell<Cache<Box<Text>, { 1 << 14 }>> = RefCell::default();
 }
 
 /// The text of a value.
@@ -22,9 +22,16 @@ struct Text {
     key: Box<[u64]>,
     /// It is kept alive, so that no other quotient takes its address.
     _quotient: Arc<Quotient>,
-    /// The text, with a placeholder for each name.
-    template: String,
+    template: Template,
     counted: Counted,
+}
+
+/// A text without the names.
+#[derive(Default)]
+struct Template {
+    letters: String,
+    /// Where a name stands among these letters, and its place among the variables.
+    names: Vec<(usize, usize)>,
 }
 
 /// The text of a value, which is written if it is not known.
@@ -45,43 +52,58 @@ pub(super) fn text(
     let hash = hash(&key);
     let found = KNOWN.with_borrow(|known| {
         let found = known.get(hash).filter(|text| *text.key == key)?;
-        Some((found.filled(f, markup), found.counted))
+        Some((found.template.filled(f, markup), found.counted))
     });
     if let Some((text, counted)) = found {
         counted.again();
         return text;
     }
     let quotient = f.quotient.clone();
-    let (template, counted) = Counted::of(|| match nameless {
+    let (written, counted) = Counted::of(|| match nameless {
         true => {
             let variables = f.variables.iter().enumerate().map(placeholder).collect();
             write(&Fraction { variables, quotient: quotient.clone() }.into())
         }
         false => write(value),
     });
-    let Some(counted) = counted else { return template };
-    let text = Text { key: key.into(), _quotient: quotient, template, counted };
-    let filled = text.filled(f, markup);
-    KNOWN.with_borrow_mut(|known| known.put(hash, text));
+    let template = Template::of(&written, &f.variables);
+    let filled = template.filled(f, markup);
+    if let Some(counted) = counted {
+        let text = Text { key: key.into(), _quotient: quotient, template, counted };
+        KNOWN.with_borrow_mut(|known| known.put(hash, Box::new(text)));
+    }
     filled
 }
 
-impl Text {
-    /// The text with the names of the value.
-    fn filled(&self, f: &Fraction, markup: Markup) -> String {
-        let mut text = String::with_capacity(self.template.len());
-        let mut rest = &self.template[..];
+impl Template {
+    /// Takes out the placeholders.
+    fn of(written: &str, variables: &[Name]) -> Self {
+        let mut template = Template::default();
+        let mut rest = written;
         while let Some(at) = rest.find(is_placeholder) {
             let place = usize::from(rest.as_bytes()[at] - 1);
-            let name = &f.variables[place];
-            text.push_str(&rest[..at]);
-            match markup {
-                Markup::Text => text.push_str(name),
-                Markup::Latex => text.push_str(&parameter(name, markup)),
-            }
-            rest = &rest[at + name.len()..];
+            template.letters.push_str(&rest[..at]);
+            template.names.push((template.letters.len(), place));
+            rest = &rest[at + variables[place].len()..];
         }
-        text.push_str(rest);
+        template.letters.push_str(rest);
+        template
+    }
+
+    /// The text with the names of the value.
+    fn filled(&self, f: &Fraction, markup: Markup) -> String {
+        let names = self.names.iter().map(|(_, place)| f.variables[*place].len()).sum::<usize>();
+        let mut text = String::with_capacity(self.letters.len() + names);
+        let mut from = 0;
+        for (at, place) in &self.names {
+            text.push_str(&self.letters[from..*at]);
+            match markup {
+                Markup::Text => text.push_str(&f.variables[*place]),
+                Markup::Latex => text.push_str(&parameter(&f.variables[*place], markup)),
+            }
+            from = *at;
+        }
+        text.push_str(&self.letters[from..]);
         text
     }
 }

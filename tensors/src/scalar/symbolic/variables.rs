@@ -173,3 +173,57 @@ fn pieces(name: &str) -> impl Iterator<Item = (&str, usize, &str)> {
 fn digit(c: char) -> bool {
     c.is_ascii_digit()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_ordered_by_letters_then_numbers_then_functions() {
+        let sorted = [
+            "",
+            "1",
+            "7",
+            "11",
+            "J",
+            "J01",
+            "J1",
+            "J1a",
+            "J2",
+            "J10",
+            "J999999",
+            "J1000000",
+            "J1000001",
+            "J10000000",
+            "K1",
+            "Omeg9",
+            "Omega",
+            "Omega1",
+            "Omega2",
+            "Omega10",
+            "_",
+            "abc",
+            "abc1",
+            "abcd",
+            "abcd1",
+            "abcde",
+            "b",
+            "x_1",
+            "x_2",
+            "\u{e9}",
+            "sin(J1)",
+            "tan(J1/2)",
+            "sin(J2)",
+            "a(t)",
+            "a_t(t)",
+        ];
+        let names = sorted.map(Name::new);
+        for (i, a) in names.iter().enumerate() {
+            assert_eq!(**a, *sorted[i]);
+            for (j, b) in names.iter().enumerate() {
+                assert_eq!(a.cmp(b), natural(a, b), "{a:?} {b:?}");
+                assert_eq!(a.cmp(b), i.cmp(&j), "{a:?} {b:?}");
+            }
+        }
+    }
+}
