@@ -1,4 +1,4 @@
-//! The nilpotent algebras of dimension 7 and step 2: as many as the classification has, all different.
+//! The nilpotent algebras of dimension 7: as many as the classification has, and those of step 2 all different.
 
 use super::invariants::scrambled;
 use crate::common::algebras::catalogued;
@@ -6,10 +6,73 @@ use affinor::algebra::catalogue;
 use affinor::algebra::structure::{Killing, Structure, Subspace};
 use affinor::{LieAlgebra, Rational};
 use affinor_tensors::linear::Matrix;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-fn names() -> Vec<String> {
+fn all() -> Vec<String> {
     catalogue::names(7).into_iter().filter(|name| name.starts_with("gong(7,")).collect()
+}
+
+/// The dimensions of the upper central series, with which a number of Gong begins.
+fn class(name: &str) -> &str {
+    let number = &name[7..name.len() - 1];
+    number.find(|c: char| c.is_ascii_uppercase()).map_or(number, |letter| &number[..letter])
+}
+
+/// The names of step 2.
+fn names() -> Vec<String> {
+    all().into_iter().filter(|name| class(name).len() == 2).collect()
+}
+
+/// Gong's list over the real numbers: 140 algebras and 9 families. The first digits of a number are the dimensions of the upper
+/// central series; no algebra is a sum, and the invariants are the same in a dense basis. Where invariants of two numbers agree,
+/// they are real forms of one complex algebra or told apart by Gong's proof.
+#[test]
+fn all_nilpotent_algebras_of_dimension_seven() {
+    let families = ["147E", "147E1", "1357M", "1357N", "1357S", "1357QRS1", "12457N", "12457N2"];
+    let is_family = |name: &str| families.contains(&name) || name == "123457I";
+    let mut known: BTreeMap<_, Vec<String>> = BTreeMap::new();
+    let (mut single, mut with_parameter) = (0, 0);
+    for name in all() {
+        let number = &name[7..name.len() - 1];
+        let full = match is_family(number) {
+            true => format!("gong(7,{number},a=7/3)"),
+            false => name.clone(),
+        };
+        *if is_family(number) { &mut with_parameter } else { &mut single } += 1;
+        let mut found = BTreeSet::new();
+        for algebra in [catalogued(&full), scrambled(&catalogued(&full), 2)] {
+            let structure = Structure::new(algebra);
+            let sizes = |series: &[Subspace<Rational>]| -> Vec<usize> {
+                series.iter().map(Subspace::dimension).collect()
+            };
+            let upper = sizes(&structure.upper_central_series());
+            let digits: String = upper[1..].iter().map(usize::to_string).collect();
+            assert_eq!(digits, class(&name), "{name}");
+            let ideals = structure.indecomposable_ideals().unwrap().unwrap();
+            assert_eq!(ideals.iter().map(|i| i.real_parts).collect::<Vec<_>>(), [1], "{name}");
+            found.insert((
+                upper,
+                sizes(structure.lower_central_series()),
+                structure.derivations_counted().unwrap().dimension,
+                structure.betti_proved().unwrap().0,
+            ));
+        }
+        assert_eq!(found.len(), 1, "{name}");
+        for invariants in found {
+            known.entry(invariants).or_default().push(number.to_string());
+        }
+    }
+    assert_eq!([single, with_parameter], [140, 9]);
+    // real forms of one complex algebra
+    let together = |one: &str, other: &str| {
+        known.values().any(|names| [one, other].iter().all(|n| names.iter().any(|name| name == n)))
+    };
+    for number in known.values().flatten().filter(|number| number.ends_with('1')) {
+        let of = number.trim_end_matches('1');
+        assert!(number == "1357QRS1" || together(number, of), "{number}");
+    }
+    assert!(together("12457N1", "12457N2"));
+    assert_eq!(known.len(), 109);
 }
 
 /// The Pfaffian of `f([x, y])` on a complement of the centre of dimension 4, a quadratic form in functionals `f` on the centre:
