@@ -67,7 +67,7 @@ const ORDERED: [&str; 10] =
 /// A value of two parameters, also with functions and factors in the denominator.
 fn shape(at: usize, [x, y]: [&str; 2]) -> Symbolic {
     let text = match at {
-        0 => format!("{x}"),
+        0 => x.to_string(),
         1 => format!("({x} - {y})/(2*{x})"),
         2 => format!("({x}^2 + {x}*{y} - 3)/{y}"),
         3 => format!("-{y}/{x}"),

@@ -13,7 +13,14 @@ use std::sync::Arc;
 const MAX_LENGTH: usize = 32;
 
 thread_local! {
-    static KNOWN: RefCell<Cache<Box<Text>, { 1 << 14 }>> = RefCell::default();
+    static KNOWN: RefCell<Known> = RefCell::default();
+}
+
+#[derive(Default)]
+struct Known {
+    texts: Cache<Box<Text>, { 1 << 14 }>,
+    /// The key that is looked up.
+    key: Vec<u64>,
 }
 
 /// The text of a value.
@@ -48,16 +55,22 @@ pub(super) fn text(
     let nameless = f.is_nameless() && f.variables.len() < 32 && f.variables.iter().all(fits);
     let name = |name: &Name| if nameless { name.len() } else { name.address() } as u64;
     let head = [Arc::as_ptr(&f.quotient).addr() as u64, markup as u64];
-    let key: Vec<u64> = head.into_iter().chain(f.variables.iter().map(name)).collect();
-    let hash = hash(&key);
-    let found = KNOWN.with_borrow(|known| {
-        let found = known.get(hash).filter(|text| *text.key == key)?;
-        Some((found.template.filled(f, markup), found.counted))
+    let found = KNOWN.with_borrow_mut(|known| {
+        known.key.clear();
+        known.key.extend(head.into_iter().chain(f.variables.iter().map(name)));
+        let hash = hash(&known.key);
+        match known.texts.get(hash).filter(|text| *text.key == known.key) {
+            Some(found) => Ok((found.template.filled(f, markup), found.counted)),
+            None => Err((hash, known.key.as_slice().into())),
+        }
     });
-    if let Some((text, counted)) = found {
-        counted.again();
-        return text;
-    }
+    let (hash, key) = match found {
+        Ok((text, counted)) => {
+            counted.again();
+            return text;
+        }
+        Err(unknown) => unknown,
+    };
     let quotient = f.quotient.clone();
     let (written, counted) = Counted::of(|| match nameless {
         true => {
@@ -69,8 +82,8 @@ pub(super) fn text(
     let template = Template::of(&written, &f.variables);
     let filled = template.filled(f, markup);
     if let Some(counted) = counted {
-        let text = Text { key: key.into(), _quotient: quotient, template, counted };
-        KNOWN.with_borrow_mut(|known| known.put(hash, Box::new(text)));
+        let text = Text { key, _quotient: quotient, template, counted };
+        KNOWN.with_borrow_mut(|known| known.texts.put(hash, Box::new(text)));
     }
     filled
 }
