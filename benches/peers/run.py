@@ -2,9 +2,10 @@
 where symbols become too many (`limits`); and of metrics over charts (`charts`).
 
     python3 benches/peers/run.py numbers --affinor target/release/affinor > numbers.md
-    python3 benches/peers/run.py symbols --affinor target/release/affinor > symbols.md
+    cargo bench -p affinor-benches --bench table_calls --no-run
+    python3 benches/peers/run.py symbols --affinor target/release/affinor --calls target/release/deps/table_calls-* > symbols.md
     python3 benches/peers/run.py limits  --affinor target/release/affinor > limits.md
-    python3 benches/peers/run.py charts  --affinor target/release/affinor > charts.md
+    python3 benches/peers/run.py charts  --affinor target/release/affinor --calls target/release/deps/table_calls-* > charts.md
 
 Each is one run that writes one Markdown document; progress goes to standard error. What is not installed has a
 column of dashes. The peers, on Debian:
@@ -25,7 +26,8 @@ How it is measured
   fills a second: the mean.
 - affinor: the CPU time of its process when the lines of `--timings` arrive, that is of its stages `connection` and
   `curvature`, and the CPU time of the whole process, with starting, reading, the Jacobi identity and printing; the
-  median of up to five runs. Wall-clock times are what `--timings` says of these stages, the smallest of the runs.
+  median of up to five runs. With --calls, instead of the stages, the call in the library from the algebra in memory to the
+  components, repeated as the peers repeat theirs (benches/table_calls.rs). Wall-clock times are what `--timings` says of these stages, the smallest of the runs.
 - Several processes run side by side (--jobs), for many cells end at their limit. CPU time suffers from it through
   caches and clocks only; wall-clock times need a quiet machine and --jobs 1.
 - One thread each (OPENBLAS_NUM_THREADS=1) unless the column says otherwise.
@@ -63,6 +65,7 @@ MINUTE = 60
 arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 arguments.add_argument("table", choices=["numbers", "symbols", "limits", "charts"])
 arguments.add_argument("--affinor", default="target/release/affinor", help="the program")
+arguments.add_argument("--calls", help="the program of benches/table_calls.rs")
 arguments.add_argument("--python", default=sys.executable, help="Python with numpy, scipy, sympy")
 arguments.add_argument("--sage", help="Python with passagemath")
 arguments.add_argument("--geomstats", help="Python with geomstats")
@@ -221,6 +224,16 @@ def seconds(t, least=0.0):
 def part(t, whole):
     """A stage of a process, which bounds it; of a short process no more is known, for lines arrive late."""
     return seconds(t) if whole >= 0.2 else "< " + seconds(whole)
+
+
+def called(space, metric, tensor, done):
+    """What affinor takes for a tensor: the call in the library, or the stages of the process; and the process."""
+    if not options.calls:
+        return f"{part(done.stages['connection'] + done.stages[tensor], done.cpu)}; {seconds(done.cpu)}"
+    call = run([options.calls, space, metric, tensor])
+    if call.why:
+        sys.exit(f"{space} {tensor}: {call.errors or call.why}")
+    return f"{seconds(float(call.output))}; {seconds(done.cpu)}"
 
 
 def megabytes(size):
@@ -436,8 +449,7 @@ def cell(name, kind, rows, tensor):
     done.reports, done.values = {}, {}
     if not done.why:
         done.values = {at: v.replace(" ", "") for at, v in components(table).items()}
-        t = done.stages["connection"] + done.stages[tensor]
-        done.reports[tensor] = f"{part(t, done.cpu)}; {seconds(done.cpu)}", len(done.values)
+        done.reports[tensor] = called(name, written(rows), tensor, done), len(done.values)
     say(name, kind, tensor, "affinor", done.why or done.reports, f"{done.peak / 1e6:.0f} MB")
     return done
 
@@ -491,7 +503,7 @@ def symbols():
                     agreed += 1
             times.append([name, f"{kind}, {len(names)}", tensor, *row_of_times])
             sizes.append([name, f"{kind}, {len(names)}", tensor, count or "", *row_of_sizes])
-    print("CPU time from the metric to the tensor in lowest terms. affinor: connection and tensor; whole process. "
+    print("CPU time from the metric to the tensor in lowest terms. affinor: connection and tensor, as a call; whole process. "
           "Peers: each row includes the rows above it\n")
     head("algebra", "metric, symbols", "tensor", "affinor", *peers)
     for cells in times:
@@ -544,7 +556,7 @@ def charts():
     tensors, python = ["affinities", "curvature", "ricci"], [options.python]
     peers = {"Maxima": "charts_maxima.py", "SymPy": "charts_sympy.py"}
     about()
-    print("CPU time from the metric to the tensor, each component simplified. affinor: connection and tensor; whole process. "
+    print("CPU time from the metric to the tensor, each component simplified. affinor: connection and tensor, as a call; whole process. "
           "Peers: each row includes the rows above it\n")
     head("chart", "tensor", "components", "affinor", *peers)
     agreed = 0
@@ -558,7 +570,7 @@ def charts():
             table = os.path.join(FOLDER, "chart.csv")
             done = affinor(path, None, tensor, "--threads", "1", path=table)
             expected = components(table) if not done.why else {}
-            ours = done.why or f"{part(done.stages['connection'] + done.stages[tensor], done.cpu)}; {seconds(done.cpu)}"
+            ours = done.why or called(path, "", tensor, done)
             cells = []
             for label, theirs_done in theirs.items():
                 if tensor not in theirs_done.reports:
