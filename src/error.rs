@@ -150,6 +150,28 @@ pub enum Error {
         /// The value of the left side, which must vanish, up to sign.
         residual: String,
     },
+    /// A product of vectors that is not commutative.
+    #[error("the products do not commute: {x} {y} - {y} {x} = {residual}")]
+    NotCommutative {
+        /// The first vector.
+        x: String,
+        /// The second vector.
+        y: String,
+        /// The value of the left side, which must vanish.
+        residual: String,
+    },
+    /// A product of vectors that is not associative.
+    #[error("the products are not associative: ({x} {y}) {z} - {x} ({y} {z}) = {residual}")]
+    NotAssociative {
+        /// The first vector.
+        x: String,
+        /// The second vector.
+        y: String,
+        /// The third vector.
+        z: String,
+        /// The value of the left side, which must vanish.
+        residual: String,
+    },
     /// A matrix that is no derivation.
     #[error(
         "the matrix D of {d} is no derivation: D [{x},{y}] - [D {x},{y}] - [{x},D {y}] = {residual}"

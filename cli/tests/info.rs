@@ -206,6 +206,22 @@ fn constructions_of_files() {
             "iso(3,1)",
         ),
         (r#"truncated = { of = "so(3)", order = 2 }"#, "se(3)"),
+        ("[tensor_product]\nof = 'so(3)'\nbasis = ['n']\nproducts = ''", "R^3"),
+        (
+            "[tensor_product]\nof = 'sl(2)'\nbasis = ['one', 'u']\n\
+             products = ['product[one, one] = one', 'product[u, one] = u', 'product[u, u] = one']",
+            "sl(2)+sl(2)",
+        ),
+        (
+            "[tensor_product]\nof = 'sl(2)'\nbasis = ['one', 'j']\n\
+             products = 'product[one, one] = one; product[one, j] = j; product[j, j] = j - one'",
+            "so(3,1)",
+        ),
+        (
+            "[tensor_product]\nof = 'so(3)'\nbasis = ['one', 'x', 'y']\n\
+             products = 'product[one, one] = one; product[one, x] = x; product[one, y] = y'",
+            "se_2(3)",
+        ),
         (r#"complexification = "sl(2)""#, "so(3,1)"),
         (
             r#"change_of_basis = { of = "sl(2)", vectors = ["E12 + E21", "E12 - E21", "H1"] }"#,
@@ -303,6 +319,22 @@ fn constructions_are_refused_with_a_witness() {
             1,
             "no action: (D_e1 D_e2 - D_e2 D_e1 - D_[e1,e2]) e1 = e1",
         ),
+        (
+            "[tensor_product]\nof = 'so(3)'\nbasis = ['u', 'v']\nproducts = 'product[u, u] = v; product[v, v] = u'",
+            1,
+            "(u u) v - u (u v) = u",
+        ),
+        (
+            "[tensor_product]\nof = 'so(3)'\nbasis = ['u', 'v']\nproducts = 'product[u, v] = u; product[v, u] = v'",
+            2,
+            "this product is given twice",
+        ),
+        (
+            "[tensor_product]\nof = 'so(3)'\nbasis = ['u']\nproducts = 'u*u = u'",
+            2,
+            "write product[x, y] = ...",
+        ),
+        ("tensor_product = { of = 'so(3)', basis = [], products = '' }", 2, "has no names"),
         ("contraction = { of = 'so(3)', weights = [1, 0, 0] }", 1, "no limit"),
         ("contraction = { of = 'so(3)', weights = [1, 0] }", 1, "the number of weights"),
         ("subalgebra = { of = 'so(3)', spanned_by = ['q'] }", 2, "q"),

@@ -82,7 +82,12 @@ fn witness(error: &Error, data: &Bound<'_, PyDict>) -> PyResult<&'static str> {
             data.set_item("residual", bracket)?;
             "ConstructionError"
         }
-        Error::NotCocycle { x, y, z, residual } => {
+        Error::NotCommutative { x, y, residual } => {
+            data.set_item("pair", pair(x, y)?)?;
+            data.set_item("residual", residual)?;
+            "ConstructionError"
+        }
+        Error::NotCocycle { x, y, z, residual } | Error::NotAssociative { x, y, z, residual } => {
             data.set_item("triple", PyTuple::new(py, [x, y, z])?)?;
             data.set_item("residual", residual)?;
             "ConstructionError"

@@ -28,7 +28,7 @@ mod _engine {
     #[pymodule_export]
     use crate::structure::{
         central_extension, complexification, contraction, info, program, properties, quotient,
-        semidirect, subalgebra, truncated, with_dual,
+        semidirect, subalgebra, tensor_product, truncated, with_dual,
     };
     #[pymodule_export]
     use crate::tensor::PyTensor;

@@ -306,6 +306,29 @@ pub fn contraction(py: Python<'_>, algebra: &PyGeometry, weights: Vec<i64>) -> P
     Contraction(weights).of(py, algebra)
 }
 
+struct TensorProduct(Vec<String>, [Values; 1]);
+
+impl Construct for TensorProduct {
+    fn run<S: Scalar + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
+        Ok(made(&structure.tensor_product(&self.0, &*of::<S>(&self.1[0])?)?))
+    }
+
+    fn has_parameters(&self) -> bool {
+        symbolic(&self.1)
+    }
+}
+
+/// The tensor product with a commutative algebra of these vectors, by the constants `p^d_ab` of their products.
+#[pyfunction]
+pub fn tensor_product(
+    py: Python<'_>,
+    algebra: &PyGeometry,
+    units: Vec<String>,
+    products: &PyTensor,
+) -> PyResult<Made> {
+    TensorProduct(units, [products.0.clone()]).of(py, algebra)
+}
+
 /// The constructions that need no further data.
 enum Plain {
     Complexification,

@@ -89,6 +89,10 @@ def test_gap_reads_back(tmp_path):
 
 # -- constructions: the same as definition files, and known algebras -----------------------------------------------------------
 
+# one and u with u u = one
+SPLIT = [[[1, 0], [0, 1]], [[0, 1], [1, 0]]]
+SPLIT_TEXT = "product[one, one] = one; product[one, u] = u; product[u, u] = one"
+
 SAME = [
     (so3.semidirect("adjoint"), {"semidirect": {"of": "so3", "by": "adjoint"}}),
     (so3.semidirect("coadjoint"), {"semidirect": {"of": "so3", "by": "coadjoint"}}),
@@ -113,6 +117,10 @@ SAME = [
     (so3.contraction([1, 1, 0]), {"contraction": {"of": "so(3)", "weights": [1, 1, 0]}}),
     (so3.truncated(3), {"truncated": {"of": "so(3)", "order": 3}}),
     (so3.tangent_algebra(), {"truncated": {"of": "so(3)", "order": 2}}),
+    (
+        so3.tensor_product("one u", SPLIT),
+        {"tensor_product": {"of": "so(3)", "basis": ["one", "u"], "products": SPLIT_TEXT}},
+    ),
     (so3.complexification(), {"complexification": "so(3)"}),
     (so3 + R2, {"sum": ["so(3)", "R^2"]}),
 ]
@@ -130,6 +138,7 @@ def test_known_algebras():
     assert so3.contraction([1, 1, 0]).identification == af.LieAlgebra("se2").identification
     assert so3.tangent_algebra().identification == so3.with_dual().identification
     assert so3.tangent_algebra().killing_signature == af.LieAlgebra("se3").killing_signature == (0, 3, 3)
+    assert so3.tensor_product("one u", SPLIT).identification == (so3 + so3).identification
     assert so3.complexification().dynkin_type == "A1 + A1" and so3.complexification().killing_signature == (3, 3, 0)
     assert R2.central_extension([[0, 1], [-1, 0]]).identification == af.LieAlgebra("heisenberg(3)").identification
     assert af.LieAlgebra("se3").derived_subalgebra().dimension == 6 and af.LieAlgebra("aff1").derived_subalgebra().is_abelian
@@ -245,6 +254,10 @@ WRONG = [
     (lambda: so3.subalgebra(["e1"], basis="x y"), ValueError, "2 names"),
     (lambda: so3.contraction([1, 1]), af.ShapeError, "weights"),
     (lambda: so3.contraction([0.5, 1, 1]), TypeError, "float"),
+    (lambda: so3.tensor_product("u u", SPLIT), ValueError, "differ"),
+    (lambda: so3.tensor_product("one", SPLIT), ValueError, "1|axes|dimension"),
+    (lambda: so3.tensor_product("u v", {(0, 0, 1): 1}), af.ConstructionError, "do not commute: u v - v u = u"),
+    (lambda: so3.tensor_product("u v", {(1, 0, 0): 1, (0, 1, 1): 1}), af.ConstructionError, r"\(u u\) v - u \(u v\) = u"),
     (lambda: so3.truncated(0), af.InputError, "between 1 and 64"),
     (lambda: so3.truncated(65), af.InputError, "between 1 and 64"),
     (lambda: so3.truncated(-1), OverflowError, "negative|convert"),

@@ -71,6 +71,15 @@ pub(crate) struct Truncated<D> {
     order: usize,
 }
 
+/// The tensor product with a commutative algebra, which is given by the products of its basis.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
+pub(crate) struct TensorProduct<D> {
+    of: Part<D>,
+    basis: Vec<Text>,
+    products: Block,
+}
+
 /// A construction, from algebras that are named or defined by a nested `D`.
 pub(super) enum Construction<'d, D> {
     Sum(&'d [Part<D>]),
@@ -81,6 +90,7 @@ pub(super) enum Construction<'d, D> {
     Contraction(&'d Contraction<D>),
     ChangeOfBasis(&'d OtherBasis<D>),
     Truncated(&'d Truncated<D>),
+    TensorProduct(&'d TensorProduct<D>),
     Complexification(&'d Part<D>),
 }
 
@@ -141,6 +151,7 @@ impl<D> Site<'_, D> {
                 }
                 return self.in_basis(structure.algebra(), &rows);
             }
+            Construction::TensorProduct(given) => return self.tensor_product(given),
             Construction::Subalgebra(subalgebra) => return self.subalgebra(subalgebra),
             Construction::CentralExtension(extension) => return self.extension(extension),
             Construction::Semidirect(semidirect) => return self.semidirect(semidirect),
@@ -219,6 +230,37 @@ impl<D> Site<'_, D> {
             }
         }
         self.placed(structure.central_extension(&centre, cocycle))
+    }
+
+    fn tensor_product(&self, given: &TensorProduct<D>) -> Result<Algebra, InputError> {
+        let structure = self.structure(&given.of, "tensor_product.of")?;
+        let units: Vec<String> = given.basis.iter().map(|text| text.to_string()).collect();
+        let indices: BTreeMap<String, usize> = units.iter().cloned().zip(0..).collect();
+        if units.is_empty() || indices.len() != units.len() {
+            return Err(self.refuse("the basis of the factor has no names, or one name twice"));
+        }
+        let names = Names { labels: &indices, parameters: Some(&self.declared), functions: None };
+        let mut products = BTreeMap::new();
+        for block in &given.products.0 {
+            let source = self.source.excerpt(block);
+            for line in lines(source.content()) {
+                let ((a, b), product) = statement(line, "product", &names, &source)?;
+                let place = product.place.clone();
+                if products.insert((a.min(b), a.max(b)), product.value).is_some() {
+                    let message = "this product is given twice; the factors commute";
+                    return Err(InputError::usage(message).at(&place));
+                }
+            }
+        }
+        let components = products.into_iter().flat_map(|((a, b), value)| {
+            let of = move |(d, v): (usize, Symbolic)| {
+                let mirrored = (a != b).then(|| ([d, b, a], v.clone()));
+                [Some(([d, a, b], v)), mirrored].into_iter().flatten()
+            };
+            value.into_iter().flat_map(of)
+        });
+        let table = Tensor::from_components(units.len(), &[Up, Down, Down], components)?;
+        self.placed(structure.tensor_product(&units, &table))
     }
 
     fn semidirect(&self, given: &Semidirect<D>) -> Result<Algebra, InputError> {

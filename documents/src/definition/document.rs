@@ -3,7 +3,7 @@
 use super::chart::OnChart;
 use super::construction::{
     Construction, Contraction, Extension, OtherBasis, Quotient, Semidirect, Site, Subalgebra,
-    Truncated, pairs,
+    TensorProduct, Truncated, pairs,
 };
 use super::functions::Functions;
 use super::input::{InputError, shown};
@@ -45,6 +45,7 @@ pub(crate) struct Document {
     contraction: Option<Contraction<Document>>,
     change_of_basis: Option<OtherBasis<Document>>,
     truncated: Option<Truncated<Document>>,
+    tensor_product: Option<TensorProduct<Document>>,
     complexification: Option<Part<Document>>,
     chart: Option<ChartText>,
     frame: Option<Formulas>,
@@ -157,6 +158,7 @@ impl Document {
             ("contraction", self.contraction.as_ref().map(Construction::Contraction)),
             ("change_of_basis", self.change_of_basis.as_ref().map(Construction::ChangeOfBasis)),
             ("truncated", self.truncated.as_ref().map(Construction::Truncated)),
+            ("tensor_product", self.tensor_product.as_ref().map(Construction::TensorProduct)),
             (
                 "complexification",
                 self.complexification.as_ref().map(Construction::Complexification),

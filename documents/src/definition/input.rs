@@ -123,6 +123,9 @@ fn advice(error: &Error) -> Option<&'static str> {
         Error::NotSubalgebra { .. } => Some("add the bracket to the vectors, or use generated_by"),
         Error::NotIdeal { .. } => Some("add the bracket to the vectors"),
         Error::NotCocycle { .. } => Some("change the values of the form on these vectors"),
+        Error::NotCommutative { .. } | Error::NotAssociative { .. } => {
+            Some("the vectors span a commutative, associative algebra: change their products")
+        }
         Error::NotClosed { .. } => Some("add the missing matrices to the basis"),
         Error::Dependent { .. } => Some("a basis has no such relation: leave a matrix out"),
         Error::NotSymmetric { .. } => Some("write the same value at both places"),

@@ -338,6 +338,19 @@ class Structured:
         """The semidirect sum with the dual space, by the coadjoint action."""
         return self._made(_engine.with_dual(self._engine), f"{self.name} with its dual", basis)
 
+    def tensor_product(self, units: str | Sequence[str], products: Any, *, basis: Basis = None) -> Self:
+        """The tensor product with a commutative algebra: ``[x u_a, y u_b] = [x, y] (u_a u_b)``.
+
+        ``units`` are the names of its basis. ``products[d, a, b]`` is the component of ``u_a u_b`` along ``u_d``, as an array
+        or a dict. Products that do not commute or are not associative raise ConstructionError.
+        """
+        names = units.replace(",", " ").split() if isinstance(units, str) else [str(name) for name in units]
+        if not names or len(set(names)) != len(names):
+            raise ValueError(f"the units {names} need names that differ from each other")
+        tensor = products if isinstance(products, Tensor) else Tensor(products, "^__", dimension=len(names))
+        found = _engine.tensor_product(self._engine, names, tensor._engine)
+        return self._made(found, f"{self.name} with {' '.join(names)}", basis, [tensor])
+
     def truncated(self, order: int, *, basis: Basis = None) -> Self:
         """Polynomials in ``t`` with values in this algebra and ``t^order = 0``."""
         return self._made(_engine.truncated(self._engine, order), f"{self.name}[t]/t^{order}", basis)

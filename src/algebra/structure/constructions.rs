@@ -1,14 +1,15 @@
-//! New Lie algebras from old: quotients, extensions, semidirect sums, contractions, complexifications.
+//! New Lie algebras from old: quotients, extensions, semidirect sums, tensor products, contractions, complexifications.
 //!
 //! Each construction checks its conditions and refuses with a witness. Direct sums are
 //! [`LieAlgebra::direct_sum`], subalgebras [`Structure::subalgebra`], other bases
 //! [`LieAlgebra::change_basis`].
 
-use super::subspace::collected;
+use super::subspace::{collected, combination};
 use super::{Ground, Structure, Subspace};
 use crate::Error;
 use crate::algebra::{Bracket, LieAlgebra, join_labels};
 use affinor_tensors::linear::{Matrix, Row};
+use affinor_tensors::{Down, Tensor, Up};
 
 /// `(j, k, i, v)`: `[e_j, e_k] = .. + v e_i`.
 type Constants<S> = Vec<(usize, usize, usize, S)>;
@@ -95,7 +96,7 @@ impl<S: Ground> Structure<S> {
             (0..m).map(|k| transposed.row(k).to_vec()).collect()
         };
         let actions: Vec<Vec<Row<S>>> = by.iter().map(columns).collect();
-        let apply = |d: &[Row<S>], v: &[(usize, S)]| super::subspace::combination(d, v);
+        let apply = |d: &[Row<S>], v: &[(usize, S)]| combination(d, v);
         let minus =
             |row: Row<S>| row.into_iter().map(|(at, value)| (at, -value)).collect::<Row<S>>();
         let labels = self.algebra.labels();
@@ -174,13 +175,54 @@ impl<S: Ground> Structure<S> {
         self.semidirect(&Structure::new(dual), &coadjoint)
     }
 
+    /// The tensor product with a commutative algebra, in the basis `x u_a` with the labels `x_u`:
+    /// `[x u_a, y u_b] = [x, y] (u_a u_b)`. `products` has the slots `^d_ab`, `u_a u_b = p^d_ab u_d`, over the vectors `units`.
+    ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::algebra::structure::Structure;
+    /// use affinor_tensors::{Down, Rational, Tensor, Up};
+    /// // two units with u u = u, v v = v, u v = 0: two copies of the algebra
+    /// let diagonal = |[d, a, b]: [usize; 3]| Rational::from(i64::from(d == a && a == b));
+    /// let products = Tensor::from_fn(2, [Up, Down, Down], diagonal)?;
+    /// let so3 = Structure::new(catalogue::algebra::<Rational>("so(3)")?);
+    /// let twice = so3.tensor_product(&["u".into(), "v".into()], &products)?;
+    /// assert_eq!(twice.labels()[3], "e1_v");
+    /// assert_eq!(Structure::new(twice).killing().signature(), Some([0, 6, 0]));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotCommutative`] and [`Error::NotAssociative`] with vectors for which the law fails; [`Error::Shape`].
+    pub fn tensor_product(
+        &self,
+        units: &[String],
+        products: &Tensor<S>,
+    ) -> Result<LieAlgebra<S>, Error> {
+        let m = units.len();
+        if products.dimension() != m || products.slots() != [Up, Down, Down] {
+            let expected = format!("the slots ^d_ab and the dimension {m}");
+            let found = format!("{} slots and {}", products.rank(), products.dimension());
+            return Err(Error::Shape { what: "the table of products", expected, found });
+        }
+        let mut table = vec![vec![Row::new(); m]; m];
+        for (at, value) in products.components() {
+            table[at[1]][at[2]].push((at[0], value.clone()));
+        }
+        expect_commutative_algebra(units, &table)?;
+        let label = |unit: &String| {
+            let labels = self.algebra.labels().iter();
+            labels.map(|label| format!("{label}_{unit}")).collect::<Vec<_>>()
+        };
+        self.over(units.iter().flat_map(label).collect(), &table)
+    }
+
     /// The tensor product with the truncated polynomials `R[t]/(t^order)`: `[x t^a, y t^b] =
     /// [x,y] t^(a+b)`. Order 2 are the dual numbers: the tangent algebra.
     ///
     /// # Errors
     /// A dimension beyond the engine.
     pub fn truncated(&self, order: usize) -> Result<LieAlgebra<S>, Error> {
-        let n = self.dimension();
         let name = |power: usize| {
             move |label: &String| match power {
                 0 => label.clone(),
@@ -188,14 +230,9 @@ impl<S: Ground> Structure<S> {
             }
         };
         let labels = (0..order).flat_map(|power| self.algebra.labels().iter().map(name(power)));
-        let labels: Vec<String> = labels.collect();
-        let all = self.products_of_all();
-        let constants = (0..order).flat_map(|a| (0..order - a).map(move |b| (a, b)));
-        let constants = constants.flat_map(|(a, b)| {
-            let each = all.iter().filter(move |(j, k, ..)| a * n + j < b * n + k);
-            each.map(move |(j, k, i, v)| (a * n + j, b * n + k, (a + b) * n + i, v.clone()))
-        });
-        Bracket::from_constants(labels, constants)?.try_into()
+        let power = |a: usize, b: usize| (a + b < order).then(|| (a + b, S::one()));
+        let row = |a: usize| (0..order).map(|b| power(a, b).into_iter().collect()).collect();
+        self.over(labels.collect(), &(0..order).map(row).collect::<Vec<_>>())
     }
 
     /// The complexification as a real algebra, in the basis `x` and `i x`, labelled `ix`.
@@ -203,15 +240,26 @@ impl<S: Ground> Structure<S> {
     /// # Errors
     /// A dimension beyond the engine.
     pub fn complexified(&self) -> Result<LieAlgebra<S>, Error> {
-        let n = self.dimension();
         let imaginary: Vec<String> =
             self.algebra.labels().iter().map(|label| format!("i{label}")).collect();
         let labels = join_labels(self.algebra.labels(), &imaginary);
-        let constants = self.products_of_all().into_iter().flat_map(|(j, k, i, v)| {
-            let real = (j < k).then(|| (j, k, i, v.clone()));
-            let twice = (j < k).then(|| (j + n, k + n, i, -v.clone()));
-            [real, Some((j, k + n, i + n, v)), twice].into_iter().flatten()
-        });
+        let [one, i, minus] = [(0, S::one()), (1, S::one()), (0, -S::one())].map(|unit| vec![unit]);
+        self.over(labels, &[vec![one, i.clone()], vec![i, minus]])
+    }
+
+    /// `[x u_a, y u_b] = [x, y] (u_a u_b)`, in the basis of all `x u_0`, then all `x u_1`, .., by the table of products.
+    fn over(&self, labels: Vec<String>, products: &[Vec<Row<S>>]) -> Result<LieAlgebra<S>, Error> {
+        let (n, all) = (self.dimension(), self.products_of_all());
+        let mut constants = vec![];
+        for (a, row) in products.iter().enumerate() {
+            for (b, product) in row.iter().enumerate() {
+                for (j, k, i, value) in all.iter().filter(|(j, k, ..)| a * n + j < b * n + k) {
+                    constants.extend(product.iter().map(|(d, factor)| {
+                        (a * n + j, b * n + k, d * n + i, value.clone() * factor)
+                    }));
+                }
+            }
+        }
         Bracket::from_constants(labels, constants)?.try_into()
     }
 
@@ -252,4 +300,36 @@ impl<S: Ground> Structure<S> {
         });
         lines.collect()
     }
+}
+
+/// Checks that a table of products of vectors is commutative and associative.
+fn expect_commutative_algebra<S: Ground>(
+    units: &[String],
+    table: &[Vec<Row<S>>],
+) -> Result<(), Error> {
+    let m = units.len();
+    let minus = |row: &Row<S>| -> Row<S> { row.iter().map(|(d, v)| (*d, -v.clone())).collect() };
+    let write = |row: &Row<S>| {
+        let terms = row.iter().map(|(d, value)| (value.to_string(), units[*d].clone()));
+        affinor_tensors::text::combination(terms.collect::<Vec<_>>())
+    };
+    for x in 0..m {
+        for y in 0..x {
+            let residual = collected([table[y][x].clone(), minus(&table[x][y])].concat());
+            if !residual.is_empty() {
+                let [x, y] = [y, x].map(|at| units[at].clone());
+                return Err(Error::NotCommutative { x, y, residual: write(&residual) });
+            }
+        }
+    }
+    for (x, y, z) in (0..m).flat_map(|x| (0..m).flat_map(move |y| (0..x).map(move |z| (z, y, x)))) {
+        let left = combination(&table[z], &table[x][y]);
+        let right = combination(&table[x], &table[y][z]);
+        let residual = collected([left, minus(&right)].concat());
+        if !residual.is_empty() {
+            let [x, y, z] = [x, y, z].map(|at| units[at].clone());
+            return Err(Error::NotAssociative { x, y, z, residual: write(&residual) });
+        }
+    }
+    Ok(())
 }
