@@ -8,9 +8,11 @@
 //! - [`on_group`] makes motions of Euler-Poincare systems with [`Forces`], [`on_constraints`] of systems with holonomic
 //!   constraints, [`on_hamiltonian`] of Lie-Poisson systems, [`on_given`] of a velocity that is given over time, and
 //!   [`on_matrices`] of isospectral flows; [`method`] lists the methods by name;
+//! - [`chosen`]: the same motions on groups chosen at run time;
 //! - [`Crossings`] finds events along a motion, a [`Snapshot`] saves its state;
 //! - [`SimulationGroup`]: what a group provides for all this.
 
+pub mod chosen;
 mod constrained;
 mod crossings;
 mod drive;

@@ -7,6 +7,7 @@ use crate::definition::read_mesh;
 use crate::definition::source::Place;
 use crate::definition::written::PointText;
 use affinor::Metric;
+use affinor::group::{AnyGroup, Written};
 use affinor::mechanics::motions::SimulationGroup;
 use affinor::mechanics::{Inertia, MassProperties};
 use affinor_tensors::{Down, Tensor};
@@ -172,14 +173,14 @@ type Names = Vec<(String, f64)>;
 
 impl Body {
     /// The metric on so(3) or se(3), and the parameters `mass`, `centre1`, `centre2`, `centre3`.
-    pub fn metric<G: SimulationGroup>(
+    pub fn metric(
         &self,
-        group: &G,
+        group: &AnyGroup,
         labels: &[String],
         values: &[f64],
     ) -> Result<(Metric<f64>, Names), InputError> {
         let refused = |message: &str| Err(InputError::usage(message).at(&self.place));
-        let turns = group.names().first() == Some(&"qw") && !G::RIGHT;
+        let turns = group.names().first() == Some(&"qw") && !group.is_right();
         let whole = match (turns, labels.len()) {
             (true, 3) => false,
             (true, 6) => true,

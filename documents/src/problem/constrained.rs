@@ -8,9 +8,9 @@ use super::reader::{Reader, Written};
 use super::ready::{Column, Ready};
 use crate::definition::InputError;
 use affinor::Metric;
-use affinor::group::Coordinates;
-use affinor::mechanics;
-use affinor::mechanics::motions::{Equations, Method, SimulationGroup, on_constraints};
+use affinor::mechanics::motions::chosen::on_constraints;
+use affinor::mechanics::motions::{Equations, Method};
+use nalgebra::DVector;
 
 /// Equations of motion with Lagrange multipliers.
 #[derive(Clone, Debug)]
@@ -28,10 +28,10 @@ impl Constrained {
         Ok(Constrained { dynamics: Dynamics::read(keys, on_group, reader)?, constraints })
     }
 
-    pub fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
-        let member = start.member;
+    pub fn motion(&self, start: &Start) -> Result<Ready, InputError> {
+        let (group, member) = (start.group, start.member);
         let System { energy, inertia, parameters, forces, rows, element, momentum, notes } =
-            self.dynamics.system(&group, start)?;
+            self.dynamics.system(start)?;
         if let Some(method) = member.method().filter(|m| *m != Method::GeneralisedAlpha) {
             let message = format!("the method {method} is not for constraints");
             return Err(InputError::mathematics(message)
@@ -51,15 +51,15 @@ impl Constrained {
         columns.extend(multipliers.map(|name| Column::new(name, false)));
         columns.push(Column::new("violation", true));
         let velocity = velocity_of(&energy.metric, &momentum)?;
-        let system = mechanics::Constrained::new(
+        let motion = on_constraints(
             group,
-            &energy.connection,
-            &energy.metric,
-            forces,
-            equations,
+            (&energy.connection, &energy.metric),
+            (forces, equations),
+            (member.times[0], element, velocity),
+            step,
+            rows.formulas,
+            visible,
         )?;
-        let initial = (member.times[0], element, velocity);
-        let motion = on_constraints(system, initial, step, rows.formulas, visible)?;
         let motion = (motion, Method::GeneralisedAlpha);
         let ready = Ready::new(motion, &member.times, columns, rows.events);
         Ok(Ready { inertia: Some(inertia), notes, ..ready })
@@ -67,8 +67,7 @@ impl Constrained {
 }
 
 /// The velocity `J^-1 H` of a momentum.
-fn velocity_of<V: Coordinates>(metric: &Metric<f64>, h: &V) -> Result<V, InputError> {
-    let (inverse, h) =
-        (metric.inverse().to_dmatrix().map_err(affinor::Error::from)?, h.components());
-    Ok(V::from_fn(h.len(), |i| (0..h.len()).map(|j| inverse[(i, j)] * h[j]).sum()))
+fn velocity_of(metric: &Metric<f64>, h: &DVector<f64>) -> Result<DVector<f64>, InputError> {
+    let inverse = metric.inverse().to_dmatrix().map_err(affinor::Error::from)?;
+    Ok(DVector::from_fn(h.len(), |i, _| (0..h.len()).map(|j| inverse[(i, j)] * h[j]).sum()))
 }

@@ -10,12 +10,14 @@ use super::ready::Ready;
 use crate::definition::file;
 use crate::definition::input::{InputError, shown};
 use crate::definition::source::Place;
+use affinor::group::{AnyGroup, LieGroup, So3};
+use affinor::mechanics::motions::chosen::on_group;
 use affinor::mechanics::motions::{
-    ForceFunction, Forces, Setup, Side, SimulationGroup, Table, is_plus, on_group, share_of_plus,
+    ForceFunction, Forces, Setup, Side, SimulationGroup, Table, is_plus, share_of_plus,
 };
 use affinor::{Canonical, Connection, Error, Metric};
 use affinor_tensors::Symbolic;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
@@ -42,16 +44,16 @@ pub(super) struct KineticEnergy {
 }
 
 /// The equations of one motion, and its initial condition.
-pub(super) struct System<'d, G: SimulationGroup> {
+pub(super) struct System<'d> {
     pub energy: Cow<'d, KineticEnergy>,
     /// The matrix of the metric.
     pub inertia: DMatrix<f64>,
     /// The parameters, those of a body included, with their values.
     pub parameters: Vec<(String, f64)>,
-    pub forces: Forces<G>,
+    pub forces: Forces<AnyGroup>,
     pub rows: RowFormulas,
-    pub element: G::Element,
-    pub momentum: G::Vector,
+    pub element: DVector<f64>,
+    pub momentum: DVector<f64>,
     pub notes: Vec<String>,
 }
 
@@ -79,10 +81,10 @@ impl Dynamics {
     }
 
     /// The motion without constraints.
-    pub fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
+    pub fn motion(&self, start: &Start) -> Result<Ready, InputError> {
         let member = start.member;
         let System { energy, inertia, forces, rows, element, momentum, notes, .. } =
-            self.system(&group, start)?;
+            self.system(start)?;
         let setup = Setup {
             connection: &energy.connection,
             metric: &energy.metric,
@@ -95,16 +97,13 @@ impl Dynamics {
             control: member.control()?,
             columns: rows.formulas,
         };
-        let motion = on_group(group, setup)?;
+        let motion = on_group(start.group, setup)?;
         let ready = Ready::new(motion, &member.times, rows.columns, rows.events);
         Ok(Ready { inertia: Some(inertia), notes, ..ready })
     }
 
-    fn energy<G: SimulationGroup>(
-        &self,
-        group: &G,
-        start: &Start,
-    ) -> Result<KineticEnergy, InputError> {
+    fn energy(&self, start: &Start) -> Result<KineticEnergy, InputError> {
+        let group = start.group;
         let ground = start.definition.ground(start.reading)?;
         let (metric, of_body) = match &self.body {
             Some(body) => {
@@ -120,7 +119,7 @@ impl Dynamics {
         })?;
         let connection = if start.definition.connection_is_default() {
             Connection::canonical(&group.algebra()?, Canonical::Plus)
-        } else if G::RIGHT {
+        } else if group.is_right() {
             let message = "right-invariant equations have the connection plus of their own frame";
             return Err(InputError::usage(message).help("name no connection"));
         } else {
@@ -130,15 +129,11 @@ impl Dynamics {
     }
 
     /// The equations and the initial condition of one motion.
-    pub fn system<G: SimulationGroup>(
-        &self,
-        group: &G,
-        start: &Start,
-    ) -> Result<System<'_, G>, InputError> {
-        let (member, values) = (start.member, start.member.values());
+    pub fn system(&self, start: &Start) -> Result<System<'_>, InputError> {
+        let (group, member, values) = (start.group, start.member, start.member.values());
         let energy = match self.shared.get() {
             Some(energy) => Cow::Borrowed(energy),
-            None => Cow::Owned(self.energy(group, start)?),
+            None => Cow::Owned(self.energy(start)?),
         };
         let is_new = self.shared.get().is_none() && self.body.is_none();
         if is_new && start.on_group.definition().parameters().is_empty() {
@@ -155,7 +150,7 @@ impl Dynamics {
                 "the connection is not plus, so the equations are not those of Euler and Poincare";
             notes.push(format!("{not}{rate}"));
         }
-        start.expect_new_names(group, &energy.of_body)?;
+        start.expect_new_names(&energy.of_body)?;
         let parameters = [&member.parameters[..], &energy.of_body].concat();
         let mut forces = Forces::none(group.clone(), inertia.clone(), parameters.clone());
         self.forces.apply(&mut forces, start.definition.dimension())?;
@@ -230,11 +225,7 @@ impl ForceFormulas {
     }
 
     /// Adds the forces to those of a motion on a group of this dimension.
-    fn apply<G: SimulationGroup>(
-        &self,
-        forces: &mut Forces<G>,
-        dimension: usize,
-    ) -> Result<(), InputError> {
+    fn apply(&self, forces: &mut Forces<AnyGroup>, dimension: usize) -> Result<(), InputError> {
         let refused = |what: &str, found: usize, place: &Place| {
             let message = format!("{what} has {found} components, the dimension is {dimension}");
             Err(InputError::usage(message).at(place))
@@ -252,7 +243,7 @@ impl ForceFormulas {
         for (side, components) in &self.components {
             for (index, written) in components.iter().enumerate() {
                 let added = forces.add(*side, index, written.text());
-                let allowed = &Forces::<G>::may_depend_on;
+                let allowed = &Forces::<AnyGroup>::may_depend_on;
                 let help = || format!("the names here are {}", forces.names().all(allowed));
                 added.map_err(|error| written.refused(error, help()))?;
             }
@@ -275,7 +266,7 @@ impl ForceFormulas {
 }
 
 /// Warnings about a metric that no rigid body has.
-fn notes<G: SimulationGroup>(group: &G, inertia: &DMatrix<f64>) -> Vec<String> {
+fn notes(group: &AnyGroup, inertia: &DMatrix<f64>) -> Vec<String> {
     let eigenvalues = inertia.symmetric_eigenvalues();
     if eigenvalues.max() < 0.0 {
         return vec!["the metric is negative: so is the kinetic energy".into()];
@@ -283,6 +274,8 @@ fn notes<G: SimulationGroup>(group: &G, inertia: &DMatrix<f64>) -> Vec<String> {
     if eigenvalues.min() <= 0.0 {
         return vec!["the metric is indefinite: no energy bounds the velocity".into()];
     }
-    let Some(Ok(body)) = group.body(inertia) else { return vec![] };
+    let Some(Ok(body)) = group.downcast_ref::<So3>().and_then(|so3| so3.body(inertia)) else {
+        return vec![];
+    };
     body.expect_masses().err().iter().map(Error::to_string).collect()
 }

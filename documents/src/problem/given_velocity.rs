@@ -5,9 +5,11 @@ use super::on_group::Start;
 use super::reader::{Reader, Written};
 use super::ready::Ready;
 use crate::definition::InputError;
+use affinor::group::LieGroup;
 use affinor::mechanics::integrators::Magnus;
+use affinor::mechanics::motions::chosen::on_given;
 use affinor::mechanics::motions::quantities::Quantity;
-use affinor::mechanics::motions::{Method, Observables, Side, SimulationGroup, on_given};
+use affinor::mechanics::motions::{Method, Observables, Side, SimulationGroup};
 
 /// The element that moves with a given velocity.
 #[derive(Clone, Debug)]
@@ -31,9 +33,10 @@ impl GivenVelocity {
         Ok(GivenVelocity { side, velocity })
     }
 
-    pub fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
-        let (n, member, values) = (group.dimension(), start.member, start.member.values());
-        if (self.side == Side::Space) != G::RIGHT {
+    pub fn motion(&self, start: &Start) -> Result<Ready, InputError> {
+        let (group, member, values) = (start.group, start.member, start.member.values());
+        let n = group.dimension();
+        if (self.side == Side::Space) != group.is_right() {
             let message =
                 "a given velocity is in the body frame; with invariance = \"right\" it is in space";
             let place = self.velocity.first().map(Written::place);
@@ -51,7 +54,7 @@ impl GivenVelocity {
                 .help("the methods for a velocity over time are magnus4 and magnus6"));
         };
         let step = member.needed_step("a velocity over time")?;
-        start.expect_new_names(&group, &[])?;
+        start.expect_new_names(&[])?;
         let observables = Observables::new(group.clone(), None, member.parameters.clone());
         let names = observables.names();
         let mut velocity = affinor::mechanics::motions::GivenVelocity::new(values.clone());
@@ -69,8 +72,9 @@ impl GivenVelocity {
             )
         };
         let rows = member.output.formulas(names, &kinematic, &[], member.source)?;
-        let initial = (member.times[0], start.on_group.element().at(&group, &values)?);
-        let motion = on_given(group, velocity, initial, (magnus, step), rows.formulas, observables);
+        let initial = (member.times[0], start.on_group.element().at(group, &values)?);
+        let moved = (velocity, observables);
+        let motion = on_given(group, moved, initial, (magnus, step), rows.formulas);
         Ok(Ready::new((motion, method), &member.times, rows.columns, rows.events))
     }
 }

@@ -1,4 +1,4 @@
-//! The classes of problems on a Lie group, and the choice of the type of the group.
+//! The classes of problems on a Lie group.
 
 use super::constrained::Constrained;
 use super::dynamics::Dynamics;
@@ -10,10 +10,7 @@ use super::on_group::{OnGroup, Start};
 use super::reader::Reader;
 use super::ready::Ready;
 use crate::definition::input::InputError;
-use affinor::group::{Opposite, So3};
-#[cfg(not(target_family = "wasm"))]
-use affinor::group::{Se2, Se3, Sl2, So2};
-use affinor::mechanics::motions::SimulationGroup;
+use affinor::group::{AnyGroup, Opposite};
 use affinor_tensors::Tolerance;
 
 /// The classes of problems on a group.
@@ -41,34 +38,16 @@ impl GroupClass {
     /// The motion of a member on the group of the problem.
     pub fn motion(&self, on_group: &OnGroup, member: &Member) -> Result<Ready, InputError> {
         on_group.valued(member)?.in_floats(Tolerance::default(), |definition, reading| {
-            let start = Start { on_group, member, definition, reading };
             let group = definition.group(reading)?;
-            if on_group.is_right() {
-                return self.motion_on(Opposite(group), &start);
+            let is_right = on_group.is_right();
+            let group = if is_right { AnyGroup::new(Opposite(group)) } else { group };
+            let start = Start { on_group, group: &group, member, definition, reading };
+            match self {
+                Self::EulerPoincare(class) => class.motion(&start),
+                Self::Constrained(class) => class.motion(&start),
+                Self::LiePoisson(class) => class.motion(&start),
+                Self::GivenVelocity(class) => class.motion(&start),
             }
-            // with its own type, a group in closed form needs no allocation in a step
-            macro_rules! with_its_type {
-                ($($Group:ty)*) => {
-                    $(if let Some(group) = group.downcast_ref::<$Group>() {
-                        return self.motion_on(*group, &start);
-                    })*
-                };
-            }
-            // for a browser the size of the program counts more
-            #[cfg(target_family = "wasm")]
-            with_its_type!(So3);
-            #[cfg(not(target_family = "wasm"))]
-            with_its_type!(So2 So3 Se2 Se3 Sl2);
-            self.motion_on(group, &start)
         })
-    }
-
-    fn motion_on<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
-        match self {
-            Self::EulerPoincare(class) => class.motion(group, start),
-            Self::Constrained(class) => class.motion(group, start),
-            Self::LiePoisson(class) => class.motion(group, start),
-            Self::GivenVelocity(class) => class.motion(group, start),
-        }
     }
 }

@@ -4,8 +4,9 @@ use super::keys::InitialKeys;
 use super::reader::{Reader, Value};
 use crate::definition::InputError;
 use crate::definition::source::Place;
-use affinor::group::{Coordinates, rotation};
+use affinor::group::{AnyGroup, LieGroup, Written, rotation};
 use affinor::mechanics::motions::{Observables, Side, SimulationGroup};
+use nalgebra::DVector;
 
 /// The initial element of the group.
 #[derive(Clone, Debug)]
@@ -47,16 +48,12 @@ impl InitialElement {
     }
 
     /// The element at these values of the parameters.
-    pub fn at<G: SimulationGroup>(
-        &self,
-        group: &G,
-        values: &[f64],
-    ) -> Result<G::Element, InputError> {
+    pub fn at(&self, group: &AnyGroup, values: &[f64]) -> Result<DVector<f64>, InputError> {
         let (matrix, place) = match self {
             Self::Identity => return Ok(group.identity()),
             Self::Coordinates(x, place) => {
                 let x = Value::vector("coordinates", x, group.dimension(), values, place)?;
-                return Ok(group.exp(&G::Vector::from_components(&x)));
+                return Ok(group.exp(&x.into()));
             }
             Self::Rows(rows, place) => (Value::matrix("element", rows, values, place)?, place),
             Self::Pose(quaternion, position, place) => {
@@ -129,17 +126,17 @@ impl InitialMomentum {
     }
 
     /// The momentum in the frame of the equations.
-    pub fn at<G: SimulationGroup>(
+    pub fn at(
         &self,
-        group: &G,
-        g: &G::Element,
-        observables: &Observables<G>,
+        group: &AnyGroup,
+        g: &DVector<f64>,
+        observables: &Observables<AnyGroup>,
         values: &[f64],
-    ) -> Result<G::Vector, InputError> {
+    ) -> Result<DVector<f64>, InputError> {
         let what = if self.is_velocity { "velocity" } else { "momentum" };
         let list = Value::vector(what, &self.values, group.dimension(), values, &self.place)?;
-        let vector = G::Vector::from_components(&list);
-        let own = self.side == if G::RIGHT { Side::Space } else { Side::Body };
+        let vector = DVector::from_vec(list);
+        let own = self.side == if group.is_right() { Side::Space } else { Side::Body };
         Ok(match (self.is_velocity, own) {
             (true, true) => observables.momentum(&vector),
             (true, false) => observables.momentum(&group.adjoint(&group.inverse(g), &vector)),

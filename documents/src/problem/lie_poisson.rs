@@ -7,7 +7,9 @@ use super::reader::{Reader, Written};
 use super::ready::Ready;
 use crate::definition::InputError;
 use crate::definition::written::Text;
-use affinor::mechanics::motions::{Hamiltonian, Observables, SimulationGroup, on_hamiltonian};
+use affinor::group::LieGroup;
+use affinor::mechanics::motions::chosen::on_hamiltonian;
+use affinor::mechanics::motions::{Hamiltonian, Observables};
 use affinor_tensors::Symbolic;
 
 /// A motion on coadjoint orbits.
@@ -45,11 +47,12 @@ impl LiePoisson {
         Ok(LiePoisson { hamiltonian, initial, casimirs: on_group.casimirs() })
     }
 
-    pub fn motion<G: SimulationGroup>(&self, group: G, start: &Start) -> Result<Ready, InputError> {
-        let (n, member, values) = (group.dimension(), start.member, start.member.values());
+    pub fn motion(&self, start: &Start) -> Result<Ready, InputError> {
+        let (group, member, values) = (start.group, start.member, start.member.values());
+        let n = group.dimension();
         let observables = Observables::new(group.clone(), None, member.parameters.clone());
         let names = observables.names();
-        start.expect_new_names(&group, &[])?;
+        start.expect_new_names(&[])?;
         let hamiltonian =
             Hamiltonian::read(self.hamiltonian.text(), &observables).map_err(|error| {
                 let momentum = names.momentum();
@@ -58,11 +61,12 @@ impl LiePoisson {
                 self.hamiltonian.refused(error, help)
             })?;
         let rows = member.output.formulas(names, &|_| true, &self.casimirs, member.source)?;
-        let element = start.on_group.element().at(&group, &values)?;
-        let momentum = self.initial.at(&group, &element, &observables, &values)?;
+        let element = start.on_group.element().at(group, &values)?;
+        let momentum = self.initial.at(group, &element, &observables, &values)?;
         let integration = (member.method(), member.step()?, member.control()?);
         let initial = (member.times[0], element, momentum);
-        let motion = on_hamiltonian(observables, hamiltonian, initial, integration, rows.formulas)?;
+        let system = (observables, hamiltonian);
+        let motion = on_hamiltonian(group, system, initial, integration, rows.formulas)?;
         Ok(Ready::new(motion, &member.times, rows.columns, rows.events))
     }
 }

@@ -8,7 +8,7 @@ use crate::definition::input::{InputError, shown};
 use crate::definition::source::Place;
 use crate::definition::written::MetricText;
 use crate::definition::{Definition, Reading, Request, Space};
-use affinor::mechanics::motions::SimulationGroup;
+use affinor::group::AnyGroup;
 use affinor::mechanics::motions::quantities::Names;
 use affinor::{LieAlgebra, LiePoisson as Dual};
 use affinor_tensors::{Rational, Symbolic, Tolerance};
@@ -31,6 +31,8 @@ pub(super) struct OnGroup {
 /// The start of a motion on a group.
 pub(super) struct Start<'s> {
     pub on_group: &'s OnGroup,
+    /// The group; its opposite for right-invariant equations.
+    pub group: &'s AnyGroup,
     pub member: &'s Member<'s>,
     /// The definition of the space, its parameters replaced by their values.
     pub definition: &'s Definition,
@@ -131,12 +133,8 @@ impl OnGroup {
 
 impl Start<'_> {
     /// Checks that no parameter has the name of a quantity of the motion, or of the body.
-    pub fn expect_new_names<G: SimulationGroup>(
-        &self,
-        group: &G,
-        of_body: &[(String, f64)],
-    ) -> Result<(), InputError> {
-        let names = Names::new(group, of_body.iter().map(|(name, _)| name.clone()).collect());
+    pub fn expect_new_names(&self, of_body: &[(String, f64)]) -> Result<(), InputError> {
+        let names = Names::new(self.group, of_body.iter().map(|(name, _)| name.clone()).collect());
         let taken = self.member.parameters.iter().find(|(name, _)| names.find(name).is_some());
         taken.map_or(Ok(()), |(name, _)| {
             let message = format!("`{name}` has a meaning already");

@@ -37,6 +37,12 @@ impl<G: SimulationGroup> Equations<G> {
         Equations { group, scope, formulas, parameters, rows, generators, buffers }
     }
 
+    /// The same constraints on a group of the same shape.
+    pub(super) fn on<H: SimulationGroup>(self, group: &H) -> Equations<H> {
+        let Equations { scope, formulas, parameters, rows, generators, buffers, .. } = self;
+        Equations { group: group.clone(), scope, formulas, parameters, rows, generators, buffers }
+    }
+
     /// Adds a constraint: a formula that must vanish.
     ///
     /// # Errors

@@ -88,6 +88,21 @@ impl<G: SimulationGroup> Forces<G> {
         }
     }
 
+    /// The same forces on a group of the same shape.
+    pub(super) fn on<H: SimulationGroup>(self, group: &H) -> Forces<H> {
+        Forces {
+            observables: self.observables.on(group),
+            scope: self.scope,
+            terms: self.terms,
+            potential: self.potential,
+            table: self.table,
+            functions: self.functions,
+            interval: self.interval,
+            generators: self.generators,
+            buffers: self.buffers,
+        }
+    }
+
     /// The quantities that formulas may use.
     pub fn observables(&self) -> &Observables<G> {
         &self.observables
@@ -193,7 +208,7 @@ impl<G: SimulationGroup> Forces<G> {
             sums.clear();
             sums.resize(2 * n, 0.0);
             let (mine, other) = sums.split_at_mut(n);
-            let own = if G::RIGHT { Side::Space } else { Side::Body };
+            let own = if group.is_right() { Side::Space } else { Side::Body };
             for (side, i, formula, text) in &self.terms {
                 let value = formula.value_in(values, workspace);
                 if !value.is_finite() {

@@ -59,6 +59,12 @@ impl<G: SimulationGroup> Observables<G> {
         Observables { group, names, parameters, inertia, trouble: RefCell::default() }
     }
 
+    /// The same quantities on a group of the same shape.
+    pub(super) fn on<H: SimulationGroup>(self, group: &H) -> Observables<H> {
+        let Observables { names, parameters, inertia, trouble, .. } = self;
+        Observables { group: group.clone(), names, parameters, inertia, trouble }
+    }
+
     /// The names that formulas may use.
     pub fn names(&self) -> &Names {
         &self.names

@@ -52,7 +52,7 @@ impl Names {
     pub fn new<G: SimulationGroup>(group: &G, parameters: Vec<String>) -> Self {
         let blocks = group.blocks();
         let (body, space) = (["Omega", "H"], ["omega", "h"]);
-        let sides = if G::RIGHT { [space, body] } else { [body, space] };
+        let sides = if group.is_right() { [space, body] } else { [body, space] };
         Names { parameters, dimension: group.dimension(), blocks, sides }
     }
 

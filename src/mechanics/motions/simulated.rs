@@ -31,7 +31,9 @@ pub trait SimulationGroup:
     + 'static
 {
     /// Whether its left-invariant frame is the right-invariant frame of the group it is the [`Opposite`] of.
-    const RIGHT: bool = false;
+    fn is_right(&self) -> bool {
+        false
+    }
 
     /// Whether an element that was read has the shape of an element of this group.
     fn has_shape(&self, g: &Self::Element) -> bool {
@@ -83,13 +85,19 @@ impl SimulationGroup for MatrixGroup {}
 impl SimulationGroup for Nilpotent<f64> {}
 
 impl SimulationGroup for AnyGroup {
+    fn is_right(&self) -> bool {
+        self.downcast_ref::<Opposite<AnyGroup>>().is_some()
+    }
+
     fn has_shape(&self, g: &Self::Element) -> bool {
         g.len() == self.number_count()
     }
 }
 
 impl<G: SimulationGroup> SimulationGroup for Opposite<G> {
-    const RIGHT: bool = true;
+    fn is_right(&self) -> bool {
+        true
+    }
 
     fn has_shape(&self, g: &Self::Element) -> bool {
         self.0.has_shape(g)
