@@ -58,9 +58,12 @@ pub trait Written: Embedded {
     fn generators(&self) -> Vec<DMatrix<f64>> {
         let half = |x: &Self::Vector| self.write(&self.exp(&(x.clone() * 0.5)));
         // half of a basis vector has a principal logarithm
-        let log = |x: &Self::Vector| match logarithm(&half(x)) {
-            Ok(half) => half * 2.0,
-            Err(_) => DMatrix::from_element(1, 1, f64::NAN),
+        let log = |x: &Self::Vector| {
+            let half = half(x);
+            match logarithm(&half) {
+                Ok(log) => log * 2.0,
+                Err(_) => half.map(|_| f64::NAN),
+            }
         };
         self.basis().iter().map(log).collect()
     }
@@ -83,21 +86,27 @@ pub trait Written: Embedded {
 /// The derivative of a function by an entry of the written element: row, column and value.
 pub type Partial = (usize, usize, f64);
 
-/// The square matrix of a basis vector by its entries that are not zero: row, column and value.
+/// The square matrix of a basis vector by its entries that are not zero.
 #[derive(Clone, Debug, Default)]
 pub struct Generator {
     size: usize,
-    terms: Vec<(usize, usize, f64)>,
+    /// The row and the value of each such entry, column by column.
+    terms: Vec<(usize, f64)>,
+    /// The number of terms in the columns before each column, and of all terms.
+    ends: Vec<usize>,
 }
 
 impl Generator {
     /// The [generators](Written::generators) of a group.
     pub fn of<G: Written>(group: &G) -> Vec<Self> {
         let sparse = |matrix: DMatrix<f64>| {
-            let places = (0..matrix.ncols()).flat_map(|j| (0..matrix.nrows()).map(move |i| (i, j)));
-            let entries = places.map(|(i, j)| (i, j, matrix[(i, j)]));
-            let terms = entries.filter(|(.., value)| *value != 0.0).collect();
-            Generator { size: matrix.nrows(), terms }
+            let (mut terms, mut ends) = (vec![], vec![0]);
+            for column in matrix.column_iter() {
+                let entries = column.iter().copied().enumerate();
+                terms.extend(entries.filter(|(_, value)| *value != 0.0));
+                ends.push(terms.len());
+            }
+            Generator { size: matrix.nrows(), terms, ends }
         };
         group.generators().into_iter().map(sparse).collect()
     }
@@ -106,8 +115,8 @@ impl Generator {
     #[inline]
     fn derivative(&self, entries: &[f64], partial: &[Partial]) -> f64 {
         let slope = |&(row, column, share): &Partial| {
-            let terms = self.terms.iter().filter(|(_, at, _)| *at == column);
-            let rates = terms.map(|(k, _, value)| entries[row + k * self.size] * value);
+            let terms = &self.terms[self.ends[column]..self.ends[column + 1]];
+            let rates = terms.iter().map(|(k, value)| entries[row + k * self.size] * value);
             share * rates.sum::<f64>()
         };
         partial.iter().map(slope).sum()

@@ -20,6 +20,8 @@ use std::f64::consts::{PI, TAU};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Formula {
     operations: Vec<Operation>,
+    /// The numbers of its variables, each once.
+    variables: Vec<usize>,
     /// The operation whose result is the value.
     last: usize,
 }
@@ -151,12 +153,20 @@ impl Formula {
     ) -> Result<Self, ExpressionError> {
         let reader = Reader { operations: RefCell::default(), variable: RefCell::new(variable) };
         let last = Expression::parse(text)?.evaluate(&reader)?;
-        Ok(Formula { operations: reader.operations.into_inner(), last })
+        let operations = reader.operations.into_inner();
+        let variable = |operation: &Operation| match operation {
+            Operation::Variable(k) => Some(*k),
+            _ => None,
+        };
+        let mut variables: Vec<usize> = operations.iter().filter_map(variable).collect();
+        variables.sort_unstable();
+        variables.dedup();
+        Ok(Formula { operations, variables, last })
     }
 
     /// The constant formula of a number.
     pub fn number(number: f64) -> Self {
-        Formula { operations: vec![Operation::Number(number)], last: 0 }
+        Formula { operations: vec![Operation::Number(number)], variables: vec![], last: 0 }
     }
 
     /// The value at given values of the variables.
@@ -220,21 +230,17 @@ impl Formula {
         results[self.last]
     }
 
-    /// The numbers of its variables, each as often as it occurs.
-    pub fn variables(&self) -> impl Iterator<Item = usize> {
-        self.operations.iter().filter_map(|operation| match operation {
-            Operation::Variable(k) => Some(*k),
-            _ => None,
-        })
+    /// The numbers of its variables, each once.
+    pub fn variables(&self) -> &[usize] {
+        &self.variables
     }
 
     /// The results of all operations.
     #[inline]
     fn evaluate(&self, variables: &[f64], results: &mut Vec<f64>) {
-        results.clear();
-        results.reserve(self.operations.len());
-        for operation in &self.operations {
-            results.push(match *operation {
+        results.resize(self.operations.len(), 0.0);
+        for (at, operation) in self.operations.iter().enumerate() {
+            results[at] = match *operation {
                 Operation::Number(number) => number,
                 Operation::Variable(k) => variables[k],
                 Operation::Add(a, b) => results[a] + results[b],
@@ -243,7 +249,7 @@ impl Formula {
                 Operation::Reciprocal(a) => 1.0 / results[a],
                 Operation::Call(f, a) => (f.value)(results[a]),
                 Operation::CallTwo(f, a, b) => (f.value)(results[a], results[b]),
-            });
+            };
         }
     }
 }

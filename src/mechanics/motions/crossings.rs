@@ -59,6 +59,12 @@ impl Crossings {
         if let Some(value) = self.now.iter().find(|value| value.is_nan()) {
             expect_number(end, *value)?;
         }
+        let same =
+            |(before, after): (&f64, &f64)| *after != 0.0 && (*before < 0.0) == (*after < 0.0);
+        if self.last.iter().zip(&self.now).all(same) {
+            std::mem::swap(&mut self.last, &mut self.now);
+            return Ok((reached, vec![]));
+        }
         // moves to a time within the step
         let length = end - from;
         let go = |motion: &mut dyn Motion, elapsed: f64| {

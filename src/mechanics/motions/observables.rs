@@ -120,7 +120,7 @@ impl<G: SimulationGroup> Observables<G> {
         found.clear();
         found.resize(scope.quantities().len(), f64::NAN);
         for formula in &formulas[range] {
-            for k in formula.variables() {
+            for &k in formula.variables() {
                 // what no formula asks for is not computed, nor anything twice
                 if found[k].is_nan() {
                     found[k] = values.of(scope.quantities()[k]);
