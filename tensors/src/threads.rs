@@ -4,7 +4,6 @@
 use crate::scalar::effort;
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
-#[cfg(feature = "parallel")]
 use std::sync::{Mutex, PoisonError};
 
 /// The number of threads.
@@ -15,10 +14,45 @@ pub(crate) fn count() -> usize {
     1
 }
 
-/// The values of `f` at `0..n`, in order. Each thread makes its own state by `init`.
-pub(crate) fn map<W, T: Send>(
+/// The states of threads. A state may be large, so it is used again by other work, and there are hardly more states than threads.
+pub(crate) struct States<W, I> {
+    init: I,
+    idle: Mutex<Vec<W>>,
+}
+
+impl<W, I: Fn() -> W> States<W, I> {
+    /// No states yet; `init` makes one.
+    pub(crate) fn new(init: I) -> Self {
+        States { init, idle: Mutex::default() }
+    }
+
+    fn idle(&self) -> std::sync::MutexGuard<'_, Vec<W>> {
+        self.idle.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// A state that no other work uses, until the result is dropped.
+    fn take(&self) -> Taken<'_, W, I> {
+        let idle = self.idle().pop();
+        Taken { states: self, state: Some(idle.unwrap_or_else(|| (self.init)())) }
+    }
+}
+
+/// A state in use.
+struct Taken<'s, W, I: Fn() -> W> {
+    states: &'s States<W, I>,
+    state: Option<W>,
+}
+
+impl<W, I: Fn() -> W> Drop for Taken<'_, W, I> {
+    fn drop(&mut self) {
+        self.states.idle().extend(self.state.take());
+    }
+}
+
+/// The values of `f` at `0..n`, in order, with a state of each thread.
+pub(crate) fn map<W: Send, I: Fn() -> W + Sync, T: Send>(
     n: u64,
-    init: impl Fn() -> W + Send + Sync,
+    states: &States<W, I>,
     f: impl Fn(&mut W, u64) -> T + Send + Sync,
 ) -> Vec<T> {
     #[cfg(feature = "parallel")]
@@ -26,9 +60,10 @@ pub(crate) fn map<W, T: Send>(
         let limit = effort::current();
         let values: Vec<Mutex<Option<T>>> = (0..n).map(|_| Mutex::new(None)).collect();
         let worker = || {
-            let (mut state, f, limit, values) = (init(), &f, &limit, &values);
+            let (mut taken, f, limit, values) = (states.take(), &f, &limit, &values);
             let work = move |at: u64| {
-                let value = effort::inherit(limit.clone(), || f(&mut state, at));
+                let Some(state) = &mut taken.state else { return };
+                let value = effort::inherit(limit.clone(), || f(state, at));
                 *values[at as usize].lock().unwrap_or_else(PoisonError::into_inner) = Some(value);
             };
             Box::new(work) as Box<dyn FnMut(u64) + '_>
@@ -39,7 +74,7 @@ pub(crate) fn map<W, T: Send>(
         values.into_iter().filter_map(value).collect()
     }
     #[cfg(not(feature = "parallel"))]
-    (0..n).scan(init(), |state, at| Some(f(state, at))).collect()
+    (0..n).scan(states.take(), |taken, at| Some(f(taken.state.as_mut()?, at))).collect()
 }
 
 /// Calls a worker of each thread with `0..n`. Without generics the machinery of rayon is compiled once.
@@ -56,5 +91,24 @@ pub(crate) fn join(a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
     {
         a();
         b();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    /// Many rounds of work make no more states than there are threads, and keep the order.
+    #[test]
+    fn states_are_used_again() {
+        let made = AtomicUsize::new(0);
+        let states = States::new(|| made.fetch_add(1, Ordering::Relaxed));
+        for round in 0..50 {
+            let found = map(100, &states, |_, at| round * at);
+            assert_eq!(found, (0..100).map(|at| round * at).collect::<Vec<_>>());
+        }
+        let made = made.load(Ordering::Relaxed);
+        assert!((1..=count()).contains(&made), "{made} states");
     }
 }

@@ -41,7 +41,8 @@ pub(super) fn run<S: Ring, A: Arithmetic<S>>(
         walk.values.shrink_to_fit();
         (keys, values) = (walk.keys, walk.values);
     } else {
-        // in rounds, so that few results are stored twice
+        // in rounds, so that few results are stored twice; accumulators take as long to fill with zeros as a round of few products
+        let walks = threads::States::new(|| Walk::new(&plan, arithmetic));
         let round = paths.round.max(1).saturating_mul(threads::count() as u64).min(n);
         for start in (0..n).step_by(round as usize) {
             let block = |walk: &mut Walk<S, A>, at: u64| {
@@ -49,7 +50,7 @@ pub(super) fn run<S: Ring, A: Arithmetic<S>>(
                 (std::mem::take(&mut walk.keys), std::mem::take(&mut walk.values))
             };
             let count = round.min(n - start);
-            for block in threads::map(count, || Walk::new(&plan, arithmetic), block) {
+            for block in threads::map(count, &walks, block) {
                 keys.extend(block.0);
                 values.extend(block.1);
             }

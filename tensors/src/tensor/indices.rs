@@ -100,9 +100,11 @@ impl<S: Ring> Tensor<S> {
             let count = round.min(pieces - first);
             match count {
                 1 => take(piece(first))?,
-                _ => threads::map(count as u64, || (), |(), at| piece(first + at as usize))
-                    .into_iter()
-                    .try_for_each(&mut take)?,
+                _ => threads::map(count as u64, &threads::States::new(|| ()), |(), at| {
+                    piece(first + at as usize)
+                })
+                .into_iter()
+                .try_for_each(&mut take)?,
             }
         }
         Ok(())
