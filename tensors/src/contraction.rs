@@ -59,7 +59,7 @@ pub fn contract<S: Ring>(
     expression: &str,
     operands: &[(&str, &Tensor<S>)],
 ) -> Result<Tensor<S>, TensorError> {
-    contract_by(&Paths::default(), expression, operands)
+    S::contracted(&Paths::default(), expression, operands)
 }
 
 /// [`contract`] with other thresholds between the paths of the kernel, so that tests can run every
@@ -69,6 +69,15 @@ pub fn contract<S: Ring>(
 /// As [`contract`], with [`Paths::places`] in place of 2^24.
 #[doc(hidden)]
 pub fn contract_by<S: Ring>(
+    paths: &Paths,
+    expression: &str,
+    operands: &[(&str, &Tensor<S>)],
+) -> Result<Tensor<S>, TensorError> {
+    S::contracted(paths, expression, operands)
+}
+
+/// [`Ring::contracted`].
+pub(crate) fn over<S: Ring>(
     paths: &Paths,
     expression: &str,
     operands: &[(&str, &Tensor<S>)],
