@@ -33,6 +33,7 @@
 //! is not checked.
 
 mod arithmetic;
+mod integers;
 mod kernel;
 mod notation;
 mod paths;
@@ -105,10 +106,13 @@ pub(crate) fn over<S: Ring>(
         return Err(TensorError::TooLarge { dimension, rank });
     }
     let groups = &parsed.groups;
-    let (keys, values) = match OnIntegers::clear(&terms, zero.dimension(), paths) {
-        Some((integers, terms)) => kernel::run(&integers, &terms, &zero, groups, paths),
-        None => kernel::run(&InRing(tolerance), &InRing::terms(&terms), &zero, groups, paths),
-    };
+    let shape = (dimension, rank);
+    let on_integers = integers::clear(&terms, dimension, paths).and_then(|(terms, denominator)| {
+        let (keys, sums) = kernel::run(&OnIntegers, &terms, shape, groups, paths);
+        Some((keys, integers::quotients(&sums, denominator, paths)?))
+    });
+    let in_ring = || kernel::run(&InRing(tolerance), &InRing::terms(&terms), shape, groups, paths);
+    let (keys, values) = on_integers.unwrap_or_else(in_ring);
     Ok(zero.fill(keys, values))
 }
 
