@@ -33,6 +33,7 @@
 //! is not checked.
 
 mod arithmetic;
+mod integers;
 mod kernel;
 mod notation;
 mod paths;
@@ -59,7 +60,7 @@ pub fn contract<S: Ring>(
     expression: &str,
     operands: &[(&str, &Tensor<S>)],
 ) -> Result<Tensor<S>, TensorError> {
-    contract_by(&Paths::default(), expression, operands)
+    S::contracted(&Paths::default(), expression, operands)
 }
 
 /// [`contract`] with other thresholds between the paths of the kernel, so that tests can run every
@@ -69,6 +70,15 @@ pub fn contract<S: Ring>(
 /// As [`contract`], with [`Paths::places`] in place of 2^24.
 #[doc(hidden)]
 pub fn contract_by<S: Ring>(
+    paths: &Paths,
+    expression: &str,
+    operands: &[(&str, &Tensor<S>)],
+) -> Result<Tensor<S>, TensorError> {
+    S::contracted(paths, expression, operands)
+}
+
+/// [`Ring::contracted`].
+pub(crate) fn over<S: Ring>(
     paths: &Paths,
     expression: &str,
     operands: &[(&str, &Tensor<S>)],
@@ -96,10 +106,13 @@ pub fn contract_by<S: Ring>(
         return Err(TensorError::TooLarge { dimension, rank });
     }
     let groups = &parsed.groups;
-    let (keys, values) = match OnIntegers::clear(&terms, zero.dimension(), paths) {
-        Some((integers, terms)) => kernel::run(&integers, &terms, &zero, groups, paths),
-        None => kernel::run(&InRing(tolerance), &InRing::terms(&terms), &zero, groups, paths),
-    };
+    let shape = (dimension, rank);
+    let on_integers = integers::clear(&terms, dimension, paths).and_then(|(terms, denominator)| {
+        let (keys, sums) = kernel::run(&OnIntegers, &terms, shape, groups, paths);
+        Some((keys, integers::quotients(&sums, denominator, paths)?))
+    });
+    let in_ring = || kernel::run(&InRing(tolerance), &InRing::terms(&terms), shape, groups, paths);
+    let (keys, values) = on_integers.unwrap_or_else(in_ring);
     Ok(zero.fill(keys, values))
 }
 

@@ -22,6 +22,8 @@ mod recorded;
 mod symbolic;
 mod tracked;
 
+use crate::contraction::{self, Paths};
+use crate::{Tensor, TensorError};
 use num_traits::{One, Zero};
 use std::fmt::{Debug, Display};
 use std::ops::{Add, Mul, Neg, Sub};
@@ -98,11 +100,39 @@ pub trait Ring:
         None
     }
 
+    /// [`contract`](crate::contract()) over this ring. The scalars of this package override it by the same function: then their
+    /// kernels are compiled once, in this package, and not again in each package that contracts.
+    ///
+    /// # Errors
+    /// As there.
+    #[doc(hidden)]
+    fn contracted(
+        paths: &Paths,
+        expression: &str,
+        operands: &[(&str, &Tensor<Self>)],
+    ) -> Result<Tensor<Self>, TensorError> {
+        contraction::over(paths, expression, operands)
+    }
+
     /// The value `numerator / denominator`; `None` if it does not exist in this ring.
     fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
         (denominator == 1).then(|| Self::from_i64(numerator))
     }
 }
+
+/// The override of [`Ring::contracted`] for a scalar of this package.
+macro_rules! contracted_here {
+    () => {
+        fn contracted(
+            paths: &crate::contraction::Paths,
+            expression: &str,
+            operands: &[(&str, &crate::Tensor<Self>)],
+        ) -> Result<crate::Tensor<Self>, crate::TensorError> {
+            crate::contraction::over(paths, expression, operands)
+        }
+    };
+}
+use contracted_here;
 
 /// A ring in which units can be inverted.
 pub trait Field: Ring {

@@ -5,8 +5,8 @@ use super::reader::{Reader, Written};
 use crate::definition::input::{InputError, shown};
 use crate::definition::numbers::numbers_in;
 use crate::definition::written::Text;
+use chacha20::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
 
 /// The largest number of members.

@@ -9,52 +9,33 @@ use std::io::{self, Write};
 const COLUMNS: [&str; 8] = ["i", "j", "k", "l", "m", "n", "o", "p"];
 
 pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
-    rows(table, out).map_err(|error| match error.into_kind() {
-        // callers distinguish a closed pipe from a full disk by the kind
-        csv::ErrorKind::Io(error) => error,
-        other => io::Error::other(format!("{other:?}")),
-    })
-}
-
-fn rows<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> csv::Result<()> {
     let rank = table.tensors.iter().map(|entry| entry.tensor.rank()).max().unwrap_or(0);
     let columns = &COLUMNS[..rank.max(4)];
-    let head = |lines: &mut Lines| lines.write_record([&["tensor"], columns, &["value"]].concat());
-    out.write_all(&lines(head)?)?;
+    writeln!(out, "tensor,{},value", columns.join(","))?;
     let dimension = table.tensors.iter().map(|entry| entry.tensor.dimension()).max().unwrap_or(0);
-    let numbers: Vec<String> = (1..=dimension).map(|index| index.to_string()).collect();
+    let numbers: Vec<String> = (1..=dimension).map(|index| format!(",{index}")).collect();
     for entry in &table.tensors {
         let key = entry.quantity.key();
-        let rows = |piece: Components<'_, S>, lines: &mut Lines| {
-            let mut text = String::new();
+        // written here and not by the package csv: only the values, last in millions of lines, may need quotes
+        let rows = |piece: Components<'_, S>| {
+            let (mut lines, mut text) = (String::new(), String::new());
             for (at, value) in piece {
-                lines.write_field(key)?;
-                for &index in at.iter() {
-                    lines.write_field(&numbers[index])?;
-                }
-                for _ in at.len()..columns.len() {
-                    lines.write_field("")?;
-                }
+                lines.push_str(key);
+                at.iter().for_each(|&index| lines.push_str(&numbers[index]));
+                lines.extend((at.len()..=columns.len()).map(|_| ','));
                 text.clear();
                 append(&mut text, value);
-                lines.write_field(&text)?;
-                lines.write_record(None::<&[u8]>)?;
+                if text.contains([',', '"', '\r', '\n']) {
+                    lines.extend(["\"", &text.replace('"', "\"\""), "\""]);
+                } else {
+                    lines.push_str(&text);
+                }
+                lines.push('\n');
             }
-            Ok(())
+            lines
         };
         let tensor = table.shown(entry);
-        tensor.in_pieces(
-            |piece| lines(|lines| rows(piece, lines)),
-            |lines| -> csv::Result<()> { Ok(out.write_all(&lines?)?) },
-        )?;
+        tensor.in_pieces(rows, |lines| out.write_all(lines.as_bytes()))?;
     }
-    Ok(out.flush()?)
-}
-
-type Lines = csv::Writer<Vec<u8>>;
-
-fn lines(write: impl FnOnce(&mut Lines) -> csv::Result<()>) -> csv::Result<Vec<u8>> {
-    let mut lines = csv::Writer::from_writer(Vec::new());
-    write(&mut lines)?;
-    lines.into_inner().map_err(|error| error.into_error().into())
+    out.flush()
 }

@@ -1,7 +1,8 @@
 //! The two arithmetics of sums of products: in the ring itself, and in machine integers.
 
-use super::{Paths, Product, Role};
+use super::{Product, Role};
 use crate::{Ring, Sum, Tolerance};
+use std::ops::Neg;
 
 /// A term with its values, before it is laid out in rows.
 pub(super) struct Term<'t, V> {
@@ -15,6 +16,11 @@ pub(super) struct Factor<'t, V> {
     pub keys: &'t [u64],
     pub values: Vec<V>,
 }
+
+/// A component of a result.
+pub(super) trait Value: Clone + Send + Neg<Output = Self> {}
+
+impl<S: Clone + Send + Neg<Output = S>> Value for S {}
 
 /// An arithmetic for sums of products.
 pub(super) trait Arithmetic<S>: Sync {
@@ -59,84 +65,16 @@ impl<S: Ring> Arithmetic<S> for InRing {
     }
 }
 
-/// Sums of machine integers over one denominator; no sum of the given terms overflows.
-pub(super) struct OnIntegers<S> {
-    denominator: i64,
-    /// The quotients of the numerators from `-kept` to `kept`, which are most frequent; `None` for
-    /// zero.
-    quotients: Vec<Option<S>>,
-    kept: u32,
-}
+/// Sums of machine integers that do not overflow.
+pub(super) struct OnIntegers;
 
-impl<S: Ring> OnIntegers<S> {
-    /// Brings all terms over a common denominator. `None` if the scalar has no denominators or a sum
-    /// may exceed 64 bits.
-    pub fn clear<'t>(
-        products: &'t [Product<S>],
-        dimension: usize,
-        paths: &Paths,
-    ) -> Option<(Self, Vec<Term<'t, i64>>)> {
-        let mut cleared = Vec::new();
-        let mut denominator = 1i64;
-        for product in products {
-            let factors: Vec<(Vec<i64>, i64)> = product
-                .factors
-                .iter()
-                .map(|(_, tensor)| S::clear_denominators(tensor.values().iter()))
-                .collect::<Option<_>>()?;
-            let own = *product.coefficient.denom();
-            let d = factors.iter().try_fold(own, |d, (_, f)| d.checked_mul(*f))?;
-            denominator = denominator.checked_mul(d / num_integer::gcd(d, denominator))?;
-            cleared.push((factors, d));
-        }
-        let mut bound = 0u64;
-        let mut terms = Vec::new();
-        for (product, (mut factors, d)) in products.iter().zip(cleared) {
-            let scale = product.coefficient.numer().checked_mul(denominator / d)?;
-            for value in &mut factors.first_mut()?.0 {
-                *value = value.checked_mul(scale)?;
-            }
-            // the number of products in one component: one for each value of the summed letters
-            let summed = product.factors.iter().flat_map(|(roles, _)| roles);
-            let pairs = summed.filter(|r| matches!(r, Role::Summed(_))).count() / 2;
-            let entries = factors.iter().map(|(values, _)| values.len() as u64).max()?;
-            let count = (dimension as u64)
-                .saturating_pow(pairs as u32)
-                .min(entries.saturating_mul(entries));
-            // and as many again for the image of a mirrored term
-            let count = count.checked_mul(1 + u64::from(product.mirrored))?;
-            let largest = |(values, _): &(Vec<i64>, i64)| {
-                values.iter().map(|v| v.unsigned_abs()).max().unwrap_or(0)
-            };
-            let size = factors.iter().map(largest).try_fold(count, u64::checked_mul)?;
-            bound = bound.checked_add(size)?;
-            let mut values = factors.into_iter().map(|(values, _)| values);
-            terms.push(product.with_values(|_, _| values.next().unwrap_or_default()));
-        }
-        if bound > paths.largest_integer.min(i64::MAX as u64) {
-            return None;
-        }
-        let kept = paths.kept_quotients;
-        let quotients = (-i64::from(kept)..=kept.into())
-            .map(|n| if n == 0 { None } else { S::from_quotient(n, denominator) })
-            .collect();
-        Some((OnIntegers { denominator, quotients, kept }, terms))
-    }
-}
-
-impl<S: Ring> Arithmetic<S> for OnIntegers<S> {
+impl Arithmetic<i64> for OnIntegers {
     type Value = i64;
     type Sum = i64;
     fn add_product(&self, sum: &mut i64, a: &i64, b: &i64, negative: bool) {
         *sum += if negative { -(a * b) } else { a * b };
     }
-    fn finish(&self, sum: &i64) -> Option<S> {
-        let sum = *sum;
-        // compared before it becomes an array index, which has 32 bits on some machines
-        if sum.unsigned_abs() <= self.kept.into() {
-            self.quotients[(sum + i64::from(self.kept)) as usize].clone()
-        } else {
-            S::from_quotient(sum, self.denominator)
-        }
+    fn finish(&self, sum: &i64) -> Option<i64> {
+        (*sum != 0).then_some(*sum)
     }
 }

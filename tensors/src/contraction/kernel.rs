@@ -5,22 +5,20 @@
 //! by entry, and each entry is multiplied with the partner's row of equal summed indices.
 
 use super::Paths;
-use super::arithmetic::{Arithmetic, Term};
+use super::arithmetic::{Arithmetic, Term, Value};
 use super::rows::{Entry, Laid, Place, Rows, sum};
 use crate::threads;
-use crate::{Ring, Tensor};
 use std::ops::Range;
 
-/// The sum of `terms` in the shape of `result`: sorted keys and nonzero values.
-pub(super) fn run<S: Ring, A: Arithmetic<S>>(
+/// The sum of `terms` in a dimension and of a rank: sorted keys and nonzero values.
+pub(super) fn run<S: Value, A: Arithmetic<S>>(
     arithmetic: &A,
     terms: &[Term<A::Value>],
-    result: &Tensor<S>,
+    (dimension, rank): (usize, usize),
     groups: &[Range<usize>],
     paths: &Paths,
 ) -> (Vec<u64>, Vec<S>) {
-    let n = result.dimension() as u64;
-    let rank = result.rank();
+    let n = dimension as u64;
     let outer = rank.saturating_sub(2);
     let laid: Vec<Laid<A::Value>> =
         terms.iter().filter_map(|term| Laid::new(term, n, outer, rank, paths)).collect();
@@ -115,7 +113,7 @@ struct Walk<'w, S, A: Arithmetic<S>> {
     values: Vec<S>,
 }
 
-impl<'w, S: Ring, A: Arithmetic<S>> Walk<'w, S, A> {
+impl<'w, S: Value, A: Arithmetic<S>> Walk<'w, S, A> {
     fn new(plan: &'w Plan<'w, A::Value>, arithmetic: &'w A) -> Self {
         let inner = plan.n.pow((plan.rank - plan.outer) as u32) as usize;
         Walk {
@@ -274,7 +272,7 @@ impl Bounds {
 }
 
 /// Adds all permutations of the ascending indices in `group` with their signs, sorted.
-fn spread<S: Ring>(
+fn spread<S: Value>(
     keys: Vec<u64>,
     values: Vec<S>,
     n: u64,

@@ -32,6 +32,8 @@ impl Sum<f64> for FloatSum {
 impl Ring for f64 {
     type Sum = FloatSum;
 
+    super::contracted_here!();
+
     fn from_i64(n: i64) -> Self {
         n as f64
     }

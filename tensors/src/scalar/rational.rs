@@ -403,6 +403,8 @@ impl fmt::Debug for Rational {
 impl Ring for Rational {
     type Sum = RationalSum;
 
+    super::contracted_here!();
+
     fn from_i64(n: i64) -> Self {
         Rational(Small { numerator: n, denominator: UNIT })
     }

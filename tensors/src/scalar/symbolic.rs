@@ -174,6 +174,8 @@ impl Ring for Symbolic {
     type Sum = sum::SymbolicSum;
     const GROWS: bool = true;
 
+    super::contracted_here!();
+
     fn from_i64(n: i64) -> Self {
         Self::constant(n.into())
     }

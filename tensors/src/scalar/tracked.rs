@@ -245,6 +245,8 @@ forward_operators!(Tracked: Add add AddAssign add_assign, Sub sub SubAssign sub_
 impl Ring for Tracked {
     type Sum = TrackedSum;
 
+    super::contracted_here!();
+
     fn from_i64(n: i64) -> Self {
         // of 64 digits a float has 53
         let value = n as f64;
