@@ -16,7 +16,7 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
     let numbers: Vec<String> = (1..=dimension).map(|index| format!(",{index}")).collect();
     for entry in &table.tensors {
         let key = entry.quantity.key();
-        // written here and not by the package csv: only the values, last in millions of lines, may need quotes
+        // The package csv checks every field of millions of lines for quotes. Only values may need them.
         let rows = |piece: Components<'_, S>| {
             let (mut lines, mut text) = (String::new(), String::new());
             for (at, value) in piece {

@@ -42,7 +42,7 @@ pub fn on_group(
     group: &AnyGroup,
     setup: Setup<AnyGroup>,
 ) -> Result<(Box<dyn Motion>, Method), Error> {
-    return_in_own_type!(group => super::on_group(group.clone(), setup.on(group)));
+    return_in_own_type!(group => super::on_group(group.to_owned(), setup.on(group)));
 }
 
 /// [`on_constraints`](super::on_constraints()) for the system of a connection, a metric, forces and constraints.
@@ -60,7 +60,7 @@ pub fn on_constraints(
 ) -> Result<Box<dyn Motion>, Error> {
     return_in_own_type!(group => {
         let (forces, constraints) = (forces.on(group), constraints.on(group));
-        let system = Constrained::new(group.clone(), connection, metric, forces, constraints)?;
+        let system = Constrained::new(group.to_owned(), connection, metric, forces, constraints)?;
         let start = (time, element_of(group, &element), vector(&velocity));
         super::on_constraints(system, start, step, columns, visible)
     });
@@ -94,7 +94,7 @@ pub fn on_given(
     return_in_own_type!(group => {
         let start = (time, element_of(group, &element));
         let observables = observables.on(group);
-        super::on_given(group.clone(), velocity, start, integration, columns, observables)
+        super::on_given(group.to_owned(), velocity, start, integration, columns, observables)
     });
 }
 
