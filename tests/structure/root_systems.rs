@@ -85,3 +85,17 @@ fn some_do_not_split() {
     }
     assert!(Structure::new(catalogued("se(3)")).root_spaces().is_none());
 }
+
+/// With many commuting basis vectors a root vanishes on most of their sums with small coefficients.
+#[test]
+fn cartan_subalgebras_of_many_commuting_vectors() {
+    for (name, rank) in [("sl(16)", 15), ("so(8,8)", 8), ("gl(12)", 12), ("t(9)", 9)] {
+        assert_eq!(Structure::new(catalogued(name)).rank(), rank, "{name}");
+    }
+}
+
+#[test]
+#[ignore = "long: dimension 1599"]
+fn cartan_subalgebra_of_sl_40() {
+    assert_eq!(Structure::new(catalogued("sl(40)")).rank(), 39);
+}

@@ -11,8 +11,9 @@ impl<S: Ground> Structure<S> {
     /// A Cartan subalgebra: the null component of `ad x` for an element `x` for which that component
     /// is nilpotent. Every null component is its own normalizer.
     ///
-    /// The elements tried are first sums of basis vectors that commute, which keeps the numbers
-    /// short, then sums of more and more basis vectors.
+    /// The elements tried are sums of basis vectors that commute, which keeps the numbers short, and by turns sums of more
+    /// and more basis vectors. Of `m` commuting vectors an algebra may have some `m^2` roots, so the coefficients are that large:
+    /// with small ones some root would vanish on the element. At last comes a sum of all basis vectors.
     pub fn cartan_subalgebra(&self) -> Subspace<S> {
         self.cartan.get_or_init(|| self.search_cartan_subalgebra()).clone()
     }
@@ -32,14 +33,17 @@ impl<S: Ground> Structure<S> {
             (seed >> 33) as usize % below.max(1)
         };
         let mut best: Option<Subspace<S>> = None;
-        for trial in 0..TRIALS as usize {
-            let weight = |draw: &mut dyn FnMut(usize) -> usize| 1 + draw(4 + 4 * trial) as i64;
+        let large = commuting.len() * commuting.len() / 2;
+        for trial in 0..=TRIALS as usize {
+            let mut weight = |below: usize| S::from_i64(1 + draw(below) as i64);
             let mut x: Row<S> = vec![];
-            if trial % 2 == 0 {
-                x.extend(commuting.iter().map(|&at| (at, S::from_i64(weight(&mut draw)))));
+            if trial == TRIALS as usize {
+                x.extend((0..n).map(|at| (at, weight(1 << 30))));
+            } else if trial % 2 == 0 {
+                x.extend(commuting.iter().map(|&at| (at, weight(large.max(4 + 4 * trial)))));
             } else {
                 for _ in 0..(2 + trial / 2).min(n) {
-                    x.push((draw(n), S::from_i64(weight(&mut draw))));
+                    x.push((draw(n), S::from_i64(1 + draw(4 + 4 * trial) as i64)));
                 }
             }
             let x = super::subspace::collected(x);
