@@ -1,10 +1,11 @@
 //! Many rotations at once: one array for every component, on all cores; or rows of components, in the thread of the caller.
 //!
-//! The formulas are those of [`So3`]. Over arrays of components the compiler emits vector instructions: those that the processor
-//! has, chosen at run time. All of them round alike, so a result depends on its argument alone.
+//! The formulas are those of [`So3`]. Over arrays of components the compiler emits vector instructions: with the feature `simd` those
+//! that the processor has, chosen at run time. All of them round alike, so a result depends on its argument alone.
 
 use super::stumpff::{NEAR, near};
 use super::{LieGroup, So3, so3};
+#[cfg(feature = "simd")]
 use multiversion::multiversion;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rayon::prelude::*;
@@ -45,7 +46,10 @@ pub fn exp(vectors: &Vectors, rotations: &mut Quaternions) {
         .for_each(|(task, (w, x, y, z))| exp_columns(part(&vectors.0, task), [w, x, y, z]));
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx2", "x86_64+avx2"))]
+#[cfg_attr(
+    feature = "simd",
+    multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx2", "x86_64+avx2"))
+)]
 fn exp_columns(vectors: [&[f64]; 3], rotations: [&mut [f64]; 4]) {
     let ([x, y, z], [w, i, j, k]) = (vectors, rotations);
     let mut all_near = true;
@@ -91,7 +95,10 @@ pub fn log(rotations: &Quaternions, vectors: &mut Vectors) {
         .for_each(|(task, (x, y, z))| log_columns(part(&rotations.0, task), [x, y, z]));
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx2", "x86_64+avx2"))]
+#[cfg_attr(
+    feature = "simd",
+    multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx2", "x86_64+avx2"))
+)]
 fn log_columns(rotations: [&[f64]; 4], vectors: [&mut [f64]; 3]) {
     let ([w, i, j, k], [x, y, z]) = (rotations, vectors);
     let mut all_unit = true;
@@ -166,7 +173,10 @@ pub fn compose_rows(g: &[[f64; 4]], h: &[[f64; 4]], products: &mut [[f64; 4]]) {
 ///
 /// # Panics
 /// If the numbers of rows differ, like all functions here.
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx2", "x86_64+avx2"))]
+#[cfg_attr(
+    feature = "simd",
+    multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx2", "x86_64+avx2"))
+)]
 pub fn exp_rows(vectors: &[[f64; 3]], rotations: &mut [[f64; 4]]) {
     assert_eq!(vectors.len(), rotations.len(), "as many rotations as vectors");
     let ((blocks, rest), (found, last)) = (vectors.as_chunks(), rotations.as_chunks_mut());
@@ -205,7 +215,10 @@ fn exp_lanes(x: &[[f64; 3]; LANES], g: &mut [[f64; 4]; LANES]) {
 ///
 /// # Panics
 /// If the numbers of rows differ.
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx2", "x86_64+avx2"))]
+#[cfg_attr(
+    feature = "simd",
+    multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx2", "x86_64+avx2"))
+)]
 pub fn log_rows(rotations: &[[f64; 4]], vectors: &mut [[f64; 3]]) -> bool {
     assert_eq!(rotations.len(), vectors.len(), "as many vectors as rotations");
     let mut valid = true;

@@ -313,13 +313,11 @@ fn expect_commutative_algebra<S: Ground>(
         let terms = row.iter().map(|(d, value)| (value.to_string(), units[*d].clone()));
         affinor_tensors::text::combination(terms.collect::<Vec<_>>())
     };
-    for x in 0..m {
-        for y in 0..x {
-            let residual = collected([table[y][x].clone(), minus(&table[x][y])].concat());
-            if !residual.is_empty() {
-                let [x, y] = [y, x].map(|at| units[at].clone());
-                return Err(Error::NotCommutative { x, y, residual: write(&residual) });
-            }
+    for (x, y) in (0..m).flat_map(|y| (0..y).map(move |x| (x, y))) {
+        let residual = collected([table[x][y].clone(), minus(&table[y][x])].concat());
+        if !residual.is_empty() {
+            let [x, y] = [x, y].map(|at| units[at].clone());
+            return Err(Error::NotCommutative { x, y, residual: write(&residual) });
         }
     }
     for (x, y, z) in (0..m).flat_map(|x| (0..m).flat_map(move |y| (0..x).map(move |z| (z, y, x)))) {
