@@ -2,7 +2,10 @@
 
 use super::arithmetic::Term;
 use super::{Paths, Product, Role};
-use crate::Ring;
+use crate::{Ring, threads};
+
+/// How many pieces of a list each thread gets.
+const PIECES: usize = 16;
 
 /// All terms over a common denominator, and this denominator. `None` if the scalar has no denominators or a sum may exceed
 /// 64 bits.
@@ -64,5 +67,18 @@ pub(super) fn quotients<S: Ring>(sums: &[i64], denominator: i64, paths: &Paths) 
             S::from_quotient(*sum, denominator)
         }
     };
-    sums.iter().map(quotient).collect()
+    if sums.len() < paths.parallel_from || threads::count() == 1 {
+        return sums.iter().map(quotient).collect();
+    }
+    let length = sums.len().div_ceil(PIECES * threads::count()).max(1);
+    let pieces: Vec<&[i64]> = sums.chunks(length).collect();
+    let of_piece = |(): &mut (), at: u64| {
+        let piece = pieces[at as usize].iter();
+        piece.map(quotient).collect::<Option<Vec<S>>>()
+    };
+    let mut values = Vec::with_capacity(sums.len());
+    for piece in threads::map(pieces.len() as u64, &threads::States::new(|| ()), of_piece) {
+        values.extend(piece?);
+    }
+    Some(values)
 }

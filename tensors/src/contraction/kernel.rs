@@ -25,20 +25,20 @@ pub(super) fn run<S: Value, A: Arithmetic<S>>(
     let plan = Plan { n, outer, rank, groups, terms: &laid };
     let entries: usize = laid.iter().map(Laid::entries).sum();
     let (mut keys, mut values) = (Vec::new(), Vec::new());
+    // memory that is reserved and not used costs nothing, growing does
+    let products = laid.iter().filter(|_| outer > 0).map(Laid::products);
+    let room = 2 * products.fold(0, u64::saturating_add).min(paths.reserved) as usize;
     if laid.is_empty() {
         // zero
     } else if outer == 0 || entries < paths.parallel_from || threads::count() == 1 {
         let mut walk = Walk::new(&plan, arithmetic);
-        // memory that is reserved and not used costs nothing, growing does
-        let products = laid.iter().filter(|_| outer > 0).map(Laid::products);
-        let room = products.fold(0, u64::saturating_add).min(paths.reserved);
-        walk.keys.reserve(2 * room as usize);
-        walk.values.reserve(2 * room as usize);
+        walk.keys.reserve(room);
+        walk.values.reserve(room);
         walk.descend(0, 0, 0);
-        walk.keys.shrink_to_fit();
-        walk.values.shrink_to_fit();
         (keys, values) = (walk.keys, walk.values);
     } else {
+        keys.reserve(room);
+        values.reserve(room);
         // in rounds, so that few results are stored twice; accumulators take as long to fill with zeros as a round of few products
         let walks = threads::States::new(|| Walk::new(&plan, arithmetic));
         let round = paths.round.max(1).saturating_mul(threads::count() as u64).min(n);
@@ -54,6 +54,8 @@ pub(super) fn run<S: Value, A: Arithmetic<S>>(
             }
         }
     }
+    keys.shrink_to_fit();
+    values.shrink_to_fit();
     plan.groups_across()
         .fold((keys, values), |(keys, values), group| spread(keys, values, n, rank, group))
 }
