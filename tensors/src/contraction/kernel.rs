@@ -39,7 +39,8 @@ pub(super) fn run<S: Value, A: Arithmetic<S>>(
     } else {
         keys.reserve(room);
         values.reserve(room);
-        // in rounds, so that few results are stored twice; accumulators take as long to fill with zeros as a round of few products
+        // In rounds, so that few results are stored twice. Each thread keeps its accumulator from round to round, for filling one
+        // with zeros may take longer than a round.
         let walks = threads::States::new(|| Walk::new(&plan, arithmetic));
         let round = paths.round.max(1).saturating_mul(threads::count() as u64).min(n);
         for start in (0..n).step_by(round as usize) {
