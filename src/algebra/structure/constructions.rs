@@ -11,6 +11,9 @@ use crate::algebra::{Bracket, LieAlgebra, join_labels};
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::{Down, Tensor, Up};
 
+/// The most vectors of a commutative factor: the time of checking its products grows with the cube of their number.
+const MOST_UNITS: usize = 64;
+
 /// `(j, k, i, v)`: `[e_j, e_k] = .. + v e_i`.
 type Constants<S> = Vec<(usize, usize, usize, S)>;
 
@@ -193,13 +196,17 @@ impl<S: Ground> Structure<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotCommutative`] and [`Error::NotAssociative`] with vectors for which the law fails; [`Error::Shape`].
+    /// [`Error::NotCommutative`] and [`Error::NotAssociative`] with vectors for which the law fails; [`Error::Shape`];
+    /// [`Error::Size`] for more than 64 vectors.
     pub fn tensor_product(
         &self,
         units: &[String],
         products: &Tensor<S>,
     ) -> Result<LieAlgebra<S>, Error> {
         let m = units.len();
+        if m > MOST_UNITS {
+            return Err(Error::Size { what: "vectors of the factor", size: m, limit: MOST_UNITS });
+        }
         if products.dimension() != m || products.slots() != [Up, Down, Down] {
             let expected = format!("the slots ^d_ab and the dimension {m}");
             let found = format!("{} slots and {}", products.rank(), products.dimension());
