@@ -354,6 +354,11 @@ fn constructions_are_refused_with_a_witness() {
         assert_eq!(outcome.status, status, "{file}: {said}");
         assert!(said.contains(witness), "{file}: {said}");
     }
+    let names: Vec<String> = (0..65).map(|k| format!("'u{k}'")).collect();
+    let basis = names.join(", ");
+    let file = format!("tensor_product = {{ of = 'so(3)', basis = [{basis}], products = '' }}");
+    let outcome = run(root(), &["info", "-"], file.as_bytes());
+    assert!(outcome.status == 1 && outcome.err.contains("65 vectors"), "{}", outcome.err);
 }
 
 #[test]
