@@ -233,7 +233,7 @@ fn steps_of_other_motions() {
     let motion = on_hamiltonian(observables(), hamiltonian, start, how, formulas);
     assert_eq!(allocations(motion.unwrap().0.as_mut()), 0);
 
-    let mut velocity = GivenVelocity::new(vec![0.5]);
+    let mut velocity = GivenVelocity::default();
     ["sin(t)", "a", "t"].into_iter().for_each(|text| velocity.add(text, &names).unwrap());
     let (start, how) = ((0.0, So3.identity()), (Magnus::Six, 0.01));
     let formulas = columns(&names, &["omega1 + g11 + 2000"]);

@@ -3,7 +3,7 @@
 use super::logarithm::logarithm;
 use super::{Coordinates, Embedded};
 use crate::Error;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVectorView};
 
 /// The tolerance to which entries must satisfy the equations of the group.
 pub(super) const TOLERANCE: f64 = 1e-6;
@@ -89,24 +89,19 @@ pub type Partial = (usize, usize, f64);
 /// The square matrix of a basis vector by its entries that are not zero.
 #[derive(Clone, Debug, Default)]
 pub struct Generator {
-    size: usize,
-    /// The row and the value of each such entry, column by column.
-    terms: Vec<(usize, f64)>,
-    /// The number of terms in the columns before each column, and of all terms.
-    ends: Vec<usize>,
+    /// The entries of each column: the value, after the start of the column of `g` that it multiplies in the list of entries.
+    columns: Vec<Vec<(usize, f64)>>,
 }
 
 impl Generator {
     /// The [generators](Written::generators) of a group.
     pub fn of<G: Written>(group: &G) -> Vec<Self> {
         let sparse = |matrix: DMatrix<f64>| {
-            let (mut terms, mut ends) = (vec![], vec![0]);
-            for column in matrix.column_iter() {
-                let entries = column.iter().copied().enumerate();
-                terms.extend(entries.filter(|(_, value)| *value != 0.0));
-                ends.push(terms.len());
-            }
-            Generator { size: matrix.nrows(), terms, ends }
+            let terms = |column: DVectorView<f64>| {
+                let entries = column.iter().enumerate().filter(|(_, value)| **value != 0.0);
+                entries.map(|(k, value)| (k * matrix.nrows(), *value)).collect()
+            };
+            Generator { columns: matrix.column_iter().map(terms).collect() }
         };
         group.generators().into_iter().map(sparse).collect()
     }
@@ -115,8 +110,8 @@ impl Generator {
     #[inline]
     fn derivative(&self, entries: &[f64], partial: &[Partial]) -> f64 {
         let slope = |&(row, column, share): &Partial| {
-            let terms = &self.terms[self.ends[column]..self.ends[column + 1]];
-            let rates = terms.iter().map(|(k, value)| entries[row + k * self.size] * value);
+            let terms = self.columns[column].iter();
+            let rates = terms.map(|(start, value)| entries[row + start] * value);
             share * rates.sum::<f64>()
         };
         partial.iter().map(slope).sum()

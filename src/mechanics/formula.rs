@@ -5,7 +5,7 @@ use affinor_tensors::{Notation, Rational};
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
 
-/// A formula: a list of operations, each on the results of earlier ones.
+/// A formula: numbers and variables, then a list of operations, each on earlier values.
 ///
 /// ```
 /// use affinor::mechanics::formula::Formula;
@@ -19,34 +19,59 @@ use std::f64::consts::{PI, TAU};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Formula {
-    operations: Vec<Operation>,
-    /// The numbers of its variables, each once.
+    numbers: Vec<f64>,
     variables: Vec<usize>,
-    /// The operation whose result is the value.
+    operations: Vec<Operation>,
+    /// The place of the value in the list of numbers, variables and results of operations.
     last: usize,
 }
 
-/// Buffers for the evaluation of formulas, reused from one evaluation to the next.
-#[derive(Clone, Debug, Default)]
-pub struct Workspace {
-    /// The results of the operations.
-    results: Vec<f64>,
-    /// The derivatives of the value by these results.
-    shares: Vec<f64>,
+/// A formula and its partial derivatives as one list of operations. What does not depend on a variable is computed once, when
+/// the list is made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gradient {
+    formula: Formula,
+    /// Variables, and the places of the derivatives by them; other derivatives are zero.
+    slopes: Vec<(usize, usize)>,
 }
 
-/// An operation; operands are the numbers of earlier operations.
+/// A buffer for the evaluation of formulas, reused from one evaluation to the next.
+#[derive(Clone, Debug, Default)]
+pub struct Workspace {
+    /// Numbers, variables and results of operations.
+    results: Vec<f64>,
+}
+
+/// The meaning of a name in a formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Operation {
+pub enum Symbol {
+    /// A constant.
     Number(f64),
+    /// The variable with this index.
     Variable(usize),
-    Add(usize, usize),
-    Multiply(usize, usize),
-    Negate(usize),
-    Reciprocal(usize),
-    Call(&'static Function, usize),
-    /// A function of two numbers.
-    CallTwo(&'static FunctionOfTwo, usize, usize),
+}
+
+/// An operation on two earlier values; some ignore the second.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Operation {
+    kind: Kind,
+    operands: [usize; 2],
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    Add,
+    Multiply,
+    Negate,
+    Reciprocal,
+    Call(&'static Function),
+    CallTwo(&'static FunctionOfTwo),
+    /// A derivative times a number; 0 if the derivative is 0, even where the number is infinite.
+    Share,
+    /// The slope of a function at its argument, which has the value there as the second operand.
+    Slope(&'static Function),
+    /// The slope of a function of two numbers by one of them.
+    SlopeOfTwo(&'static FunctionOfTwo, usize),
 }
 
 /// A function of one number. `slope(x, y)` is its derivative at `x`, where `y` is its value there.
@@ -142,6 +167,24 @@ fn selected(first: bool, second: bool) -> [f64; 2] {
     [share, 1.0 - share]
 }
 
+impl Kind {
+    #[inline(always)]
+    fn value(self, [a, b]: [f64; 2]) -> f64 {
+        match self {
+            Kind::Add => a + b,
+            Kind::Multiply => a * b,
+            Kind::Negate => -a,
+            Kind::Reciprocal => 1.0 / a,
+            Kind::Call(f) => (f.value)(a),
+            Kind::CallTwo(f) => (f.value)(a, b),
+            Kind::Share if a == 0.0 => 0.0,
+            Kind::Share => a * b,
+            Kind::Slope(f) => (f.slope)(a, b),
+            Kind::SlopeOfTwo(f, by) => (f.slopes)(a, b)[by],
+        }
+    }
+}
+
 impl Formula {
     /// Parses a formula; `variable` gives the number of the variable of a name. `pi` and `tau` are constants.
     ///
@@ -151,22 +194,25 @@ impl Formula {
         text: &str,
         variable: &mut dyn FnMut(&str) -> Option<usize>,
     ) -> Result<Self, ExpressionError> {
-        let reader = Reader { operations: RefCell::default(), variable: RefCell::new(variable) };
+        Self::read(text, &mut |name| variable(name).map(Symbol::Variable))
+    }
+
+    /// As [`parse`](Self::parse), where names may also be constants.
+    ///
+    /// # Errors
+    /// As [`parse`](Self::parse).
+    pub fn read(
+        text: &str,
+        symbol: &mut dyn FnMut(&str) -> Option<Symbol>,
+    ) -> Result<Self, ExpressionError> {
+        let reader = Reader { graph: RefCell::default(), symbol: RefCell::new(symbol) };
         let last = Expression::parse(text)?.evaluate(&reader)?;
-        let operations = reader.operations.into_inner();
-        let variable = |operation: &Operation| match operation {
-            Operation::Variable(k) => Some(*k),
-            _ => None,
-        };
-        let mut variables: Vec<usize> = operations.iter().filter_map(variable).collect();
-        variables.sort_unstable();
-        variables.dedup();
-        Ok(Formula { operations, variables, last })
+        Ok(reader.graph.into_inner().formula(last, &mut []))
     }
 
     /// The constant formula of a number.
     pub fn number(number: f64) -> Self {
-        Formula { operations: vec![Operation::Number(number)], variables: vec![], last: 0 }
+        Formula { numbers: vec![number], variables: vec![], operations: vec![], last: 0 }
     }
 
     /// The value at given values of the variables.
@@ -174,100 +220,215 @@ impl Formula {
         self.value_in(variables, &mut Workspace::default())
     }
 
-    /// As [`value`](Self::value), with buffers of the caller, so that no memory is allocated once they have grown.
+    /// As [`value`](Self::value), with a buffer of the caller, so that no memory is allocated once it has grown.
     #[inline]
     pub fn value_in(&self, variables: &[f64], workspace: &mut Workspace) -> f64 {
-        self.evaluate(variables, &mut workspace.results);
-        workspace.results[self.last]
+        self.evaluate(variables, workspace)[self.last]
     }
 
     /// The value; its partial derivatives by all variables are written to `slopes`.
     pub fn gradient(&self, variables: &[f64], slopes: &mut [f64]) -> f64 {
-        self.gradient_in(variables, slopes, &mut Workspace::default())
+        let (gradient, mut workspace) = (self.differentiated(), Workspace::default());
+        let (value, derivatives) = gradient.evaluate(variables, &mut workspace);
+        slopes.fill(0.0);
+        derivatives.for_each(|(k, slope)| slopes[k] = slope);
+        value
     }
 
-    /// As [`gradient`](Self::gradient), with buffers of the caller, so that no memory is allocated once they have grown.
-    #[inline]
-    pub fn gradient_in(
-        &self,
-        variables: &[f64],
-        slopes: &mut [f64],
-        workspace: &mut Workspace,
-    ) -> f64 {
-        let Workspace { results, shares } = workspace;
-        self.evaluate(variables, results);
-        shares.clear();
-        shares.resize(results.len(), 0.0);
-        shares[self.last] = 1.0;
-        slopes.fill(0.0);
-        for (at, operation) in self.operations.iter().enumerate().rev() {
-            let share = shares[at];
-            // skipped, as 0 times an infinite derivative is NaN
-            if share == 0.0 {
-                continue;
-            }
-            match *operation {
-                Operation::Number(_) => {}
-                Operation::Variable(k) => slopes[k] += share,
-                Operation::Add(a, b) => {
-                    shares[a] += share;
-                    shares[b] += share;
+    /// The formula with its partial derivatives, by reverse accumulation.
+    pub fn differentiated(&self) -> Gradient {
+        let numbers = self.numbers.iter().map(|number| Node::Number(*number));
+        let variables = self.variables.iter().map(|k| Node::Variable(*k));
+        let operations = self.operations.iter().map(|operation| Node::Result(*operation));
+        let mut graph = Graph { nodes: numbers.chain(variables).chain(operations).collect() };
+        // derivatives of the value by nodes, zero if none
+        let mut shares = vec![None; graph.nodes.len()];
+        shares[self.last] = Some(graph.number(1.0));
+        let mut slopes: Vec<(usize, usize)> = vec![];
+        for at in (0..shares.len()).rev() {
+            let Some(share) = shares[at] else { continue };
+            let Operation { kind, operands: [a, b] } = match graph.nodes[at] {
+                Node::Number(_) => continue,
+                Node::Variable(k) => {
+                    match slopes.iter_mut().find(|(known, _)| *known == k) {
+                        Some((_, sum)) => *sum = graph.apply(Kind::Add, [*sum, share]),
+                        None => slopes.push((k, share)),
+                    }
+                    continue;
                 }
-                Operation::Multiply(a, b) => {
-                    shares[a] += share * results[b];
-                    shares[b] += share * results[a];
+                Node::Result(operation) => operation,
+            };
+            let mut add = |graph: &mut Graph, operand: usize, part: usize| {
+                shares[operand] = Some(match shares[operand] {
+                    Some(sum) => graph.apply(Kind::Add, [sum, part]),
+                    None => part,
+                });
+            };
+            match kind {
+                Kind::Add => {
+                    add(&mut graph, a, share);
+                    add(&mut graph, b, share);
                 }
-                Operation::Negate(a) => shares[a] -= share,
-                Operation::Reciprocal(a) => shares[a] -= share * results[at] * results[at],
-                Operation::Call(f, a) => shares[a] += share * (f.slope)(results[a], results[at]),
-                Operation::CallTwo(f, a, b) => {
-                    let [by_a, by_b] = (f.slopes)(results[a], results[b]);
-                    shares[a] += share * by_a;
-                    shares[b] += share * by_b;
+                Kind::Multiply => {
+                    for (operand, other) in [(a, b), (b, a)] {
+                        let part = graph.apply(Kind::Share, [share, other]);
+                        add(&mut graph, operand, part);
+                    }
                 }
+                Kind::Negate => {
+                    let part = graph.apply(Kind::Negate, [share, share]);
+                    add(&mut graph, a, part);
+                }
+                Kind::Reciprocal => {
+                    let part = graph.apply(Kind::Share, [share, at]);
+                    let part = graph.apply(Kind::Share, [part, at]);
+                    let part = graph.apply(Kind::Negate, [part, part]);
+                    add(&mut graph, a, part);
+                }
+                Kind::Call(f) => {
+                    let slope = graph.apply(Kind::Slope(f), [a, at]);
+                    let part = graph.apply(Kind::Share, [share, slope]);
+                    add(&mut graph, a, part);
+                }
+                Kind::CallTwo(f) => {
+                    for (by, operand) in [a, b].into_iter().enumerate() {
+                        let slope = graph.apply(Kind::SlopeOfTwo(f, by), [a, b]);
+                        let part = graph.apply(Kind::Share, [share, slope]);
+                        add(&mut graph, operand, part);
+                    }
+                }
+                // in derivatives alone
+                Kind::Share | Kind::Slope(_) | Kind::SlopeOfTwo(..) => {}
             }
         }
-        results[self.last]
+        slopes.sort_unstable();
+        let formula = graph.formula(self.last, &mut slopes);
+        Gradient { formula, slopes }
     }
 
-    /// The numbers of its variables, each once.
+    /// The numbers of its variables.
     pub fn variables(&self) -> &[usize] {
         &self.variables
     }
 
-    /// The results of all operations.
+    /// The numbers, the variables and the results of all operations.
     #[inline]
-    fn evaluate(&self, variables: &[f64], results: &mut Vec<f64>) {
-        results.resize(self.operations.len(), 0.0);
-        for (at, operation) in self.operations.iter().enumerate() {
-            results[at] = match *operation {
-                Operation::Number(number) => number,
-                Operation::Variable(k) => variables[k],
-                Operation::Add(a, b) => results[a] + results[b],
-                Operation::Multiply(a, b) => results[a] * results[b],
-                Operation::Negate(a) => -results[a],
-                Operation::Reciprocal(a) => 1.0 / results[a],
-                Operation::Call(f, a) => (f.value)(results[a]),
-                Operation::CallTwo(f, a, b) => (f.value)(results[a], results[b]),
-            };
+    fn evaluate<'w>(&self, variables: &[f64], workspace: &'w mut Workspace) -> &'w [f64] {
+        let Formula { numbers, variables: used, operations, .. } = self;
+        let first = numbers.len() + used.len();
+        let (results, count) = (&mut workspace.results, first + operations.len());
+        if results.len() < count {
+            results.resize(count, 0.0);
         }
+        let results = &mut results[..count];
+        results[..numbers.len()].copy_from_slice(numbers);
+        for (result, k) in results[numbers.len()..].iter_mut().zip(used) {
+            *result = variables[*k];
+        }
+        for (at, operation) in operations.iter().enumerate() {
+            results[first + at] = operation.kind.value(operation.operands.map(|k| results[k]));
+        }
+        results
     }
 }
 
-/// Gives the number of the variable of a name.
-type Variables<'v> = dyn FnMut(&str) -> Option<usize> + 'v;
+impl Gradient {
+    /// The value at given values of the variables, and the derivatives that are not zero everywhere, each after its variable.
+    #[inline]
+    pub fn evaluate<'g>(
+        &'g self,
+        variables: &[f64],
+        workspace: &'g mut Workspace,
+    ) -> (f64, impl Iterator<Item = (usize, f64)> + 'g) {
+        let results = self.formula.evaluate(variables, workspace);
+        (results[self.formula.last], self.slopes.iter().map(|(k, at)| (*k, results[*at])))
+    }
+}
 
-/// Records operations instead of computing; a value is the number of its operation.
-struct Reader<'v> {
-    operations: RefCell<Vec<Operation>>,
-    variable: RefCell<&'v mut Variables<'v>>,
+/// A number, a variable, or the result of an operation on earlier nodes.
+#[derive(Clone, Copy, Debug)]
+enum Node {
+    Number(f64),
+    Variable(usize),
+    Result(Operation),
+}
+
+/// The nodes of formulas that are being made.
+#[derive(Debug, Default)]
+struct Graph {
+    nodes: Vec<Node>,
+}
+
+impl Graph {
+    fn push(&mut self, node: Node) -> usize {
+        self.nodes.push(node);
+        self.nodes.len() - 1
+    }
+
+    fn number(&mut self, number: f64) -> usize {
+        self.push(Node::Number(number))
+    }
+
+    /// The result of an operation: a number, if both operands are, or the other factor of 1.
+    fn apply(&mut self, kind: Kind, operands: [usize; 2]) -> usize {
+        match (kind, operands.map(|operand| self.nodes[operand])) {
+            (_, [Node::Number(a), Node::Number(b)]) => self.number(kind.value([a, b])),
+            (Kind::Share, [Node::Number(1.0), _]) => operands[1],
+            (Kind::Share, [_, Node::Number(1.0)]) => operands[0],
+            _ => self.push(Node::Result(Operation { kind, operands })),
+        }
+    }
+
+    /// The formula of a node, with the nodes that it and the `outputs` need. Each output has a node after its name, which
+    /// becomes its place in the formula.
+    fn formula(self, last: usize, outputs: &mut [(usize, usize)]) -> Formula {
+        let mut needed = vec![false; self.nodes.len()];
+        needed[last] = true;
+        outputs.iter().for_each(|(_, node)| needed[*node] = true);
+        for (at, node) in self.nodes.iter().enumerate().rev() {
+            if let (true, Node::Result(operation)) = (needed[at], node) {
+                operation.operands.iter().for_each(|operand| needed[*operand] = true);
+            }
+        }
+        // numbers come first, then variables
+        let rank = |node: &Node| match node {
+            Node::Number(_) => 0,
+            Node::Variable(_) => 1,
+            Node::Result(_) => 2,
+        };
+        let mut order: Vec<usize> = (0..self.nodes.len()).filter(|at| needed[*at]).collect();
+        order.sort_by_key(|at| rank(&self.nodes[*at]));
+        let mut places = vec![0; self.nodes.len()];
+        order.iter().enumerate().for_each(|(place, at)| places[*at] = place);
+        outputs.iter_mut().for_each(|(_, node)| *node = places[*node]);
+        let (numbers, variables, operations) = (vec![], vec![], vec![]);
+        let mut formula = Formula { numbers, variables, operations, last: places[last] };
+        for at in order {
+            match self.nodes[at] {
+                Node::Number(number) => formula.numbers.push(number),
+                Node::Variable(k) => formula.variables.push(k),
+                Node::Result(Operation { kind, operands }) => {
+                    let operands = operands.map(|operand| places[operand]);
+                    formula.operations.push(Operation { kind, operands });
+                }
+            }
+        }
+        formula
+    }
+}
+
+/// Gives the meaning of a name.
+type Symbols<'s> = dyn FnMut(&str) -> Option<Symbol> + 's;
+
+/// Records operations instead of computing; a value is the number of its node.
+struct Reader<'s> {
+    graph: RefCell<Graph>,
+    symbol: RefCell<&'s mut Symbols<'s>>,
 }
 
 impl Reader<'_> {
-    fn push(&self, operation: Operation) -> usize {
-        let mut operations = self.operations.borrow_mut();
-        operations.push(operation);
-        operations.len() - 1
+    fn apply(&self, kind: Kind, operands: [usize; 2]) -> usize {
+        self.graph.borrow_mut().apply(kind, operands)
     }
 }
 
@@ -276,39 +437,41 @@ impl Meaning for Reader<'_> {
 
     fn number(&self, number: &Rational) -> Result<usize, String> {
         let number = f64::from_rational(number).ok_or("it is beyond the range of floats")?;
-        Ok(self.push(Operation::Number(number)))
+        Ok(self.graph.borrow_mut().number(number))
     }
 
     fn name(&self, name: &str) -> Result<usize, String> {
-        if let Some(k) = (self.variable.borrow_mut())(name) {
-            return Ok(self.push(Operation::Variable(k)));
-        }
-        match name {
-            "pi" => Ok(self.push(Operation::Number(PI))),
-            "tau" => Ok(self.push(Operation::Number(TAU))),
-            _ => Err(format!("`{name}` is no name here")),
-        }
+        let symbol = match ((self.symbol.borrow_mut())(name), name) {
+            (Some(symbol), _) => symbol,
+            (None, "pi") => Symbol::Number(PI),
+            (None, "tau") => Symbol::Number(TAU),
+            (None, _) => return Err(format!("`{name}` is no name here")),
+        };
+        Ok(self.graph.borrow_mut().push(match symbol {
+            Symbol::Number(number) => Node::Number(number),
+            Symbol::Variable(k) => Node::Variable(k),
+        }))
     }
 
     fn add(&self, a: usize, b: usize) -> Result<usize, String> {
-        Ok(self.push(Operation::Add(a, b)))
+        Ok(self.apply(Kind::Add, [a, b]))
     }
 
     fn multiply(&self, a: usize, b: usize) -> Result<usize, String> {
-        Ok(self.push(Operation::Multiply(a, b)))
+        Ok(self.apply(Kind::Multiply, [a, b]))
     }
 
     fn negate(&self, a: usize) -> usize {
-        self.push(Operation::Negate(a))
+        self.apply(Kind::Negate, [a, a])
     }
 
     fn reciprocal(&self, a: usize) -> Result<usize, String> {
-        Ok(self.push(Operation::Reciprocal(a)))
+        Ok(self.apply(Kind::Reciprocal, [a, a]))
     }
 
     fn function(&self, name: &str, argument: usize) -> Result<usize, String> {
         match FUNCTIONS.iter().find(|f| f.name == name) {
-            Some(function) => Ok(self.push(Operation::Call(function, argument))),
+            Some(function) => Ok(self.apply(Kind::Call(function), [argument, argument])),
             None => {
                 let two = FUNCTIONS_OF_TWO.iter().map(|f| f.name);
                 let all: Vec<&str> = FUNCTIONS.iter().map(|f| f.name).chain(two).collect();
@@ -324,7 +487,7 @@ impl Meaning for Reader<'_> {
             (Some(f), [first, others @ ..])
                 if others.len() == 1 || (f.folds && others.len() > 1) =>
             {
-                let fold = |a, b: &usize| self.push(Operation::CallTwo(f, a, *b));
+                let fold = |a, b: &usize| self.apply(Kind::CallTwo(f), [a, *b]);
                 return Ok(others.iter().fold(*first, fold));
             }
             (None, several) => {
@@ -335,5 +498,38 @@ impl Meaning for Reader<'_> {
             (Some(_), _) => "two arguments",
         };
         Err(format!("`{name}` takes {takes}, not {}", arguments.len()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Formula {
+        let mut symbol = |name: &str| match name {
+            "a" => Some(Symbol::Number(1.5)),
+            _ => ["x", "y"].iter().position(|known| *known == name).map(Symbol::Variable),
+        };
+        Formula::read(text, &mut symbol).expect("a formula")
+    }
+
+    #[test]
+    fn constants_are_computed_once() {
+        assert_eq!(read("sin(a*pi)/2 + a"), Formula::number((1.5 * PI).sin() * 0.5 + 1.5));
+        let linear = read("a*2*(3*x - sqrt(a)*y) + 1^2");
+        assert_eq!(linear.operations.len(), 6);
+        // its derivatives are constants
+        assert_eq!(linear.differentiated().formula.operations.len(), 6);
+        let mut slopes = [0.0; 2];
+        assert_eq!(linear.gradient(&[f64::MAX, f64::MIN], &mut slopes), f64::INFINITY);
+        assert_eq!(slopes, [9.0, -3.0 * 1.5_f64.sqrt()]);
+    }
+
+    /// As in `min(x, 1/y)` at `y = 0`.
+    #[test]
+    fn zero_times_an_infinite_slope_is_zero() {
+        let mut slopes = [f64::NAN; 2];
+        assert_eq!(read("step(x)*sqrt(y)*0").gradient(&[-1.0, 0.0], &mut slopes), 0.0);
+        assert_eq!(slopes, [0.0, 0.0]);
     }
 }

@@ -1,7 +1,6 @@
 //! Problems of Euler-Poincare equations with holonomic constraints.
 
 use super::dynamics::{Dynamics, System};
-use super::integration::values_of;
 use super::keys::Keys;
 use super::on_group::{OnGroup, Start};
 use super::reader::{Reader, Written};
@@ -30,7 +29,7 @@ impl Constrained {
 
     pub fn motion(&self, start: &Start) -> Result<Ready, InputError> {
         let (group, member) = (start.group, start.member);
-        let System { energy, inertia, parameters, forces, rows, element, momentum, notes } =
+        let System { energy, inertia, forces, rows, element, momentum, notes } =
             self.dynamics.system(start)?;
         if let Some(method) = member.method().filter(|m| *m != Method::GeneralisedAlpha) {
             let message = format!("the method {method} is not for constraints");
@@ -38,7 +37,7 @@ impl Constrained {
                 .help("the method for constraints is generalised-alpha"));
         }
         let step = member.needed_step("a system with constraints")?;
-        let mut equations = Equations::new(group.clone(), values_of(&parameters));
+        let mut equations = Equations::new(group.clone());
         for written in &self.constraints {
             let added = equations.add(written.text(), forces.names());
             let entries = forces.names().entries();

@@ -48,8 +48,6 @@ pub(super) struct System<'d> {
     pub energy: Cow<'d, KineticEnergy>,
     /// The matrix of the metric.
     pub inertia: DMatrix<f64>,
-    /// The parameters, those of a body included, with their values.
-    pub parameters: Vec<(String, f64)>,
     pub forces: Forces<AnyGroup>,
     pub rows: RowFormulas,
     pub element: DVector<f64>,
@@ -83,7 +81,7 @@ impl Dynamics {
     /// The motion without constraints.
     pub fn motion(&self, start: &Start) -> Result<Ready, InputError> {
         let member = start.member;
-        let System { energy, inertia, forces, rows, element, momentum, notes, .. } =
+        let System { energy, inertia, forces, rows, element, momentum, notes } =
             self.system(start)?;
         let setup = Setup {
             connection: &energy.connection,
@@ -152,14 +150,14 @@ impl Dynamics {
         }
         start.expect_new_names(&energy.of_body)?;
         let parameters = [&member.parameters[..], &energy.of_body].concat();
-        let mut forces = Forces::none(group.clone(), inertia.clone(), parameters.clone());
+        let mut forces = Forces::none(group.clone(), inertia.clone(), parameters);
         self.forces.apply(&mut forces, start.definition.dimension())?;
         // forces change the coadjoint orbit
         let casimirs = if forces.is_empty() { &self.casimirs[..] } else { &[] };
         let rows = member.output.formulas(forces.names(), &|_| true, casimirs, member.source)?;
         let element = start.on_group.element().at(group, &values)?;
         let momentum = self.initial.at(group, &element, forces.observables(), &values)?;
-        Ok(System { energy, inertia, parameters, forces, rows, element, momentum, notes })
+        Ok(System { energy, inertia, forces, rows, element, momentum, notes })
     }
 }
 

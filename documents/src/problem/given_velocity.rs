@@ -57,7 +57,7 @@ impl GivenVelocity {
         start.expect_new_names(&[])?;
         let observables = Observables::new(group.clone(), None, member.parameters.clone());
         let names = observables.names();
-        let mut velocity = affinor::mechanics::motions::GivenVelocity::new(values.clone());
+        let mut velocity = affinor::mechanics::motions::GivenVelocity::default();
         for formula in &self.velocity {
             let added = velocity.add(formula.text(), names);
             let help = "the velocity is a formula of t and the parameters";

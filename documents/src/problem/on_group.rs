@@ -134,7 +134,7 @@ impl OnGroup {
 impl Start<'_> {
     /// Checks that no parameter has the name of a quantity of the motion, or of the body.
     pub fn expect_new_names(&self, of_body: &[(String, f64)]) -> Result<(), InputError> {
-        let names = Names::new(self.group, of_body.iter().map(|(name, _)| name.clone()).collect());
+        let names = Names::new(self.group, of_body.to_vec());
         let taken = self.member.parameters.iter().find(|(name, _)| names.find(name).is_some());
         taken.map_or(Ok(()), |(name, _)| {
             let message = format!("`{name}` has a meaning already");

@@ -8,7 +8,7 @@ use super::run::{Recorded, Run};
 use super::{Forces, Motion};
 use crate::Error;
 use crate::group::{Coordinates, Generator, Partial};
-use crate::mechanics::formula::Formula;
+use crate::mechanics::formula::{Formula, Gradient};
 use crate::mechanics::systems::constrained::ConstrainedState;
 use crate::mechanics::{Constrained, Constraint, GeneralisedAlpha};
 use affinor_tensors::expression::ExpressionError;
@@ -21,26 +21,26 @@ use std::ops::Range;
 pub struct Equations<G: SimulationGroup> {
     group: G,
     scope: Scope,
-    formulas: Vec<Formula>,
-    parameters: Vec<f64>,
+    /// Each formula, and the same with its derivatives.
+    formulas: Vec<(Formula, Gradient)>,
     rows: usize,
     generators: Vec<Generator>,
-    /// Also derivatives of a formula, by the quantities and by the entries.
-    buffers: RefCell<(Buffers, Vec<f64>, Vec<Partial>)>,
+    /// Also derivatives of a formula by the entries.
+    buffers: RefCell<(Buffers, Vec<Partial>)>,
 }
 
 impl<G: SimulationGroup> Equations<G> {
     /// No constraints yet.
-    pub fn new(group: G, parameters: Vec<f64>) -> Self {
+    pub fn new(group: G) -> Self {
         let (rows, generators) = (group.write(&group.identity()).nrows(), Generator::of(&group));
         let (scope, formulas, buffers) = (Scope::default(), vec![], RefCell::default());
-        Equations { group, scope, formulas, parameters, rows, generators, buffers }
+        Equations { group, scope, formulas, rows, generators, buffers }
     }
 
     /// The same constraints on a group of the same shape.
     pub(super) fn on<H: SimulationGroup>(self, group: &H) -> Equations<H> {
-        let Equations { scope, formulas, parameters, rows, generators, buffers, .. } = self;
-        Equations { group: group.clone(), scope, formulas, parameters, rows, generators, buffers }
+        let Equations { scope, formulas, rows, generators, buffers, .. } = self;
+        Equations { group: group.clone(), scope, formulas, rows, generators, buffers }
     }
 
     /// Adds a constraint: a formula that must vanish.
@@ -49,7 +49,8 @@ impl<G: SimulationGroup> Equations<G> {
     /// As [`Formula::parse`]; also for quantities other than entries of the element and parameters.
     pub fn add(&mut self, text: &str, names: &Names) -> Result<(), ExpressionError> {
         let allowed = |quantity| matches!(quantity, Quantity::Parameter(_) | Quantity::Entry(..));
-        self.formulas.push(self.scope.read(text, names, &allowed)?);
+        let formula = self.scope.read(text, names, &allowed)?;
+        self.formulas.push((formula.clone(), formula.differentiated()));
         Ok(())
     }
 
@@ -58,7 +59,6 @@ impl<G: SimulationGroup> Equations<G> {
         let Buffers { values, entries, .. } = buffers;
         self.group.entries(element, entries);
         let value = |quantity| match quantity {
-            Quantity::Parameter(k) => self.parameters[k],
             Quantity::Entry(row, column) => entries[row + column * self.rows],
             _ => f64::NAN,
         };
@@ -71,17 +71,16 @@ impl<G: SimulationGroup> Constraint<G> for Equations<G> {
         let (buffers, ..) = &mut *self.buffers.borrow_mut();
         self.evaluate(element, buffers);
         let Buffers { values, workspace, .. } = buffers;
-        DVector::from_fn(self.formulas.len(), |a, _| self.formulas[a].value_in(values, workspace))
+        DVector::from_fn(self.formulas.len(), |a, _| self.formulas[a].0.value_in(values, workspace))
     }
 
     fn gradient(&self, element: &G::Element) -> DMatrix<f64> {
-        let (buffers, slopes, partial) = &mut *self.buffers.borrow_mut();
+        let (buffers, partial) = &mut *self.buffers.borrow_mut();
         self.evaluate(element, buffers);
         let Buffers { values, entries, workspace } = buffers;
-        slopes.resize(values.len(), 0.0);
         let mut gradient = DMatrix::zeros(self.formulas.len(), self.group.dimension());
-        for (a, formula) in self.formulas.iter().enumerate() {
-            formula.gradient_in(values, slopes, workspace);
+        for (a, (_, formula)) in self.formulas.iter().enumerate() {
+            let (_, slopes) = formula.evaluate(values, workspace);
             self.scope.by_entries(slopes, partial);
             let row = self.group.derivatives(element, entries, &self.generators, partial);
             gradient.row_mut(a).copy_from_slice(row.components());

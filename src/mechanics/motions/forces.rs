@@ -5,7 +5,7 @@ use super::observables::{Buffers, Observables, Point};
 use super::quantities::{Names, Quantity, Scope};
 use super::table::{Interval, Table};
 use crate::group::{Coordinates, Generator, Partial};
-use crate::mechanics::formula::Formula;
+use crate::mechanics::formula::{Formula, Gradient};
 use crate::mechanics::systems::euler_poincare::Torque;
 use affinor_tensors::expression::ExpressionError;
 use nalgebra::DMatrix;
@@ -53,7 +53,8 @@ pub struct Forces<G: SimulationGroup> {
     scope: Scope,
     /// Formulas of components with their side and index, and their text.
     terms: Vec<(Side, usize, Formula, String)>,
-    potential: Option<(Formula, String)>,
+    /// The potential, the same with its derivatives, and its text.
+    potential: Option<(Formula, Gradient, String)>,
     table: Option<(Side, Table)>,
     functions: Vec<(Side, ForceFunction)>,
     /// The interval of the table in which the present step began.
@@ -67,8 +68,7 @@ pub struct Forces<G: SimulationGroup> {
 struct Sums {
     /// Components of the force in the frame of the equations, then in the other frame.
     sums: Vec<f64>,
-    /// Derivatives of the potential by the quantities of the scope, and by the entries.
-    slopes: Vec<f64>,
+    /// Derivatives of the potential by the entries.
     partial: Vec<Partial>,
 }
 
@@ -138,7 +138,8 @@ impl<G: SimulationGroup> Forces<G> {
             |q| matches!(q, Quantity::Time | Quantity::Parameter(_) | Quantity::Entry(..));
         let formula = self.scope.read(text, self.observables.names(), &allowed)?;
         self.generators = Generator::of(&self.observables.group);
-        self.potential = Some((formula, text.trim().into()));
+        let gradient = formula.differentiated();
+        self.potential = Some((formula, gradient, text.trim().into()));
         Ok(())
     }
 
@@ -171,8 +172,8 @@ impl<G: SimulationGroup> Forces<G> {
 
     /// Whether no force depends on the velocity.
     pub fn are_positional(&self) -> bool {
-        use Quantity::{Entry, Named, Parameter, Time};
-        let of_place = |q: &Quantity| matches!(q, Time | Parameter(_) | Entry(..) | Named(_));
+        use Quantity::{Entry, Named, Time};
+        let of_place = |q: &Quantity| matches!(q, Time | Entry(..) | Named(_));
         self.functions.is_empty() && self.scope.quantities().iter().all(of_place)
     }
 
@@ -184,7 +185,7 @@ impl<G: SimulationGroup> Forces<G> {
 
     /// The potential `V` at a point.
     pub(super) fn potential(&self, at: &Point<G>) -> f64 {
-        let Some((formula, _)) = &self.potential else { return 0.0 };
+        let Some((formula, ..)) = &self.potential else { return 0.0 };
         let (buffers, _) = &mut *self.buffers.borrow_mut();
         self.observables.evaluate(&self.scope, at, &|_| f64::NAN, buffers);
         formula.value_in(&buffers.values, &mut buffers.workspace)
@@ -199,7 +200,7 @@ impl<G: SimulationGroup> Forces<G> {
     /// The sum of all forces, in the frame of the equations.
     fn total(&self, at: &Point<G>) -> G::Vector {
         let group = &self.observables.group;
-        let (buffers, Sums { sums, slopes, partial }) = &mut *self.buffers.borrow_mut();
+        let (buffers, Sums { sums, partial }) = &mut *self.buffers.borrow_mut();
         let n = group.dimension();
         self.observables.evaluate(&self.scope, at, &|_| f64::NAN, buffers);
         let Buffers { values, entries, workspace } = buffers;
@@ -236,9 +237,8 @@ impl<G: SimulationGroup> Forces<G> {
                 total = total + group.coadjoint(at.element, &G::Vector::from_components(other));
             }
         }
-        if let Some((formula, text)) = &self.potential {
-            slopes.resize(values.len(), 0.0);
-            let value = formula.gradient_in(values, slopes, workspace);
+        if let Some((_, gradient, text)) = &self.potential {
+            let (value, slopes) = gradient.evaluate(values, workspace);
             if value.is_finite() {
                 self.scope.by_entries(slopes, partial);
                 let slopes = group.derivatives(at.element, entries, &self.generators, partial);

@@ -14,21 +14,14 @@ use std::cell::RefCell;
 use std::ops::Range;
 
 /// A velocity over time: formulas of `t` and the parameters for its components.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct GivenVelocity {
     scope: Scope,
     formulas: Vec<Formula>,
-    parameters: Vec<f64>,
     buffers: RefCell<Buffers>,
 }
 
 impl GivenVelocity {
-    /// A velocity without components yet.
-    pub fn new(parameters: Vec<f64>) -> Self {
-        let (scope, buffers) = (Scope::default(), RefCell::default());
-        GivenVelocity { scope, formulas: vec![], parameters, buffers }
-    }
-
     /// Adds the next component.
     ///
     /// # Errors
@@ -41,11 +34,7 @@ impl GivenVelocity {
 
     fn at<V: Coordinates>(&self, time: f64) -> V {
         let Buffers { values, workspace, .. } = &mut *self.buffers.borrow_mut();
-        let value = |quantity| match quantity {
-            Quantity::Parameter(k) => self.parameters[k],
-            _ => time,
-        };
-        self.scope.evaluate(value, values);
+        self.scope.evaluate(|_| time, values);
         V::from_fn(self.formulas.len(), |i| self.formulas[i].value_in(values, workspace))
     }
 }

@@ -9,7 +9,7 @@ use super::simulated::SimulationGroup;
 use super::{Method, Motion};
 use crate::Error;
 use crate::group::Coordinates;
-use crate::mechanics::formula::{Formula, Workspace};
+use crate::mechanics::formula::{Formula, Gradient, Workspace};
 use crate::mechanics::{Adaptive, CotangentSystem, State, System};
 use affinor_tensors::expression::ExpressionError;
 use std::cell::RefCell;
@@ -18,10 +18,9 @@ use std::cell::RefCell;
 #[derive(Clone, Debug)]
 pub struct Hamiltonian {
     scope: Scope,
-    formula: Formula,
+    gradient: Gradient,
     text: String,
-    parameters: Vec<f64>,
-    /// Values of the quantities, and derivatives by them.
+    /// Values of the quantities, and derivatives by the components of the momentum.
     buffers: RefCell<(Vec<f64>, Vec<f64>, Workspace)>,
 }
 
@@ -36,9 +35,8 @@ impl Hamiltonian {
     ) -> Result<Self, ExpressionError> {
         let mut scope = Scope::default();
         let allowed = |quantity| matches!(quantity, Quantity::Momentum(_) | Quantity::Parameter(_));
-        let formula = scope.read(text, observables.names(), &allowed)?;
-        let (text, parameters) = (text.trim().into(), observables.parameters().to_vec());
-        Ok(Hamiltonian { scope, formula, text, parameters, buffers: RefCell::default() })
+        let gradient = scope.read(text, observables.names(), &allowed)?.differentiated();
+        Ok(Hamiltonian { scope, gradient, text: text.trim().into(), buffers: RefCell::default() })
     }
 
     /// The value, and its derivatives by the components of the momentum.
@@ -47,18 +45,21 @@ impl Hamiltonian {
         let h = momentum.components();
         let value = |quantity| match quantity {
             Quantity::Momentum(i) => h[i],
-            Quantity::Parameter(k) => self.parameters[k],
             _ => f64::NAN,
         };
         self.scope.evaluate(value, values);
-        slopes.resize(values.len(), 0.0);
-        let value = self.formula.gradient_in(values, slopes, workspace);
+        let (value, derivatives) = self.gradient.evaluate(values, workspace);
         if !value.is_finite() {
             return (value, V::from_fn(h.len(), |_| f64::NAN));
         }
-        let quantities = self.scope.quantities();
-        let at = |i| quantities.iter().position(|other| *other == Quantity::Momentum(i));
-        (value, V::from_fn(h.len(), |i| at(i).map_or(0.0, |k| slopes[k])))
+        slopes.clear();
+        slopes.resize(h.len(), 0.0);
+        for (k, slope) in derivatives {
+            if let Quantity::Momentum(i) = self.scope.quantities()[k] {
+                slopes[i] = slope;
+            }
+        }
+        (value, V::from_components(slopes))
     }
 }
 

@@ -34,7 +34,8 @@ impl<'p, G: SimulationGroup> Point<'p, G> {
 pub struct Observables<G: SimulationGroup> {
     pub(super) group: G,
     names: Names,
-    parameters: Vec<f64>,
+    /// The number of rows of a written element.
+    rows: usize,
     /// `J`, if there is one.
     inertia: Option<DMatrix<f64>>,
     /// Why the last force or velocity was not a number.
@@ -54,25 +55,20 @@ pub(super) struct Buffers {
 impl<G: SimulationGroup> Observables<G> {
     /// The quantities on a group with named parameters; `inertia` is the matrix `J` of `H = J Omega`.
     pub fn new(group: G, inertia: Option<DMatrix<f64>>, parameters: Vec<(String, f64)>) -> Self {
-        let (names, parameters) = parameters.into_iter().unzip();
-        let names = Names::new(&group, names);
-        Observables { group, names, parameters, inertia, trouble: RefCell::default() }
+        let names = Names::new(&group, parameters);
+        let rows = names.rows();
+        Observables { group, names, rows, inertia, trouble: RefCell::default() }
     }
 
     /// The same quantities on a group of the same shape.
     pub(super) fn on<H: SimulationGroup>(self, group: &H) -> Observables<H> {
-        let Observables { names, parameters, inertia, trouble, .. } = self;
-        Observables { group: group.clone(), names, parameters, inertia, trouble }
+        let Observables { names, rows, inertia, trouble, .. } = self;
+        Observables { group: group.clone(), names, rows, inertia, trouble }
     }
 
     /// The names that formulas may use.
     pub fn names(&self) -> &Names {
         &self.names
-    }
-
-    /// The values of the parameters.
-    pub(super) fn parameters(&self) -> &[f64] {
-        &self.parameters
     }
 
     /// `J Omega`; not a number without an inertia.
@@ -156,22 +152,31 @@ impl<'v, G: SimulationGroup> Values<'v, G> {
         Values { observables, at, load, momentum, other_momentum, other_velocity, entries, written }
     }
 
-    #[inline]
+    /// What a force may read in each stage of a step is at hand.
+    #[inline(always)]
     fn of(&mut self, quantity: Quantity) -> f64 {
+        match quantity {
+            Quantity::Time => self.at.time,
+            Quantity::Velocity(i) => self.at.velocity.components()[i],
+            Quantity::Entry(row, column) => {
+                let Observables { group, rows, .. } = self.observables;
+                if !self.written {
+                    group.entries(self.at.element, self.entries);
+                    self.written = true;
+                }
+                self.entries[row + column * rows]
+            }
+            _ => self.computed(quantity),
+        }
+    }
+
+    fn computed(&mut self, quantity: Quantity) -> f64 {
         let Values { observables, at, load, .. } = *self;
         let group = &observables.group;
         match quantity {
-            Quantity::Time => at.time,
-            Quantity::Parameter(k) => observables.parameters[k],
-            Quantity::Entry(row, column) => {
-                if !self.written {
-                    group.entries(at.element, self.entries);
-                    self.written = true;
-                }
-                self.entries[row + column * observables.names.rows()]
-            }
+            Quantity::Time | Quantity::Velocity(_) | Quantity::Entry(..) => self.of(quantity),
+            Quantity::Parameter(k) => observables.names.parameters[k].1,
             Quantity::Named(k) => group.named(at.element, k),
-            Quantity::Velocity(i) => at.velocity.components()[i],
             Quantity::Momentum(i) => self.momentum().components()[i],
             Quantity::OtherVelocity(i) => {
                 let velocity = || group.adjoint(at.element, at.velocity);

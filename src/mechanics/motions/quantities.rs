@@ -2,7 +2,7 @@
 
 use super::SimulationGroup;
 use crate::group::{Block, Coordinate, Partial};
-use crate::mechanics::formula::Formula;
+use crate::mechanics::formula::{Formula, Symbol};
 use affinor_tensors::expression::ExpressionError;
 
 /// A number that a motion has at each time.
@@ -38,8 +38,8 @@ pub enum Quantity {
 /// The names that formulas on a group may use.
 #[derive(Clone, Debug)]
 pub struct Names {
-    /// Parameters of the problem.
-    pub parameters: Vec<String>,
+    /// Parameters of the problem and their values.
+    pub parameters: Vec<(String, f64)>,
     dimension: usize,
     /// How the factors of the group are written, a group that is no product being its only factor.
     blocks: Vec<Block>,
@@ -48,8 +48,8 @@ pub struct Names {
 }
 
 impl Names {
-    /// The names on a group, with those of the parameters.
-    pub fn new<G: SimulationGroup>(group: &G, parameters: Vec<String>) -> Self {
+    /// The names on a group, with parameters.
+    pub fn new<G: SimulationGroup>(group: &G, parameters: Vec<(String, f64)>) -> Self {
         let blocks = group.blocks();
         let (body, space) = (["Omega", "H"], ["omega", "h"]);
         let sides = if group.is_right() { [space, body] } else { [body, space] };
@@ -76,7 +76,7 @@ impl Names {
 
     /// The quantity of a name.
     pub fn find(&self, name: &str) -> Option<Quantity> {
-        if let Some(k) = self.parameters.iter().position(|parameter| parameter == name) {
+        if let Some(k) = self.parameters.iter().position(|(known, _)| known == name) {
             return Some(Quantity::Parameter(k));
         }
         match name {
@@ -203,14 +203,14 @@ impl Names {
         };
         names.extend(self.of_factors(others));
         names.extend(["kinetic", "potential", "energy", "power"].map(String::from));
-        names.extend(self.parameters.iter().cloned());
+        names.extend(self.parameters.iter().map(|(name, _)| name.clone()));
         let first = |name: &str| self.find(name.split("..").next().unwrap_or(name));
         names.retain(|name| first(name).is_none_or(allowed));
         names.join(", ")
     }
 }
 
-/// The quantities that some formulas use; their order numbers the variables of the formulas.
+/// The quantities that some formulas use; their order numbers the variables of the formulas. Parameters are constants.
 #[derive(Clone, Debug, Default)]
 pub struct Scope {
     quantities: Vec<Quantity>,
@@ -227,9 +227,11 @@ impl Scope {
         names: &Names,
         allowed: &dyn Fn(Quantity) -> bool,
     ) -> Result<Formula, ExpressionError> {
-        Formula::parse(text, &mut |name| {
-            let quantity = names.find(name).filter(|quantity| allowed(*quantity))?;
-            Some(self.index(quantity))
+        Formula::read(text, &mut |name| {
+            Some(match names.find(name).filter(|quantity| allowed(*quantity))? {
+                Quantity::Parameter(k) => Symbol::Number(names.parameters[k].1),
+                quantity => Symbol::Variable(self.index(quantity)),
+            })
         })
     }
 
@@ -254,16 +256,20 @@ impl Scope {
         values.extend(self.quantities.iter().copied().map(value));
     }
 
-    /// Replaces `partial` by the derivatives by entries that are not zero, from those by all quantities.
+    /// Replaces `partial` by the derivatives by entries that are not zero, from those by quantities.
     #[inline]
-    pub(super) fn by_entries(&self, slopes: &[f64], partial: &mut Vec<Partial>) {
+    pub(super) fn by_entries(
+        &self,
+        slopes: impl Iterator<Item = (usize, f64)>,
+        partial: &mut Vec<Partial>,
+    ) {
         partial.clear();
-        for (quantity, slope) in self.quantities.iter().zip(slopes) {
+        for (k, slope) in slopes {
             // 0 is left out, as 0 times an infinite entry is NaN
-            if let Quantity::Entry(row, column) = *quantity
-                && *slope != 0.0
+            if let Quantity::Entry(row, column) = self.quantities[k]
+                && slope != 0.0
             {
-                partial.push((row, column, *slope));
+                partial.push((row, column, slope));
             }
         }
     }
