@@ -200,17 +200,24 @@ pub trait LieGroup {
         None
     }
 
+    /// Whether the group has [translations](Self::translation). Where vectors have a fixed size the compiler knows it, and
+    /// compiles no code for translations that there are not.
+    #[inline]
+    fn has_translations(&self) -> bool {
+        self.translation(&Self::Vector::zeros(self.dimension())).is_some()
+    }
+
     /// The part `P* h` of a covector along [translations](Self::translation): `(P* h)(x) = h(P x)`. `None` if the group has no
     /// translations.
     fn along_translations(&self, h: &Self::Vector) -> Option<Self::Vector> {
-        let n = self.dimension();
-        self.translation(&Self::Vector::zeros(n))?;
-        Some(Self::Vector::from_fn(n, |i| {
-            let translation = self.translation(&self.unit(i));
-            let products =
-                translation.iter().flat_map(|x| x.components().iter().zip(h.components()));
-            products.map(|(x, h)| h * x).sum()
-        }))
+        self.has_translations().then(|| {
+            Self::Vector::from_fn(self.dimension(), |i| {
+                let translation = self.translation(&self.unit(i));
+                let products =
+                    translation.iter().flat_map(|x| x.components().iter().zip(h.components()));
+                products.map(|(x, h)| h * x).sum()
+            })
+        })
     }
 
     /// The factor `k` of `g = exp(y) k`, with `y` in the ideal of [`translation`](Self::translation) and `k` in the

@@ -195,6 +195,10 @@ macro_rules! on_lists {
                 self.0.translation(&self.vector(x)).map(|x| self.to_vector(x))
             }
 
+            fn has_translations(&self) -> bool {
+                self.0.has_translations()
+            }
+
             fn has_bounded_turns(&self) -> bool {
                 self.0.has_bounded_turns()
             }

@@ -302,6 +302,10 @@ impl LieGroup for MatrixGroup {
         self.translations.as_ref().map(|projection| projection * x)
     }
 
+    fn has_translations(&self) -> bool {
+        self.translations.is_some()
+    }
+
     /// True for orthogonal matrices.
     fn has_bounded_turns(&self) -> bool {
         self.orthogonal

@@ -85,6 +85,10 @@ impl<G: LieGroup> LieGroup for Opposite<G> {
         self.0.turn(g)
     }
 
+    fn has_translations(&self) -> bool {
+        self.0.has_translations()
+    }
+
     fn has_bounded_turns(&self) -> bool {
         self.0.has_bounded_turns()
     }

@@ -105,6 +105,10 @@ impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
         (self.0.turn(&g.0), self.1.turn(&g.1))
     }
 
+    fn has_translations(&self) -> bool {
+        self.0.has_translations() || self.1.has_translations()
+    }
+
     fn has_bounded_turns(&self) -> bool {
         self.0.has_bounded_turns() && self.1.has_bounded_turns()
     }

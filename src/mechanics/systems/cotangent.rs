@@ -120,8 +120,7 @@ pub trait CotangentSystem: System<State = State<Self::Group>> {
 
     /// Whether [`transfer`](Self::transfer) may differ from zero.
     fn transfers(&self) -> bool {
-        let group = self.group();
-        group.translation(&Vector::<Self>::zeros(group.dimension())).is_some()
+        self.group().has_translations()
     }
 
     /// `ad*_(P Omega) H`, the change of the momentum about the centre by its [`translation`](LieGroup::translation)

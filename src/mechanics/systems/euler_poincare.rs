@@ -129,17 +129,18 @@ impl<G: LieGroup, M: Torque<G>> CotangentSystem for EulerPoincare<G, M> {
 
     #[inline]
     fn centre(&self) -> Option<&G::Element> {
-        self.centred.centre()
+        self.centred.centre().filter(|_| self.group.has_translations())
     }
 
     #[inline]
     fn velocity_at_centre(&self, momentum: &G::Vector) -> G::Vector {
-        self.centred.inverse().unwrap_or(&self.inverse).apply(momentum)
+        let inverse = self.centred.inverse().filter(|_| self.group.has_translations());
+        inverse.unwrap_or(&self.inverse).apply(momentum)
     }
 
     #[inline]
     fn transfers(&self) -> bool {
-        self.centred.transfers()
+        self.centred.transfers() && self.group.has_translations()
     }
 
     #[inline]
