@@ -1,9 +1,9 @@
 //! Derivatives of formulas with corners and jumps: exact where they are smooth, the mean of both sides at a corner.
 
-use affinor::mechanics::formula::Formula;
+use affinor::mechanics::formula::{Formula, Symbol, Workspace};
 use proptest::prelude::*;
 
-const TEXTS: [&str; 9] = [
+const TEXTS: [&str; 11] = [
     "min(x, y)*y",
     "max(x^2, y, 1/2)",
     "min(3*x, max(y, x*y), 2 - x, x + y)",
@@ -13,6 +13,8 @@ const TEXTS: [&str; 9] = [
     "atan2(x*y + 7, sin(x))",
     "abs(max(x, -y))^2",
     "step(x - y)*sin(x - y)^2",
+    "exp(x)/(2 + y^2) - tan(x/2)*log(3 + y)",
+    "sqrt(5 + x*y)*atan(x) - tanh(y)/(x^2 + cos(1))^2",
 ];
 
 fn formula(text: &str) -> Formula {
@@ -39,6 +41,41 @@ proptest! {
                 // at a corner or a jump the quotients differ
                 if (smooth - quotient(1e-5)).abs() < 1e-6 * (1.0 + smooth.abs()) {
                     prop_assert!((slope - smooth).abs() < 1e-5 * (1.0 + smooth.abs()), "{}: {} {}", text, slope, smooth);
+                }
+            }
+        }
+    }
+
+    /// A name may be a constant or a variable: value and derivatives are the same.
+    #[test]
+    fn constants_are_variables_that_do_not_change(x in -2.0..2.0_f64, y in -2.0..2.0_f64) {
+        for text in TEXTS {
+            let mut expected = [0.0; 2];
+            let value = formula(text).gradient(&[x, y], &mut expected);
+            let at = [x, y];
+            for (constants, x, y) in [
+                ([false, false], Symbol::Variable(0), Symbol::Variable(1)),
+                ([true, false], Symbol::Number(x), Symbol::Variable(1)),
+                ([false, true], Symbol::Variable(0), Symbol::Number(y)),
+                ([true, true], Symbol::Number(x), Symbol::Number(y)),
+            ] {
+                let mut symbol = |name: &str| match name {
+                    "x" => Some(x),
+                    "y" => Some(y),
+                    _ => None,
+                };
+                let read = Formula::read(text, &mut symbol).unwrap();
+                let mut workspace = Workspace::default();
+                prop_assert_eq!(read.value(&at), value, "{}", text);
+                let gradient = read.differentiated();
+                let (found, slopes) = gradient.evaluate(&at, &mut workspace);
+                prop_assert_eq!(found, value, "{}", text);
+                let mut all = [0.0; 2];
+                slopes.for_each(|(k, slope)| all[k] = slope);
+                for k in 0..2 {
+                    let slope = if constants[k] { 0.0 } else { expected[k] };
+                    let off = (all[k] - slope).abs();
+                    prop_assert!(off <= 1e-12 * slope.abs(), "{}: {} {}", text, all[k], slope);
                 }
             }
         }

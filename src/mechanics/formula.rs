@@ -1,7 +1,10 @@
 //! Formulas in floats that are evaluated many times: torques, potentials, columns of a trajectory.
 
+mod functions;
+
 use affinor_tensors::expression::{Expression, ExpressionError, Meaning};
 use affinor_tensors::{Notation, Rational};
+use functions::{FUNCTIONS, FUNCTIONS_OF_TWO, Function, FunctionOfTwo};
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
 
@@ -28,6 +31,21 @@ pub struct Formula {
 
 /// A formula and its partial derivatives as one list of operations. What does not depend on a variable is computed once, when
 /// the list is made.
+///
+/// ```
+/// use affinor::mechanics::formula::{Formula, Symbol, Workspace};
+///
+/// let mut symbol = |name: &str| match name {
+///     "m" => Some(Symbol::Number(3.0)),
+///     "x" => Some(Symbol::Variable(0)),
+///     _ => None,
+/// };
+/// let gradient = Formula::read("m*x^2 + 1", &mut symbol)?.differentiated();
+/// let mut workspace = Workspace::default();
+/// let (value, slopes) = gradient.evaluate(&[2.0], &mut workspace);
+/// assert_eq!((value, slopes.collect::<Vec<_>>()), (13.0, vec![(0, 12.0)]));
+/// # Ok::<(), affinor::tensors::expression::ExpressionError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient {
     formula: Formula,
@@ -72,99 +90,6 @@ enum Kind {
     Slope(&'static Function),
     /// The slope of a function of two numbers by one of them.
     SlopeOfTwo(&'static FunctionOfTwo, usize),
-}
-
-/// A function of one number. `slope(x, y)` is its derivative at `x`, where `y` is its value there.
-#[derive(Debug)]
-struct Function {
-    name: &'static str,
-    value: fn(f64) -> f64,
-    slope: fn(f64, f64) -> f64,
-}
-
-/// A function of two numbers. `slopes(x, y)` are its partial derivatives.
-#[derive(Debug)]
-struct FunctionOfTwo {
-    name: &'static str,
-    value: fn(f64, f64) -> f64,
-    slopes: fn(f64, f64) -> [f64; 2],
-    /// Whether it takes longer lists of arguments, two by two.
-    folds: bool,
-}
-
-// pointers to functions need not be unique
-impl PartialEq for Function {
-    fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
-    }
-}
-
-impl PartialEq for FunctionOfTwo {
-    fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
-    }
-}
-
-/// The functions of one number that formulas may call. Where there is no derivative, the slope is the mean of those on both
-/// sides.
-static FUNCTIONS: [Function; 16] = [
-    Function { name: "sin", value: f64::sin, slope: |x, _| x.cos() },
-    Function { name: "cos", value: f64::cos, slope: |x, _| -x.sin() },
-    Function { name: "tan", value: f64::tan, slope: |_, y| 1.0 + y * y },
-    Function { name: "asin", value: f64::asin, slope: |x, _| 1.0 / (1.0 - x * x).sqrt() },
-    Function { name: "acos", value: f64::acos, slope: |x, _| -1.0 / (1.0 - x * x).sqrt() },
-    Function { name: "atan", value: f64::atan, slope: |x, _| 1.0 / (1.0 + x * x) },
-    Function { name: "sinh", value: f64::sinh, slope: |x, _| x.cosh() },
-    Function { name: "cosh", value: f64::cosh, slope: |x, _| x.sinh() },
-    Function { name: "tanh", value: f64::tanh, slope: |_, y| 1.0 - y * y },
-    Function { name: "exp", value: f64::exp, slope: |_, y| y },
-    Function { name: "log", value: f64::ln, slope: |x, _| 1.0 / x },
-    Function { name: "sqrt", value: f64::sqrt, slope: |_, y| 0.5 / y },
-    Function { name: "abs", value: f64::abs, slope: |x, _| sign(x) },
-    Function { name: "sign", value: sign, slope: |_, _| 0.0 },
-    // 1 from 0 on
-    Function {
-        name: "step",
-        value: |x| if x.is_nan() { x } else { f64::from(x >= 0.0) },
-        slope: |_, _| 0.0,
-    },
-    Function { name: "floor", value: f64::floor, slope: |_, _| 0.0 },
-];
-
-/// The functions of two numbers that formulas may call.
-static FUNCTIONS_OF_TWO: [FunctionOfTwo; 3] = [
-    FunctionOfTwo {
-        name: "min",
-        value: |x, y| if x.is_nan() || x < y { x } else { y },
-        slopes: |x, y| selected(x < y, y < x),
-        folds: true,
-    },
-    FunctionOfTwo {
-        name: "max",
-        value: |x, y| if x.is_nan() || x > y { x } else { y },
-        slopes: |x, y| selected(x > y, y > x),
-        folds: true,
-    },
-    FunctionOfTwo {
-        name: "atan2",
-        value: f64::atan2,
-        slopes: |y, x| {
-            let square = x * x + y * y;
-            [x / square, -y / square]
-        },
-        folds: false,
-    },
-];
-
-/// `-1`, `0` or `1`.
-fn sign(x: f64) -> f64 {
-    if x == 0.0 { 0.0 } else { x.signum() }
-}
-
-/// The derivatives by two numbers of the selected one; of neither, their mean.
-fn selected(first: bool, second: bool) -> [f64; 2] {
-    let share = 0.5 * (1.0 + f64::from(first) - f64::from(second));
-    [share, 1.0 - share]
 }
 
 impl Kind {
@@ -226,7 +151,8 @@ impl Formula {
         self.evaluate(variables, workspace)[self.last]
     }
 
-    /// The value; its partial derivatives by all variables are written to `slopes`.
+    /// The value; its partial derivatives by all variables are written to `slopes`. For many points,
+    /// [`differentiated`](Self::differentiated) does the work that they share once.
     pub fn gradient(&self, variables: &[f64], slopes: &mut [f64]) -> f64 {
         let (gradient, mut workspace) = (self.differentiated(), Workspace::default());
         let (value, derivatives) = gradient.evaluate(variables, &mut workspace);
@@ -306,7 +232,7 @@ impl Formula {
         Gradient { formula, slopes }
     }
 
-    /// The numbers of its variables.
+    /// The indices of its variables, one for each place where the text names a variable.
     pub fn variables(&self) -> &[usize] {
         &self.variables
     }

@@ -34,7 +34,7 @@ impl<'p, G: SimulationGroup> Point<'p, G> {
 pub struct Observables<G: SimulationGroup> {
     pub(super) group: G,
     names: Names,
-    /// The number of rows of a written element.
+    /// The number of rows of a written element, which each stage of a step needs.
     rows: usize,
     /// `J`, if there is one.
     inertia: Option<DMatrix<f64>>,
