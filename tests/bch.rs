@@ -2,7 +2,7 @@
 //! matrices.
 
 use crate::common::algebras::{algebras, by_table, catalogued};
-use crate::common::{fraction, integer, labels, rationals};
+use crate::common::{fraction, integer, labels, property::properties, rationals};
 use affinor::group::Nilpotent;
 use affinor::{Bracket, LieAlgebra};
 use affinor_tensors::linear::Matrix;
@@ -46,8 +46,8 @@ const PUBLISHED: [&[(&str, i64, i64)]; 5] = [
     ],
 ];
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(32))]
+properties! {
+    #![cases(32)]
 
     #[test]
     fn published_terms(

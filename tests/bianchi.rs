@@ -1,7 +1,7 @@
 //! Torsion and curvature of any connection: their definitions, symmetries, and the identities of
 //! Bianchi and Ricci.
 
-use crate::common::{Space, integer, labels, spaces, stored, tensors};
+use crate::common::{Space, integer, labels, property::properties, spaces, stored, tensors};
 use affinor::{Bracket, Connection, Error, Frame, LieAlgebra};
 use affinor_tensors::{Down, Rational, Ring, Symbolic, Tensor, Up, contract};
 use num_traits::Zero;
@@ -75,8 +75,8 @@ fn ricci_identity(
     Ok(())
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(64))]
+properties! {
+    #![cases(64)]
 
     #[test]
     fn definitions(
@@ -129,8 +129,8 @@ proptest! {
     }
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(12))]
+properties! {
+    #![cases(12)]
 
     #[test]
     fn in_dimensions_up_to_seven(space in spaces(7)) {
@@ -155,8 +155,8 @@ fn jacobiator(c: &Tensor<Rational>, [i, j, k, l]: [usize; 4]) -> Rational {
     double(j, k, l) + &double(k, l, j) + &double(l, j, k)
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(48))]
+properties! {
+    #![cases(48)]
 
     /// Without the Jacobi identity `plus` is curved, by exactly the failure of it; Bianchi fails
     /// too; and the algebra is refused with the first triple and what it leaves.
@@ -196,8 +196,8 @@ proptest! {
     }
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(24))]
+properties! {
+    #![cases(24)]
 
     /// The residual is that of the identity as it is stated, also where it does not vanish: over a
     /// bracket that violates the Jacobi identity.

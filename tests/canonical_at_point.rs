@@ -1,7 +1,7 @@
 //! Canonical coordinates of any algebra at points in floats: constants, closed forms, curvature.
 
 use crate::common::algebras::{algebras, by_table, catalogued};
-use crate::common::{inverse, labels, metrics, transform};
+use crate::common::{inverse, labels, metrics, property::properties, transform};
 use affinor::geometry::chart::{CanonicalCoordinates, Chart, Side};
 use affinor::{BasisChange, Connection, Error, Frame, LieAlgebra, Metric};
 use affinor_tensors::{Down, Jet, Rational, Ring, Symbolic, Tensor, Up, contract};
@@ -278,8 +278,8 @@ fn points_far_out() {
     }
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(24))]
+properties! {
+    #![cases(24)]
 
     #[test]
     fn random_algebras_in_random_bases(

@@ -1,8 +1,8 @@
 //! Invariant fields of any algebra in canonical coordinates: their brackets are the constants.
 
 use crate::common::algebras::{by_table, catalogued, seeds};
-use crate::common::charts::value;
 use crate::common::integer;
+use crate::common::{charts::value, property::properties};
 use affinor::geometry::chart::{CanonicalCoordinates, Chart, Fields, Side};
 use affinor::{BasisChange, Connection, Error, LieAlgebra, Metric};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up};
@@ -185,8 +185,8 @@ fn eigenvalues_that_are_no_integers_are_refused() {
     assert!(matches!(wrong, Err(Error::Coordinate { .. })));
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(6))]
+properties! {
+    #![cases(6)]
 
     /// The curvature of a left-invariant metric and of the canonical connections, by constants
     /// and by coordinates.

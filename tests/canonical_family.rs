@@ -1,6 +1,8 @@
 //! The family `Lambda = lambda c`: its torsion, curvature and transport in closed form.
 
-use crate::common::{Space, algebras::seeds, fraction, integer, spaces, tensors};
+use crate::common::{
+    Space, algebras::seeds, fraction, integer, property::properties, spaces, tensors,
+};
 use affinor::{Canonical, Connection, Error};
 use affinor_tensors::{Rational, Tensor, Up, contract};
 use num_traits::Zero;
@@ -29,8 +31,8 @@ fn double_brackets(space: &Space, factor: &Rational) -> Tensor<Rational> {
     Tensor::from_components(n, &slots, components).unwrap()
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(40))]
+properties! {
+    #![cases(40)]
 
     #[test]
     fn torsion_and_curvature(space in spaces(5)) {

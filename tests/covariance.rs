@@ -1,7 +1,7 @@
 //! Every tensor follows a change of basis `e'_a = A^i_a e_i`: upper indices by the inverse of
 //! `A`, lower ones by `A`.
 
-use crate::common::{Space, inverse, invertible, spaces, tensors, transform};
+use crate::common::{Space, inverse, invertible, property::properties, spaces, tensors, transform};
 use affinor::{BasisChange, Connection, Error, LieAlgebra, Metric};
 use affinor_tensors::{Down, Rational, Tensor, Up};
 use proptest::prelude::*;
@@ -38,8 +38,8 @@ fn changes() -> impl Strategy<Value = Change> {
     })
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(64))]
+properties! {
+    #![cases(64)]
 
     #[test]
     fn the_algebra(change in changes()) {

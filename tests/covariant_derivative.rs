@@ -1,6 +1,6 @@
 //! The covariant derivative is a derivation: products, contractions, and its value on tensors.
 
-use crate::common::{Space, integer, labels, spaces, tensors};
+use crate::common::{Space, integer, labels, property::properties, spaces, tensors};
 use affinor::{Connection, Error, Frame};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up, contract};
 use proptest::prelude::*;
@@ -15,8 +15,8 @@ fn with_tensors(most: usize) -> impl Strategy<Value = (Space, Mixed, Mixed)> {
     })
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(64))]
+properties! {
+    #![cases(64)]
 
     /// Component by component, as the conventions write it.
     #[test]

@@ -3,7 +3,7 @@
 
 use crate::common::algebras::{by_table, catalogued};
 use crate::common::charts::{Moved, affine, constant, heisenberg, special_linear};
-use crate::common::{fraction, integer, spaces, stored};
+use crate::common::{fraction, integer, property::properties, spaces, stored};
 use affinor::{Connection, Error, Frame, Metric};
 use affinor_tensors::{Down, Field, Rational, Symbolic, Tensor, Up, contract};
 use proptest::prelude::*;
@@ -16,8 +16,8 @@ fn square(tensor: &Tensor<Rational>, metric: &Metric<Rational>) -> Rational {
     stored(&lowered).into_iter().fold(integer(0), |sum, (at, v)| sum + &(v * &raised.get(&at)))
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(32))]
+properties! {
+    #![cases(32)]
 
     /// No trace, the symmetries of a curvature, and nothing at all in dimension 3.
     #[test]

@@ -2,7 +2,7 @@
 //! dimension, and whatever path a size takes.
 
 use crate::common::algebras::{by_table, catalogued, seeds};
-use crate::common::{fraction, integer, labels, spaces, stored};
+use crate::common::{fraction, integer, labels, property::properties, spaces, stored};
 use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra, Metric};
 use affinor_documents::certificate::certify;
 use affinor_documents::definition::{Reading, Request, Space};
@@ -384,8 +384,8 @@ fn certificates_of_large_sums() {
     }
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(40))]
+properties! {
+    #![cases(40)]
 
     /// Random algebras, metrics and connections, with some dimensions more.
     #[test]

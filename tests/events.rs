@@ -1,5 +1,6 @@
 //! Events: each is found once, at its time, and the state within a step is as good as at its end.
 
+use crate::common::property::properties;
 use affinor::group::{LieGroup, So3};
 use affinor::mechanics::events::{Direction, Event, Then, Watch};
 use affinor::mechanics::integrators::dense_output::Step;
@@ -152,8 +153,8 @@ fn what_is_no_number_is_refused() {
     assert_eq!(state, 0.9);
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(256))]
+properties! {
+    #![cases(256)]
 
     /// Steep, flat and one-sided functions: each change of sign once, to the rounding of time.
     #[test]

@@ -1,7 +1,7 @@
 //! Changes of basis in floats: an algebra stays one, a metric a metric, in any basis that can be inverted.
 
 use crate::common::algebras::catalogued;
-use crate::common::{labels, metrics};
+use crate::common::{labels, metrics, property::properties};
 use affinor::algebra::catalogue;
 use affinor::{BasisChange, Bracket, Form, LieAlgebra, Metric};
 use affinor_tensors::{Down, Rational, Tensor, Up};
@@ -95,8 +95,8 @@ fn cases() -> impl Strategy<Value = (String, Vec<f64>, f64)> {
     (prop::sample::select(names()), numbers, prop_oneof![Just(0.0), 0.0..3.0, 3.0..6.0])
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(512))]
+properties! {
+    #![cases(512)]
 
     /// Antisymmetric to the last bit, and so accepted by every constructor.
     #[test]

@@ -2,7 +2,9 @@
 //! the exact one, and its values to the error that they carry.
 
 use crate::common::algebras::{algebras, by_table, catalogued};
-use crate::common::{Space, fraction, integer, labels, metrics, spaces, stored};
+use crate::common::{
+    Space, fraction, integer, labels, metrics, property::properties, spaces, stored,
+};
 use affinor::{Canonical, Connection, ConnectionKind, Error, Geometry, LieAlgebra, Metric};
 use affinor_documents::report::Quantity;
 use affinor_tensors::{Down, Notation, Rational, Ring, Tensor, Tracked, Up, contract};
@@ -177,8 +179,8 @@ fn scale(exponent: i32) -> Rational {
     if exponent < 0 { integer(1) / &power } else { power }
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(48))]
+properties! {
+    #![cases(48)]
 
     #[test]
     fn tables_have_the_zeros_of_exact_ones(given in uneven_spaces(5)) {
@@ -253,8 +255,8 @@ proptest! {
     }
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(4))]
+properties! {
+    #![cases(4)]
 
     /// A2 and B2, dimensions 8 and 10, with metrics that mix neighbours.
     #[test]

@@ -2,7 +2,7 @@
 
 use crate::common::algebras::{algebras, catalogued};
 use crate::common::charts::{Moved, affine, constant, heisenberg, special_linear};
-use crate::common::{integer, rationals, spaces, stored};
+use crate::common::{integer, property::properties, rationals, spaces, stored};
 use affinor::{Bracket, Error, Form, Frame, LieAlgebra};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Rational, Ring, Symbolic, Tensor, Up};
@@ -81,8 +81,8 @@ fn laws<S: Ring>(frame: &Frame<S>, a: &Form<S>, b: &Form<S>, x: &Tensor<S>) {
     assert_eq!(lie(&product), add(&wedge(&lie(a), b), &wedge(a, &lie(b)), 1));
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(24))]
+properties! {
+    #![cases(24)]
 
     #[test]
     fn left_invariant_forms(

@@ -1,5 +1,6 @@
 //! Derivatives of formulas with corners and jumps: exact where they are smooth, the mean of both sides at a corner.
 
+use crate::common::property::properties;
 use affinor::mechanics::formula::{Formula, Symbol, Workspace};
 use proptest::prelude::*;
 
@@ -21,8 +22,8 @@ fn formula(text: &str) -> Formula {
     Formula::parse(text, &mut |name| ["x", "y"].iter().position(|known| *known == name)).unwrap()
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(64))]
+properties! {
+    #![cases(64)]
 
     /// Central differences, where two step sizes agree.
     #[test]

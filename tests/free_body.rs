@@ -1,5 +1,6 @@
 //! The free rigid body: exact against Taylor series in 50 digits, its invariants, and steps against it.
 
+use crate::common::property::properties;
 use crate::ode;
 use affinor::mechanics::integrators::moser_veselov::Order;
 use affinor::mechanics::{BodyState, FreeBody, Inertia, MoserVeselov};
@@ -178,8 +179,8 @@ fn rate(inertia: &Inertia, y: &DVector<f64>) -> DVector<f64> {
     dvector![q.w, q.i, q.j, q.k, h.x, h.y, h.z]
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(256))]
+properties! {
+    #![cases(256)]
 
     #[test]
     fn short_motions_are_those_of_an_ode(
@@ -424,8 +425,8 @@ fn a_million_steps_keep_what_is_kept() {
     }
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(256))]
+properties! {
+    #![cases(256)]
 
     #[test]
     fn steps_follow_the_motion_in_any_axes(

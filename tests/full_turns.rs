@@ -1,6 +1,6 @@
 //! The tangent operators of exp at one turn and at several: singular there, and exact beside it.
 
-use crate::common::algebras::catalogued;
+use crate::common::{algebras::catalogued, property::properties};
 use affinor::group::{
     Coordinates, Heisenberg, LieGroup, MatrixGroup, Nilpotent, Opposite, Product, Se2, Se3, Se23,
     Sl2, So2, So3, Translations,
@@ -95,8 +95,8 @@ impl<G: LieGroup> Check for On<'_, G> {
     }
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(128))]
+properties! {
+    #![cases(128)]
 
     #[test]
     fn at_full_turns(

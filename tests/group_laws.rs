@@ -1,7 +1,7 @@
 //! Every group obeys the laws of a Lie group: axioms, exp and log, Ad and ad, tangent operators.
 
 use crate::common::algebras::{by_table, catalogued};
-use crate::common::labels;
+use crate::common::{labels, property::properties};
 use affinor::algebra::Complex;
 use affinor::group::fields::{InvariantField, Side, right_translate};
 use affinor::group::transport::ParallelTranslation;
@@ -97,8 +97,8 @@ fn represented<G: LieGroup>(group: &G, numbers: &[f64]) {
 /// A test of all laws for each group, and for its opposite.
 macro_rules! laws {
     ($($name:ident: $group:expr;)*) => {
-        proptest! {
-            #![proptest_config(crate::common::property::cases(48))]
+        properties! {
+            #![cases(48)]
             $(
                 #[test]
                 fn $name(numbers in vec(-1.0..1.0f64, 36)) {
@@ -285,8 +285,8 @@ fn closed_forms_agree_with_matrix_groups() {
     agree(&Heisenberg::<5>, &numbers);
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(256))]
+properties! {
+    #![cases(256)]
 
     /// Principal logarithms of matrices come back; other matrices have one or say why not.
     #[test]

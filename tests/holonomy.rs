@@ -3,7 +3,7 @@
 use crate::common::algebras::{by_table, seeds};
 use crate::common::charts::{constant, heisenberg};
 use crate::common::spaces::{named, rational, symbolic};
-use crate::common::{fraction, integer, invertible, spaces};
+use crate::common::{fraction, integer, invertible, property::properties, spaces};
 use affinor::{BasisChange, Canonical, Connection, LieAlgebra, Metric};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Rational, Tensor, contract};
@@ -117,8 +117,8 @@ fn span_of_derivatives(connection: &Connection<Rational>, order: usize) -> usize
     Matrix::from_rows(n * n, rows).unwrap().rank().unwrap()
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(24))]
+properties! {
+    #![cases(24)]
 
     /// Closed under the commutator and under every `Lambda_m`, and within so(g) for Levi-Civita.
     #[test]

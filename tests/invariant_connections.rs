@@ -1,7 +1,7 @@
 //! The spaces of bi-invariant connections, and of those that a subalgebra leaves alone.
 
 use crate::common::algebras::{algebras, by_table, catalogued, seeds};
-use crate::common::{fraction, integer, rationals, stored};
+use crate::common::{fraction, integer, property::properties, rationals, stored};
 use affinor::algebra::invariants::invariant_tensors;
 use affinor::{Connection, Error, LieAlgebra};
 use affinor_tensors::linear::{Echelon, Matrix};
@@ -54,8 +54,8 @@ fn rank(algebra: &Algebra, directions: &[Vec<Rational>]) -> usize {
     Matrix::from_rows(n.pow(3), rows).unwrap().rank().unwrap()
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(24))]
+properties! {
+    #![cases(24)]
 
     /// All of them, and nothing else: each is invariant, and there are as many as equations allow.
     #[test]

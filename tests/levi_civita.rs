@@ -1,14 +1,14 @@
 //! The Levi-Civita connection of any left-invariant metric: what defines it, and its curvature.
 
 use crate::common::algebras::{by_table, seeds};
-use crate::common::{fraction, integer, spaces, stored, tensors};
+use crate::common::{fraction, integer, property::properties, spaces, stored, tensors};
 use affinor::{Connection, Metric};
 use affinor_tensors::{Down, Rational, Tensor, Up, contract};
 use num_traits::{One, Zero};
 use proptest::prelude::*;
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(64))]
+properties! {
+    #![cases(64)]
 
     #[test]
     fn without_torsion_and_compatible(space in spaces(6)) {

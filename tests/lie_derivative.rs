@@ -1,13 +1,13 @@
 //! The Lie derivative: brackets of fields, invariance, and any frame.
 
 use crate::common::charts::{Moved, affine, constant, heisenberg, special_linear};
-use crate::common::{spaces, tensors};
+use crate::common::{property::properties, spaces, tensors};
 use affinor::{Connection, Frame};
 use affinor_tensors::{Down, Symbolic, Tensor, Up, contract};
 use proptest::prelude::*;
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(32))]
+properties! {
+    #![cases(32)]
 
     #[test]
     fn along_constant_fields((space, x, y, t) in spaces(4).prop_flat_map(|space| {

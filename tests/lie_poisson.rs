@@ -2,7 +2,7 @@
 
 use crate::common::algebras::{algebras, by_table, catalogued, seeds};
 use crate::common::charts::constant;
-use crate::common::{fraction, integer, rationals, stored};
+use crate::common::{fraction, integer, property::properties, rationals, stored};
 use crate::structure::invariants::scrambled;
 use affinor::algebra::catalogue;
 use affinor::{Bracket, Canonical, Connection, Error, LieAlgebra, LiePoisson};
@@ -37,8 +37,8 @@ fn polynomial(space: &LiePoisson, values: &[Rational]) -> Symbolic {
     terms.fold(Symbolic::zero(), |sum, term| sum + &term)
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(24))]
+properties! {
+    #![cases(24)]
 
     #[test]
     fn a_poisson_bracket(algebra in algebras(4), values in vec(rationals(), 9)) {
@@ -307,8 +307,8 @@ fn all_at(algebra: &LieAlgebra<Symbolic>, numbers: &[Rational]) -> BTreeMap<Stri
     names.into_iter().zip(constants).collect()
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(8))]
+properties! {
+    #![cases(8)]
 
     /// Casimir functions with parameters are Casimir functions identically, and at every value of the parameters.
     #[test]

@@ -1,5 +1,6 @@
 //! Parallel translation and autoparallels on groups, against closed forms and conservation laws.
 
+use crate::common::property::properties;
 use affinor::group::transport::{ParallelTranslation, TangentVector};
 use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So2, So3};
 use affinor::{Bracket, Canonical, Connection, Error, LieAlgebra, Metric};
@@ -87,8 +88,8 @@ fn velocity(t: f64) -> Vector3<f64> {
     So3.adjoint(&back, &So3.tangent_left(&x, &dx)) + So3.tangent_left(&y, &dy)
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(256))]
+properties! {
+    #![cases(256)]
 
     #[test]
     fn translation_on_every_group(numbers in proptest::array::uniform6(-1.5..1.5f64)) {

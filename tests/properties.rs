@@ -4,7 +4,7 @@
 use crate::common::algebras::by_table;
 use crate::common::charts::{Chart, Moved, constant};
 use crate::common::spaces::{named, rational, symbolic};
-use crate::common::{Space, fraction, integer, spaces};
+use crate::common::{Space, fraction, integer, property::properties, spaces};
 use affinor::geometry::properties::{Property, Soliton};
 use affinor::{Connection, Error, Frame, Geometry, LieAlgebra, Metric};
 use affinor_tensors::linear::Matrix;
@@ -370,8 +370,8 @@ fn killing_by_nabla(space: &Space) -> usize {
     n - Matrix::from_dense(&rows).unwrap().rank().unwrap()
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(32))]
+properties! {
+    #![cases(32)]
 
     /// On random metrics the answers are those of a linear system, and witnesses do not lie.
     #[test]

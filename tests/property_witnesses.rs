@@ -1,7 +1,7 @@
 //! Witnesses of properties that fail, multiplied out from the definitions with vectors alone.
 
 use crate::common::spaces::named;
-use crate::common::{Space, fraction, integer, spaces};
+use crate::common::{Space, fraction, integer, property::properties, spaces};
 use affinor::geometry::properties::Witness;
 use affinor::{Connection, Geometry, LieAlgebra, Metric};
 use affinor_tensors::linear::Matrix;
@@ -114,8 +114,8 @@ fn of_metrics_that_are_not_symmetric() {
     }
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(16))]
+properties! {
+    #![cases(16)]
 
     /// Random affinities: torsion and its derivative too.
     #[test]

@@ -1,7 +1,7 @@
 //! Homogeneous spaces: Nomizu's connections on spheres, projective spaces, flags and groups.
 
 use crate::common::algebras::{by_table, catalogued, seeds};
-use crate::common::{fraction, integer, labels, rationals, stored};
+use crate::common::{fraction, integer, labels, property::properties, rationals, stored};
 use affinor::{BasisChange, Canonical, Connection, Error, LieAlgebra, Metric, ReductivePair};
 use affinor_tensors::{Down, Field, Rational, Ring, Symbolic, Tensor, Up, contract};
 use num_traits::Zero;
@@ -405,8 +405,8 @@ fn other_groups() {
     assert_eq!(line.invariant_tensors(&[Down]).unwrap().len(), 0);
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(24))]
+properties! {
+    #![cases(24)]
 
     /// One-parameter subgroups of semisimple groups: never symmetric beyond dimension 3.
     #[test]

@@ -1,7 +1,7 @@
 //! The two invariant frames: what a connection is in the right one, and when it is constant there.
 
 use crate::common::algebras::by_table;
-use crate::common::{Space, fraction, integer, spaces};
+use crate::common::{Space, fraction, integer, property::properties, spaces};
 use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::{Bracket, Canonical, Connection, ConnectionKind, Error, Geometry, LieAlgebra};
 use affinor_documents::report::{EquationReport, Format, Quantity, Report, Table};
@@ -60,8 +60,8 @@ fn constant_or_refused(space: &Space, left: &Connection<Rational>) -> Result<boo
     }
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(40))]
+properties! {
+    #![cases(40)]
 
     /// `Lambda_right = Lambda - c` over `-c`, which is the member `1 - lambda` of the family of
     /// the inverted group.

@@ -2,6 +2,7 @@
 //!
 //! `cargo test --test rotation_accuracy -- --ignored --nocapture` prints the table of docs/rotations.md.
 
+use crate::common::property::properties;
 use affinor::group::batch;
 use affinor::group::batch::{Quaternions, Vectors};
 use affinor::group::rotation::{from_matrix, matrix};
@@ -210,8 +211,8 @@ fn vectors() -> impl Strategy<Value = Vector3<f64>> {
     .prop_map(Vector3::from)
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(4096))]
+properties! {
+    #![cases(4096)]
     #[test]
     fn nothing_finite_makes_a_nan(x in vectors(), v in vectors()) {
         let g = So3.exp(&x);

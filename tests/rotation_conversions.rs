@@ -1,5 +1,6 @@
 //! Coordinates of rotations: round trips, known values, SciPy as an oracle, reported singularities.
 
+use crate::common::property::properties;
 use affinor::Error;
 use affinor::group::rotation::{
     Axis, Lock, Sequence, Turns, from_gibbs, from_matrix, from_modified, from_wxyz, gibbs, matrix,
@@ -23,8 +24,8 @@ fn rotations() -> impl Strategy<Value = UnitQuaternion<f64>> {
         .prop_filter_map("zero", |q| from_wxyz(q).ok())
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(256))]
+properties! {
+    #![cases(256)]
 
     #[test]
     fn matrices_and_back(g in rotations()) {

@@ -2,7 +2,7 @@
 //! give the same numbers as numbers from the start.
 
 use crate::common::algebras::seeds;
-use crate::common::{Space, fraction, integer, spaces, stored};
+use crate::common::{Space, fraction, integer, property::properties, spaces, stored};
 use affinor::algebra::Complex;
 use affinor::{Connection, LieAlgebra, MatrixBasis, Metric};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Tolerance, Up};
@@ -38,8 +38,8 @@ fn near(float: &Tensor<f64>, exact: &Tensor<Rational>, error: f64) -> Result<(),
     Ok(())
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(48))]
+properties! {
+    #![cases(48)]
 
     #[test]
     fn floats_follow_exact_values(space in spaces(5)) {
@@ -98,8 +98,8 @@ fn zeros_agree_where_all_is_well_scaled() {
     }
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(16))]
+properties! {
+    #![cases(16)]
 
     /// A metric `diag(J1, J2, ...)` with parameters, set afterwards.
     #[test]
@@ -146,8 +146,8 @@ proptest! {
     }
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(48))]
+properties! {
+    #![cases(48)]
 
     /// The torsion-free connection has no torsion in floats either: not even rounding is shown.
     #[test]

@@ -1,6 +1,6 @@
 //! Algebras, metrics, connections and geometries written through serde and read back, and what is refused.
 
-use crate::common::{Space, property, spaces};
+use crate::common::{Space, property::properties, spaces};
 use affinor::geometry::connection::Canonical;
 use affinor::{Connection, ConnectionKind, Geometry, LieAlgebra, Metric, Rational};
 use proptest::prelude::*;
@@ -9,8 +9,8 @@ fn algebra(name: &str) -> LieAlgebra<Rational> {
     affinor::algebra::catalogue::algebra(name).unwrap()
 }
 
-proptest! {
-    #![proptest_config(property::cases(32))]
+properties! {
+    #![cases(32)]
 
     #[test]
     fn what_is_written_is_read_back(space in spaces(4)) {

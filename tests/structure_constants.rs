@@ -1,7 +1,7 @@
 //! Structure constants mean the same at every door: constructors, definition files, the command line.
 
 use crate::common::algebras::algebras;
-use crate::common::{integer, labels};
+use crate::common::{integer, labels, property::properties};
 use affinor::{Bracket, Error};
 use affinor_documents::definition::{Definition, InputError, Reading, Request, Space};
 use affinor_tensors::{Down, Rational, Ring, Symbolic, Tensor, Tolerance, Up};
@@ -89,8 +89,8 @@ fn tables() -> impl Strategy<Value = (Tensor<Rational>, Vec<Constant<Rational>>)
     })
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(128))]
+properties! {
+    #![cases(128)]
 
     /// Half a table, the full one, and any mixture of both, in any order of rows.
     #[test]

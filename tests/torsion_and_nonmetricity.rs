@@ -2,7 +2,7 @@
 
 use crate::common::algebras::seeds;
 use crate::common::charts::{Moved, affine, constant, heisenberg, special_linear};
-use crate::common::{Space, fraction, integer, spaces, tensors};
+use crate::common::{Space, fraction, integer, property::properties, spaces, tensors};
 use affinor::geometry::metric_affine::{contorsion, disformation};
 use affinor::{Connection, Error, Metric};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up, contract};
@@ -26,8 +26,8 @@ fn sum(a: &Exact, b: &Exact) -> Exact {
     contract("a^i_jk + b^i_jk -> ^i_jk", &[("a", a), ("b", b)]).unwrap()
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(48))]
+properties! {
+    #![cases(48)]
 
     #[test]
     fn it_has_them((space, torsion, nonmetricity) in with_both(5)) {

@@ -3,6 +3,7 @@
 //! A force field that moves with the frame makes one motion of all of these, so each is compared with the motion at
 //! the origin. None of them may cost more than the rounding of the numbers that it is written in.
 
+use crate::common::property::properties;
 use affinor_documents::problem::Problem;
 use nalgebra::{Matrix3, Matrix6, Rotation3, Vector3, Vector6};
 use proptest::prelude::*;
@@ -337,8 +338,8 @@ fn how((method, space): (&'static str, &'static str)) -> How {
     How { space, method, step: 0.02, tolerance: 1e-10, end: 4.0 }
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(24))]
+properties! {
+    #![cases(24)]
 
     #[test]
     fn a_shifted_origin_changes_nothing(body in bodies(), shift in vectors(1e7), by in method()) {

@@ -2,7 +2,7 @@
 //! and the generated code against the library.
 
 use crate::common::algebras::seeds;
-use crate::common::{integer, spaces};
+use crate::common::{integer, property::properties, spaces};
 use crate::compiled;
 use crate::program::{self, definition, root, stdout};
 use affinor::geometry::equations::{EquationKind, Equations, Variable};
@@ -83,8 +83,8 @@ fn kirchhoff_on_se3() {
     }
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(48))]
+properties! {
+    #![cases(48)]
 
     /// Geodesics of a left-invariant metric: the Levi-Civita connection gives the Euler-Poincare
     /// equations in both of its ways, and `zero` half of the quadratic terms.

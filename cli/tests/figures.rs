@@ -1,5 +1,6 @@
 //! The scenes of the figures against matrices and closed forms of rotations.
 
+use crate::common::property::properties;
 use affinor::group::transport::ParallelTranslation;
 use affinor::group::{LieGroup, So3};
 use affinor::{Canonical, Connection, Metric};
@@ -59,8 +60,8 @@ fn finite(figure: &Figure) -> bool {
     })
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(64))]
+properties! {
+    #![cases(64)]
 
     /// `R^T dR/dt = spin(Omega)`, by differences of products of matrix exponentials.
     #[test]

@@ -1,5 +1,6 @@
 //! Mass properties: shapes against textbooks and each other, meshes against shapes and cubature, broken files.
 
+use crate::common::property::properties;
 use affinor::Error;
 use affinor::mechanics::{Inertia, MassProperties, Mesh};
 use affinor_documents::definition::{mesh, read_mesh};
@@ -259,8 +260,8 @@ fn tetrahedron([a, b, c, d]: [Vector3<f64>; 4]) -> Corners {
     vec![[a, c, b], [a, b, d], [b, c, d], [c, a, d]]
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(256))]
+properties! {
+    #![cases(256)]
 
     #[test]
     fn point_masses_by_definition(masses in masses(), point in vectors(3.0), motion in motions()) {
@@ -527,8 +528,8 @@ fn broken_files_say_where() {
     assert_eq!(other.help.unwrap(), "names of meshes end in .stl or .obj");
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(400))]
+properties! {
+    #![cases(400)]
     /// Bytes that are changed, lost or doubled give a mesh or an error.
     #[test]
     fn damaged_files_do_no_harm(kind in 0..3, at in any::<prop::sample::Index>(), change in 0..4, byte in any::<u8>()) {

@@ -1,5 +1,6 @@
 //! A table says the same in every format, and what it says can be read back.
 
+use crate::common::property::properties;
 use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra, Metric};
 use affinor_documents::report::{
     Format, GROUPED, Quantity, Report, Table, TableEntry, groups, independent,
@@ -512,8 +513,8 @@ fn symmetries(tensor: &Tensor<Rational>) -> Vec<(Vec<usize>, i64)> {
     orders.into_iter().filter_map(|order| sign(&order).map(|sign| (order, sign))).collect()
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(256))]
+properties! {
+    #![cases(256)]
     /// Whatever stands in names and values, the page is well-formed.
     #[test]
     fn pages_are_well_formed(

@@ -3,7 +3,7 @@
 use crate::common::cases;
 use crate::common::dual;
 use crate::common::oracle;
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::{Down, Rational, Ring, Symbolic, Tensor, TensorError, Up, contract};
 use cases::{Case, Values, cases};
 use dual::Dual;
@@ -20,8 +20,8 @@ fn agrees<S: Ring>(case: &Case<S>) -> Result<Tensor<S>, TestCaseError> {
     Ok(result)
 }
 
-proptest! {
-    #![proptest_config(property::cases(500))]
+properties! {
+    #![cases(500)]
 
     #[test]
     fn integers(case in cases(Values::Integers)) {
@@ -69,8 +69,8 @@ proptest! {
     }
 }
 
-proptest! {
-    #![proptest_config(property::cases(100))]
+properties! {
+    #![cases(100)]
 
     /// Parameters, constants and fractions of parameters side by side.
     #[test]

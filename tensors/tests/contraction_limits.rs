@@ -1,7 +1,7 @@
 //! The kernel at its limits: the edge of machine integers, threads, wide sparse tensors.
 
 use crate::common::oracle;
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::{Down, Rational, Ring, Symbolic, Tensor, TensorError, Up, contract};
 use oracle::{oracle, stored};
 use proptest::collection::vec;
@@ -25,8 +25,8 @@ fn edge() -> impl Strategy<Value = i64> {
     )
 }
 
-proptest! {
-    #![proptest_config(property::cases(300))]
+properties! {
+    #![cases(300)]
 
     /// Every way in which few products add up: one term, mirrored terms, sums, coefficients.
     #[test]

@@ -1,8 +1,7 @@
 //! What the notation refuses, and why it says so.
 
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::{Down, Rational, Tensor, TensorError, Up, contract};
-use proptest::prelude::*;
 
 /// `v^i`, `w_i`, `m^i_j` and `s`, all ones, in dimension 2.
 fn operands() -> [(&'static str, Tensor<Rational>); 4] {
@@ -148,8 +147,8 @@ fn results_beyond_the_engine_are_refused() {
     assert_eq!(nine, too_large(2, 9));
 }
 
-proptest! {
-    #![proptest_config(property::cases(256))]
+properties! {
+    #![cases(256)]
 
     #[test]
     fn no_text_panics(text in ".*", tail in "[vwms]?[\\^_\\[\\]ij>2 +-]*") {

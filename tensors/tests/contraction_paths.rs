@@ -3,7 +3,7 @@
 
 use crate::common::cases;
 use crate::common::oracle;
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::contraction::{Paths, contract_by};
 use affinor_tensors::{Rational, Ring, Symbolic, Tensor, TensorError, contract};
 use cases::{Case, Values, cases_of_ranks};
@@ -62,8 +62,8 @@ fn agrees<S: Ring>(case: &Case<S>) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-proptest! {
-    #![proptest_config(property::cases(100))]
+properties! {
+    #![cases(100)]
 
     #[test]
     fn integers(case in cases_of_ranks(0..9, Values::Integers)) {
@@ -126,8 +126,8 @@ proptest! {
     }
 }
 
-proptest! {
-    #![proptest_config(property::cases(12))]
+properties! {
+    #![cases(12)]
 
     /// Parameters and constants side by side, and constants alone, which run on integers.
     #[test]

@@ -1,6 +1,6 @@
 //! Tensors to and from nalgebra, ndarray and serde: the same numbers in the same places.
 
-use crate::common::property;
+use crate::common::property::properties;
 use crate::common::tensors::tensors;
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, TensorError, Tolerance, Tracked, Up};
 use nalgebra::DMatrix;
@@ -35,8 +35,8 @@ fn other_shapes_are_refused() -> Result<(), TensorError> {
     Ok(())
 }
 
-proptest! {
-    #![proptest_config(property::cases(64))]
+properties! {
+    #![cases(64)]
 
     #[test]
     fn there_and_back(tensor in tensors(3, [Up, Down, Down])) {

@@ -1,7 +1,7 @@
 //! Rational functions over factored denominators, against fractions that are brought to lowest terms by
 //! a greatest common divisor after each operation (`zippel_gcd::Frac`).
 
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Field, Rational, Ring, Sum, Symbolic, Tolerance};
 use num_rational::BigRational;
@@ -89,8 +89,8 @@ fn history(steps: &[(u8, usize, usize)]) -> Vec<Pair> {
     values
 }
 
-proptest! {
-    #![proptest_config(property::cases(12))]
+properties! {
+    #![cases(12)]
 
     #[test]
     fn lowest_terms_are_those_of_common_divisors(steps in steps()) {

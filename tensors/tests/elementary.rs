@@ -1,6 +1,6 @@
 //! Sines, cosines and exponentials of parameters: exact, differentiated, written and read back.
 
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::expression::{Expression, Scalars};
 use affinor_tensors::{Field, Notation, Ring, Symbolic};
 use proptest::prelude::*;
@@ -223,8 +223,8 @@ fn expressions() -> impl Strategy<Value = (String, f64)> {
     })
 }
 
-proptest! {
-    #![proptest_config(property::cases(64))]
+properties! {
+    #![cases(64)]
 
     #[test]
     fn what_is_written_reads_back((text, at) in expressions(), (other, _) in expressions()) {

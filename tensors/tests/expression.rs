@@ -1,6 +1,6 @@
 //! The grammar of expressions: what is read, what is refused and where, and how soon.
 
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::expression::{
     Expression, ExpressionError, MAX_SIZE, Meaning, Scalars, no_function,
 };
@@ -286,8 +286,8 @@ fn functions() -> impl Strategy<Value = Symbolic> {
     })
 }
 
-proptest! {
-    #![proptest_config(property::cases(256))]
+properties! {
+    #![cases(256)]
 
     #[test]
     fn a_rational_reads_back(value in rationals()) {

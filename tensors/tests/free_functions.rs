@@ -1,6 +1,6 @@
 //! Functions that are not given: differentiated, replaced by functions that are, written and read back.
 
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::scalar::{FreeFunction, PositiveFactors, laws};
 use affinor_tensors::{Notation, Recorded, Symbolic, Tolerance, scalar::StraightLine};
 use proptest::prelude::*;
@@ -115,8 +115,8 @@ fn polynomials(names: &'static [&'static str]) -> impl Strategy<Value = Symbolic
     })
 }
 
-proptest! {
-    #![proptest_config(property::cases(96))]
+properties! {
+    #![cases(96)]
 
     #[test]
     fn fractions_of_free_functions_are_a_field(a in values(), b in values(), c in values()) {

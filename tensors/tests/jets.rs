@@ -1,6 +1,6 @@
 //! Jets against num-dual's second derivatives, which we did not write.
 
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::{Field, Jet, Ring};
 use num_dual::{DualNum, HyperDual64};
 use num_traits::{One, Zero};
@@ -16,8 +16,8 @@ macro_rules! formula {
     }};
 }
 
-proptest! {
-    #![proptest_config(property::cases(256))]
+properties! {
+    #![cases(256)]
 
     #[test]
     fn derivatives_are_those_of_num_dual(point in [-3.0f64..3.0, -3.0f64..3.0]) {

@@ -2,7 +2,7 @@
 
 use crate::common::dual;
 use crate::common::matrices;
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::linear::{Echelon, LinearError, Matrix};
 use affinor_tensors::{Rational, Symbolic, Tolerance};
 use dual::Dual;
@@ -267,8 +267,8 @@ fn dual_numbers_pivot_on_units() -> Test {
     Ok(())
 }
 
-proptest! {
-    #![proptest_config(property::cases(256))]
+properties! {
+    #![cases(256)]
 
     /// d det(A) = the sum over i of det(A with row i of dA): on singular matrices too.
     #[test]

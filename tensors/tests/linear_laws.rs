@@ -1,7 +1,7 @@
 //! The laws of linear algebra over rationals, rational functions and floats.
 
 use crate::common::matrices;
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::linear::{Echelon, Matrix, Row};
 use affinor_tensors::{Field, Notation, Rational, Ring, Symbolic};
 use matrices::{dense, from_words, same, square};
@@ -107,8 +107,8 @@ fn square_of<S: Ring, T: Strategy<Value = S>>(
     })
 }
 
-proptest! {
-    #![proptest_config(property::cases(256))]
+properties! {
+    #![cases(256)]
 
     #[test]
     fn square_rationals((a, b, x) in (0usize..6).prop_flat_map(|n| square_of(n, rational))) {
@@ -214,8 +214,8 @@ fn symbolic() -> impl Strategy<Value = Symbolic> {
     prop_oneof![1 => Just(Symbolic::zero()), 2 => linear(), 1 => quotient]
 }
 
-proptest! {
-    #![proptest_config(property::cases(24))]
+properties! {
+    #![cases(24)]
     #[test]
     fn square_rational_functions((a, b, x) in (1usize..4).prop_flat_map(|n| square_of(n, symbolic))) {
         square_laws(&a, &b, &x)?;

@@ -1,7 +1,7 @@
 //! Traces, symmetrisers, raising and lowering, against the same written by hand.
 
 use crate::common::oracle;
-use crate::common::property;
+use crate::common::property::properties;
 use crate::common::tensors;
 use affinor_tensors::{Down, Rational, Tensor, TensorError, Up};
 use oracle::{oracle, stored};
@@ -80,8 +80,8 @@ fn sum_over_orders(t: &Tensor<Rational>, slots: &[usize], sign: i64) -> Tensor<R
     Tensor::from_components(t.dimension(), t.slots(), components).unwrap()
 }
 
-proptest! {
-    #![proptest_config(property::cases(100))]
+properties! {
+    #![cases(100)]
 
     #[test]
     fn symmetrisers(t in tensors(3, [Down; 3])) {

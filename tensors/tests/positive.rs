@@ -1,6 +1,6 @@
 //! Square roots and logarithms: exact, with the signs of their arguments.
 
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::scalar::{PositiveFactors, laws};
 use affinor_tensors::{Field, Symbolic, Tolerance};
 use proptest::prelude::*;
@@ -162,8 +162,8 @@ fn expressions() -> impl Strategy<Value = (String, f64)> {
     })
 }
 
-proptest! {
-    #![proptest_config(property::cases(64))]
+properties! {
+    #![cases(64)]
 
     #[test]
     fn values_are_a_differential_field((text, at) in expressions(), (other, _) in expressions()) {

@@ -1,6 +1,6 @@
 //! Recorded values are those of the formulas: against rational functions, rationals and jets.
 
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::scalar::{Count, Function, Step, StraightLine, derivatives, laws};
 use affinor_tensors::{Field, Jet, Notation, Rational, Recorded, Ring, Symbolic, Tolerance};
@@ -89,8 +89,8 @@ fn substituted(value: &Symbolic, point: &[Rational; 3]) -> Option<Rational> {
     value.substitute(&set.collect())?.as_constant().cloned()
 }
 
-proptest! {
-    #![proptest_config(property::cases(128))]
+properties! {
+    #![cases(128)]
 
     #[test]
     fn recorded_values_are_a_field([a, b, c] in [recorded(), recorded(), recorded()]) {

@@ -1,6 +1,6 @@
 //! Sums that occur again and again, from values that are dropped and made again.
 
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::{Field, Rational, Ring, Sum, Symbolic, Tolerance};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -37,8 +37,8 @@ fn sum(terms: &Terms, values: &dyn Fn(usize) -> Symbolic) -> Symbolic {
     sum.finish(Tolerance::default()).unwrap_or_default()
 }
 
-proptest! {
-    #![proptest_config(property::cases(64))]
+properties! {
+    #![cases(64)]
 
     #[test]
     fn sums_do_not_depend_on_what_was_computed_before(all in terms()) {
@@ -102,8 +102,8 @@ fn written(shapes: &Shapes, names: [&str; 3]) -> [String; 4] {
     [value.to_string(), value.to_latex(), negative.to_string(), negative.to_latex()]
 }
 
-proptest! {
-    #![proptest_config(property::cases(64))]
+properties! {
+    #![cases(64)]
 
     #[test]
     fn sums_in_other_names_are_those_of_a_thread_that_remembers_nothing(

@@ -1,7 +1,7 @@
 //! The scalars obey the laws, and rationals agree with another implementation of them.
 
 use crate::common::dual;
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::scalar::laws;
 use affinor_tensors::{Field, Notation, Rational, Ring, Sum, Symbolic, Tolerance};
 use dual::Dual;
@@ -83,8 +83,8 @@ fn dual_number() -> impl Strategy<Value = Dual<true>> {
     (part(), part()).prop_map(|(re, eps)| Dual::new(re, eps))
 }
 
-proptest! {
-    #![proptest_config(property::cases(256))]
+properties! {
+    #![cases(256)]
 
     #[test]
     fn rationals_are_a_field([a, b, c] in [rational(), rational(), rational()]) {
@@ -199,8 +199,8 @@ proptest! {
     }
 }
 
-proptest! {
-    #![proptest_config(property::cases(48))]
+properties! {
+    #![cases(48)]
     #[test]
     fn rational_functions_are_a_field([a, b, c] in [symbolic(), symbolic(), symbolic()]) {
         laws::field(&a, &b, &c, Tolerance::new(0.0).unwrap())?;
@@ -360,8 +360,8 @@ fn only_digits_are_digits() {
     assert_eq!(Rational::from_digits("007"), Some(7.into()));
 }
 
-proptest! {
-    #![proptest_config(property::cases(256))]
+properties! {
+    #![cases(256)]
 
     /// Sums that are reduced at their end are those of the field, at the ends of the words, too.
     #[test]

@@ -1,7 +1,7 @@
 //! Rational functions of parameters, against exact values at rational points computed beside
 //! them, Euclid's algorithm in one variable, closed forms and finite differences.
 
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::{Field, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance};
 use num_traits::{One, Zero, pow};
 use proptest::prelude::*;
@@ -203,8 +203,8 @@ fn read(text: &str) -> Symbolic {
     value
 }
 
-proptest! {
-    #![proptest_config(property::cases(96))]
+properties! {
+    #![cases(96)]
 
     #[test]
     fn operations_agree_with_exact_values(x in quotient(), y in quotient(), p in point()) {

@@ -1,7 +1,7 @@
 //! Tensors hold what they were given, in order, and keep it through maps and permutations.
 
 use crate::common::oracle::oracle;
-use crate::common::property;
+use crate::common::property::properties;
 use crate::common::tensors;
 use affinor_tensors::{
     Down, Indices, Rational, Ring, Symbolic, Tensor, TensorError, Tolerance, Up, contract,
@@ -156,8 +156,8 @@ fn permutations_are_checked() {
     assert_eq!(t.permute(&[1, 0]).unwrap().slots(), [Down, Up]);
 }
 
-proptest! {
-    #![proptest_config(property::cases(100))]
+properties! {
+    #![cases(100)]
 
     #[test]
     fn permutations(t in tensors(3, [Up, Down, Up])) {

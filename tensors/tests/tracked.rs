@@ -1,7 +1,7 @@
 //! Floats that track their rounding: the values of `f64`, its verdicts within one sum of inputs,
 //! and right ones beyond.
 
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::scalar::laws;
 use affinor_tensors::{
@@ -73,8 +73,8 @@ fn dense(rows: usize, columns: usize, mut entry: impl FnMut() -> f64) -> Matrix<
     Matrix::from_dense(&rows).unwrap()
 }
 
-proptest! {
-    #![proptest_config(property::cases(256))]
+properties! {
+    #![cases(256)]
 
     #[test]
     fn laws([a, b, c] in [quotient(), quotient(), quotient()], [x, y, z] in [-30..30i32, -30..30, -30..30]) {

@@ -1,7 +1,7 @@
 //! Written sums and common factors: never longer than the sum of terms, read back as the same value,
 //! and with the sign that the value says.
 
-use crate::common::property;
+use crate::common::property::properties;
 use affinor_tensors::{CommonFactors, Notation, Rational, Symbolic};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -109,8 +109,8 @@ fn polynomial() -> impl Strategy<Value = Symbolic> {
     })
 }
 
-proptest! {
-    #![proptest_config(property::cases(96))]
+properties! {
+    #![cases(96)]
 
     #[test]
     fn sums_read_back_and_are_not_longer(p in polynomial(), q in polynomial()) {

@@ -1,7 +1,7 @@
 //! Section 5, what follows (109) and its closing claim: forces alone do work, though `plus` does not keep the metric.
 
 use crate::common::algebras::{algebras as random, catalogued, seeds};
-use crate::common::{fraction, integer, labels, tensors};
+use crate::common::{fraction, integer, labels, property::properties, tensors};
 use crate::paper::{parameters, so3, symbolic};
 use affinor::geometry::conditions::conditions;
 use affinor::{Bracket, Canonical, Connection, LieAlgebra};
@@ -117,8 +117,8 @@ fn after_109_no_affinities_do_no_work_in_a_crooked_basis() {
     only_the_symmetric_part_does_work(&bracket.try_into().unwrap(), &none, true);
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(16))]
+properties! {
+    #![cases(16)]
     #[test]
     fn after_109_forces_alone_do_work_in_any_basis(algebra in random(6)) {
         no_work(&algebra);

@@ -1,5 +1,6 @@
 //! Definition files in TOML and JSON, and bytes of any kind.
 
+use crate::common::property::properties;
 use crate::fuzz::assert_sound;
 use crate::fuzz::mutation::{mutants, texts};
 use affinor_documents::definition::Definition;
@@ -99,8 +100,8 @@ fn check(name: &'static str, text: String) {
     }
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(256))]
+properties! {
+    #![cases(256)]
 
     #[test]
     fn any_text(text in texts()) {

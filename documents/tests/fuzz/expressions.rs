@@ -1,5 +1,6 @@
 //! The expression parser, over every scalar.
 
+use crate::common::property::properties;
 use crate::fuzz::mutation::{mutants, sentences, texts};
 use affinor_tensors::expression::{Expression, ExpressionError, Scalars};
 use affinor_tensors::{Notation, Rational, Symbolic};
@@ -110,8 +111,8 @@ fn formulas() -> impl Strategy<Value = String> {
     })
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(256))]
+properties! {
+    #![cases(256)]
 
     #[test]
     fn formulas_of_any_size(text in formulas()) {

@@ -1,5 +1,6 @@
 //! SPACE names, inline brackets, and the values of options.
 
+use crate::common::property::properties;
 use crate::fuzz::assert_sound;
 use crate::fuzz::mutation::{mutants, sentences, texts};
 use affinor_documents::definition::{Request, Space};
@@ -166,8 +167,8 @@ fn with_single_digits(name: &str) -> String {
     pairs.filter(|(a, b)| !(a.is_ascii_digit() && b.is_ascii_digit())).map(|(_, b)| b).collect()
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(256))]
+properties! {
+    #![cases(256)]
 
     #[test]
     fn any_name(name in texts()) {

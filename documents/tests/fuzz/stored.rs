@@ -1,5 +1,6 @@
 //! StoredTable tables in JSON and CSV.
 
+use crate::common::property::properties;
 use crate::fuzz::mutation::{mutants, texts};
 use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra};
 use affinor_documents::definition::Definition;
@@ -100,8 +101,8 @@ fn check(text: &str) {
     }
 }
 
-proptest! {
-    #![proptest_config(crate::common::property::cases(256))]
+properties! {
+    #![cases(256)]
 
     #[test]
     fn any_text(text in texts()) {

@@ -1,12 +1,14 @@
-//! How many cases of a property are drawn, and from which seed.
+//! Properties of random values: how they are tested, on how many cases, and from which seed.
 //!
 //! A plain `cargo test` draws the same cases on every machine and writes no file.
 //! `AFFINOR_FRESH=20 cargo test --release` draws twenty times as many, from a fresh seed for each test.
 //! A failure then prints its smallest input, which becomes a test of its own, and the seed, which
 //! `PROPTEST_RNG_SEED` takes beside the same `AFFINOR_FRESH`.
 
-use proptest::prelude::ProptestConfig;
-use proptest::test_runner::RngSeed;
+use proptest::prelude::{BoxedStrategy, ProptestConfig, Strategy};
+use proptest::test_runner::{RngSeed, TestCaseResult, TestRunner};
+use std::any::Any;
+use std::fmt::Debug;
 use std::hash::{BuildHasher, RandomState};
 
 /// The seed of a plain run.
@@ -37,5 +39,65 @@ pub fn cases(n: u32) -> ProptestConfig {
         rng_seed,
         failure_persistence: None,
         ..given
+    }
+}
+
+/// Tests for random values, written as in `proptest!`.
+///
+/// That macro compiles all that draws, runs and shrinks for every test anew, which took a quarter of the time to build the tests.
+macro_rules! properties {
+    (
+        #![cases($cases:expr)]
+        $(
+            $(#[$attribute:meta])*
+            fn $name:ident($($value:pat in $values:expr),+ $(,)?) $body:block
+        )*
+    ) => {
+        $(
+            $(#[$attribute])*
+            fn $name() {
+                let names = stringify!($($value),+);
+                $crate::common::property::check($cases, names, ($($values,)+), |($($value,)+)| {
+                    $body
+                    Ok(())
+                });
+            }
+        )*
+    };
+}
+pub(crate) use properties;
+
+/// A value of any type.
+trait Value: Any + Debug {}
+
+impl<T: Any + Debug> Value for T {}
+
+/// Tests a property on a number of [`cases`] of random values.
+///
+/// # Panics
+/// If a case fails; the message has the smallest values that were found.
+pub fn check<S: Strategy<Value: 'static> + 'static>(
+    number: u32,
+    names: &str,
+    values: S,
+    holds: impl Fn(S::Value) -> TestCaseResult,
+) {
+    let values = values.prop_map(|values| Box::new(values) as Box<dyn Value>);
+    check_any(number, names, values.boxed(), &|values| {
+        let values: Box<dyn Any> = values;
+        holds(*values.downcast().expect("the type of what was drawn"))
+    });
+}
+
+/// [`check`] without the types.
+fn check_any(
+    number: u32,
+    names: &str,
+    values: BoxedStrategy<Box<dyn Value>>,
+    holds: &dyn Fn(Box<dyn Value>) -> TestCaseResult,
+) {
+    let mut runner = TestRunner::new(cases(number));
+    if let Err(failure) = runner.run(&values, holds) {
+        panic!("{failure}\nvalues of ({names})\n{runner}");
     }
 }
