@@ -8,7 +8,6 @@ use affinor_documents::certificate::certify;
 use affinor_documents::definition::{Reading, Request, Space};
 use affinor_documents::report::Quantity;
 use affinor_tensors::{Down, Kind, Notation, Rational, Tensor, Tolerance};
-use proptest::prelude::*;
 use std::collections::BTreeMap;
 
 type Components<S> = BTreeMap<Vec<usize>, S>;

@@ -6,7 +6,6 @@ use affinor::geometry::properties::Witness;
 use affinor::{Connection, Geometry, LieAlgebra, Metric};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Rational, Ring, Tensor, Up};
-use proptest::prelude::*;
 
 type Vector = Vec<Rational>;
 

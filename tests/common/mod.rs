@@ -4,7 +4,6 @@
 
 pub mod algebras;
 pub mod charts;
-#[path = "../../tensors/tests/common/property.rs"]
 pub mod property;
 pub mod spaces;
 pub mod steps;

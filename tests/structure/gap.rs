@@ -12,7 +12,7 @@ type Algebra = LieAlgebra<Rational>;
 
 /// The algebras with the answers of GAP.
 fn answered() -> Vec<(Algebra, Value)> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/structure/gap.json");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/data/structure/gap.json");
     let data: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
     let name = |entry: &Value| entry["name"].as_str().unwrap().to_string();
     let brackets: BTreeMap<String, Algebra> =

@@ -14,7 +14,7 @@ type Algebra = LieAlgebra<Rational>;
 
 /// The stored algebras with their invariants.
 pub fn stored() -> Vec<(Algebra, Value)> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/structure/invariants.json");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/data/structure/invariants.json");
     let data: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
     data["algebras"]
         .as_array()

@@ -215,7 +215,7 @@ fn ideals_that_depend_on_the_field() {
 /// All real forms of rank up to 8 and 10 have their names back from type and signature.
 #[test]
 fn names_of_real_forms() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/structure/real_forms.json");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/data/structure/real_forms.json");
     let data: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
     let other = |name: &str| match name {
         "su(1,1)" => "sl(2,R)".to_string(),

@@ -1,7 +1,7 @@
 //! What the documents of affinor claim, a module a claim.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "../../tests/common/mod.rs"]
+#[path = "../common/mod.rs"]
 mod common;
 
 mod formula_names;

@@ -4,5 +4,6 @@ pub mod cases;
 pub mod dual;
 pub mod matrices;
 pub mod oracle;
+#[path = "../../common/property.rs"]
 pub mod property;
 pub mod tensors;

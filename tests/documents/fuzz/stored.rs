@@ -6,7 +6,6 @@ use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra};
 use affinor_documents::definition::Definition;
 use affinor_documents::report::{Quantity, StoredTable, Table};
 use affinor_tensors::{Notation, Rational, Symbolic};
-use proptest::prelude::*;
 use std::sync::LazyLock;
 
 const JSON: &[&str] = &[
