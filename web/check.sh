@@ -27,7 +27,8 @@ export CHROMIUM
 # a copy in Python prints the report
 python=${AFFINOR_PYTHON:-$(command -v python3 || true)}
 if [ -n "$python" ] && "$python" -c 'import affinor' 2>/dev/null; then
-    step env AFFINOR_PYTHON="$python" cargo test -p affinor-web python_prints_the_report
+    # from the root, where it is built already
+    (cd .. && step env AFFINOR_PYTHON="$python" cargo test --test main python_prints_the_report)
 else
     printf '\n== skipped: copies as Python, for AFFINOR_PYTHON names no Python with the package affinor\n'
 fi
@@ -37,7 +38,7 @@ if [ -z "$CHROMIUM" ]; then
     exit
 fi
 if [ -z "${AFFINOR_COMMAND:-}" ]; then
-    step cargo build -p affinor-cli
+    (cd .. && step cargo build)
     export AFFINOR_COMMAND=${CARGO_TARGET_DIR:-$PWD/../target}/debug/affinor
 fi
 step npm ci --no-audit --no-fund

@@ -1,7 +1,7 @@
 //! Arbitrary input is read or refused, and never causes a panic.
 //!
 //! Inputs are short, but their values need not be: the limits of the parser keep each case short, or the tests would not
-//! end. `AFFINOR_FRESH=100 cargo test --release -p affinor-documents --test main fuzz` takes a long run.
+//! end. `AFFINOR_FRESH=100 cargo test --release --test documents fuzz` takes a long run.
 
 mod definitions;
 mod expressions;
