@@ -16,7 +16,6 @@ if ! command -v npm >/dev/null; then
     printf '\n== skipped: the size of the page, and the page in a browser, for there is no Node with npm\n'
     exit
 fi
-step node --test tests/budget.test.mjs
 
 CHROMIUM=${CHROMIUM:-$(command -v chromium || true)}
 if [ -z "$CHROMIUM" ] && [ "$(id -u)" = 0 ] && step apt-get update -qq && step apt-get install -y -qq chromium; then
@@ -34,6 +33,7 @@ else
 fi
 
 if [ -z "$CHROMIUM" ]; then
+    step node --test tests/budget.test.mjs
     printf '\n== skipped: the page in a browser, for there is no Chromium, and it cannot be installed\n'
     exit
 fi
