@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds the wheel, installs it in a fresh environment without Rust, and tests it there: types, tests, notebooks.
+# Builds the wheel and the source distribution, installs the wheel in a fresh environment without Rust, and tests it there: types, tests,
+# notebooks.
 # PYTHON is the interpreter (3.11 or later), PROFILE the profile of cargo. AFFINOR_RAY=1 tests sweeps on Ray too.
 # AFFINOR_COMMAND is the program to compare with, if it is built; WORKERS the number of processes of the tests;
 # ENVIRONMENT a folder for the environment that is tested, which then stays.
@@ -51,6 +52,11 @@ fi
 # the lock file holds; the wheel needs no build isolation
 step "$work/build/bin/maturin" build --locked --profile "$profile" --manifest-path python/Cargo.toml \
     --interpreter "$python" --out "$work/dist"
+
+# the source distribution has every package that it names
+step "$work/build/bin/maturin" sdist --manifest-path python/Cargo.toml --out "$work/source"
+tar -xzf "$work"/source/*.tar.gz -C "$work/source"
+(cd "$work"/source/*/ && step cargo tree --offline -p affinor-python >"$work/tree.txt")
 
 # a second environment without Rust, and tests away from the sources
 wheel=$(echo "$work"/dist/*.whl)
