@@ -101,3 +101,19 @@ fn check_any(
         panic!("{failure}\nvalues of ({names})\n{runner}");
     }
 }
+
+properties! {
+    #![cases(64)]
+
+    #[test]
+    #[should_panic(expected = "minimal failing input: (\n    50,\n)\n")]
+    fn what_fails_is_seen_and_made_small(x in 0..1000i32) {
+        proptest::prop_assert!(x < 50);
+    }
+
+    #[test]
+    #[should_panic(expected = "index out of bounds")]
+    fn panics_are_failures(x in 0..1000usize) {
+        proptest::prop_assert!([true; 50][x]);
+    }
+}
