@@ -44,7 +44,7 @@ pub fn cases(n: u32) -> ProptestConfig {
 
 /// Tests for random values, written as in `proptest!`.
 ///
-/// That macro compiles all that draws, runs and shrinks for every test anew, which took a quarter of the time to build the tests.
+/// That macro compiles the code that draws, runs and shrinks again for every test. Here it is compiled once.
 macro_rules! properties {
     (
         #![cases($cases:expr)]
