@@ -176,7 +176,9 @@ impl<S: Notation> Table<S> {
     pub fn finite(&self) -> Result<(), Error> {
         for TableEntry { quantity, tensor } in &self.tensors {
             let wild = |value: &S| value.to_f64().is_some_and(|x| !x.is_finite());
+            // few tensors have one, and indices are costly where there are millions of components
             if S::KIND == Kind::Float
+                && tensor.nonzero().any(wild)
                 && let Some((at, value)) = tensor.components().find(|(_, value)| wild(value))
             {
                 let component = text::component(*quantity, tensor, &at);

@@ -32,15 +32,19 @@
 //! Then only the components with `k < l` are computed; the others follow by sign. The declaration
 //! is not checked.
 
+mod accumulator;
 mod arithmetic;
+mod found;
 mod integers;
 mod kernel;
 mod notation;
 mod paths;
 mod rows;
+mod shape;
 
 use crate::{Ring, Tensor, TensorError, Up, Variance};
-use arithmetic::{Factor, InRing, OnIntegers, Term};
+use arithmetic::{Factor, InRing, Term};
+use integers::{Cleared, OnIntegers};
 use notation::Expression;
 use num_rational::Ratio;
 use paths::MAX_PLACES;
@@ -107,9 +111,11 @@ pub(crate) fn over<S: Ring>(
     }
     let groups = &parsed.groups;
     let shape = (dimension, rank);
-    let on_integers = integers::clear(&terms, dimension, paths).and_then(|(terms, denominator)| {
-        let (keys, sums) = kernel::run(&OnIntegers, &terms, shape, groups, paths);
-        Some((keys, integers::quotients(&sums, denominator, paths)?))
+    let on_integers = Cleared::new(&terms).and_then(|cleared| {
+        let (terms, denominator) = cleared.terms(&terms, dimension, paths)?;
+        let integers = OnIntegers::new(denominator, paths);
+        let found = kernel::run(&integers, &terms, shape, groups, paths);
+        (!integers.failed()).then_some(found)
     });
     let in_ring = || kernel::run(&InRing(tolerance), &InRing::terms(&terms), shape, groups, paths);
     let (keys, values) = on_integers.unwrap_or_else(in_ring);
@@ -198,7 +204,10 @@ impl<'a, S: Ring> Product<'a, S> {
     }
 
     /// The term with its values taken as `V`.
-    fn with_values<V>(&self, mut values: impl FnMut(usize, &Tensor<S>) -> Vec<V>) -> Term<'_, V> {
+    fn with_values<'t, V: Clone>(
+        &'t self,
+        mut values: impl FnMut(usize, &'t Tensor<S>) -> Cow<'t, [V]>,
+    ) -> Term<'t, V> {
         let factors = std::array::from_fn(|at| {
             let (roles, tensor) = &self.factors[at];
             Factor { roles, keys: tensor.keys(), values: values(at, tensor) }

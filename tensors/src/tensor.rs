@@ -5,7 +5,9 @@ mod operators;
 
 use crate::linear::Row;
 use crate::{Ring, Sum, TensorError, Tolerance};
+use indices::Reader;
 pub use indices::{Components, Indices};
+use std::sync::Arc;
 
 /// Whether a slot takes an upper or a lower index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -23,7 +25,7 @@ pub use Variance::{Down, Up};
 /// of their indices.
 ///
 /// Slots are ordered: `c^i_jk` has the slots `[Up, Down, Down]`, and its component indices are
-/// `[i, j, k]`, from 0. A zero is never stored ([`Ring::vanishes`]).
+/// `[i, j, k]`, from 0. A zero is never stored ([`Ring::vanishes`]). Clones share their components.
 ///
 /// ```
 /// use affinor_tensors::{Down, Rational, Tensor, Up};
@@ -33,14 +35,16 @@ pub use Variance::{Down, Up};
 /// assert_eq!(delta[[1, 1]], Rational::from(1));
 ///
 /// let metric = Tensor::diagonal([1, 2, 3].map(Rational::from), [Down, Down]);
+/// assert!(std::ptr::eq(&metric[[0, 0]], &metric.clone()[[0, 0]]));
 /// assert_eq!((&metric * &Rational::from(2) - &metric).to_string(), "_11 = 1\n_22 = 2\n_33 = 3");
 /// ```
 #[derive(Clone)]
 pub struct Tensor<S> {
     dimension: usize,
     slots: Box<[Variance]>,
-    keys: Vec<u64>,
-    values: Vec<S>,
+    // shared by clones
+    keys: Arc<Vec<u64>>,
+    values: Arc<Vec<S>>,
     /// `None` where nobody chose one: the default, unless it meets another in a sum.
     tolerance: Option<Tolerance>,
     /// The value of every component that is not stored.
@@ -62,8 +66,8 @@ impl<S: Ring> Tensor<S> {
 
     /// The zero tensor of a shape whose components are known to have keys.
     fn unchecked(dimension: usize, slots: &[Variance]) -> Self {
-        let (keys, values, zero) = (vec![], vec![], S::zero());
-        Tensor { dimension, slots: slots.into(), keys, values, tolerance: None, zero }
+        let (keys, values) = Default::default();
+        Tensor { dimension, slots: slots.into(), keys, values, tolerance: None, zero: S::zero() }
     }
 
     /// The tensor with the given components, in any order. Components with equal indices are added.
@@ -120,13 +124,14 @@ impl<S: Ring> Tensor<S> {
         slots: [Variance; RANK],
         mut f: impl FnMut([usize; RANK]) -> S,
     ) -> Result<Self, TensorError> {
-        let mut tensor = Self::zero(dimension, &slots)?;
-        for key in 0..(dimension as u64).pow(RANK as u32) {
+        let tensor = Self::zero(dimension, &slots)?;
+        let shape = tensor.clone();
+        let components = (0..(dimension as u64).pow(RANK as u32)).map(|key| {
             let mut indices = [0; RANK];
-            indices.copy_from_slice(&tensor.indices(key));
-            tensor.push(key, f(indices));
-        }
-        Ok(tensor)
+            indices.copy_from_slice(&shape.indices(key));
+            (key, f(indices))
+        });
+        Ok(tensor.store(0, components))
     }
 
     /// The Kronecker delta, `delta^i_j`.
@@ -137,21 +142,14 @@ impl<S: Ring> Tensor<S> {
     /// The tensor of rank 2 with these components on the diagonal and zeros elsewhere.
     pub fn diagonal(entries: impl IntoIterator<Item = S>, slots: [Variance; 2]) -> Self {
         let entries: Vec<S> = entries.into_iter().collect();
-        let mut tensor = Self::unchecked(entries.len(), &slots);
-        let step = entries.len() as u64 + 1;
-        for (at, value) in entries.into_iter().enumerate() {
-            tensor.push(at as u64 * step, value);
-        }
-        tensor
+        let n = entries.len();
+        Self::unchecked(n, &slots).store(n, (0..).step_by(n + 1).zip(entries))
     }
 
     /// The vector `v^i` (or covector, by `variance`) with these components.
     pub fn vector(components: &[S], variance: Variance) -> Self {
-        let mut vector = Self::unchecked(components.len(), &[variance]);
-        for (key, value) in components.iter().enumerate() {
-            vector.push(key as u64, value.clone());
-        }
-        vector
+        let n = components.len();
+        Self::unchecked(n, &[variance]).store(n, (0..).zip(components.iter().cloned()))
     }
 
     /// The same tensor with another tolerance for what is computed from it (floats only).
@@ -247,12 +245,11 @@ impl<S: Ring> Tensor<S> {
         slice.tolerance = self.tolerance;
         let n = dimension as u64;
         let below = n.pow((rank - 1 - slot) as u32);
-        for (&key, value) in self.keys.iter().zip(&self.values) {
-            if key / below % n == index as u64 {
-                slice.push(key / below / n * below + key % below, value.clone());
-            }
-        }
-        Ok(slice)
+        let stored = self.keys.iter().zip(self.values.iter());
+        let chosen = stored.filter(|(key, _)| *key / below % n == index as u64);
+        let components =
+            chosen.map(|(key, value)| (key / below / n * below + key % below, value.clone()));
+        Ok(slice.store(0, components))
     }
 
     /// The value of a tensor of rank 0.
@@ -268,7 +265,7 @@ impl<S: Ring> Tensor<S> {
     /// The nonzero components as one sparse row, each at the position that
     /// [`from_row`](Self::from_row) describes.
     pub fn to_row(&self) -> Row<S> {
-        let shown = self.keys.iter().zip(&self.values).filter(|(_, value)| !value.is_small());
+        let shown = self.keys.iter().zip(self.values.iter()).filter(|(_, value)| !value.is_small());
         shown.map(|(&key, value)| (key as usize, value.clone())).collect()
     }
 
@@ -281,14 +278,10 @@ impl<S: Ring> Tensor<S> {
     pub fn filter_map<T: Ring>(&self, f: impl Fn(&[usize], &S) -> Option<T>) -> Tensor<T> {
         let mut tensor = Tensor::unchecked(self.dimension, &self.slots);
         tensor.tolerance = self.tolerance;
-        tensor.keys.reserve(self.keys.len());
-        tensor.values.reserve(self.keys.len());
-        for (&key, value) in self.keys.iter().zip(&self.values) {
-            if let Some(value) = f(&self.indices(key), value) {
-                tensor.push(key, value);
-            }
-        }
-        tensor
+        let stored = self.keys.iter().zip(self.values.iter());
+        let mut reader = Reader::new(self);
+        let mapped = stored.filter_map(|(&key, value)| Some((key, f(&reader.read(key), value)?)));
+        tensor.store(self.keys.len(), mapped)
     }
 
     /// Every component multiplied by `factor`.
@@ -332,31 +325,31 @@ impl<S: Ring> Tensor<S> {
     }
 
     /// Stores components given in any order; components with equal keys are added.
-    fn gather(mut self, mut keyed: Vec<(u64, S)>) -> Self {
+    fn gather(self, mut keyed: Vec<(u64, S)>) -> Self {
         keyed.sort_by_key(|(key, _)| *key);
-        for run in keyed.chunk_by(|a, b| a.0 == b.0) {
+        let tolerance = self.tolerance();
+        let components = keyed.chunk_by(|a, b| a.0 == b.0).filter_map(|run| {
             let mut sum = S::Sum::term(&run[0].1);
             run[1..].iter().for_each(|(_, value)| sum.add_term(value));
-            if let Some(value) = sum.finish(self.tolerance()) {
-                self.push(run[0].0, value);
-            }
-        }
-        self
+            Some((run[0].0, sum.finish(tolerance)?))
+        });
+        self.store(keyed.len(), components)
     }
 
-    /// Appends a component after all stored ones; zeros are dropped.
-    pub(crate) fn push(&mut self, key: u64, value: S) {
-        debug_assert!(self.keys.last().is_none_or(|&last| last < key));
-        if !value.vanishes() || value.is_small() {
-            self.keys.push(key);
-            self.values.push(value);
+    /// Stores components given in the order of their keys, with room for so many; zeros are dropped.
+    fn store(self, room: usize, components: impl Iterator<Item = (u64, S)>) -> Self {
+        let (mut keys, mut values) = (Vec::with_capacity(room), Vec::with_capacity(room));
+        for (key, value) in components.filter(|(_, value)| !value.vanishes() || value.is_small()) {
+            keys.push(key);
+            values.push(value);
         }
+        self.fill(keys, values)
     }
 
     /// Stores sorted, nonzero components.
     pub(crate) fn fill(mut self, keys: Vec<u64>, values: Vec<S>) -> Self {
         debug_assert!(keys.is_sorted_by(|a, b| a < b) && keys.len() == values.len());
-        (self.keys, self.values) = (keys, values);
+        (self.keys, self.values) = (Arc::new(keys), Arc::new(values));
         self
     }
 

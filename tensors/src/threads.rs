@@ -83,15 +83,19 @@ fn each<'w>(n: u64, worker: &(dyn Fn() -> Box<dyn FnMut(u64) + 'w> + Sync)) {
     (0..n).into_par_iter().for_each_init(worker, |work, at| work(at));
 }
 
-/// Both, on two threads if two are free.
-pub(crate) fn join(a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
+/// The results of both, on two threads if two are free.
+pub(crate) fn join<A: Send, B: Send>(
+    a: impl FnOnce() -> A + Send,
+    b: impl FnOnce() -> B + Send,
+) -> (A, B) {
     #[cfg(feature = "parallel")]
-    rayon::join(a, b);
-    #[cfg(not(feature = "parallel"))]
     {
-        a();
-        b();
+        let limit = effort::current();
+        let [first, second] = [limit.clone(), limit];
+        rayon::join(|| effort::inherit(first, a), || effort::inherit(second, b))
     }
+    #[cfg(not(feature = "parallel"))]
+    (a(), b())
 }
 
 #[cfg(test)]

@@ -17,10 +17,11 @@ static POOLS: LazyLock<[ThreadPool; 2]> = LazyLock::new(|| {
     [1, 2].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build().unwrap())
 });
 
-/// The limits of the tables: no rows, rows up to some power of the dimension, all rows.
+/// The limits of the tables: no rows, rows up to some multiple of the dimension, all rows.
 fn tables(dimension: usize) -> Vec<(u64, u64)> {
     let mut tables = vec![];
-    for rows in (0..4).map(|power| (dimension as u64).pow(power)).chain([0, 1 << 16]) {
+    // rows are counted in whole words of 64
+    for rows in (0..4).map(|power| 64 * (dimension as u64).pow(power)).chain([0, 1 << 16]) {
         tables.extend([0, 2, 1 << 16].map(|marked| (rows, marked)));
     }
     tables.dedup();
@@ -33,14 +34,13 @@ fn paths(dimension: usize) -> impl Iterator<Item = (Paths, &'static ThreadPool)>
     tables(dimension).into_iter().flat_map(move |(direct_rows, marked_words)| {
         let threads = POOLS.iter().zip([usize::MAX, 0]);
         threads.flat_map(move |(pool, parallel_from)| {
-            arithmetics.into_iter().zip([0, 1, 7, 1 << 20]).map(move |(arithmetic, reserved)| {
+            arithmetics.into_iter().zip([0, 1, 7, 1 << 20]).map(move |(arithmetic, round)| {
                 let (largest_integer, kept_quotients) = arithmetic;
                 let paths = Paths {
                     direct_rows,
                     marked_words,
                     parallel_from,
-                    reserved,
-                    round: reserved,
+                    round,
                     largest_integer,
                     kept_quotients,
                     ..Paths::default()
@@ -123,6 +123,45 @@ properties! {
     #[test]
     fn dual_numbers(case in cases_of_ranks(0..7, Values::Integers)) {
         agrees(&case.duals())?;
+    }
+}
+
+properties! {
+    #![cases(100)]
+
+    /// Indices far apart, so that accumulators have rows of several words and tables have gaps: the components are those of
+    /// the indices themselves.
+    #[test]
+    fn indices_far_apart(
+        case in cases_of_ranks(0..5, Values::Integers),
+        step in 1usize..90,
+        behind in 1usize..90,
+    ) {
+        let dimension = (case.operands()[0].1.dimension() * step + behind).min(400);
+        let step = step.min((dimension - 1) / case.operands()[0].1.dimension().max(1)).max(1);
+        let apart = |tensor: &Tensor<Rational>| {
+            let components = tensor.components();
+            let components = components.map(|(at, value)| {
+                (at.iter().map(|index| index * step).collect::<Vec<_>>(), value.clone())
+            });
+            Tensor::from_components(dimension, tensor.slots(), components)
+        };
+        let operands: Vec<_> = case.operands();
+        let Ok(wide) = operands.iter().map(|(_, t)| apart(t)).collect::<Result<Vec<_>, _>>() else {
+            // too many places for a key
+            return Ok(());
+        };
+        let wide: Vec<_> = operands.iter().zip(&wide).map(|((name, _), t)| (*name, t)).collect();
+        let near = contract(&case.text, &operands)?;
+        let expected = stored(&apart(&near)?);
+        for (marked_words, direct_rows) in [(1 << 22, 1 << 22), (1 << 22, 0), (0, 0)] {
+            for (pool, parallel_from) in POOLS.iter().zip([usize::MAX, 0]) {
+                let paths =
+                    Paths { marked_words, direct_rows, parallel_from, ..Paths::default() };
+                let far = pool.install(|| contract_by(&paths, &case.text, &wide))?;
+                prop_assert_eq!(&stored(&far), &expected, "{} by {:?}", case.text, paths);
+            }
+        }
     }
 }
 

@@ -1,20 +1,21 @@
-//! The two arithmetics of sums of products: in the ring itself, and in machine integers.
+//! The arithmetic of sums of products, and that of the ring itself.
 
 use super::{Product, Role};
 use crate::{Ring, Sum, Tolerance};
+use std::borrow::Cow;
 use std::ops::Neg;
 
 /// A term with its values, before it is laid out in rows.
-pub(super) struct Term<'t, V> {
+pub(super) struct Term<'t, V: Clone> {
     pub factors: [Factor<'t, V>; 2],
     pub mirrored: bool,
 }
 
 /// The entries of a tensor with the role of each slot.
-pub(super) struct Factor<'t, V> {
+pub(super) struct Factor<'t, V: Clone> {
     pub roles: &'t [Role],
     pub keys: &'t [u64],
-    pub values: Vec<V>,
+    pub values: Cow<'t, [V]>,
 }
 
 /// A component of a result.
@@ -42,12 +43,11 @@ impl InRing {
             let (n, d) = (*product.coefficient.numer(), *product.coefficient.denom());
             // the notation admits no other denominators
             let coefficient = S::from_quotient(n, d).filter(|_| (n, d) != (1, 1));
-            product.with_values(|at, tensor| {
-                let scaled = |v: &S| match &coefficient {
-                    Some(coefficient) if at == 0 => v.clone() * coefficient,
-                    _ => v.clone(),
-                };
-                tensor.values().iter().map(scaled).collect()
+            product.with_values(|at, tensor| match &coefficient {
+                Some(coefficient) if at == 0 => {
+                    tensor.values().iter().map(|value| value.clone() * coefficient).collect()
+                }
+                _ => Cow::Borrowed(tensor.values()),
             })
         };
         products.iter().map(term).collect()
@@ -62,19 +62,5 @@ impl<S: Ring> Arithmetic<S> for InRing {
     }
     fn finish(&self, sum: &S::Sum) -> Option<S> {
         sum.kept(self.0)
-    }
-}
-
-/// Sums of machine integers that do not overflow.
-pub(super) struct OnIntegers;
-
-impl Arithmetic<i64> for OnIntegers {
-    type Value = i64;
-    type Sum = i64;
-    fn add_product(&self, sum: &mut i64, a: &i64, b: &i64, negative: bool) {
-        *sum += if negative { -(a * b) } else { a * b };
-    }
-    fn finish(&self, sum: &i64) -> Option<i64> {
-        (*sum != 0).then_some(*sum)
     }
 }

@@ -1,84 +1,139 @@
 //! Products over one denominator in machine integers.
 
-use super::arithmetic::Term;
+use super::arithmetic::{Arithmetic, Term};
 use super::{Paths, Product, Role};
-use crate::{Ring, threads};
+use crate::{Ring, Tensor};
+use std::borrow::Cow;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-/// How many pieces of a list each thread gets.
-const PIECES: usize = 16;
-
-/// All terms over a common denominator, and this denominator. `None` if the scalar has no denominators or a sum may exceed
-/// 64 bits.
-pub(super) fn clear<'t, S: Ring>(
-    products: &'t [Product<S>],
-    dimension: usize,
-    paths: &Paths,
-) -> Option<(Vec<Term<'t, i64>>, i64)> {
-    let mut cleared = Vec::new();
-    let mut denominator = 1i64;
-    for product in products {
-        let factors: Vec<(Vec<i64>, i64)> = product
-            .factors
-            .iter()
-            .map(|(_, tensor)| S::clear_denominators(tensor.values().iter()))
-            .collect::<Option<_>>()?;
-        let own = *product.coefficient.denom();
-        let d = factors.iter().try_fold(own, |d, (_, f)| d.checked_mul(*f))?;
-        denominator = denominator.checked_mul(d / num_integer::gcd(d, denominator))?;
-        cleared.push((factors, d));
-    }
-    let mut bound = 0u64;
-    let mut terms = Vec::new();
-    for (product, (mut factors, d)) in products.iter().zip(cleared) {
-        let scale = product.coefficient.numer().checked_mul(denominator / d)?;
-        for value in &mut factors.first_mut()?.0 {
-            *value = value.checked_mul(scale)?;
-        }
-        // the number of products in one component: one for each value of the summed letters
-        let summed = product.factors.iter().flat_map(|(roles, _)| roles);
-        let pairs = summed.filter(|r| matches!(r, Role::Summed(_))).count() / 2;
-        let entries = factors.iter().map(|(values, _)| values.len() as u64).max()?;
-        let count =
-            (dimension as u64).saturating_pow(pairs as u32).min(entries.saturating_mul(entries));
-        // and as many again for the image of a mirrored term
-        let count = count.checked_mul(1 + u64::from(product.mirrored))?;
-        let largest = |(values, _): &(Vec<i64>, i64)| {
-            values.iter().map(|v| v.unsigned_abs()).max().unwrap_or(0)
-        };
-        let size = factors.iter().map(largest).try_fold(count, u64::checked_mul)?;
-        bound = bound.checked_add(size)?;
-        let mut values = factors.into_iter().map(|(values, _)| values);
-        terms.push(product.with_values(|_, _| values.next().unwrap_or_default()));
-    }
-    (bound <= paths.largest_integer.min(i64::MAX as u64)).then_some((terms, denominator))
+/// The factors of products as integers, each over its own denominator. A tensor in several of them is cleared once.
+pub(super) struct Cleared {
+    lists: Vec<(Vec<i64>, i64)>,
+    /// The number of the list of each factor of each product.
+    numbers: Vec<Vec<usize>>,
 }
 
-/// Sums over a denominator as values of the ring; `None` if one does not exist there.
-pub(super) fn quotients<S: Ring>(sums: &[i64], denominator: i64, paths: &Paths) -> Option<Vec<S>> {
-    // the most frequent ones, computed once
-    let kept = i64::from(paths.kept_quotients);
-    let frequent: Vec<Option<S>> =
-        (-kept..=kept).map(|sum| S::from_quotient(sum, denominator)).collect();
-    let quotient = |sum: &i64| {
-        // compared before it becomes an index of a list, which has 32 bits on some machines
-        if sum.unsigned_abs() <= kept.unsigned_abs() {
-            frequent[(sum + kept) as usize].clone()
-        } else {
-            S::from_quotient(*sum, denominator)
+impl Cleared {
+    /// `None` if the scalar has no denominators, or one exceeds 64 bits.
+    pub fn new<'t, S: Ring>(products: &'t [Product<S>]) -> Option<Self> {
+        let (mut tensors, mut lists): (Vec<&'t Tensor<S>>, Vec<_>) = (vec![], vec![]);
+        let mut number = |tensor: &'t Tensor<S>| {
+            let known = tensors.iter().position(|&other| std::ptr::eq(other, tensor));
+            known.map_or_else(
+                || {
+                    lists.push(S::clear_denominators(tensor.values().iter())?);
+                    tensors.push(tensor);
+                    Some(tensors.len() - 1)
+                },
+                Some,
+            )
+        };
+        let numbers = products
+            .iter()
+            .map(|product| product.factors.iter().map(|(_, tensor)| number(tensor)).collect())
+            .collect::<Option<_>>()?;
+        Some(Cleared { lists, numbers })
+    }
+
+    /// All terms over a common denominator, and this denominator. `None` if a sum may exceed 64 bits.
+    pub fn terms<'t, S: Ring>(
+        &'t self,
+        products: &'t [Product<S>],
+        dimension: usize,
+        paths: &Paths,
+    ) -> Option<(Vec<Term<'t, i64>>, i64)> {
+        let products = || products.iter().zip(&self.numbers);
+        let own = |(product, numbers): (&Product<S>, &Vec<usize>)| {
+            let factors = numbers.iter().map(|&number| self.lists[number].1);
+            { factors }.try_fold(*product.coefficient.denom(), |d, factor| d.checked_mul(factor))
+        };
+        let denominator = products().map(own).try_fold(1i64, |denominator, own| {
+            let own = own?;
+            denominator.checked_mul(own / num_integer::gcd(own, denominator))
+        })?;
+        let mut bound = 0u64;
+        let mut terms = Vec::new();
+        for (product, numbers) in products() {
+            let scale = denominator / own((product, numbers))?;
+            let scale = product.coefficient.numer().checked_mul(scale)?;
+            // the number of products in one component: one for each value of the summed letters
+            let summed = product.factors.iter().flat_map(|(roles, _)| roles);
+            let pairs = summed.filter(|r| matches!(r, Role::Summed(_))).count() / 2;
+            let values = || numbers.iter().map(|&number| &self.lists[number].0);
+            let entries = values().map(|values| values.len() as u64).max()?;
+            let count = (dimension as u64)
+                .saturating_pow(pairs as u32)
+                .min(entries.saturating_mul(entries));
+            // and as many again for the image of a mirrored term
+            let count = count.checked_mul(1 + u64::from(product.mirrored))?;
+            let largest =
+                |values: &Vec<i64>| values.iter().map(|v| v.unsigned_abs()).max().unwrap_or(0);
+            let size = values().map(largest).try_fold(count, u64::checked_mul)?;
+            if size == 0 {
+                // an empty factor
+                continue;
+            }
+            bound = bound.checked_add(size.checked_mul(scale.unsigned_abs())?)?;
+            if bound > paths.largest_integer.min(i64::MAX as u64) {
+                return None;
+            }
+            terms.push(product.with_values(|at, _| {
+                let values = &self.lists[numbers[at]].0;
+                match at {
+                    // a value that is multiplied here is below the bound
+                    0 if scale != 1 => values.iter().map(|value| value * scale).collect(),
+                    _ => Cow::Borrowed(values),
+                }
+            }));
         }
-    };
-    if sums.len() < paths.parallel_from || threads::count() == 1 {
-        return sums.iter().map(quotient).collect();
+        Some((terms, denominator))
     }
-    let length = sums.len().div_ceil(PIECES * threads::count()).max(1);
-    let pieces: Vec<&[i64]> = sums.chunks(length).collect();
-    let of_piece = |(): &mut (), at: u64| {
-        let piece = pieces[at as usize].iter();
-        piece.map(quotient).collect::<Option<Vec<S>>>()
-    };
-    let mut values = Vec::with_capacity(sums.len());
-    for piece in threads::map(pieces.len() as u64, &threads::States::new(|| ()), of_piece) {
-        values.extend(piece?);
+}
+
+/// Sums of machine integers that do not overflow, over a denominator.
+pub(super) struct OnIntegers<S> {
+    denominator: i64,
+    /// The quotients with numerators from `-kept` to `kept`, which are the most frequent ones.
+    frequent: Vec<Option<S>>,
+    kept: i64,
+    failed: AtomicBool,
+}
+
+impl<S: Ring> OnIntegers<S> {
+    pub fn new(denominator: i64, paths: &Paths) -> Self {
+        let kept = i64::from(paths.kept_quotients);
+        let frequent = (-kept..=kept).map(|sum| S::from_quotient(sum, denominator)).collect();
+        OnIntegers { denominator, frequent, kept, failed: AtomicBool::new(false) }
     }
-    Some(values)
+
+    /// Whether a quotient did not exist in the ring, so that a result lacks it.
+    pub fn failed(&self) -> bool {
+        self.failed.load(Relaxed)
+    }
+}
+
+impl<S: Ring> Arithmetic<S> for OnIntegers<S> {
+    type Value = i64;
+    type Sum = i64;
+    #[inline(always)]
+    fn add_product(&self, sum: &mut i64, a: &i64, b: &i64, negative: bool) {
+        *sum += if negative { -(a * b) } else { a * b };
+    }
+    #[inline(always)]
+    fn finish(&self, sum: &i64) -> Option<S> {
+        let sum = *sum;
+        if sum == 0 {
+            return None;
+        }
+        // compared before it becomes an index of a list, which has 32 bits on some machines
+        let quotient = if sum.unsigned_abs() <= self.kept.unsigned_abs() {
+            self.frequent[(sum + self.kept) as usize].clone()
+        } else {
+            S::from_quotient(sum, self.denominator)
+        };
+        if quotient.is_none() {
+            self.failed.store(true, Relaxed);
+        }
+        quotient
+    }
 }

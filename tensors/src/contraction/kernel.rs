@@ -5,10 +5,14 @@
 //! by entry, and each entry is multiplied with the partner's row of equal summed indices.
 
 use super::Paths;
+use super::accumulator::Accumulator;
 use super::arithmetic::{Arithmetic, Term, Value};
-use super::rows::{Entry, Laid, Place, Rows, sum};
+use super::found::Found;
+use super::rows::{Laid, Rows};
+use super::shape::{Place, Shape};
 use crate::threads;
 use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
 
 /// The sum of `terms` in a dimension and of a rank: sorted keys and nonzero values.
 pub(super) fn run<S: Value, A: Arithmetic<S>>(
@@ -19,74 +23,66 @@ pub(super) fn run<S: Value, A: Arithmetic<S>>(
     paths: &Paths,
 ) -> (Vec<u64>, Vec<S>) {
     let n = dimension as u64;
-    let outer = rank.saturating_sub(2);
-    let laid: Vec<Laid<A::Value>> =
-        terms.iter().filter_map(|term| Laid::new(term, n, outer, rank, paths)).collect();
-    let plan = Plan { n, outer, rank, groups, terms: &laid };
-    let entries: usize = laid.iter().map(Laid::entries).sum();
-    let (mut keys, mut values) = (Vec::new(), Vec::new());
-    // memory that is reserved and not used costs nothing, growing does
-    let products = laid.iter().filter(|_| outer > 0).map(Laid::products);
-    let room = 2 * products.fold(0, u64::saturating_add).min(paths.reserved) as usize;
-    if laid.is_empty() {
-        // zero
-    } else if outer == 0 || entries < paths.parallel_from || threads::count() == 1 {
-        let mut walk = Walk::new(&plan, arithmetic);
-        walk.keys.reserve(room);
-        walk.values.reserve(room);
-        walk.descend(0, 0, 0);
-        (keys, values) = (walk.keys, walk.values);
+    let shape = Shape::new(n, rank, groups);
+    let entries: usize =
+        terms.iter().flat_map(|term| &term.factors).map(|factor| factor.keys.len()).sum();
+    let parallel = entries >= paths.parallel_from && threads::count() > 1;
+    let lay = |term| Laid::new(term, shape, paths);
+    let laid: Vec<Laid<A::Value>> = if parallel {
+        let lay = |(): &mut (), at: u64| lay(&terms[at as usize]);
+        let laid = threads::map(terms.len() as u64, &threads::States::new(|| ()), lay);
+        laid.into_iter().flatten().collect()
     } else {
-        keys.reserve(room);
-        values.reserve(room);
-        // In rounds, so that few results are stored twice. Each thread keeps its accumulator from round to round, for filling one
-        // with zeros may take longer than a round.
-        let walks = threads::States::new(|| Walk::new(&plan, arithmetic));
-        let round = paths.round.max(1).saturating_mul(threads::count() as u64).min(n);
-        for start in (0..n).step_by(round as usize) {
-            let block = |walk: &mut Walk<S, A>, at: u64| {
-                walk.enter(0, 0, 0, start + at);
-                (std::mem::take(&mut walk.keys), std::mem::take(&mut walk.values))
-            };
-            let count = round.min(n - start);
-            for block in threads::map(count, &walks, block) {
-                keys.extend(block.0);
-                values.extend(block.1);
-            }
-        }
-    }
-    keys.shrink_to_fit();
-    values.shrink_to_fit();
-    plan.groups_across()
-        .fold((keys, values), |(keys, values), group| spread(keys, values, n, rank, group))
+        terms.iter().filter_map(lay).collect()
+    };
+    let walk = || Walk::new(shape, &laid, arithmetic);
+    let found = if laid.is_empty() {
+        Found::default()
+    } else if parallel && shape.outer > 0 {
+        in_rounds(shape, paths.round, walk)
+    } else {
+        walk().whole()
+    };
+    let spread = |(keys, values), group| spread(keys, values, n, rank, group);
+    shape.groups_across().fold(found.into_lists(), spread)
 }
 
-/// The input of a run.
-struct Plan<'p, V> {
-    n: u64,
-    /// The number of leading indices, which are loops. The last ones, at most two, belong to the
-    /// accumulator.
-    outer: usize,
-    rank: usize,
-    groups: &'p [Range<usize>],
-    terms: &'p [Laid<V>],
-}
-
-impl<V> Plan<'_, V> {
-    /// The antisymmetric groups that include leading indices.
-    fn groups_across(&self) -> impl Iterator<Item = &Range<usize>> {
-        self.groups.iter().filter(|group| group.start < self.outer && group.len() > 1)
+/// The components of all first indices, computed on all threads in rounds of about `size` components each; while one is
+/// computed, the one before is stored.
+///
+/// Each thread keeps its accumulator from round to round, for filling one with zeros may take longer than a round. The
+/// lists of a round are used again, for new memory costs as much.
+fn in_rounds<'w, S: Value, A: Arithmetic<S, Value: 'w> + 'w>(
+    shape: Shape,
+    size: u64,
+    walk: impl Fn() -> Walk<'w, S, A> + Sync,
+) -> Found<S> {
+    let (n, threads) = (shape.n, threads::count() as u64);
+    let walks = threads::States::new(walk);
+    let spare = Mutex::new(vec![]);
+    let spare = || spare.lock().unwrap_or_else(PoisonError::into_inner);
+    let (mut found, mut round) = (Found::default(), vec![]);
+    let (mut start, mut count) = (0, threads.min(n));
+    while start < n {
+        let block = |walk: &mut Walk<S, A>, at: u64| {
+            walk.found = spare().pop().unwrap_or_default();
+            walk.enter(0, 0, 0, start + at);
+            std::mem::take(&mut walk.found)
+        };
+        let store = || {
+            round.iter_mut().for_each(|block| found.append(block));
+            found.expect_more(shape.share(start), shape.share(start + count));
+            spare().append(&mut round);
+        };
+        let compute = || threads::map(count, &walks, block);
+        ((), round) = threads::join(store, compute);
+        start += count;
+        let known = found.len() + round.iter().map(Found::len).sum::<usize>();
+        let enough = threads.saturating_mul(size).saturating_mul(start) / known.max(1) as u64;
+        count = enough.max(threads).min(n - start);
     }
-
-    /// Whether the two indices of the accumulator are an antisymmetric group of their own.
-    fn mirrors(&self) -> bool {
-        self.groups.iter().any(|group| group.start == self.outer && group.len() == 2)
-    }
-
-    /// Whether index `at` must exceed the index before it.
-    fn ascends(&self, at: usize) -> bool {
-        self.groups.iter().any(|group| group.start < at && at < group.end)
-    }
+    round.iter_mut().for_each(|block| found.append(block));
+    found
 }
 
 /// A term that is not zero for the chosen leading indices, with its current groups of rows.
@@ -99,51 +95,44 @@ struct Alive {
 
 /// The loops over the leading indices, with the accumulator and the results.
 struct Walk<'w, S, A: Arithmetic<S>> {
-    plan: &'w Plan<'w, A::Value>,
-    arithmetic: &'w A,
+    shape: Shape<'w>,
+    terms: &'w [Laid<A::Value>],
     /// The terms that are alive at each depth, stored one after the other.
     alive: Vec<Alive>,
-    /// Empty where it is not filled.
-    sums: Vec<A::Sum>,
-    /// A bit for each of `sums`, set if it is filled, and the places of the filled ones.
-    filled: Vec<u64>,
-    touched: Vec<Place>,
-    /// The values of one leaf, and the order in which they are stored: in each entry the place in
-    /// the accumulator, then in 32 bits twice the number of the value, plus 1 if it is negated.
-    finished: Vec<S>,
-    order: Vec<u64>,
-    keys: Vec<u64>,
-    values: Vec<S>,
+    accumulator: Accumulator<'w, A, A::Sum>,
+    found: Found<S>,
 }
 
 impl<'w, S: Value, A: Arithmetic<S>> Walk<'w, S, A> {
-    fn new(plan: &'w Plan<'w, A::Value>, arithmetic: &'w A) -> Self {
-        let inner = plan.n.pow((plan.rank - plan.outer) as u32) as usize;
-        Walk {
-            plan,
-            arithmetic,
-            // at first every term lives and no index is chosen
-            alive: (0..plan.terms.len())
-                .map(|term| Alive { term, driver: 0, partner: 0 })
-                .collect(),
-            sums: vec![A::Sum::default(); inner],
-            filled: vec![0; inner.div_ceil(64)],
-            touched: vec![],
-            finished: vec![],
-            order: vec![],
-            keys: vec![],
-            values: vec![],
+    fn new(shape: Shape<'w>, terms: &'w [Laid<A::Value>], arithmetic: &'w A) -> Self {
+        // at first every term lives and no index is chosen
+        let alive = (0..terms.len()).map(|term| Alive { term, driver: 0, partner: 0 }).collect();
+        let accumulator = Accumulator::new(arithmetic, shape);
+        Walk { shape, terms, alive, accumulator, found: Found::default() }
+    }
+
+    /// The components of all indices.
+    fn whole(mut self) -> Found<S> {
+        if self.shape.outer == 0 {
+            self.leaf(0, 0);
+        } else {
+            for index in 0..self.shape.n {
+                self.enter(0, 0, 0, index);
+                self.found.expect_more(self.shape.share(index + 1), self.shape.share(index + 2));
+            }
         }
+        self.found
     }
 
     /// Runs over all values of the leading index `depth`, after the indices in `key`, for the terms in
     /// `alive` from `from` on.
     fn descend(&mut self, depth: usize, key: u64, from: usize) {
-        if depth == self.plan.outer {
+        if depth == self.shape.outer {
             return self.leaf(key, from);
         }
-        let first = if self.plan.ascends(depth) { key % self.plan.n + 1 } else { 0 };
-        for index in first..self.plan.n {
+        let shape = self.shape;
+        let first = if shape.ascends(depth) { key % shape.n + 1 } else { 0 };
+        for index in first..shape.n {
             self.enter(depth, key, from, index);
         }
     }
@@ -160,7 +149,7 @@ impl<'w, S: Value, A: Arithmetic<S>> Walk<'w, S, A> {
         let end = self.alive.len();
         for at in from..end {
             let Alive { term, driver, partner } = self.alive[at];
-            let laid = &self.plan.terms[term];
+            let laid = &self.terms[term];
             if let Some(driver) = step(&laid.driver, driver)
                 && let Some(partner) = step(&laid.partner, partner)
             {
@@ -168,108 +157,86 @@ impl<'w, S: Value, A: Arithmetic<S>> Walk<'w, S, A> {
             }
         }
         if self.alive.len() > end {
-            self.descend(depth + 1, key * self.plan.n + index, end);
+            self.descend(depth + 1, key * self.shape.n + index, end);
             self.alive.truncate(end);
         }
     }
 
     /// Computes all components with fixed leading indices.
     fn leaf(&mut self, key: u64, from: usize) {
-        let plan = self.plan;
-        let bounds = Bounds::new(plan, key);
-        for at in from..self.alive.len() {
-            let Alive { term, driver, partner } = self.alive[at];
-            let laid = &plan.terms[term];
+        let bounds = Bounds::new(self.shape, key);
+        for &Alive { term, driver, partner } in &self.alive[from..] {
+            let laid = &self.terms[term];
+            let accumulator = &mut self.accumulator;
+            let all = bounds.all() && !laid.mirrored;
             laid.driver.meet(driver, &laid.partner, partner, |mine, theirs| {
-                let theirs = &laid.partner.entries[theirs];
-                for Entry { place, lowest, value } in &laid.driver.entries[mine] {
-                    if bounds.beyond(*lowest) {
+                if all {
+                    for entry in mine {
+                        for other in theirs {
+                            let place = entry.place + other.place;
+                            accumulator.add_product(place, &entry.value, &other.value, false);
+                        }
+                    }
+                    return;
+                }
+                for entry in mine {
+                    if bounds.beyond(entry.place, laid.driver.undetermined) {
                         continue;
                     }
                     for other in theirs {
-                        let place = sum(*place, other.place);
+                        let place = entry.place + other.place;
                         if let Some((place, negative)) = bounds.admit(place, laid.mirrored) {
-                            self.add_product(place, value, &other.value, negative);
+                            accumulator.add_product(place, &entry.value, &other.value, negative);
                         }
                     }
                 }
             });
         }
-        self.collect(key);
-    }
-
-    #[inline(always)]
-    fn add_product(&mut self, place: Place, a: &A::Value, b: &A::Value, negative: bool) {
-        let at = place[0] as usize * self.plan.n as usize + place[1] as usize;
-        let (word, bit) = (&mut self.filled[at / 64], 1u64 << (at % 64));
-        if *word & bit == 0 {
-            *word |= bit;
-            self.touched.push(place);
-        }
-        self.arithmetic.add_product(&mut self.sums[at], a, b, negative);
-    }
-
-    /// Appends the accumulated components to the results, in the order of their indices.
-    fn collect(&mut self, key: u64) {
-        let (n, inner) = (self.plan.n, self.sums.len() as u64);
-        let mirrors = self.plan.mirrors();
-        for [a, b] in self.touched.drain(..) {
-            let (a, b) = (u64::from(a), u64::from(b));
-            let slot = a * n + b;
-            self.filled[slot as usize / 64] &= !(1u64 << (slot % 64));
-            // emptied now, because a sum of products keeps their values
-            let sum = std::mem::take(&mut self.sums[slot as usize]);
-            if let Some(value) = self.arithmetic.finish(&sum) {
-                let number = (self.finished.len() as u64) << 1;
-                self.finished.push(value);
-                self.order.push((slot << 32) | number);
-                if mirrors {
-                    self.order.push(((b * n + a) << 32) | number | 1);
-                }
-            }
-        }
-        self.order.sort_unstable();
-        self.keys.extend(self.order.iter().map(|entry| key * inner + (entry >> 32)));
-        self.values.extend(self.order.drain(..).map(|entry| {
-            let value = self.finished[(entry as u32 >> 1) as usize].clone();
-            if entry & 1 == 1 { -value } else { value }
-        }));
-        self.finished.clear();
+        self.accumulator.collect(key, &mut self.found);
     }
 }
 
 /// The places of the accumulator that an antisymmetric result needs.
-struct Bounds {
-    /// The first inner index exceeds this.
+struct Bounds<'s> {
+    shape: Shape<'s>,
+    /// The row exceeds this.
     above: Option<u32>,
-    /// The two inner indices ascend.
+    /// The column exceeds the row.
     pair: bool,
 }
 
-impl Bounds {
-    fn new<V>(plan: &Plan<V>, key: u64) -> Self {
-        let across = plan.outer > 0 && plan.ascends(plan.outer);
-        Bounds {
-            above: across.then(|| (key % plan.n) as u32),
-            pair: plan.rank >= 2 && plan.ascends(plan.outer + 1),
-        }
+impl<'s> Bounds<'s> {
+    fn new(shape: Shape<'s>, key: u64) -> Self {
+        let across = shape.outer > 0 && shape.ascends(shape.outer);
+        let above = across.then(|| (key % shape.n) as u32);
+        Bounds { shape, above, pair: shape.ascends_inside() }
     }
 
-    /// Whether no place with this smallest index is needed. It decides only if both indices belong to
+    /// Whether all places are needed.
+    fn all(&self) -> bool {
+        !self.pair && self.above.is_none()
+    }
+
+    /// Whether no place is needed that an entry contributes to. It decides only if both indices belong to
     /// the antisymmetric group.
     #[inline(always)]
-    fn beyond(&self, lowest: u32) -> bool {
-        self.pair && self.above.is_some_and(|bound| lowest <= bound)
+    fn beyond(&self, place: Place, undetermined: [u32; 2]) -> bool {
+        let Some(bound) = self.above.filter(|_| self.pair) else { return false };
+        let [row, column] = self.shape.indices(place);
+        (row | undetermined[0]).min(column | undetermined[1]) <= bound
     }
 
     /// The place of a value, and whether it is added with the opposite sign; `None` if it is not
     /// needed. A mirrored value also represents its image.
     #[inline(always)]
-    fn admit(&self, [first, second]: Place, mirrored: bool) -> Option<(Place, bool)> {
-        let negative = mirrored && first > second;
-        let place = if negative { [second, first] } else { [first, second] };
-        let inside =
-            (!self.pair || place[0] < place[1]) && self.above.is_none_or(|bound| place[0] > bound);
+    fn admit(&self, place: Place, mirrored: bool) -> Option<(Place, bool)> {
+        let [row, column] = self.shape.indices(place);
+        let negative = mirrored && row > column;
+        let (place, row, column) = match negative {
+            true => (self.shape.image(place), column, row),
+            false => (place, row, column),
+        };
+        let inside = (!self.pair || row < column) && self.above.is_none_or(|bound| row > bound);
         inside.then_some((place, negative))
     }
 }

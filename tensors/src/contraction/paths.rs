@@ -9,17 +9,13 @@
 pub struct Paths {
     /// A factor with at most this many rows gets a table of the beginnings of its rows.
     pub direct_rows: u64,
-    /// A factor gets a bit set of its nonempty rows, if this set takes at most this many 64-bit
-    /// words. Without a table of all rows it then gets a table of its nonempty rows. In a factor
-    /// with neither table, rows are found by bisection.
+    /// The factors of a term get bit sets of their nonempty rows, if a set takes at most this many 64-bit
+    /// words. In others rows are found by bisection.
     pub marked_words: u64,
     /// A contraction of operands with fewer components runs on one thread.
     pub parallel_from: usize,
-    /// On several threads, each one computes the components of this many leading indices before all are collected.
-    /// 0 counts as 1.
+    /// On several threads, each one computes about this many components before all are stored.
     pub round: u64,
-    /// Memory is reserved for at most twice this many components of the result.
-    pub reserved: u64,
     /// The largest number of places of the accumulator, which is the square of the dimension for a
     /// result of rank 2 or more. At most 2^24, the default; larger values count as 2^24.
     pub places: u64,
@@ -37,8 +33,7 @@ impl Default for Paths {
             direct_rows: 1 << 22,
             marked_words: 1 << 22,
             parallel_from: 4096,
-            round: 16,
-            reserved: 1 << 21,
+            round: 1 << 16,
             places: MAX_PLACES,
             largest_integer: i64::MAX as u64,
             kept_quotients: 64,

@@ -1,6 +1,7 @@
 //! The layout of a term: its factors sorted into rows by leading and summed indices.
 
 use super::arithmetic::{Factor, Term};
+use super::shape::{Place, Shape};
 use super::{Paths, Role};
 use std::ops::Range;
 
@@ -14,19 +15,12 @@ pub(super) struct Laid<V> {
 
 impl<V: Clone> Laid<V> {
     /// `None` for a term with an empty factor.
-    pub fn new(
-        term: &Term<'_, V>,
-        n: u64,
-        outer: usize,
-        rank: usize,
-        paths: &Paths,
-    ) -> Option<Self> {
+    pub fn new(term: &Term<'_, V>, shape: Shape, paths: &Paths) -> Option<Self> {
         if term.factors.iter().any(|factor| factor.keys.is_empty()) {
             return None;
         }
-        let lead = |factor: &Factor<V>| {
-            factor.roles.iter().filter(|r| matches!(r, Role::Free(at) if *at < outer)).count()
-        };
+        let leads = |role: &&Role| matches!(role, Role::Free(at) if *at < shape.outer);
+        let lead = |factor: &Factor<V>| factor.roles.iter().filter(leads).count();
         let [mut driver, mut partner] = term.factors.each_ref();
         if lead(partner) > lead(driver) {
             std::mem::swap(&mut driver, &mut partner);
@@ -38,166 +32,134 @@ impl<V: Clone> Laid<V> {
             .filter(|role| partner.roles.contains(role))
             .filter_map(|role| if let Role::Summed(pair) = role { Some(*pair) } else { None })
             .collect();
-        let layout = Layout { n, outer, rank, shared: &shared, paths };
+        let ascends = shape.ascends_inside() && !term.mirrored;
+        let links = shape.n.pow(shared.len() as u32);
+        let words = |factor: &Factor<V>| {
+            shape.n.pow(lead(factor) as u32).saturating_mul(links.div_ceil(64)).max(links)
+        };
+        let marked = words(driver).max(words(partner)) <= paths.marked_words;
+        let layout =
+            Layout { shape, shared: &shared, links, ascends, marked, tabled: paths.direct_rows };
         let [driver, partner] = [driver, partner].map(|factor| Rows::new(factor, &layout));
         let empty = driver.entries.is_empty() || partner.entries.is_empty();
         (!empty).then_some(Laid { driver, partner, mirrored: term.mirrored })
     }
-
-    /// The number of products of the term.
-    pub fn products(&self) -> u64 {
-        let links = self.driver.links;
-        let mut counts = std::collections::HashMap::new();
-        for row in &self.driver.rows {
-            *counts.entry(row % links).or_insert(0u64) += 1;
-        }
-        let met =
-            self.partner.rows.iter().map(|row| counts.get(&(row % links)).copied().unwrap_or(0));
-        met.fold(0, u64::saturating_add)
-    }
-
-    pub fn entries(&self) -> usize {
-        self.driver.entries.len() + self.partner.entries.len()
-    }
 }
 
-/// How the slots of a factor become a row and an offset in the accumulator.
+/// How the slots of a factor become a row and a place in the accumulator.
 struct Layout<'l> {
-    n: u64,
-    outer: usize,
-    rank: usize,
+    shape: Shape<'l>,
+    /// The summed pairs that join the factors.
     shared: &'l [usize],
-    paths: &'l Paths,
+    /// The number of combinations of their values.
+    links: u64,
+    /// Whether the indices of the accumulator ascend in every place that is needed.
+    ascends: bool,
+    /// Whether the rows are [`Index::Marked`].
+    marked: bool,
+    /// Up to this number of rows have [`Starts::Every`].
+    tabled: u64,
 }
 
-/// Entries sorted by row; a row is the leading indices followed by the shared summed ones. The rows
-/// with equal leading indices are a group.
+/// Entries sorted by row, and within one row in the order of the tensor. A row has certain leading indices, its
+/// group, and certain summed ones, its link.
 pub(super) struct Rows<V> {
     /// For each leading index of the result: the number of groups per step, if this factor has the
     /// index.
     pub spans: Vec<Option<u64>>,
-    /// The number of rows in a group: of combinations of values of the shared indices.
-    links: u64,
     index: Index,
-    /// A bit for each row, set if the row is not empty; `links` bits are padded to whole words, and
-    /// an empty word follows. `None` if these are too many.
-    occupied: Option<Vec<u64>>,
-    /// The row of each entry, ascending.
-    rows: Vec<u64>,
+    /// All bits of the row and of the column of an entry's place, where the other factor has this index of
+    /// the result.
+    pub undetermined: [u32; 2],
     pub entries: Vec<Entry<V>>,
 }
 
-/// The way to find the entries of a row. The entries are always sorted by row, and within one row
-/// in the order of the tensor.
+/// The way to find the entries of a row.
 enum Index {
-    /// The beginning of each row, and the end of the last one.
-    Rows(Vec<u32>),
-    /// The number of nonempty rows before each word of [`Rows::occupied`]; then the beginning of
-    /// each nonempty row, and the end of the last one.
+    Marked(Marked),
+    /// By bisection in the group and the link of each entry.
+    Sorted(Vec<(u64, u64)>),
+}
+
+/// A bit for each row, set if the row is not empty.
+struct Marked {
+    bits: Vec<u64>,
+    /// The number of words of bits in a group; in the last one some may belong to no row.
+    words: usize,
+    starts: Starts,
+}
+
+/// Where rows begin in the entries.
+enum Starts {
+    /// The beginning of the row of each bit, and the end of the last one.
+    Every(Vec<u32>),
+    /// The number of nonempty rows before each word, and of all; then the beginning of each nonempty row, and
+    /// the end of the last one.
     Nonempty(Vec<u32>, Vec<u32>),
-    /// By bisection.
-    Sorted,
 }
 
 /// A component of a factor.
 pub(super) struct Entry<V> {
-    /// Its contribution to the indices of the accumulator.
+    /// What it contributes to the place of a product.
     pub place: Place,
-    /// The smallest accumulator index that it determines, for an early check of ascending indices.
-    pub lowest: u32,
     pub value: V,
+}
+
+/// Where a component belongs.
+#[derive(Clone, Copy, Default)]
+struct Position {
+    group: u64,
+    link: u64,
+    place: Place,
+    /// Its number in the tensor.
+    at: u32,
 }
 
 impl<V: Clone> Rows<V> {
     fn new(factor: &Factor<'_, V>, layout: &Layout) -> Self {
-        let Layout { n, outer, rank, shared, paths } = *layout;
-        let links = n.pow(shared.len() as u32);
-        let mut spans = vec![None; outer];
+        let Layout { shape, shared, links, ascends, marked, .. } = *layout;
+        let (n, has) = (shape.n, |at: usize| factor.roles.contains(&Role::Free(at)));
+        let mut spans = vec![None; shape.outer];
         let mut groups = 1;
-        for at in (0..outer).rev().filter(|&at| factor.roles.contains(&Role::Free(at))) {
+        for at in (0..shape.outer).rev().filter(|&at| has(at)) {
             spans[at] = Some(groups);
             groups *= n;
         }
         let weight = |role: &Role| match role {
-            Role::Free(at) if *at < outer => (spans[*at].unwrap_or(0) * links, [0, 0]),
-            Role::Free(at) if at + 1 == rank => (0, [0, 1]),
-            Role::Free(_) => (0, [1, 0]),
+            Role::Free(at) if *at < shape.outer => (spans[*at].unwrap_or(0), 0, 0),
+            Role::Free(at) => (0, 0, shape.unit(*at)),
             Role::Summed(pair) => match shared.iter().rev().position(|s| s == pair) {
-                Some(at) => (n.pow(at as u32), [0, 0]),
-                None => (0, [0, 0]),
+                Some(at) => (0, n.pow(at as u32), 0),
+                None => (0, 0, 0),
             },
         };
         let weights: Vec<_> = factor.roles.iter().map(weight).collect();
-        let inside: Vec<(usize, usize)> = pairs_inside(factor.roles);
-        let mut order: Vec<(u64, Place, u32)> = Vec::with_capacity(factor.keys.len());
-        let mut digits = vec![0; factor.roles.len()];
+        let [row, column] = [2, 1].map(|back| shape.rank >= back && has(shape.rank - back));
+        let needed = |place: Place| {
+            let [a, b] = shape.indices(place);
+            !(ascends && row && column) || a < b
+        };
+        let mut order: Vec<Position> = Vec::with_capacity(factor.keys.len());
+        let mut digits = Digits::new(n, factor.roles, &weights);
         for (at, &key) in factor.keys.iter().enumerate() {
-            let mut rest = key;
-            for digit in digits.iter_mut().rev() {
-                (*digit, rest) = (rest % n, rest / n);
+            if let Some((group, link, place)) = digits.read(key).filter(|at| needed(at.2)) {
+                order.push(Position { group, link, place, at: at as u32 });
             }
-            if inside.iter().any(|&(a, b)| digits[a] != digits[b]) {
-                continue;
-            }
-            let (mut row, mut place) = (0, [0, 0]);
-            for (digit, &(r, p)) in digits.iter().zip(&weights) {
-                row += digit * r;
-                place = sum(place, p.map(|p| p * *digit as u32));
-            }
-            order.push((row, place, at as u32));
         }
-        let words = groups.saturating_mul(links.div_ceil(64));
-        let occupied = (words <= paths.marked_words).then(|| {
-            let mut bits = vec![0u64; words as usize + 1];
-            for &(row, _, _) in &order {
-                let (word, bit) = position(row, links);
-                bits[word] |= 1 << bit;
-            }
-            bits
-        });
-        let index = if groups * links <= paths.direct_rows {
-            let rows = (groups * links) as usize;
-            Index::Rows(sort_by_counting(&mut order, rows, |row| row as usize))
-        } else if let Some(bits) = &occupied {
-            let mut count = 0;
-            let before: Vec<u32> = (bits.iter())
-                .map(|word| {
-                    count += word.count_ones();
-                    count - word.count_ones()
-                })
-                .collect();
-            let starts = sort_by_counting(&mut order, count as usize, |row| {
-                let (word, bit) = position(row, links);
-                number(&before, bits, word, bit)
-            });
-            Index::Nonempty(before, starts)
+        let index = if marked {
+            sort_by_counting(&mut order, links, |position| position.link);
+            sort_by_counting(&mut order, groups, |position| position.group);
+            Index::Marked(Marked::new(&order, groups, links.div_ceil(64) as usize, layout.tabled))
         } else {
-            order.sort_unstable_by_key(|&(row, _, at)| (row, at));
-            Index::Sorted
+            order.sort_unstable_by_key(|position| (position.group, position.link, position.at));
+            Index::Sorted(order.iter().map(|position| (position.group, position.link)).collect())
         };
-        let first = factor.roles.contains(&Role::Free(outer));
-        let second = factor.roles.contains(&Role::Free(outer + 1));
-        let lowest = |[a, b]: Place| match (first && outer + 2 == rank, second) {
-            (true, true) => a.min(b),
-            (true, false) => a,
-            (false, true) => b,
-            (false, false) => u32::MAX,
+        let entry = |position: &Position| Entry {
+            place: position.place,
+            value: factor.values[position.at as usize].clone(),
         };
-        Rows {
-            spans,
-            links,
-            index,
-            occupied,
-            rows: order.iter().map(|e| e.0).collect(),
-            entries: order
-                .iter()
-                .map(|&(_, place, at)| Entry {
-                    place,
-                    lowest: lowest(place),
-                    value: factor.values[at as usize].clone(),
-                })
-                .collect(),
-        }
+        let undetermined = [row, column].map(|has| if has { 0 } else { u32::MAX });
+        Rows { spans, index, undetermined, entries: order.iter().map(entry).collect() }
     }
 
     /// Calls `f` with the entries of both factors for all values of the shared indices that occur in
@@ -208,117 +170,174 @@ impl<V: Clone> Rows<V> {
         group: u64,
         partner: &Self,
         other: u64,
-        mut f: impl FnMut(Range<usize>, Range<usize>),
+        mut f: impl FnMut(&[Entry<V>], &[Entry<V>]),
     ) {
-        let [row, other_row] = [group, other].map(|group| group * self.links);
-        if let (Some(mine), Some(theirs)) = (&self.occupied, &partner.occupied) {
-            let words = self.links.div_ceil(64) as usize;
-            let [first, second] = [group, other].map(|group| group as usize * words);
-            for at in 0..words {
-                let mut bits = mine[first + at] & theirs[second + at];
-                while bits != 0 {
-                    let bit = bits.trailing_zeros();
-                    let link = 64 * at as u64 + u64::from(bit);
-                    let mine = self.marked(row + link, first + at, bit);
-                    f(mine, partner.marked(other_row + link, second + at, bit));
-                    bits &= bits - 1;
+        match (&self.index, &partner.index) {
+            (Index::Marked(mine), Index::Marked(theirs)) => {
+                let [first, second] = [group, other].map(|group| group as usize * mine.words);
+                for at in 0..mine.words {
+                    let mut both = mine.bits[first + at] & theirs.bits[second + at];
+                    while both != 0 {
+                        let bit = both.trailing_zeros();
+                        let mine = &self.entries[mine.row(first + at, bit)];
+                        f(mine, &partner.entries[theirs.row(second + at, bit)]);
+                        both &= both - 1;
+                    }
                 }
             }
-        } else {
-            let mut at = self.groups(group, 1);
-            while let Some(first) = at.next() {
-                let link = self.rows[first] - row;
-                let mine = self.range(row + link, 1);
-                at.start = mine.end;
-                f(mine, partner.range(other_row + link, 1));
+            (Index::Sorted(mine), Index::Sorted(theirs)) => {
+                let mut rest = self.groups(group, 1);
+                while let Some(start) = rest.next() {
+                    let row = |rows: &[(u64, u64)], row: (u64, u64)| {
+                        rows.partition_point(|&other| other < row)
+                            ..rows.partition_point(|&other| other <= row)
+                    };
+                    let link = mine[start].1;
+                    let mine = row(mine, (group, link));
+                    rest.start = mine.end;
+                    f(&self.entries[mine], &partner.entries[row(theirs, (other, link))]);
+                }
             }
-        }
-    }
-
-    /// The entries of a nonempty row, also given by its [`position`].
-    #[inline(always)]
-    fn marked(&self, row: u64, word: usize, bit: u32) -> Range<usize> {
-        match (&self.index, &self.occupied) {
-            (Index::Nonempty(before, starts), Some(bits)) => {
-                let at = number(before, bits, word, bit);
-                starts[at] as usize..starts[at + 1] as usize
-            }
-            _ => self.range(row, 1),
+            // both factors of a term are found in the same way
+            _ => {}
         }
     }
 
     /// The entries of `count` groups from `group` on.
     #[inline(always)]
     pub fn groups(&self, group: u64, count: u64) -> Range<usize> {
-        match &self.index {
-            Index::Nonempty(before, starts) => {
-                let word = |group: u64| (group * self.links.div_ceil(64)) as usize;
-                let start = |group: u64| starts[before[word(group)] as usize] as usize;
-                start(group)..start(group + count)
+        let [start, end] = [group, group + count].map(|group| match &self.index {
+            Index::Marked(marked) => marked.start(group as usize * marked.words),
+            Index::Sorted(rows) => rows.partition_point(|row| row.0 < group),
+        });
+        start..end
+    }
+}
+
+impl Marked {
+    /// The entries are sorted by group and link.
+    fn new(entries: &[Position], groups: u64, words: usize, tabled: u64) -> Self {
+        let row = |entry: &Position| entry.group * 64 * words as u64 + entry.link;
+        let mut bits = vec![0u64; groups as usize * words];
+        for entry in entries {
+            bits[(row(entry) / 64) as usize] |= 1 << (row(entry) % 64);
+        }
+        let starts = if 64 * bits.len() as u64 <= tabled {
+            Starts::Every(beginnings(entries.iter().map(row), 64 * bits.len() as u64))
+        } else {
+            let mut before = vec![0];
+            before.extend(bits.iter().scan(0, |count, word| {
+                *count += word.count_ones();
+                Some(*count)
+            }));
+            let mut starts = vec![0];
+            starts.extend(entries.chunk_by(|a, b| row(a) == row(b)).scan(0, |end, entries| {
+                *end += entries.len() as u32;
+                Some(*end)
+            }));
+            Starts::Nonempty(before, starts)
+        };
+        Marked { bits, words, starts }
+    }
+
+    /// The entries of the row of a bit that is set.
+    #[inline(always)]
+    fn row(&self, word: usize, bit: u32) -> Range<usize> {
+        let (number, starts) = match &self.starts {
+            Starts::Every(starts) => (64 * word + bit as usize, starts),
+            Starts::Nonempty(before, starts) => {
+                let below = self.bits[word] & ((1 << bit) - 1);
+                ((before[word] + below.count_ones()) as usize, starts)
             }
-            _ => self.range(group * self.links, count * self.links),
+        };
+        starts[number] as usize..starts[number + 1] as usize
+    }
+
+    /// The beginning of the first row in a word, or behind it.
+    #[inline(always)]
+    fn start(&self, word: usize) -> usize {
+        match &self.starts {
+            Starts::Every(starts) => starts[64 * word] as usize,
+            Starts::Nonempty(before, starts) => starts[before[word] as usize] as usize,
         }
     }
-
-    /// The entries of `count` rows from `row` on.
-    #[inline(always)]
-    fn range(&self, row: u64, count: u64) -> Range<usize> {
-        let start = |row: u64| match &self.index {
-            Index::Rows(starts) => starts[row as usize] as usize,
-            _ => self.rows.partition_point(|&r| r < row),
-        };
-        start(row)..start(row + count)
-    }
 }
 
-/// The word of [`Rows::occupied`] and the number of the bit in it that belong to a row.
-#[inline(always)]
-fn position(row: u64, links: u64) -> (usize, u32) {
-    let (group, link) = (row / links, row % links);
-    ((group * links.div_ceil(64) + link / 64) as usize, (link % 64) as u32)
-}
-
-/// The number of nonempty rows before a row.
-#[inline(always)]
-fn number(before: &[u32], bits: &[u64], word: usize, bit: u32) -> usize {
-    (before[word] + (bits[word] & ((1 << bit) - 1)).count_ones()) as usize
-}
-
-/// The two indices of the accumulator (the first is 0 where the result has only one).
-pub(super) type Place = [u32; 2];
-
-#[inline(always)]
-pub(super) fn sum(a: Place, b: Place) -> Place {
-    [a[0] + b[0], a[1] + b[1]]
-}
-
-/// Pairs of slots within one factor that are summed with each other.
-fn pairs_inside(roles: &[Role]) -> Vec<(usize, usize)> {
-    let twin = |a: usize| (a + 1..roles.len()).find(|&b| roles[b] == roles[a]);
-    (0..roles.len()).filter_map(|a| twin(a).map(|b| (a, b))).collect()
-}
-
-/// Sorts entries stably by the step of their row, out of `steps`, and returns the beginning of each
-/// step and the end of the last one.
-fn sort_by_counting(
-    entries: &mut Vec<(u64, Place, u32)>,
-    steps: usize,
-    step: impl Fn(u64) -> usize,
-) -> Vec<u32> {
-    // counted two places ahead, so that filling a step moves the beginning of the next one to its
-    // final value
-    let mut starts = vec![0u32; steps + 2];
-    entries.iter().for_each(|entry| starts[step(entry.0) + 2] += 1);
-    for at in 2..starts.len() {
+/// For each of `count` keys the number of items with smaller ones, and the number of all; the keys of the items ascend.
+fn beginnings(keys: impl Iterator<Item = u64>, count: u64) -> Vec<u32> {
+    let mut starts = vec![0; count as usize + 1];
+    keys.for_each(|key| starts[key as usize + 1] += 1);
+    for at in 1..starts.len() {
         starts[at] += starts[at - 1];
     }
-    let mut sorted = vec![(0, [0, 0], 0); entries.len()];
-    for entry in entries.iter() {
-        let slot = &mut starts[step(entry.0) + 1];
-        sorted[*slot as usize] = *entry;
+    starts
+}
+
+/// Sorts stably by a key below `count`.
+fn sort_by_counting(items: &mut Vec<Position>, count: u64, key: impl Fn(&Position) -> u64) {
+    if count <= 1 {
+        return;
+    }
+    let mut next = beginnings(items.iter().map(&key), count);
+    let mut sorted = vec![Position::default(); items.len()];
+    for item in items.iter() {
+        let slot = &mut next[key(item) as usize];
+        sorted[*slot as usize] = *item;
         *slot += 1;
     }
-    *entries = sorted;
-    starts.truncate(steps + 1);
-    starts
+    *items = sorted;
+}
+
+/// What an index of value 1 contributes to the group, the link and the place.
+type Weight = (u64, u64, Place);
+
+/// The groups, links and places of the components of a factor.
+struct Digits<'d> {
+    n: u64,
+    weights: &'d [Weight],
+    /// Pairs of slots that are summed with each other.
+    inside: Vec<(usize, usize)>,
+    digits: Vec<u64>,
+    /// The key with last index 0. Neighbours mostly share it,
+    base: u64,
+    /// and so what the other indices contribute.
+    front: Option<Weight>,
+}
+
+impl<'d> Digits<'d> {
+    fn new(n: u64, roles: &[Role], weights: &'d [Weight]) -> Self {
+        let twin = |a: usize| (a + 1..roles.len()).find(|&b| roles[b] == roles[a]);
+        let inside = (0..roles.len()).filter_map(|a| twin(a).map(|b| (a, b))).collect();
+        Digits { n, weights, inside, digits: vec![0; roles.len()], base: u64::MAX, front: None }
+    }
+
+    /// `None` for a component off the diagonal of a pair that is summed.
+    #[inline(always)]
+    fn read(&mut self, key: u64) -> Option<Weight> {
+        let (Some((&weight, weights)), Some((last, digits))) =
+            (self.weights.split_last(), self.digits.split_last_mut())
+        else {
+            return Some((0, 0, 0));
+        };
+        if key < self.base || key - self.base >= self.n {
+            let mut rest = key / self.n;
+            self.base = rest * self.n;
+            self.front = None;
+            for digit in digits.iter_mut().rev() {
+                (*digit, rest) = (rest % self.n, rest / self.n);
+            }
+        }
+        *last = key - self.base;
+        let add = |sum: Weight, (&digit, weight): (&u64, &Weight)| {
+            let place = sum.2 + digit as Place * weight.2;
+            (sum.0 + digit * weight.0, sum.1 + digit * weight.1, place)
+        };
+        let front = || digits.iter().zip(weights).fold((0, 0, 0), add);
+        if self.inside.is_empty() {
+            return Some(add(*self.front.get_or_insert_with(front), (last, &weight)));
+        }
+        let on = |&(a, b): &(usize, usize)| self.digits[a] == self.digits[b];
+        let all = || self.digits.iter().zip(self.weights).fold((0, 0, 0), add);
+        self.inside.iter().all(on).then(all)
+    }
 }

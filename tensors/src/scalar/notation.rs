@@ -38,7 +38,10 @@ pub trait Notation: Field {
 
     /// The parameters that any of the values depends on.
     fn parameters_of(values: &mut dyn Iterator<Item = &Self>) -> BTreeSet<String> {
-        values.flat_map(Self::parameters).collect()
+        match Self::KIND {
+            Kind::Symbolic => values.flat_map(Self::parameters).collect(),
+            Kind::Exact | Kind::Float => BTreeSet::new(),
+        }
     }
 
     /// The value of an elementary function like `sin` at an argument.

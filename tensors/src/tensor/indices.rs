@@ -35,11 +35,58 @@ impl AsRef<[usize]> for Indices {
     }
 }
 
+/// The indices of keys that ascend. Neighbours mostly share all but the last two, so only these are divided out again.
+#[derive(Clone, Debug)]
+pub(super) struct Reader {
+    dimension: u64,
+    /// The first key with the same indices but the last two.
+    first: u64,
+    indices: Indices,
+}
+
+impl Reader {
+    pub fn new<S>(tensor: &Tensor<S>) -> Self {
+        let indices = Indices([0; Indices::MAX], tensor.slots.len());
+        Reader { dimension: tensor.dimension as u64, first: u64::MAX, indices }
+    }
+
+    #[inline]
+    pub fn read(&mut self, key: u64) -> Indices {
+        let (n, indices) = (self.dimension, &mut self.indices.0[..self.indices.1]);
+        match indices {
+            [front @ .., last_but_one, last] => {
+                let ahead = key.wrapping_sub(self.first);
+                let ahead = if key >= self.first && ahead < n * n {
+                    ahead
+                } else {
+                    let (mut rest, ahead) = (key / (n * n), key % (n * n));
+                    self.first = key - ahead;
+                    for index in front.iter_mut().rev() {
+                        (*index, rest) = ((rest % n) as usize, rest / n);
+                    }
+                    ahead
+                };
+                (*last_but_one, *last) = ((ahead / n) as usize, (ahead % n) as usize);
+            }
+            [only] => *only = key as usize,
+            [] => {}
+        }
+        self.indices
+    }
+}
+
 /// The nonzero components of a tensor in the order of their indices: [`Tensor::components`].
 #[derive(Clone)]
 pub struct Components<'t, S> {
     tensor: &'t Tensor<S>,
     rest: Range<usize>,
+    reader: Reader,
+}
+
+impl<'t, S: Ring> Components<'t, S> {
+    fn new(tensor: &'t Tensor<S>, rest: Range<usize>) -> Self {
+        Components { tensor, rest, reader: Reader::new(tensor) }
+    }
 }
 
 impl<'t, S: Ring> Iterator for Components<'t, S> {
@@ -48,7 +95,7 @@ impl<'t, S: Ring> Iterator for Components<'t, S> {
     fn next(&mut self) -> Option<Self::Item> {
         let Tensor { keys, values, .. } = self.tensor;
         let at = self.rest.find(|at| !values[*at].is_small())?;
-        Some((self.tensor.indices(keys[at]), &values[at]))
+        Some((self.reader.read(keys[at]), &values[at]))
     }
     fn size_hint(&self) -> (usize, Option<usize>) {
         (0, Some(self.rest.len()))
@@ -66,7 +113,7 @@ impl<'t, S: Ring> IntoIterator for &'t Tensor<S> {
     type IntoIter = Components<'t, S>;
 
     fn into_iter(self) -> Components<'t, S> {
-        Components { tensor: self, rest: 0..self.keys.len() }
+        Components::new(self, 0..self.keys.len())
     }
 }
 
@@ -92,7 +139,7 @@ impl<S: Ring> Tensor<S> {
     ) -> Result<(), E> {
         let piece = |at: usize| {
             let end = self.keys.len().min((at + 1) * length);
-            work(Components { tensor: self, rest: at * length..end })
+            work(Components::new(self, at * length..end))
         };
         let pieces = self.keys.len().div_ceil(length);
         let round = ROUND * threads::count();
@@ -150,26 +197,19 @@ impl<S: Ring> Tensor<S> {
             let first =
                 self.values[stored.start..middle].iter().filter(|value| !value.is_small()).count();
             let (before, after) = rows.into_iter().map(|row| row.split_at_mut(first)).unzip();
-            return threads::join(
+            threads::join(
                 || self.write_rows(stored.start..middle, before, together),
                 || self.write_rows(middle..stored.end, after, together),
             );
+            return;
         }
-        let Some((ends, fronts)) = rows.split_last_mut() else { return };
         let stored = self.keys[stored.clone()].iter().zip(&self.values[stored]);
         let shown = stored.filter(|(_, value)| !value.is_small());
-        // neighbours mostly share all indices but the last: these are divided out once
-        let (mut base, mut before) = (u64::MAX, Indices([0; Indices::MAX], self.rank()));
-        for ((at, (&key, _)), end) in shown.enumerate().zip(ends.iter_mut()) {
-            let ahead = key.wrapping_sub(base);
-            if key < base || ahead >= self.dimension as u64 {
-                before = self.indices(key);
-                base = key - before[fronts.len()] as u64;
-            }
-            for (row, index) in fronts.iter_mut().zip(before.0) {
+        let mut reader = Reader::new(self);
+        for (at, (&key, _)) in shown.enumerate() {
+            for (row, &index) in rows.iter_mut().zip(&*reader.read(key)) {
                 row[at] = index as i64;
             }
-            *end = (key - base) as i64;
         }
     }
 }
@@ -213,6 +253,27 @@ mod tests {
             let rows = list.chunks_exact_mut(tensor.len()).collect();
             tensor.write_rows(0..tensor.keys.len(), rows, together);
             assert_eq!(list, expected, "{together} together");
+        }
+    }
+
+    /// Whatever keys follow each other, a reader knows the indices of each.
+    #[test]
+    fn a_reader_divides_every_key() {
+        for (dimension, rank) in
+            [(1, 8), (2, 8), (3, 2), (5, 4), (7, 1), (9, 0), (248, 4), (1 << 20, 3)]
+        {
+            let tensor = Tensor::<f64>::zero(dimension, &vec![Up; rank]).expect("a tensor");
+            let mut reader = Reader::new(&tensor);
+            let all = (dimension as u64).pow(rank as u32);
+            for step in [1, 2, 61, 62_000, 1 << 33] {
+                for key in (0..all).step_by(step).take(100).chain([all - 1, 0]) {
+                    assert_eq!(
+                        reader.read(key),
+                        tensor.indices(key),
+                        "{key} of {dimension}^{rank}"
+                    );
+                }
+            }
         }
     }
 

@@ -63,7 +63,7 @@ impl<S: Ring> fmt::Display for Tensor<S> {
 impl<S: fmt::Debug> fmt::Debug for Tensor<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let indices = self.keys.iter().map(|&key| self.indices(key).to_vec());
-        let components = indices.zip(&self.values);
+        let components = indices.zip(self.values.iter());
         f.debug_map().entries(components).finish()
     }
 }

@@ -1,0 +1,91 @@
+//! The components of a result, as they are found.
+
+/// Keys in ascending order, and the values of the components.
+pub(super) struct Found<S> {
+    keys: Vec<u64>,
+    values: Vec<S>,
+}
+
+impl<S> Default for Found<S> {
+    fn default() -> Self {
+        Found { keys: vec![], values: vec![] }
+    }
+}
+
+impl<S> Found<S> {
+    pub fn len(&self) -> usize {
+        self.keys.len()
+    }
+
+    pub fn value(&self, at: usize) -> &S {
+        &self.values[at]
+    }
+
+    #[inline(always)]
+    pub fn push(&mut self, key: u64, value: S) {
+        self.keys.push(key);
+        self.values.push(value);
+    }
+
+    /// Moves other components, with larger keys, to the end.
+    pub fn append(&mut self, next: &mut Self) {
+        self.keys.append(&mut next.keys);
+        self.values.append(&mut next.values);
+    }
+
+    /// Reserves memory for the whole result, if there may be too little for what comes until the share `next` of it,
+    /// judged by what is there of the share `done`. Memory that is reserved and not used costs nothing; lists that
+    /// grow as they need are copied several times.
+    pub fn expect_more(&mut self, done: f64, next: f64) {
+        let (length, room) = (self.len() as f64, self.keys.capacity() - self.len());
+        if done > 0.0 && (room as f64) < 1.5 * length * (next - done) / done {
+            let more = (length * (1.25 / done - 1.0).max(0.25)) as usize;
+            let more = more.min(self.len().max(MOST));
+            // Without so much memory they grow as they need.
+            let _ = self.keys.try_reserve_exact(more);
+            let _ = self.values.try_reserve_exact(more);
+        }
+    }
+
+    /// The keys and the values.
+    pub fn into_lists(self) -> (Vec<u64>, Vec<S>) {
+        let Found { mut keys, mut values } = self;
+        keys.shrink_to_fit();
+        values.shrink_to_fit();
+        (keys, values)
+    }
+}
+
+/// No more components are reserved at first, however many are expected.
+const MOST: usize = 1 << 24;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whatever is expected, the same components are found, and lists of even growth are moved at most twice.
+    #[test]
+    fn expectations_change_no_components() {
+        for (pieces, length) in [(1, 5), (7, 0), (7, 3), (248, 40), (100, 700)] {
+            let (mut found, mut moves) = (Found::default(), 0);
+            for piece in 0..pieces {
+                let before = found.keys.as_ptr();
+                for at in 0..length {
+                    found.push(piece * length + at, at as f64);
+                }
+                let [done, next] = [1, 2].map(|more| (piece + more) as f64 / pieces as f64);
+                found.expect_more(done, next.min(1.0));
+                moves += usize::from(piece > 0 && before != found.keys.as_ptr());
+            }
+            assert!(moves <= 1, "{moves} moves of {pieces} pieces");
+            let (keys, values) = found.into_lists();
+            assert!(keys.into_iter().eq(0..pieces * length));
+            assert!(
+                values
+                    .iter()
+                    .enumerate()
+                    .all(|(at, value)| *value == (at % length.max(1) as usize) as f64)
+            );
+        }
+    }
+}
