@@ -46,9 +46,9 @@ use std::ops::{Add, Mul, Neg};
 #[derive(Clone, Copy)]
 pub struct Tracked {
     value: f64,
-    error: f64,
-    /// Whether it is below the tolerance of the sum that it comes from.
-    small: bool,
+    /// The last binary digit, which no estimate of an error is known to, is 1 if the value counts as zero in the sum that
+    /// it comes from. Tensors of millions of components need a third less memory than with a field of its own.
+    marked_error: f64,
 }
 
 /// A value consists of its error if at most this share of it remains after subtracting the error.
@@ -60,13 +60,20 @@ const NOTHING: f64 = 1.0 / (1u64 << 40) as f64;
 impl Tracked {
     /// An exact number.
     pub const fn new(value: f64) -> Self {
-        Tracked { value, error: 0.0, small: false }
+        Tracked { value, marked_error: 0.0 }
+    }
+
+    const fn marked(value: f64, error: f64, small: bool) -> Self {
+        Tracked { value, marked_error: f64::from_bits(error.to_bits() & !1 | small as u64) }
+    }
+
+    const fn counts_as_zero(self) -> bool {
+        self.marked_error.to_bits() & 1 == 1
     }
 
     /// A number that is known to be too large by `error`.
-    #[cfg(feature = "serde")]
     pub(crate) const fn with_error(value: f64, error: f64) -> Self {
-        Tracked { value, error, small: false }
+        Tracked::marked(value, error, false)
     }
 
     /// The value.
@@ -76,12 +83,12 @@ impl Tracked {
 
     /// The rounding error: computed value minus exact value.
     pub const fn error(self) -> f64 {
-        self.error
+        f64::from_bits(self.marked_error.to_bits() & !1)
     }
 
     /// Value minus error; the value if its error overflows.
     pub fn corrected(self) -> f64 {
-        let corrected = self.value - self.error;
+        let corrected = self.value - self.error();
         if corrected.is_finite() { corrected } else { self.value }
     }
 }
@@ -149,8 +156,7 @@ impl TrackedSum {
     }
 
     fn plain(&self) -> Tracked {
-        let small = self.magnitude.is_sign_negative();
-        Tracked { value: self.value, error: self.error, small }
+        Tracked::marked(self.value, self.error, self.magnitude.is_sign_negative())
     }
 
     /// Whether the value counts as zero.
@@ -178,13 +184,16 @@ impl TrackedSum {
 impl Sum<Tracked> for TrackedSum {
     #[inline(always)]
     fn term(a: &Tracked) -> Self {
-        TrackedSum { value: a.value, error: a.error, magnitude: Self::size(a.value, a.small) }
+        let magnitude = Self::size(a.value, a.counts_as_zero());
+        TrackedSum { value: a.value, error: a.error(), magnitude }
     }
     #[inline(always)]
     fn product(a: &Tracked, b: &Tracked) -> Self {
         let (value, rounding) = multiplied(a.value, b.value);
-        let error = a.error * b.value + a.value * b.error - a.error * b.error + rounding;
-        TrackedSum { value, error, magnitude: Self::size(value, a.small || b.small) }
+        let (e, f) = (a.error(), b.error());
+        let error = e * b.value + a.value * f - e * f + rounding;
+        let small = a.counts_as_zero() || b.counts_as_zero();
+        TrackedSum { value, error, magnitude: Self::size(value, small) }
     }
     #[inline(always)]
     fn add_term(&mut self, a: &Tracked) {
@@ -198,7 +207,7 @@ impl Sum<Tracked> for TrackedSum {
         (!self.is_small(tolerance)).then(|| self.plain())
     }
     fn kept(&self, tolerance: Tolerance) -> Option<Tracked> {
-        let kept = Tracked { small: self.is_small(tolerance), ..self.plain() };
+        let kept = Tracked::marked(self.value, self.error, self.is_small(tolerance));
         (!self.leaves(NOTHING, tolerance)).then_some(kept)
     }
 }
@@ -235,7 +244,7 @@ impl Mul<&Tracked> for Tracked {
 impl Neg for Tracked {
     type Output = Tracked;
     fn neg(self) -> Tracked {
-        Tracked { value: -self.value, error: -self.error, small: self.small }
+        Tracked { value: -self.value, marked_error: -self.marked_error }
     }
 }
 
@@ -251,13 +260,13 @@ impl Ring for Tracked {
         // of 64 digits a float has 53
         let value = n as f64;
         let error = (value as i128 - i128::from(n)) as f64;
-        Tracked { value, error, small: false }
+        Tracked::with_error(value, error)
     }
     fn vanishes(&self) -> bool {
         self.value == 0.0
     }
     fn is_small(&self) -> bool {
-        self.small
+        self.counts_as_zero()
     }
     fn is_number(&self) -> bool {
         self.value.is_finite()
@@ -270,8 +279,8 @@ impl Ring for Tracked {
         let value = f64::from_quotient(numerator, denominator)?;
         let (n, d) = (Self::from_i64(numerator), Self::from_i64(denominator));
         let (product, rounding) = multiplied(value, d.value);
-        let residual = (product - n.value) - rounding + n.error - value * d.error;
-        Some(Tracked { value, error: residual / (d.value - d.error), small: false })
+        let residual = (product - n.value) - rounding + n.error() - value * d.error();
+        Some(Tracked::with_error(value, residual / (d.value - d.error())))
     }
 }
 
@@ -281,8 +290,8 @@ impl Field for Tracked {
         // 1 - value self.value, and so the rounding of the division
         let (product, rounding) = multiplied(value, self.value);
         let residual = (1.0 - product) + rounding;
-        let error = -(residual + self.error * value) / (self.value - self.error);
-        Some(Tracked { value, error, small: false })
+        let error = -(residual + self.error() * value) / (self.value - self.error());
+        Some(Tracked::with_error(value, error))
     }
     fn pivot_weight(&self) -> f64 {
         self.value.abs()
@@ -296,7 +305,7 @@ impl Notation for Tracked {
     fn from_rational(exact: &Rational) -> Option<Self> {
         let value = f64::from_rational(exact)?;
         let error = Rational::from_f64(value).map_or(0.0, |own| (own - exact).to_f64());
-        Some(Tracked { value, error, small: false })
+        Some(Tracked::with_error(value, error))
     }
     fn latex(&self) -> String {
         self.corrected().latex()
@@ -319,6 +328,30 @@ impl fmt::Display for Tracked {
 /// The value and its error: `0.1 (off by 5e-18)`.
 impl fmt::Debug for Tracked {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:?} (off by {:?})", self.value, self.error)
+        write!(f, "{:?} (off by {:?})", self.value, self.error())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The mark changes no error by more than its last digit, and is the same for the negative.
+    #[test]
+    fn an_error_keeps_its_digits_beside_the_mark() {
+        for error in [0.0, 1.0, 1e-17, 0.1, 3e-300, 5e-324, f64::MAX, f64::INFINITY] {
+            for (error, small) in [(error, false), (error, true), (-error, false), (-error, true)] {
+                let value = Tracked::marked(2.0, error, small);
+                assert_eq!((value.counts_as_zero(), (-value).counts_as_zero()), (small, small));
+                assert_eq!((-value).error(), -value.error());
+                // towards zero, or not at all
+                let below = (error.abs().next_down()).copysign(error);
+                assert!(
+                    [error, below].contains(&value.error()),
+                    "{error} became {}",
+                    value.error()
+                );
+            }
+        }
     }
 }
