@@ -39,6 +39,7 @@ mod integers;
 mod kernel;
 mod notation;
 mod paths;
+mod positions;
 mod rows;
 mod shape;
 

@@ -5,7 +5,9 @@ use crate::common::cases;
 use crate::common::oracle;
 use crate::common::property::properties;
 use affinor_tensors::contraction::{Paths, contract_by};
-use affinor_tensors::{Rational, Ring, Symbolic, Tensor, TensorError, contract};
+use affinor_tensors::{
+    Down, Rational, Ring, Symbolic, Tensor, TensorError, Up, Variance, contract,
+};
 use cases::{Case, Values, cases_of_ranks};
 use oracle::{oracle, stored};
 use proptest::prelude::*;
@@ -198,4 +200,32 @@ fn places_are_refused_past_their_limit() {
     assert_eq!(run(24, "d^a_b d^c_d -> ^a_b^c_d"), refused(4));
     assert_eq!(run(1, "d^p_p ->").unwrap().to_scalar(), Some(Rational::from(5)));
     assert_eq!(run(0, "d^p_p ->"), refused(0));
+}
+
+/// The largest accumulators: vectors of a million components, and matrices in dimension 4096.
+#[test]
+fn the_largest_accumulators() {
+    let shift = |n: usize, by: usize, slots: [Variance; 2]| {
+        let entries =
+            (0..n).step_by(n / 64).map(|i| ([(i + by) % n, i], Rational::from(i as i64 + 1)));
+        Tensor::from_components(n, &slots, entries).unwrap()
+    };
+    let n = 1 << 20;
+    let vector = Tensor::from_components(n, &[Up], [([n - n / 64], Rational::from(3))]).unwrap();
+    let moved = contract("a^i_j v^j -> ^i", &[("a", &shift(n, n - 1, [Up, Down])), ("v", &vector)]);
+    let expected = Rational::from(3 * (n - n / 64 + 1) as i64);
+    assert_eq!(stored(&moved.unwrap()), [(vec![n - n / 64 - 1], expected)]);
+
+    let n = 4096;
+    let (a, b) = (shift(n, 4095, [Up, Down]), shift(n, 0, [Up, Up]));
+    let product = contract("a^i_p b^pj - a^j_p b^pi -> ^[ij]", &[("a", &a), ("b", &b)]).unwrap();
+    let above = (0..n).step_by(64).map(|i| {
+        let value = Rational::from((i as i64 + 1) * (i as i64 + 1));
+        // a moves i to the index before it, and 0 to the last one
+        if i > 0 { (vec![i - 1, i], value) } else { (vec![0, 4095], -value) }
+    });
+    let mut expected: Vec<_> =
+        above.flat_map(|(at, value)| [(vec![at[1], at[0]], -value.clone()), (at, value)]).collect();
+    expected.sort_by(|x, y| x.0.cmp(&y.0));
+    assert_eq!(stored(&product), expected);
 }

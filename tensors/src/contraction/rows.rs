@@ -1,6 +1,7 @@
 //! The layout of a term: its factors sorted into rows by leading and summed indices.
 
 use super::arithmetic::{Factor, Term};
+use super::positions::{Digits, Position, beginnings, sort_by_counting};
 use super::shape::{Place, Shape};
 use super::{Paths, Role};
 use std::ops::Range;
@@ -103,16 +104,6 @@ pub(super) struct Entry<V> {
     /// What it contributes to the place of a product.
     pub place: Place,
     pub value: V,
-}
-
-/// Where a component belongs.
-#[derive(Clone, Copy, Default)]
-struct Position {
-    group: u64,
-    link: u64,
-    place: Place,
-    /// Its number in the tensor.
-    at: u32,
 }
 
 impl<V: Clone> Rows<V> {
@@ -260,84 +251,5 @@ impl Marked {
             Starts::Every(starts) => starts[64 * word] as usize,
             Starts::Nonempty(before, starts) => starts[before[word] as usize] as usize,
         }
-    }
-}
-
-/// For each of `count` keys the number of items with smaller ones, and the number of all; the keys of the items ascend.
-fn beginnings(keys: impl Iterator<Item = u64>, count: u64) -> Vec<u32> {
-    let mut starts = vec![0; count as usize + 1];
-    keys.for_each(|key| starts[key as usize + 1] += 1);
-    for at in 1..starts.len() {
-        starts[at] += starts[at - 1];
-    }
-    starts
-}
-
-/// Sorts stably by a key below `count`.
-fn sort_by_counting(items: &mut Vec<Position>, count: u64, key: impl Fn(&Position) -> u64) {
-    if count <= 1 {
-        return;
-    }
-    let mut next = beginnings(items.iter().map(&key), count);
-    let mut sorted = vec![Position::default(); items.len()];
-    for item in items.iter() {
-        let slot = &mut next[key(item) as usize];
-        sorted[*slot as usize] = *item;
-        *slot += 1;
-    }
-    *items = sorted;
-}
-
-/// What an index of value 1 contributes to the group, the link and the place.
-type Weight = (u64, u64, Place);
-
-/// The groups, links and places of the components of a factor.
-struct Digits<'d> {
-    n: u64,
-    weights: &'d [Weight],
-    /// Pairs of slots that are summed with each other.
-    inside: Vec<(usize, usize)>,
-    digits: Vec<u64>,
-    /// The key with last index 0. Neighbours mostly share it,
-    base: u64,
-    /// and so what the other indices contribute.
-    front: Option<Weight>,
-}
-
-impl<'d> Digits<'d> {
-    fn new(n: u64, roles: &[Role], weights: &'d [Weight]) -> Self {
-        let twin = |a: usize| (a + 1..roles.len()).find(|&b| roles[b] == roles[a]);
-        let inside = (0..roles.len()).filter_map(|a| twin(a).map(|b| (a, b))).collect();
-        Digits { n, weights, inside, digits: vec![0; roles.len()], base: u64::MAX, front: None }
-    }
-
-    /// `None` for a component off the diagonal of a pair that is summed.
-    #[inline(always)]
-    fn read(&mut self, key: u64) -> Option<Weight> {
-        let (Some((&weight, weights)), Some((last, digits))) =
-            (self.weights.split_last(), self.digits.split_last_mut())
-        else {
-            return Some((0, 0, 0));
-        };
-        if key < self.base || key - self.base >= self.n {
-            let mut rest = key / self.n;
-            self.base = rest * self.n;
-            self.front = None;
-            for digit in digits.iter_mut().rev() {
-                (*digit, rest) = (rest % self.n, rest / self.n);
-            }
-        }
-        *last = key - self.base;
-        let add = |sum: Weight, (&digit, weight): (&u64, &Weight)| {
-            let place = sum.2 + digit as Place * weight.2;
-            (sum.0 + digit * weight.0, sum.1 + digit * weight.1, place)
-        };
-        let front = || digits.iter().zip(weights).fold((0, 0, 0), add);
-        if self.inside.is_empty() {
-            return Some(add(*self.front.get_or_insert_with(front), (last, &weight)));
-        }
-        let on = |&(a, b): &(usize, usize)| self.digits[a] == self.digits[b];
-        let all = || self.digits.iter().zip(self.weights).fold((0, 0, 0), add);
-        self.inside.iter().all(on).then(all)
     }
 }
