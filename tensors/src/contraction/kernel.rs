@@ -79,7 +79,8 @@ fn in_rounds<'w, S: Value, A: Arithmetic<S, Value: 'w> + 'w>(
         start += count;
         let known = found.len() + round.iter().map(Found::len).sum::<usize>();
         let enough = threads.saturating_mul(size).saturating_mul(start) / known.max(1) as u64;
-        count = enough.max(threads).min(n - start);
+        // the next indices may have far more than those so far
+        count = enough.clamp(threads, 4 * count.max(threads)).min(n - start);
     }
     round.iter_mut().for_each(|block| found.append(block));
     found
