@@ -63,7 +63,7 @@ const MOST: usize = 1 << 24;
 mod tests {
     use super::*;
 
-    /// Whatever is expected, the same components are found, and lists of even growth are moved at most twice.
+    /// Whatever is expected, the same components are found, and after the first piece lists of even growth move at most once.
     #[test]
     fn expectations_change_no_components() {
         for (pieces, length) in [(1, 5), (7, 0), (7, 3), (248, 40), (100, 700)] {
