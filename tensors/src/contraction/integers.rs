@@ -137,3 +137,22 @@ impl<S: Ring> Arithmetic<S> for OnIntegers<S> {
         quotient
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A quotient that the ring lacks is noticed, whether it is one of the stored ones or not; a sum of zero needs none.
+    #[test]
+    fn missing_quotients_are_noticed() {
+        let paths = Paths { kept_quotients: 2, ..Paths::default() };
+        for sum in [-100, -3, -2, 1, 2, 3, i64::MAX] {
+            // floats lack quotients by zero
+            let [with, without] =
+                [4, 0].map(|denominator| OnIntegers::<f64>::new(denominator, &paths));
+            assert_eq!((with.finish(&sum), with.failed()), (Some(sum as f64 / 4.0), false));
+            assert_eq!((without.finish(&0), without.failed()), (None, false));
+            assert_eq!((without.finish(&sum), without.failed()), (None, true));
+        }
+    }
+}

@@ -189,8 +189,7 @@ impl<V: Clone> Rows<V> {
                     f(&self.entries[mine], &partner.entries[row(theirs, (other, link))]);
                 }
             }
-            // both factors of a term are found in the same way
-            _ => {}
+            _ => unreachable!("rows of both factors of a term are found in the same way"),
         }
     }
 
