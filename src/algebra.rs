@@ -140,7 +140,7 @@ impl<S: Ring> LieAlgebra<S> {
     /// `other` that occurs before gets a prime.
     ///
     /// # Errors
-    /// When the dimension of the sum is beyond the engine.
+    /// [`Error::Tensor`] if the dimension of the sum is too large for the indices of a tensor, 64 bits.
     pub fn direct_sum(&self, other: &Self) -> Result<Self, Error> {
         let (n, m) = (self.dimension(), other.dimension());
         let labels = join_labels(self.labels(), other.labels());

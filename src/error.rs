@@ -120,9 +120,9 @@ pub enum Error {
     NotSubalgebra {
         /// A vector of the subspace.
         x: String,
-        /// Another one.
+        /// The second vector.
         y: String,
-        /// Their bracket.
+        /// `[x, y]`, which is not in the subspace.
         bracket: String,
     },
     /// A subspace that is no ideal.

@@ -114,7 +114,7 @@ pub trait LieGroup {
     /// A logarithm: `exp(log(g)) = g`, near the identity the one near 0.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for an element without one, or outside of what the group can do.
+    /// [`Error::Invalid`] for an element without a logarithm, or without one that the group can compute.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error>;
     /// `Ad_g x`, for matrices `g x g^-1`.
     fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector;
@@ -123,8 +123,8 @@ pub trait LieGroup {
     /// The element as a matrix.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64>;
 
-    /// `z(x)` of a group with `ad_x^3 = -z(x) ad_x`, and the sum of the sizes of its terms, the scale of its rounding. From it
-    /// the tangent operators have closed forms. `None` for other groups.
+    /// `z(x)` of a group with `ad_x^3 = -z(x) ad_x`, and the sum of the absolute values of its terms, to which its rounding error
+    /// is relative. From `z` the tangent operators have closed forms. `None` for other groups.
     fn cubic(&self, x: &Self::Vector) -> Option<[f64; 2]> {
         let _ = x;
         None
@@ -172,6 +172,8 @@ pub trait LieGroup {
     }
 
     /// `Ad*_g h`, the covector with `(Ad*_g h)_i = h_j (Ad_g e_i)^j`: spatial to body momentum.
+    ///
+    /// It is the transpose of `Ad_g`, a right action: `Ad*_(gh) = Ad*_h Ad*_g`. Many books write it `Ad*_(g^-1)`.
     fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
         Self::Vector::from_fn(self.dimension(), |i| {
             let image = self.adjoint(g, &self.unit(i));

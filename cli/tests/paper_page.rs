@@ -148,7 +148,7 @@ fn the_numbers_of_the_paper() {
         "R^1_212 = -R^1_221 = R^1_313 = -R^1_331 = R^2_121 = -R^2_112 = R^2_323 = -R^2_332 \
          = R^3_131 = -R^3_113 = R^3_232 = -R^3_223 = 1/4",
     );
-    has("after (65)", "S = 3/4, \"with the metric (102)\"");
+    has("after (65)", "S = 3/4 with the metric (102)");
     has("(102)", "ghat_11 = ghat_22 = ghat_33 = 2");
     has("(99)", "g_12 = g_21 = J12");
     has("(103)", "H_1 = J11*Omega1 + J12*Omega2 + J13*Omega3");

@@ -445,7 +445,7 @@ impl Definition {
     }
 }
 
-/// Refuses a dimension of zero or beyond the engine.
+/// Refuses a dimension of zero or above [`MAX_DIMENSION`].
 fn check_dimension<N>(dimension: N) -> Result<usize, InputError>
 where
     N: TryInto<usize> + std::fmt::Display + Copy,

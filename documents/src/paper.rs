@@ -152,14 +152,14 @@ impl Paper {
         Ok(Paper { sections })
     }
 
-    /// How many equations and findings there are, and how many came out as they must.
+    /// How many equations and findings there are, and how many have the expected outcome.
     pub fn summary(&self) -> String {
         let rows = || self.sections.iter().flat_map(|section| &section.rows);
         let findings = || rows().flat_map(|row| &row.findings);
         let expected = findings().filter(|finding| finding.is_expected()).count();
         let refuted = findings().filter(|finding| finding.refuted).count();
         format!(
-            "{} entries with {} findings; {expected} came out as they must, {refuted} of them refute what is printed or suggested.",
+            "{} entries with {} findings; {expected} have the expected outcome, {refuted} of them refute a statement that the paper prints or suggests.",
             rows().count(),
             findings().count()
         )

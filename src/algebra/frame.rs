@@ -141,7 +141,7 @@ impl<S: Ring> Frame<S> {
     /// The frame derivatives `e_k(T)` of all components, `k` a new first slot `_k`.
     ///
     /// # Errors
-    /// [`Error::Shape`] when the dimensions differ; when the result is beyond the engine.
+    /// [`Error::Shape`] when the dimensions differ; [`Error::Tensor`] if the result is too large for the indices of a tensor, 64 bits.
     pub fn derivative(&self, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
         expect_slots("the tensor", tensor, self.dimension(), tensor.slots())?;
         let slots: Vec<Variance> = [&[Down], tensor.slots()].concat();
@@ -216,7 +216,7 @@ impl Frame<Symbolic> {
     /// structure (A9), and partial derivatives.
     ///
     /// # Errors
-    /// When the dimension is beyond the engine.
+    /// [`Error::Tensor`] if the dimension is too large for the indices of a tensor, 64 bits.
     pub fn coordinates(names: impl IntoIterator<Item: AsRef<str>>) -> Result<Self, Error> {
         let names: Arc<[String]> =
             names.into_iter().map(|name| name.as_ref().to_string()).collect();

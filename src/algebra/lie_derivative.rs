@@ -57,7 +57,7 @@ impl<S: Ring> Frame<S> {
     /// components, `A = ad_X`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; when the derivative of the tensor is beyond the engine.
+    /// [`Error::Shape`]; [`Error::Tensor`] if the derivative is too large for the indices of a tensor, 64 bits.
     pub fn lie_derivative(
         &self,
         field: &Tensor<S>,

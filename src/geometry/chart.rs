@@ -83,14 +83,14 @@ impl Chart {
     /// The frame of the coordinate fields: zero structure (A9), and partial derivatives.
     ///
     /// # Errors
-    /// When the dimension is beyond the engine.
+    /// [`Error::Tensor`] if the dimension is too large for the indices of a tensor, 64 bits.
     pub fn coordinate_frame<S: Notation>(&self) -> Result<Frame<S>, Error> {
         let names = self.coordinates.clone();
         Frame::holonomic(&self.labels(), Arc::new(move |k, f: &S| f.derivative(&names[k])))
     }
 
-    /// The frame of the fields `e_i = e_i^a d/dx^a`, from the components `e^a_i`, slots
-    /// `[Up, Down]`: column `i` is the field `e_i`.
+    /// The frame of the fields `e_i = e^a_i d/dx^a`, from the components `e^a_i`, slots
+    /// `[Up, Down]`: row `a`, column `i`.
     ///
     /// # Errors
     /// [`Error::Shape`]; [`Error::DegenerateFrame`] for fields that are dependent everywhere.

@@ -16,7 +16,7 @@ use std::sync::{Arc, OnceLock};
 /// A connection by its affinities in a frame: `nabla_{e_j} e_k = Lambda^i_jk e_i` (B1).
 ///
 /// The first lower index is the direction, the second the differentiated vector. Torsion and
-/// curvature are in [`curvature`](crate::geometry::curvature), what needs a metric too in
+/// curvature are in [`curvature`](crate::geometry::curvature), quantities that also need a metric in
 /// [`metric_affine`](crate::geometry::metric_affine).
 #[derive(Clone, Debug)]
 pub struct Connection<S> {
@@ -61,7 +61,7 @@ impl<S: Ring> Connection<S> {
         &self.frame
     }
 
-    /// The affinities `Lambda^i_jk`.
+    /// The affinities `Lambda^i_jk`, slots `[Up, Down, Down]`; `j` is the direction.
     pub fn gamma(&self) -> &Tensor<S> {
         &self.gamma
     }
@@ -72,7 +72,7 @@ impl<S: Ring> Connection<S> {
     /// be invariant.
     ///
     /// # Errors
-    /// [`Error::Shape`] when the dimensions differ; when the result is beyond the engine.
+    /// [`Error::Shape`] when the dimensions differ; [`Error::Tensor`] if the result is too large for the indices of a tensor, 64 bits.
     pub fn nabla(&self, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
         let derivative = self.frame.derivative(tensor)?;
         let letters = &LETTERS[..tensor.rank()];

@@ -16,9 +16,9 @@ pub enum EquationKind {
     /// `DH/Dt = M` for the covector `H = g(Omega, .)` (104): for the connection `plus` the
     /// Euler-Poincare equations (106), (108) of a left-invariant system.
     EulerPoincare,
-    /// `nabla_v v = 0` (B7): the velocity of an autoparallel.
+    /// `nabla_v v = 0` (B6), in components (B7): the velocity of an autoparallel.
     Autoparallel,
-    /// `nabla_w u = 0` (B5): a vector transported along a curve of velocity `w`.
+    /// `nabla_w u = 0` (B4), in components (B5): a vector transported along a curve of velocity `w`.
     Transport,
 }
 
@@ -54,7 +54,7 @@ impl EquationKind {
     }
 }
 
-/// The equations `a_ij dx^j/dt = q_ijk y^j x^k + f_ij M_j`. `y` is `x`, except for
+/// The equations `a_ij dx^j/dt = q_ijk y^j x^k + M_i`, with the external covector `M` for [`EquationKind::EulerPoincare`] only. `y` is `x`, except for
 /// [`EquationKind::Transport`], where it is the velocity `w` of the curve.
 ///
 /// ```

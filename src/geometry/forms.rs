@@ -150,7 +150,7 @@ impl<S: Ring> Connection<S> {
     /// components are the [`torsion`](Self::torsion), `T^i(e_j, e_k) = tau^i_jk`.
     ///
     /// # Errors
-    /// When the dimension is beyond the engine.
+    /// [`Error::Tensor`] if the dimension is too large for the indices of a tensor, 64 bits.
     pub fn torsion_forms(&self) -> Result<Vec<Form<S>>, Error> {
         let (frame, coframe) = (self.frame(), self.frame().coframe());
         let equation = |(e, w): (&Form<S>, Vec<Form<S>>)| {
@@ -166,7 +166,7 @@ impl<S: Ring> Connection<S> {
     ///
     /// # Errors
     /// [`Error::Frame`] on a homogeneous space, where the connection forms are defined on the
-    /// group and not on `m`; when the dimension is beyond the engine.
+    /// group and not on `m`; [`Error::Tensor`] if the dimension is too large.
     pub fn curvature_forms(&self) -> Result<Vec<Vec<Form<S>>>, Error> {
         if !self.frame().isotropy()?.is_empty() {
             return Err(Error::Frame(

@@ -69,7 +69,7 @@ impl<S: Field> Holonomy<S> {
     /// The reduced basis: matrices `A^i_j`, slots `[Up, Down]`.
     ///
     /// # Errors
-    /// When the dimension is beyond the engine, which that of a connection is not.
+    /// [`Error::Tensor`] if the dimension is too large for a tensor, which that of a connection is not.
     pub fn basis(&self) -> Result<Vec<Tensor<S>>, Error> {
         let matrix =
             |row: &Row<S>| Ok(Tensor::from_row(self.dimension, &[Up, Down], row.iter().cloned())?);

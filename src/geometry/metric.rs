@@ -92,7 +92,7 @@ impl<S: Field> Metric<S> {
     /// The metric of an orthonormal basis, `g_ij = delta_ij`.
     ///
     /// # Errors
-    /// When the dimension is beyond the engine.
+    /// [`Error::Tensor`] if the dimension is too large for the indices of a tensor, 64 bits.
     pub fn identity(dimension: usize) -> Result<Self, Error> {
         Self::diagonal(vec![S::one(); dimension])
     }

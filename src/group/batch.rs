@@ -332,20 +332,20 @@ impl<const N: usize> Columns<N> {
 }
 
 impl Vectors {
-    /// The element of an index.
+    /// The rotation vector at a position, counted from 0.
     ///
     /// # Panics
-    /// If the index is out of range.
+    /// If the position is out of range.
     pub fn get(&self, at: usize) -> Vector3<f64> {
         self.element(at).into()
     }
 }
 
 impl Quaternions {
-    /// The element of an index.
+    /// The unit quaternion at a position, counted from 0.
     ///
     /// # Panics
-    /// If the index is out of range.
+    /// If the position is out of range.
     pub fn get(&self, at: usize) -> UnitQuaternion<f64> {
         let [w, x, y, z] = self.element(at);
         UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z))

@@ -44,7 +44,7 @@ impl<V: Coordinates> InvariantField<V> {
     }
 
     /// The bracket of two fields, an invariant field: `[x,y]` on the left (34), `-[x,y]` on the right, and 0
-    /// for two sides (35).
+    /// for a left- and a right-invariant field (35).
     #[must_use]
     pub fn bracket<G: LieGroup<Vector = V>>(&self, group: &G, other: &Self) -> Self {
         let bracket = group.bracket(&self.vector, &other.vector);

@@ -93,7 +93,7 @@ fn body(ready: &Ready) -> Option<Inertia> {
     Inertia::new(&matrix.fixed_view::<3, 3>(0, 0).into_owned()).ok()
 }
 
-/// The largest change so far of every conserved quantity.
+/// The largest change so far of the energy, the spatial momentum, Casimir functions and named quantities.
 fn drifts(run: &Run) -> Vec<Value> {
     let quantity = |name: &String| {
         let values = run.rows.column(name).ok()?;

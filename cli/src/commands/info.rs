@@ -9,7 +9,7 @@ use clap::Args;
 
 #[derive(Args)]
 pub struct Arguments {
-    /// The space, of which the algebra counts; see `affinor --help`
+    /// The space; only its Lie algebra is used; see `affinor --help`
     pub space: Option<String>,
     /// The basis of an algebra without a name, as in "x y z"
     #[arg(long, value_name = "NAMES")]

@@ -95,7 +95,7 @@ pub struct Shared {
 /// The format and file of a table, and the colours of messages.
 #[derive(Args)]
 pub struct Output {
-    /// The format: text, markdown, latex, csv, or json
+    /// The format: text, markdown, latex, html, csv or json
     #[arg(long, default_value = "text", value_parser = format)]
     pub format: OutputFormat,
     /// Write to this file; a failed run leaves it as it was

@@ -91,7 +91,7 @@ enum Kind {
     },
     /// Dynkin diagram of a Lie algebra: of its Levi subalgebra, over the complex numbers
     Dynkin {
-        /// The space, of which the algebra counts; see `affinor --help`
+        /// The space; only its Lie algebra is used; see `affinor --help`
         space: String,
         /// Values of parameters, as in "h=-1"; may be repeated
         #[arg(long, value_name = "NAME=VALUE,...")]

@@ -44,7 +44,7 @@ pub(crate) struct ConnectionText {
     pub affinities: Option<Block>,
 }
 
-/// A chart by its coordinates, functions that are not given, and functions that are positive on it.
+/// A chart by its coordinates, free functions, and functions that are positive on it.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ChartText {

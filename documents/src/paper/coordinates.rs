@@ -115,7 +115,7 @@ fn pole(lab: &Lab) -> Result<Row, Error> {
     let mut row = Row::new(
         "(75)",
         "Gamma^i_(jk)(e) = 0",
-        "The pole condition: in canonical coordinates the symmetric part of the affinities vanishes at the identity, and away from it only on the ray.",
+        "The pole condition: in canonical coordinates the symmetric part of the affinities vanishes at the identity. Elsewhere only its contraction `Gamma^i_jk q^j q^k` along the ray vanishes.",
     )
     .shown_by("report=transport")
     .standing(Standing::Convention(

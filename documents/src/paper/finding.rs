@@ -9,7 +9,7 @@ pub struct Finding {
     pub claim: String,
     /// Whether it holds.
     pub outcome: Outcome,
-    /// Whether it is what the paper prints, or suggests, and what must fail.
+    /// Whether it is a false statement that the paper prints or suggests: its check is expected to fail.
     pub refuted: bool,
 }
 
@@ -31,9 +31,10 @@ impl Finding {
     pub(super) fn exact<S: Notation>(claim: &str, difference: &Tensor<S>) -> Self {
         let witness = difference.components().next().map(|(at, value)| {
             let indices: Vec<String> = at.iter().map(|index| (index + 1).to_string()).collect();
-            let at =
-                if indices.is_empty() { String::new() } else { format!(" {}", indices.join(",")) };
-            format!("component{at} of the difference is `{value}`")
+            match indices.as_slice() {
+                [] => format!("the difference is `{value}`"),
+                at => format!("component {} of the difference is `{value}`", at.join(",")),
+            }
         });
         Self::of(claim, witness.map_or(Outcome::Exactly, Outcome::Fails))
     }
@@ -91,7 +92,7 @@ impl Finding {
         Self::of(text, Outcome::Value)
     }
 
-    /// Marks what the paper prints and what must fail.
+    /// Marks a false statement that the paper prints or suggests.
     pub(super) fn refuted(mut self) -> Self {
         self.refuted = true;
         self
@@ -101,7 +102,7 @@ impl Finding {
         Finding { claim: claim.into(), outcome, refuted: false }
     }
 
-    /// Whether it came out as it must: a statement holds, one that is refuted fails.
+    /// Whether the check has the expected outcome: a statement holds, one that is refuted fails.
     pub fn is_expected(&self) -> bool {
         matches!(self.outcome, Outcome::Fails(_)) == self.refuted
     }

@@ -1,4 +1,4 @@
-//! Section 4.1: kinematics on M(3), (41)-(61). Much of it holds of `plus` on every group, with `A = Ad_p`.
+//! Section 4.1: kinematics on M(3), (41)-(61). Much of it holds for `plus` on every group, with `A = Ad_p`.
 
 use super::lab::{
     Lab, ad, apart, distance, epsilon, hat, motion, rate, rotation, spin, symbols, translation,

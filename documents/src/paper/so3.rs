@@ -101,7 +101,7 @@ fn curvature(lab: &Lab) -> Result<Row, Error> {
     .components("R", connection.curvature())
     .find(Finding::exact("`R^i_jkl = 1/4 (delta^i_k delta_jl - delta^i_l delta_jk)`", &off))
     .find(Finding::exact("`Ric_jl = 1/2 delta_jl`", &ricci))
-    .find(Finding::value(&format!("S = {scalar}, \"with the metric (102)\""))))
+    .find(Finding::statement(&format!("`S = {scalar}` with the metric (102)"))))
 }
 
 fn frames() -> Result<Row, Error> {

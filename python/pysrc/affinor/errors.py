@@ -73,7 +73,7 @@ class _Pair(MathematicsError):
 
     @property
     def residual(self) -> str | None:
-        """What should vanish."""
+        """The component that should vanish."""
         return self.data.get("residual")
 
 
@@ -126,7 +126,7 @@ class MetricError(_Pair):
 
     @property
     def null(self) -> str | None:
-        """A vector that is orthogonal to every vector."""
+        """A nonzero vector that is orthogonal to every vector, ``g_ij v^j = 0``."""
         return self.data.get("null")
 
 

@@ -346,32 +346,32 @@ class Geometry:
 
     @property
     def ricci_symmetric(self) -> Tensor:
-        """Symmetric part of the Ricci tensor."""
+        """Symmetric part of the Ricci tensor, ``(Ric_jl + Ric_lj)/2``."""
         return self._tensor("ricci_symmetric")
 
     @property
     def ricci_antisymmetric(self) -> Tensor:
-        """Antisymmetric part of the Ricci tensor."""
+        """Antisymmetric part of the Ricci tensor, ``(Ric_jl - Ric_lj)/2``."""
         return self._tensor("ricci_antisymmetric")
 
     @property
     def einstein(self) -> Tensor:
-        """Einstein tensor ``G_jl``."""
+        """Einstein tensor ``G_jl = Ric_jl - 1/2 S g_jl``."""
         return self._tensor("einstein")
 
     @property
     def schouten(self) -> Tensor:
-        """Schouten tensor ``P_jl`` of a Levi-Civita connection."""
+        """Schouten tensor ``P_jl = (Ric_jl - S/(2 (n - 1)) g_jl)/(n - 2)`` of a Levi-Civita connection."""
         return self._tensor("schouten")
 
     @property
     def weyl(self) -> Tensor:
-        """Weyl tensor ``W^i_jkl`` of a Levi-Civita connection."""
+        """Weyl tensor ``W^i_jkl`` of a Levi-Civita connection, the trace-free part of the curvature."""
         return self._tensor("weyl")
 
     @property
     def cotton(self) -> Tensor:
-        """Cotton tensor ``C_jkl`` of a Levi-Civita connection."""
+        """Cotton tensor ``C_jkl = (nabla_k P)_jl - (nabla_l P)_jk`` of a Levi-Civita connection."""
         return self._tensor("cotton")
 
     @property
@@ -442,7 +442,10 @@ class Geometry:
         return self._engine.transport(group._engine), group
 
     def transport(self, arcs: ArrayLike) -> NDArray[np.float64]:
-        """The matrix of parallel translation along consecutive arcs ``exp(s x)``, ``0 <= s <= 1``: (..., dimension)."""
+        """The matrix (dimension, dimension) of parallel translation along consecutive arcs ``exp(s x)``, ``0 <= s <= 1``.
+
+        Components are those in the left-invariant frame; ``arcs`` is a vector ``x`` or rows of them.
+        """
         return self._transport()[0].along(arcs)
 
     def transport_samples(self, elements: ArrayLike) -> NDArray[np.float64]:

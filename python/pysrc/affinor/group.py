@@ -59,7 +59,7 @@ class Group:
         return self._engine.identity()
 
     def exp(self, x: ArrayLike) -> Floats:
-        """The exponential of vectors (..., dimension)."""
+        """The exponential of vectors (..., dimension): elements (..., coordinates)."""
         return self._engine.exp(x)
 
     def log(self, g: ArrayLike) -> Floats:
@@ -124,7 +124,7 @@ class Group:
         return self._engine.from_matrix(matrix)
 
     def act(self, g: ArrayLike, points: ArrayLike) -> Floats:
-        """The action of a group of matrices on points: of size k, or k - 1 for homogeneous matrices."""
+        """The action of matrices of size k on points (..., k); rigid motions act on points (..., k - 1) too."""
         matrix, points = self.matrix(g), floats(points)
         rows, columns = self._engine.shape
         if rows != columns:
@@ -139,7 +139,7 @@ class Group:
         raise ValueError(f"points should have the shape (..., {rows}), not {points.shape}")
 
     def interpolate(self, g: ArrayLike, h: ArrayLike, t: ArrayLike) -> Floats:
-        """``g exp(t log(g^-1 h))``."""
+        """The point ``g exp(t log(g^-1 h))``: ``g`` at ``t = 0``, ``h`` at ``t = 1``; ``t`` has the shape of the batch."""
         steps = floats(t)[..., None] * self.log(self.between(g, h))
         return self.compose(g, self.exp(steps))
 

@@ -208,7 +208,7 @@ class Trajectory:
         return self["t"]
 
     def drift(self) -> dict[str, float]:
-        """The largest change of each conserved quantity from its initial value."""
+        """The largest change of each watched quantity (energy, ``h``, Casimir functions, named quantities) from its initial value."""
         if not len(self):
             return {}
         return {name: float(np.abs(self[name] - self[name][0]).max()) for name in self.watched}

@@ -7,32 +7,32 @@ use affinor_tensors::expression::{Expression, Scalars, no_function};
 use affinor_tensors::{Notation, Symbolic};
 use std::collections::BTreeMap;
 
-/// The real algebras of dimension up to 4 that are no sums.
+/// The indecomposable real algebras of dimension up to 4.
 ///
 /// J. Patera, R. T. Sharp, P. Winternitz, H. Zassenhaus, *J. Math. Phys.* 17 (1976) 986-994, after
 /// G. M. Mubarakzyanov, *Izv. Vyssh. Uchebn. Zaved. Mat.* 32 (1963) 114-123.
 pub(super) const PATERA: Family = Family {
     pattern: "patera(n,k,a=v,b=v)",
     needs: "2,1 or 3,1 to 3,9 or 4,1 to 4,12; `a=v` in 3,5 3,7 4,2 4,5 4,6 4,11, `b=v` in 4,5 4,6 4,9",
-    summary: "A_n,k of Patera, Sharp, Winternitz and Zassenhaus: real algebras of dimension up to 4 that are \
-              no sums; basis e1..en; a and b are parameters if not given",
+    summary: "A_n,k of Patera, Sharp, Winternitz and Zassenhaus: indecomposable real algebras of \
+              dimension up to 4; basis e1..en; a and b are parameters if not given",
     example: "patera(4,8)",
     reader: Reader::Words(|name, arguments| read(&PATERA, PATERA_TABLE, name, arguments)),
 };
 
-/// The nilpotent algebras of dimension up to 6 that are no sums.
+/// The indecomposable nilpotent algebras of dimension up to 6.
 ///
 /// W. A. de Graaf, *J. Algebra* 309 (2007) 640-653.
 pub(super) const DE_GRAAF: Family = Family {
     pattern: "degraaf(n,k,e=v)",
     needs: "3,2 or 4,3 or 5,4 to 5,9 or 6,10 to 6,26; `e=v` in 6,19 6,21 6,22 6,24",
-    summary: "L_n,k of de Graaf: nilpotent algebras of dimension up to 6 that are no sums; basis e1..en; over \
+    summary: "L_n,k of de Graaf: indecomposable nilpotent algebras of dimension up to 6; basis e1..en; over \
               the reals e = -1, 0, 1 are enough; e is a parameter if not given",
     example: "degraaf(5,6)",
     reader: Reader::Words(|name, arguments| read(&DE_GRAAF, DE_GRAAF_TABLE, name, arguments)),
 };
 
-/// The real nilpotent algebras of dimension 7 that are no sums: 140 of them and 9 families with a parameter.
+/// The indecomposable real nilpotent algebras of dimension 7: 140 of them and 9 families with a parameter.
 ///
 /// M.-P. Gong, *Classification of nilpotent Lie algebras of dimension 7 (over algebraically closed fields and R)*, Ph.D. thesis,
 /// University of Waterloo 1998: the dimensions of the upper central series, then a letter; a number after the letter marks other
@@ -44,7 +44,7 @@ pub(super) const DE_GRAAF: Family = Family {
 pub(super) const GONG: Family = Family {
     pattern: "gong(7,k,a=v)",
     needs: "7 and a number of Gong: 17, 27A, 37B1, .. 123457I; `a=v` in 147E 147E1 1357M 1357N 1357S 1357QRS1 12457N 12457N2 123457I",
-    summary: "the real nilpotent algebras of dimension 7 that are no sums, in the numbers of Gong; basis e1..e7; a is a \
+    summary: "the indecomposable real nilpotent algebras of dimension 7, in the numbers of Gong; basis e1..e7; a is a \
               parameter if not given",
     example: "gong(7,37D1)",
     reader: Reader::Words(|name, arguments| read(&GONG, GONG_TABLE, name, arguments)),

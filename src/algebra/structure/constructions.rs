@@ -161,7 +161,7 @@ impl<S: Ground> Structure<S> {
     /// labels of the dual basis end in a star, written `_star`.
     ///
     /// # Errors
-    /// A dimension beyond the engine.
+    /// [`Error::Tensor`] if the dimension is too large for the indices of a tensor, 64 bits.
     pub fn with_dual(&self) -> Result<LieAlgebra<S>, Error> {
         let n = self.dimension();
         let labels = self.algebra.labels().iter().map(|label| format!("{label}_star"));
@@ -228,7 +228,7 @@ impl<S: Ground> Structure<S> {
     /// [x,y] t^(a+b)`. Order 2 are the dual numbers: the tangent algebra.
     ///
     /// # Errors
-    /// A dimension beyond the engine.
+    /// [`Error::Tensor`] if the dimension is too large for the indices of a tensor, 64 bits.
     pub fn truncated(&self, order: usize) -> Result<LieAlgebra<S>, Error> {
         let name = |power: usize| {
             move |label: &String| match power {
@@ -245,7 +245,7 @@ impl<S: Ground> Structure<S> {
     /// The complexification as a real algebra, in the basis `x` and `i x`, labelled `ix`.
     ///
     /// # Errors
-    /// A dimension beyond the engine.
+    /// [`Error::Tensor`] if the dimension is too large for the indices of a tensor, 64 bits.
     pub fn complexified(&self) -> Result<LieAlgebra<S>, Error> {
         let imaginary: Vec<String> =
             self.algebra.labels().iter().map(|label| format!("i{label}")).collect();

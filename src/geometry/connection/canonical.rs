@@ -34,7 +34,8 @@ impl<S: Ring> Connection<S> {
 }
 
 impl<S: Field> Connection<S> {
-    /// A canonical connection.
+    /// The canonical connection `Lambda^i_jk = lambda c^i_jk` in the left-invariant frame, with `lambda = 1` (`Plus`), `1/2` (`Zero`)
+    /// or `0` (`Minus`).
     ///
     /// # Panics
     /// Only for [`Canonical::Zero`] over a field of characteristic 2, which none of ours is.

@@ -50,7 +50,7 @@ pub struct Sequence {
 /// Euler angles, and their ambiguity at gimbal lock.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerAngles {
-    /// In the order of the sequence. First and last in `[-pi, pi]`; the middle one in `[0, pi]` if first and last
+    /// In radians, in the order of the sequence. First and last in `[-pi, pi]`; the middle one in `[0, pi]` if first and last
     /// axis are equal, else in `[-pi/2, pi/2]`.
     pub angles: [f64; 3],
     /// Whether the rotation determines only one combination of the first and the last angle. Then the last
@@ -74,7 +74,7 @@ impl Sequence {
     /// A sequence.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if neighbours are equal, for their turns add up.
+    /// [`Error::Invalid`] if neighbours are equal, because their turns add up.
     pub fn new(axes: [Axis; 3], turns: Turns) -> Result<Self, Error> {
         if axes[0] == axes[1] || axes[1] == axes[2] {
             let reason = format!("{axes:?} repeats an axis, so two angles act as one");
@@ -95,7 +95,8 @@ impl Sequence {
         })
     }
 
-    /// The rotation of the angles.
+    /// The rotation by the angles `[a, b, c]` in radians: `R_1(a) R_2(b) R_3(c)` for intrinsic turns, `R_3(c) R_2(b) R_1(a)` for
+    /// extrinsic ones, where `R_k` turns about the axis `k` of the sequence.
     pub fn rotation(&self, angles: [f64; 3]) -> UnitQuaternion<f64> {
         let turn = |k: usize| {
             let (sin, cos) = (0.5 * angles[k]).sin_cos();

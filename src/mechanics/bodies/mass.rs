@@ -95,8 +95,8 @@ impl MassProperties {
         rotational(&self.second)
     }
 
-    /// The matrix of `J` about a point: `J + m ((d.d) I - d d^T)`, with `d` from the point to the centre (the parallel axes
-    /// of Huygens and Steiner).
+    /// The inertia matrix about a point, `J_c + m ((d.d) I - d d^T)`, with the inertia matrix `J_c` about the centre of mass and `d`
+    /// from the point to that centre (parallel axis theorem).
     pub fn inertia_matrix_about(&self, point: &Vector3<f64>) -> Matrix3<f64> {
         let d = self.centre - point;
         rotational(&(self.second + d * d.transpose() * self.mass))

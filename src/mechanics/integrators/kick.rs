@@ -100,7 +100,7 @@ pub struct Kick {
 }
 
 impl Kick {
-    /// Steps of a body.
+    /// The method for a body with this inertia: its order, and the method for the free motions between kicks.
     pub fn new(inertia: &Inertia, order: Order, motion: FreeMotion) -> Self {
         let (body, inertia) = (Principal::new(inertia), inertia.in_principal_axes());
         let steps = match motion {

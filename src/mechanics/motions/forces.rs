@@ -30,7 +30,7 @@ pub struct ForceFunction(Arc<Covector>);
 type Covector = dyn Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64> + Send + Sync;
 
 impl ForceFunction {
-    /// The force of a function.
+    /// The force with the components `M_i = function(t, element, velocity)_i`.
     pub fn new(
         function: impl Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64> + Send + Sync + 'static,
     ) -> Self {

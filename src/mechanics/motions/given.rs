@@ -39,7 +39,8 @@ impl GivenVelocity {
     }
 }
 
-/// The motion from an element at a time, by a Magnus method with a step size.
+/// The motion `g' = g Omega(t)` from an element at a time, by a Magnus method with steps of at most a size. `columns` are the formulas
+/// of the rows.
 pub fn on_given<G: SimulationGroup>(
     group: G,
     velocity: GivenVelocity,

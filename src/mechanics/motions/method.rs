@@ -104,11 +104,12 @@ impl Method {
         NAMES.iter().find(|(_, known)| *known == name).map(|(method, _)| *method)
     }
 
-    /// The problems for which it is the default, or can be chosen.
+    /// The class of problems that the method integrates.
     pub fn why(self) -> &'static str {
         match self {
             Method::Exact => "a free rigid body",
-            Method::MoserVeselov(_) => "a free rigid body, with a step",
+            Method::MoserVeselov(_) | Method::Splitting(_) => "a free rigid body, with a step",
+            Method::SimoWong => "a rigid body, with a step",
             Method::Kick(_) => "a body in a potential, with a step",
             Method::Adaptive(_) => "any group and any forces, to a tolerance",
             Method::GeneralisedAlpha => "a system with constraints",

@@ -136,7 +136,7 @@ fn at_centre<G: LieGroup>(
 const CANCELLED: f64 = 4.0 * f64::EPSILON;
 
 /// The quadratic form `ad*_(P J^-1 H) H`: the coefficient of `H_a H_b`, `a <= b`, in the component `i` is
-/// `(P J^-1)^vb c^a_vi`, symmetrized.
+/// `(P J^-1)^vb c^a_vi`, symmetrised.
 fn transfer<G: LieGroup>(
     group: &G,
     inverse: &Matrix<G::Vector>,

@@ -22,8 +22,9 @@ pub trait Constraint<G: LieGroup> {
 /// q' = q v,   J_ij v'^j = Lambda^j_ki v^k J_jl v^l + M_i(t, q, v) - B^a_i(q) lambda_a,   Phi^a(q) = 0
 /// ```
 ///
-/// in left (body) components: the equations of motion (104) of [`EulerPoincare`](super::EulerPoincare), Newton's with the
-/// connection `plus`, with Lagrange multipliers `lambda`. The constraints must be independent: the rows of `B` are linearly
+/// in left (body) components: the equations of motion (104) of [`EulerPoincare`](super::EulerPoincare), where `q` and `v` are `g` and
+/// `Omega`, with Lagrange multipliers `lambda`. With the connection `plus` they are the Euler-Poincare equations.
+/// `B^a_i = e_i(Phi^a)` is the [gradient](Constraint::gradient). The constraints must be independent: the rows of `B` are linearly
 /// independent where `Phi = 0`.
 ///
 /// ```

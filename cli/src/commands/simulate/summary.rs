@@ -1,4 +1,6 @@
-//! The conservation summary: conserved quantities at the start and the end, and their largest change.
+//! The conservation summary: watched quantities at the start and the end, and their largest change.
+//!
+//! These are the energy, the spatial momentum, Casimir functions and named quantities. Whether one is conserved depends on the forces.
 
 use super::super::note::line;
 use super::spool::Spool;
@@ -12,7 +14,7 @@ const WIDTH: u16 = 80 + 1;
 /// Numbers from here on are written with an exponent.
 const LARGE: f64 = 1e6;
 
-/// Prints the summary of the conserved quantities on standard error.
+/// Prints the summary on standard error.
 pub fn show(head: &Head, columns: &[Column], spool: &mut Spool) -> io::Result<()> {
     // value at the start, at the end, and the largest change
     let mut changes: Option<Vec<[f64; 3]>> = None;
@@ -34,7 +36,7 @@ pub fn show(head: &Head, columns: &[Column], spool: &mut Spool) -> io::Result<()
     let mut table = Table::new();
     table.load_style(presets::NOTHING);
     table.set_content_arrangement(ContentArrangement::Dynamic).set_width(WIDTH);
-    table.set_header(["conserved quantity", "start", "end", "largest change"]);
+    table.set_header(["quantity", "start", "end", "largest change"]);
     for ([first, last, most], column) in changes.iter().flatten().zip(columns) {
         if column.watched {
             let name = match &column.formula {
