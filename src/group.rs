@@ -181,6 +181,21 @@ pub trait LieGroup {
         })
     }
 
+    /// `Ad_exp(x) = exp(ad_x)` as a matrix: the upper index is the row.
+    fn adjoint_exp(&self, x: &Self::Vector) -> DMatrix<f64> {
+        let g = self.exp(x);
+        let columns: Vec<_> = self.basis().iter().map(|v| self.adjoint(&g, v)).collect();
+        DMatrix::from_fn(columns.len(), columns.len(), |i, k| columns[k].components()[i])
+    }
+
+    /// `log(exp(x) exp(y))`, the product (73) in canonical coordinates.
+    ///
+    /// # Errors
+    /// As [`log`](Self::log).
+    fn log_product(&self, x: &Self::Vector, y: &Self::Vector) -> Result<Self::Vector, Error> {
+        self.log(&self.compose(&self.exp(x), &self.exp(y)))
+    }
+
     /// `Ad*_exp(x) h`.
     fn coadjoint_exp(&self, x: &Self::Vector, h: &Self::Vector) -> Self::Vector {
         self.coadjoint(&self.exp(x), h)

@@ -142,6 +142,27 @@ fn poles_are_no_zeros() {
     assert!(turns.iter().enumerate().all(|(k, turn)| (turn - k as f64).abs() < 1e-14));
 }
 
+/// The event is where the function becomes zero, whatever the steps; where it leaves zero there is none.
+#[test]
+fn functions_that_stay_zero() {
+    let start = std::f64::consts::FRAC_PI_3;
+    for length in [0.1_f64, 0.25, 0.3, 1.0, -0.125] {
+        let origin = if length > 0.0 { 0.0 } else { 2.5 };
+        let direction = length.signum();
+        let falls = move |t: f64| (direction * (start - t)).max(0.0);
+        let rises = move |t: f64| -(direction * (start - t)).max(0.0).sqrt();
+        let stairs = move |t: f64| (2.0 * direction * (start - t)).ceil().clamp(0.0, 1.0);
+        for f in [&falls as &dyn Fn(f64) -> f64, &rises, &stairs] {
+            let event = at(f, Direction::Both, Then::GoOn);
+            let found = events(vec![event], origin, length, 40).0;
+            let [(0, time)] = found[..] else { panic!("{found:?}") };
+            assert!((time - start).abs() <= 4e-16 && f(time) == 0.0, "{length}: {time}");
+        }
+    }
+    let leaves = at(|t| (t - 1.0).max(0.0), Direction::Both, Then::GoOn);
+    assert_eq!(events(vec![leaves], 0.0, 0.3, 10).0, []);
+}
+
 #[test]
 fn what_is_no_number_is_refused() {
     let event = || vec![at(|t: f64| (1.0 - t).sqrt(), Direction::Both, Then::GoOn)];

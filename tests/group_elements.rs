@@ -1,8 +1,8 @@
 //! Elements as numbers, elements brought back to the group, and `Ad*`, on every group.
 
 use affinor::group::{
-    Coordinates, Embedded, Heisenberg, LieGroup, MatrixGroup, Opposite, Se2, Se3, Se23, Sl2, So2,
-    So3,
+    AnyGroup, Coordinates, Embedded, Heisenberg, LieGroup, MatrixGroup, Opposite, Se2, Se3, Se23,
+    Sl2, So2, So3,
 };
 use nalgebra::{DMatrix, DVector, SVector, UnitQuaternion, Vector2, Vector3, Vector6};
 
@@ -45,6 +45,51 @@ fn coadjoint_and_restored() {
         g.rotation = nalgebra::UnitComplex::new_unchecked(g.rotation.into_inner() * 1.001);
         g
     });
+}
+
+/// `exp(ad_x)` of boosts is known; of small vectors it is `Ad` of the exponential, on every group of the registry.
+#[test]
+fn adjoint_of_an_exponential() {
+    let lorentz = AnyGroup::named("so(2,1)+se3").unwrap();
+    for boost in [1.0_f64, 12.0, 20.0, 300.0] {
+        let mut x = DVector::zeros(9);
+        x[0] = boost;
+        let ad = lorentz.adjoint_exp(&x);
+        let mut expected = DMatrix::identity(9, 9);
+        let [c, s] = [boost.cosh(), boost.sinh()];
+        expected.view_mut((1, 1), (2, 2)).copy_from_slice(&[c, -s, -s, c]);
+        let off = ad.zip_map(&expected, |a, b| (a - b).abs() / (1.0 + b.abs())).amax();
+        assert!(off < 1e-14 * boost, "{boost}: {off:e}");
+    }
+    for name in ["so3", "se3", "se_2(3)", "sl2", "heisenberg(5)", "gl(2)", "so(4)", "aff(1)+so3"] {
+        let group = AnyGroup::named(name).unwrap();
+        let x = DVector::from_fn(group.dimension(), |i, _| [0.3, -0.5, 0.2, 0.7][i % 4]);
+        let g = group.exp(&x);
+        let expected = group.operator(|v| group.adjoint(&g, v));
+        assert!((group.adjoint_exp(&x) - expected).amax() < 1e-13, "{name}");
+        let y = &x * 0.5 + DVector::repeat(x.len(), 0.1);
+        let product = group.log(&group.compose(&g, &group.exp(&y))).unwrap();
+        assert!((group.log_product(&x, &y).unwrap() - product).amax() < 1e-14, "{name}");
+    }
+}
+
+/// `exp(x) exp(-x) = 1` for every size of `x`, or it is refused.
+#[test]
+fn products_that_lose_their_digits() {
+    let x = DVector::from_vec(vec![6.0, 16.0, 8.0, -4.0]);
+    let group = AnyGroup::named("gl(2)").unwrap();
+    let mut refused = 0;
+    for k in 1..=40 {
+        let x = &x * (0.05 * f64::from(k));
+        match group.log_product(&x, &-&x) {
+            Ok(product) => assert!(product.amax() < 1e-6, "{k}: {product}"),
+            Err(error) => {
+                assert!(error.to_string().contains("are too large"), "{k}: {error}");
+                refused += 1;
+            }
+        }
+    }
+    assert!((20..30).contains(&refused), "{refused}");
 }
 
 /// Numbers of elements make them again, and change as differences say, of right-invariant systems as well.

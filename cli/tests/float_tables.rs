@@ -45,6 +45,32 @@ fn float_tables_list_what_exact_ones_do() {
     }
 }
 
+/// Units of the basis vectors do not matter: a metric of widely different sizes has an accurate inverse.
+#[test]
+fn metrics_of_many_scales() {
+    for (space, metric) in [
+        ("aff1", "[[1,2],[2,1e15]]"),
+        ("aff1", "[[1e15,2],[2,1]]"),
+        ("aff1", "[[1,2],[2,-1e15]]"),
+        ("so3", "[[1,1,1],[1,2,1e9],[1,1e9,1e34]]"),
+        ("sl2", "[[1e-20,1e-8,3],[1e-8,5e4,1e9],[3,1e9,1e22]]"),
+        ("heisenberg(3)", "[[0,1e9,1],[1e9,3,1e-9],[1,1e-9,1e-15]]"),
+    ] {
+        let [exact, float] =
+            ["exact", "float"].map(|scalar| table(space, metric, scalar, "inverse_metric,ricci"));
+        assert_eq!(places(&float), places(&exact), "{space} {metric}");
+        for (exact, float) in exact.lines().zip(float.lines()).skip(1) {
+            let value = |line: &str| -> f64 {
+                let text = line.rsplit(',').next().unwrap();
+                let (above, below) = text.split_once('/').unwrap_or((text, "1"));
+                above.parse::<f64>().unwrap() / below.parse::<f64>().unwrap()
+            };
+            let [exact, float] = [value(exact), value(float)];
+            assert!((float / exact - 1.0).abs() < 1e-7, "{space} {metric}: {float} {exact}");
+        }
+    }
+}
+
 #[test]
 fn certificates_hold_in_floats() {
     for space in ["sl2", "so3", "se3", "so(3,1)", "heisenberg(5)", "A2"] {

@@ -100,6 +100,20 @@ fn groups_of_any_algebra() {
     near(&numbers(&product, ""), &[0.0, 0.0, 2.0, 1.0, 1.0, 0.5]);
 }
 
+/// Generators that turn are angles in groups of matrices too.
+#[test]
+fn degrees_of_matrix_groups() {
+    let quarter = numbers(&["exp", "so(4)", "--degrees", "0,0,0,0,0,90"], "");
+    near(&quarter[..6], &[0.0, -1.0, 0.0, 0.0, 1.0, 0.0]);
+    let back = numbers(&["log", "sim2", "--degrees", "0,-2,1,2,0,1,0,0,1"], "");
+    near(&back[..2], &[90.0, 2f64.ln()]);
+    // boosts and the centre of heisenberg(3) are none
+    let boost = numbers(&["adjoint", "so(2,1)", "--degrees", "1,0,0"], "");
+    assert!((boost[4] - 1f64.cosh()).abs() < 1e-11, "{boost:?}");
+    let outcome = run(root(), &["exp", "heisenberg(3)", "--degrees", "1,2,3"], b"");
+    assert_eq!(outcome.err, "note: --degrees has no effect: no component is an angle\n");
+}
+
 #[test]
 fn translation_around_a_closed_subgroup() {
     let identity = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];

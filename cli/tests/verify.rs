@@ -44,6 +44,27 @@ fn a_stored_table_verifies() {
     }
 }
 
+/// `--show all` leaves out what does not apply to the space, as `table` does; a tensor that applies must be stored.
+#[test]
+fn chosen_tensors_that_do_not_apply() {
+    let folder = TempDir::new().unwrap();
+    for format in ["json", "csv"] {
+        let file = format!("all.{format}");
+        let table = ["table", "so3@zero", "--show", "all", "--format", format, "-o", &file];
+        assert_eq!(run(folder.path(), &table, b"").status, 0);
+        let all = run(folder.path(), &["verify", "so3@zero", &file, "--show", "all"], b"");
+        assert_eq!((all.status, all.err.as_str()), (0, ""), "{format}");
+        assert!(all.out.contains("curvature, ricci, killing"), "{}", all.out);
+        let scalar = ["verify", "so3@zero", &file, "--show", "scalar_curvature"];
+        let nothing = run(folder.path(), &scalar, b"");
+        assert_eq!(nothing.status, 1, "{}{}", nothing.out, nothing.err);
+        assert!(nothing.err.contains("no tensor that is shown applies"), "{}", nothing.err);
+        let metric = [&scalar[..], &["--metric", "identity"]].concat();
+        let status = run(folder.path(), &metric, b"").status;
+        assert_eq!(status, if format == "json" { 2 } else { 1 }, "{format}");
+    }
+}
+
 #[test]
 fn a_changed_component_is_named() {
     let folder = TempDir::new().unwrap();

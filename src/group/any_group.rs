@@ -147,6 +147,14 @@ macro_rules! on_lists {
                 self.to_vector(self.0.adjoint(&self.element(g), &self.vector(x)))
             }
 
+            fn adjoint_exp(&self, x: &DVector<f64>) -> DMatrix<f64> {
+                self.0.adjoint_exp(&self.vector(x))
+            }
+
+            fn log_product(&self, x: &DVector<f64>, y: &DVector<f64>) -> Result<DVector<f64>, Error> {
+                self.0.log_product(&self.vector(x), &self.vector(y)).map(|x| self.to_vector(x))
+            }
+
             fn coadjoint(&self, g: &DVector<f64>, h: &DVector<f64>) -> DVector<f64> {
                 self.to_vector(self.0.coadjoint(&self.element(g), &self.vector(h)))
             }

@@ -15,12 +15,15 @@ use nalgebra::{DMatrix, DVector};
 /// The relative distance from the algebra that roundings give a logarithm.
 const OUTSIDE: f64 = 1e-9;
 
+/// The largest error of a logarithm that the rounding of a product may cause. The bound is some ten to a thousand times the error.
+const LOST: f64 = 1e-6;
+
 /// The largest power of an element whose logarithm is tested. It covers the orders of the centres of small classical groups,
 /// and of half and third turns.
 const POWERS: usize = 12;
 
-/// The relative rounding of the trace of a generator.
-const TRACE_ROUNDING: f64 = 1e-12;
+/// The relative rounding of the trace and of powers of a generator.
+const ROUNDING: f64 = 1e-12;
 
 /// The group of the exponentials of a Lie algebra of real matrices, and their products.
 ///
@@ -159,7 +162,7 @@ impl MatrixGroup {
         };
         let tolerance = tolerance * (1.0 + g.norm() * inverse.norm());
         let determinant = g.determinant();
-        let traceless = |at| self.span.trace(at).abs() <= TRACE_ROUNDING * self.span.norm(at);
+        let traceless = |at| self.span.trace(at).abs() <= ROUNDING * self.span.norm(at);
         let special = (0..self.dimension()).all(traceless);
         let is_one = (determinant - 1.0).abs() <= tolerance;
         if (special && !is_one) || determinant <= 0.0 {
@@ -297,6 +300,29 @@ impl LieGroup for MatrixGroup {
         self.coordinates(&(g * self.generator(x) * self.inverse(g)))
     }
 
+    /// Not by the inverse of `exp(x)`, which loses its digits where entries are large.
+    fn adjoint_exp(&self, x: &Self::Vector) -> DMatrix<f64> {
+        let mut ad = DMatrix::zeros(self.dimension(), self.dimension());
+        let structure = self.bracket.structure();
+        structure.components().for_each(|(at, c)| ad[(at[0], at[2])] += c * x[at[1]]);
+        exp(&ad)
+    }
+
+    /// Refused if the product loses its digits. An entry of `g h` has the rounding error of a term, about `eps |g| |h|`, and the
+    /// logarithm multiplies it by up to `|(g h)^-1|`.
+    fn log_product(&self, x: &Self::Vector, y: &Self::Vector) -> Result<Self::Vector, Error> {
+        let (g, h) = (self.exp(x), self.exp(y));
+        let inverse = self.exp(&-y) * self.exp(&-x);
+        let lost = f64::EPSILON * g.norm() * h.norm() * inverse.norm();
+        if lost > LOST {
+            let reason = format!(
+                "the rounding of exp(x) exp(y) may change it by {lost:.0e}: x and y are too large"
+            );
+            return Err(Error::Invalid { what: "logarithm of the product", reason });
+        }
+        self.log(&(g * h))
+    }
+
     /// The part in the kernel of the Killing form, if this is abelian and has a complementary subalgebra.
     fn translation(&self, x: &Self::Vector) -> Option<Self::Vector> {
         self.translations.as_ref().map(|projection| projection * x)
@@ -355,6 +381,14 @@ impl Written for MatrixGroup {
             self.expect_element(m, TOLERANCE)?;
             Ok(m.clone())
         })
+    }
+
+    /// Whether the generator `B` turns: `B^3 = -w^2 B` with `w > 0`.
+    fn is_angle(&self, at: usize) -> bool {
+        let b = self.span.matrix(at);
+        let cube = &b * &b * &b;
+        let square = -cube.dot(&b) / b.norm_squared();
+        square > 0.0 && (&cube + &b * square).norm() <= ROUNDING * cube.norm()
     }
 
     fn entries(&self, g: &Self::Element, entries: &mut Vec<f64>) {

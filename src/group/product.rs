@@ -120,14 +120,19 @@ impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
 
     /// The block-diagonal matrix.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
-        let blocks = [self.0.matrix(&g.0), self.1.matrix(&g.1)];
-        let first = blocks[0].nrows();
-        let size = first + blocks[1].nrows();
-        let mut matrix = DMatrix::zeros(size, size);
-        for (block, at) in blocks.iter().zip([0, first]) {
-            matrix.view_mut((at, at), block.shape()).copy_from(block);
-        }
-        matrix
+        block_diagonal([self.0.matrix(&g.0), self.1.matrix(&g.1)])
+    }
+
+    /// The block-diagonal matrix.
+    fn adjoint_exp(&self, x: &Self::Vector) -> DMatrix<f64> {
+        let (x, y) = self.split(x);
+        block_diagonal([self.0.adjoint_exp(&x), self.1.adjoint_exp(&y)])
+    }
+
+    fn log_product(&self, x: &Self::Vector, y: &Self::Vector) -> Result<Self::Vector, Error> {
+        let ((x, x_second), (y, y_second)) = (self.split(x), self.split(y));
+        let first = self.0.log_product(&x, &y)?;
+        Ok(self.join(&first, &self.1.log_product(&x_second, &y_second)?))
     }
 
     /// The direct sum of the algebras.
@@ -150,6 +155,16 @@ impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
         let first = self.0.tangent_left_inverse(&x, &v)?;
         Ok(self.join(&first, &self.1.tangent_left_inverse(&x_second, &v_second)?))
     }
+}
+
+fn block_diagonal(blocks: [DMatrix<f64>; 2]) -> DMatrix<f64> {
+    let first = blocks[0].nrows();
+    let size = first + blocks[1].nrows();
+    let mut matrix = DMatrix::zeros(size, size);
+    for (block, at) in blocks.iter().zip([0, first]) {
+        matrix.view_mut((at, at), block.shape()).copy_from(block);
+    }
+    matrix
 }
 
 /// The numbers of the first element, then those of the second.

@@ -69,8 +69,8 @@ pub struct Crossing<T> {
 /// Sign changes at poles and at angle wraps are ignored: there the values grow towards the change on both sides. A jump
 /// between constant values is an event.
 ///
-/// A zero at the end of a step belongs to that step and not to the next. A run that starts at a zero has not crossed it. Two
-/// sign changes within one step are missed, so steps must be shorter than the time between events.
+/// A zero at the end of a step belongs to that step and not to the next. A run that starts at a zero has not crossed it. A function
+/// that becomes zero and stays zero has its event where it becomes zero; where it leaves zero there is none. Two sign changes within one step are missed, so steps must be shorter than the time between events.
 ///
 /// ```
 /// use affinor::mechanics::events::{Direction, Event, Then, Watch};
@@ -230,9 +230,6 @@ fn change_of_sign(
     let [mut before, mut behind] = ends;
     let resolution = f64::EPSILON * start.abs().max((start + end).abs());
     let (mut a, mut b) = (0.0, end);
-    if behind == 0.0 {
-        return Ok(Some(end));
-    }
     // the width of the bracket of bisection, one step earlier
     let mut allowed = resolution * 2.0 * (end.abs() / resolution).max(1.0).log2().ceil().exp2();
     while (b - a).abs() > resolution {
@@ -249,17 +246,17 @@ fn change_of_sign(
         let radius = 0.5 * (allowed - (b - a).abs()).max(0.0);
         let inside = (nudged - middle).abs() <= radius;
         let mut at = if inside { nudged } else { middle - towards * radius };
-        if !(at.is_finite() && at != a && at != b) {
+        // a function may stay zero: the event is where it becomes zero
+        if behind == 0.0 || !(at.is_finite() && at != a && at != b) {
             at = middle;
         }
         match value(at)? {
-            0.0 => return Ok(Some(at)),
-            y if (y < 0.0) == (behind < 0.0) => (b, behind) = (at, y),
+            y if y == 0.0 || (y < 0.0) != (before < 0.0) => (b, behind) = (at, y),
             y => (a, before) = (at, y),
         }
         allowed *= 0.5;
     }
     let grown = |at: f64, end: f64| at.abs() >= end.abs();
     let grows = grown(before, ends[0]) && grown(behind, ends[1]) && [before, behind] != ends;
-    Ok((!grows).then_some(b))
+    Ok((behind == 0.0 || !grows).then_some(b))
 }

@@ -144,7 +144,8 @@ pub trait Field: Ring {
     fn recip(&self) -> Option<Self>;
 
     /// The quality of the value as a pivot of an elimination; larger is better. Floats return the
-    /// magnitude. Exact scalars prefer short values, so that numbers stay small.
+    /// magnitude, which is compared relative to rows and columns. Exact scalars prefer short values, so that numbers stay
+    /// small; their weights are not positive.
     fn pivot_weight(&self) -> f64;
 }
 

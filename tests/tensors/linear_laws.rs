@@ -186,6 +186,26 @@ properties! {
         rectangle_laws(&dominant(&a), &x)?;
     }
 
+    /// Units of rows and columns do not matter: the inverse of `R A C` is `C^-1 A^-1 R^-1`, to the rounding of `A^-1`.
+    #[test]
+    fn units_do_not_matter(
+        words in (1usize..8).prop_flat_map(square),
+        (rows, columns) in (vec(-60i32..60, 8), vec(-60i32..60, 8)),
+    ) {
+        let n = words.len();
+        let Some(expected) = from_words::<Rational>(&words).inverse() else { return Ok(()) };
+        let expected = expected.map(Rational::to_f64);
+        let unit = |at: i32| 2f64.powi(at) * 1.3;
+        let scaled = dense(n, n, |i, j| unit(rows[i]) * words[i][j] as f64 * unit(columns[j]));
+        let found = scaled.inverse().ok_or_else(|| TestCaseError::fail("no inverse"))?;
+        let largest = expected.entries().map(|(_, _, x)| x.abs()).fold(0.0, f64::max);
+        let bound = 1e-14 * (n as f64 * 3.0 * largest) * largest;
+        for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+            let off = unit(columns[i]) * found.get(i, j) * unit(rows[j]) - expected.get(i, j);
+            prop_assert!(off.abs() <= bound, "{off} in {i}, {j}");
+        }
+    }
+
     /// The tolerance tells rounding from rank.
     #[test]
     fn floats_have_the_rank_of_the_integers(

@@ -1,6 +1,7 @@
 //! `affinor exp`, `log`, `compose`, `adjoint`: operations of the group of a space.
 
 use super::failure::Failure;
+use super::note::note;
 use super::options::{Settings, SpaceOptions};
 use super::rows::{Expected, RowOutput, map_rows, vector};
 use affinor::group::{AnyGroup, LieGroup, Written};
@@ -61,14 +62,11 @@ impl Arguments {
         map_rows(&self.rows, &expected, head, &self.output, |row| {
             Ok(match operation {
                 Operation::Exp => group.write(&group.exp(&angles.read(row))),
-                Operation::Adjoint => {
-                    let g = group.exp(&angles.read(row));
-                    group.operator(|v| group.adjoint(&g, v))
-                }
+                Operation::Adjoint => group.adjoint_exp(&angles.read(row)),
                 Operation::Compose => {
                     let (x, y) = row.split_at(n);
-                    let [g, h] = [x, y].map(|x| group.exp(&angles.read(x)));
-                    vector(&angles.written(group.log(&group.compose(&g, &h))?))
+                    let product = group.log_product(&angles.read(x), &angles.read(y))?;
+                    vector(&angles.written(product))
                 }
                 Operation::Log => {
                     let element = DMatrix::from_row_slice(shape.0, shape.1, row);
@@ -93,7 +91,11 @@ impl Angles {
     pub fn new(degrees: bool, group: &AnyGroup) -> Self {
         let degree = |i: usize| degrees && group.is_angle(i);
         let unit = |i: usize| if degree(i) { 1f64.to_radians() } else { 1.0 };
-        Angles((0..group.dimension()).map(unit).collect())
+        let units: Vec<f64> = (0..group.dimension()).map(unit).collect();
+        if degrees && units.iter().all(|unit| *unit == 1.0) {
+            note("--degrees has no effect: no component is an angle");
+        }
+        Angles(units)
     }
 
     /// The components with angles in radians.

@@ -32,7 +32,7 @@ impl Arguments {
         };
         let mut stored = StoredTable::read(file)?;
         if let Some(Quantities(chosen)) = &self.selection.show {
-            stored.select(chosen)?;
+            stored.select(chosen);
         }
         let space = self.shared.open(space, &self.options)?;
         stored.expect_basis(&space.definition.labels)?;

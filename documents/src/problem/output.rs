@@ -85,13 +85,15 @@ impl Output {
             formulas.push(formula.map_err(|error| written.refused(error, help()))?);
             Ok::<_, InputError>(())
         };
+        // the momentum in the other frame than that of the equations
+        let conserved = if names.momentum() == "h" { "H" } else { "h" };
         for stem in &self.columns {
             let expanded = names.expand(stem.text());
             if expanded.is_empty() {
                 let message = format!("`{}` is no quantity of this motion", shown(stem.text()));
                 return Err(InputError::usage(message).at(&stem.place()).help(help()));
             }
-            let watched = ["h", "energy"].contains(&stem.text());
+            let watched = ["energy", conserved].contains(&stem.text());
             for name in expanded {
                 expect_new(&columns, &[], &name, &stem.place())?;
                 add(&name, stem)?;

@@ -34,6 +34,8 @@ pub struct StoredTable {
     /// Whether only independent components are listed.
     independent: bool,
     tensors: Vec<(Quantity, Vec<Component>)>,
+    /// Tensors that were chosen and are not stored.
+    missing: Vec<Quantity>,
     /// The variances of the slots, such as `["up","down"]`, of the tensors for which the file has them.
     slots: Vec<(Quantity, Value)>,
     /// The names that values use for common factors, with the factors as written.
@@ -137,6 +139,7 @@ impl StoredTable {
             scalar: None,
             independent: false,
             tensors: vec![],
+            missing: vec![],
             slots: vec![],
             names: vec![],
             lists_zeros: text.trim_start().starts_with('{'),
@@ -230,31 +233,26 @@ impl StoredTable {
         remarks
     }
 
-    /// Keeps only the `chosen` tensors. A tensor that CSV does not list is zero.
-    ///
-    /// # Errors
-    /// A tensor that is missing in JSON.
-    pub fn select(&mut self, chosen: &[Quantity]) -> Result<(), InputError> {
+    /// Keeps only the `chosen` tensors. One that is not listed must be zero or, in JSON, must not apply to the space.
+    pub fn select(&mut self, chosen: &[Quantity]) {
         let mut tensors = Vec::new();
         for &quantity in chosen {
             let found = self.tensors.iter().find(|(other, _)| *other == quantity);
-            if found.is_none() && self.lists_zeros {
-                let error = InputError::usage(format!("{} is not stored", quantity.key()));
-                return Err(error.at(&self.place));
+            if found.is_none() {
+                self.missing.push(quantity);
             }
             tensors.push(found.cloned().unwrap_or((quantity, vec![])));
         }
         self.tensors = tensors;
-        Ok(())
     }
 
     /// The components that differ from a computed table, in the order of the stored one. Exact values must be equal, floats
     /// equal within the tolerance of the table.
     ///
     /// # Errors
-    /// A stored value that cannot be read, or a tensor that the computed table lacks.
+    /// A stored value that cannot be read, a tensor that only one of the tables has, or none to compare.
     pub fn differences<S: Notation>(&self, table: &Table<S>) -> Result<Differences, InputError> {
-        let mut found = Vec::new();
+        let (mut found, mut compared) = (vec![], vec![]);
         let names = self.names(table)?;
         let same_names = |named: &NamedFactors| {
             let lines: BTreeMap<_, _> =
@@ -266,9 +264,20 @@ impl StoredTable {
             let refused = |reason: String| InputError::usage(reason).at(&self.place);
             let key = quantity.key();
             let entry = table.tensors.iter().find(|entry| entry.quantity == *quantity);
-            let Some(TableEntry { tensor, .. }) = entry else {
-                return Err(refused(format!("{key} is stored, and does not apply to this space")));
+            let missing = self.missing.contains(quantity);
+            let tensor = match entry {
+                Some(_) if missing && self.lists_zeros => {
+                    return Err(refused(format!("{key} is not stored")));
+                }
+                Some(TableEntry { tensor, .. }) => tensor,
+                None if missing => continue,
+                None => {
+                    return Err(refused(format!(
+                        "{key} is stored, and does not apply to this space"
+                    )));
+                }
             };
+            compared.push(*quantity);
             let shown = if table.independent { &super::independent(tensor) } else { tensor };
             self.expect_slots(*quantity, shown.slots())?;
             let mut values = Vec::new();
@@ -301,7 +310,11 @@ impl StoredTable {
                 .with_tolerance(table.tolerance);
             found.extend(compare(*quantity, &stored, shown));
         }
-        Ok(Differences { compared: self.quantities(), found, zero: table.zero_line() })
+        if compared.is_empty() {
+            let message = "no tensor that is shown applies to this space";
+            return Err(InputError::mathematics(message).at(&self.place));
+        }
+        Ok(Differences { compared, found, zero: table.zero_line() })
     }
 
     /// The values of the names in stored components.

@@ -17,7 +17,7 @@ const SAME: f64 = 1e-12;
 /// `DH/Dt = M` (104) on a group, for the covector `H = J Omega` (103) and `g' = g Omega`:
 /// `dH_i/dt = Lambda^j_ki Omega^k H_j + M_i`, which with `plus` is Euler-Poincare (106), (108).
 ///
-/// The unknowns are `g` and the momentum about the centre of mass in spatial axes, [`State::spatial`]. For rotations it is the
+/// The unknowns are `g` and the momentum about the origin of the body frame, in spatial axes: [`State::spatial`]. For rotations it is the
 /// spatial momentum `h`, with `H_i = (Ad*_g h)_i = h_j (Ad_g e_i)^j`:
 ///
 /// ```text

@@ -12,7 +12,7 @@ impl<S: Field> Matrix<S> {
     /// # Errors
     /// [`LinearError::NotInvertible`] if a pivot has no inverse; this cannot happen over a field.
     pub fn echelon(&self) -> Result<Echelon<S>, LinearError> {
-        let pivots = eliminate(self.rows.iter().cloned(), self.tolerance)?;
+        let pivots = eliminate(self.rows.iter().cloned(), &self.row_scales(), self.tolerance)?;
         Ok(reduced(pivots, self.tolerance))
     }
 
@@ -21,7 +21,7 @@ impl<S: Field> Matrix<S> {
     /// # Errors
     /// As [`echelon`](Self::echelon).
     pub fn rank(&self) -> Result<usize, LinearError> {
-        Ok(eliminate(self.rows.iter().cloned(), self.tolerance)?.len())
+        Ok(eliminate(self.rows.iter().cloned(), &self.row_scales(), self.tolerance)?.len())
     }
 
     /// A basis of `{x : A x = 0}`, as the rows of a matrix.
@@ -55,7 +55,7 @@ impl<S: Field> Matrix<S> {
             true => vec![],
             false => vec![(0, value.clone())],
         });
-        let pivots = match eliminate(self.beside(column), self.tolerance) {
+        let pivots = match eliminate(self.beside(column), &self.row_scales(), self.tolerance) {
             // a row `0 = b` with b not zero
             Err(LinearError::NotInvertible { column }) if column == self.columns => {
                 return Ok(None);
@@ -82,8 +82,8 @@ impl<S: Field> Matrix<S> {
         if self.rows() != self.columns {
             return None;
         }
-        let pivots =
-            eliminate(self.beside(Self::identity(self.columns).rows), self.tolerance).ok()?;
+        let rows = self.beside(Self::identity(self.columns).rows);
+        let pivots = eliminate(rows, &self.row_scales(), self.tolerance).ok()?;
         if pivots.last().is_some_and(|pivot| pivot.column >= self.columns) {
             return None;
         }
@@ -104,7 +104,8 @@ impl<S: Field> Matrix<S> {
         if rows != columns {
             return Err(LinearError::NotSquare { rows, columns });
         }
-        let Ok(pivots) = eliminate(self.rows.iter().cloned(), self.tolerance) else {
+        let pivots = eliminate(self.rows.iter().cloned(), &self.row_scales(), self.tolerance);
+        let Ok(pivots) = pivots else {
             return self.division_free_determinant();
         };
         if pivots.len() < rows {
@@ -139,11 +140,49 @@ impl<S: Field> Matrix<S> {
         })
     }
 
+    /// Factors of the rows that, with others of the columns, bring the largest entry of each row and column near 1
+    /// (D. Ruiz, report RAL-TR-2001-034). Pivots compared with them do not depend on the units of the rows and columns. None for
+    /// scalars whose [weights](Field::pivot_weight) are not magnitudes.
+    fn row_scales(&self) -> Vec<f64> {
+        let Some((_, _, first)) = self.entries().next() else { return vec![] };
+        if first.pivot_weight() <= 0.0 {
+            return vec![];
+        }
+        let sizes: Vec<_> = self
+            .entries()
+            .map(|(i, j, value)| (i, j, value.pivot_weight()))
+            .filter(|(_, _, size)| *size > 0.0 && size.is_finite())
+            .collect();
+        let (mut rows, mut columns) = (vec![1.0_f64; self.rows()], vec![1.0_f64; self.columns]);
+        for _ in 0..SWEEPS {
+            let (mut of_rows, mut of_columns) =
+                (vec![0.0_f64; self.rows()], vec![0.0_f64; self.columns]);
+            for &(i, j, size) in &sizes {
+                let scaled = rows[i] * size * columns[j];
+                of_rows[i] = of_rows[i].max(scaled);
+                of_columns[j] = of_columns[j].max(scaled);
+            }
+            let scale = |factors: &mut [f64], largest: &[f64]| {
+                let pairs = factors.iter_mut().zip(largest).filter(|(_, largest)| **largest > 0.0);
+                pairs.for_each(|(factor, largest)| *factor /= largest.sqrt());
+            };
+            scale(&mut rows, &of_rows);
+            scale(&mut columns, &of_columns);
+            if of_rows.iter().chain(&of_columns).all(|x| *x == 0.0 || (0.5..=2.0).contains(x)) {
+                break;
+            }
+        }
+        rows
+    }
+
     /// The matrix of other rows with the columns and the tolerance of this one.
     fn spanned(&self, rows: Vec<Row<S>>) -> Self {
         Matrix { columns: self.columns, rows, tolerance: self.tolerance }
     }
 }
+
+/// The most sweeps of an equilibration. Each takes the square root of what is missing.
+const SWEEPS: usize = 12;
 
 /// A row that has become a pivot: divided by its leading entry `value`.
 struct Pivot<S> {
@@ -163,18 +202,21 @@ struct Candidate<S: Ring> {
 }
 
 /// The rows that wait for a pivot, by their leading column.
-struct Waiting<S: Ring> {
+struct Waiting<'s, S: Ring> {
     candidates: BTreeMap<usize, Vec<Candidate<S>>>,
+    /// A factor for the weights of each row; none if weights are compared as they are.
+    scales: &'s [f64],
     tolerance: Tolerance,
 }
 
-impl<S: Field> Waiting<S> {
+impl<S: Field> Waiting<'_, S> {
     fn push(&mut self, sums: Row<S::Sum>, origin: usize) {
         let value = |(j, sum): (usize, S::Sum)| Some((j, sum.finish(self.tolerance)?, sum));
         let mut entries = sums.into_iter().filter_map(value);
         if let Some((column, lead, _)) = entries.next() {
             let rest = entries.map(|(j, _, sum)| (j, sum)).collect();
-            let candidate = Candidate { weight: lead.pivot_weight(), lead, rest, origin };
+            let weight = lead.pivot_weight() * self.scales.get(origin).unwrap_or(&1.0);
+            let candidate = Candidate { weight, lead, rest, origin };
             self.candidates.entry(column).or_default().push(candidate);
         }
     }
@@ -183,9 +225,10 @@ impl<S: Field> Waiting<S> {
 /// Elimination without back substitution: the pivots by column, every row zero before its own.
 fn eliminate<S: Field>(
     rows: impl Iterator<Item = Row<S>>,
+    scales: &[f64],
     tolerance: Tolerance,
 ) -> Result<Vec<Pivot<S>>, LinearError> {
-    let mut waiting = Waiting::<S> { candidates: BTreeMap::new(), tolerance };
+    let mut waiting = Waiting::<S> { candidates: BTreeMap::new(), scales, tolerance };
     for (origin, row) in rows.enumerate() {
         waiting.push(open(&row), origin);
     }
@@ -204,7 +247,7 @@ fn eliminate<S: Field>(
 /// The best candidate for the pivot, normalised, and the other candidates.
 ///
 /// First on the diagonal, for scalars with [`Field::DIAGONAL_PIVOTS`]; then by [`Field::pivot_weight`] (floats: partial
-/// pivoting), then the sparsest.
+/// pivoting, scaled), then the sparsest.
 fn choose<S: Field>(
     column: usize,
     mut candidates: Vec<Candidate<S>>,
