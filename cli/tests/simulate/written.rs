@@ -1,6 +1,7 @@
 //! Files, formats, notes and the conservation summary of a run.
 
 use super::{TOP, done, folder, refused, simulate};
+use crate::program::root;
 use std::fs;
 use std::path::Path;
 
@@ -109,6 +110,22 @@ fn an_ensemble_says_its_method_and_notes() {
         for expected in [&*indefinite, "note: method rkmk853: "] {
             assert_eq!(message.matches(expected).count(), 1, "{message}");
         }
+    }
+}
+
+/// The momentum in the frame that the equations do not use is the conserved one.
+#[test]
+fn the_summary_of_a_right_invariant_system() {
+    let fluid = fs::read_to_string(root().join("examples/motions/fluid_se2.toml")).unwrap();
+    let left = fluid.replace("\"right\"", "\"left\"").replace("space_velocity", "velocity");
+    for (problem, shown, hidden) in [(fluid, "\n H2 ", "\n h2 "), (left, "\n h2 ", "\n H2 ")] {
+        let output = done(&mut simulate(folder(&problem).path()));
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert!(!message.contains(hidden), "{message}");
+        let (_, row) = message.split_once(shown).unwrap();
+        let change: f64 =
+            row.lines().next().unwrap().split_whitespace().last().unwrap().parse().unwrap();
+        assert!(change < 1e-12, "{message}");
     }
 }
 

@@ -141,7 +141,7 @@ impl<S: Field> Matrix<S> {
     }
 
     /// Factors of the rows that, with others of the columns, bring the largest entry of each row and column near 1
-    /// (D. Ruiz, report RAL-TR-2001-034). Pivots compared with them do not depend on the units of the rows and columns. None for
+    /// (D. Ruiz, report RAL-TR-2001-034). Of a definite matrix they bring the diagonal to 1, whatever the units of the basis. None for
     /// scalars whose [weights](Field::pivot_weight) are not magnitudes.
     fn row_scales(&self) -> Vec<f64> {
         let Some((_, _, first)) = self.entries().next() else { return vec![] };
