@@ -73,6 +73,34 @@ fn adjoint_of_an_exponential() {
     }
 }
 
+/// Groups that preserve a form, in a basis of other lengths too, invert elements by it: `Ad` of a large element has the rounding of
+/// its terms, `eps |g|^2`.
+#[test]
+fn inverses_by_a_form() {
+    let stretched = |lengths: [f64; 3]| {
+        let generator = |i: usize, j: usize, sign: f64| {
+            let mut matrix = DMatrix::zeros(3, 3);
+            matrix[(i, j)] = lengths[j] / lengths[i];
+            matrix[(j, i)] = sign * lengths[i] / lengths[j];
+            matrix
+        };
+        MatrixGroup::new(&[generator(0, 1, -1.0), generator(0, 2, 1.0), generator(1, 2, 1.0)])
+            .unwrap()
+    };
+    for lengths in [[1.0, 1.0, 1.0], [1.0, 3.0, 1.0], [0.5, 7.0, 0.3]] {
+        let group = stretched(lengths);
+        for size in [1e-3, 1.0, 5.0, 10.0, 15.0] {
+            let x = DVector::from_vec(vec![0.4 * size, size, -0.3 * size]);
+            let g = group.exp(&x);
+            let one = group.compose(&g, &group.inverse(&g));
+            let rounding = 64.0 * f64::EPSILON * (1.0 + size) * g.norm() * group.inverse(&g).norm();
+            assert!((one - DMatrix::identity(3, 3)).amax() < rounding, "{lengths:?} {size}");
+            let off = group.operator(|v| group.adjoint(&g, v)) - group.adjoint_exp(&x);
+            assert!(off.amax() < 16.0 * rounding, "{lengths:?} {size}: {:e}", off.amax());
+        }
+    }
+}
+
 /// `exp(x) exp(-x) = 1` for every size of `x`, or it is refused.
 #[test]
 fn products_that_lose_their_digits() {

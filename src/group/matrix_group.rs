@@ -46,8 +46,8 @@ pub struct MatrixGroup {
     bracket: Bracket<f64>,
     /// The projection on the translations, if there are any.
     translations: Option<DMatrix<f64>>,
-    /// Whether all elements are orthogonal.
-    orthogonal: bool,
+    /// The diagonal of a form `F` that the group preserves, `g^T F g = F`, if there is one: that of so(p,q), su(p,q).
+    form: Option<DVector<f64>>,
 }
 
 impl MatrixGroup {
@@ -91,10 +91,10 @@ impl MatrixGroup {
             first.rows(),
             matrices.iter().map(|m| m.entries().map(|(i, j, v)| (i, j, *v))),
         )?;
-        let skew = |m: &Matrix<f64>| m.entries().all(|(i, j, v)| m.get(j, i) == -v);
-        let orthogonal = matrices.iter().all(skew);
+        let form = diagonal_form(matrices, first.rows());
+        let orthogonal = form.as_ref().is_some_and(is_identity);
         let translations = if orthogonal { None } else { translations(bracket.structure()) };
-        Ok(MatrixGroup { span, bracket, translations, orthogonal })
+        Ok(MatrixGroup { span, bracket, translations, form })
     }
 
     /// The group `exp(ad_x)` of inner automorphisms of an algebra without a centre: near the identity it is
@@ -218,6 +218,40 @@ impl MatrixGroup {
     }
 }
 
+/// The diagonal of a form `F` with `F B + B^T F = 0` for all matrices, if there is one: `F_i B_ij = -F_j B_ji`.
+fn diagonal_form(matrices: &[Matrix<f64>], size: usize) -> Option<DVector<f64>> {
+    let mut neighbours = vec![vec![]; size];
+    for matrix in matrices {
+        for (i, j, value) in matrix.entries() {
+            let mirrored = matrix.get(j, i);
+            if mirrored == 0.0 || i == j {
+                return None;
+            }
+            neighbours[i].push((j, -value / mirrored));
+        }
+    }
+    let mut form = vec![None; size];
+    for start in 0..size {
+        let mut waiting = if form[start].is_none() { vec![(start, 1.0)] } else { vec![] };
+        while let Some((i, value)) = waiting.pop() {
+            match form[i] {
+                None => {
+                    form[i] = Some(value);
+                    waiting.extend(neighbours[i].iter().map(|(j, share)| (*j, value * share)));
+                }
+                Some(known) if (value / known - 1.0_f64).abs() > ROUNDING => return None,
+                Some(_) => {}
+            }
+        }
+    }
+    form.into_iter().collect::<Option<Vec<f64>>>().map(DVector::from_vec)
+}
+
+/// Whether a form is that of orthogonal matrices.
+fn is_identity(form: &DVector<f64>) -> bool {
+    form.iter().all(|value| *value == 1.0)
+}
+
 /// The entries `(row, column, value)` of a matrix.
 type Entries = Vec<(usize, usize, f64)>;
 
@@ -272,8 +306,12 @@ impl LieGroup for MatrixGroup {
         g * h
     }
 
-    /// NaN for a singular matrix, which is no element.
+    /// `F^-1 g^T F` if the group preserves a diagonal form `F`: its rounding is that of `g`. NaN for a singular matrix, which is no
+    /// element.
     fn inverse(&self, g: &Self::Element) -> Self::Element {
+        if let Some(form) = &self.form {
+            return DMatrix::from_fn(g.nrows(), g.ncols(), |i, j| g[(j, i)] * form[j] / form[i]);
+        }
         let nan = || DMatrix::from_element(g.nrows(), g.ncols(), f64::NAN);
         g.clone().try_inverse().unwrap_or_else(nan)
     }
@@ -334,7 +372,7 @@ impl LieGroup for MatrixGroup {
 
     /// True for orthogonal matrices.
     fn has_bounded_turns(&self) -> bool {
-        self.orthogonal
+        self.form.as_ref().is_some_and(is_identity)
     }
 
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
