@@ -238,6 +238,19 @@ fn widened(range: &Range<f64>, length: f64) -> Range<f64> {
     middle - 0.5 * length..middle + 0.5 * length
 }
 
+/// A value of an axis, rounded to a millionth of the range. Very small and very large ranges have exponents.
+fn label(value: f64, range: &Range<f64>) -> String {
+    let exponent = |x: f64| x.abs().log10().floor();
+    let digits = exponent(value) - exponent(range.end - range.start) + 6.0;
+    if value == 0.0 || digits < 0.0 {
+        return "0".into();
+    }
+    let written = format!("{value:.*e}", (digits as usize).min(16));
+    let rounded: f64 = written.parse().unwrap_or(value);
+    let largest = range.start.abs().max(range.end.abs());
+    if (1e-4..1e6).contains(&largest) { rounded.to_string() } else { format!("{rounded:e}") }
+}
+
 /// A range of values, or of their exponents where the flag is set.
 #[derive(Clone)]
 struct Axis(RangedCoordf64, bool);
@@ -253,7 +266,10 @@ impl Ranged for Axis {
     fn key_points<H: plotters::coord::ranged1d::KeyPointHint>(&self, hint: H) -> Vec<f64> {
         let range = self.0.range();
         if !self.1 {
-            return self.0.key_points(hint);
+            // plotters takes a range below 2e-16 for a point
+            let unit = 10_f64.powf((range.end - range.start).log10().floor());
+            let scaled = RangedCoordf64::from(range.start / unit..range.end / unit);
+            return scaled.key_points(hint).into_iter().map(|value| value * unit).collect();
         }
         // powers of ten, about eight of them; where there are few also twice and five times these
         let (low, high) = (range.start.ceil() as i64, range.end.floor() as i64);
@@ -274,7 +290,7 @@ impl Ranged for Axis {
 impl ValueFormatter<f64> for Axis {
     fn format_ext(&self, value: &f64) -> String {
         if !self.1 {
-            return format!("{}", (value * 1e9).round() / 1e9);
+            return label(*value, &self.0.range());
         }
         let power = (value + 1e-9).floor();
         format!("{:.0}e{power:.0}", 10_f64.powf(value - power))

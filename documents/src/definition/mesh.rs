@@ -25,7 +25,7 @@ pub fn read_mesh(path: &str) -> Result<Mesh, InputError> {
 /// The closed mesh in the bytes of a file; the ending of its name gives the format.
 ///
 /// Vertices with equal coordinates are identified. All solids of an STL, and all objects of an OBJ, form one mesh.
-/// Polygons are divided into triangles. Coordinates of an STL have the precision of `f32`.
+/// Polygons are divided into triangles. Coordinates of a binary STL have the precision of `f32`, those of text that of `f64`.
 ///
 /// ```
 /// use affinor_documents::definition::mesh;
@@ -118,15 +118,29 @@ fn text_stl(source: &Source) -> Result<Corners, InputError> {
         let (solid, after) = body.split_at(end);
         // the name of a solid is optional, and ignored
         let normal = format!("solid \n{}", solid.to_ascii_lowercase());
-        corners.extend(triangles(normal.into_bytes()).map_err(|(at, reason)| {
+        let rounded = triangles(normal.into_bytes()).map_err(|(at, reason)| {
             let mut facets = solid[..before].lines().filter(|line| begins(line, "facet"));
             let line = facets.nth(at - 1).or_else(|| solid.lines().last()).unwrap_or(head);
             let place = source.find(line, 0..line.len());
             InputError::usage(format!("no STL: triangle {at}: {reason}")).at(&place)
-        })?);
+        })?;
+        // the reader rounds coordinates to `f32`
+        let vertices = solid.lines().filter(|line| begins(line, "vertex")).filter_map(position);
+        let vertices: Vec<Vector3<f64>> = vertices.collect();
+        match vertices.as_chunks::<3>() {
+            (exact, []) if exact.len() == rounded.len() => corners.extend_from_slice(exact),
+            _ => corners.extend(rounded),
+        }
         rest = after;
     }
     Ok(corners)
+}
+
+/// The coordinates of a line `vertex x y z`.
+fn position(line: &str) -> Option<Vector3<f64>> {
+    let coordinates: Result<Vec<f64>, _> =
+        line.split_whitespace().skip(1).map(str::parse).collect();
+    Some(Vector3::from(<[f64; 3]>::try_from(coordinates.ok()?).ok()?))
 }
 
 /// The faces of an OBJ, divided into triangles. Colours, textures, normals and materials are ignored.

@@ -42,7 +42,9 @@ impl Trials {
     fn slope(&self) -> Option<f64> {
         let mut orders: Vec<f64> = self.orders().filter(|order| order.is_finite()).collect();
         orders.sort_by(f64::total_cmp);
-        orders.get(orders.len() / 2).copied()
+        let above = orders.get(orders.len() / 2)?;
+        let below = orders.get((orders.len() - 1) / 2)?;
+        Some(0.5 * (below + above))
     }
 }
 
