@@ -306,10 +306,10 @@ impl LieGroup for MatrixGroup {
         g * h
     }
 
-    /// `F^-1 g^T F` if the group preserves a diagonal form `F`: its rounding is that of `g`. NaN for a singular matrix, which is no
-    /// element.
+    /// `F^-1 g^T F` if the group preserves a diagonal form `F`: its rounding is that of `g`. Orthogonal matrices need it not: theirs
+    /// is that of `g` too, and their rounding leaves the group. NaN for a singular matrix, which is no element.
     fn inverse(&self, g: &Self::Element) -> Self::Element {
-        if let Some(form) = &self.form {
+        if let Some(form) = self.form.as_ref().filter(|form| !is_identity(form)) {
             return DMatrix::from_fn(g.nrows(), g.ncols(), |i, j| g[(j, i)] * form[j] / form[i]);
         }
         let nan = || DMatrix::from_element(g.nrows(), g.ncols(), f64::NAN);
