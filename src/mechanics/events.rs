@@ -70,7 +70,8 @@ pub struct Crossing<T> {
 /// between constant values is an event.
 ///
 /// A zero at the end of a step belongs to that step and not to the next. A run that starts at a zero has not crossed it. A function
-/// that becomes zero and stays zero has its event where it becomes zero; where it leaves zero there is none. Two sign changes within one step are missed, so steps must be shorter than the time between events.
+/// that becomes zero and stays zero has its event where it becomes zero; where it leaves zero there is none. Two sign changes
+/// within one step are missed, so steps must be shorter than the time between events.
 ///
 /// ```
 /// use affinor::mechanics::events::{Direction, Event, Then, Watch};
