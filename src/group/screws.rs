@@ -118,7 +118,8 @@ where
     fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
         let ((r, t), (m, f)) = (G::parts(g), split::<N, K>(h));
         let m = (0..K).fold(m, |m, a| m + f[a].cross(&t[a]));
-        join(r.inverse_transform_vector(&m), f.map(|f| r.inverse_transform_vector(&f)))
+        let r = r.to_rotation_matrix().into_inner();
+        join(r.tr_mul(&m), f.map(|f| r.tr_mul(&f)))
     }
 
     /// As [`coadjoint`](LieGroup::coadjoint), where `R^T (f_a cross t_a) = R^T f_a cross T_left(w) u_a`.
@@ -160,6 +161,7 @@ where
     #[inline]
     fn coadjoint_back(&self, turn: &Self::Element, h: &Self::Vector) -> Self::Vector {
         let ((r, _), (m, f)) = (G::parts(turn), split::<N, K>(h));
+        let r = r.to_rotation_matrix().into_inner();
         join(r * m, f.map(|f| r * f))
     }
 
@@ -253,7 +255,8 @@ where
         let ((r, _), (projected, _)) = (G::parts(point), G::parts(projected));
         let (w, u) = split::<N, K>(v);
         let r_rate = So3.rate(&r, &w);
-        let t_rate = u.map(|u| projected * u);
+        let r = projected.to_rotation_matrix().into_inner();
+        let t_rate = u.map(|u| r * u);
         SVector::from_fn(|i, _| if i < 4 { r_rate[i] } else { t_rate[(i - 4) / 3][(i - 4) % 3] })
     }
 

@@ -85,7 +85,12 @@ impl LieGroup for So3 {
     /// `R^T h`.
     #[inline]
     fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
-        g.inverse_transform_vector(h)
+        g.to_rotation_matrix().matrix().tr_mul(h)
+    }
+
+    #[inline]
+    fn coadjoint_back(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
+        g.to_rotation_matrix().matrix() * h
     }
 
     /// `h - c_1 x cross h + c_2 x cross (x cross h)` with the Stumpff functions of `|x|^2`.
