@@ -170,11 +170,20 @@ impl<S: Ground> Structure<S> {
         radical.is_zero() || radical == &self.centre()
     }
 
-    /// Whether a subspace is an ideal.
+    /// Whether a subspace is an ideal, `[v, L] <= v`.
+    ///
+    /// ```
+    /// use affinor::algebra::structure::{Structure, Subspace};
+    /// use affinor::{Rational, algebra::catalogue};
+    /// let se3 = catalogue::algebra::<Rational>("se(3)")?;
+    /// let structure = Structure::new(se3);
+    /// let span = |from: usize| Subspace::span(6, (from..from + 3).map(|i| vec![(i, 1.into())]));
+    /// let (rotations, translations) = (span(0), span(3));
+    /// assert!(structure.is_ideal(&translations) && !structure.is_ideal(&rotations));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
     pub fn is_ideal(&self, v: &Subspace<S>) -> bool {
-        let columns_in =
-            |x: &Row<S>| self.products.ad(x).columns().all(|(_, column)| v.contains(column));
-        v.basis().iter().all(columns_in)
+        v.includes(&self.bracket(v, &self.whole()))
     }
 }
 

@@ -119,13 +119,6 @@ impl Residues {
         Residues { prime, columns, rows }
     }
 
-    /// The residues of a matrix; `None` if the prime divides a denominator.
-    pub fn of_rationals(prime: Prime, matrix: &super::Matrix<Rational>) -> Option<Self> {
-        let residues = |row: Vec<Rational>| row.iter().map(|v| prime.rational(v)).collect();
-        let rows = matrix.to_dense().into_iter().map(residues).collect::<Option<_>>()?;
-        Some(Self::new(prime, matrix.columns(), rows))
-    }
-
     /// The prime.
     pub fn prime(&self) -> Prime {
         self.prime
