@@ -97,14 +97,15 @@ impl Coefficients {
         h: f64,
     ) -> Option<ConstrainedState<G>> {
         let (v, a) = (&state.velocity, &state.acceleration);
-        // v'' by a central difference
-        let s = 1e-4 / (1e-4 + v.largest() + a.largest().sqrt());
-        let beside = |s: f64| {
+        // v'' by differences within the step, for forces may change before the start
+        let s = h / 8.0;
+        let after = |s: f64| {
             let x = v.clone() * s + a.clone() * (0.5 * s * s);
             let velocity = v.clone() + a.clone() * s;
             system.accelerated(state.time + s, &system.moved(&state.element, &x), &velocity)
         };
-        let jerk = (beside(s)?.0 - beside(-s)?.0) * (0.5 / s);
+        let [near, far] = [after(s)?.0 - a.clone(), after(2.0 * s)?.0 - a.clone()];
+        let jerk = (near * 4.0 - far) * (0.5 / s);
         let defect = jerk.clone() * (1.0 / 6.0 - 0.5 * self.lead() - self.beta)
             + system.group().bracket(v, a) * (1.0 / 12.0);
         let gradient = system.constraint().gradient(&state.element);
@@ -196,7 +197,8 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Integrator<Constrained<G, C, M
             multipliers += change.rows_range(n..);
             let (size, motion) = (by.largest(), by.largest() * in_increment.abs());
             // the rounding of the element, large in the acceleration, ends the convergence of Newton's method
-            let still = size > 0.1 * last && motion < 1e-11 * (1.0 + end.increment.largest());
+            let entries = || system.group().matrix(&end.element).amax();
+            let still = size > 0.1 * last && motion < 1e-11 * (entries() + end.increment.largest());
             if still || size <= f64::EPSILON * acceleration.largest() {
                 let End { element, velocity, filtered, .. } =
                     method.end(system, &start, &acceleration, h);

@@ -105,6 +105,14 @@ const OFF: f64 = 1e-8;
 const DEPENDENT: f64 = 1e-10;
 /// The relative tolerance between a gradient and its difference quotient.
 const ROUGH: f64 = 1e-4;
+/// The relative change of a gradient over a step of its difference quotients.
+const BEND: f64 = 1e-3;
+/// A displacement over which a gradient that has not changed is constant.
+const STRAIGHT: f64 = 1e12;
+/// A smaller relative change of a gradient may be rounding.
+const NOISE: f64 = 1e-12;
+/// The most trial steps.
+const STEPS: usize = 60;
 
 impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
     /// The system of a connection and a metric on the algebra of the group, in its basis, with forces and
@@ -169,25 +177,43 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
             return Err(none("a value is not finite".into()));
         }
         let rates = &gradient * column(velocity);
+        let is_place = |i: usize| {
+            let translation = self.group.translation(&self.group.unit(i));
+            translation.is_some_and(|part| part.largest() > 0.0)
+        };
+        // rotations and translations have different units
+        let kind = |i: usize| (0..n).filter(move |k| is_place(*k) == is_place(i));
         for (a, (value, rate)) in value.iter().zip(&rates).enumerate() {
-            let size = gradient.row(a).norm();
+            let row: DVector<f64> = gradient.row(a).transpose();
+            let normal = G::Vector::from_components(row.as_slice()) * (1.0 / row.norm());
+            let reach = match self.bend(&element, &normal, a) {
+                Some(step) => row.norm() * step / BEND,
+                None => 1.0 + row.norm(),
+            };
+            let terms = (0..n).map(|i| {
+                let fastest = kind(i).map(|k| velocity.components()[k].abs()).fold(0.0, f64::max);
+                row[i].abs() * fastest
+            });
+            let terms: f64 = terms.sum();
             let a = a + 1;
-            if value.is_nan() || value.abs() > OFF * (1.0 + size) {
+            if value.is_nan() || value.abs() > OFF * reach {
                 return Err(none(format!("constraint {a} is {value}, not 0")));
             }
-            if rate.abs() > OFF * (1.0 + size * column(velocity).norm()) {
+            if rate.abs() > OFF * terms {
                 return Err(none(format!("constraint {a} changes at the rate {rate}, not 0")));
             }
-        }
-        for i in 0..n {
-            let step = 1e-5;
-            let at =
-                |s: f64| self.constraint.value(&self.moved(&element, &(self.group.unit(i) * s)));
-            let slopes = (at(step) - at(-step)) / (2.0 * step);
-            for (a, slope) in slopes.iter().enumerate() {
-                let given = gradient[(a, i)];
-                if (given - slope).abs() > ROUGH * (1.0 + slope.abs()) {
-                    let (a, i) = (a + 1, i + 1);
+            for i in 0..n {
+                let unit = self.group.unit(i);
+                let step = self.bend(&element, &unit, a - 1).unwrap_or(STRAIGHT);
+                let at = |s: f64| {
+                    let moved = self.moved(&element, &(unit.clone() * s));
+                    self.constraint.value(&moved)[a - 1]
+                };
+                let (given, slope) = (row[i], slope(at, step));
+                let size = kind(i).map(|k| row[k].abs()).fold(0.0, f64::max);
+                let size = if size > 0.0 { size } else { row.amax() };
+                if (given - slope).abs() > ROUGH * (size + slope.abs()) {
+                    let i = i + 1;
                     let reason =
                         format!("B^{a}_{i} is {given}, but the constraint changes by {slope}");
                     return Err(none(reason));
@@ -259,18 +285,56 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         velocity: &G::Vector,
     ) -> Option<(G::Vector, DVector<f64>)> {
         let gradient = self.constraint.gradient(element);
-        let step = 1e-5 / (1e-5 + velocity.largest());
-        let rate = |s: f64| {
-            self.constraint.gradient(&self.moved(element, &(velocity.clone() * s)))
-                * column(velocity)
-        };
-        let bending = (rate(step) - rate(-step)) / (2.0 * step);
+        let bending = DVector::from_fn(gradient.nrows(), |a, _| {
+            let rate = |s: f64| {
+                let moved = self.moved(element, &(velocity.clone() * s));
+                self.constraint.gradient(&moved).row(a).tr_dot(&column(velocity))
+            };
+            self.bend(element, velocity, a).map_or(0.0, |step| slope(rate, step))
+        });
         let right = stacked(&self.forces(time, element, velocity), &-bending);
         let solution = solve(saddle(&self.mass, &gradient, &gradient), &right)?;
         let n = self.group.dimension();
         let acceleration = G::Vector::from_components(&solution.as_slice()[..n]);
         Some((acceleration, solution.rows_range(n..).into_owned()))
     }
+}
+
+impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
+    /// The `s` for which the gradient of a constraint changes by about the share [`BEND`] of its size from `q` to `q exp(s x)`, in
+    /// any unit of length and time; `None` if it does not change.
+    fn bend(&self, element: &G::Element, x: &G::Vector, a: usize) -> Option<f64> {
+        let row = |s: f64| {
+            let gradient = self.constraint.gradient(&self.moved(element, &(x.clone() * s)));
+            gradient.row(a).transpose()
+        };
+        let (here, size) = (row(0.0), x.largest());
+        let is_usual = size > 0.0 && size.is_finite() && here.norm() > 0.0;
+        let (mut s, mut before) = if is_usual { (BEND / size, 0.0) } else { return None };
+        for _ in 0..STEPS {
+            let change = ((row(s) - &here).norm() + (row(-s) - &here).norm()) / (2.0 * here.norm());
+            let factor = BEND / change;
+            if (0.25..4.0).contains(&factor) {
+                return Some(s);
+            }
+            // a bounded small change is resolved where it still grows
+            if before > NOISE && change < 7.0 * before {
+                return Some(1e-2 * s);
+            }
+            before = if factor > 10.0 { change } else { 0.0 };
+            s *= if factor.is_nan() { 0.1 } else { factor.clamp(1e-2, 10.0) };
+            if s * size > STRAIGHT {
+                return None;
+            }
+        }
+        Some(s)
+    }
+}
+
+/// The derivative at 0, of order 4.
+fn slope(f: impl Fn(f64) -> f64, step: f64) -> f64 {
+    let [near, far] = [step, 2.0 * step].map(|s| f(s) - f(-s));
+    (8.0 * near - far) / (12.0 * step)
 }
 
 /// The first row of a matrix that is a linear combination of those before it, up to rounding.
@@ -307,17 +371,35 @@ pub(in crate::mechanics) fn stacked(first: &DVector<f64>, second: &DVector<f64>)
     DVector::from_iterator(first.len() + second.len(), first.iter().chain(second).copied())
 }
 
+/// How often rows and columns are scaled.
+const SCALINGS: usize = 4;
+
 /// The solution of linear equations, unless they are singular or it is not finite.
 pub(in crate::mechanics) fn solve(
     matrix: DMatrix<f64>,
     right: &DVector<f64>,
 ) -> Option<DVector<f64>> {
+    // so that pivots do not depend on units; powers of two are exact
+    let (mut matrix, n) = (matrix, right.len());
+    let [mut rows, mut columns] = [DVector::repeat(n, 1.0), DVector::repeat(n, 1.0)];
+    for _ in 0..SCALINGS {
+        let scale =
+            |largest: f64| if largest > 0.0 { (-0.5 * largest.log2()).round().exp2() } else { 1.0 };
+        let by_row = DVector::from_fn(n, |i, _| scale(matrix.row(i).amax()));
+        let by_column = DVector::from_fn(n, |k, _| scale(matrix.column(k).amax()));
+        for (i, k) in (0..n).flat_map(|i| (0..n).map(move |k| (i, k))) {
+            matrix[(i, k)] *= by_row[i] * by_column[k];
+        }
+        rows.component_mul_assign(&by_row);
+        columns.component_mul_assign(&by_column);
+    }
     let lu = matrix.lu();
     let pivots = lu.u().diagonal().abs();
     if pivots.min() <= 1e-14 * pivots.max() {
         return None;
     }
-    lu.solve(right).filter(|x| x.iter().all(|x| x.is_finite()))
+    let solution = lu.solve(&right.component_mul(&rows))?.component_mul(&columns);
+    Some(solution).filter(|x| x.iter().all(|x| x.is_finite()))
 }
 
 pub(in crate::mechanics) fn column<V: Coordinates>(x: &V) -> DVector<f64> {
