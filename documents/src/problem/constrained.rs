@@ -24,7 +24,8 @@ impl Constrained {
         let constraints: Vec<_> = keys.constraints.iter().flatten().collect();
         reader.refuse_empty("constraints", constraints.is_empty())?;
         let constraints = constraints.into_iter().map(|text| reader.written(text)).collect();
-        Ok(Constrained { dynamics: Dynamics::read(keys, on_group, reader)?, constraints })
+        let dynamics = Dynamics::read(keys, on_group, reader)?.without_casimirs();
+        Ok(Constrained { dynamics, constraints })
     }
 
     pub fn motion(&self, start: &Start) -> Result<Ready, InputError> {

@@ -78,6 +78,11 @@ impl Dynamics {
         self.forces.functions.push((side, function));
     }
 
+    /// The same without Casimir functions, which constraint forces change.
+    pub fn without_casimirs(self) -> Self {
+        Dynamics { casimirs: Default::default(), ..self }
+    }
+
     /// The motion without constraints.
     pub fn motion(&self, start: &Start) -> Result<Ready, InputError> {
         let member = start.member;

@@ -247,10 +247,12 @@ fn equally(start: f64, end: f64, every: f64) -> Result<Vec<f64>, InputError> {
         return Err(InputError::usage(message));
     }
     // rounding must not add or lose a row
-    let whole = (count + 1e-9).floor() as u64;
+    let rounding = f64::EPSILON * start.abs().max(end.abs()) / every;
+    let slack = (1e-9 + 4.0 * rounding).min(0.25);
+    let whole = (count + slack).floor() as u64;
     let every = every.copysign(end - start);
     let mut times: Vec<f64> = (0..=whole).map(|k| start + every * k as f64).collect();
-    if (count - whole as f64).abs() < 1e-9 {
+    if (count - whole as f64).abs() < slack {
         times.pop();
     }
     times.push(end);

@@ -75,6 +75,12 @@ impl<S: System<State: Saved + Send> + Send + 'static> Run<S> {
 }
 
 impl<S: System<State: Saved + Send> + Send> Run<S> {
+    /// The longest step between checks for events, by the present angular velocity.
+    fn longest(&self) -> f64 {
+        let Recorded { system, rate, .. } = &self.recorded;
+        self.drive.longest(|| rate(system, &self.now.state))
+    }
+
     /// A step towards a time; where its length is free, no longer than `longest`.
     fn advance(&mut self, until: f64, longest: f64) -> Result<bool, Error> {
         let time = self.time();
@@ -113,9 +119,18 @@ impl<S: System<State: Saved + Send> + Send> Motion for Run<S> {
     }
 
     fn short_step(&mut self, until: f64) -> Result<bool, Error> {
-        let Recorded { system, rate, .. } = &self.recorded;
-        let longest = self.drive.longest(|| rate(system, &self.now.state));
-        self.advance(until, longest)
+        let from = self.time();
+        let mut reached = self.advance(until, self.longest())?;
+        // a body that began slower, perhaps at rest, may have turned too far
+        while let (longest, length) = (self.longest(), (self.time() - from).abs())
+            && length > 2.0 * longest
+            && self.kept.as_ref().is_some_and(|kept| self.recorded.system.time(&kept.state) == from)
+        {
+            self.back();
+            // where the rate grows with time, this turns as far as is allowed
+            reached = self.advance(until, (longest * length).sqrt())?;
+        }
+        Ok(reached)
     }
 
     fn width(&self) -> usize {

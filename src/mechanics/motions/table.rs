@@ -80,7 +80,10 @@ impl Table {
     /// The interval in which a step from one time towards another begins.
     pub fn interval(&self, from: f64, until: f64) -> Interval {
         let forwards = from <= until;
-        Interval(self.times.partition_point(|t| if forwards { *t <= from } else { *t < from }))
+        // the end of the step before may be the time of a row up to rounding
+        let slack = ROUNDING * from.abs();
+        let begun = |t: &f64| if forwards { *t <= from + slack } else { *t < from - slack };
+        Interval(self.times.partition_point(begun))
     }
 
     /// Adds the values at a time to `sum`; before the first and after the last row they are constant. At the ends of the interval
