@@ -2,7 +2,7 @@
 //!
 //! `log(A) = 2^k log(A^(1/2^k))`: square roots bring the matrix near 1, where a Pade approximant is exact to rounding. N. J. Higham, *Functions of Matrices* (2008), chapter 11.
 
-use super::series::exp;
+use super::series::{balanced, exp, unbalanced};
 use crate::Error;
 use nalgebra::DMatrix;
 use nalgebra::linalg::Schur;
@@ -21,7 +21,11 @@ const OFF: f64 = 1e-9;
 
 /// The principal logarithm: its eigenvalues have imaginary parts between `-pi` and `pi`.
 pub(crate) fn logarithm(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
-    rooted_to(a, NEAR)
+    if let Some(value) = a.iter().find(|value| !value.is_finite()) {
+        return Err(refused(format!("an entry is {value}")));
+    }
+    let (a, exponents) = balanced(a);
+    Ok(unbalanced(&rooted_to(&a, NEAR)?, &exponents))
 }
 
 /// [`logarithm`], with as many square roots as bring the matrix within the distance `near` of 1.
@@ -86,9 +90,6 @@ fn less_identity(a: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 fn off_the_negative_axis(a: &DMatrix<f64>) -> Result<(), Error> {
-    if let Some(value) = a.iter().find(|value| !value.is_finite()) {
-        return Err(refused(format!("an entry is {value}")));
-    }
     let n = a.nrows();
     let Some(schur) = Schur::try_new(a.clone(), 4.0 * f64::EPSILON, 100 * n) else {
         // without eigenvalues there is no reason to give, but the roots will not converge either
@@ -184,6 +185,19 @@ mod tests {
                 // a root loses a digit of the distance from 1 as it halves it
                 assert!(off <= 8.0 * f64::EPSILON / near.min(angle), "{angle}, {near}: {off:e}");
             }
+        }
+        Ok(())
+    }
+
+    /// Of `[[exp(a), c], [0, 1]]` with `c` of any size: `[[a, a c/(exp(a) - 1)], [0, 0]]`.
+    #[test]
+    fn logarithms_with_long_translations() -> Result<(), Error> {
+        let a = 0.5_f64;
+        for c in [1e-3, 1.0, 1e4, 1e6, 1e7, 4e7, 1e12, 1e18, 1e150] {
+            let log = logarithm(&DMatrix::from_row_slice(2, 2, &[a.exp(), c, 0.0, 1.0]))?;
+            assert!((log[(0, 0)] - a).abs() <= 1e-14, "{c:e}: {log}");
+            let off = (log[(0, 1)] / (c * a / a.exp_m1()) - 1.0).abs();
+            assert!(off <= 1e-14, "{c:e}: {off:e}");
         }
         Ok(())
     }

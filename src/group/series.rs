@@ -2,6 +2,7 @@
 
 use super::{Coordinates, LieGroup};
 use crate::Error;
+use affinor_tensors::linear::balancing;
 use nalgebra::linalg::{SVD, Schur};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
@@ -32,11 +33,37 @@ fn exp_halved_from(m: &DMatrix<f64>, large: f64) -> DMatrix<f64> {
     } else if size < large {
         m.exp()
     } else {
-        let halvings = size.log2().min(1100.0).ceil() as i32;
-        let half =
-            m.map(|v| v * 0.5_f64.powi(halvings / 2) * 0.5_f64.powi(halvings - halvings / 2));
-        (0..halvings).fold(half.exp(), |e, _| &e * &e)
+        let (m, exponents) = balanced(m);
+        let size = m.amax() * m.nrows() as f64;
+        let halvings = size.log2().clamp(0.0, 1100.0).ceil() as i32;
+        let halvings = if size < large { 0 } else { halvings };
+        let half = scaled(&m, |_, _| -halvings);
+        let exp = (0..halvings).fold(half.exp(), |e, _| &e * &e);
+        unbalanced(&exp, &exponents)
     }
+}
+
+/// The entries times powers of two, in parts that are in the range of floats.
+fn scaled(m: &DMatrix<f64>, exponent: impl Fn(usize, usize) -> i32) -> DMatrix<f64> {
+    DMatrix::from_fn(m.nrows(), m.ncols(), |i, k| {
+        let (all, part) = (exponent(i, k), exponent(i, k) / 4);
+        let [part, rest] = [part, all - 3 * part].map(|k| 2.0_f64.powi(k));
+        m[(i, k)] * part * part * part * rest
+    })
+}
+
+/// A similar matrix with small entries off the diagonal, `m_ik 2^(e_k - e_i)`, and the exponents `e`. Functions of matrices
+/// then keep the digits of a rotation beside a long translation.
+pub(super) fn balanced(m: &DMatrix<f64>) -> (DMatrix<f64>, Vec<i32>) {
+    let n = m.nrows();
+    let places = (0..n).flat_map(|i| (0..n).map(move |k| (i, k)));
+    let exponents = balancing(n, places.map(|(i, k)| (i, k, m[(i, k)])));
+    (scaled(m, |i, k| exponents[k] - exponents[i]), exponents)
+}
+
+/// The reverse of [`balanced`].
+pub(super) fn unbalanced(m: &DMatrix<f64>, exponents: &[i32]) -> DMatrix<f64> {
+    scaled(m, |i, k| exponents[i] - exponents[k])
 }
 
 /// `sum M^k/(k+1)! = int_0^1 exp(s M) ds`, as the upper right block of the exponential of
@@ -136,6 +163,23 @@ mod tests {
                     off <= 16.0 * f64::EPSILON * (1.0 + turn),
                     "{turn}, {large}: off by {off:e}"
                 );
+            }
+        }
+    }
+
+    /// A translation of any length does not change the linear part, and keeps its own digits: `[[a, b], [0, 0]]` around the
+    /// size from which matrices are balanced.
+    #[test]
+    fn exponentials_with_long_translations() {
+        let a = 0.5_f64;
+        for b in [1.0, 1e4, 0.49 * LARGE, 0.51 * LARGE, 1e11, 1e18, 1e150, 1e300] {
+            for large in [0.0, LARGE] {
+                let e = exp_halved_from(&DMatrix::from_row_slice(2, 2, &[a, b, 0.0, 0.0]), large);
+                assert!((e[(0, 0)] - a.exp()).abs() <= 8.0 * f64::EPSILON, "{b:e}: {e}");
+                let translation = b * (a.exp_m1() / a);
+                let off = (e[(0, 1)] / translation - 1.0).abs();
+                assert!(off <= 8.0 * f64::EPSILON, "{b:e}: {off:e}");
+                assert_eq!([e[(1, 0)], e[(1, 1)]], [0.0, 1.0]);
             }
         }
     }

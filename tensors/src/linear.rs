@@ -9,6 +9,7 @@
 //! ring, inverses over local rings such as the dual numbers. An elimination that needs the inverse of
 //! a non-unit returns [`LinearError::NotInvertible`].
 
+mod balance;
 mod echelon;
 mod elimination;
 pub mod modular;
@@ -17,6 +18,7 @@ mod row;
 use crate::{Ring, Sum, Tolerance};
 use std::fmt;
 
+pub use balance::balancing;
 pub use echelon::Echelon;
 pub use row::Row;
 use row::{add_multiple, at, collect, finish};
