@@ -486,3 +486,11 @@ fn what_is_no_pair_is_refused() {
     assert!(matches!(sphere.canonical().ad_variation(), Err(Error::Frame(_))));
     assert!(matches!(sphere.canonical().curvature_forms(), Err(Error::Frame(_))));
 }
+
+/// Dependent vectors of `h` are not a degenerate Killing form.
+#[test]
+fn dependent_vectors_of_the_subalgebra_are_refused() {
+    let [once, twice] = [1, 2].map(|k| vec![integer(0), integer(0), integer(k)]);
+    let pair = ReductivePair::orthogonal(&catalogued("so(3)"), &[once, twice]);
+    assert!(matches!(pair, Err(Error::SingularBasis)), "{pair:?}");
+}

@@ -10,6 +10,7 @@ mod running;
 mod signals;
 mod stops;
 mod sums;
+mod units;
 mod written;
 
 use std::fs;

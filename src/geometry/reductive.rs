@@ -103,7 +103,8 @@ impl<S: Field> ReductivePair<S> {
     ///
     /// # Errors
     /// [`Error::DegenerateOnSubalgebra`] if the Killing form is degenerate on `h`: the orthogonal
-    /// complement does not exist, though others may. Otherwise as [`new`](Self::new).
+    /// complement does not exist, though others may. [`Error::SingularBasis`] for dependent vectors. Otherwise as
+    /// [`new`](Self::new).
     pub fn orthogonal(algebra: &LieAlgebra<S>, h: &[Vec<S>]) -> Result<Self, Error> {
         let killing = algebra.killing_form();
         let rows = h.iter().map(|x| {
@@ -115,6 +116,9 @@ impl<S: Field> ReductivePair<S> {
         let tolerance = killing.tolerance();
         let products = Matrix::from_rows(algebra.dimension(), rows)?.with_tolerance(tolerance);
         let vectors = Matrix::from_dense(h)?.with_tolerance(tolerance);
+        if vectors.rank()? < h.len() {
+            return Err(Error::SingularBasis);
+        }
         if !h.is_empty() {
             // K restricted to h
             let null = products.mul(&vectors.transpose())?.nullspace()?;

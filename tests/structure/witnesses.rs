@@ -5,7 +5,7 @@ use crate::common::algebras::catalogued;
 use affinor::algebra::roots::{CartanType, Series};
 use affinor::algebra::structure::real_forms::real_forms;
 use affinor::algebra::structure::{Structure, Subspace};
-use affinor::{LieAlgebra, Rational};
+use affinor::{Error, LieAlgebra, Rational};
 use affinor_tensors::Ring;
 use affinor_tensors::linear::{Echelon, Matrix};
 use serde_json::Value;
@@ -244,4 +244,26 @@ fn names_of_real_forms() {
     assert_eq!(real_forms(a13, 105), ["su(9,5)", "su*(14)"]);
     let d9 = CartanType::new(Series::D, 9).unwrap();
     assert_eq!(real_forms(d9, 81), ["so(12,6)", "so*(18)"]);
+}
+
+/// Arguments that are of no algebra, or of another one.
+#[test]
+fn constructions_refuse_what_does_not_fit() {
+    let plane = Structure::new(catalogued("R^2"));
+    let one = || Rational::from(1);
+    // the index 2 would be the new vector, which then would not be central
+    for at in [(0, 2), (2, 1), (0, usize::MAX)] {
+        let extended = plane.central_extension(&["z".into()], [(at.0, at.1, 0, one())]);
+        assert!(matches!(extended, Err(Error::Shape { .. })), "{extended:?}");
+    }
+    let extended = plane.central_extension(&["z".into()], [(0, 1, 0, one())]).unwrap();
+    assert_eq!(Structure::new(extended).centre().dimension(), 1);
+    let other = Subspace::span(3, [vec![(2, one())]]);
+    assert!(matches!(plane.quotient(&other), Err(Error::Shape { .. })));
+    // weights w_j + w_k > w_i lead to an abelian limit, however large they are
+    let so3 = Structure::new(catalogued("so(3)"));
+    for weight in [1, i64::MAX] {
+        assert!(so3.contraction(&[weight; 3]).unwrap().structure().is_empty());
+        assert!(matches!(so3.contraction(&[-weight; 3]), Err(Error::NoLimit { .. })));
+    }
 }

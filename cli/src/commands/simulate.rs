@@ -22,10 +22,12 @@ use signals::Signals;
 use std::convert::Infallible;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
-/// The number of members of an ensemble whose rows are computed before they are stored.
+/// The most members of an ensemble whose rows are computed before they are stored, and the time that they should take: a
+/// checkpoint is not late.
 const CHUNK: u64 = 128;
+const CHUNK_TIME: Duration = Duration::from_secs(1);
 
 /// A problem of mechanics, and the output of its trajectory.
 #[derive(Args)]
@@ -193,8 +195,11 @@ impl Arguments {
             pool.map_err(|error| InputError::usage(format!("cannot start threads: {error}")))?;
         let mut done = store.resumed().map_or(0, |checkpoint| checkpoint.done);
         let progress = Progress::from(done as f64 / size as f64);
+        let least = pool.current_num_threads() as u64;
+        let mut count = least;
         while done < size {
-            let chunk: Vec<u64> = (done..size.min(done + CHUNK)).collect();
+            let chunk: Vec<u64> = (done..size.min(done + count)).collect();
+            let begin = Instant::now();
             let found: Vec<_> = pool.install(|| {
                 chunk.par_iter().map(|member| all_rows(problem, *member, signals)).collect()
             });
@@ -223,6 +228,8 @@ impl Arguments {
             if store.is_due() {
                 store.save(done, None)?;
             }
+            count = if begin.elapsed() < CHUNK_TIME { 2 * count } else { count / 2 };
+            count = count.min(CHUNK).max(least);
         }
         let stopped = store.stopped().map(InputError::mathematics);
         Ok(stopped.map_or(End::Reached, End::Error))

@@ -30,8 +30,12 @@ impl<S: Ground> Structure<S> {
     /// The quotient by an ideal, in the images of the basis vectors that complement it.
     ///
     /// # Errors
-    /// [`Error::NotIdeal`] with a bracket that leaves the subspace.
+    /// [`Error::NotIdeal`] with a bracket that leaves the subspace; [`Error::Shape`] for one of other vectors.
     pub fn quotient(&self, ideal: &Subspace<S>) -> Result<LieAlgebra<S>, Error> {
+        if ideal.ambient() != self.dimension() {
+            let (expected, found) = (self.dimension().to_string(), ideal.ambient().to_string());
+            return Err(Error::Shape { what: "the vectors of the ideal", expected, found });
+        }
         let labels = self.algebra.labels();
         for v in ideal.basis() {
             let ad = self.products.ad(v);
@@ -63,13 +67,18 @@ impl<S: Ground> Structure<S> {
     ///
     /// # Errors
     /// [`Error::NotCocycle`] with three basis vectors for which the cyclic sum of `omega([x,y],z)` is not
-    /// zero.
+    /// zero. [`Error::Shape`] for an index `j` or `k` that is not of this algebra.
     pub fn central_extension(
         &self,
         labels: &[String],
         cocycle: impl IntoIterator<Item = (usize, usize, usize, S)>,
     ) -> Result<LieAlgebra<S>, Error> {
         let n = self.dimension();
+        let cocycle: Vec<_> = cocycle.into_iter().collect();
+        if let Some(found) = cocycle.iter().map(|(j, k, ..)| j.max(k)).find(|at| **at >= n) {
+            let (expected, found) = (format!("indices below {n}"), found.to_string());
+            return Err(Error::Shape { what: "the cocycle", expected, found });
+        }
         let further = cocycle.into_iter().map(|(j, k, a, value)| (j, k, n + a, value));
         let constants = self.constants().into_iter().chain(further);
         let labels = join_labels(self.algebra.labels(), labels);
@@ -284,7 +293,8 @@ impl<S: Ground> Structure<S> {
         let labels = self.algebra.labels();
         let mut kept = vec![];
         for (j, k, i, value) in self.constants() {
-            match weights[j].saturating_add(weights[k]).cmp(&weights[i]) {
+            let [j_weight, k_weight, i_weight] = [j, k, i].map(|at| i128::from(weights[at]));
+            match (j_weight + k_weight).cmp(&i_weight) {
                 std::cmp::Ordering::Equal => kept.push((j, k, i, value)),
                 std::cmp::Ordering::Greater => {}
                 std::cmp::Ordering::Less => {

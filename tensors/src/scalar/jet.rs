@@ -10,7 +10,8 @@ use std::ops::{Add, Div, Mul, Neg};
 ///
 /// Arithmetic differentiates automatically: a closure over jets computes the derivatives of its
 /// result. Third derivatives are unknown and returned as NaN. A tensor drops a jet only if its value
-/// and all known derivatives are zero. Rounding noise is not removed.
+/// and all known derivatives are zero. So an unknown derivative of a component that is zero at the point is missing from
+/// a tensor, where it reads as zero. Rounding noise is not removed.
 ///
 /// ```
 /// use affinor_tensors::Jet;

@@ -27,7 +27,8 @@ pub use straight_line::{Count, Output, Step, StraightLine};
 /// factors are taken out of sums, and nothing is expanded. Every value carries its image at a fixed point modulo two
 /// primes. Values with different images are different. Values with equal images count as equal, also if their operations
 /// differ: two of degree `d` that differ share an image with a probability below `d^2 / 2^122`. So sums that
-/// cancel are zero, as in [`Symbolic`], whose denominators and gcds it does without.
+/// cancel are zero, as in [`Symbolic`], whose denominators and gcds it does without. Logarithms and roots are known by their
+/// whole argument: `log(x) + log(1/x)` does not cancel.
 ///
 /// ```
 /// use affinor_tensors::{Field, Notation, Rational, Recorded, scalar::StraightLine};

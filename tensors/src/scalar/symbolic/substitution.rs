@@ -52,7 +52,8 @@ impl Symbolic {
 
     /// The value as a float, each parameter looked up by its name.
     ///
-    /// `None` when a parameter is not found or the value is not a finite number.
+    /// `None` when a parameter is not found or the value is not a finite number. Numerator and denominator are evaluated as polynomials
+    /// of `tan(x/2)` and `exp(x)`: near `x = pi`, for large exponents, and where terms cancel, they overflow or lose digits.
     pub fn evaluate(&self, lookup: impl Fn(&str) -> Option<f64>) -> Option<f64> {
         self.evaluate_at(&lookup)
     }
