@@ -168,6 +168,41 @@ fn the_page_is_the_document() {
     assert_eq!(page, written);
 }
 
+/// For pdfLaTeX: an entry a paragraph, in ASCII, with all braces, formulas and environments closed.
+#[test]
+fn the_latex_document_is_closed() {
+    let mut written = vec![];
+    PAPER.write(PaperFormat::Latex, &[], &mut written).unwrap();
+    let text = String::from_utf8(written).unwrap();
+    assert!(text.is_ascii());
+    let entries: usize = PAPER.sections.iter().map(|section| section.rows.len()).sum();
+    assert_eq!(text.matches("\\paragraph{").count(), entries);
+    let (mut open, mut environments) = (0_usize, vec![]);
+    for (line, number) in text.lines().zip(1..) {
+        let bare =
+            ["\\\\", "\\{", "\\}", "\\$"].iter().fold(line.to_string(), |s, c| s.replace(c, ""));
+        assert!(bare.matches('$').count() % 2 == 0, "line {number}: {line}");
+        for c in bare.chars() {
+            match c {
+                '{' => open += 1,
+                '}' => {
+                    open = open.checked_sub(1).unwrap_or_else(|| panic!("line {number}: {line}"))
+                }
+                _ => {}
+            }
+        }
+        assert_eq!(open, 0, "line {number}: {line}");
+        for part in bare.split('\\').skip(1) {
+            if let Some(name) = part.strip_prefix("begin{") {
+                environments.push(name.split('}').next().unwrap().to_string());
+            } else if let Some(name) = part.strip_prefix("end{") {
+                assert_eq!(environments.pop().as_deref(), name.split('}').next(), "line {number}");
+            }
+        }
+    }
+    assert!(environments.is_empty(), "{environments:?}");
+}
+
 /// It is well-formed, its links lead to its own elements, and nothing is fetched from elsewhere.
 #[test]
 fn html_stands_alone() {
