@@ -1,7 +1,9 @@
 """Groups over arrays: laws, broadcasting, and the rotations of SciPy and jaxlie."""
 
+import copy
 import importlib.util
 import json
+import pickle
 import subprocess
 import sys
 
@@ -56,6 +58,30 @@ def test_every_name_of_the_catalogue_has_its_group():
             continue
         x = rng.normal(scale=0.1, size=(3, group.dimension))
         np.testing.assert_allclose(group.log(group.exp(x)), x, atol=1e-8)
+
+
+def test_copies_are_the_same_group():
+    doubled = af.LieAlgebra("heisenberg3").change_basis(np.diag([1, 1, 2])).group()
+    brackets = af.LieAlgebra("[x,y]=z", basis="x y z").group()
+    parameter = af.Geometry("so3", metric="diag(1,2,3)").group()
+    for group in (doubled, brackets, parameter, SO3, SE3, af.Group("so3+R^3")):
+        g, h = group.random((2, 5), rng=4)
+        for other in (pickle.loads(pickle.dumps(group)), copy.copy(group), copy.deepcopy(group)):
+            assert type(other) is type(group) and other == group and hash(other) == hash(group)
+            assert other.name == group.name
+            np.testing.assert_array_equal(other.compose(g, h), group.compose(g, h))
+    restored = pickle.loads(pickle.dumps(doubled))
+    np.testing.assert_allclose(restored.compose([1, 0, 0], [0, 1, 0]), [1, 1, 0.25], atol=1e-15)
+
+
+def test_equal_groups_have_equal_definitions():
+    single, double = (af.LieAlgebra(f"[x,y]={k}*z", basis="x y z").group() for k in (1, 2))
+    assert not np.array_equal(single.bracket([1, 0, 0], [0, 1, 0]), double.bracket([1, 0, 0], [0, 1, 0]))
+    assert single != double and len({single, double}) == 2
+    for name in ("se3", "so3", "heisenberg3", "so3+R^3"):
+        others = [af.LieAlgebra(name).group(), af.Geometry(name, "plus").group(), af.Group(name)]
+        assert all(other == af.Group(name) for other in others) and len(set(others)) == 1
+    assert af.Group("so3") == SO3 != SE3 and SO3 != "so3"
 
 
 @given(st.integers(0, 2**32), st.floats(1e-12, 3.1))

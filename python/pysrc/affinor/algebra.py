@@ -341,7 +341,7 @@ class LieAlgebra(Structured):
 
     def group(self) -> Group:
         """A group with this algebra, in its basis."""
-        return Group._of(self._space.group())
+        return Group._of(self._source.request)
 
     def check(self) -> list[Check]:
         """The checks of the certificate."""

@@ -435,7 +435,7 @@ class Geometry:
 
     def group(self) -> Group:
         """The group of the algebra."""
-        return Group._of(self._source.space(connection=None, metric=None).group())
+        return Group._of(self._source.request)
 
     def _transport(self) -> tuple[_engine.Transport, Group]:
         group = self.group()

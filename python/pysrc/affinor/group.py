@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from affinor import _engine
 from affinor._scalars import floats
+from affinor._source import Request
 
 __all__ = ["SE2", "SE3", "SE23", "SL2", "SO2", "SO3", "Group", "RotationGroup", "groups"]
 
@@ -26,17 +27,22 @@ class Group:
     ``Group("se3")`` takes a name of the catalogue or a sum of names.
     """
 
-    __slots__ = ("_engine",)
+    __slots__ = ("_engine", "_made", "_request")
 
     def __init__(self, name: str) -> None:
         if not isinstance(name, str):
             raise TypeError(f"the name of a group is a text, not {type(name).__name__}")
         self._engine = _engine.Group(name)
+        self._request: Request = {"space": name}
+        self._made: tuple[Any, ...] = type(self), (name,)
 
     @classmethod
-    def _of(cls, engine: _engine.Group) -> Group:
+    def _of(cls, request: Request) -> Group:
+        """The group of the algebra of a space."""
         group = cls.__new__(cls)
-        group._engine = engine
+        group._request = {key: value for key, value in request.items() if key not in ("connection", "metric")}
+        group._made = _restore, (group._request,)
+        group._engine = _engine.Space(**group._request).group()
         return group
 
     @property
@@ -161,13 +167,20 @@ class Group:
         return f"<Group {self.name}, dimension {self.dimension}, {self.coordinates} coordinates>"
 
     def __eq__(self, other: object) -> bool:
-        return self.name == other.name if isinstance(other, Group) else NotImplemented
+        """Whether both are made of the same name or definition."""
+        return self._request == other._request if isinstance(other, Group) else NotImplemented
 
     def __hash__(self) -> int:
-        return hash(self.name)
+        return hash(repr(sorted(self._request.items())))
+
+    def __copy__(self) -> Group:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Group:
+        return self
 
     def __reduce__(self) -> Any:
-        return type(self), (self.name,)
+        return self._made
 
 
 class RotationGroup(Group):
@@ -205,6 +218,10 @@ class RotationGroup(Group):
         from scipy.spatial.transform import Rotation
 
         return Rotation.from_quat(self.to_quaternion(g, scalar_first=False))
+
+
+def _restore(request: Request) -> Group:
+    return Group._of(request)
 
 
 def groups() -> list[tuple[str, str]]:
