@@ -80,6 +80,17 @@ def test_arithmetic(x, y, factor):
     assert s.permute(1, 0).slots == "_^"
 
 
+def test_factors_in_order_and_by_name():
+    u, v, w = np.array([[1, 2, 3], [4, 5, 6], [7, 8, 9]])
+    first, second, third = (af.Tensor(x, "^") for x in (u, v, w))
+    expected = np.einsum("i,j,k->ijk", u, v, w)
+    for key in ("a", "b", "w"):
+        found = af.contract(f"^i ^j {key}^k -> ^i^j^k", first, second, **{key: third})
+        np.testing.assert_array_equal(found.to_numpy(), expected)
+    with pytest.raises(af.AffinorError):
+        af.contract("^i ^j b^k -> ^i^j^k", first, second)
+
+
 @given(integers)
 def test_equality_hash_pickle_copy(x):
     tensor = af.Tensor(x, "^_")

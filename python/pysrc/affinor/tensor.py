@@ -447,16 +447,19 @@ def contract(expression: str, *factors: Tensor, **named: Tensor) -> Tensor:
     operands: dict[str, Tensor] = {}
     if factors:
         left, arrow, right = expression.partition("->")
+        # factors in order get names that no other factor has
+        taken = {*named, *re.findall(r"(?<![\w^_])[A-Za-z][A-Za-z0-9]*", left)}
+        names = [letter for letter in _NAMES if letter not in taken]
         count = itertools.count()
 
         def name(match: re.Match[str]) -> str:
             at = next(count)
-            if at >= len(_NAMES):
-                raise ValueError(f"at most {len(_NAMES)} factors are given in order; give the others by name")
+            if at >= len(names):
+                raise ValueError(f"at most {len(names)} factors are given in order; give the others by name")
             if at >= len(factors):
                 raise ValueError(f"{expression!r} has more factors than the {len(factors)} given")
-            operands[_NAMES[at]] = factors[at]
-            return _NAMES[at] + match.group()
+            operands[names[at]] = factors[at]
+            return names[at] + match.group()
 
         expression = re.sub(r"(?<![\w^_])[\^_][\^_\w]*", name, left) + arrow + right
         if len(operands) < len(factors):
