@@ -169,3 +169,25 @@ def test_expressions_come_back(value):
 def test_what_has_no_exact_value_is_refused(value):
     with pytest.raises((TypeError, ValueError)):
         af.LieAlgebra.from_structure([(0, 0, 1, value)], dimension=2)
+
+
+def test_checks_are_those_of_the_connection_given():
+    c, s = af.LieAlgebra("so3").structure, sp.Symbol("s")
+    lines = [f"nabla[e{j + 1}, e{k + 1}] = s*({value})*e{i + 1}" for (i, j, k), value in c.items()]
+    written = af.Geometry(
+        {
+            "basis": ["e1", "e2", "e3"],
+            "brackets": "[e1,e2]=e3; [e2,e3]=e1; [e3,e1]=e2",
+            "parameters": ["s", "a"],
+            "metric": "diag(a,1,1)",
+            "affinities": lines,
+        }
+    )
+    given = af.Geometry("so3", metric="diag(a,1,1)", affinities=c * s)
+    assert given == written and [*map(repr, given.check())] == [*map(repr, written.check())]
+    assert "metric_compatible" not in [check.name for check in given.check()]
+    for other in (af.Geometry("so3", metric=[1.5, 1, 1], torsion=c, scalar="float"), af.Geometry("so3", affinities=c * 0)):
+        assert all(other.check())
+    plane = {"chart": {"coordinates": ["x", "y"]}, "metric": "identity"}
+    with pytest.raises(af.MathematicsError, match="chart"):
+        af.Geometry(plane, affinities=af.Tensor({(0, 1, 1): 1}, "^__", dimension=2)).check()

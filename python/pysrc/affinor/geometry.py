@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -9,9 +10,19 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from affinor import _engine
-from affinor._scalars import Scalar, Symbols, is_matrix, is_sympy, merged, text_of, value_of
+from affinor._scalars import (
+    Scalar,
+    Symbols,
+    free_functions,
+    is_matrix,
+    is_sympy,
+    merged,
+    names_in,
+    text_of,
+    value_of,
+)
 from affinor._source import Source
-from affinor.algebra import DESCRIPTIONS, Check, LieAlgebra, checks, settings, source_of
+from affinor.algebra import DESCRIPTIONS, Check, LieAlgebra, checks, settings, source_of, structure_source
 from affinor.errors import MathematicsError
 from affinor.group import Group
 from affinor.structure import Report
@@ -189,8 +200,6 @@ class Geometry:
             keys["connection"] = connection_text(connection, symbols)
         if affinities is not None:
             keys["affinities"] = affinities
-        from affinor._scalars import free_functions, names_in
-
         declared = [text_of(function, symbols) for function in functions]
         chart["functions"] = declared + sorted(free_functions([metric, fields or {}]).difference(declared))
         chart["positive"] = [text_of(function, symbols) for function in positive]
@@ -198,8 +207,6 @@ class Geometry:
         known = {*names, *(f"d_{name}" for name in names), "diag", "identity", "killing"}
         found = [text_of(parameter, symbols) for parameter in parameters]
         keys["parameters"] = sorted({*found, *names_in(texts, without=known)})
-        import json
-
         source = Source({"definition": (name, json.dumps(keys))}, symbols, "exact", None)
         return cls._of(source, {}, "left")
 
@@ -420,8 +427,31 @@ class Geometry:
         return self._engine.table(keys, format, independent)
 
     def check(self) -> list[Check]:
-        """The checks of the certificate."""
-        return checks(self._source)
+        """The checks of the certificate, of the connection that was given."""
+        return checks(self._written() if self._extra else self._source)
+
+    def _written(self) -> Source:
+        """The source of a definition with the affinities and the metric of this geometry."""
+        left = Geometry._of(self._source, self._extra, "left")
+        if left.frame != "left-invariant":
+            raise MathematicsError(
+                "a connection on a chart that is given by tensors cannot be checked",
+                "write its affinities in the definition of the chart",
+            )
+        scalar, tolerance, symbols = self._source.scalar, self._source.tolerance, merged(self._symbols)
+        source = structure_source(
+            left.structure, basis=left.basis, name=left.name, scalar=scalar, tolerance=tolerance
+        )
+        name, text = source.request["definition"]
+        keys, texts = json.loads(text), []
+        sums: dict[tuple[str, str], list[str]] = {}
+        for (i, j, k), value in left.affinities.items():
+            texts.append(text_of(value, symbols, floats=scalar == "float"))
+            sums.setdefault((left.basis[j], left.basis[k]), []).append(f"({texts[-1]})*{left.basis[i]}")
+        keys["affinities"] = [f"nabla[{x}, {y}] = {' + '.join(terms)}" for (x, y), terms in sums.items()]
+        keys["parameters"] = sorted({*keys.get("parameters", []), *names_in(texts)})
+        source.request["definition"] = (name, json.dumps(keys))
+        return completed(source, None, left.quantity("metric"))
 
     def subs(self, values: Mapping[Any, Scalar]) -> Geometry:
         """The geometry with parameters replaced, by name or by symbol."""
