@@ -13,6 +13,10 @@ so3 = af.LieAlgebra("so3")
 t3 = af.Tensor(np.eye(3), "__")
 TOP = {"space": "so3", "metric": "identity", "initial": {"velocity": [0, 0, 1]}, "output": {"end": 1, "every": 1}}
 
+masked = np.ma.array(np.eye(3), mask=np.eye(3) == 0)
+masked_constants = np.ma.array(np.zeros((3, 3, 3)), mask=np.ones((3, 3, 3)))
+force = np.array([[0, 0, 0, 0], [1, 0, 0, 1]])
+
 # an array has at most so many axes
 MOST_AXES = 64 if np.lib.NumpyVersion(np.__version__) >= "2.0.0" else 32
 
@@ -104,6 +108,23 @@ WRONG = [
     (lambda: SO3.from_quaternion([0, 0, 0, 0]), ValueError, "zero"),
     (lambda: SE3.act(SE3.identity(), [1, 2]), ValueError, "points"),
     (lambda: SO3.mean(np.zeros((0, 4))), af.ShapeError, ""),
+    (lambda: af.Tensor(masked, "__"), ValueError, "masked"),
+    (lambda: af.Tensor({(0,): np.ma.masked}, "^", dimension=1), ValueError, "masked"),
+    (lambda: af.Tensor.from_coo([[0, 1, 2]], masked[0], "^", 3), ValueError, "masked"),
+    (lambda: af.LieAlgebra.from_structure(masked_constants), ValueError, "masked"),
+    (lambda: af.LieAlgebra.from_structure(([[0], [1], [2]], np.ma.array([1], mask=[1]))), ValueError, "masked"),
+    (lambda: af.LieAlgebra.from_matrices([masked]), TypeError, "NoneType"),
+    (lambda: af.Geometry("so3", metric=masked), TypeError, "NoneType"),
+    (lambda: af.simulate({**TOP, "forces": {"table": np.ma.array(force, mask=force == 1)}}), ValueError, "masked"),
+    (lambda: af.simulate({**TOP, "forces": {"table": force + 1j}}), TypeError, "complex"),
+    (lambda: af.simulate({**TOP, "forces": {"table": force.astype(str)}}), TypeError, "real numbers"),
+    (lambda: af.Tensor.from_coo([[0]], [1 + 2j], "^", 1, scalar="float"), TypeError, "complex"),
+    (lambda: af.Tensor.from_coo([[0]], np.array([1 + 2j]), "^", 1, scalar="float"), TypeError, "complex"),
+    (lambda: af.Tensor({(0,): "1.5"}, "^", dimension=1, scalar="float"), TypeError, "real numbers"),
+    (lambda: af.Tensor({(0,): True}, "^", dimension=1, scalar="float"), TypeError, "bool"),
+    (lambda: af.Tensor({(0,): 1 + 1j}, "^", dimension=1, scalar="float"), TypeError, "complex"),
+    (lambda: af.Geometry("so3").geodesic([0, 0, 1], ["1"]), TypeError, "real numbers"),
+    (lambda: af.Geometry("so3").geodesic([0, 0, 1], [1j]), TypeError, "complex"),
     (lambda: af.simulate(), af.InputError, ""),
     (lambda: af.simulate(3), TypeError, "path"),
     (lambda: af.simulate("missing.toml"), af.InputError, "cannot read"),

@@ -46,6 +46,8 @@ def text_of(
         return value.strip()
     if isinstance(value, (bool, np.bool_)):
         raise TypeError(f"a number or an expression was expected, not the bool {value}")
+    if value is np.ma.masked:
+        raise ValueError("a number or an expression was expected, not a masked entry")
     if isinstance(value, numbers.Integral):
         return str(int(value))
     if is_sympy(value):
@@ -75,14 +77,19 @@ def text_of(
     )
 
 
+def unmasked(value: Any) -> Any:
+    """The value; an array with masked entries is refused."""
+    if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
+        raise ValueError("an array of numbers was expected, not one with masked entries")
+    return value
+
+
 def floats(value: Any) -> NDArray[np.float64]:
     """Real numbers as an array of float64; complex numbers, texts, dates and records are refused."""
     try:
-        array = np.asarray(value)
+        array = np.asarray(unmasked(value))
     except ValueError as error:
         raise ValueError(f"an array of real numbers was expected: {error}") from error
-    if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
-        raise ValueError("an array of real numbers was expected, not one with masked entries")
     if array.dtype.kind == "O":
         try:
             # texts are no numbers, even where float() reads them
@@ -104,7 +111,7 @@ def _refuse(item: object) -> float:
 def integers(what: str, value: Any) -> NDArray[np.int64]:
     """Indices as an array of int64; numbers that are not integers are refused, not cut."""
     try:
-        array = np.asarray(value)
+        array = np.asarray(unmasked(value))
         if array.dtype.kind == "O":
             array = np.array([operator.index(item) for item in array.flat], dtype=np.int64).reshape(array.shape)
     except (TypeError, ValueError, OverflowError) as error:

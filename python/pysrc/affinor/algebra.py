@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from affinor import _engine
-from affinor._scalars import Scalar, Symbols, document, integers, is_matrix, merged, names_in, text_of
+from affinor._scalars import Scalar, Symbols, document, integers, is_matrix, merged, names_in, text_of, unmasked
 from affinor._source import Source
 from affinor.errors import MathematicsError
 from affinor.group import Group
@@ -132,7 +132,7 @@ def _entries(constants: Any, dimension: int | None) -> tuple[list[Any], list[Any
     if isinstance(constants, Mapping):
         return [tuple(at) for at in constants], list(constants.values()), None
     if isinstance(constants, tuple) and len(constants) == 2:
-        indices, values = np.asarray(constants[0]), np.asarray(constants[1])
+        indices, values = np.asarray(unmasked(constants[0])), np.asarray(unmasked(constants[1]))
         if indices.ndim != 2 or indices.shape[0] != 3 or indices.shape[1:] != values.shape:
             raise ValueError(
                 "a COO pair has indices of the shape (3, count) and as many values, "
@@ -143,7 +143,7 @@ def _entries(constants: Any, dimension: int | None) -> tuple[list[Any], list[Any
         first = constants[0]
         if len(first) == 4 and not isinstance(first[0], (list, tuple, np.ndarray)):
             return [tuple(row[:3]) for row in constants], [row[3] for row in constants], None
-    array = constants if isinstance(constants, np.ndarray) else np.asarray(constants, dtype=object)
+    array = unmasked(constants) if isinstance(constants, np.ndarray) else np.asarray(constants, dtype=object)
     if array.ndim != 3 or len(set(array.shape)) != 1:
         raise ValueError(f"structure constants should be an array of the shape (n, n, n), not {array.shape}")
     if array.dtype.kind not in "iufO":

@@ -13,6 +13,7 @@ from affinor import _engine
 from affinor._scalars import (
     Scalar,
     Symbols,
+    floats,
     free_functions,
     is_matrix,
     is_sympy,
@@ -487,7 +488,7 @@ class Geometry:
     ) -> Geodesic:
         """The autoparallel from an element (default: the identity) with a tangent vector, at times after 0."""
         transport, group = self._transport()
-        moments = np.atleast_1d(np.asarray(times, dtype=np.float64))
+        moments = np.atleast_1d(floats(times))
         begin = group.identity() if start is None else start
         return Geodesic(moments, *transport.autoparallel(begin, tangent, moments.tolist(), tolerance))
 

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from affinor import _engine
-from affinor._scalars import Symbols, document, text_of
+from affinor._scalars import Symbols, document, floats, text_of
 
 __all__ = ["Problem", "Trajectory", "convergence", "simulate"]
 
@@ -93,7 +93,7 @@ class Problem:
         if isinstance(table, os.PathLike):
             return str(os.fspath(table))
         columns = [str(name) for name in table.columns] if hasattr(table, "columns") else None
-        rows = np.asarray(table, dtype=np.float64)
+        rows = floats(table)
         if rows.ndim != 2 or rows.shape[1] < 2:
             raise ValueError(f"a table of forces has rows of a time and components, not the shape {rows.shape}")
         self._folder = tempfile.TemporaryDirectory(prefix="affinor-")

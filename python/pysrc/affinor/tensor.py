@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from affinor import _engine
 from affinor._engine import Tensor as Components
-from affinor._scalars import Scalar, Symbols, integers, is_matrix, merged, text_of, to_sympy, value_of
+from affinor._scalars import Scalar, Symbols, floats, integers, is_matrix, merged, text_of, to_sympy, unmasked, value_of
 from affinor.errors import ShapeError
 
 __all__ = ["Tensor", "contract"]
@@ -89,7 +89,9 @@ class Tensor:
         if scalar not in (None, "exact", "float"):
             raise ValueError(f"the scalar is exact or float, not {scalar!r}")
         if scalar == "float":
-            values = np.asarray(values, dtype=np.float64).tolist()
+            if any(isinstance(value, (bool, np.bool_)) for value in values):
+                raise TypeError("components are numbers, not bools")
+            values = floats(values).tolist()
             if not np.isfinite(values).all():
                 raise ValueError("components should be finite")
         else:
@@ -136,7 +138,7 @@ class Tensor:
 
         Components with equal indices are added.
         """
-        places, listed = integers("indices", indices), np.asarray(values)
+        places, listed = integers("indices", indices), np.asarray(unmasked(values))
         if listed.ndim != 1:
             raise ValueError(f"values should have the shape (count,), not {listed.shape}")
         tensor = cls.__new__(cls)
@@ -227,8 +229,8 @@ class Tensor:
         engine and handed over without a copy.
         """
         if np.dtype(dtype) != np.dtype(object):
-            indices, floats = self._engine.coo()
-            return indices, floats.astype(dtype, copy=False)
+            indices, numbers = self._engine.coo()
+            return indices, numbers.astype(dtype, copy=False)
         indices = self._engine.indices()
         values = np.empty(self.nnz, dtype=object)
         values[:] = [value_of(value, self._symbols) for value in self._engine.values()]
@@ -520,7 +522,7 @@ def _dense(components: Any, slots: str) -> tuple[NDArray[np.int64], list[Any], i
         raise TypeError("this is a tensor already")
     if is_matrix(components):
         components = components.tolist()
-    array = np.asarray(components, dtype=None if isinstance(components, np.ndarray) else object)
+    array = np.asarray(unmasked(components), dtype=None if isinstance(components, np.ndarray) else object)
     if array.ndim != len(slots) or len(set(array.shape)) > 1:
         expected = f"an array with {len(slots)} equal axes for the slots {slots!r}"
         raise ValueError(f"components should be {expected}, not of the shape {array.shape}")
