@@ -177,6 +177,21 @@ def test_points_and_means():
     np.testing.assert_array_equal(SE3.random(3, rng=7), SE3.random(3, rng=7))
 
 
+def test_affine_maps_are_known_by_their_matrices():
+    e = np.eye(9, dtype=int).reshape(3, 3, 3, 3)
+    plane = [e[1, 0] - e[0, 1], e[0, 2], e[1, 2]]
+    moving = af.LieAlgebra.from_matrices(plane, name="motions").group()
+    turning = af.LieAlgebra.from_matrices([e[j, i] - e[i, j] for i, j in ((1, 2), (2, 0), (0, 1))], name="sensor").group()
+    points = rng.normal(size=(4, 2))
+    for group in (moving, af.Group("aff(2)"), af.Group("se2")):
+        g = group.random(rng=2)
+        whole = np.einsum("ij,nj->ni", group.matrix(g), np.hstack([points, np.ones((4, 1))]))
+        np.testing.assert_allclose(group.act(g, points), whole[:, :2], atol=1e-14)
+    for group in (turning, SO3):
+        with pytest.raises(ValueError, match="points"):
+            group.act(group.identity(), points)
+
+
 def test_transport_and_geodesics():
     turn = [0, 0, 2 * np.pi]
     np.testing.assert_allclose(af.Geometry("M3").subs({f"J{k}": int(k in ("11", "22", "33")) for k in ("11", "12", "13", "22", "23", "33")}).transport(turn), np.eye(3), atol=1e-13)

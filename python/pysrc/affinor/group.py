@@ -130,7 +130,8 @@ class Group:
         return self._engine.from_matrix(matrix)
 
     def act(self, g: ArrayLike, points: ArrayLike) -> Floats:
-        """The action of matrices of size k on points (..., k); rigid motions act on points (..., k - 1) too."""
+        """The action of matrices of size k on points (..., k); affine maps, such as rigid motions, act on points
+        (..., k - 1) too."""
         matrix, points = self.matrix(g), floats(points)
         rows, columns = self._engine.shape
         if rows != columns:
@@ -139,10 +140,15 @@ class Group:
         if size == rows:
             moved: Floats = np.einsum("...ij,...j->...i", matrix, points)
             return moved
-        if size == rows - 1 and self.name.startswith(("se", "SE")) and rows == columns:
+        if 0 < size == rows - 1 and self._is_affine():
             turned: Floats = np.einsum("...ij,...j->...i", matrix[..., :-1, :-1], points)
             return turned + matrix[..., :-1, -1]
         raise ValueError(f"points should have the shape (..., {rows}), not {points.shape}")
+
+    def _is_affine(self) -> bool:
+        """Whether all elements are matrices with the last row 0, .., 0, 1."""
+        last = self.matrix(self.exp(np.eye(self.dimension)))[:, -1]
+        return bool((last == np.eye(last.shape[-1])[-1]).all())
 
     def interpolate(self, g: ArrayLike, h: ArrayLike, t: ArrayLike) -> Floats:
         """The point ``g exp(t log(g^-1 h))``: ``g`` at ``t = 0``, ``h`` at ``t = 1``; ``t`` has the shape of the batch."""
