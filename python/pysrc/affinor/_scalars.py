@@ -104,6 +104,15 @@ def floats(value: Any) -> NDArray[np.float64]:
     return np.require(array, np.float64, ["C", "A"])
 
 
+def with_axes(what: str, value: Any, *counts: int) -> NDArray[np.float64]:
+    """Real numbers as an array with one of these numbers of axes."""
+    array = floats(value)
+    if array.ndim not in counts:
+        expected = " or ".join(map(str, counts)) + (" axis" if counts == (1,) else " axes")
+        raise ValueError(f"{what} should be an array with {expected}, not of the shape {array.shape}")
+    return array
+
+
 def _refuse(item: object) -> float:
     raise TypeError(f"{item!r} is no number")
 

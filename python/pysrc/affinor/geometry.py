@@ -13,7 +13,6 @@ from affinor import _engine
 from affinor._scalars import (
     Scalar,
     Symbols,
-    floats,
     free_functions,
     is_matrix,
     is_sympy,
@@ -21,6 +20,7 @@ from affinor._scalars import (
     names_in,
     text_of,
     value_of,
+    with_axes,
 )
 from affinor._source import Source
 from affinor.algebra import DESCRIPTIONS, Check, LieAlgebra, checks, settings, source_of, structure_source
@@ -477,24 +477,26 @@ class Geometry:
 
         Components are those in the left-invariant frame; ``arcs`` is a vector ``x`` or rows of them.
         """
-        return self._transport()[0].along(arcs)
+        return self._transport()[0].along(with_axes("arcs", arcs, 1, 2))
 
     def transport_samples(self, elements: ArrayLike) -> NDArray[np.float64]:
         """The matrix of parallel translation along a curve of elements; of a loop its holonomy."""
-        return self._transport()[0].samples(elements)
+        return self._transport()[0].samples(with_axes("elements", elements, 2))
 
     def geodesic(
         self, tangent: ArrayLike, times: ArrayLike, start: ArrayLike | None = None, *, tolerance: float = 1e-12
     ) -> Geodesic:
         """The autoparallel from an element (default: the identity) with a tangent vector, at times after 0."""
         transport, group = self._transport()
-        moments = np.atleast_1d(floats(times))
-        begin = group.identity() if start is None else start
+        moments = np.atleast_1d(with_axes("times", times, 0, 1))
+        begin = group.identity() if start is None else with_axes("start", start, 1)
+        tangent = with_axes("tangent", tangent, 1)
         return Geodesic(moments, *transport.autoparallel(begin, tangent, moments.tolist(), tolerance))
 
     def geodesic_between(self, start: ArrayLike, end: ArrayLike, *, tolerance: float = 1e-10) -> NDArray[np.float64]:
         """The tangent vector at ``start`` of an autoparallel that is at ``end`` at time 1."""
-        return self._transport()[0].between(start, end, tolerance)
+        ends = with_axes("start", start, 1), with_axes("end", end, 1)
+        return self._transport()[0].between(*ends, tolerance)
 
     # -- equality and display --------------------------------------------------------------------------------------------
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from affinor import _engine
-from affinor._scalars import floats
+from affinor._scalars import floats, with_axes
 from affinor._source import Request
 
 __all__ = ["SE2", "SE3", "SE23", "SL2", "SO2", "SO3", "Group", "RotationGroup", "groups"]
@@ -157,7 +157,7 @@ class Group:
 
     def mean(self, g: ArrayLike) -> Floats:
         """The mean of elements (count, coordinates): ``sum log(m^-1 g_i) = 0``."""
-        return self._engine.mean(g)
+        return self._engine.mean(with_axes("g", g, 2))
 
     def random(
         self, shape: int | tuple[int, ...] = (), *, rng: np.random.Generator | int | None = None, scale: float = 1.0
