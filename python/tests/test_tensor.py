@@ -52,6 +52,23 @@ def test_arrays():
         af.LieAlgebra("so(40)").structure.to_numpy()
 
 
+def test_arrays_of_integers():
+    components = np.array([[3, 0], [-2, 1 << 40]])
+    np.testing.assert_array_equal(af.Tensor(components, "^_").to_numpy(int), components)
+    for value in (Fraction(1, 2), (1 << 53) + 1, 1 << 70):
+        for convert in (af.Tensor.to_numpy, af.Tensor.to_coo):
+            with pytest.raises(TypeError, match="int64"):
+                convert(af.Tensor([value, 1], "^"), np.int64)
+    with pytest.raises(TypeError, match="uint8"):
+        af.Tensor([-1, 300], "^").to_numpy(np.uint8)
+
+
+def test_floats_stay_floats_in_subs():
+    floats = af.Tensor([[0.1, 0.2], [0.3, 0.4]], "^_", scalar="float")
+    found = floats.subs({"a": 2})
+    assert found.scalar == "float" and found == floats
+
+
 def test_pandas():
     frame = curvature.to_pandas()
     assert list(frame.columns) == ["i", "j", "k", "l", "value"] and len(frame) == 12

@@ -226,11 +226,16 @@ class Tensor:
         """The indices of the nonzero components, shape (rank, nnz) and from 0, and their values.
 
         Values are float64; with ``dtype=object`` they are fractions or expressions of SymPy. Both arrays are built by the
-        engine and handed over without a copy.
+        engine and handed over without a copy. A type of integers needs components that are such integers.
         """
         if np.dtype(dtype) != np.dtype(object):
             indices, numbers = self._engine.coo()
-            return indices, numbers.astype(dtype, copy=False)
+            with np.errstate(invalid="ignore"):
+                values = numbers.astype(dtype, copy=False)
+            # floats from 2^53 on may be rounded integers
+            if values.dtype.kind in "biu" and not ((values == numbers) & (abs(numbers) < 1 << 53)).all():
+                raise TypeError(f"a component has no safe value of the type {values.dtype}; take float or object")
+            return indices, values
         indices = self._engine.indices()
         values = np.empty(self.nnz, dtype=object)
         values[:] = [value_of(value, self._symbols) for value in self._engine.values()]
@@ -350,7 +355,9 @@ class Tensor:
         return list(slots)
 
     def subs(self, values: Mapping[Any, Scalar]) -> Tensor:
-        """The tensor with parameters replaced, by name or by symbol."""
+        """The tensor with parameters replaced, by name or by symbol; floats have none."""
+        if self.scalar == "float":
+            return self
         symbols = merged(self._symbols)
         replaced = {str(name): f"({text_of(value, symbols)})" for name, value in values.items()}
         texts = [_replace(text, replaced) for text in self._engine.texts()]
