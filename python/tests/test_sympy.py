@@ -3,6 +3,7 @@
 import itertools
 import pickle
 
+import numpy as np
 import pytest
 import sympy as sp
 
@@ -191,3 +192,28 @@ def test_checks_are_those_of_the_connection_given():
     plane = {"chart": {"coordinates": ["x", "y"]}, "metric": "identity"}
     with pytest.raises(af.MathematicsError, match="chart"):
         af.Geometry(plane, affinities=af.Tensor({(0, 1, 1): 1}, "^__", dimension=2)).check()
+
+
+def test_values_of_parameters_of_the_metric_alone():
+    a, b = sp.symbols("a b")
+    geometry = af.Geometry("so3", metric=[a, b, 1]).subs({a: 2}).subs({b: "3"})
+    plain = af.Geometry("so3", metric=[2, 3, 1])
+    assert geometry.algebra == plain.algebra and geometry.group() == af.Group("so3")
+    np.testing.assert_array_equal(geometry.transport([1, 2, 3]), plain.transport([1, 2, 3]))
+    tangents = geometry.geodesic([1, 2, 3], [0.5]).tangents
+    np.testing.assert_array_equal(tangents, plain.geodesic([1, 2, 3], [0.5]).tangents)
+    brackets = {"basis": ["x", "y", "z"], "parameters": ["s"], "brackets": "[x,y]=s*z"}
+    several = af.Geometry(brackets, metric=[a, b, 1]).subs({a: 2, "s": 5, b: 3})
+    assert several.algebra.structure[2, 0, 1] == 5
+    np.testing.assert_array_equal(several.group().bracket([1, 0, 0], [0, 1, 0]), [0, 0, 5])
+
+
+def test_values_of_parameters_of_tensors_alone():
+    a, s, c = *sp.symbols("a s"), af.LieAlgebra("so3").structure
+    given = af.Geometry("so3", metric=[a, 1, 1], affinities=c * s)
+    np.testing.assert_array_equal(given.subs({s: 3}).affinities.to_numpy(), 3 * c.to_numpy())
+    assert given.subs({s: 3}).subs({a: 2}) == given.subs({a: 2, s: 3}) == af.Geometry("so3", metric=[2, 1, 1], affinities=c * 3)
+    twice = af.Geometry("so3", metric=[1, 1, 1], torsion=c * s).subs({"s": 2})
+    np.testing.assert_array_equal(twice.torsion.to_numpy(), 2 * c.to_numpy())
+    with pytest.raises(af.InputError, match="no parameter"):
+        given.subs({"q": 1})

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from affinor import _engine
@@ -25,6 +26,17 @@ class Source:
     def space(self, **more: Any) -> _engine.Space:
         """The space, perhaps with another connection, metric or values of parameters."""
         return _engine.Space(**{**self.request, **more})
+
+    def of_algebra(self) -> Source:
+        """The source without the connection and the metric, with values of the parameters that remain."""
+        request = {key: value for key, value in self.request.items() if key not in ("connection", "metric", "set")}
+        parameters = _engine.Space(**request).parameters
+        # a comma before a name and an equality sign separates values
+        values = re.split(r",(?=\s*\w+\s*=)", self.request.get("set", ""))
+        remaining = [value for value in values if value.partition("=")[0].strip() in parameters]
+        if remaining:
+            request["set"] = ",".join(remaining)
+        return Source(request, self.symbols, self.scalar, self.tolerance)
 
     def with_(self, **more: Any) -> Source:
         return Source({**self.request, **more}, self.symbols, self.scalar, self.tolerance)

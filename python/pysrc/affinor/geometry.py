@@ -257,8 +257,7 @@ class Geometry:
     @property
     def algebra(self) -> LieAlgebra:
         """The Lie algebra."""
-        request = {key: value for key, value in self._source.request.items() if key not in ("connection", "metric")}
-        return LieAlgebra._of(Source(request, *self._source.of()[1:]))
+        return LieAlgebra._of(self._source.of_algebra())
 
     # -- quantities ------------------------------------------------------------------------------------------------------
 
@@ -456,9 +455,14 @@ class Geometry:
 
     def subs(self, values: Mapping[Any, Scalar]) -> Geometry:
         """The geometry with parameters replaced, by name or by symbol."""
-        text, symbols = settings(values, self._source)
-        request, _, scalar, tolerance = self._source.of()
-        source = Source({**request, "set": text}, symbols, scalar, tolerance)
+        space = self._source.space()
+        alone = {name for tensor in self._extra.values() for name in tensor.parameters}
+        alone.difference_update(space.parameters, space.coordinates)
+        rest = {name: value for name, value in values.items() if str(name) not in alone}
+        source = self._source
+        if rest:
+            text, symbols = settings(rest, source)
+            source = Source({**source.request, "set": text}, symbols, source.scalar, source.tolerance)
         extra = {key: tensor.subs(values) for key, tensor in self._extra.items()}
         return Geometry._of(source, extra, self._frame)
 
@@ -466,7 +470,7 @@ class Geometry:
 
     def group(self) -> Group:
         """The group of the algebra."""
-        return Group._of(self._source.request)
+        return Group._of(self._source.of_algebra().request)
 
     def _transport(self) -> tuple[_engine.Transport, Group]:
         group = self.group()

@@ -40,9 +40,9 @@ class Group:
     def _of(cls, request: Request) -> Group:
         """The group of the algebra of a space."""
         group = cls.__new__(cls)
-        group._request = {key: value for key, value in request.items() if key not in ("connection", "metric")}
-        group._made = _restore, (group._request,)
-        group._engine = _engine.Space(**group._request).group()
+        group._request = request
+        group._made = _restore, (request,)
+        group._engine = _engine.Space(**request).group()
         return group
 
     @property
