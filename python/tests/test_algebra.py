@@ -83,6 +83,14 @@ def test_definition_files_as_files_and_as_dicts(path):
     assert from_file.table(given).splitlines()[1:] == from_dict.table(given).splitlines()[1:]
 
 
+def test_sparse_entries_with_equal_indices_are_added():
+    places = ([2, 2, 2, 1], [1, 1, 3, 2])
+    values = scipy.sparse.coo_array(([1, 2, -3, 0], places), shape=(3, 9))
+    found = af.LieAlgebra.from_structure(values)
+    np.testing.assert_array_equal(found.structure.to_numpy(), values.toarray().reshape(3, 3, 3))
+    assert values.nnz == 4
+
+
 def test_direct_sums():
     assert (so3 + af.LieAlgebra("R^3")).dimension == 6
     both = af.LieAlgebra(epsilon()) + so3

@@ -154,7 +154,9 @@ def _entries(constants: Any, dimension: int | None) -> tuple[list[Any], list[Any
 
 def _sparse(constants: Any) -> tuple[list[Any], list[Any], int | None]:
     """Entries of a sparse array of SciPy: (n, n, n), or (n, n n) with the column ``j n + k``."""
-    coo = constants.tocoo() if hasattr(constants, "tocoo") else constants
+    coo = constants.tocoo(copy=True) if hasattr(constants, "tocoo") else constants
+    if hasattr(coo, "sum_duplicates"):
+        coo.sum_duplicates()
     shape = tuple(coo.shape)
     if len(shape) == 3 and len(set(shape)) == 1:
         return np.array(coo.coords).T.tolist(), list(coo.data), shape[0]
