@@ -1,10 +1,12 @@
 """Motions: the values of the command line, every way in, interrupts and errors."""
 
+import gc
 import os
 import pickle
 import signal
 import threading
 import time
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -60,7 +62,11 @@ def test_forces():
     text = {**TOP, "forces": {"body": ["cos(t)", "-Omega1/2", 0]}}
     np.testing.assert_array_equal(af.simulate(body).rows, af.simulate(text).rows)
     table = np.array([[0, 0, 0, 0], [1, 1, 0, 0.0]])
-    by_table = af.simulate({**TOP, "forces": {"table": table}})
+    with warnings.catch_warnings(record=True) as raised:
+        warnings.simplefilter("always", ResourceWarning)
+        by_table = af.simulate({**TOP, "forces": {"table": table}})
+        gc.collect()
+    assert not [warning for warning in raised if "TemporaryDirectory" in str(warning.message)]
     by_formula = af.simulate({**TOP, "forces": {"body": ["t", 0, 0]}})
     np.testing.assert_allclose(by_table.rows, by_formula.rows, atol=1e-9)
     pd = pytest.importorskip("pandas")

@@ -59,18 +59,23 @@ class Problem:
         }
         path = text = None
         self._folder: tempfile.TemporaryDirectory[str] | None = None
-        if isinstance(problem, (str, os.PathLike)):
-            if keys:
-                raise TypeError(f"a file has its own keys: {', '.join(keys)} cannot be added")
-            path = os.fspath(problem)
-        elif problem is None or isinstance(problem, Mapping):
-            keys, functions = _functions({**(problem or {}), **keys})
-            options.update(functions)
-            text = json.dumps(self._document(keys, symbols))
-        else:
-            raise TypeError(f"a problem is a path, a dict or keys, not {type(problem).__name__}")
-        self._arguments = (path, text, options)
-        self._open()
+        try:
+            if isinstance(problem, (str, os.PathLike)):
+                if keys:
+                    raise TypeError(f"a file has its own keys: {', '.join(keys)} cannot be added")
+                path = os.fspath(problem)
+            elif problem is None or isinstance(problem, Mapping):
+                keys, functions = _functions({**(problem or {}), **keys})
+                options.update(functions)
+                text = json.dumps(self._document(keys, symbols))
+            else:
+                raise TypeError(f"a problem is a path, a dict or keys, not {type(problem).__name__}")
+            self._arguments = (path, text, options)
+            self._open()
+        finally:
+            # the engine has read the table
+            if self._folder is not None:
+                self._folder.cleanup()
 
     def _open(self) -> None:
         path, text, options = self._arguments
