@@ -189,6 +189,8 @@ def test_checks_are_those_of_the_connection_given():
     assert "metric_compatible" not in [check.name for check in given.check()]
     for other in (af.Geometry("so3", metric=[1.5, 1, 1], torsion=c, scalar="float"), af.Geometry("so3", affinities=c * 0)):
         assert all(other.check())
+    whole = af.LieAlgebra("so3+so3")
+    assert all(af.Geometry(whole, affinities=whole.structure / 3).check())
     plane = {"chart": {"coordinates": ["x", "y"]}, "metric": "identity"}
     with pytest.raises(af.MathematicsError, match="chart"):
         af.Geometry(plane, affinities=af.Tensor({(0, 1, 1): 1}, "^__", dimension=2)).check()

@@ -439,15 +439,15 @@ class Geometry:
                 "write its affinities in the definition of the chart",
             )
         scalar, tolerance, symbols = self._source.scalar, self._source.tolerance, merged(self._symbols)
-        source = structure_source(
-            left.structure, basis=left.basis, name=left.name, scalar=scalar, tolerance=tolerance
-        )
+        # sums have names that cannot be read again
+        basis = [label.replace("'", "_") for label in left.basis]
+        source = structure_source(left.structure, basis=basis, name=left.name, scalar=scalar, tolerance=tolerance)
         name, text = source.request["definition"]
         keys, texts = json.loads(text), []
         sums: dict[tuple[str, str], list[str]] = {}
         for (i, j, k), value in left.affinities.items():
             texts.append(text_of(value, symbols, floats=scalar == "float"))
-            sums.setdefault((left.basis[j], left.basis[k]), []).append(f"({texts[-1]})*{left.basis[i]}")
+            sums.setdefault((basis[j], basis[k]), []).append(f"({texts[-1]})*{basis[i]}")
         keys["affinities"] = [f"nabla[{x}, {y}] = {' + '.join(terms)}" for (x, y), terms in sums.items()]
         keys["parameters"] = sorted({*keys.get("parameters", []), *names_in(texts)})
         source.request["definition"] = (name, json.dumps(keys))
