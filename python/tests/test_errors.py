@@ -109,6 +109,8 @@ WRONG = [
     (lambda: SE3.act(SE3.identity(), [1, 2]), ValueError, "points"),
     (lambda: SO3.mean(np.zeros((0, 4))), af.ShapeError, ""),
     (lambda: af.Tensor(masked, "__"), ValueError, "masked"),
+    (lambda: af.Tensor([*masked], "__"), ValueError, "masked"),
+    (lambda: SO3.exp([*masked]), ValueError, "masked"),
     (lambda: af.Tensor({(0,): np.ma.masked}, "^", dimension=1), ValueError, "masked"),
     (lambda: af.Tensor.from_coo([[0, 1, 2]], masked[0], "^", 3), ValueError, "masked"),
     (lambda: af.LieAlgebra.from_structure(masked_constants), ValueError, "masked"),

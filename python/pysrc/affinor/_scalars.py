@@ -78,16 +78,18 @@ def text_of(
 
 
 def unmasked(value: Any) -> Any:
-    """The value; an array with masked entries is refused."""
-    if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
+    """The value; an array with masked entries is refused, and a list of such arrays."""
+    parts = value if isinstance(value, (list, tuple)) else [value]
+    if any(isinstance(part, np.ma.MaskedArray) and np.ma.is_masked(part) for part in parts):
         raise ValueError("an array of numbers was expected, not one with masked entries")
     return value
 
 
 def floats(value: Any) -> NDArray[np.float64]:
     """Real numbers as an array of float64; complex numbers, texts, dates and records are refused."""
+    value = unmasked(value)
     try:
-        array = np.asarray(unmasked(value))
+        array = np.asarray(value)
     except ValueError as error:
         raise ValueError(f"an array of real numbers was expected: {error}") from error
     if array.dtype.kind == "O":
@@ -119,8 +121,9 @@ def _refuse(item: object) -> float:
 
 def integers(what: str, value: Any) -> NDArray[np.int64]:
     """Indices as an array of int64; numbers that are not integers are refused, not cut."""
+    value = unmasked(value)
     try:
-        array = np.asarray(unmasked(value))
+        array = np.asarray(value)
         if array.dtype.kind == "O":
             array = np.array([operator.index(item) for item in array.flat], dtype=np.int64).reshape(array.shape)
     except (TypeError, ValueError, OverflowError) as error:

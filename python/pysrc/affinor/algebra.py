@@ -143,7 +143,8 @@ def _entries(constants: Any, dimension: int | None) -> tuple[list[Any], list[Any
         first = constants[0]
         if len(first) == 4 and not isinstance(first[0], (list, tuple, np.ndarray)):
             return [tuple(row[:3]) for row in constants], [row[3] for row in constants], None
-    array = unmasked(constants) if isinstance(constants, np.ndarray) else np.asarray(constants, dtype=object)
+    constants = unmasked(constants)
+    array = constants if isinstance(constants, np.ndarray) else np.asarray(constants, dtype=object)
     if array.ndim != 3 or len(set(array.shape)) != 1:
         raise ValueError(f"structure constants should be an array of the shape (n, n, n), not {array.shape}")
     if array.dtype.kind not in "iufO":
