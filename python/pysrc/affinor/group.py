@@ -24,7 +24,8 @@ class Group:
     entries column by column for groups of matrices, coordinates for R^n and nilpotent groups. Vectors of se(3) have the
     rotation first.
 
-    ``Group("se3")`` takes a name of the catalogue or a sum of names.
+    ``Group("se3")`` takes a name of the catalogue or a sum of names. Groups are equal if they are made of the same name or
+    the same definition.
     """
 
     __slots__ = ("_engine", "_made", "_request")
