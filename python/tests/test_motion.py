@@ -62,6 +62,7 @@ def test_forces():
     text = {**TOP, "forces": {"body": ["cos(t)", "-Omega1/2", 0]}}
     np.testing.assert_array_equal(af.simulate(body).rows, af.simulate(text).rows)
     table = np.array([[0, 0, 0, 0], [1, 1, 0, 0.0]])
+    gc.collect()
     with warnings.catch_warnings(record=True) as raised:
         warnings.simplefilter("always", ResourceWarning)
         by_table = af.simulate({**TOP, "forces": {"table": table}})

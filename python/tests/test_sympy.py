@@ -219,3 +219,13 @@ def test_values_of_parameters_of_tensors_alone():
     np.testing.assert_array_equal(twice.torsion.to_numpy(), 2 * c.to_numpy())
     with pytest.raises(af.InputError, match="no parameter"):
         given.subs({"q": 1})
+
+
+def test_values_in_values():
+    a, b = sp.symbols("a b")
+    geometry = af.Geometry("so3", metric=[a, b, 1])
+    later = geometry.subs({a: b + 1}).subs({b: 2})
+    assert [later.metric[i, i] for i in range(3)] == [3, 2, 1]
+    assert geometry.subs({a: a + 1}).subs({a: 2}).metric[0, 0] == 3
+    with pytest.raises(af.InputError):
+        geometry.subs({a: 2}).subs({a: 3})

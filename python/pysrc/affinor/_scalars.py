@@ -232,6 +232,11 @@ def names_in(texts: Iterable[str], *, without: Iterable[str] = ()) -> list[str]:
     return sorted(found.difference(without))
 
 
+def replaced(text: str, values: Mapping[str, str]) -> str:
+    """An expression with texts in place of names."""
+    return re.sub(r"(?<![\w.])[A-Za-z_]\w*", lambda match: values.get(match.group(), match.group()), text)
+
+
 def to_sympy(text: str, symbols: Mapping[str, Any]) -> Any:
     """The expression of a text of the engine in SymPy, with the symbols that were given."""
     import sympy

@@ -31,12 +31,17 @@ class Source:
         """The source without the connection and the metric, with values of the parameters that remain."""
         request = {key: value for key, value in self.request.items() if key not in ("connection", "metric", "set")}
         parameters = _engine.Space(**request).parameters
-        # a comma before a name and an equality sign separates values
-        values = re.split(r",(?=\s*\w+\s*=)", self.request.get("set", ""))
-        remaining = [value for value in values if value.partition("=")[0].strip() in parameters]
+        remaining = [f"{name}={value}" for name, value in self.values().items() if name in parameters]
         if remaining:
             request["set"] = ",".join(remaining)
         return Source(request, self.symbols, self.scalar, self.tolerance)
+
+    def values(self) -> dict[str, str]:
+        """The values of parameters and functions that were set, by the text before the equality sign."""
+        # a comma before a name and an equality sign separates values
+        texts = re.split(r",(?=\s*\w+\s*(?:\([^()]*\)\s*)?=)", self.request.get("set") or "")
+        pairs = [text.partition("=") for text in texts if text]
+        return {name.strip(): value for name, _, value in pairs}
 
     def with_(self, **more: Any) -> Source:
         return Source({**self.request, **more}, self.symbols, self.scalar, self.tolerance)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from affinor import _engine
-from affinor._scalars import Scalar, Symbols, document, integers, is_matrix, merged, names_in, text_of, unmasked
+from affinor._scalars import Scalar, Symbols, document, integers, is_matrix, merged, names_in, replaced, text_of, unmasked
 from affinor._source import Source
 from affinor.errors import MathematicsError
 from affinor.group import Group
@@ -393,11 +393,16 @@ def _restore(*parts: Any) -> LieAlgebra:
 
 
 def settings(values: Mapping[Any, Scalar], source: Source) -> tuple[str, Symbols]:
-    """Values of parameters as the command line takes them, after those that were set before."""
+    """Values of parameters as the command line takes them, after those that were set before and in them."""
     symbols = merged(source.symbols)
-    texts = [f"{name}={text_of(value, symbols)}" for name, value in values.items()]
-    before = [source.request["set"]] if source.request.get("set") else []
-    return ",".join(before + texts), symbols
+    texts = {str(name): text_of(value, symbols) for name, value in values.items()}
+    before = source.values()
+    brought = names_in(before.values())
+    inner = {name: f"({text})" for name, text in texts.items()}
+    settled = [f"{name}={replaced(text, inner)}" for name, text in before.items()]
+    # a name that was set before is one again only if a value brought it in
+    settled += [f"{name}={text}" for name, text in texts.items() if name not in before or name not in brought]
+    return ",".join(settled), symbols
 
 
 DESCRIPTIONS: dict[str, tuple[str, str, str, str | None]] = {

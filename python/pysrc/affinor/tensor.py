@@ -14,7 +14,19 @@ from numpy.typing import ArrayLike, NDArray
 
 from affinor import _engine
 from affinor._engine import Tensor as Components
-from affinor._scalars import Scalar, Symbols, floats, integers, is_matrix, merged, text_of, to_sympy, unmasked, value_of
+from affinor._scalars import (
+    Scalar,
+    Symbols,
+    floats,
+    integers,
+    is_matrix,
+    merged,
+    replaced,
+    text_of,
+    to_sympy,
+    unmasked,
+    value_of,
+)
 from affinor.errors import ShapeError
 
 __all__ = ["Tensor", "contract"]
@@ -359,8 +371,8 @@ class Tensor:
         if self.scalar == "float":
             return self
         symbols = merged(self._symbols)
-        replaced = {str(name): f"({text_of(value, symbols)})" for name, value in values.items()}
-        texts = [_replace(text, replaced) for text in self._engine.texts()]
+        written = {str(name): f"({text_of(value, symbols)})" for name, value in values.items()}
+        texts = [replaced(text, written) for text in self._engine.texts()]
         made = _engine.Tensor.build(self.dimension, self.slots, self._engine.indices(), texts, "exact")
         return Tensor._of(made, symbols, self._symbol, self._latex_symbol, self._title, self._letters)
 
@@ -501,10 +513,6 @@ def _sum0(a: Tensor, b: Tensor, sign: str) -> Tensor:
 
 def _zero(scalar: str) -> Any:
     return 0.0 if scalar == "float" else Fraction(0)
-
-
-def _replace(text: str, values: Mapping[str, str]) -> str:
-    return re.sub(r"(?<![\w.])[A-Za-z_]\w*", lambda match: values.get(match.group(), match.group()), text)
 
 
 def _written(letters: str, slots: str, *, runs: bool = False) -> str:
