@@ -12,6 +12,7 @@ pub mod euler_poincare;
 pub mod isospectral;
 pub mod lie_poisson;
 mod matrix;
+pub(in crate::mechanics) mod saddle;
 
 pub use constrained::{Constrained, ConstrainedState, Constraint};
 pub use cotangent::{CotangentSystem, State};

@@ -134,3 +134,17 @@ fn steps_end_at_jumps_up_to_rounding() {
         }
     }
 }
+
+/// Differences stay where a constraint is defined, also along directions in which its gradient is constant.
+#[test]
+fn constraints_of_a_limited_domain() {
+    let problem = "space = \"R^2\"\nmetric = \"identity\"\nconstraints = [\"log(exp(x2)) - 1\"]\n\
+                   initial = { coordinates = [0, 1], velocity = [1, 0] }\n\
+                   forces.body = [0, 3]\nintegrator.step = 0.1\n\
+                   output = { end = 1, columns = [\"x1\", \"x2\"] }\n";
+    let columns = columns(folder(problem).path());
+    for (name, expected) in [("x1", 1.0), ("x2", 1.0), ("lambda1", 3.0)] {
+        let (_, values) = columns.iter().find(|(found, _)| found == name).unwrap();
+        assert!((values.last().unwrap() - expected).abs() < 1e-9, "{name}: {values:?}");
+    }
+}

@@ -3,10 +3,9 @@
 use super::Integrator;
 use crate::Error;
 use crate::group::{Coordinates, LieGroup};
-use crate::mechanics::systems::constrained::{
-    Constrained, ConstrainedState, Constraint, column, saddle, solve, stacked,
-};
+use crate::mechanics::systems::constrained::{Constrained, ConstrainedState, Constraint, column};
 use crate::mechanics::systems::euler_poincare::Torque;
+use crate::mechanics::systems::saddle::{saddle, solve, stacked};
 use nalgebra::{DMatrix, DVector};
 
 /// The generalised-alpha method for constrained systems, in the index-3 formulation: the constraints hold after each
