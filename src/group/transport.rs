@@ -102,7 +102,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
     pub fn along_subgroup(&self, x: &G::Vector) -> Result<DMatrix<f64>, Error> {
         let generator = self.generator(x)?;
         let carried = series::exp(&generator);
-        if series::balanced(&generator).0.amax() < LARGE {
+        if generator.amax() < LARGE || series::balanced(&generator).0.amax() < LARGE {
             return Ok(carried);
         }
         let n = generator.nrows();

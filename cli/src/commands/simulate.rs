@@ -24,8 +24,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// The most members of an ensemble whose rows are computed before they are stored, and the time that they should take: a
-/// checkpoint is not late.
+/// The most members of an ensemble whose rows are computed before they are stored, and the time that they should take, so that
+/// checkpoints are on time.
 const CHUNK: u64 = 128;
 const CHUNK_TIME: Duration = Duration::from_secs(1);
 

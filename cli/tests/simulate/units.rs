@@ -72,6 +72,22 @@ fn a_constrained_motion_starts_from_rest() {
     }
 }
 
+/// A body at rest by a formula whose value is rounded, `sin(pi) = 1.2e-16`, satisfies the constraints; one that moves does not.
+#[test]
+fn rest_may_be_rounded() {
+    let hanging = |speed: &str| {
+        format!(
+            "space = \"R^2\"\nmetric = \"identity\"\nconstraints = [\"x1^2 + x2^2 - 1\"]\n\
+             initial = {{ coordinates = [0, -1], velocity = [0, \"{speed}\"] }}\n\
+             integrator.step = 0.1\noutput = {{ end = 1, columns = [\"x1\", \"x2\"] }}\n"
+        )
+    };
+    let columns = columns(folder(&hanging("sin(3.141592653589793)")).path());
+    assert_eq!(columns[0].1.last(), Some(&0.0));
+    let moving = folder(&hanging("1e-12"));
+    assert!(refused(&mut simulate(moving.path()), 1).contains("changes at the rate"));
+}
+
 /// Forces of constraints change the coadjoint orbit like other forces.
 #[test]
 fn constrained_motions_have_no_casimir_functions() {
