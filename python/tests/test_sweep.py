@@ -1,10 +1,12 @@
 """Sweeps: the same rows on every engine, failures as rows, and a killed worker that loses and doubles nothing."""
 
+import gc
 import os
 import signal
 import subprocess
 import sys
 import textwrap
+import warnings
 from pathlib import Path
 
 import pytest
@@ -82,6 +84,23 @@ def test_a_data_frame_is_a_grid():
     pd = pytest.importorskip("pandas")
     grid = pd.DataFrame({"a": [1, 2], "b": [1, 2], "c": [1, 2]})
     assert af.sweep(is_einstein, grid).to_pandas()["einstein"].all()
+
+
+def test_rows_without_a_folder_live_as_long_as_their_sweep():
+    # gone when the sweep is, without a warning of what was not closed
+    with warnings.catch_warnings(record=True) as raised:
+        warnings.simplefilter("always", ResourceWarning)
+        found = af.sweep(MOTIONS, DRAW, chunk=20)
+        gc.collect()
+        assert len(found.to_pandas()) == 60
+        folder = found.folder
+        del found
+        gc.collect()
+        assert not folder.exists()
+        with pytest.raises(ValueError, match="unknown"):
+            af.sweep(MOTIONS, DRAW, on="unknown")
+        gc.collect()
+    assert not [warning for warning in raised if "TemporaryDirectory" in str(warning.message)]
 
 
 def test_draws_are_reproducible():

@@ -121,6 +121,7 @@ test("a motion is the run of the program on the copied file", needsCommand, asyn
     const [download] = await Promise.all([page.waitForEvent("download"), page.click("text=Download")]);
     assert.equal(fs.readFileSync(await download.path(), "utf8"), fs.readFileSync(file, "utf8"));
   }
+  fs.rmSync(folder, { recursive: true });
   assert.deepEqual(page.problems, []);
 });
 

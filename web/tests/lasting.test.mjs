@@ -151,6 +151,7 @@ test("the values of the program for the catalogue up to dimension 30 and 200 ran
   });
   const answers = await ask(page, small.map((space) => ({ report: "table", space, show, format: "csv" })));
   small.forEach((space, at) => assert.equal(answers[at].text, affinor("table", space, "--show", show, "--format", "csv"), space));
+  fs.rmSync(folder, { recursive: true });
   console.log(`${small.length} names of the catalogue and ${files.length} definitions`);
   assert.ok(small.length > 40);
 });

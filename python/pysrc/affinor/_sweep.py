@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import inspect
 import itertools
@@ -10,6 +11,7 @@ import os
 import re
 import tempfile
 import time
+import weakref
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
@@ -108,11 +110,10 @@ class Motions:
 class Sweep:
     """The rows of a sweep: a Parquet data set in ``folder``, a file for each partition."""
 
-    def __init__(self, folder: Path, computed: int, keep: Any = None) -> None:
+    def __init__(self, folder: Path, computed: int) -> None:
         self.folder = folder
         self.computed = computed
         """The number of partitions that were computed now, and not before."""
-        self._keep = keep
 
     @property
     def manifest(self) -> dict[str, Any]:
@@ -166,9 +167,19 @@ def sweep(
     if chunk < 1:
         raise ValueError(f"a chunk has at least one row, not {chunk}")
     source = _Grid(grid)
-    keep = tempfile.TemporaryDirectory(prefix="affinor-sweep-") if out is None else None
-    folder = Path(keep.name if keep is not None else out).absolute()  # type: ignore[arg-type]
-    folder.mkdir(parents=True, exist_ok=True)
+    with contextlib.ExitStack() as stack:
+        if out is None:
+            out = stack.enter_context(tempfile.TemporaryDirectory(prefix="affinor-sweep-"))
+        folder = Path(out).absolute()
+        folder.mkdir(parents=True, exist_ok=True)
+        found = _run(task, source, folder, chunk, on, progress)
+        # the rows live as long as the sweep
+        weakref.finalize(found, stack.pop_all().close)
+    return found
+
+
+def _run(task: Any, source: _Grid, folder: Path, chunk: int, on: Any, progress: bool) -> Sweep:
+    """Computes the partitions that are missing in the folder."""
     identity = _fingerprint(task, source, chunk)
     head = {"version": 1, "hash": identity, "rows": len(source), "chunk": chunk}
     done = _begin(folder, head)
@@ -196,7 +207,7 @@ def sweep(
         if bar is not None:
             bar.close()
     _write_json(folder / _MANIFEST, {**head, "partitions": dict(sorted(done.items()))})
-    return Sweep(folder, len(missing), keep)
+    return Sweep(folder, len(missing))
 
 
 # -- grids ---------------------------------------------------------------------------------------------------------------
