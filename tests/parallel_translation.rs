@@ -67,6 +67,60 @@ fn laws<G: LieGroup + Clone>(group: G, numbers: &[f64; 6]) {
     }
 }
 
+/// Whether the loops of an arc of this length and of two such arcs are not refused.
+fn there_and_back_far<G: LieGroup + Clone>(group: G, numbers: &[f64; 6], length: f64) -> bool {
+    let n = group.dimension();
+    let vector = |at: usize| {
+        let turned: Vec<f64> = (0..n).map(|i| length * numbers[(at + i) % 6]).collect();
+        G::Vector::from_components(&turned)
+    };
+    let (x, y) = (vector(0), vector(3));
+    let on_group = full(&group);
+    let mut all = true;
+    for arcs in [vec![x.clone(), -x.clone()], vec![x.clone(), y.clone(), -y, -x]] {
+        match on_group.along_arcs(&arcs) {
+            Ok(around) if around.iter().all(|entry| entry.is_finite()) => {
+                let off = (around - DMatrix::identity(n, n)).amax();
+                assert!(off < 1e-4, "{length}: {off:e}");
+            }
+            // out of range
+            Ok(_) => all = false,
+            Err(Error::Invalid { .. }) => all = false,
+            Err(error) => panic!("{error}"),
+        }
+    }
+    all
+}
+
+/// Refused where rounding is all that is left, and not before.
+#[test]
+fn rounding_of_long_arcs() {
+    let algebra = Sl2.algebra().unwrap();
+    let plus = Connection::canonical(&algebra, Canonical::Plus);
+    let on_group = ParallelTranslation::new(Sl2, plus).unwrap();
+    let there_and_back = |length: f64| {
+        let x = Vector3::new(length, length, 0.0);
+        on_group.along_arcs(&[x, -x])
+    };
+    let off = (there_and_back(5.0).unwrap() - DMatrix::identity(3, 3)).amax();
+    assert!(off < 1e-6, "{off:e}");
+    let reason = there_and_back(10.0).unwrap_err().to_string();
+    assert!(reason.contains("the rounding of the arcs"), "{reason}");
+    // eigenvectors of ad with the values 2 and -2: the one that shrinks has lost its digits when the other has grown by 1e8
+    let boost = |length: f64| on_group.along_arcs(&[Vector3::new(length, length, 0.0)]).unwrap();
+    let shrinks = Vector3::new(1.0, -1.0, -1.0);
+    let carried = on_group.carry(&boost(2.0), &shrinks).unwrap();
+    let expected = DVector::from_column_slice(shrinks.as_slice()) * (-4f64).exp();
+    assert!((&carried - &expected).amax() < 1e-13, "{carried}");
+    assert!(on_group.carry(&boost(9.0), &shrinks).is_err());
+    assert!(on_group.carry(&boost(9.0), &Vector3::new(1.0, -1.0, 1.0)).is_ok());
+    // ten thousand arcs of rotations
+    let turn = |k: i32| Vector3::new(f64::from(k).sin(), f64::from(k).cos(), 0.3);
+    let many: Vec<_> = (0..10_000).map(turn).collect();
+    let matrix = canonical(Canonical::Zero).along_arcs(&many).unwrap();
+    assert!((matrix.transpose() * &matrix - DMatrix::identity(3, 3)).amax() < 1e-11);
+}
+
 /// The rotation matrix as a dynamic matrix.
 fn rotation(g: &UnitQuaternion<f64>) -> DMatrix<f64> {
     So3.matrix(g)
@@ -101,6 +155,19 @@ properties! {
         laws(Se3, &numbers);
         laws(Sl2, &numbers);
         laws(Heisenberg::<5>, &numbers);
+    }
+
+    /// Along long arcs and back, what is not refused is right.
+    #[test]
+    fn long_arcs(numbers in proptest::array::uniform6(-1.5..1.5f64), length in 0.0..4.0f64) {
+        let length = 10f64.powf(length);
+        let stretch = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 0.0]);
+        let shift = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 0.0, 0.0]);
+        there_and_back_far(MatrixGroup::new(&[stretch, shift]).unwrap(), &numbers, length);
+        there_and_back_far(Sl2, &numbers, length);
+        there_and_back_far(Se3, &numbers, length);
+        // no length is too long on a compact group
+        prop_assert!(there_and_back_far(So3, &numbers, length));
     }
 
     /// Plus is right translation, minus left translation, zero `L_sqrt(p) R_sqrt(p)`: all in left

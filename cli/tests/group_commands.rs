@@ -231,6 +231,10 @@ fn refused_rows_are_left_out_on_request() {
         (&["exp", "sl2", "0,0,0", "1,1,800"], "of the result is inf"),
         (&["transport", "so3@plus", "--along", "0,0,0", "0,0,0", "1,2"], "has 3 numbers, not 2"),
         (
+            &["transport", "sl2@plus", "--along", "9,9,0", "1,-1,1", "1,-1,-1"],
+            "the arcs are too long",
+        ),
+        (
             &["convert", "--from", "quaternion", "--to", "vector", "1,0,0,0", "0,0,0,0"],
             "no direction",
         ),

@@ -4,6 +4,7 @@ mod autoparallel;
 
 pub use autoparallel::TangentVector;
 
+use super::written::expect_shape;
 use super::{Coordinates, LieGroup, expect_left_frame, ode, series};
 use crate::algebra::frame::{expect_slots, formula};
 use crate::{Connection, Error};
@@ -45,6 +46,9 @@ impl<S: Ring> Connection<S> {
 /// The size of generators above which the rounding of the exponential is checked, and the largest error allowed.
 const LARGE: f64 = 1e8;
 const NOISE: f64 = 1e-3;
+
+/// The largest part of a result that rounding may change.
+const LOST: f64 = 1e-6;
 
 /// A group with a left-invariant connection: parallel translation along curves, and autoparallels.
 ///
@@ -118,11 +122,36 @@ impl<G: LieGroup> ParallelTranslation<G> {
     /// Along the arcs `exp(s x_1)`, then `exp(x_1) exp(s x_2)`, and so on, `0 <= s <= 1`.
     ///
     /// # Errors
-    /// As [`along_subgroup`](Self::along_subgroup).
+    /// As [`along_subgroup`](Self::along_subgroup); [`Error::Invalid`] if large matrices cancel, so that their rounding may change
+    /// more than a millionth of the product: long arcs of a group that is not compact, and back.
     pub fn along_arcs(&self, arcs: &[G::Vector]) -> Result<DMatrix<f64>, Error> {
         let n = self.group.dimension();
-        arcs.iter()
-            .try_fold(DMatrix::identity(n, n), |carried, x| Ok(self.along_subgroup(x)? * carried))
+        let mut carried = DMatrix::identity(n, n);
+        // the same product, with every entry changed by a rounding
+        let mut rounded = carried.clone();
+        let mut signs = signs();
+        for x in arcs {
+            let arc = self.along_subgroup(x)?;
+            rounded = arc.map(|entry| entry * (1.0 + f64::EPSILON * signs())) * rounded;
+            carried = arc * carried;
+        }
+        expect_digits("arcs", (rounded - &carried).amax() / carried.amax())?;
+        Ok(carried)
+    }
+
+    /// A vector at the start of a path, carried to its end by the matrix of the path.
+    ///
+    /// # Errors
+    /// [`Error::Shape`]; [`Error::Invalid`] if large numbers cancel, so that their rounding may change more than a millionth of the
+    /// result.
+    pub fn carry(&self, path: &DMatrix<f64>, u: &G::Vector) -> Result<DVector<f64>, Error> {
+        let n = self.group.dimension();
+        expect_shape(path, (n, n))?;
+        let u = DVector::from_column_slice(u.components());
+        let carried = path * &u;
+        let terms = path.abs() * u.abs();
+        expect_digits("matrix", f64::EPSILON * terms.amax() / carried.amax())?;
+        Ok(carried)
     }
 
     /// Along a sampled curve: the arcs `g_i exp(s x_i)` from one element to the next, with the
@@ -164,5 +193,25 @@ impl<G: LieGroup> ParallelTranslation<G> {
 
     fn generator(&self, w: &G::Vector) -> Result<DMatrix<f64>, Error> {
         Ok(self.connection.transport_along(w.components())?.to_dmatrix()?)
+    }
+}
+
+/// Refuses a result of which rounding may have changed a large part.
+fn expect_digits(what: &str, lost: f64) -> Result<(), Error> {
+    if lost > LOST {
+        let reason = format!(
+            "the rounding of the {what} may change it by {lost:.0e} of its size: the arcs are too long"
+        );
+        return Err(Error::Invalid { what: "parallel translation", reason });
+    }
+    Ok(())
+}
+
+/// An irregular sequence of signs, always the same.
+fn signs() -> impl FnMut() -> f64 {
+    let mut state = 1_u64;
+    move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        if state >> 63 == 0 { 1.0 } else { -1.0 }
     }
 }

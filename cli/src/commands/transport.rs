@@ -49,13 +49,14 @@ impl Arguments {
         let angles = Angles::new(self.degrees, &group);
         let arcs = self.along.iter().map(|x| Ok(angles.read(&read("--along", x, &expected)?)));
         let arcs = arcs.collect::<Result<Vec<_>, Failure>>()?;
-        let carried = ParallelTranslation::new(group, connection)?.along_arcs(&arcs)?;
+        let translation = ParallelTranslation::new(group, connection)?;
+        let carried = translation.along_arcs(&arcs)?;
         if self.vectors.is_empty() {
             return write_rows(&self.output, "P", |write| write(carried));
         }
         let given: &[String] = if self.vectors == ["-"] { &[] } else { &self.vectors };
         map_rows(given, &expected, "u", &self.output, |u| {
-            Ok(vector((&carried * DVector::from_column_slice(u)).as_slice()))
+            Ok(vector(translation.carry(&carried, &DVector::from_column_slice(u))?.as_slice()))
         })
     }
 }
