@@ -32,6 +32,7 @@ mod opposite;
 mod product;
 pub mod registry;
 pub mod rotation;
+mod rounding;
 mod screws;
 mod se2;
 mod se23;

@@ -120,6 +120,72 @@ fn products_that_lose_their_digits() {
     assert!((20..30).contains(&refused), "{refused}");
 }
 
+/// Products of small vectors keep their digits: the series of Baker, Campbell and Hausdorff up to the third order.
+#[test]
+fn products_of_small_vectors() {
+    for name in ["so3", "se3", "sl2", "gl(2)", "so(4)", "so(2,1)", "sim(2)", "aff(1)+sl2"] {
+        let group = AnyGroup::named(name).unwrap();
+        for size in [1e-150, 1e-12, 1e-8, 1e-5] {
+            let vector = |numbers: [f64; 5]| {
+                DVector::from_fn(group.dimension(), |i, _| size * numbers[i % 5])
+            };
+            let (x, y) = (vector([0.3, -0.5, 0.2, 0.7, 0.0]), vector([-0.2, 0.6, 0.1, -0.9, 0.4]));
+            let xy = group.bracket(&x, &y);
+            let third = group.bracket(&x, &xy) - group.bracket(&y, &xy);
+            let expected = &x + &y + xy * 0.5 + third / 12.0;
+            let off = (group.log_product(&x, &y).unwrap() - expected).amax() / size;
+            assert!(off < 8.0 * f64::EPSILON + 4.0 * size.powi(3), "{name}, {size:e}: {off:e}");
+        }
+    }
+    // around the size up to which factors are taken less 1
+    let group = AnyGroup::named("gl(2)").unwrap();
+    for norm in [0.1, 0.499, 0.501, 0.9] {
+        let [x, y] = [[0.5, 0.1, -0.7, 0.5], [0.1, 0.7, 0.5, -0.5]]
+            .map(|numbers| DVector::from_column_slice(&numbers) * norm);
+        let product = group.compose(&group.exp(&x), &group.exp(&y));
+        let off = group.log_product(&x, &y).unwrap() - group.log(&product).unwrap();
+        assert!(off.amax() < 1e-14, "{norm}: {off}");
+    }
+}
+
+/// `exp(s x) exp(t x) = exp((s + t) x)` on SL(2), or it is refused.
+#[test]
+fn products_along_subgroups() {
+    let directions = [
+        Vector3::new(1.0, 1.0, 0.5),
+        Vector3::new(1.0, -1.0, 0.2),
+        Vector3::new(1.0, -0.04, 0.2),
+        Vector3::new(3.0, 0.0, 0.2),
+        Vector3::new(1e3, 1e-3, 0.3),
+    ];
+    let (mut refused, mut right) = (0, 0);
+    for x in directions {
+        // of angles at most pi
+        let angle = f64::max(-x[2] * x[2] - x[0] * x[1], 0.0).sqrt();
+        for s in [-30.0, -17.0, -3.0, -1e-9, 0.5, 2.9, 3.0, 16.0, 31.0] {
+            for t in [-31.0, -16.0, -2.9, 0.3, 1e-7, 17.0, 29.0] {
+                if f64::abs(s + t) * angle >= 3.0 {
+                    continue;
+                }
+                let sum = x * (s + t);
+                match Sl2.log_product(&(x * s), &(x * t)) {
+                    Ok(product) => {
+                        let off = (product - sum).amax() / (1.0 + sum.amax());
+                        assert!(off < 1e-6, "{x:?} {s} {t}: {off:e}");
+                        right += 1;
+                    }
+                    Err(error) => {
+                        let reason = error.to_string();
+                        assert!(reason.contains("too large") || angle > 0.0, "{x:?}: {reason}");
+                        refused += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(refused > 20 && right > 150, "{refused} {right}");
+}
+
 /// Numbers of elements make them again, and change as differences say, of right-invariant systems as well.
 #[test]
 fn numbers_of_elements() {

@@ -28,6 +28,15 @@ pub(crate) fn logarithm(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     Ok(unbalanced(&rooted_to(&a, NEAR)?, &exponents))
 }
 
+/// The principal logarithm of `1 + x`, with all digits of a small `x`.
+pub(super) fn logarithm_near_identity(x: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
+    if x.norm() <= NEAR {
+        near_identity(x)
+    } else {
+        logarithm(&(x + DMatrix::identity(x.nrows(), x.nrows())))
+    }
+}
+
 /// [`logarithm`], with as many square roots as bring the matrix within the distance `near` of 1.
 fn rooted_to(a: &DMatrix<f64>, near: f64) -> Result<DMatrix<f64>, Error> {
     off_the_negative_axis(a)?;

@@ -1,7 +1,8 @@
 //! Groups of real matrices, given by a basis of their algebra.
 
-use super::logarithm::logarithm;
-use super::series::exp;
+use super::logarithm::{logarithm, logarithm_near_identity};
+use super::rounding::expect_digits_of_product;
+use super::series::{exp, exp_less_identity};
 use super::span::Span;
 use super::splitting::translations;
 use super::written::{TOLERANCE, Written, checked, expect_shape, replace};
@@ -15,8 +16,8 @@ use nalgebra::{DMatrix, DVector};
 /// The relative distance from the algebra that roundings give a logarithm.
 const OUTSIDE: f64 = 1e-9;
 
-/// The largest error of a logarithm that the rounding of a product may cause. The bound is some ten to a thousand times the error.
-const LOST: f64 = 1e-6;
+/// The largest norm of generators from whose exponentials 1 is left out before they are multiplied.
+const SHORT: f64 = 0.5;
 
 /// The largest power of an element whose logarithm is tested. It covers the orders of the centres of small classical groups,
 /// and of half and third turns.
@@ -213,6 +214,16 @@ impl MatrixGroup {
         (self.generator(&self.coordinates(m)) - m).norm()
     }
 
+    /// The coordinates of a logarithm, if it lies in the algebra.
+    fn in_algebra(&self, log: DMatrix<f64>) -> Result<DVector<f64>, Error> {
+        let outside = self.outside(&log);
+        if outside <= OUTSIDE * (1.0 + log.norm()) {
+            return Ok(self.coordinates(&log));
+        }
+        let reason = format!("the principal logarithm leaves the algebra by {outside:e}");
+        Err(Error::Invalid { what: "logarithm", reason })
+    }
+
     fn size(&self) -> usize {
         self.span.size()
     }
@@ -324,13 +335,7 @@ impl LieGroup for MatrixGroup {
     /// computed.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         expect_shape(g, (self.size(), self.size()))?;
-        let log = logarithm(g)?;
-        let outside = self.outside(&log);
-        if outside <= OUTSIDE * (1.0 + log.norm()) {
-            return Ok(self.coordinates(&log));
-        }
-        let reason = format!("the principal logarithm leaves the algebra by {outside:e}");
-        Err(Error::Invalid { what: "logarithm", reason })
+        self.in_algebra(logarithm(g)?)
     }
 
     /// `g x g^-1`.
@@ -346,18 +351,19 @@ impl LieGroup for MatrixGroup {
         exp(&ad)
     }
 
-    /// Refused if the product loses its digits. An entry of `g h` has the rounding error of a term, about `eps |g| |h|`, and the
+    /// Refused if the product loses its digits: the bound is some ten to a thousand times the error. An entry of `g h` has the rounding error of a term, about `eps |g| |h|`, and the
     /// logarithm multiplies it by up to `|(g h)^-1|`.
     fn log_product(&self, x: &Self::Vector, y: &Self::Vector) -> Result<Self::Vector, Error> {
+        let generators = [x, y].map(|x| self.generator(x));
+        if generators.iter().all(|generator| generator.norm() <= SHORT) {
+            // g h - 1, of factors near 1
+            let [g, h] = generators.map(|generator| exp_less_identity(&generator));
+            return self.in_algebra(logarithm_near_identity(&(&g + &h + &g * &h))?);
+        }
         let (g, h) = (self.exp(x), self.exp(y));
         let inverse = self.exp(&-y) * self.exp(&-x);
         let lost = f64::EPSILON * g.norm() * h.norm() * inverse.norm();
-        if lost > LOST {
-            let reason = format!(
-                "the rounding of exp(x) exp(y) may change it by {lost:.0e}: x and y are too large"
-            );
-            return Err(Error::Invalid { what: "logarithm of the product", reason });
-        }
+        expect_digits_of_product(lost)?;
         self.log(&(g * h))
     }
 

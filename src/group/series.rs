@@ -85,6 +85,11 @@ pub fn phi1(m: &DMatrix<f64>) -> DMatrix<f64> {
     exp(&block).view((0, n), (n, n)).into_owned()
 }
 
+/// `exp(m) - 1`, with all digits where `m` is small.
+pub(super) fn exp_less_identity(m: &DMatrix<f64>) -> DMatrix<f64> {
+    m * phi1(m)
+}
+
 /// The matrix of `-ad_x`, of which `T_left(x)` is the function [`phi1`].
 fn ad<G: LieGroup + ?Sized>(group: &G, x: &G::Vector) -> DMatrix<f64> {
     let columns: Vec<_> = group.basis().iter().map(|v| group.bracket(v, x)).collect();

@@ -1,5 +1,6 @@
 //! SL(2,R), the real matrices of size 2 and determinant 1.
 
+use super::rounding::expect_digits_of_product;
 use super::stumpff::Stumpff;
 use super::written::{TOLERANCE, Written, checked, replace, sparse};
 use super::{Embedded, LieGroup};
@@ -26,6 +27,12 @@ pub struct Sl2;
 /// Above this, squares may overflow.
 const LARGE: f64 = 1e150;
 
+/// Terms of a product that are larger than the product by this factor of the rounding cancel.
+const CANCELLED: f64 = 64.0 * f64::EPSILON;
+
+/// Below this square of the sine, near 1, the derivative of the angle over the sine by the square is less than 1.
+const NEAR: f64 = 1e-4;
+
 fn traceless(x: &Vector3<f64>) -> Matrix2<f64> {
     Matrix2::new(x[2], x[0], x[1], -x[2])
 }
@@ -46,6 +53,27 @@ fn determinant(x: &Vector3<f64>) -> f64 {
         0.0 => 0.0,
         small => largest * small * largest,
     }
+}
+
+/// The logarithm of `cos + part`, where `part = (sin / angle) x`, or cosh and sinh.
+fn logarithm(cos: f64, part: &Vector3<f64>) -> Result<Vector3<f64>, Error> {
+    if (cos + 1.0).abs() <= 4.0 * f64::EPSILON && part.amax() <= 4.0 * f64::EPSILON {
+        return Ok(Vector3::new(-PI, PI, 0.0));
+    }
+    let square = determinant(part);
+    let sine = square.abs().sqrt();
+    if square <= 0.0 && cos < 0.0 {
+        let trace = 2.0 * cos;
+        let reason = match trace > -2.0 {
+            true => format!("the trace is {trace}, so near -2 that rounding hides the angle"),
+            false => {
+                format!("the trace is {trace}, that of exp(x) is above -2 unless exp(x) = -1")
+            }
+        };
+        return Err(Error::Invalid { what: "logarithm", reason });
+    }
+    let angle = if square > 0.0 { sine.atan2(cos) } else { sine.asinh() };
+    Ok(if sine == 0.0 { *part } else { part * (angle / sine) })
 }
 
 impl LieGroup for Sl2 {
@@ -86,25 +114,40 @@ impl LieGroup for Sl2 {
     /// The logarithm with angles of at most `pi`; that of `-1` is the half turn `pi (F - E)`, one of
     /// its logarithms.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
-        if (g + Matrix2::identity()).amax() <= 4.0 * f64::EPSILON {
-            return Ok(Vector3::new(-PI, PI, 0.0));
+        logarithm(0.5 * g.trace(), &components(g))
+    }
+
+    /// With the digits of small vectors: the part without trace of `(c_0 + c_1 x) (d_0 + d_1 y)` is
+    /// `c_0 d_1 y + d_0 c_1 x + c_1 d_1 [x, y]/2`. Refused if it loses its digits.
+    fn log_product(&self, x: &Self::Vector, y: &Self::Vector) -> Result<Self::Vector, Error> {
+        let [zx, zy] = [x, y].map(determinant);
+        if zx.max(zy) > LARGE {
+            return self.log(&self.compose(&self.exp(x), &self.exp(y)));
         }
-        // g = cos + (sin / angle) x, or cosh and sinh
-        let (cos, part) = (0.5 * g.trace(), components(g));
-        let square = determinant(&part);
-        let sine = square.abs().sqrt();
-        if square <= 0.0 && cos < 0.0 {
-            let trace = 2.0 * cos;
-            let reason = match trace > -2.0 {
-                true => format!("the trace is {trace}, so near -2 that rounding hides the angle"),
-                false => {
-                    format!("the trace is {trace}, that of exp(x) is above -2 unless exp(x) = -1")
-                }
+        let (c, d) = (Stumpff::at(zx), Stumpff::at(zy));
+        let half_trace = x[2] * y[2] + 0.5 * (x[0] * y[1] + x[1] * y[0]);
+        let cos = c.c0 * d.c0 + c.c1 * d.c1 * half_trace;
+        let terms =
+            [x * (d.c0 * c.c1), y * (c.c0 * d.c1), self.bracket(x, y) * (0.5 * c.c1 * d.c1)];
+        let part = terms[0] + terms[1] + terms[2];
+        let sizes: f64 = terms.iter().map(Vector3::norm).sum();
+        let rounding =
+            f64::EPSILON * (sizes + (c.c0 * d.c0).abs() + (c.c1 * d.c1 * half_trace).abs());
+        let cancelled = rounding > CANCELLED * (part.norm() + cos.abs());
+        let unknown = |error| expect_digits_of_product(rounding).and(Err(error));
+        let product = logarithm(cos, &part).or_else(unknown)?;
+        if cancelled {
+            // the derivative of (angle / sine) part
+            let (square, size) = (determinant(&part), part.norm());
+            let slope = if square > 0.0 { cos } else { 1.0 / cos };
+            let lost = match product.norm() / size {
+                _ if size == 0.0 => 1.0,
+                factor if cos > 0.0 && square.abs() < NEAR => factor + size * size,
+                factor => factor + (slope - factor).abs() * (size * size / square.abs()),
             };
-            return Err(Error::Invalid { what: "logarithm", reason });
+            expect_digits_of_product(rounding * lost)?;
         }
-        let angle = if square > 0.0 { sine.atan2(cos) } else { sine.asinh() };
-        Ok(if sine == 0.0 { part } else { part * (angle / sine) })
+        Ok(product)
     }
 
     /// `g x g^-1`.

@@ -4,6 +4,7 @@ mod autoparallel;
 
 pub use autoparallel::TangentVector;
 
+use super::rounding::expect_digits;
 use super::written::expect_shape;
 use super::{Coordinates, LieGroup, expect_left_frame, ode, series};
 use crate::algebra::frame::{expect_slots, formula};
@@ -46,9 +47,6 @@ impl<S: Ring> Connection<S> {
 /// The size of generators above which the rounding of the exponential is checked, and the largest error allowed.
 const LARGE: f64 = 1e8;
 const NOISE: f64 = 1e-3;
-
-/// The largest part of a result that rounding may change.
-const LOST: f64 = 1e-6;
 
 /// A group with a left-invariant connection: parallel translation along curves, and autoparallels.
 ///
@@ -135,7 +133,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
             rounded = arc.map(|entry| entry * (1.0 + f64::EPSILON * signs())) * rounded;
             carried = arc * carried;
         }
-        expect_digits("arcs", (rounded - &carried).amax() / carried.amax())?;
+        expect_part("arcs", (rounded - &carried).amax() / carried.amax())?;
         Ok(carried)
     }
 
@@ -150,7 +148,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
         let u = DVector::from_column_slice(u.components());
         let carried = path * &u;
         let terms = path.abs() * u.abs();
-        expect_digits("matrix", f64::EPSILON * terms.amax() / carried.amax())?;
+        expect_part("matrix", f64::EPSILON * terms.amax() / carried.amax())?;
         Ok(carried)
     }
 
@@ -196,15 +194,13 @@ impl<G: LieGroup> ParallelTranslation<G> {
     }
 }
 
-/// Refuses a result of which rounding may have changed a large part.
-fn expect_digits(what: &str, lost: f64) -> Result<(), Error> {
-    if lost > LOST {
-        let reason = format!(
-            "the rounding of the {what} may change it by {lost:.0e} of its size: the arcs are too long"
-        );
-        return Err(Error::Invalid { what: "parallel translation", reason });
-    }
-    Ok(())
+/// Refuses a result of which rounding may change a large part.
+fn expect_part(what: &str, lost: f64) -> Result<(), Error> {
+    expect_digits("parallel translation", lost, |lost| {
+        format!(
+            "the rounding of the {what} may change it by {lost} of its size: the arcs are too long"
+        )
+    })
 }
 
 /// An irregular sequence of signs, always the same.
