@@ -264,6 +264,6 @@ fn catalogued(names: &str) -> Option<LieAlgebra<Rational>> {
     parts.into_iter().map(Ok).reduce(|a, b| a?.direct_sum(&b?))?.ok()
 }
 
-pub(super) fn scale(vector: &Vector, factor: &Rational) -> Vector {
+pub(super) fn scale<K: Copy>(vector: &[(K, Rational)], factor: &Rational) -> Vec<(K, Rational)> {
     vector.iter().map(|(at, value)| (*at, value.clone() * factor)).collect()
 }

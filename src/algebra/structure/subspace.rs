@@ -155,9 +155,9 @@ pub(crate) fn combination<S: Field>(rows: &[Row<S>], coefficients: &[(usize, S)]
 }
 
 /// The sum of terms, sorted and without zeros.
-pub(crate) fn collected<S: Field>(mut terms: Row<S>) -> Row<S> {
+pub(crate) fn collected<K: Copy + Ord, S: Field>(mut terms: Vec<(K, S)>) -> Vec<(K, S)> {
     terms.sort_by_key(|(at, _)| *at);
-    let sum = |run: &[(usize, S)]| {
+    let sum = |run: &[(K, S)]| {
         let total = run[1..].iter().fold(run[0].1.clone(), |total, (_, value)| total + value);
         (run[0].0, total)
     };

@@ -1,9 +1,9 @@
 //! Small systems of polynomial equations over the rationals: one solution, by elimination where it is possible and search else.
 //!
-//! A polynomial is a sparse row; the column of a monomial is made of its variables, six bits each. So a set of equations
+//! A polynomial is a sparse row, and a monomial is the number made of its variables, six bits each. So a set of equations
 //! is a matrix, and its echelon form eliminates monomials: those of high degree, or those of low degree.
 
-use super::{Subspace, Vector, collected, scale};
+use super::{Subspace, collected, scale};
 use affinor_tensors::{Field, Rational};
 use num_rational::BigRational;
 use polycore::Uni;
@@ -17,26 +17,30 @@ const MAX_DEGREE: usize = 8;
 /// The longest polynomial that a substitution may reach.
 const MAX_TERMS: usize = 400;
 
+/// The code of a monomial, on machines of any width.
+type Monomial = u64;
+
 /// A polynomial: coefficients of monomials.
-pub(super) type Polynomial = Vector;
+pub(super) type Polynomial = Vec<(Monomial, Rational)>;
 
 /// The variables of a monomial, from the largest to the smallest; variables count from 0.
-fn variables(code: usize) -> Vec<usize> {
-    let digits = (0..=MAX_DEGREE + 1).rev().map(|place| code >> (BITS * place) & MAX_VARIABLES);
+fn variables(code: Monomial) -> Vec<usize> {
+    let digit = |place: usize| (code >> (BITS * place)) as usize & MAX_VARIABLES;
+    let digits = (0..=MAX_DEGREE + 1).rev().map(digit);
     digits.filter(|digit| *digit > 0).map(|digit| digit - 1).collect()
 }
 
 /// The monomial of variables in decreasing order.
-fn code(variables: &[usize]) -> usize {
-    variables.iter().fold(0, |code, variable| code << BITS | (variable + 1))
+fn code(variables: &[usize]) -> Monomial {
+    variables.iter().fold(0, |code, variable| code << BITS | (*variable as Monomial + 1))
 }
 
-fn degree(code: usize) -> usize {
-    (usize::BITS - code.leading_zeros()).div_ceil(BITS as u32) as usize
+fn degree(code: Monomial) -> usize {
+    (Monomial::BITS - code.leading_zeros()).div_ceil(BITS as u32) as usize
 }
 
 /// The degree of a polynomial.
-fn total(polynomial: &[(usize, Rational)]) -> usize {
+fn total(polynomial: &[(Monomial, Rational)]) -> usize {
     polynomial.iter().map(|(at, _)| degree(*at)).max().unwrap_or(0)
 }
 
@@ -45,7 +49,7 @@ pub(super) fn variable(at: usize) -> Polynomial {
     vec![(code(&[at]), Rational::from(1))]
 }
 
-fn times(a: usize, b: usize) -> usize {
+fn times(a: Monomial, b: Monomial) -> Monomial {
     let mut all = [variables(a), variables(b)].concat();
     all.sort_unstable_by(|x, y| y.cmp(x));
     code(&all)
@@ -97,7 +101,7 @@ fn occurring(polynomial: &Polynomial) -> Vec<usize> {
 
 /// The value of a polynomial.
 pub(super) fn value(polynomial: &Polynomial, at: &impl Fn(usize) -> Rational) -> Rational {
-    let term = |(code, factor): &(usize, Rational)| {
+    let term = |(code, factor): &(Monomial, Rational)| {
         variables(*code).into_iter().fold(factor.clone(), |product, v| product * &at(v))
     };
     polynomial.iter().map(term).fold(Rational::from(0), |sum, term| sum + &term)
@@ -243,13 +247,22 @@ impl System {
 
 /// The echelon form.
 fn reduced(rows: &[Polynomial]) -> Vec<Polynomial> {
-    Subspace::span(usize::MAX, rows.iter().cloned()).basis().to_vec()
+    let mut columns: Vec<Monomial> = rows.iter().flatten().map(|(at, _)| *at).collect();
+    columns.sort_unstable();
+    columns.dedup();
+    let column = |at: &Monomial| columns.partition_point(|other| other < at);
+    let numbered = |row: &Polynomial| row.iter().map(|(at, v)| (column(at), v.clone())).collect();
+    let echelon = Subspace::span(columns.len(), rows.iter().map(numbered));
+    let named = |row: &Vec<(usize, Rational)>| {
+        row.iter().map(|(column, value)| (columns[*column], value.clone())).collect()
+    };
+    echelon.basis().iter().map(named).collect()
 }
 
 /// The columns in the opposite order.
 fn turned(rows: &[Polynomial]) -> Vec<Polynomial> {
     let turn = |row: &Polynomial| {
-        row.iter().rev().map(|(at, value)| (usize::MAX - 1 - at, value.clone())).collect()
+        row.iter().rev().map(|(at, value)| (Monomial::MAX - at, value.clone())).collect()
     };
     rows.iter().map(turn).collect()
 }
