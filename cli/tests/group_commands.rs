@@ -206,6 +206,24 @@ fn columns_of_csv_have_names() {
     assert!(large.starts_with("g1_1,g1_2,") && large.ends_with(",g10_10"), "{large}");
 }
 
+/// Only names make a header; a mark of the encoding is none, and what is missing is not closed up.
+#[test]
+fn headers_and_missing_numbers() {
+    let expected = output(&["exp", "so3"], "1,2,3\n");
+    for header in ["x,y,z", "\"x\",\"y\",\"z\"", "x1 x2 x3", "\u{feff}x;y;z"] {
+        assert_eq!(output(&["exp", "so3"], &format!("{header}\n1,2,3\n")), expected, "{header}");
+    }
+    assert_eq!(output(&["exp", "so3"], "\u{feff}1,2,3\n"), expected);
+    for line in ["null,null,null", "NaN,nan,NA", "1d0,2d0,3d0", "1.5f,2f,3f", "\"1\",\"2\",\"3\""] {
+        let (code, message) = refusal(&["exp", "so3"], &format!("{line}\n1,2,3\n"));
+        assert!(code == 2 && message.contains("line 1"), "{line}: {message}");
+    }
+    for line in ["1,,2,3", ",1,2,3", "1;,2,3", "[,1,2,3]", "1, ,2,3"] {
+        let (code, message) = refusal(&["exp", "so3"], &format!("0,0,0\n{line}\n"));
+        assert!(code == 2 && message.contains("a number is missing"), "{line}: {message}");
+    }
+}
+
 #[test]
 fn refused_rows_are_left_out_on_request() {
     let input = "1,2,3\n4,5\n0,0,x\n0,0,0\n";

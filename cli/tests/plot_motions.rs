@@ -394,3 +394,43 @@ fn components_of_one_quantity_have_equal_units() {
     let end = path[path.len() - 1];
     assert!(end[0] - path[0][0] > 400.0 && (end[1] - path[0][1]).abs() < 0.1);
 }
+
+/// Values so large that the ticks of a small range would be the same floats have a wider one; those near the end of the range of
+/// floats are refused.
+#[test]
+fn large_values() {
+    let line = |from: &str, rate: &str, rest: &str| {
+        let problem = format!(
+            "space = \"R^1\"\nmetric = \"identity\"\ninitial = {{ coordinates = [{from}], velocity = [{rate}]{rest} }}\n\
+             output = {{ end = 1, every = 0.1 }}\n"
+        );
+        folder(&[("a.toml", &problem)])
+    };
+    for (from, rate) in
+        [("4.4e15", "1"), ("4.6e15", "1"), ("1e16", "1"), ("-1e17", "0"), ("1e299", "1e299")]
+    {
+        let svg = drawn(&line(from, rate, ""), &["series", "a.toml", "--columns", "x1"]);
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{from}: {svg}");
+    }
+    let refused =
+        affinor(&line("-1.7e308", "1.7e308", ""), &["series", "a.toml", "--columns", "x1"]);
+    assert_eq!(refused.status, 1, "{}", refused.err);
+    assert!(refused.err.contains("too large to be drawn"), "{}", refused.err);
+}
+
+/// Rows with gaps are read, and those of several members are not joined into a line.
+#[test]
+fn rows_of_a_file() {
+    let folder = folder(&[("wheel.toml", WHEEL)]);
+    let draw = |rows: &str| {
+        std::fs::write(folder.path().join("r.csv"), rows).unwrap();
+        affinor(&folder, &["series", "wheel.toml", "--columns", "a", "--rows", "r.csv"])
+    };
+    let gaps = draw("t,a,b\n0,1,NaN\n1,2,inf\n2,3,-inf\n");
+    assert_eq!(gaps.status, 0, "{}", gaps.err);
+    assert_eq!(gaps.out, draw("t,a,b\n0,1,1\n1,2,1\n2,3,1\n").out);
+    assert_eq!(draw("member,t,a\n1,0,1\n1,1,2\n").status, 0);
+    let several = draw("member,t,a\n1,0,1\n1,1,2\n2,0,1\n2,1,2\n");
+    assert_eq!(several.status, 2);
+    assert!(several.err.contains("rows of several members, such as 1 and 2"), "{}", several.err);
+}

@@ -6,6 +6,7 @@ mod json;
 mod parquet;
 mod run;
 
+pub(crate) use csv::failed;
 pub use run::RunRows;
 
 use std::io::{self, Write};

@@ -303,6 +303,10 @@ impl Scene {
 
 impl Image {
     fn print_diagram(&self, diagram: &Diagram) -> Result<(), Failure> {
+        if let Some((axis, value)) = diagram.beyond() {
+            let message = format!("{axis} reaches {value:e}, which is too large to be drawn");
+            return Err(InputError::mathematics(message).into());
+        }
         self.print(&plot::diagram(diagram))
     }
 

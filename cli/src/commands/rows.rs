@@ -140,9 +140,16 @@ fn finite(values: &DMatrix<f64>) -> Result<(), Failure> {
     }
 }
 
+/// Whether a line has the names of columns: words that begin with a letter, and none that stands for a number or for a missing one.
 fn is_header(line: &str) -> bool {
-    let mut words = line.split([',', ';', ' ', '\t']);
-    numbers(&Source::new("", line)).is_err() && words.all(|word| word.parse::<f64>().is_err())
+    let no_names = ["nan", "inf", "infinity", "null", "none", "na", "n/a", "pi", "tau"];
+    let is_name = |word: &str| {
+        let word = word.trim_matches('"').trim();
+        word.starts_with(|c: char| c.is_alphabetic() || c == '_')
+            && !no_names.contains(&&*word.to_lowercase())
+    };
+    numbers(&Source::new("", line)).is_err()
+        && line.split([',', ';', '\t']).flat_map(str::split_whitespace).all(is_name)
 }
 
 /// Calls `each` with the number and text of every line of standard input that is neither empty nor a comment.
@@ -153,6 +160,7 @@ fn lines(mut each: impl FnMut(usize, &str) -> Result<(), Failure>) -> Result<(),
             Failure::from(InputError::usage(message))
         })?;
         let text = line.trim();
+        let text = if at == 0 { text.trim_start_matches('\u{feff}') } else { text };
         if !text.is_empty() && !text.starts_with('#') {
             each(at + 1, text)?;
         }

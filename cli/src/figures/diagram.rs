@@ -68,3 +68,22 @@ impl Scale {
         Scale { label: label.into(), logarithmic: true }
     }
 }
+
+/// The largest values that a linear axis has room for.
+pub const LARGEST: f64 = 1e300;
+
+impl Diagram {
+    /// An axis with finite values beyond the range that can be drawn, and one of them.
+    pub fn beyond(&self) -> Option<(&str, f64)> {
+        self.graphs.iter().find_map(|graph| {
+            let mut points = graph.lines.iter().flat_map(|line| &line.points);
+            points.find_map(|point| {
+                let axes = [&graph.x, &graph.y].into_iter().zip(point);
+                let mut wild = axes.filter(|(scale, value)| {
+                    !scale.logarithmic && value.is_finite() && value.abs() > LARGEST
+                });
+                wild.next().map(|(scale, value)| (scale.label.as_str(), *value))
+            })
+        })
+    }
+}

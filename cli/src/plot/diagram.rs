@@ -220,6 +220,9 @@ impl Frame {
     }
 }
 
+/// The least margin of a range, relative to its values.
+const NARROW: f64 = 64.0 * f64::EPSILON;
+
 /// The range of the finite values, with a margin.
 fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
     let finite = values.filter(|value| value.is_finite());
@@ -229,6 +232,8 @@ fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
         return 0.0..1.0;
     }
     let margin = if high > low { 0.04 * (high - low) } else { 0.5 };
+    // ticks of a narrower range would be the same floats
+    let margin = margin.max(NARROW * low.abs().max(high.abs()));
     low - margin..high + margin
 }
 

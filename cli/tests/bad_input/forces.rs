@@ -60,11 +60,12 @@ fn tables() {
         ("t,M1,M2,M3\n0,1,2,3\n0,1,2,3\n0,1,2,3\n", "at most two rows at one time"),
         ("t,M1,M2,M3\n1,1,2,3\n0,1,2,3\n", "increasing times"),
         ("t,M1,M2,M3\n", "none"),
-        ("", "none"),
+        ("", "no column `t`"),
         ("t\n0\n", "rows of a time and"),
         ("t,M1,M2,M3\n0,1,2\n", "a row of 3 numbers stands below 4 names"),
         ("t,M1\n0,1\n", "the table has 1 components, the dimension is 3"),
         ("t,M1,M2,M3\n0,1,2,nan\n", "is no number"),
+        ("t,M1,M2,M3\n0,1,2,inf\n", "is not finite"),
         ("t,M1,M2,M3\n0,1,2,wind\n", "is no number"),
     ];
     for (content, says) in cases {

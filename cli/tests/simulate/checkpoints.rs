@@ -73,7 +73,7 @@ fn a_table_survives_a_kill() {
     let folder = folder.path();
     let row = |k: u32| format!("{},{},0.1,0\n", f64::from(k) * 0.37, 0.2 * f64::from(k % 3));
     let rows: String = (0..300).map(row).collect();
-    fs::write(folder.join("table.csv"), format!("t,a,b,c\n{rows}")).unwrap();
+    fs::write(folder.join("table.csv"), format!("t,M1,M2,M3\n{rows}")).unwrap();
     done(simulate(folder).args(["-o", "whole.csv"]));
     assert!(killed_and_resumed(folder, &[]) > 0);
     let read = |name: &str| fs::read(folder.join(name)).unwrap();
@@ -180,7 +180,7 @@ fn numbers(value: &serde_json::Value, at: String, found: &mut Vec<String>) {
 fn a_checkpoint_is_of_the_files_of_its_problem() {
     let pyramid = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4";
     let brackets = "basis = [\"x\", \"y\", \"z\"]\nbrackets = \"[x, y] = z\"";
-    let table = "t,a,b,c\n0,0,0,0\n10,0.1,0,0\n";
+    let table = "t,M1,M2,M3\n0,0,0,0\n10,0.1,0,0\n";
     let body = TOP.replace("metric = \"diag(1, 2, 3)\"", "");
     let body = body.replace(
         "[ensemble]",

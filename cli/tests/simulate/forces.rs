@@ -1,6 +1,6 @@
 //! Potentials and tables.
 
-use super::{TOP, columns, folder, refused, simulate, times};
+use super::{TOP, columns, done, folder, refused, simulate, times};
 use std::fs;
 
 /// A potential conserves the energy on every group, in both invariances, and its power is the rate of the kinetic
@@ -65,7 +65,7 @@ fn potentials_conserve_the_energy_on_every_group() {
 #[test]
 fn a_table_is_not_passed_over() {
     let thruster = "t,M1,M2,M3\n20,0,0,0\n20.25,0.5,0,0\n20.75,0.5,0,0\n21,0,0,0\n";
-    let pulse = "t,a,b,c\n0,0,0,0\n50,0,0,0\n50.001,1000,0,0\n50.002,0,0,0\n";
+    let pulse = "t,M1,M2,M3\n0,0,0,0\n50,0,0,0\n50.001,1000,0,0\n50.002,0,0,0\n";
     for (table, rate, end) in [(thruster, 0.05, 0.425), (pulse, 0.05, 1.05), (pulse, 0.0, 1.0)] {
         for (start, stop, sign) in [(0.0, 100.0, 1.0), (100.0, 0.0, -1.0)] {
             for every in [100.0, 50.0, 7.0, 0.5] {
@@ -98,9 +98,16 @@ fn tables_have_names_and_numbers() {
     let cases = [
         ("0,0,0,0\n1,5,0,0\n", "names its columns", "pulse.csv:1:1"),
         ("\u{feff}0, 1/2, -1e3, pi\n1,5,0,0\n", "names its columns", "pulse.csv:1:1"),
-        ("# c\nt,a,b,c\n0,1,2,3\n", "`t` is no number", "pulse.csv:2:1"),
-        ("t,a,b,c\n\n0,0,0,0\n1,5,x,0\n", "`x` is no number", "pulse.csv:4:5"),
-        ("t,a,b,c\n0,0,0,0\n1,5,0\n", "a row of 3 numbers", "pulse.csv:3:1"),
+        ("# c\nt,M1,M2,M3\n0,1,2,3\n", "`t` is no number", "pulse.csv:2:1"),
+        ("t,M1,M2,M3\n\n0,0,0,0\n1,5,x,0\n", "`x` is no number", "pulse.csv:4:5"),
+        ("t,M1,M2,M3\n0,0,0,0\n1,5,0\n", "a row of 3 numbers", "pulse.csv:3:1"),
+        ("t,M1,M2,M3\n0,1,,0,0\n", "a value is missing", "pulse.csv:2:1"),
+        ("t,M1,M2,M3\n0,1 2,0,0\n", "is not one number", "pulse.csv:2:1"),
+        ("t,M1,M2,M1\n0,1,0,0\n", "two columns have the name `M1`", "pulse.csv:1:1"),
+        ("t,x,y,z\n0,1,0,0\n", "no column `M1`", "top.toml"),
+        ("time,M1,M2,M3\n0,1,0,0\n", "no column `t`", "top.toml"),
+        ("t,M1,M2,M4\n0,1,0,0\n", "no column `M3`", "top.toml"),
+        ("t,M1,M2,M3\n0,1,0,0\n1,NaN,0,0\n", "row 2 of the table is not finite", "top.toml"),
     ];
     for (table, what, place) in cases {
         fs::write(folder.join("pulse.csv"), table).unwrap();
@@ -114,9 +121,9 @@ fn tables_have_names_and_numbers() {
 #[test]
 fn tables_jump_and_hold() {
     // pairs of a table and its impulse
-    let pulse = ("t,a,b,c\n1,0,0,0\n1,8,0,0\n1.25,8,0,0\n1.25,0,0,0\n", 2.0);
-    let saw = ("t,a,b,c\n0,0,0,0\n1,4,0,0\n1,-1,0,0\n3,-1,0,0\n3,2,0,0\n4,0,0,0\n", 1.0);
-    let held = ("t,a,b,c\n0.5,1,0,0\n1,-3,0,0\n2,0.5,0,0\n4,0,0,0\n", 0.5 + 0.5 - 3.0 + 1.0);
+    let pulse = ("t,M1,M2,M3\n1,0,0,0\n1,8,0,0\n1.25,8,0,0\n1.25,0,0,0\n", 2.0);
+    let saw = ("t,M1,M2,M3\n0,0,0,0\n1,4,0,0\n1,-1,0,0\n3,-1,0,0\n3,2,0,0\n4,0,0,0\n", 1.0);
+    let held = ("t,M1,M2,M3\n0.5,1,0,0\n1,-3,0,0\n2,0.5,0,0\n4,0,0,0\n", 0.5 + 0.5 - 3.0 + 1.0);
     let methods = [
         "method = \"rkmk853\"\ntolerance = 1e-3",
         "method = \"rkmk54\"\ntolerance = 1e-3",
@@ -152,7 +159,7 @@ fn rows_at_a_jump_have_the_value_after_it() {
                    forces = { table = \"table.csv\" }\n\
                    [output]\nend = 2\nevery = 1\ncolumns = [\"power\", \"Omega1\"]\n";
     let folder = folder(problem);
-    fs::write(folder.path().join("table.csv"), "t,a\n1,0\n1,3\n").unwrap();
+    fs::write(folder.path().join("table.csv"), "t,M1\n1,0\n1,3\n").unwrap();
     let columns = columns(folder.path());
     for (found, expected) in columns.iter().zip([[0.0, 3.0, 12.0], [1.0, 1.0, 4.0]]) {
         let off = found.1.iter().zip(expected).map(|(a, b)| (a - b).abs());
@@ -234,4 +241,18 @@ fn functions_take_their_arguments() {
         let message = refused(&mut simulate(folder(&quantity).path()), 2);
         assert!(message.contains(expected), "{message}");
     }
+}
+
+/// Columns are found by their names, in any order.
+#[test]
+fn columns_of_a_table_in_another_order() {
+    let folder = folder(&TOP.replace("[forces]", "[forces]\ntable = \"pulse.csv\""));
+    let folder = folder.path();
+    let rows = |table: &str| {
+        fs::write(folder.join("pulse.csv"), table).unwrap();
+        done(&mut simulate(folder)).stdout
+    };
+    let expected = rows("t,M1,M2,M3\n0,1,2,3\n5,0,1,-1\n");
+    assert!(rows("M3,M1,t,M2\n3,1,0,2\n-1,0,5,1\n") == expected);
+    assert!(rows("t,M2,M1,M3\n0,1,2,3\n5,0,1,-1\n") != expected);
 }

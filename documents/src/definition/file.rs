@@ -1,7 +1,7 @@
 //! Definition files: TOML, or JSON with the same keys.
 
 use super::document::Document;
-use super::input::InputError;
+use super::input::{InputError, shown};
 use super::numbers::numbers_in;
 use super::source::{Place, Source};
 use super::{Definition, gap, json};
@@ -115,10 +115,11 @@ pub(crate) fn decode(name: &str, bytes: &[u8]) -> Result<Source, InputError> {
     }
 }
 
-/// The names and the rows of a table in CSV.
+/// The names and the rows of a table in CSV. Its values are numbers, `NaN`, `inf` and `-inf`.
 ///
 /// # Errors
-/// A file that cannot be read, a header of numbers, a value that is no number: with the place.
+/// A file that cannot be read, a header of numbers, a name that stands twice, a missing value or one that is no number: with the
+/// place.
 pub fn read_rows(path: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError> {
     let file = read(path)?;
     let mut lines = file.text.lines();
@@ -129,9 +130,15 @@ pub fn read_rows(path: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError>
         return Err(InputError::usage(message).at(&file.whole(first)).help(help));
     }
     let names: Vec<String> = first.split(',').map(|name| name.trim().to_string()).collect();
+    if let Some((_, name)) = names.iter().enumerate().find(|(at, name)| names[..*at].contains(name))
+    {
+        let message = format!("two columns have the name `{}`", shown(name));
+        return Err(InputError::usage(message).at(&file.whole(first)));
+    }
     let mut rows = Vec::new();
     for line in lines.filter(|line| !line.trim().is_empty()) {
-        let row = numbers_in(line, &file)?;
+        let row = line.split(',').map(|word| value(word.trim(), line, &file));
+        let row = row.collect::<Result<Vec<_>, _>>()?;
         if row.len() != names.len() {
             let (found, expected) = (row.len(), names.len());
             let message = format!("a row of {found} numbers stands below {expected} names");
@@ -140,6 +147,23 @@ pub fn read_rows(path: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError>
         rows.push(row);
     }
     Ok((names, rows))
+}
+
+/// A value in a line of CSV.
+fn value(word: &str, line: &str, file: &Source) -> Result<f64, InputError> {
+    match word {
+        "NaN" => Ok(f64::NAN),
+        "inf" => Ok(f64::INFINITY),
+        "-inf" => Ok(f64::NEG_INFINITY),
+        "" => Err(InputError::usage("a value is missing").at(&file.whole(line))),
+        _ => match numbers_in(word, file)?[..] {
+            [value] => Ok(value),
+            _ => {
+                let message = format!("`{}` is not one number", shown(word));
+                Err(InputError::usage(message).at(&file.whole(line)))
+            }
+        },
+    }
 }
 
 /// The keys of a file, and the file with their places: JSON if the text begins with `{`, else TOML.

@@ -24,9 +24,23 @@ pub fn numbers(source: &Source) -> Result<Vec<f64>, InputError> {
 
 /// The numbers in a piece of a source.
 pub(crate) fn numbers_in(text: &str, source: &Source) -> Result<Vec<f64>, InputError> {
+    expect_values(text, source)?;
     let apart = |c: char| c.is_ascii_whitespace() || ",;[]".contains(c);
     let words = text.split(apart).filter(|word| !word.is_empty());
     words.map(|word| number(word, source)).collect()
+}
+
+/// Refuses two commas with nothing between them, and a comma at the beginning: what is missing there is not zero.
+fn expect_values(text: &str, source: &Source) -> Result<(), InputError> {
+    let mut before = ',';
+    for (at, sign) in text.char_indices().filter(|(_, sign)| !sign.is_ascii_whitespace()) {
+        if sign == ',' && ",;[".contains(before) {
+            let place = source.find(text, at..at + 1);
+            return Err(InputError::usage("a number is missing before a comma").at(&place));
+        }
+        before = sign;
+    }
+    Ok(())
 }
 
 fn number(word: &str, source: &Source) -> Result<f64, InputError> {

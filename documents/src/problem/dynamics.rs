@@ -207,8 +207,9 @@ impl ForceFormulas {
         let table = match &keys.table {
             Some(name) => {
                 let place = source.at(name);
-                let rows = file::read_rows(&reader.file(name));
-                let (_, rows) = rows.map_err(|error| error.or_at(&place))?;
+                let columns = file::read_rows(&reader.file(name));
+                let (names, rows) = columns.map_err(|error| error.or_at(&place))?;
+                let rows = force_rows(&names, rows).map_err(|error| error.at(&place))?;
                 let refused = |error: Error| InputError::usage(error.to_string()).at(&place);
                 let table = Table::new(rows).map_err(refused)?;
                 Some((side, if held { table.held() } else { table }))
@@ -265,6 +266,25 @@ impl ForceFormulas {
             forces.add_function(*side, function.clone());
         }
         Ok(())
+    }
+}
+
+/// The time and the components `M1`, `M2`, .. of each row, in this order.
+fn force_rows(names: &[String], rows: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, InputError> {
+    let wanted = (0..names.len()).map(|k| if k == 0 { "t".into() } else { format!("M{k}") });
+    let wanted: Vec<String> = wanted.collect();
+    let refused = |name: &String| {
+        let message =
+            format!("the table has no column `{name}`; its columns are {}", names.join(", "));
+        InputError::usage(message).help(format!("name them {}, in any order", wanted.join(", ")))
+    };
+    let place = |name: &String| names.iter().position(|n| n == name).ok_or_else(|| refused(name));
+    let places = wanted.iter().map(place).collect::<Result<Vec<_>, _>>()?;
+    let ordered = |row: &Vec<f64>| places.iter().map(|at| row[*at]).collect::<Vec<_>>();
+    let rows: Vec<Vec<f64>> = rows.iter().map(ordered).collect();
+    match rows.iter().position(|row| row.iter().any(|value| !value.is_finite())) {
+        Some(at) => Err(InputError::usage(format!("row {} of the table is not finite", at + 1))),
+        None => Ok(rows),
     }
 }
 

@@ -5,6 +5,7 @@ use super::latex::{CONVENTIONS, escape};
 use super::markdown::escaped;
 use super::text::head_line;
 use super::{Format, Report};
+use crate::rows::failed;
 use comfy_table::presets::UTF8_BORDERS_ONLY;
 use comfy_table::{ContentArrangement, Table};
 use serde_json::Value;
@@ -154,13 +155,15 @@ impl Grid {
 
     fn csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let mut writer = csv::Writer::from_writer(out);
-        writer.write_record(&self.header)?;
+        writer.write_record(&self.header).map_err(failed)?;
         let empty = vec![""; self.header.len().saturating_sub(2)];
         for (title, cell) in &self.head {
-            writer.write_record([&[*title, &cell.text.join("; ")], &empty[..]].concat())?;
+            writer
+                .write_record([&[*title, &cell.text.join("; ")], &empty[..]].concat())
+                .map_err(failed)?;
         }
         for row in &self.rows {
-            writer.write_record(row.iter().map(|cell| cell.text.join("; ")))?;
+            writer.write_record(row.iter().map(|cell| cell.text.join("; "))).map_err(failed)?;
         }
         writer.flush()
     }

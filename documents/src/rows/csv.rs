@@ -6,15 +6,23 @@ use std::io::{self, Write};
 
 pub(super) fn write(head: &Head, rows: &mut Rows, out: &mut dyn Write) -> io::Result<()> {
     let mut out = csv::Writer::from_writer(out);
-    out.write_record(&head.columns)?;
+    out.write_record(&head.columns).map_err(failed)?;
     let mut text = String::new();
     for row in rows {
         for value in row? {
             text.clear();
             write!(text, "{value:?}").map_err(io::Error::other)?;
-            out.write_field(text.strip_suffix(".0").unwrap_or(&text))?;
+            out.write_field(text.strip_suffix(".0").unwrap_or(&text)).map_err(failed)?;
         }
-        out.write_record(None::<&[u8]>)?;
+        out.write_record(None::<&[u8]>).map_err(failed)?;
     }
     out.flush()
+}
+
+/// The error of the writer itself: a closed pipe ends the program quietly.
+pub(crate) fn failed(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
+    }
 }

@@ -3,12 +3,12 @@
 use super::super::failure::Failure;
 use super::super::stages::Stages;
 use super::convergence::method_of;
+use super::run::rows_of_one;
 use super::run::times;
 use affinor::mechanics::motions::Method;
 use affinor_cli::figures::diagram::Diagram;
 use affinor_cli::figures::drift::{Change, Drift, diagram};
-use affinor_cli::figures::run::RunRows;
-use affinor_documents::definition::{InputError, read_rows};
+use affinor_documents::definition::InputError;
 use affinor_documents::problem::Problem;
 use affinor_tensors::Effort;
 use clap::Args;
@@ -45,8 +45,7 @@ impl Comparison {
         let change = if self.relative { Change::Relative } else { Change::Absolute };
         let mut drifts = vec![];
         if let Some(file) = &self.rows {
-            let (columns, rows) = read_rows(file)?;
-            let run = RunRows { name: problem.name.clone(), columns, rows };
+            let run = rows_of_one(&problem, file)?;
             drifts.push(Drift::of_rows(&run, &watched(&problem)?.0)?);
         } else {
             let stages = Stages::new(false, Effort::DEFAULT);

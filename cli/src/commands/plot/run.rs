@@ -93,8 +93,7 @@ impl Columns {
     fn curve(&self) -> Result<(RunRows, Vec<String>), Failure> {
         let problem = self.trajectory.problem()?;
         if let Some(file) = &self.trajectory.rows {
-            let (columns, rows) = read_rows(file)?;
-            return Ok((RunRows { name: problem.name, columns, rows }, self.columns.clone()));
+            return Ok((rows_of_one(&problem, file)?, self.columns.clone()));
         }
         let (problem, names) = self.extended(&problem)?;
         let (rows, _) = curve(&problem, &names)?;
@@ -187,8 +186,7 @@ impl Trajectory {
             let names: Vec<String> = columns.iter().map(|name| name.to_string()).collect();
             return curve(problem, &names);
         };
-        let (columns, rows) = read_rows(file)?;
-        Ok((RunRows { name: problem.name.clone(), columns, rows }, problem.motion(0)?))
+        Ok((rows_of_one(problem, file)?, problem.motion(0)?))
     }
 
     /// The problem with the columns that a figure needs; `reason` says which problems have them.
@@ -253,4 +251,19 @@ fn no_attitude(error: Error) -> InputError {
     let turns = matches!(error, Error::Invalid { what: "rotation", .. });
     let rows = "the rows need the columns `g11` to `g33`, or `qw` to `qz`";
     InputError::from(error).help(if turns { NO_ATTITUDE } else { rows })
+}
+
+/// The rows of a motion in a file, which has no other member of an ensemble.
+pub fn rows_of_one(problem: &Problem, file: &str) -> Result<RunRows, Failure> {
+    let (columns, rows) = read_rows(file)?;
+    let run = RunRows { name: problem.name.clone(), columns, rows };
+    if let Ok(members) = run.column("member")
+        && let Some(other) = members.iter().find(|member| **member != members[0])
+    {
+        let message =
+            format!("{file} has the rows of several members, such as {} and {other}", members[0]);
+        let help = "leave the rows of one member in the file";
+        return Err(InputError::usage(message).help(help).into());
+    }
+    Ok(run)
 }
