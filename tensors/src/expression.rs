@@ -421,7 +421,10 @@ impl Parser<'_> {
             Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
             Some(c) if begins_name(c) => {
                 let rest = &self.text[from..];
-                self.at += rest.find(|c| !continues_name(c)).unwrap_or(rest.len());
+                let length = rest.find(|c| !continues_name(c)).unwrap_or(rest.len());
+                // basis vectors of a sum, `e1'`
+                let primes = rest[length..].bytes().take_while(|byte| *byte == b'\'').count();
+                self.at += length + primes;
                 let name = self.text[from..self.at].to_string();
                 if self.peek() != Some('(') {
                     return Ok(Expression { span: from..self.at, node: Node::Name(name) });

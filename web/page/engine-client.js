@@ -6,13 +6,14 @@ export class Engine {
   /** @type {{request: object, resolve: Function, reject: Function, id: number, stage?: (name: string) => void} | undefined} */ #running;
   /** @type {{request: object, resolve: Function, reject: Function, id: number, stage?: (name: string) => void} | undefined} */ #waiting;
   #ready = false;
+  #failed = false;
   #next = 0;
 
   constructor() { this.#start(); }
 
   #start() {
     this.#worker?.terminate();
-    this.#ready = false;
+    this.#ready = this.#failed = false;
     this.#worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
     this.#worker.onmessage = ({ data }) => this.#receive(data);
     this.#worker.onerror = (event) => this.#receive({ kind: "failed", message: event.message || "the engine did not load" });
@@ -23,6 +24,8 @@ export class Engine {
    * @param {object} request @param {(name: string) => void} [stage] called with the name of each stage that begins @returns {Promise<any>}
    */
   ask(request, stage) {
+    // an engine that did not load is asked for again
+    if (this.#failed) this.#start();
     return new Promise((resolve, reject) => {
       this.#waiting?.reject({ kind: "replaced" });
       this.#waiting = { request, resolve, reject, id: ++this.#next, stage };
@@ -51,6 +54,7 @@ export class Engine {
   #receive(data) {
     if (data.kind === "ready") this.#ready = true;
     else if (data.kind === "failed") {
+      this.#failed = true;
       for (const job of [this.#running, this.#waiting]) job?.reject(data);
       this.#running = this.#waiting = undefined;
       return;

@@ -1,25 +1,38 @@
 // @ts-check
 // The page: a form, a report, and the address that holds the state of both.
-import { FIELDS, REPORTS, read, used, write } from "./address.js";
+import { FIELDS, REPORTS, long, read, used, write } from "./address.js";
 import { Engine } from "./engine-client.js";
-import { Grid } from "./grid.js";
+import { Grid, entries, written } from "./grid.js";
 import { Problem } from "./problem.js";
 
 /** @param {string} id @returns {any} */
 const by = (id) => document.getElementById(id);
 const engine = new Engine();
 const COPIES = ["latex", "markdown", "csv", "json", "text", "toml", "python", "rust"];
-/** Reports that are drawn, each by a module that is loaded on demand. */
+/** Copies of reports of a space or a problem alone. */
+const FILES = { formats: ["toml", "python", "rust"], reports: ["table", "check", "info", "properties", "equations", "motion"] };
+/** Reports that are drawn, each by a module that is loaded on demand; it makes a view. */
 const DRAWN = {
-  transport: async () => new (await import("./transport.js")).TransportView(by("view"), (path) => { by("path").value = path; compute("replace"); }),
-  motion: async () => new (await import("./motion.js")).MotionView(by("view")),
+  transport: async () => {
+    const { TransportView } = await import("./transport.js");
+    return () => new TransportView(by("view"), (path) => { by("path").value = path; compute("replace"); });
+  },
+  motion: async () => {
+    const { MotionView } = await import("./motion.js");
+    return () => new MotionView(by("view"));
+  },
 };
 /** The picture on the page. @type {{report: string, view: any} | null} */
 let picture = null;
-const problem = new Problem(by("example"), by("parameters"), by("problem"), (history) => compute(history));
+const problem = new Problem(by("example"), by("parameters"), by("problem"), {
+  change: (history) => compute(history),
+  keep: () => keep(write(state())),
+});
 const grid = new Grid(by("grid"), (metric) => { by("metric").value = metric; compute("replace"); });
 /** The request whose report is shown. @type {Record<string, string>} */
 let shown = {};
+/** Where the message comes from: a computation, or the check of what is typed. */
+let said = "";
 
 by("reports").append(...REPORTS.map((name) => {
   const label = document.createElement("label");
@@ -46,6 +59,16 @@ function state() {
   return Object.fromEntries(Object.entries(state).filter(([, value]) => value !== ""));
 }
 
+/** What all fields say, those of other reports too. */
+function whole() {
+  return { ...Object.fromEntries(FIELDS.map((name) => [name, by(name).value])), report: state().report };
+}
+
+/** Keeps the form in the present entry of the history: an address has no room for long texts. @param {string} address */
+function keep(address) {
+  history.replaceState(whole(), "", address);
+}
+
 /** @param {Record<string, string>} state */
 function fill(state) {
   for (const input of document.querySelectorAll("input[name=report]")) {
@@ -55,11 +78,26 @@ function fill(state) {
   for (const name of FIELDS) by(name).value = state[name] ?? "";
   by("own").open = Boolean(state.definition);
   if (state.report === "motion") problem.fill();
-  const moments = /^diag\(([^,]+),([^,]+),([^,]+)\)$/.exec(state.metric ?? "");
-  document.querySelectorAll(".moment").forEach((slider, k) => { /** @type {any} */ (slider).value = moments?.[k + 1] ?? "1"; });
-  const lambda = /^lambda\s*=\s*(\d+)(?:\/(\d+))?$/.exec(state.connection ?? "");
-  if (lambda) by("lambda").value = String(24 * Number(lambda[1]) / Number(lambda[2] ?? 1));
   enable();
+}
+
+/** The number of a fraction. @param {string} text */
+function number(text) {
+  const [above, below = "1"] = text.split("/");
+  return Number(above) / Number(below);
+}
+
+/** The sliders show what the fields say. */
+function slide() {
+  const metric = entries(by("metric").value.trim(), 3);
+  document.querySelectorAll(".moment").forEach((slider, k) => {
+    const moment = number(metric?.[k][k] ?? "1");
+    if (slider !== document.activeElement && Number.isFinite(moment)) /** @type {any} */ (slider).value = String(moment);
+  });
+  const connection = by("connection").value.trim();
+  const lambda = /** @type {Record<string, string>} */ ({ plus: "1", zero: "1/2", minus: "0" })[connection] ?? /^lambda\s*=\s*(\S+)$/.exec(connection)?.[1];
+  if (lambda && by("lambda") !== document.activeElement && Number.isFinite(number(lambda))) by("lambda").value = String(24 * number(lambda));
+  by("lambda-value").textContent = lambda ?? "";
 }
 
 /** Only the fields that the report uses are there. */
@@ -73,8 +111,14 @@ function enable() {
     by(name).closest(".field, details, .fields > *, #parameters").hidden = idle;
   }
   by("space").placeholder = names.includes("other") ? "M3" : "";
-  by("lambda-value").textContent = fraction(Number(by("lambda").value));
+  // a definition stands for a space
+  const defined = names.includes("definition") && by("definition").value.trim() !== "";
+  if (defined) by("space").disabled = true;
+  by("space-help").textContent = defined ? "The definition below is used." : SPACE;
+  slide();
 }
+/** The help of the field. */
+const SPACE = by("space-help").textContent;
 
 /** The grid of the metric, in the basis of the space. */
 async function square() {
@@ -82,12 +126,21 @@ async function square() {
   const { space = "", definition = "", metric = "", report } = state();
   if (report === "transport") return grid.show(["e1", "e2", "e3"], metric);
   try {
-    // the empty metric: entries that are being written need not be a metric yet
-    const { answer } = await engine.ask({ report: "table", space, definition, show: "structure", format: "json" });
-    grid.show(JSON.parse(answer.text).algebra.basis, metric);
+    // without the metric of the field: entries that are being written need not be a metric yet
+    const { answer } = await engine.ask({ report: "table", space, definition, show: "structure, metric", format: "json" });
+    const { algebra, tensors } = JSON.parse(answer.text), n = algebra.basis.length;
+    grid.show(algebra.basis, metric || own(tensors.metric, n));
   } catch (problem) {
     if (/** @type {any} */ (problem).kind === "refused") by("grid").replaceChildren("A grid needs a space.");
   }
+}
+
+/** The metric that a space has of its own, as text. @param {any} tensor @param {number} n */
+function own(tensor, n) {
+  if (!tensor) return "";
+  const rows = Array.from({ length: n }, () => Array.from({ length: n }, () => "0"));
+  for (const [[i, j], value] of tensor.components) rows[i - 1][j - 1] = String(value);
+  return written(rows);
 }
 
 /** @param {number} parts twenty-fourths */
@@ -102,12 +155,13 @@ let begun = 0;
 
 /** Computes what the form says. @param {"push" | "replace" | "keep"} history */
 async function compute(history) {
-  const request = state();
-  if (history !== "keep" && write(request) !== location.hash) {
-    window.history[history === "push" ? "pushState" : "replaceState"](null, "", write(request));
-  }
+  clearTimeout(pause);
+  enable();
+  const request = state(), address = write(request);
+  if (history === "push" && address !== location.hash) window.history.pushState(whole(), "", address);
+  else if (history !== "keep") keep(address);
   const turn = ++begun;
-  by("error").replaceChildren();
+  complain();
   wait(true);
   by("status").textContent = "computing…";
   try {
@@ -115,23 +169,45 @@ async function compute(history) {
     const { answer, ms } = await engine.ask(drawn ? { ...request, format: "json" } : request, (name) => {
       if (turn === begun) by("status").textContent = `computing: ${name}`;
     });
-    shown = request;
-    if (drawn) await draw(request.report, JSON.parse(answer.text));
-    else show(answer.text, answer.pictures);
+    if (drawn) {
+      const view = await viewed(request.report);
+      if (turn !== begun) return;
+      shown = request;
+      await draw(request.report, view, JSON.parse(answer.text));
+    } else {
+      shown = request;
+      show(answer.text, answer.pictures);
+    }
+    stale(false);
     if (turn !== begun) return;
-    by("status").textContent = [`${Math.max(1, Math.round(ms))} ms`, ...answer.notes].join("; ");
-    for (const button of by("copies").querySelectorAll("button")) button.disabled = false;
+    const over = long(request).map((name) => `the ${name} is too long for a link`);
+    by("status").textContent = [`${Math.max(1, Math.round(ms))} ms`, ...answer.notes, ...over].join("; ");
   } catch (problem) {
     const { kind, message, refusal } = /** @type {any} */ (problem);
     if (kind === "replaced" || turn !== begun) return;
+    stale(true);
     by("status").textContent = kind === "stopped" ? "stopped" : "";
     if (kind === "refused") refuse(refusal);
     else if (kind === "crashed") refuse({ message: `The computation failed, and the engine was started anew: ${message}`, help: "Your input is kept. A smaller space or fewer tensors may succeed." });
-    else if (kind === "failed") refuse({ message: `The engine did not load: ${message}`, help: "This page needs a browser with WebAssembly and modules in workers." });
-    else if (kind !== "stopped") throw problem;
+    else if (kind === "failed") refuse({ message: `The engine did not load: ${message}`, help: "This page needs a browser with WebAssembly and modules in workers. Compute tries again." });
+    else if (kind !== "stopped") refuse({ message: `The picture did not load: ${message ?? problem}`, help: "Compute tries again." });
   }
   wait(false);
   if (!engine.busy) await square();
+}
+
+/** Marks what stands on the page as a report of an input before, which is not copied. @param {boolean} is */
+function stale(is) {
+  const marked = is && (Boolean(shown.report) || !by("before").hidden);
+  for (const id of ["result", "view", "values"]) by(id).classList.toggle("stale", marked);
+  by("before").hidden = !marked;
+  if (is) shown = {};
+}
+
+/** A message, or none. @param {...(Node | string)} message */
+function complain(...message) {
+  said = message.length ? "computation" : "";
+  by("error").replaceChildren(...message);
 }
 
 /** When the wait began. */
@@ -140,6 +216,9 @@ let since = 0;
 /** A button to stop, and the seconds that have passed: not in the status, which is read aloud. @param {boolean} begins */
 function wait(begins) {
   by("stop").disabled = !begins;
+  for (const button of by("copies").querySelectorAll("button")) {
+    button.disabled = begins || !shown.report || FILES.formats.includes(button.textContent) && !FILES.reports.includes(shown.report);
+  }
   since = begins ? since || performance.now() : 0;
   by("wait").hidden = true;
 }
@@ -150,11 +229,16 @@ setInterval(() => {
   by("seconds").textContent = `${seconds} s`;
 }, 250);
 
-/** A report as a picture, with its table on request. @param {string} report @param {any} data */
-async function draw(report, data) {
+/** What makes the view of a report. @param {string} report @returns {Promise<() => any>} */
+async function viewed(report) {
+  return picture?.report === report ? () => picture?.view : DRAWN[/** @type {keyof typeof DRAWN} */ (report)]();
+}
+
+/** A report as a picture, with its table on request. @param {string} report @param {() => any} view @param {any} data */
+async function draw(report, view, data) {
   if (picture?.report !== report) {
     picture?.view.stop?.();
-    picture = { report, view: await DRAWN[/** @type {keyof typeof DRAWN} */ (report)]() };
+    picture = { report, view: view() };
   }
   picture.view.show(data);
   by("result").replaceChildren();
@@ -170,7 +254,8 @@ async function tabulate() {
     const { answer } = await engine.ask({ ...shown, format: "html" });
     by("table").replaceChildren(...contents(answer.text));
   } catch (problem) {
-    if (/** @type {any} */ (problem).kind !== "replaced") throw problem;
+    const { kind, refusal } = /** @type {any} */ (problem);
+    if (kind === "refused") refuse(refusal);
   }
 }
 
@@ -192,9 +277,19 @@ function show(html, pictures = []) {
   }));
 }
 
+/** Longer tables would hold the page up. */
+const ROWS = 2000;
+
 /** What a page of the engine has in its body. @param {string} html */
 function contents(html) {
-  const { body } = new DOMParser().parseFromString(html, "text/html");
+  // the page has the style of reports
+  const { body } = new DOMParser().parseFromString(html.replace(/<style>[^]*?<\/style>/, ""), "text/html");
+  for (const rows of body.querySelectorAll("tbody, table")) {
+    const all = [...rows.children].filter(({ tagName }) => tagName === "TR");
+    if (all.length <= ROWS) continue;
+    all.slice(ROWS).forEach((row) => row.remove());
+    body.append(Object.assign(document.createElement("p"), { textContent: `The first ${ROWS} of ${all.length} rows; the copies have all.` }));
+  }
   for (const heading of body.querySelectorAll("h1, h2, h3")) {
     // the page has its own first heading
     const lower = document.createElement(`h${Number(heading.tagName[1]) + 1}`);
@@ -218,11 +313,11 @@ function contents(html) {
 const SOURCES = { "definition.toml": "definition", "definition.json": "definition", "problem.toml": "problem", path: "path", vector: "vector", "--metric": "metric", "--connection": "connection", "--set": "set" };
 
 /** @param {{message: string, place?: any, help?: string | null}} refusal @param {boolean} [typing] whether the cursor stays where it is */
-function refuse({ message, place, help }, typing = false) {
+function refuse({ message, place, help }, typing = by("grid").contains(document.activeElement)) {
   const line = (/** @type {string} */ tag, /** @type {string | null | undefined | false} */ text) =>
     text ? [Object.assign(document.createElement(tag), { textContent: text })] : [];
   const under = place?.text && `${place.source}, line ${place.line}\n${place.text}\n${" ".repeat(place.from)}${"^".repeat(Math.max(1, place.to - place.from))}`;
-  by("error").replaceChildren(...line("p", message), ...line("pre", under), ...line("p", help && `Help: ${help}`));
+  complain(...line("p", message), ...line("pre", under), ...line("p", help && `Help: ${help}`));
   const input = place?.selection && by(SOURCES[place.source]);
   if (!typing && input && /** @type {any} */ (document.activeElement)?.type !== "range") {
     const closed = input.closest("details");
@@ -244,21 +339,28 @@ async function check() {
   if (!by("stop").disabled || !used(report).includes("definition")) return;
   try {
     await engine.ask({ ...fields, report: "table", show: "structure", format: "csv" });
-    by("error").replaceChildren();
+    // the message of a computation stays
+    if (said === "check") complain();
   } catch (problem) {
     const { kind, refusal } = /** @type {any} */ (problem);
-    if (kind === "refused") refuse(refusal, true);
+    if (kind !== "refused") return;
+    refuse(refusal, true);
+    said = "check";
   }
 }
 for (const name of LIVE) {
   by(name).addEventListener("input", () => {
     clearTimeout(pause);
     pause = setTimeout(check, 250);
+    enable();
   });
 }
 
 /** @param {string} format */
 async function copy(format) {
+  const turn = begun;
+  wait(true);
+  by("status").textContent = `copying as ${format}…`;
   try {
     const { answer } = await engine.ask({ ...shown, format });
     const endings = /** @type {Record<string, string>} */ ({ latex: "tex", markdown: "md", text: "txt", python: "py", rust: "rs" });
@@ -268,8 +370,13 @@ async function copy(format) {
     await navigator.clipboard.writeText(answer.text);
     by("status").textContent = `copied as ${format}`;
   } catch (problem) {
-    refuse({ message: `It could not be copied as ${format}: ${/** @type {any} */ (problem)?.refusal?.message ?? problem}` });
+    const { kind, refusal, message } = /** @type {any} */ (problem);
+    // what is computed now has its own words
+    if (turn !== begun) return;
+    by("status").textContent = kind === "stopped" ? "stopped" : "";
+    if (kind !== "stopped") refuse({ message: `It could not be copied as ${format}: ${refusal?.message ?? message ?? problem}` });
   }
+  if (turn === begun) wait(false);
 }
 
 by("form").addEventListener("submit", (/** @type {Event} */ event) => { event.preventDefault(); compute("push"); });
@@ -281,7 +388,11 @@ by("reports").addEventListener("change", () => {
 by("grid-field").addEventListener("toggle", square);
 by("values").addEventListener("toggle", () => { if (by("values").open) tabulate(); });
 document.querySelectorAll(".moment").forEach((slider) => slider.addEventListener("input", () => {
-  by("metric").value = `diag(${[...document.querySelectorAll(".moment")].map((slider) => /** @type {any} */ (slider).value).join(",")})`;
+  // the other entries stay as they are
+  const rows = entries(by("metric").value.trim(), 3) ?? /** @type {string[][]} */ (entries("", 3));
+  const at = [...document.querySelectorAll(".moment")].indexOf(slider);
+  rows[at][at] = /** @type {any} */ (slider).value;
+  by("metric").value = written(rows);
   compute("replace");
 }));
 by("stop").addEventListener("click", () => engine.stop());
@@ -300,13 +411,27 @@ by("own").addEventListener("drop", async (/** @type {DragEvent} */ event) => {
   compute("push");
 });
 
-/** The state of the address, into the form. */
+/** The state of the history or of the address, into the form. */
 function enter() {
-  const { state, unknown } = read(location.hash);
-  fill(state);
+  const { state: asked, unknown } = read(location.hash);
+  const kept = history.state && write(fitting(history.state)) === write(asked) ? history.state : asked;
+  fill(kept);
+  // a choice that is none of the list
+  for (const name of FIELDS) if (by(name).tagName === "SELECT" && kept[name] && by(name).value !== kept[name]) unknown.push(`${name}=${kept[name]}`);
   return compute("keep").then(() => {
-    if (unknown.length) refuse({ message: `The address has parts that are not understood: ${unknown.join(", ")}` });
+    keep(location.hash || write(state()));
+    if (!unknown.length) return;
+    const textContent = `The address has parts that are not understood: ${unknown.join(", ")}`;
+    by("error").append(Object.assign(document.createElement("p"), { textContent }));
   });
+}
+
+/** What an address has of a state of the form. @param {Record<string, string>} all */
+function fitting(all) {
+  const kept = ["report", ...used(all.report)].map((name) => [name, (all[name] ?? "").trim()]);
+  const state = Object.fromEntries(kept.filter(([, value]) => value !== ""));
+  if (state.definition) delete state.space;
+  return state;
 }
 addEventListener("popstate", enter);
 

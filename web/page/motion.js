@@ -49,7 +49,7 @@ export class MotionView {
     box.replaceChildren(html("div", { class: "panels" },
       html("figure", {}, this.picture, html("p", { class: "buttons" },
         button("Back", () => this.#go(this.#at - 1)), this.play, button("Step", () => this.#go(this.#at + 1)), this.time, this.clock), this.caption),
-      html("div", {}, html("p", {}, html("label", { for: "quantity" }, "Conserved quantity "), this.choice), this.charts, this.table)));
+      html("div", {}, html("p", {}, html("label", { for: "quantity" }, "Quantity "), this.choice), this.charts, this.table)));
   }
 
   /** @param {any} data the answer of the engine */
@@ -106,9 +106,10 @@ export class MotionView {
       .map((/** @type {any} */ { method, changes }) => ({ name: method, values: changes }));
     const at = columns.indexOf(name);
     const legend = lines.map(({ name }, k) => html("li", { class: `line-${k % 5}` }, name));
-    this.charts.replaceChildren(
+    this.choice.parentElement?.toggleAttribute("hidden", !lines.length);
+    this.charts.replaceChildren(...(!lines.length ? [html("p", {}, "This problem has no quantity that should be conserved.")] : [
       html("figure", {}, chart(`Largest change of ${name} up to each time, logarithmic: ${lines.map(({ name, values }) => `${name} ${values[values.length - 1].toExponential(1)}`).join(", ")}`, times, lines, true),
-        html("ul", { class: "legend" }, ...legend), html("figcaption", {}, `largest change of ${name} so far, by method`)),
+        html("ul", { class: "legend" }, ...legend), html("figcaption", {}, `largest change of ${name} so far, by method`))]),
       ...(at < 0 ? [] : [html("figure", {}, chart(`${name} over time, from ${rows[0][at]} to ${rows[rows.length - 1][at]}`, times, [{ name, values: rows.map((/** @type {number[]} */ row) => row[at]) }], false),
         html("figcaption", {}, `${name} over time, by ${this.#data.method}`))]));
   }
@@ -118,7 +119,7 @@ export class MotionView {
     const methods = [...new Set(drifts.map((/** @type {any} */ drift) => drift.method))];
     const cell = (/** @type {string} */ method, /** @type {string} */ name) => {
       const found = drifts.find((/** @type {any} */ drift) => drift.method === method && (drift.quantity === name || drift.refused));
-      return html("td", {}, found?.refused ? "not for this problem" : found ? found.changes[found.changes.length - 1].toExponential(1) : "");
+      return html("td", {}, found?.refused ? found.refused : found ? found.changes[found.changes.length - 1].toExponential(1) : "");
     };
     this.table.replaceChildren(html("table", {}, html("caption", {}, "Largest changes"),
       html("thead", {}, html("tr", {}, html("th", { scope: "col" }, "method"), ...watched.map((/** @type {string} */ name) => html("th", { scope: "col" }, name)))),

@@ -6,37 +6,41 @@ import { PROBLEMS } from "./problems.js";
 /** Methods of interest beside that of an example. @type {Record<string, string>} */
 export const COMPARED = { "free body": "rkmk4, projected4, dmv4", "heavy top": "rkmk4, projected4, kick4", "body in a fluid": "projected4, cf4, rkmk853" };
 /** A parameter with a number. */
-const PARAMETER = /^(\w+)(\s*=\s*)(-?\d+(?:\.\d*)?)(\s*(?:#.*)?)$/;
+const PARAMETER = /^(\s*\w+)(\s*=\s*)([-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)(\s*(?:#.*)?)$/;
+/** The head of the table of parameters. */
+const HEAD = /^\s*\[\s*parameters\s*\]\s*(?:#.*)?$/;
 
 export class Problem {
   /**
    * @param {HTMLSelectElement} examples @param {HTMLElement} sliders @param {HTMLTextAreaElement} text
-   * @param {(history: "push" | "replace") => void} change
+   * @param {{change: (history: "push" | "replace") => void, keep: () => void}} page what follows a change, and what comes before the text
+   * is replaced
    */
-  constructor(examples, sliders, text, change) {
+  constructor(examples, sliders, text, { change, keep }) {
     this.examples = examples;
     this.sliders = sliders;
     this.text = text;
     this.change = change;
     examples.append(...Object.keys(PROBLEMS).map((name) => html("option", {}, name)));
     examples.addEventListener("change", () => {
+      keep();
       this.#choose(examples.value);
       change("push");
     });
     text.addEventListener("change", () => this.fill());
   }
 
-  /** @param {string} name */
-  #choose(name) {
+  /** @param {string} name @param {string} [methods] */
+  #choose(name, methods = COMPARED[name]) {
     this.text.value = PROBLEMS[/** @type {keyof typeof PROBLEMS} */ (name)];
-    const methods = /** @type {HTMLInputElement} */ (document.getElementById("methods"));
-    methods.value = COMPARED[name];
+    /** @type {HTMLInputElement} */ (document.getElementById("methods")).value = methods;
     this.fill();
   }
 
   /** Sliders for the parameters of the text; an empty text becomes the first example. */
   fill() {
-    if (!this.text.value.trim()) return this.#choose(Object.keys(PROBLEMS)[0]);
+    const methods = /** @type {HTMLInputElement} */ (document.getElementById("methods")).value;
+    if (!this.text.value.trim()) return this.#choose(Object.keys(PROBLEMS)[0], methods || undefined);
     const sliders = this.#parameters().map(({ name, value }) => {
       const positive = /^[A-Zml]/.test(name);
       const most = Math.max(positive ? 4 : 3, 2 * Math.abs(value));
@@ -62,7 +66,7 @@ export class Problem {
     });
     this.sliders.replaceChildren(...sliders);
     const same = Object.entries(PROBLEMS).find(([name]) => this.text.value.includes(`"${name}"`));
-    if (same) this.examples.value = same[0];
+    this.examples.value = same?.[0] ?? "";
   }
 
   /** The parameters that are numbers. */
@@ -71,9 +75,9 @@ export class Problem {
     /** @type {{name: string, value: number}[]} */
     const found = [];
     for (const line of this.text.value.split("\n")) {
-      if (/^\s*\[/.test(line)) inside = line.trim() === "[parameters]";
+      if (/^\s*\[/.test(line)) inside = HEAD.test(line);
       const parameter = inside && PARAMETER.exec(line);
-      if (parameter) found.push({ name: parameter[1], value: Number(parameter[3]) });
+      if (parameter) found.push({ name: parameter[1].trim(), value: Number(parameter[3]) });
     }
     return found;
   }
@@ -82,9 +86,9 @@ export class Problem {
   #set(name, value) {
     let inside = false;
     this.text.value = this.text.value.split("\n").map((line) => {
-      if (/^\s*\[/.test(line)) inside = line.trim() === "[parameters]";
+      if (/^\s*\[/.test(line)) inside = HEAD.test(line);
       const parameter = inside && PARAMETER.exec(line);
-      return parameter && parameter[1] === name ? `${name}${parameter[2]}${value}${parameter[4]}` : line;
+      return parameter && parameter[1].trim() === name ? `${parameter[1]}${parameter[2]}${value}${parameter[4]}` : line;
     }).join("\n");
   }
 }

@@ -7,6 +7,9 @@ import { View, html, make } from "./picture.js";
 const SIZE = 130;
 const KEYS = "Arrow keys turn the ball. With Shift they move the end of the path; Enter adds a point, Backspace removes one.";
 
+/** Three decimals of a point that is drawn or moved, not farther out. @param {Point} point @returns {Point} */
+const brief = (point) => /** @type {Point} */ (point.map((x) => Math.trunc(1000 * x) / 1000 + 0));
+
 export class TransportView {
   #view = new View();
   /** @type {any} */ #data = null;
@@ -54,7 +57,7 @@ export class TransportView {
       let [x, y] = [(event.clientX - left) * unit - 1.3 * this.#data.radius, (event.clientY - top) * unit - 1.3 * this.#data.radius];
       const far = Math.hypot(x, y) / (0.999 * this.#data.radius);
       if (far > 1) [x, y] = [x / far, y / far];
-      return this.#view.back(x, y);
+      return brief(this.#view.back(x, y));
     };
     picture.addEventListener("pointerdown", (event) => {
       picture.setPointerCapture(event.pointerId);
@@ -83,7 +86,7 @@ export class TransportView {
     const points = [...this.#points], end = points[points.length - 1];
     if (step && event.shiftKey) {
       const [x, y, z] = this.#view.back(step[0], step[1]);
-      const moved = /** @type {Point} */ ([end[0] + x, end[1] + y, end[2] + z]);
+      const moved = brief([end[0] + x, end[1] + y, end[2] + z]);
       if (Math.hypot(...moved) > this.#data.radius) return;
       points[points.length - 1] = moved;
     } else if (event.key === "Enter") points.push(end);
@@ -96,7 +99,7 @@ export class TransportView {
   /** @param {Point[]} points */
   #move(points) {
     this.#points = points;
-    if (points.length > 1) this.change(points.map((point) => point.map((x) => Number(x.toFixed(3))).join(", ")).join("; "));
+    if (points.length > 1) this.change(points.map((point) => point.join(", ")).join("; "));
   }
 
   redraw() {

@@ -53,7 +53,11 @@ impl Answer {
             Err(error) => Err(Refusal {
                 message: format!("the report cannot be written: {error}"),
                 place: None,
-                help: Some("choose fewer tensors, or use the program `affinor`".into()),
+                help: Some(
+                    "choose fewer tensors, or fewer rows or methods of a motion, or use the program \
+                     `affinor`"
+                        .into(),
+                ),
             }),
         }
     }

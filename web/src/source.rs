@@ -131,8 +131,8 @@ fn affinities<S: Notation>(text: &mut String, labels: &[String], gamma: &Tensor<
 
 /// A string of TOML, in which control characters are escaped.
 fn toml_string(text: &str) -> String {
-    // JSON escapes a part of what TOML does, in the same way
-    serde_json::Value::from(text).to_string()
+    // JSON escapes a part of what TOML does, in the same way, but not the last control character
+    serde_json::Value::from(text).to_string().replace('\u{7f}', "\\u007f")
 }
 
 fn python(report: &str, text: &str, show: &str, kind: &str) -> String {

@@ -5,7 +5,7 @@ use affinor::Error;
 use affinor::group::transport::ParallelTranslation;
 use affinor::group::{LieGroup, So3};
 use affinor_documents::ball;
-use affinor_documents::definition::{Source, numbers};
+use affinor_documents::definition::{InputError, Place, Source, numbers};
 use affinor_documents::report::{Report, listing};
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
 use serde_json::{Value, json};
@@ -75,7 +75,7 @@ pub(super) fn transport(
     let json = json!({
         "schema": "affinor.transport/1",
         "radius": ball::RADIUS,
-        "points": journey.points.iter().map(short).collect::<Vec<_>>(),
+        "points": journey.points.iter().map(|x| x.as_slice()).collect::<Vec<_>>(),
         "path": drawn(&journey.curve()?),
         "panels": panels,
     });
@@ -89,15 +89,30 @@ impl Journey {
         let given = |text: &str, default: &str| {
             if text.trim().is_empty() { default.to_string() } else { text.to_string() }
         };
-        let three = |name: &str, text: &str| {
-            let [x, y, z] = numbers(&Source::new(name, text))?[..] else {
-                return Err(Refusal::new(format!("`{}` has not three components", text.trim())));
+        // the numbers from a place in the text on
+        let three = |name: &str, text: &str, from: usize, part: &str| {
+            let moved = |mut error: InputError| {
+                if let Some(Place { source, span: Some(span) }) = error.at.as_deref_mut() {
+                    *source = Source::new(name, text);
+                    *span = span.start + from..span.end + from;
+                }
+                error
+            };
+            let [x, y, z] = numbers(&Source::new(name, part)).map_err(moved)?[..] else {
+                return Err(Refusal::new(format!("`{}` has not three components", part.trim())));
             };
             Ok(Vector3::new(x, y, z))
         };
         let path = given(path, PATH);
-        let points = path.split(';').filter(|point| !point.trim().is_empty());
-        let points = points.map(|point| three("path", point)).collect::<Result<Vec<_>, _>>()?;
+        let mut end = 0;
+        let parts = path.split(';').map(|part| {
+            let from = end;
+            end += part.len() + 1;
+            (from, part)
+        });
+        let points = parts.filter(|(_, part)| !part.trim().is_empty());
+        let points = points.map(|(from, part)| three("path", &path, from, part));
+        let points = points.collect::<Result<Vec<_>, _>>()?;
         if points.len() < 2 || points.len() > POINTS {
             let message = format!("a path has 2 to {POINTS} points, not {}", points.len());
             return Err(Refusal::new(message));
@@ -106,7 +121,8 @@ impl Journey {
             let message = format!("the point {} is outside the ball of radius pi", written(far));
             return Err(Refusal::new(message));
         }
-        let vector = three("vector", &given(vector, VECTOR))?;
+        let vector = given(vector, VECTOR);
+        let vector = three("vector", &vector, 0, &vector)?;
         if vector.norm() > 1e6 {
             return Err(Refusal::new("the vector is longer than a million"));
         }

@@ -84,7 +84,7 @@ test("geodesics follow the entries of the metric", async () => {
   await page.locator(".moment").nth(2).focus();
   for (let k = 0; k < 20; k++) await page.keyboard.press("ArrowRight");
   await settled(page);
-  assert.equal(await page.inputValue("#metric"), "diag(1,1,3)");
+  assert.equal(await page.inputValue("#metric"), "diag(1, 1, 3)");
   // a moment of 3 about the third axis: the rays from e along the axes stay one-parameter groups
   assert.deepEqual(page.problems, []);
   await page.fill("#vector", "0.5, 0, 1");
@@ -171,4 +171,69 @@ test("pictures have words, and no violation of accessibility", async () => {
       await page.context().close();
     }
   }
+});
+
+test("moments move one entry of the metric, and show what it is", async () => {
+  const page = await open("#report=transport&metric=diag(10,1/2,1)");
+  const slider = page.locator(".moment").nth(1);
+  assert.equal(await slider.inputValue(), "0.5");
+  await slider.focus();
+  await page.keyboard.press("ArrowRight");
+  await settled(page);
+  assert.equal(await page.inputValue("#metric"), "diag(10, 0.6, 1)");
+  await page.fill("#metric", "[[2,1,0],[1,3,0],[0,0,4]]");
+  await page.press("#metric", "Enter");
+  await settled(page);
+  assert.equal(await slider.inputValue(), "3");
+  await slider.focus();
+  await page.keyboard.press("ArrowLeft");
+  await settled(page);
+  assert.equal(await page.inputValue("#metric"), "[[2, 1, 0], [1, 2.9, 0], [0, 0, 4]]");
+});
+
+test("points of a path that are not moved keep their digits, at the rim of the ball too", async () => {
+  const page = await open("#report=transport&path=0,0,0; 0,0,3.14159265; 0.33333333,0,0");
+  await page.locator("#view svg.ball").first().focus();
+  await page.keyboard.press("Shift+ArrowRight");
+  await settled(page);
+  assert.equal(await text(page, "error"), "");
+  assert.match(await page.inputValue("#path"), /^0, 0, 0; 0, 0, 3\.14159265; /);
+  // the place of a mistake is that in the whole path
+  await page.fill("#path", "0,0,0; 1.5,q,0; 0,0,1");
+  await page.press("#path", "Enter");
+  await settled(page);
+  assert.equal(await page.locator("#path").evaluate((input) => input.value.slice(input.selectionStart, input.selectionEnd)), "q");
+});
+
+test("methods of a link, reasons of methods, and problems of one's own", async () => {
+  const page = await open("#report=motion&methods=rkmk4");
+  assert.equal(await page.inputValue("#methods"), "rkmk4");
+  assert.match(await page.locator("#view .table").innerText(), /rkmk4/);
+  const mine = 'space = "so3"\nmetric = "diag(1, 2, 3)"\n[parameters] # two\n w = 6e-1\n[initial]\nvelocity = ["w", 0.1, 0.2]\n[output]\nend = 1\nevery = 0.5\n';
+  await page.click("#problem-field summary");
+  await page.fill("#problem", mine);
+  await page.press("#methods", "Enter");
+  await settled(page);
+  assert.equal(await page.inputValue("#example"), "");
+  assert.equal(await page.inputValue("#parameter-w"), "0.6");
+  assert.match(await page.locator("#view .table").innerText(), /rkmk4 .*step/i);
+  await page.selectOption("#example", "heavy top");
+  await settled(page);
+  await page.goBack();
+  await settled(page);
+  assert.equal(await page.inputValue("#problem"), mine);
+  assert.deepEqual(page.problems, []);
+});
+
+test("a long table shows its beginning", async () => {
+  const page = await open("#report=motion");
+  const problem = (await page.inputValue("#problem")).replace(/end\s*=\s*\S+/, "end = 300").replace(/every\s*=\s*\S+/, "every = 0.1");
+  await page.fill("#methods", "");
+  await page.click("#problem-field summary");
+  await page.fill("#problem", problem);
+  await page.press("#methods", "Enter");
+  await settled(page);
+  await page.click("#values summary");
+  await page.waitForFunction(() => document.querySelectorAll("#table tr").length > 1000);
+  assert.match(await text(page, "table"), /The first 2000 of 3001 rows/);
 });

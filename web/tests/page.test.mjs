@@ -97,7 +97,7 @@ test("the metric as a grid: symbols in symmetric places, the field and the table
   await page.locator("#grid input").nth(1).fill("b");
   await settled(page);
   assert.equal(await page.inputValue("#metric"), "[[a, b, 0], [b, 1, 0], [0, 0, 2]]");
-  assert.match(decodeURIComponent(page.url()), /metric=\[\[a,\+b/);
+  assert.match(decodeURIComponent(page.url()), /metric=\[\[a, b/);
   assert.equal(await page.locator("#grid input").nth(3).inputValue(), "b");
   assert.ok(await page.locator('#result math[alttext="= b"]').count());
   assert.deepEqual(await violations(page), []);
@@ -241,4 +241,158 @@ test("the values of the program", needsCommand, async () => {
   const show = "structure,torsion,killing";
   const answers = await ask(page, names.map((space) => ({ report: "table", space, show, format: "json" })));
   names.forEach((space, at) => assert.equal(answers[at].text, affinor("table", space, "--show", show, "--format", "json"), space));
+});
+
+test("a refusal stays, and what stands below it is marked and not copied", async () => {
+  const page = await open("#report=equations&space=so3&metric=diag(1,2,3)");
+  await page.focus("#metric");
+  await page.keyboard.press("Control+A");
+  await page.keyboard.press("Delete");
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => document.getElementById("error").textContent.includes("need a metric"));
+  // longer than the pause before what is typed is checked
+  await page.waitForTimeout(500);
+  await settled(page);
+  assert.match(await text(page, "error"), /need a metric/);
+  assert.ok(await page.locator("#before").isVisible());
+  assert.equal(await page.locator("#copies button:enabled").count(), 0);
+  await page.fill("#space", "so33");
+  await page.press("#space", "Enter");
+  await settled(page);
+  assert.ok(await page.locator("#before").isVisible());
+  await page.fill("#space", "so3");
+  await page.fill("#metric", "identity");
+  await page.press("#metric", "Enter");
+  await settled(page);
+  assert.equal(await text(page, "error"), "");
+  assert.ok(await page.locator("#before").isHidden());
+  assert.equal(await page.locator("#copies button:disabled").count(), 0);
+  assert.deepEqual(page.problems, []);
+});
+
+test("an entry of the grid is typed letter by letter, and a space shows its own metric", async () => {
+  const page = await open("#report=table&space=so3&metric=diag(1,1,2)&show=metric");
+  await page.click("#grid-field summary");
+  await page.waitForSelector("#grid input");
+  for (const [at, entry] of [[8, "2/3"], [1, "-1/2"]]) {
+    await page.locator("#grid input").nth(at).click();
+    await page.keyboard.press("Control+A");
+    await page.keyboard.type(entry, { delay: 120 });
+    await settled(page);
+    assert.equal(await page.locator("#grid input").nth(at).inputValue(), entry);
+  }
+  assert.equal(await page.inputValue("#metric"), "[[1, -1/2, 0], [-1/2, 1, 0], [0, 0, 2/3]]");
+  assert.equal(await text(page, "error"), "");
+  await page.fill("#metric", "");
+  await page.fill("#space", "so3@levi-civita;metric=diag(1,2,a)");
+  await page.press("#space", "Enter");
+  await settled(page);
+  assert.deepEqual(await page.locator("#grid input").evaluateAll((all) => all.map(({ value }) => value)), ["1", "0", "0", "0", "2", "0", "0", "0", "a"]);
+});
+
+test("a copy does not end a computation, and says when it is stopped", async () => {
+  const page = await open("#report=table&space=so3@zero&show=torsion", { permissions: ["clipboard-read", "clipboard-write"] });
+  await page.fill("#space", "E7@zero");
+  await page.fill("#show", "curvature");
+  await page.press("#show", "Enter");
+  assert.equal(await page.locator("#copies button:enabled").count(), 0);
+  await settled(page);
+  await page.click('#copies button:text-is("json")');
+  await page.click("#stop");
+  await settled(page);
+  assert.equal(await text(page, "status"), "stopped");
+  assert.equal(await text(page, "error"), "");
+  await page.click('#copies button:text-is("csv")');
+  await page.waitForFunction(() => document.getElementById("status").textContent === "copied as csv");
+  assert.match(await page.evaluate(() => navigator.clipboard.readText()), /^tensor,.*\ncurvature,/);
+});
+
+test("reports without a file have no copy as a file", async () => {
+  const page = await open("#report=list");
+  const enabled = () => page.locator("#copies button:enabled").allInnerTexts();
+  assert.deepEqual(await enabled(), ["latex", "markdown", "csv", "json", "text"]);
+  await page.check("input[value=conventions]");
+  await settled(page);
+  assert.deepEqual(await enabled(), ["latex", "markdown", "csv", "json", "text"]);
+});
+
+test("the history keeps what an address has no room for, and the fields of other reports", async () => {
+  const page = await open("#report=table&space=so3&connection=zero&metric=diag(1,2,3)&show=ricci");
+  await page.check("input[value=info]");
+  await settled(page);
+  await page.check("input[value=table]");
+  await settled(page);
+  assert.deepEqual([await page.inputValue("#connection"), await page.inputValue("#show")], ["zero", "ricci"]);
+  await page.goBack();
+  await settled(page);
+  await page.check("input[value=table]");
+  await settled(page);
+  assert.equal(await page.inputValue("#metric"), "diag(1,2,3)");
+  const long = `basis = ["x", "y"]\nbrackets = "[x, y] = y"\nconnection = "zero"\n# ${"long ".repeat(8000)}`;
+  await page.fill("#metric", "");
+  await page.click("#own summary");
+  await page.fill("#definition", long);
+  await page.click("button[type=submit]");
+  await settled(page);
+  assert.match(await text(page, "status"), /the definition is too long for a link/);
+  assert.ok(await page.locator("#space").isDisabled());
+  await page.reload();
+  await settled(page);
+  assert.equal(await page.inputValue("#definition"), long);
+  assert.match(await text(page, "result"), /\[x, y\]|x, y/);
+  assert.deepEqual(page.problems, []);
+});
+
+test("a sum in an address is one, with a plain plus", async () => {
+  const page = await open("#report=info&space=so3+R^3");
+  assert.equal(await page.inputValue("#space"), "so3+R^3");
+  assert.equal(await text(page, "error"), "");
+  assert.match(decodeURIComponent(page.url()), /so3\+R\^3/);
+});
+
+test("without a network a report ends in a message, and the next one loads", async () => {
+  const page = await open("#report=table&space=so3@zero&show=torsion");
+  await page.context().setOffline(true);
+  await page.check("input[value=transport]");
+  await settled(page);
+  assert.match(await text(page, "error"), /did not load/);
+  await page.context().setOffline(false);
+  await page.click("button[type=submit]");
+  await settled(page);
+  assert.equal(await text(page, "error"), "");
+  assert.ok(await page.locator("#view svg").count());
+  assert.deepEqual(page.problems, []);
+});
+
+test("the engine is asked for again if it did not load", async () => {
+  const page = await open("#report=table&space=so3@zero&show=torsion");
+  await page.route("**/*.wasm", (route) => route.abort());
+  await page.fill("#space", "E8");
+  await page.click("button[type=submit]");
+  await page.click("#stop");
+  await page.waitForTimeout(300);
+  await page.fill("#space", "sl2");
+  await page.click("button[type=submit]");
+  await settled(page);
+  assert.match(await text(page, "error"), /did not load/);
+  await page.unroute("**/*.wasm");
+  await page.click("button[type=submit]");
+  await settled(page);
+  assert.equal(await text(page, "error"), "");
+  assert.match(await text(page, "result"), /sl/);
+});
+
+test("a late module draws nothing over another report", async () => {
+  const page = await open("#report=table&space=so3@zero&show=torsion");
+  await page.route("**/transport.js", async (route) => {
+    await new Promise((resolve) => setTimeout(resolve, 1000));
+    await route.continue();
+  });
+  await page.check("input[value=transport]");
+  await page.waitForTimeout(200);
+  await page.check("input[value=info]");
+  await page.waitForTimeout(1500);
+  await settled(page);
+  assert.equal(await page.locator("#view svg").count(), 0);
+  assert.match(await text(page, "result"), /semisimple/);
 });

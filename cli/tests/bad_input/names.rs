@@ -13,6 +13,12 @@ fn names_in_files() {
             "basis = ['x', '2y']\nbrackets = ''",
             &["a.toml:1:16", "`2y` is not a name", "a name is an ASCII letter or _"],
         ),
+        ("basis = [\"'\"]\nbrackets = ''", &["a.toml:1:11", "is not a name"]),
+        ("basis = [\"x'y\"]\nbrackets = ''", &["a.toml:1:11", "is not a name"]),
+        (
+            "basis = ['x']\nbrackets = ''\nmetric = \"diag(a')\"",
+            &["a.toml:3", "`a'` is not a basis vector here"],
+        ),
         ("basis = ['x', '']\nbrackets = ''", &["a.toml:1:16", "`` is not a name"]),
         ("basis = ['x ', 'y']\nbrackets = ''", &["a.toml:1:11", "`x ` is not a name"]),
         ("basis = ['x', 'у']\nbrackets = ''", &["a.toml:1:16", "`\\u{443}` is not a name"]),

@@ -103,6 +103,9 @@ impl<'n> Names<'n> {
         if is_no_number(name) {
             return Err(format!("`{name}` is not a number"));
         }
+        if name.ends_with('\'') {
+            return Err(format!("`{}` is not a basis vector here", shown(name)));
+        }
         match self.parameters {
             Some(declared) if !declared.contains(name) => {
                 let name = shown(name);
@@ -285,7 +288,8 @@ pub(super) fn basis(
     super::check_dimension(labels.len())?;
     let mut indices = BTreeMap::new();
     for (at, label) in labels.iter().enumerate() {
-        check_name(label).map_err(|error| error.at(&place(at)))?;
+        // those of a second summand have primes
+        check_name(label.trim_end_matches('\'')).map_err(|error| error.at(&place(at)))?;
         if indices.insert(label.to_string(), at).is_some() {
             let message = format!("the basis vector `{label}` is named twice");
             return Err(InputError::usage(message).at(&place(at)));
