@@ -69,7 +69,7 @@ fn files_are_read_back() {
         json!({ "report": "check", "space": "sl(3)" }),
         json!({ "report": "info", "space": "su(2)" }),
         json!({ "report": "table", "space": "so3+R^3" }),
-        json!({ "report": "table", "space": "aff1+aff1+sl2", "metric": "killing" }),
+        json!({ "report": "table", "space": "aff1+aff1+sl2", "metric": "identity" }),
         json!({ "report": "table", "definition": "dimension = 1\nbrackets = ''\nname = \"a\\u007fb\"" }),
     ];
     for request in requests {

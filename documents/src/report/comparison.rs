@@ -183,6 +183,7 @@ fn written(verdict: &Verdict) -> Cell {
         Verdict::Fails(Residual { text, latex }) => Cell {
             text: vec![format!("no: {text}")],
             latex: latex.as_ref().map(|latex| vec![format!("no: {latex}")]),
+            ..Cell::default()
         },
         Verdict::NotApplicable(reason) => format!("({reason})").into(),
     }
@@ -214,7 +215,7 @@ fn listed<S: Notation>(quantity: Quantity, tensor: &Tensor<S>) -> Cell {
     let latex = groups.iter().map(|group| latex::equation(quantity, tensor, group));
     // paragraphs, so that each has a hanging indent of its own
     let latex = latex.collect::<Vec<_>>().join(" \\par ");
-    Cell { text: text.collect(), latex: Some(vec![latex]) }
+    Cell { text: text.collect(), latex: Some(vec![latex]), ..Cell::default() }
 }
 
 /// Whether the connection preserves the metric, or the conditions on the parameters.
@@ -235,6 +236,7 @@ fn compatibility<S: Notation>(geometry: &Geometry<S>) -> Result<Cell, Error> {
         return Ok(Cell {
             text: vec!["nabla g = 0 only if".into(), text.join(", ")],
             latex: Some(vec!["$\\nabla g = 0$ only if".into(), latex.join(", ")]),
+            ..Cell::default()
         });
     }
     let count = format!("{} nonzero components", nonmetricity.len());
@@ -268,5 +270,5 @@ fn transport<S: Notation>(geometry: &Geometry<S>, algebra: &LieAlgebra<S>) -> Ce
 
 /// One line as plain text and as LaTeX.
 fn both(text: &str, latex: &str) -> Cell {
-    Cell { text: vec![text.into()], latex: Some(vec![latex.into()]) }
+    Cell { text: vec![text.into()], latex: Some(vec![latex.into()]), ..Cell::default() }
 }

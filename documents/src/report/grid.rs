@@ -1,7 +1,7 @@
 //! Grids of short cells, for reports that are not tables of tensors.
 
 use super::head::{conventions, float};
-use super::latex::{CONVENTIONS, escape};
+use super::latex::{CONVENTIONS, escape, verbatim};
 use super::markdown::escaped;
 use super::text::head_line;
 use super::{Format, Report};
@@ -35,11 +35,13 @@ pub(super) struct Cell {
     pub text: Vec<String>,
     /// The same lines in LaTeX, where they differ from the escaped text.
     pub latex: Option<Vec<String>>,
+    /// Whether signs stand below each other, as in a diagram or a matrix.
+    pub is_drawn: bool,
 }
 
 impl From<&str> for Cell {
     fn from(text: &str) -> Self {
-        Cell { text: text.lines().map(str::to_string).collect(), latex: None }
+        Cell { text: text.lines().map(str::to_string).collect(), ..Cell::default() }
     }
 }
 
@@ -50,8 +52,16 @@ impl From<String> for Cell {
 }
 
 impl Cell {
+    /// A diagram or a matrix of signs that stand below each other.
+    pub fn drawn(text: &str) -> Self {
+        Cell { is_drawn: true, ..text.into() }
+    }
+
     /// The lines in LaTeX.
     fn in_latex(&self) -> Vec<String> {
+        if self.is_drawn {
+            return self.lines(verbatim);
+        }
         self.latex.clone().unwrap_or_else(|| self.lines(escape))
     }
 
@@ -76,7 +86,11 @@ impl Report for Grid {
 
 /// The head of a grid: the conventions in brief, and the rule by which a float counts as zero.
 pub(super) fn head_of_grid(zero: Option<&str>) -> Vec<(&'static str, Cell)> {
-    let conventions = Cell { text: vec![conventions()], latex: Some(vec![CONVENTIONS.into()]) };
+    let conventions = Cell {
+        text: vec![conventions()],
+        latex: Some(vec![CONVENTIONS.into()]),
+        ..Cell::default()
+    };
     let scalar = zero.map(|zero| ("scalar", float(zero).into()));
     [("conventions", conventions)].into_iter().chain(scalar).collect()
 }

@@ -127,6 +127,9 @@ impl Grid {
 
 /// The lines of a cell; those with a form of their own in LaTeX are formulas.
 fn lines(cell: &Cell) -> String {
+    if cell.is_drawn {
+        return format!("<pre>{}</pre>", escaped(&cell.text.join("\n")));
+    }
     let line = |line: &String| match (&cell.latex, line.strip_prefix("no: ")) {
         (None, _) => escaped(line),
         (Some(_), Some(residual)) => format!("no: {}", value(residual)),

@@ -1,7 +1,6 @@
 //! The root system of the Levi subalgebra: Cartan matrix, Dynkin diagram, roots.
 
 use super::super::grid::Cell;
-use super::super::latex::verbatim;
 use super::Notes;
 use crate::definition::{Definition, InputError, Reading};
 use affinor::algebra::roots::CartanType;
@@ -53,13 +52,8 @@ impl Notes {
         self.row("Dynkin type", text, "of the Levi subalgebra, over the complex numbers");
         let diagrams: Vec<String> =
             types.iter().copied().flatten().map(|one| diagram(*one)).collect();
-        let text: Cell = diagrams.join("\n\n").into();
-        let latex = text.text.iter().map(|line| verbatim(line)).collect();
-        self.row(
-            "Dynkin diagram",
-            Cell { latex: Some(latex), ..text },
-            "simple roots as in Bourbaki",
-        );
+        let diagrams = Cell::drawn(&diagrams.join("\n\n"));
+        self.row("Dynkin diagram", diagrams, "simple roots as in Bourbaki");
         let matrix = |one: &CartanType| {
             let rows = one.cartan_matrix();
             let line =
@@ -68,13 +62,9 @@ impl Notes {
         };
         let types = types.unwrap_or_default();
         if !types.is_empty() && types.iter().all(|one| one.rank() <= SHOWN_RANK) {
-            let text: Cell = types.iter().map(matrix).collect::<Vec<_>>().join("\n\n").into();
-            let latex = text.text.iter().map(|line| verbatim(line)).collect();
-            self.row(
-                "Cartan matrix",
-                Cell { latex: Some(latex), ..text },
-                "<a_i, a_j^v>: row i, column j",
-            );
+            let matrices: Vec<String> = types.iter().map(matrix).collect();
+            let matrices = Cell::drawn(&matrices.join("\n\n"));
+            self.row("Cartan matrix", matrices, "<a_i, a_j^v>: row i, column j");
         }
     }
 
