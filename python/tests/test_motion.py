@@ -73,6 +73,11 @@ def test_forces():
     pd = pytest.importorskip("pandas")
     frame = pd.DataFrame(table, columns=["t", "M1", "M2", "M3"])
     np.testing.assert_array_equal(af.simulate({**TOP, "forces": {"table": frame}}).rows, by_table.rows)
+    # columns count by their names
+    turned = frame[["M3", "t", "M1", "M2"]]
+    np.testing.assert_array_equal(af.simulate({**TOP, "forces": {"table": turned}}).rows, by_table.rows)
+    with pytest.raises(ValueError, match="no column `M1`"):
+        af.simulate({**TOP, "forces": {"table": frame.rename(columns={"M1": "x"})}})
 
 
 def test_a_function_of_python_is_a_force():

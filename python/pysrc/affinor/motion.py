@@ -26,7 +26,7 @@ class Problem:
 
     ``Problem(space="so3", metric=[2, 2, 1], initial={"velocity": [0, 0, 5]}, forces={"potential": "R33"},
     output={"end": 10, "every": 0.1})``. Formulas are texts or expressions of SymPy. A table of forces is a path, an array
-    with a first column of times, or a DataFrame. Components may be a function of Python, ``{"body": force}`` or
+    with a first column of times, or a DataFrame with the columns ``t``, ``M1``, ``M2``, .. Components may be a function of Python, ``{"body": force}`` or
     ``{"space": force}``: ``force(t, g, omega)`` takes the time, the matrix of the element and the body velocity, and returns
     the components of the covector. Such a force is slow: a formula is some hundred times faster.
 
