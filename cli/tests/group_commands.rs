@@ -210,7 +210,8 @@ fn columns_of_csv_have_names() {
 #[test]
 fn headers_and_missing_numbers() {
     let expected = output(&["exp", "so3"], "1,2,3\n");
-    for header in ["x,y,z", "\"x\",\"y\",\"z\"", "x1 x2 x3", "\u{feff}x;y;z"] {
+    for header in ["x,y,z", "\"x\",\"y\",\"z\"", "x1 x2 x3", "\u{feff}x;y;z", "\"angle 1\", b 2,c"]
+    {
         assert_eq!(output(&["exp", "so3"], &format!("{header}\n1,2,3\n")), expected, "{header}");
     }
     assert_eq!(output(&["exp", "so3"], "\u{feff}1,2,3\n"), expected);

@@ -27,8 +27,8 @@ pub struct Sl2;
 /// Above this, squares may overflow.
 const LARGE: f64 = 1e150;
 
-/// Terms of a product that are larger than the product by this factor of the rounding cancel.
-const CANCELLED: f64 = 64.0 * f64::EPSILON;
+/// Terms of a product that are larger than the product by this factor cancel.
+const CANCELLED: f64 = 64.0;
 
 /// Below this square of the sine, near 1, the derivative of the angle over the sine by the square is less than 1.
 const NEAR: f64 = 1e-4;
@@ -130,10 +130,10 @@ impl LieGroup for Sl2 {
         let terms =
             [x * (d.c0 * c.c1), y * (c.c0 * d.c1), self.bracket(x, y) * (0.5 * c.c1 * d.c1)];
         let part = terms[0] + terms[1] + terms[2];
-        let sizes: f64 = terms.iter().map(Vector3::norm).sum();
-        let rounding =
-            f64::EPSILON * (sizes + (c.c0 * d.c0).abs() + (c.c1 * d.c1 * half_trace).abs());
-        let cancelled = rounding > CANCELLED * (part.norm() + cos.abs());
+        let vectors: f64 = terms.iter().map(Vector3::norm).sum();
+        let terms = vectors + (c.c0 * d.c0).abs() + (c.c1 * d.c1 * half_trace).abs();
+        let rounding = f64::EPSILON * terms;
+        let cancelled = terms > CANCELLED * (part.norm() + cos.abs());
         let unknown = |error| expect_digits_of_product(rounding).and(Err(error));
         let product = logarithm(cos, &part).or_else(unknown)?;
         if cancelled {

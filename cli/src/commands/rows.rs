@@ -148,8 +148,12 @@ fn is_header(line: &str) -> bool {
         word.starts_with(|c: char| c.is_alphabetic() || c == '_')
             && !no_names.contains(&&*word.to_lowercase())
     };
-    numbers(&Source::new("", line)).is_err()
-        && line.split([',', ';', '\t']).flat_map(str::split_whitespace).all(is_name)
+    let signs = [',', ';', '\t'];
+    let mut fields: Box<dyn Iterator<Item = &str>> = match line.contains(signs) {
+        true => Box::new(line.split(signs).map(str::trim)),
+        false => Box::new(line.split_whitespace()),
+    };
+    numbers(&Source::new("", line)).is_err() && fields.all(is_name)
 }
 
 /// Calls `each` with the number and text of every line of standard input that is neither empty nor a comment.
