@@ -154,6 +154,36 @@ fn constant_curvature_in_roots_and_logarithms() {
     assert_eq!(unit.connection().gamma().get(&[0, 1, 1]), value("-1/sqrt(x^2 + y^2)"));
 }
 
+/// A value that contradicts a sign is refused: `sqrt(a^2 x) = a sqrt(x)` holds for positive `a` alone.
+#[test]
+fn values_against_declared_signs() {
+    let cases = [
+        ("parameters = ['a']", "['a', 'x']", "sqrt(a^2*x)", "a", ["-1", "0"], "2"),
+        ("parameters = ['a']", "['a - 1', 'x']", "sqrt((a - 1)^2*x)", "a", ["0", "1"], "3"),
+        ("parameters = ['a']", "['x', 'a - x', 'y']", "sqrt((x - a)^2*y)", "a", ["-1", "0"], "2"),
+        ("", "['f(x)', 'x']", "sqrt(f(x)^2*x)", "f(x)", ["-1 - x^2", "-x"], "1 + x^2"),
+    ];
+    for (parameters, positive, entry, name, refused, accepted) in cases {
+        let functions = if parameters.is_empty() { ", functions = ['f(x)']" } else { "" };
+        let text = format!(
+            "metric = 'diag(1, x + {entry})'\n{parameters}\n\
+             chart = {{coordinates = ['x', 'y'], positive = {positive}{functions}}}"
+        );
+        let set = |value: &str| {
+            let values = [(name.to_string(), value.parse().unwrap())].into();
+            Definition::parse("a.toml", &text).unwrap().set(&values)
+        };
+        for value in refused {
+            let reason = set(value).unwrap_err().to_string();
+            assert!(
+                reason.contains("is declared positive, and becomes"),
+                "{entry}, {value}: {reason}"
+            );
+        }
+        set(accepted).unwrap();
+    }
+}
+
 /// A. Friedmann's equations, S. Weinberg, *Gravitation and Cosmology* (1972), (15.1.18)-(15.1.20); and the limits of a
 /// constant rate of expansion (S. W. Hawking, G. F. R. Ellis, 5.2) and of E. A. Milne's flat universe.
 #[test]

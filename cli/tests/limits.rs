@@ -46,6 +46,30 @@ fn a_chart_is_limited_too() {
     assert!(outcome.err.contains("limit of 2000 terms"), "{}", outcome.err);
 }
 
+/// A limit that is passed as formulas are put in order for the output: nothing is written, and a file stays as it was.
+#[test]
+fn a_limit_in_the_output() {
+    let folder = tempfile::TempDir::new().unwrap();
+    let chart = "metric = \"diag(1/(x^2+1), 1, -1)\"\n[chart]\ncoordinates = [\"x\", \"y\", \"z\"]\n[frame]\n\
+                 e1 = \"x*d_z\"\ne2 = \"z*d_x + sin(z)*d_y\"\ne3 = \"cosh(y)*d_x\"\n";
+    std::fs::write(folder.path().join("chart.toml"), chart).unwrap();
+    let kept = folder.path().join("kept");
+    for limit in ["2000", "10000"] {
+        for format in ["text", "markdown", "latex", "csv", "json", "html"] {
+            let show = "ricci,scalar_curvature";
+            let table =
+                ["table", "chart.toml", "--show", show, "--format", format, "--max-terms", limit];
+            let outcome = run(folder.path(), &table, b"");
+            assert_eq!((outcome.status, outcome.out.as_str()), (1, ""), "{format}");
+            assert!(outcome.err.contains("in the stage `output`"), "{format}: {}", outcome.err);
+            std::fs::write(&kept, "kept").unwrap();
+            let outcome = run(folder.path(), &[&table[..], &["-o", "kept"]].concat(), b"");
+            assert_eq!(outcome.status, 1, "{format}: {}", outcome.err);
+            assert_eq!(std::fs::read_to_string(&kept).unwrap(), "kept", "{format}");
+        }
+    }
+}
+
 #[test]
 fn a_limit_is_a_positive_number() {
     for limit in ["0", "-1", "many", "1.5"] {

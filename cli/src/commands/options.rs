@@ -10,6 +10,7 @@ use affinor_documents::problem::Problem;
 use affinor_documents::report::{Computation, Format, Program, Report};
 use affinor_tensors::{Effort, Tolerance};
 use clap::{Args, ValueEnum};
+use std::io::{self, Write};
 use std::path::PathBuf;
 
 /// A space defined by options, and its connection and metric.
@@ -191,9 +192,18 @@ impl ProblemOptions {
 impl Output {
     /// Writes a report; `inputs` are files that must not be overwritten.
     pub fn print(&self, inputs: &[PathBuf], report: &dyn Report) -> Result<(), Failure> {
+        self.print_with(inputs, |format, out| report.write(format, out))
+    }
+
+    /// Writes what a function writes in the format.
+    fn print_with(
+        &self,
+        inputs: &[PathBuf],
+        write: impl FnOnce(Format, &mut dyn Write) -> io::Result<()>,
+    ) -> Result<(), Failure> {
         match self.format {
             OutputFormat::Report(format) => {
-                deliver(self.file.as_deref(), inputs, |out| report.write(format, out))
+                deliver(self.file.as_deref(), inputs, |out| write(format, out))
             }
             OutputFormat::Program(program) => {
                 let message = format!("the format {} has structure constants only", program.name());
@@ -244,7 +254,9 @@ impl Shared {
         report: &dyn Report,
     ) -> Result<(), Failure> {
         stages.begin_output();
-        stages.bound(|| self.output.print(inputs, report))?
+        // formulas are put in order as they are written, which has its terms too
+        let write = |format, out: &mut dyn Write| report.write(format, &mut stages.within(out));
+        stages.bound(|| self.output.print_with(inputs, write))?
     }
 
     /// Opens two spaces; `--set` sets a parameter in each of the spaces that has it.

@@ -5,6 +5,7 @@ use affinor_documents::definition::InputError;
 use affinor_tensors::Effort;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::cell::RefCell;
+use std::io::{self, Write};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -66,6 +67,11 @@ impl Stages {
         })
     }
 
+    /// A writer that writes nothing once the limit is passed: what was formed afterwards are no results.
+    pub fn within<'s>(&'s self, out: &'s mut dyn Write) -> impl Write + 's {
+        Within { out, effort: &self.effort }
+    }
+
     /// Ends the current stage and begins the next.
     pub fn begin(&self, name: &str) {
         self.end();
@@ -87,6 +93,24 @@ impl Stages {
             let seconds = start.elapsed().as_secs_f64();
             self.spinner.suspend(|| line(&format!("timing: {name} {seconds:.3} s")));
         }
+    }
+}
+
+struct Within<'s> {
+    out: &'s mut dyn Write,
+    effort: &'s Effort,
+}
+
+impl Write for Within<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self.effort.exceeded() {
+            None => self.out.write(bytes),
+            Some(exceeded) => Err(io::Error::other(exceeded)),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
     }
 }
 

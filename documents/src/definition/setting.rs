@@ -41,6 +41,9 @@ impl Definition {
         if let Some(unknown) = values.keys().find(|name| !parameters.contains(name)) {
             return Err(no_parameter(unknown, &parameters));
         }
+        if let Some(functions) = self.functions() {
+            functions.positive.expect_positive(values).map_err(InputError::mathematics)?;
+        }
         let mut failed = None;
         self.each_value_mut(&mut |value| {
             if failed.is_some() {

@@ -94,7 +94,8 @@ impl Effort {
         self.exceeded().map_or(Ok(result), Err)
     }
 
-    fn exceeded(&self) -> Option<EffortExceeded> {
+    /// The refusal, once the limit is passed. Values that are formed afterwards are no results.
+    pub fn exceeded(&self) -> Option<EffortExceeded> {
         let products = self.products.load(Relaxed) > self.limit.saturating_mul(PRODUCTS);
         (products || self.terms() > self.limit).then_some(EffortExceeded { limit: self.limit })
     }

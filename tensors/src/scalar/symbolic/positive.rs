@@ -9,10 +9,11 @@ use super::elementary::Variable::{self, Free, Parameter};
 use super::polynomial::primitive;
 use super::{Form, Symbolic};
 use crate::Rational;
-use crate::scalar::{Field, Ring};
+use crate::scalar::{Field, Notation, Ring};
 use num_integer::Roots;
 use num_rational::Ratio;
 use num_traits::{One, Zero};
+use std::collections::BTreeMap;
 
 /// Primes above are not searched.
 const MAX_PRIME: u64 = 1 << 21;
@@ -54,6 +55,43 @@ impl PositiveFactors {
         let new = factors.into_iter().filter(|(_, e)| e % 2 != 0).map(|(factor, _)| factor);
         let new: Vec<_> = new.filter(|factor| !self.factors.contains(factor)).collect();
         self.factors.extend(new);
+        Ok(())
+    }
+
+    /// Checks that values of parameters leave the functions positive, as far as the signs of their terms show it.
+    ///
+    /// ```
+    /// use affinor_tensors::scalar::PositiveFactors;
+    /// use affinor_tensors::Symbolic;
+    /// let mut positive = PositiveFactors::default();
+    /// positive.declare(&"a - r".parse()?)?;
+    /// positive.declare(&"r".parse()?)?;
+    /// let value = |a: i64| [("a".to_string(), Symbolic::from(a))].into();
+    /// assert!(positive.expect_positive(&value(2)).is_ok());
+    /// let refused = positive.expect_positive(&value(-1)).unwrap_err();
+    /// assert_eq!(refused, "a - r is declared positive, and becomes -r - 1");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A function that becomes zero, or a sum of negative terms.
+    pub fn expect_positive(&self, values: &BTreeMap<String, Symbolic>) -> Result<(), String> {
+        let images = self.factors.iter().map(|factor| (factor, factor.substitute(values)));
+        let images: Vec<_> = images.filter_map(|(factor, image)| Some((factor, image?))).collect();
+        let is_positive = |name: &str| {
+            let variable = Symbolic::parameter(name);
+            images.iter().any(|(_, image)| *image == variable)
+        };
+        for (factor, image) in &images {
+            let terms = image.numerator_terms();
+            let negative = terms.iter().all(|(powers, coefficient)| {
+                coefficient.is_negative()
+                    && powers.iter().all(|(name, power)| power % 2 == 0 || is_positive(name))
+            });
+            if negative && image.denominator() == Symbolic::one() {
+                return Err(format!("{factor} is declared positive, and becomes {image}"));
+            }
+        }
         Ok(())
     }
 
