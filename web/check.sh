@@ -11,8 +11,7 @@ step() {
 }
 
 rustup target list --installed | grep -q wasm32-unknown-unknown || step rustup target add wasm32-unknown-unknown
-# PAGE_TARGET_DIR is the folder of cargo for the page, if it is built beside other programs
-step env ${PAGE_TARGET_DIR:+CARGO_TARGET_DIR="$PAGE_TARGET_DIR"} cargo run -p affinor-web-build
+step cargo run -p affinor-web-build
 if ! command -v npm >/dev/null; then
     printf '\n== skipped: the size of the page, and the page in a browser, for there is no Node with npm\n'
     exit
