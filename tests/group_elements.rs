@@ -184,6 +184,11 @@ fn products_along_subgroups() {
         }
     }
     assert!(refused > 20 && right > 150, "{refused} {right}");
+    // a sum of large vectors loses no more than a sum does
+    for size in [1e9, 1e11, 1e200] {
+        let x = Vector3::new(size, 0.0, 0.0);
+        assert_eq!(Sl2.log_product(&x, &-x).unwrap(), Vector3::zeros(), "{size:e}");
+    }
 }
 
 /// Numbers of elements make them again, and change as differences say, of right-invariant systems as well.
