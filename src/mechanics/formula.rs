@@ -6,6 +6,7 @@ use affinor_tensors::expression::{Expression, ExpressionError, Meaning};
 use affinor_tensors::{Notation, Rational};
 use functions::{FUNCTIONS, FUNCTIONS_OF_TWO, Function, FunctionOfTwo};
 use std::cell::RefCell;
+use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
 /// A formula: numbers and variables, then a list of operations, each on earlier values.
@@ -70,13 +71,13 @@ pub enum Symbol {
 }
 
 /// An operation on two earlier values; some ignore the second.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct Operation {
     kind: Kind,
     operands: [usize; 2],
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Kind {
     Add,
     Multiply,
@@ -163,10 +164,13 @@ impl Formula {
 
     /// The formula with its partial derivatives, by reverse accumulation.
     pub fn differentiated(&self) -> Gradient {
-        let numbers = self.numbers.iter().map(|number| Node::Number(*number));
+        let numbers = self.numbers.iter().map(|number| Node::Number(number.to_bits()));
         let variables = self.variables.iter().map(|k| Node::Variable(*k));
         let operations = self.operations.iter().map(|operation| Node::Result(*operation));
-        let mut graph = Graph { nodes: numbers.chain(variables).chain(operations).collect() };
+        let mut graph = Graph::default();
+        for (at, node) in numbers.chain(variables).chain(operations).enumerate() {
+            assert_eq!(graph.push(node), at, "nodes of a formula are distinct");
+        }
         // derivatives of the value by nodes, zero if none
         let mut shares = vec![None; graph.nodes.len()];
         shares[self.last] = Some(graph.number(1.0));
@@ -232,7 +236,7 @@ impl Formula {
         Gradient { formula, slopes }
     }
 
-    /// The indices of its variables, one for each place where the text names a variable.
+    /// The indices of its variables, each once.
     pub fn variables(&self) -> &[usize] {
         &self.variables
     }
@@ -272,37 +276,49 @@ impl Gradient {
 }
 
 /// A number, a variable, or the result of an operation on earlier nodes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Node {
-    Number(f64),
+    /// The bits of a number.
+    Number(u64),
     Variable(usize),
     Result(Operation),
 }
 
-/// The nodes of formulas that are being made.
+/// The nodes of formulas that are being made, each once, so that what a text repeats is computed once.
 #[derive(Debug, Default)]
 struct Graph {
     nodes: Vec<Node>,
+    places: HashMap<Node, usize>,
 }
 
 impl Graph {
+    /// The place of a node, which is new unless it has been pushed before.
     fn push(&mut self, node: Node) -> usize {
-        self.nodes.push(node);
-        self.nodes.len() - 1
+        let place = *self.places.entry(node).or_insert(self.nodes.len());
+        if place == self.nodes.len() {
+            self.nodes.push(node);
+        }
+        place
     }
 
     fn number(&mut self, number: f64) -> usize {
-        self.push(Node::Number(number))
+        self.push(Node::Number(number.to_bits()))
     }
 
     /// The result of an operation: a number, if both operands are, or the other factor of 1.
-    fn apply(&mut self, kind: Kind, operands: [usize; 2]) -> usize {
-        match (kind, operands.map(|operand| self.nodes[operand])) {
-            (_, [Node::Number(a), Node::Number(b)]) => self.number(kind.value([a, b])),
-            (Kind::Share, [Node::Number(1.0), _]) => operands[1],
-            (Kind::Share, [_, Node::Number(1.0)]) => operands[0],
-            _ => self.push(Node::Result(Operation { kind, operands })),
+    fn apply(&mut self, kind: Kind, mut operands: [usize; 2]) -> usize {
+        let number = |operand: usize| match self.nodes[operand] {
+            Node::Number(bits) => Some(f64::from_bits(bits)),
+            _ => None,
+        };
+        match (kind, operands.map(number)) {
+            (_, [Some(a), Some(b)]) => return self.number(kind.value([a, b])),
+            (Kind::Share | Kind::Multiply, [Some(1.0), _]) => return operands[1],
+            (Kind::Share | Kind::Multiply, [_, Some(1.0)]) => return operands[0],
+            (Kind::Add | Kind::Multiply, _) => operands.sort_unstable(),
+            _ => {}
         }
+        self.push(Node::Result(Operation { kind, operands }))
     }
 
     /// The formula of a node, with the nodes that it and the `outputs` need. Each output has a node after its name, which
@@ -331,7 +347,7 @@ impl Graph {
         let mut formula = Formula { numbers, variables, operations, last: places[last] };
         for at in order {
             match self.nodes[at] {
-                Node::Number(number) => formula.numbers.push(number),
+                Node::Number(bits) => formula.numbers.push(f64::from_bits(bits)),
                 Node::Variable(k) => formula.variables.push(k),
                 Node::Result(Operation { kind, operands }) => {
                     let operands = operands.map(|operand| places[operand]);
@@ -374,7 +390,7 @@ impl Meaning for Reader<'_> {
             (None, _) => return Err(format!("`{name}` is no name here")),
         };
         Ok(self.graph.borrow_mut().push(match symbol {
-            Symbol::Number(number) => Node::Number(number),
+            Symbol::Number(number) => Node::Number(number.to_bits()),
             Symbol::Variable(k) => Node::Variable(k),
         }))
     }
@@ -449,6 +465,17 @@ mod tests {
         let mut slopes = [0.0; 2];
         assert_eq!(linear.gradient(&[f64::MAX, f64::MIN], &mut slopes), f64::INFINITY);
         assert_eq!(slopes, [9.0, -3.0 * 1.5_f64.sqrt()]);
+    }
+
+    #[test]
+    fn what_repeats_is_computed_once() {
+        let formula = read("sin(x*y)/sqrt(x^2 + y^2) + sin(y*x)*(y^2 + x^2)");
+        // x y, sin, x^2, y^2, their sum, sqrt, 1/sqrt, two products, the sum
+        assert_eq!(formula.operations.len(), 10);
+        assert_eq!(formula.variables(), [0, 1]);
+        let mut slopes = [0.0; 2];
+        assert_eq!(read("(x*y)*(x*y)").gradient(&[3.0, 5.0], &mut slopes), 225.0);
+        assert_eq!(slopes, [150.0, 90.0]);
     }
 
     /// As in `min(x, 1/y)` at `y = 0`.

@@ -1,5 +1,7 @@
 //! The functions that formulas may call, with their derivatives.
 
+use std::hash::{Hash, Hasher};
+
 /// A function of one number. `slope(x, y)` is its derivative at `x`, where `y` is its value there.
 #[derive(Debug)]
 pub(super) struct Function {
@@ -28,6 +30,21 @@ impl PartialEq for Function {
 impl PartialEq for FunctionOfTwo {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
+    }
+}
+
+impl Eq for Function {}
+impl Eq for FunctionOfTwo {}
+
+impl Hash for Function {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.name.hash(state);
+    }
+}
+
+impl Hash for FunctionOfTwo {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.name.hash(state);
     }
 }
 
