@@ -171,6 +171,9 @@ fn substitution_reaches_arguments() {
         ("exp(x^2)*y", &[("x", "y"), ("y", "x")], "exp(y^2)*x"),
         ("tan(x)", &[("x", "x + y")], "tan(x + y)"),
         ("sin(a*x)", &[("a", "1/2")], "sin(x/2)"),
+        ("sin(a*x)^2/a", &[("a", "3/4")], "4*sin(3*x/4)^2/3"),
+        ("tan(a*x + y)", &[("a", "5/12")], "tan(5*x/12 + y)"),
+        ("cos(a*x/3)", &[("a", "-1/4")], "cos(x/12)"),
         ("sin(x/2)*exp(x/3)", &[("x", "6*y")], "sin(3*y)*exp(2*y)"),
     ] {
         assert_eq!(value(text).substitute(&set(pairs)), Some(value(image)), "{text}");

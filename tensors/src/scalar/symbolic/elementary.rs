@@ -212,6 +212,13 @@ pub(super) fn at_argument(variable: &str, values: &BTreeMap<String, Symbolic>) -
     if let Free(name) = Variable::of(variable) {
         return FreeFunction::read(name).ok()?.image(values);
     }
+    if let HalfTangent { product, parts } = Variable::of(variable) {
+        // not the tangent of an angle, which would have twice as many parts
+        let angle = of_product(product) / &Symbolic::from_i64(parts.into());
+        let multiples = angle.substitute(values)?.argument_of("tan").ok()?;
+        let [p, q] = half_angle(&multiples).ok()?;
+        return Some(q * &p.recip()?);
+    }
     let (function, argument) = Variable::of(variable).call()?;
     Symbolic::function_of(function, &argument.substitute(values)?).ok()
 }
@@ -278,18 +285,7 @@ impl Symbolic {
                 FUNCTIONS.join(", ")
             ));
         }
-        let multiples = argument.multiples().ok_or_else(|| {
-            format!("the argument of {name} is a sum of multiples of products of names, like 2*x - a*y/2")
-        })?;
-        let sum = multiples
-            .iter()
-            .fold(0, |sum: u64, multiple| sum.saturating_add(multiple.count.unsigned_abs()));
-        if sum > MAX_MULTIPLES {
-            return Err(format!("the argument of {name} has more than {MAX_MULTIPLES} multiples"));
-        }
-        if multiples.iter().any(|multiple| !PARTS.is_multiple_of(multiple.parts)) {
-            return Err(format!("the argument of {name} has parts other than twelfths"));
-        }
+        let multiples = argument.argument_of(name)?;
         let quotient = |above: Symbolic, below: Symbolic| {
             let below = below.recip().ok_or_else(|| format!("{name} is not defined here"))?;
             Ok(above * &below)
@@ -322,6 +318,23 @@ impl Symbolic {
                 }
             }
         }
+    }
+
+    /// The value as the argument of a function of that name.
+    fn argument_of(&self, name: &str) -> Result<Vec<Multiple>, String> {
+        let multiples = self.multiples().ok_or_else(|| {
+            format!("the argument of {name} is a sum of multiples of products of names, like 2*x - a*y/2")
+        })?;
+        let sum = multiples
+            .iter()
+            .fold(0, |sum: u64, multiple| sum.saturating_add(multiple.count.unsigned_abs()));
+        if sum > MAX_MULTIPLES {
+            return Err(format!("the argument of {name} has more than {MAX_MULTIPLES} multiples"));
+        }
+        if multiples.iter().any(|multiple| !PARTS.is_multiple_of(multiple.parts)) {
+            return Err(format!("the argument of {name} has parts other than twelfths"));
+        }
+        Ok(multiples)
     }
 
     /// The value as a sum of multiples of products of parameters.
