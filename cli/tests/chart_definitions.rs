@@ -83,7 +83,7 @@ fn constant_curvature_in_a_parameter() {
         // no exact value: the parts of an angle are bounded
         let mut definition = Definition::parse("a.toml", &text).unwrap();
         let refused = definition.set(&[("a".into(), value("1/40"))].into()).unwrap_err();
-        assert!(refused.message.contains("no exact value"), "{}", refused.message);
+        assert!(refused.message.contains("parts other than twelfths"), "{}", refused.message);
     }
 }
 
@@ -181,6 +181,40 @@ fn values_against_declared_signs() {
             );
         }
         set(accepted).unwrap();
+    }
+}
+
+/// An argument that factorises at a value needs the signs of its factors; the values of functions keep declared signs.
+#[test]
+fn values_at_which_arguments_factorise() {
+    let set = |positive: &str, entry: &str, value: &str| {
+        let text = format!(
+            "metric = 'diag(1, x + {entry})'\nparameters = ['a']\n\
+             chart = {{coordinates = ['x', 'y'], positive = {positive}}}"
+        );
+        let mut definition = Definition::parse("a.toml", &text).unwrap();
+        let values = [("a".to_string(), value.parse().unwrap())].into();
+        definition
+            .set(&values)
+            .map(|()| of(&definition).metric().unwrap().components().get(&[1, 1]))
+    };
+    for (positive, entry, at, expected) in [
+        ("['x']", "sqrt(x^2 + a)", "0", "2*x"),
+        ("['-x']", "2*sqrt(x^2 + a)", "0", "-x"),
+        ("['x + a*y', 'x - a*y']", "sqrt(x^2 - a^2*y^2)", "0", "2*x"),
+        ("['a - x', 'x']", "log(x^2 - 2*x + a)", "1", "x + 2*log(1 - x)"),
+        ("['x']", "sin(a*x)^2", "3/4", "x + sin(3*x/4)^2"),
+    ] {
+        assert_eq!(set(positive, entry, at).unwrap(), value(expected), "{entry}");
+    }
+    for (positive, entry, at, reason) in [
+        ("['y']", "sqrt(x^2 + a)", "0", "declare which are positive, of x"),
+        ("['y']", "log(x^2 + a)", "-1", "declare which are positive, of x + 1, x - 1"),
+        ("['y']", "sin(a*x)", "1/7", "parts other than twelfths"),
+        ("['y']", "1/sin(a*x)", "0", "becomes zero"),
+    ] {
+        let refused = set(positive, entry, at).unwrap_err().to_string();
+        assert!(refused.contains(reason), "{entry}: {refused}");
     }
 }
 

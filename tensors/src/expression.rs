@@ -504,7 +504,12 @@ impl Parser<'_> {
         let glued = &self.text[self.at..];
         let glued = &glued[..glued.find(|c| !continues_name(c)).unwrap_or(glued.len())];
         if (self.known)(glued) {
-            let reason = format!("write `*` or a space between the number and `{glued}`");
+            let mut reason = format!("write `*` or a space between the number and `{glued}`");
+            if let Some(digits) = glued.strip_prefix(['e', 'E'])
+                && digits.starts_with(|c: char| c.is_ascii_digit())
+            {
+                reason += &format!(", or `e+{digits}` for a power of ten");
+            }
             return self.error(from..self.at + glued.len(), reason);
         }
         let exponent = self.power_of_ten()?;

@@ -28,7 +28,11 @@ fn the_grammar_is_kept() {
         ("x y", 2, &["an operator is missing before this name"]),
         ("x 2", 2, &["`2` is not expected here"]),
         ("2(x)", 1, &["`(` is not expected here"]),
-        ("2e1", 0, &["write `*` or a space between the number and `e1`"]),
+        (
+            "2e1",
+            0,
+            &["write `*` or a space between the number and `e1`, or `e+1` for a power of ten"],
+        ),
         ("1.2.3", 3, &["`.` is not expected here"]),
         ("1,2", 1, &["`,` is not expected here"]),
         (".", 0, &["a number needs a digit"]),

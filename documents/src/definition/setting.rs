@@ -4,8 +4,8 @@ use super::Definition;
 use super::input::{InputError, shown};
 use super::notation::{Names, check_name, split};
 use super::source::Source;
-use affinor_tensors::scalar::FreeFunction;
-use affinor_tensors::{Notation, Ring, Symbolic};
+use affinor_tensors::scalar::{FreeFunction, PositiveFactors};
+use affinor_tensors::{Notation, Symbolic};
 use std::collections::BTreeMap;
 
 /// The largest size of a value after its parameters are replaced.
@@ -41,24 +41,23 @@ impl Definition {
         if let Some(unknown) = values.keys().find(|name| !parameters.contains(name)) {
             return Err(no_parameter(unknown, &parameters));
         }
-        if let Some(functions) = self.functions() {
-            functions.positive.expect_positive(values).map_err(InputError::mathematics)?;
-        }
+        let positive = match self.functions() {
+            None => PositiveFactors::default(),
+            Some(functions) => {
+                functions.positive.with_values(values).map_err(InputError::mathematics)?
+            }
+        };
         let mut failed = None;
         self.each_value_mut(&mut |value| {
             if failed.is_some() {
             } else if growth(value, values) > MAX_SIZE {
                 let message = format!("setting parameters in {value} makes it too large");
                 failed = Some(InputError::usage(message));
-            } else if let Some(substituted) = value.substitute(values) {
-                *value = substituted;
             } else {
-                let below = value.denominator().substitute(values);
-                let message = match below.is_some_and(|below| below.vanishes()) {
-                    true => format!("the denominator of {value} becomes zero"),
-                    false => format!("{value} has no exact value there"),
-                };
-                failed = Some(InputError::mathematics(message));
+                match positive.substitute(value, values) {
+                    Ok(substituted) => *value = substituted,
+                    Err(message) => failed = Some(InputError::mathematics(message)),
+                }
             }
         });
         failed.map_or(Ok(()), Err)

@@ -20,10 +20,10 @@
 //! Only parsing, differentiation and substitution (here), normal forms and writing
 //! ([`normal_form`](super::normal_form)) treat these variables in a special way.
 
-use super::Symbolic;
 use super::free::FreeFunction;
 use super::function_names::{FUNCTIONS, is_elementary};
 use super::variables::Name;
+use super::{PositiveFactors, Symbolic};
 use crate::expression::{MAX_SIZE, is_name};
 use crate::scalar::{Field, Notation, Ring};
 use num_rational::Ratio;
@@ -207,20 +207,28 @@ pub(super) fn changes(variable: &str, values: &BTreeMap<String, Symbolic>) -> bo
             && FreeFunction::read(variable).is_ok_and(|f| given(&f.original().variable()))
 }
 
-/// The variable, a function, at another argument; `None` if that has no function here.
-pub(super) fn at_argument(variable: &str, values: &BTreeMap<String, Symbolic>) -> Option<Symbolic> {
+/// The variable, a function, at another argument.
+///
+/// # Errors
+/// In words: the argument has no function here.
+pub(super) fn at_argument(
+    variable: &str,
+    positive: &PositiveFactors,
+    values: &BTreeMap<String, Symbolic>,
+) -> Result<Symbolic, String> {
+    let undefined = || format!("{variable} is not defined there");
     if let Free(name) = Variable::of(variable) {
-        return FreeFunction::read(name).ok()?.image(values);
+        return FreeFunction::read(name)?.image(positive, values);
     }
     if let HalfTangent { product, parts } = Variable::of(variable) {
         // not the tangent of an angle, which would have twice as many parts
         let angle = of_product(product) / &Symbolic::from_i64(parts.into());
-        let multiples = angle.substitute(values)?.argument_of("tan").ok()?;
-        let [p, q] = half_angle(&multiples).ok()?;
-        return Some(q * &p.recip()?);
+        let multiples = angle.substitute_where(positive, values)?.argument_of("sin")?;
+        let [p, q] = half_angle(&multiples)?;
+        return Ok(q * &p.recip().ok_or_else(undefined)?);
     }
-    let (function, argument) = Variable::of(variable).call()?;
-    Symbolic::function_of(function, &argument.substitute(values)?).ok()
+    let (function, argument) = Variable::of(variable).call().ok_or_else(undefined)?;
+    positive.function(function, &argument.substitute_where(positive, values)?)
 }
 
 impl Symbolic {
@@ -257,7 +265,7 @@ impl Symbolic {
     /// `sin`, `cos`, `tan`, `cot`, `exp`, `sinh`, `cosh` or `tanh` of a combination of products of
     /// parameters; `sqrt` and `log` of a power of one irreducible polynomial or quotient.
     pub(super) fn function_of(name: &str, argument: &Self) -> Result<Self, String> {
-        super::PositiveFactors::default().function(name, argument)
+        PositiveFactors::default().function(name, argument)
     }
 
     /// An elementary function of one argument, or a free function of names.

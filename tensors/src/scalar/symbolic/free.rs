@@ -4,8 +4,8 @@
 //! parameters. Second derivatives do not depend on the order, so the arguments by which a function is differentiated
 //! are sorted in its name, and a name is unique.
 
-use super::Symbolic;
 use super::function_names::is_elementary;
+use super::{PositiveFactors, Symbolic};
 use crate::expression::is_name;
 use std::collections::BTreeMap;
 
@@ -110,23 +110,34 @@ impl FreeFunction {
         FreeFunction { by: vec![], ..self.clone() }
     }
 
-    /// The function with values for some functions and parameters. `None` if an argument gets a value that is no name.
-    pub(super) fn image(&self, values: &BTreeMap<String, Symbolic>) -> Option<Symbolic> {
+    /// The function with values for some functions and parameters.
+    ///
+    /// # Errors
+    /// In words: an argument gets a value that is no name, or the value of the function has none at its arguments.
+    pub(super) fn image(
+        &self,
+        positive: &PositiveFactors,
+        values: &BTreeMap<String, Symbolic>,
+    ) -> Result<Symbolic, String> {
         let mut own = values.clone();
         own.retain(|name, _| self.arguments.contains(name));
         if let Some(value) = values.get(&self.original().variable()) {
             let derivative =
                 self.differentiated_by().fold(value.clone(), |value, by| value.derivative(by));
-            return derivative.substitute(&own);
+            return derivative.substitute_where(positive, &own);
         }
         let renamed = |name: &String| match own.get(name) {
-            None => Some(name.clone()),
+            None => Ok(name.clone()),
             Some(value) => {
-                value.parameters().pop().filter(|name| *value == Symbolic::parameter(name))
+                let name = value.parameters().pop();
+                let name = name.filter(|name| *value == Symbolic::parameter(name));
+                name.ok_or_else(|| {
+                    format!("{value} is no argument of `{}`: its arguments are names", self.name)
+                })
             }
         };
-        let arguments = self.arguments.iter().map(renamed).collect::<Option<Vec<_>>>()?;
-        let renamed = Self::new(&self.name, &arguments).ok()?;
-        Some(Symbolic::parameter(&FreeFunction { by: self.by.clone(), ..renamed }.variable()))
+        let arguments = self.arguments.iter().map(renamed).collect::<Result<Vec<_>, _>>()?;
+        let renamed = Self::new(&self.name, &arguments)?;
+        Ok(Symbolic::parameter(&FreeFunction { by: self.by.clone(), ..renamed }.variable()))
     }
 }

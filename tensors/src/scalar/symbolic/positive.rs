@@ -58,7 +58,8 @@ impl PositiveFactors {
         Ok(())
     }
 
-    /// Checks that values of parameters leave the functions positive, as far as the signs of their terms show it.
+    /// The functions with values of their parameters, which have to leave them positive, as far as the signs of their terms
+    /// show it.
     ///
     /// ```
     /// use affinor_tensors::scalar::PositiveFactors;
@@ -67,15 +68,15 @@ impl PositiveFactors {
     /// positive.declare(&"a - r".parse()?)?;
     /// positive.declare(&"r".parse()?)?;
     /// let value = |a: i64| [("a".to_string(), Symbolic::from(a))].into();
-    /// assert!(positive.expect_positive(&value(2)).is_ok());
-    /// let refused = positive.expect_positive(&value(-1)).unwrap_err();
+    /// assert!(positive.with_values(&value(2))?.function("sqrt", &"(2 - r)^2".parse()?).is_ok());
+    /// let refused = positive.with_values(&value(-1)).unwrap_err();
     /// assert_eq!(refused, "a - r is declared positive, and becomes -r - 1");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// A function that becomes zero, or a sum of negative terms.
-    pub fn expect_positive(&self, values: &BTreeMap<String, Symbolic>) -> Result<(), String> {
+    /// In words: a function becomes zero, or a sum of negative terms.
+    pub fn with_values(&self, values: &BTreeMap<String, Symbolic>) -> Result<Self, String> {
         let images = self.factors.iter().map(|factor| (factor, factor.substitute(values)));
         let images: Vec<_> = images.filter_map(|(factor, image)| Some((factor, image?))).collect();
         let is_positive = |name: &str| {
@@ -92,7 +93,35 @@ impl PositiveFactors {
                 return Err(format!("{factor} is declared positive, and becomes {image}"));
             }
         }
-        Ok(())
+        let mut there = Self::default();
+        // where the factors of an image are not known, nothing is
+        images.iter().for_each(|(_, image)| drop(there.declare(image)));
+        Ok(there)
+    }
+
+    /// As [`Symbolic::substitute`], with square roots and logarithms where these functions are positive.
+    ///
+    /// ```
+    /// use affinor_tensors::scalar::PositiveFactors;
+    /// use affinor_tensors::Symbolic;
+    /// let mut positive = PositiveFactors::default();
+    /// let root = positive.function("sqrt", &"r^2 + a".parse()?)?;
+    /// let values = [("a".to_string(), Symbolic::from(0))].into();
+    /// let refused = positive.substitute(&root, &values).unwrap_err();
+    /// assert_eq!(refused, "the argument of sqrt has factors of unknown sign: declare which are positive, of r");
+    /// positive.declare(&"r".parse()?)?;
+    /// assert_eq!(positive.substitute(&root, &values)?.to_string(), "r");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// In words, where [`Symbolic::substitute`] has no value.
+    pub fn substitute(
+        &self,
+        value: &Symbolic,
+        values: &BTreeMap<String, Symbolic>,
+    ) -> Result<Symbolic, String> {
+        value.substitute_where(self, values)
     }
 
     /// A function of an argument; `sqrt` and `log` where these functions are positive.

@@ -3,7 +3,7 @@
 use super::fraction::Fraction;
 use super::polynomial::Polynomial;
 use super::variables::Name;
-use super::{Form, Symbolic, canonical, elementary};
+use super::{Form, PositiveFactors, Symbolic, canonical, elementary};
 use crate::scalar::Field;
 use num_traits::Zero;
 use std::collections::BTreeMap;
@@ -26,28 +26,38 @@ impl Symbolic {
     /// assert_eq!(value.substitute(&swapped).unwrap().to_string(), "b/a");
     /// ```
     pub fn substitute(&self, values: &BTreeMap<String, Symbolic>) -> Option<Symbolic> {
+        self.substitute_where(&PositiveFactors::default(), values).ok()
+    }
+
+    /// The same with square roots and logarithms where these functions are positive.
+    pub(super) fn substitute_where(
+        &self,
+        positive: &PositiveFactors,
+        values: &BTreeMap<String, Symbolic>,
+    ) -> Result<Symbolic, String> {
         let Form::Fraction(f) = &self.0 else {
-            return Some(self.clone());
+            return Ok(self.clone());
         };
         let given = |name: &Name| elementary::changes(name, values);
         if !f.variables.iter().any(given) {
-            return Some(self.clone());
+            return Ok(self.clone());
         }
         let image_of = |name: &Name| match values.get(&**name) {
-            Some(value) => Some(value.clone()),
-            None if given(name) => elementary::at_argument(name, values),
-            None => Some(Symbolic::parameter(name)),
+            Some(value) => Ok(value.clone()),
+            None if given(name) => elementary::at_argument(name, positive, values),
+            None => Ok(Symbolic::parameter(name)),
         };
-        let given = f.variables.iter().map(image_of).collect::<Option<Vec<Symbolic>>>()?;
+        let given = f.variables.iter().map(image_of).collect::<Result<Vec<Symbolic>, _>>()?;
         if degree_bound(f, &given) > DEGREE_LIMIT {
-            return None;
+            return Err(format!("the degree of {self} could pass {DEGREE_LIMIT}"));
         }
         let mut value = image(&f.numerator, &given);
         for (part, exponent) in f.denominator.parts(&f.variables) {
-            let part = image(&part.expanded(&f.variables), &given).recip()?;
+            let part = image(&part.expanded(&f.variables), &given).recip();
+            let part = part.ok_or_else(|| format!("the denominator of {self} becomes zero"))?;
             value *= &power(&part, exponent);
         }
-        Some(value)
+        Ok(value)
     }
 
     /// The value as a float, each parameter looked up by its name.
