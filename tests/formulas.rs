@@ -4,7 +4,7 @@ use crate::common::property::properties;
 use affinor::mechanics::formula::{Formula, Symbol, Workspace};
 use proptest::prelude::*;
 
-const TEXTS: [&str; 11] = [
+const TEXTS: [&str; 12] = [
     "min(x, y)*y",
     "max(x^2, y, 1/2)",
     "min(3*x, max(y, x*y), 2 - x, x + y)",
@@ -15,6 +15,8 @@ const TEXTS: [&str; 11] = [
     "abs(max(x, -y))^2",
     "step(x - y)*sin(x - y)^2",
     "exp(x)/(2 + y^2) - tan(x/2)*log(3 + y)",
+    // with parts that repeat
+    "sin(x*y)/(1 + x^2 + y^2) + sin(y*x)*min(x*y, y*x) - exp(y^2 + x^2)*(1 + x^2 + y^2)*x*x",
     "sqrt(5 + x*y)*atan(x) - tanh(y)/(x^2 + cos(1))^2",
 ];
 
