@@ -1,10 +1,10 @@
 //! Elements as numbers, elements brought back to the group, and `Ad*`, on every group.
 
 use affinor::group::{
-    AnyGroup, Coordinates, Embedded, Heisenberg, LieGroup, MatrixGroup, Opposite, Se2, Se3, Se23,
-    Sl2, So2, So3,
+    AnyGroup, Coordinates, Embedded, Heisenberg, LieGroup, MatrixGroup, Opposite, Product, Se2,
+    Se3, Se23, Sl2, So2, So3, Translations,
 };
-use nalgebra::{DMatrix, DVector, SVector, UnitQuaternion, Vector2, Vector3, Vector6};
+use nalgebra::{DMatrix, DVector, Isometry3, SVector, UnitQuaternion, Vector2, Vector3, Vector6};
 
 /// The covector that a group's own `Ad*` gives is that of `Ad`; elements that are off the group come back.
 #[test]
@@ -39,6 +39,12 @@ fn coadjoint_and_restored() {
         g
     });
     check(Sl2, &Vector3::new(0.3, -0.5, 0.2), |g| g * 1.001);
+    check(Opposite(Sl2), &Vector3::new(0.3, -0.5, 0.2), |g| g * 1.001);
+    check(Opposite(So3), &Vector3::new(0.3, -1.0, 2.0), grown);
+    let x = DVector::from_vec(vec![0.3, -1.0, 2.0, 0.5, -0.6]);
+    check(Product(So3, Translations::<2>), &x, |(q, place)| (grown(q), place));
+    let x = DVector::from_vec(vec![0.3, -0.5, 0.2, 0.3, -1.0, 2.0]);
+    check(Product(Sl2, Opposite(So3)), &x, |(g, q)| (g * 1.001, grown(q)));
     check(Heisenberg::<3>, &Vector3::new(0.3, -0.5, 0.2), |g| g);
     let x = Vector2::new(1.0, 2.0);
     check(Se2, &Vector3::new(0.3, x.x, x.y), |mut g| {
@@ -240,6 +246,31 @@ fn rotations_beside_long_translations() {
             let off = (again[i] - x[i]).abs();
             let terms = if i < 3 { 1.0 } else { 1.0 + length };
             assert!(off <= 4.0 * f64::EPSILON * terms, "{length}: {again}");
+        }
+    }
+}
+
+/// Elements that nearly coincide have a mean, near 1 and far from it.
+#[test]
+fn means_of_close_elements() {
+    let g = So3.exp(&Vector3::new(0.3, -0.7, 0.4));
+    assert!(So3.mean(&[g, g, g]).unwrap().angle_to(&g) < 1e-15);
+    for place in [0.0, 1.0, 1e3, 6.4e6] {
+        for scatter in [0.0, 1e-12, 1e-9, 1e-6, 1e-3, 0.1] {
+            for turn in 0..20 {
+                let angle = |k: usize| (f64::from(turn) + 0.7 * k as f64).sin();
+                let pose = |k: usize| {
+                    let [position, rotation] =
+                        [3, 6].map(|from| Vector3::from_fn(|i, _| angle(20 + k * 9 + i + from)));
+                    let origin = Vector3::from_fn(|i, _| place * angle(i));
+                    let attitude = Vector3::from_fn(|i, _| angle(i + 3));
+                    Isometry3::new(origin + position * scatter, attitude + rotation * scatter)
+                };
+                let poses: Vec<_> = (0..10).map(pose).collect();
+                let mean = Se3.mean(&poses).unwrap_or_else(|e| panic!("{place} {scatter}: {e}"));
+                let off = Se3.log(&Se3.between(&poses[0], &mean)).unwrap().amax();
+                assert!(off < 10.0 * scatter + 1e-14 * (1.0 + place), "{place} {scatter}: {off}");
+            }
         }
     }
 }

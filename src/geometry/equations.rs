@@ -153,6 +153,34 @@ impl<S: Field> Equations<S> {
         }
     }
 
+    /// Whether equations of another connection, with the same metric, have the same solutions: the symmetric parts of the
+    /// quadratic terms are equal, `q_ijk + q_ikj = p_ijk + p_ikj`, to the tolerance of floats.
+    ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::geometry::equations::Equations;
+    /// use affinor::{Canonical, Connection, Metric};
+    /// let so3 = catalogue::algebra("so(3)")?;
+    /// let inertia = Metric::diagonal([0.1, 0.2, 0.3])?;
+    /// let plus = Connection::canonical(&so3, Canonical::Plus);
+    /// let levi_civita = Connection::levi_civita(so3.left_frame(), &inertia)?;
+    /// let [euler, geodesics] =
+    ///     [plus, levi_civita].map(|connection| Equations::euler_poincare(&connection, &inertia));
+    /// assert!(geodesics?.agree_with(&euler?)?);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Shape`] for equations of another kind or dimension, or where only one is solved for the rates.
+    pub fn agree_with(&self, other: &Self) -> Result<bool, Error> {
+        let slots = self.quadratic.slots();
+        expect_slots("the quadratic terms", &other.quadratic, self.dimension(), slots)?;
+        let first = if slots[0] == Up { "^i" } else { "_i" };
+        let text = format!("q{first}_jk + q{first}_kj - p{first}_jk - p{first}_kj -> {first}_jk");
+        let operands = [("q", &self.quadratic), ("p", &other.quadratic)];
+        Ok(formula(&text, &operands).is_empty())
+    }
+
     /// The rates `dx/dt`, by one elimination. `other` is the external covector `M` (Euler-Poincare), the velocity `w` of
     /// the curve (transport), or empty (autoparallel).
     ///

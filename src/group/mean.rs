@@ -34,9 +34,12 @@ pub(super) fn mean<G: LieGroup + ?Sized>(
             return Err(Error::NoMean { steps: step + 1, residual: f64::NAN });
         }
         let size = correction.largest();
+        // of elements that are far from 1
+        let own = 1e3 * f64::EPSILON * group.matrix(&mean).amax();
         mean = group.restored(group.compose(&mean, &group.exp(&correction)));
         // roundings of the logarithms stay, however many steps there are
-        if size <= ROUNDING * spread || (size <= 1e6 * ROUNDING * spread && size >= before) {
+        if size <= ROUNDING * spread || (size <= own.max(1e6 * ROUNDING * spread) && size >= before)
+        {
             return Ok(mean);
         }
         before = size;

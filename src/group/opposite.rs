@@ -85,6 +85,15 @@ impl<G: LieGroup> LieGroup for Opposite<G> {
         self.0.turn(g)
     }
 
+    fn restored(&self, g: Self::Element) -> Self::Element {
+        self.0.restored(g)
+    }
+
+    /// The product of the group with its factors exchanged.
+    fn log_product(&self, x: &Self::Vector, y: &Self::Vector) -> Result<Self::Vector, Error> {
+        self.0.log_product(y, x)
+    }
+
     fn has_translations(&self) -> bool {
         self.0.has_translations()
     }

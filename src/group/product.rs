@@ -105,6 +105,10 @@ impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
         (self.0.turn(&g.0), self.1.turn(&g.1))
     }
 
+    fn restored(&self, g: Self::Element) -> Self::Element {
+        (self.0.restored(g.0), self.1.restored(g.1))
+    }
+
     fn has_translations(&self) -> bool {
         self.0.has_translations() || self.1.has_translations()
     }

@@ -43,7 +43,7 @@ impl<S: Notation> EquationReport<S> {
         let genuine = metric.map(|metric| {
             let plus = Connection::over(geometry.frame(), &S::one());
             let theirs = Equations::euler_poincare(&plus, metric);
-            theirs.is_ok_and(|theirs| theirs.solved().rows() == equations.solved().rows())
+            theirs.and_then(|theirs| theirs.agree_with(&equations)).unwrap_or(false)
         });
         let position = geometry
             .frame_origin()
