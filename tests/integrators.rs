@@ -4,6 +4,7 @@
 use crate::common::steps::{expect_order, run};
 use crate::ode;
 use affinor::geometry::equations::Equations;
+use affinor::group::transport::ParallelTranslation;
 use affinor::group::{
     Coordinates, Embedded, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So3,
 };
@@ -538,5 +539,29 @@ fn steps_without_a_solution_are_refused() {
             Ok(()) => assert!(state.element.norm().is_finite() && h == 1.0),
             Err(error) => assert!(matches!(error, Error::Integration { t: 0.0, .. }), "{error}"),
         }
+    }
+}
+
+/// Steps that are not positive are refused, and do not run for ever.
+#[test]
+fn tolerances_and_steps_are_positive() {
+    let plus = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let body =
+        EulerPoincare::free(So3, &plus, &Metric::diagonal([1.0, 2.0, 3.0]).unwrap()).unwrap();
+    let start = body.state(0.0, So3.identity(), &Vector3::new(0.3, 1.0, 0.5));
+    let run = |tolerance: f64, max_step: f64| {
+        let control = Adaptive { max_step, ..Adaptive::new(tolerance) };
+        control.states(&body, &start, &[1.0])
+    };
+    assert!(run(1e-9, 0.5).is_ok());
+    for (tolerance, longest) in [(1e-9, -1.0), (1e-9, 0.0), (-1e-9, 1.0), (f64::NAN, 1.0)] {
+        let refused = run(tolerance, longest).unwrap_err().to_string();
+        assert!(refused.contains("are positive"), "{tolerance} {longest}: {refused}");
+    }
+    let translation = ParallelTranslation::new(So3, plus.clone()).unwrap();
+    let along = |tolerance| translation.along_curve(|_| Vector3::x(), &[0.0, 1.0], tolerance);
+    assert!(along(1e-9).is_ok());
+    for tolerance in [0.0, -1.0, f64::NAN] {
+        assert!(along(tolerance).unwrap_err().to_string().contains("is not positive"));
     }
 }

@@ -482,6 +482,12 @@ fn what_is_no_pair_is_refused() {
     assert!(refused.to_string().contains("the metric must be invariant under h"), "{refused}");
     let gamma = Tensor::from_fn(2, [Up, Down, Down], |[i, ..]| integer(i as i64)).unwrap();
     assert!(matches!(sphere.connection(gamma), Err(Error::NotIsotropic { .. })));
+    // nor by way of the frame
+    let ellipse = Metric::diagonal([1, 2].map(integer)).unwrap();
+    for refused in [sphere.levi_civita(&ellipse), Connection::levi_civita(sphere.frame(), &ellipse)]
+    {
+        assert!(matches!(refused, Err(Error::NotIsotropic { .. })));
+    }
     assert!(matches!(sphere.levi_civita(&metric(delta(3))), Err(Error::Shape { .. })));
     // questions for a group
     assert!(matches!(sphere.canonical().ad_variation(), Err(Error::Frame(_))));

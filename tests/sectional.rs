@@ -108,3 +108,37 @@ fn parallel_forms() {
         space.metric().unwrap().components()
     );
 }
+
+/// The round sphere in floats: thin planes have its curvature, parallel vectors span none. Also with null vectors and a
+/// connection that is not metric, exactly.
+#[test]
+fn planes_in_floats() {
+    let so3 = catalogued("so(3)");
+    let space = so3.map(|value| value.to_f64()).unwrap();
+    let metric = Metric::identity(3).unwrap();
+    let levi_civita = Connection::levi_civita(space.left_frame(), &metric).unwrap();
+    let curvature = |x: &[f64], y: &[f64]| levi_civita.sectional_curvature(&metric, x, y).unwrap();
+    let x = [0.3, 0.5, -0.7];
+    for thin in [1.0, 1e-3, 1e-6, 1e-8] {
+        let found = curvature(&x, &[x[0], x[1] + thin, x[2]]).unwrap();
+        assert!((found - 0.25).abs() < 1e-14 / thin, "{thin}: {found}");
+    }
+    for k in 1..200 {
+        let y = x.map(|x| x * f64::from(k) / 7.0);
+        assert_eq!(curvature(&x, &y), None, "{k}");
+    }
+    // g(R(x,y)y, x) over the area, where x is null, and where curvature is no plane's alone
+    let sl2 = catalogued("sl(2)");
+    let killing = Metric::new(sl2.labels(), sl2.killing_form()).unwrap();
+    for connection in [
+        Connection::levi_civita(sl2.left_frame(), &killing).unwrap(),
+        Connection::canonical(&sl2, Canonical::Zero),
+    ] {
+        let null = [1, 0, 0].map(integer);
+        let across = [3, 1, 2].map(integer);
+        let one = connection.sectional_curvature(&killing, &null, &across).unwrap();
+        let other = connection.sectional_curvature(&killing, &across, &null).unwrap();
+        assert!(one.is_some());
+        assert_eq!(one, other);
+    }
+}

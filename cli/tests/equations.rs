@@ -329,3 +329,22 @@ fn names_do_not_meet_parameters() {
 fn zero() -> Symbolic {
     num_traits::Zero::zero()
 }
+
+/// Geodesics of left-invariant metrics solve the Euler-Poincare equations, also in floats.
+#[test]
+fn geodesics_are_euler_poincare_in_floats() {
+    for space in ["so3", "se(2)", "sl(2)", "heisenberg(3)", "bianchi(V)"] {
+        for metric in ["diag(0.1,0.2,0.3)", "[[5,-3,1],[-3,7,2],[1,2,3]]", "diag(1e-6,3e5,0.7)"] {
+            for (connection, genuine) in [("levi-civita", true), ("plus", true), ("zero", false)] {
+                let arguments =
+                    ["equations", space, "--metric", metric, "--connection", connection];
+                for scalar in ["exact", "float"] {
+                    let format = ["--scalar", scalar, "--format", "json"];
+                    let json = stdout(root(), &[&arguments[..], &format].concat());
+                    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+                    assert_eq!(json["genuine"], genuine, "{space} {metric} {connection} {scalar}");
+                }
+            }
+        }
+    }
+}

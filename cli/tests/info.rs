@@ -403,6 +403,16 @@ fn properties_of_geometries() {
     let heisenberg = of(&["heisenberg(3)", "--metric", "identity"]);
     assert_eq!(find(&heisenberg, "algebraic Ricci soliton")["value"], "c = -3/2");
     assert_eq!(find(&heisenberg, "Einstein (Ric = c g)")["holds"], false);
+    // names that the parameters have already
+    let plane = of(&["aff1", "--metric", "diag(c,K)"]);
+    assert_eq!(find(&plane, "Einstein (Ric = c g)")["value"], "the constant is -1/c");
+    assert_eq!(find(&plane, "constant curvature K")["value"], "the constant is -1/c");
+    let scaled = of(&["heisenberg(3)", "--metric", "diag(a1,a2,a3)"]);
+    let forms = find(&scaled, "parallel symmetric forms");
+    assert_eq!(
+        forms["value"],
+        "dimension 1: g(x1, x1) = b1, g(y1, y1) = a2/a1*b1, g(z, z) = a3/a1*b1"
+    );
     let smallest = find(&heisenberg, "smallest K");
     assert_eq!((&smallest["curvature"], &smallest["proved"]), (&json!("-3/4"), &json!(true)));
     assert_eq!(find(&heisenberg, "bi-invariant connections")["dimension"], 8);

@@ -27,10 +27,24 @@ impl<S: Field> Connection<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`] when the dimensions differ.
+    /// [`Error::Shape`] when the dimensions differ; [`Error::NotIsotropic`] on a homogeneous space, unless the metric is
+    /// invariant under its isotropy: `h^m_ikl g_mj + h^m_jkl g_im = 0`.
     pub fn levi_civita(frame: &Frame<S>, metric: &Metric<S>) -> Result<Self, Error> {
         let g = metric.components();
         expect_slots("the metric", g, frame.dimension(), &[Down, Down])?;
+        if !frame.is_invariant() {
+            let operands = [("h", &frame.isotropy()?), ("g", g)];
+            let moved = formula("h^m_ikl g_mj + h^m_jkl g_im -> _ijkl", &operands);
+            if let Some((at, residual)) = moved.components().next() {
+                let [k, l] = [at[2], at[3]].map(|index| frame.labels()[index].as_str());
+                return Err(Error::NotIsotropic {
+                    what: "the metric",
+                    direction: format!("[{k}, {l}]_h"),
+                    at: at[..2].iter().map(|index| index + 1).collect(),
+                    residual: residual.to_string(),
+                });
+            }
+        }
         let gamma = koszul(metric, &frame.derivative(g)?, frame.structure())?;
         Connection::new(frame.clone(), gamma)
     }

@@ -23,6 +23,9 @@ pub(crate) fn solve(
     times: &[f64],
     tolerance: f64,
 ) -> Result<Vec<DVector<f64>>, Error> {
+    if tolerance.is_nan() || tolerance <= 0.0 {
+        return Err(stop(start, &format!("the tolerance {tolerance} is not positive")));
+    }
     let (mut t, mut y) = (start, y0);
     let mut values = Vec::with_capacity(times.len());
     for &end in times {

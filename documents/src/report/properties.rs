@@ -11,7 +11,7 @@ use affinor::{Connection, Geometry, LieAlgebra, MatrixBasis, Metric};
 use affinor_tensors::text::combination;
 use affinor_tensors::{Notation, Rational, Ring, Symbolic, Tensor, Tolerance};
 use serde_json::{Value, json};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 
 /// The largest dimension at which the bi-invariant connections are found.
@@ -80,6 +80,11 @@ impl Properties {
         planes: &[Plane<S>],
     ) -> Result<Self, InputError> {
         let connection = geometry.connection();
+        let names = names(geometry);
+        let constant = |name: &str, value: &S| match names.contains(name) {
+            true => format!("the constant is {value}"),
+            false => format!("{name} = {value}"),
+        };
         let mut list = List::default();
         list.plain("torsion-free", connection.torsion_free());
         list.plain("flat", connection.flat());
@@ -88,11 +93,10 @@ impl Properties {
         list.plain("locally symmetric", connection.locally_symmetric());
         if let Some(metric) = geometry.metric() {
             list.plain("metric-compatible", connection.metric_compatible(metric)?);
-            list.valued("Einstein (Ric = c g)", connection.einstein_constant(metric)?, |c| {
-                format!("c = {c}")
-            });
+            let einstein = connection.einstein_constant(metric)?;
+            list.valued("Einstein (Ric = c g)", einstein, |c| constant("c", &c));
             let curvature = connection.constant_curvature(metric)?;
-            list.valued("constant curvature K", curvature, |k| format!("K = {k}"));
+            list.valued("constant curvature K", curvature, |k| constant("K", &k));
         } else if !planes.is_empty() {
             let message = "a plane has a sectional curvature for a metric only";
             return Err(InputError::usage(message).help("give a metric, as in --metric identity"));
@@ -105,7 +109,7 @@ impl Properties {
             list.valued("naturally reductive", reductive, |_| "by translations".into());
             let soliton = metric.ricci_soliton(algebra)?;
             list.valued("algebraic Ricci soliton", soliton, |soliton| {
-                format!("c = {}", soliton.constant)
+                constant("c", &soliton.constant)
             });
             let fields = metric.killing_fields(algebra)?;
             list.fact("left-invariant Killing fields", &format!("dimension {}", fields.len()));
@@ -114,18 +118,21 @@ impl Properties {
         if let Some(metric) = geometry.metric() {
             for (text, [x, y]) in planes {
                 let value = connection.sectional_curvature(metric, x, y)?;
-                let value = value.map_or("the plane is degenerate".into(), |k| format!("K = {k}"));
+                let value = value.map_or("the plane is degenerate".into(), |k| constant("K", &k));
                 list.fact(&format!("sectional curvature of {text}"), &value);
             }
         }
         if let Some(algebra) = algebra {
             let labels = geometry.frame().labels();
-            let family = Family { labels, limit: METRICS, write: form };
+            let is_free = |letter: &&str| !names.iter().any(|name| is_numbered(letter, name));
+            let letter = ["a", "b", "p", "q", "s"].into_iter().find(is_free).unwrap_or("a_");
+            let family = Family { labels, letter, limit: METRICS, write: form };
             list.family("bi-invariant symmetric forms", &family, || {
                 Metric::bi_invariant_forms(algebra)
             })?;
             list.family("parallel symmetric forms", &family, || connection.parallel_forms())?;
-            let family = Family { labels, limit: CONNECTIONS, write: covariant_derivatives };
+            let family =
+                Family { labels, letter, limit: CONNECTIONS, write: covariant_derivatives };
             list.family("bi-invariant connections", &family, || Connection::bi_invariant(algebra))?;
             let holonomy = connection.holonomy()?;
             let name = name_of(geometry.frame().dimension(), holonomy.basis()?)?;
@@ -173,6 +180,8 @@ fn name_of<S: Ground + Notation>(size: usize, basis: Vec<Tensor<S>>) -> Result<S
 /// How a vector space of tensors is written.
 struct Family<'a> {
     labels: &'a [String],
+    /// The letter of the parameters.
+    letter: &'static str,
     /// The largest dimension of the algebra at which it is computed.
     limit: usize,
     /// The general element, from its components with parameters.
@@ -238,7 +247,7 @@ impl List {
         self.json.push(json!({ "name": name, "value": value }));
     }
 
-    /// The tensors of a vector space, by a basis and with parameters `a1, a2, ..`.
+    /// The tensors of a vector space, by a basis and with parameters such as `a1, a2, ..`
     fn family<S: Ground + Notation>(
         &mut self,
         name: &str,
@@ -253,7 +262,7 @@ impl List {
         let mut terms: BTreeMap<Vec<usize>, Vec<(String, String)>> = BTreeMap::new();
         for (at, tensor) in basis.iter().enumerate() {
             for (place, value) in tensor.components() {
-                let term = (value.to_string(), format!("a{}", at + 1));
+                let term = (value.to_string(), format!("{}{}", family.letter, at + 1));
                 terms.entry(place.to_vec()).or_default().push(term);
             }
         }
@@ -350,4 +359,19 @@ impl Report for Properties {
     fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
         self.0.write(format, out)
     }
+}
+
+/// The names of the basis vectors and of the parameters, which stand for nothing else.
+fn names<S: Notation>(geometry: &Geometry<S>) -> BTreeSet<String> {
+    let tensors = [geometry.connection().gamma(), geometry.frame().structure()];
+    let tensors = tensors.into_iter().chain(geometry.metric().map(Metric::components));
+    let mut values = tensors.flat_map(|tensor| tensor.components().map(|(_, value)| value));
+    let mut names = S::parameters_of(&mut values);
+    names.extend(geometry.frame().labels().iter().cloned());
+    names
+}
+
+/// Whether the name is the letter with a number.
+fn is_numbered(letter: &str, name: &str) -> bool {
+    name.strip_prefix(letter).is_some_and(|number| number.parse::<usize>().is_ok())
 }

@@ -91,11 +91,20 @@ impl<S: Field> Connection<S> {
             let value = formula("l_j b^j ->", &[("l", &lowered), ("b", b)]);
             value.to_scalar().expect("a tensor of rank 0")
         };
+        // the part of y that is orthogonal to x, as `R(x,x) = 0`; for floats in thin planes, too
+        let square = product(&x, &x);
+        let (across, area) = match square.recip() {
+            Some(recip) => {
+                let across = &y - &x.scale(&(product(&x, &y) * &recip));
+                let area = square * &product(&across, &across);
+                (across, area)
+            }
+            None => (y.clone(), -(product(&x, &y) * &product(&x, &y))),
+        };
         // R(x,y)y, one argument at a time
         let r = formula("R^i_jkl y^j -> ^i_kl", &[("R", self.curvature()), ("y", &y)]);
         let r = formula("R^i_kl x^k -> ^i_l", &[("R", &r), ("x", &x)]);
-        let r = formula("R^i_l y^l -> ^i", &[("R", &r), ("y", &y)]);
-        let area = product(&x, &x) * &product(&y, &y) - &(product(&x, &y) * &product(&x, &y));
+        let r = formula("R^i_l y^l -> ^i", &[("R", &r), ("y", &across)]);
         Ok(area.recip().map(|recip| product(&r, &x) * &recip))
     }
 }

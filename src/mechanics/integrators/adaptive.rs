@@ -117,7 +117,8 @@ impl<C: Copy> Adaptive<C> {
     /// next step. A step depends on these and on the state alone.
     ///
     /// # Errors
-    /// [`Error::Integration`] when steps become too small: at a pole, a value that is not finite, or in a stiff problem.
+    /// [`Error::Integration`] when steps become too small: at a pole, a value that is not finite, or in a stiff problem; and for
+    /// a tolerance or a step that is not positive.
     pub fn step<S: CotangentSystem>(
         &self,
         system: &S,
@@ -128,6 +129,10 @@ impl<C: Copy> Adaptive<C> {
     where
         C: LocalCoordinates<S::Group>,
     {
+        if [self.tolerance, self.max_step, *next].iter().any(|x| x.is_nan() || *x <= 0.0) {
+            let reason = "the tolerance, the longest step and the step to try are positive";
+            return Err(stopped(state.time, reason));
+        }
         let allowed = Allowed::new(self.tolerance, self.absolute, self.span, system.sizes());
         loop {
             let left = end - state.time;

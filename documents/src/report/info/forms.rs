@@ -137,6 +137,14 @@ impl Notes {
 
     /// Polynomial Casimir functions up to a degree, in the basis of the algebra.
     pub(super) fn casimirs<S: Ground + Notation>(&mut self, structure: &Structure<S>) {
+        let constants = structure.algebra().structure();
+        let parameters = S::parameters_of(&mut constants.components().map(|(_, value)| value));
+        if let Some(name) = parameters.iter().find(|name| is_coordinate(name)) {
+            let text = format!("not computed: rename the parameter {name}");
+            self.row("Casimir functions", text, "mu_i = mu(e_i) are the coordinates");
+            self.json.insert("casimirs".into(), Value::Null);
+            return;
+        }
         let found = casimirs(structure);
         let Some((degree, generators)) = found else {
             self.json.insert("casimirs".into(), Value::Null);
@@ -171,13 +179,16 @@ fn casimirs<S: Ground + Notation>(structure: &Structure<S>) -> Option<(u32, Vec<
     Some((degree, structure.casimirs(degree).ok()?))
 }
 
+/// Whether the name is that of a coordinate `mu_i`.
+fn is_coordinate(name: &str) -> bool {
+    name.strip_prefix("mu").is_some_and(|number| number.parse::<usize>().is_ok())
+}
+
 /// The degree of a homogeneous polynomial in `mu1, mu2, ..`, whose coefficients may have parameters.
 fn degree_in_mu(polynomial: &Symbolic) -> u32 {
-    let coordinate =
-        |name: &str| name.strip_prefix("mu").is_some_and(|number| number.parse::<usize>().is_ok());
     let terms = polynomial.terms();
     let powers = terms.first().into_iter().flat_map(|(powers, _)| powers);
-    powers.filter(|(name, _)| coordinate(name)).map(|(_, power)| power).sum()
+    powers.filter(|(name, _)| is_coordinate(name)).map(|(_, power)| power).sum()
 }
 
 /// How many monomials of a degree there are in `n` variables.
