@@ -256,3 +256,12 @@ def test_a_rotation_does_not_depend_on_its_place_or_on_threads():
     bad[65_000] = 0
     with pytest.raises(af.MathematicsError, match="element 65000 of the batch"):
         SO3.log(bad)
+
+
+def test_matrices_of_one_number_act_on_points():
+    group = af.Group("gl1")
+    x, points = np.array([[0.1], [0.2], [0.3]]), np.array([[1.0], [2.0], [3.0]])
+    np.testing.assert_allclose(group.act(group.exp(x), points), np.exp(x) * points)
+    np.testing.assert_allclose(group.act(group.exp([0.5]), [2.0]), [2 * np.exp(0.5)])
+    with pytest.raises(ValueError, match="no matrices that act"):
+        af.Group("R^1").act([0.5], [2.0])

@@ -198,3 +198,16 @@ def test_the_interpreter_is_free_meanwhile():
         counted += 1
         thread.join(0.001)
     assert counted > 5
+
+
+def test_components_stand_in_their_order():
+    keys = {"space": "so3", "metric": [1, 2, 3], "initial": {"velocity": [1, 2, 3]}}
+    found = af.simulate(**keys, output={"end": 1, "columns": ["t", "Omega2", "H1", "Omega1", "Omega3"]})
+    assert found["Omega"][0].tolist() == [1, 2, 3]
+
+
+def test_members_are_those_of_the_ensemble():
+    problem = af.Problem(space="so3", metric=[1, 2, 3], initial={"velocity": [1, 2, 3]}, output={"end": 1})
+    for member in (1, 5, -1):
+        with pytest.raises(ValueError, match="no ensemble"):
+            af.simulate(problem, member=member)

@@ -1,5 +1,6 @@
 """Sweeps: the same rows on every engine, failures as rows, and a killed worker that loses and doubles nothing."""
 
+import functools
 import gc
 import os
 import signal
@@ -9,6 +10,7 @@ import textwrap
 import warnings
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import affinor as af
@@ -199,3 +201,93 @@ def test_a_killed_worker_loses_and_doubles_nothing(engine, tmp_path, request):
     assert frame["row"].tolist() == list(range(20)) and frame["y"].tolist() == [x * x for x in range(20)]
     assert hashes(found) == hashes(af.sweep(harmless, grid, chunk=3))
     assert not list(found.folder.glob("*.tmp"))
+
+
+class _Scaled:
+    def __init__(self, factor):
+        self.factor = factor
+
+    def __call__(self, row):
+        return {"y": self.factor * row["x"]}
+
+    def method(self, row):
+        return {"y": self.factor * row["x"]}
+
+
+def _closure(factor):
+    return lambda row: {"y": factor * row["x"]}
+
+
+def _with_default(factor):
+    def task(row, factor=factor):
+        return {"y": factor * row["x"]}
+
+    return task
+
+
+def _partial(factor):
+    return functools.partial(lambda many, row: {"y": many[5] * row["x"]}, np.full(5000, factor))
+
+
+@pytest.mark.parametrize("make", [_closure, _with_default, _partial, _Scaled, lambda factor: _Scaled(factor).method])
+def test_a_folder_belongs_to_one_task(make, tmp_path):
+    rows = af.sweep(make(1), {"x": [1, 2]}, out=tmp_path).to_pandas()
+    assert rows["y"].tolist() == [1, 2]
+    assert af.sweep(make(1), {"x": [1, 2]}, out=tmp_path).computed == 0
+    with pytest.raises(ValueError, match="another task"):
+        af.sweep(make(10), {"x": [1, 2]}, out=tmp_path)
+
+
+def test_problems_are_told_apart_by_their_files(tmp_path):
+    table, out = tmp_path / "forces.csv", tmp_path / "out"
+
+    def motions(rows):
+        keys = {"space": "so3", "metric": [1, 2, 3], "initial": {"velocity": [0, 0, 1]}, "output": {"end": 1}}
+        return af.Motions(**keys, parameters={"k": 1}, forces={"table": rows})
+
+    def of_file(value):
+        table.write_text(f"t,M1,M2,M3\n0,0,0,{value}\n2,0,0,{value}\n")
+        return motions(str(table))
+
+    af.sweep(of_file(1), {"k": [1, 2]}, out=out)
+    assert af.sweep(of_file(1), {"k": [1, 2]}, out=out).computed == 0
+    with pytest.raises(ValueError, match="another task"):
+        af.sweep(of_file(2), {"k": [1, 2]}, out=out)
+    memory = tmp_path / "memory"
+    rows = np.array([[0, 0, 0, 1], [2, 0, 0, 1]])
+    af.sweep(motions(rows), {"k": [1]}, out=memory)
+    assert af.sweep(motions(rows), {"k": [1]}, out=memory).computed == 0
+    with pytest.raises(ValueError, match="another task"):
+        af.sweep(motions(2 * rows), {"k": [1]}, out=memory)
+
+
+def test_names_and_seeds_of_sweeps():
+    for grid in ({"row": [1]}, {"error": [1]}, {}):
+        with pytest.raises(ValueError, match="rename the parameter|at least one"):
+            af.sweep(_closure(1), grid)
+    for seed in (-1, 2**64):
+        with pytest.raises(ValueError, match="a seed is from 0"):
+            af.Draw(1, seed=seed, a="uniform(0, 1)")
+    drawn = [af.Draw(1, seed=seed, a="uniform(0, 1)").rows(0, 1)["a"] for seed in (2**63, 2**63 + 1, 2**64 - 1)]
+    assert len({value for (value,) in drawn}) == 3
+
+
+def test_interrupts_end_tasks_of_sweeps(monkeypatch):
+    problem = af.Problem(space="so3", metric=[1, 2, 3], initial={"velocity": [0, 0, 1]}, output={"end": 1})
+    found = {**problem._engine.run(0, None), "interrupt": KeyboardInterrupt()}
+
+    class Engine:
+        members = None
+
+        def run(self, member, tell):
+            return found
+
+    def task(row):
+        problem = af.Problem.__new__(af.Problem)
+        problem._engine = Engine()
+        return {"t": af.simulate(problem).t[-1]}
+
+    with pytest.raises(KeyboardInterrupt):
+        af.sweep(task, {"x": [1, 2]})
+    with pytest.warns(RuntimeWarning, match="interrupted"):
+        task({})

@@ -170,3 +170,35 @@ def test_indices_in_any_layout():
     expected = af.Tensor({(0, 1): 1, (1, 2): 2, (2, 0): 3}, "__", dimension=3)
     for indices in (records["at"].T, records["at"].T.astype(np.uint8), records["at"].T.tolist(), records["at"].T.astype(object)):
         assert af.Tensor.from_coo(indices, [1, 2, 3], "__", 3) == expected
+
+
+def test_iteration_goes_along_the_first_index():
+    ricci = af.Geometry("so3", metric=[1, 2, 3]).ricci
+    assert [row.slots for row in ricci] == ["_"] * 3
+    assert [[value for value in row] for row in ricci] == ricci.to_numpy(object).tolist()
+    with pytest.raises(TypeError, match="rank 0"):
+        iter(af.Tensor(2, ""))
+
+
+def test_what_a_substitution_cannot_replace_is_refused():
+    a, b = sp.symbols("a b")
+    ricci = af.Geometry("so3", metric=[a, b, 1]).ricci
+    for key in (a * b, sp.Function("f")(a), "a*b"):
+        with pytest.raises(ValueError, match="is no parameter"):
+            ricci.subs({key: 1})
+    algebra = af.LieAlgebra("bianchi(VII)").subs({"h": 3})
+    assert af.Geometry(algebra, metric=[b, 1, 1]).metric[0, 0] == b
+    with pytest.raises(ValueError, match="h has a value in the algebra"):
+        af.Geometry(algebra, metric=["h", 1, 1])
+
+
+def test_floats_are_not_taken_for_exact_numbers():
+    for value in (sp.Float(2.0**60), sp.Float("1.00000000000000000000001", 30), sp.Float(0.1)):
+        with pytest.raises(TypeError, match="exact numbers are needed"):
+            af.Tensor([value, 0], "^")
+    assert af.Tensor([sp.Float(3.0), 0], "^")[0] == 3
+    if np.finfo(np.longdouble).eps < np.finfo(float).eps:
+        with pytest.raises(TypeError, match="exact numbers are needed"):
+            af.Tensor([np.longdouble(1) + np.finfo(np.longdouble).eps, 0], "^")
+    with pytest.raises(TypeError, match="scalar='float'"):
+        af.Geometry("so3", affinities=af.Tensor(np.full((3, 3, 3), 0.1), "^__", scalar="float"))

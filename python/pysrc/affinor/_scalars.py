@@ -56,7 +56,7 @@ def text_of(
         return f"{value.numerator}/{value.denominator}"
     if isinstance(value, (float, np.floating)):
         number = float(value)
-        if number.is_integer() and abs(number) < 2**53:
+        if number.is_integer() and abs(number) < 2**53 and number == value:
             return str(int(number))
         if floats and np.isfinite(number):
             return repr(number)
@@ -153,7 +153,7 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
             return f"({node.p}/{node.q})"
         if node.is_Float:
             number = float(node)
-            if floats or number.is_integer():
+            if floats or (number.is_integer() and abs(number) < 2**53 and sympy.Rational(node) == int(number)):
                 return f"({text_of(number, symbols, floats=True)})"
             raise _inexact(number)
         if node is sympy.I and imaginary:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
-import inspect
 import itertools
 import json
 import os
 import re
 import tempfile
 import time
+import uuid
 import weakref
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -21,7 +21,8 @@ from typing import Any
 import numpy as np
 
 from affinor import _engine
-from affinor.motion import Problem
+from affinor._identity import identity
+from affinor.motion import Problem, interrupts
 
 __all__ = ["Draw", "Motions", "Sweep", "sweep"]
 
@@ -35,7 +36,7 @@ _MANIFEST = "_affinor.json"
 class Draw:
     """A seeded random grid: ``Draw(1000, seed=7, a="uniform(-1, 1)", b="normal(0, 0.1)", c=[1, 2, 3])``.
 
-    Row ``i`` depends on the seed and on ``i`` only.
+    The values of row ``i`` depend on the seed, on ``i`` and on the laws in their order. The seed is from 0 to 2^64 - 1.
     """
 
     def __init__(self, samples: int, *, seed: int = 0, **laws: str | Sequence[Any]) -> None:
@@ -43,6 +44,8 @@ class Draw:
             raise TypeError(f"the number of samples is an integer, not {type(samples).__name__}")
         if isinstance(seed, bool) or not isinstance(seed, (int, np.integer)):
             raise TypeError(f"the seed is an integer, not {type(seed).__name__}")
+        if not 0 <= seed < 2**64:
+            raise ValueError(f"a seed is from 0 to 2^64 - 1, not {seed}")
         if samples < 0 or not laws:
             raise ValueError("a draw needs a number of samples and a law for each parameter")
         self.samples, self.seed, self.laws = int(samples), int(seed), laws
@@ -63,7 +66,7 @@ class Draw:
         return {name: values[start - offset : stop - offset] for name, values in joined.items()}
 
     def _block(self, block: int) -> Columns:
-        generator = np.random.Generator(np.random.Philox(key=[self.seed % 2**64, block]))
+        generator = np.random.Generator(np.random.Philox(key=np.array([self.seed, block], dtype=np.uint64)))
         found: Columns = {}
         for name, law in self.laws.items():
             if isinstance(law, str):
@@ -104,7 +107,7 @@ class Motions:
 
     def fingerprint(self) -> str:
         """What the result depends on."""
-        return repr((self.problem._arguments, self.columns))
+        return repr((self.problem.identity(), self.columns))
 
 
 class Sweep:
@@ -160,28 +163,36 @@ def sweep(
 
     The rows are the same on every engine: the number of the row, its parameters, its results, and ``error``, the reason why
     a task failed. ``out`` is the folder; a sweep that was killed goes on where it was when it is called again. A folder of
-    another task or grid is refused.
+    another task or grid is refused: of other code, other values that it uses, or a problem whose files have changed.
     """
+    if not isinstance(task, Motions) and not callable(task):
+        raise TypeError(f"a task is a function of a dict or Motions, not {type(task).__name__}")
     if isinstance(chunk, bool) or not isinstance(chunk, (int, np.integer)):
         raise TypeError(f"chunk is a number of rows, not {type(chunk).__name__}")
     if chunk < 1:
         raise ValueError(f"a chunk has at least one row, not {chunk}")
     source = _Grid(grid)
+    names = source.rows(0, 0)
+    if reserved := {"row", "error"} & set(names):
+        raise ValueError(f"{sorted(reserved)[0]!r} is a column of every sweep: rename the parameter")
+    if not names:
+        raise ValueError("a grid has at least one parameter")
     with contextlib.ExitStack() as stack:
+        known = out is not None
         if out is None:
             out = stack.enter_context(tempfile.TemporaryDirectory(prefix="affinor-sweep-"))
         folder = Path(out).absolute()
         folder.mkdir(parents=True, exist_ok=True)
-        found = _run(task, source, folder, chunk, on, progress)
+        hashed = _fingerprint(task, source, chunk) if known else uuid.uuid4().hex
+        found = _run(task, source, folder, chunk, on, progress, hashed)
         # the rows live as long as the sweep
         weakref.finalize(found, stack.pop_all().close)
     return found
 
 
-def _run(task: Any, source: _Grid, folder: Path, chunk: int, on: Any, progress: bool) -> Sweep:
+def _run(task: Any, source: _Grid, folder: Path, chunk: int, on: Any, progress: bool, hashed: str) -> Sweep:
     """Computes the partitions that are missing in the folder."""
-    identity = _fingerprint(task, source, chunk)
-    head = {"version": 1, "hash": identity, "rows": len(source), "chunk": chunk}
+    head = {"version": 1, "hash": hashed, "rows": len(source), "chunk": chunk}
     done = _begin(folder, head)
     starts = range(0, len(source), chunk)
     missing = [start for start in starts if _name(start // chunk) not in done]
@@ -198,7 +209,7 @@ def _run(task: Any, source: _Grid, folder: Path, chunk: int, on: Any, progress: 
         bar = tqdm(total=len(source), initial=len(source) - sum(min(chunk, len(source) - s) for s in missing))
     engine, close = _engine_of(on)
     try:
-        for name, rows, digest in engine(parts(), identity):
+        for name, rows, digest in engine(parts(), hashed):
             done[name] = {"rows": rows, "sha256": digest}
             if bar is not None:
                 bar.update(rows)
@@ -219,7 +230,7 @@ class _Grid:
     def __init__(self, grid: Any) -> None:
         self.grid = grid
         if isinstance(grid, Draw):
-            self.length, self.description = len(grid), repr(("draw", grid.samples, grid.seed, grid.laws))
+            self.length, self.description = len(grid), repr(("draw", grid.samples, grid.seed, identity(grid.laws)))
             return
         if isinstance(grid, Mapping):
             for name, values in grid.items():
@@ -227,12 +238,12 @@ class _Grid:
                     raise TypeError(f"the values of {name} are a list, not {type(values).__name__}")
             self.values = {str(name): list(values) for name, values in grid.items()}
             self.length = int(np.prod([len(values) for values in self.values.values()], dtype=np.int64))
-            self.description = repr(("product", self.values))
+            self.description = repr(("product", identity(self.values)))
             return
         if hasattr(grid, "columns") and hasattr(grid, "to_dict"):
             self.values = {str(name): grid[name].tolist() for name in grid.columns}
             self.length = len(grid)
-            digest = hashlib.sha256(repr(self.values).encode()).hexdigest()
+            digest = hashlib.sha256(repr(identity(self.values)).encode()).hexdigest()
             self.description = repr(("table", digest))
             return
         raise TypeError(f"a grid is a dict of lists, a DataFrame or a Draw, not {type(grid).__name__}")
@@ -293,6 +304,7 @@ def _each(task: Callable[[dict[str, Any]], Mapping[str, Any]], rows: Columns, co
     """The results of a function, row by row."""
 
     def one(at: int) -> tuple[dict[str, Any], str | None]:
+        before = interrupts.set("raise")
         try:
             found = task({name: values[at] for name, values in rows.items()})
             if not isinstance(found, Mapping):
@@ -300,6 +312,8 @@ def _each(task: Callable[[dict[str, Any]], Mapping[str, Any]], rows: Columns, co
             return {str(key): _plain(value) for key, value in found.items()}, None
         except Exception as error:
             return {}, f"{type(error).__name__}: {str(error).splitlines()[0] if str(error) else ''}"
+        finally:
+            interrupts.reset(before)
 
     workers = min(_engine.threads(), max(count, 1))
     if workers > 1:
@@ -345,15 +359,7 @@ def _fingerprint(task: Any, source: _Grid, chunk: int) -> str:
     if isinstance(task, Motions):
         written = task.fingerprint()
     else:
-        if not callable(task):
-            raise TypeError(f"a task is a function of a dict or Motions, not {type(task).__name__}")
-        inner = getattr(task, "func", task)
-        bound = (getattr(task, "args", ()), getattr(task, "keywords", {}))
-        try:
-            text = inspect.getsource(inner)
-        except (OSError, TypeError):
-            text = ""
-        written = repr((getattr(inner, "__qualname__", repr(type(inner))), text, bound))
+        written = repr(identity(task))
     from affinor import __version__
 
     return hashlib.sha256(repr((written, source.description, chunk, __version__)).encode()).hexdigest()
@@ -425,8 +431,11 @@ def _on_dask(client: Any, parts: Iterator[tuple[Any, ...]], key: str) -> Iterato
     """As many partitions in flight as keep all workers busy; each future is released when it is done."""
     from dask.distributed import as_completed
 
+    # another sweep of the same task may write to another folder at the same time
+    tag = uuid.uuid4().hex
+
     def submit(part: tuple[Any, ...]) -> Any:
-        return client.submit(_partition, *part, 1, key=f"affinor-{key[:16]}-{part[-1]}", pure=True)
+        return client.submit(_partition, *part, 1, key=f"affinor-{key[:16]}-{tag}-{part[-1]}", pure=True)
 
     threads = sum(worker["nthreads"] for worker in client.scheduler_info(n_workers=-1)["workers"].values())
     first = [submit(part) for part in itertools.islice(parts, 2 * max(threads, 1) + 2)]

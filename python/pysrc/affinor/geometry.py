@@ -72,6 +72,9 @@ def completed(source: Source, connection: Any, metric: Any) -> Source:
         request["metric"] = metric_text(metric, symbols, floats=source.scalar == "float")
     if connection is not None:
         request["connection"] = connection_text(connection, symbols)
+    given = [request[key] for key, value in (("metric", metric), ("connection", connection)) if value is not None]
+    if taken := sorted(set(names_in(given)) & set(source.values())):
+        raise ValueError(f"the parameter {taken[0]} has a value in the algebra: choose another name for it, or write its value")
     return Source(request, symbols, source.scalar, source.tolerance)
 
 
@@ -540,6 +543,8 @@ def _restore(source: tuple[Any, ...], extra: Mapping[str, Tensor], frame: str) -
 def _tensor(given: Any, slots: str, name: str, scalar: str) -> Tensor | None:
     if given is None:
         return None
+    if isinstance(given, Tensor) and given.scalar == "float" and scalar != "float":
+        raise TypeError(f"{name} are floats, and exact numbers are needed: choose scalar='float'")
     tensor = given if isinstance(given, Tensor) else Tensor(given, slots, scalar="float" if scalar == "float" else None)
     if tensor.slots != slots:
         raise ValueError(f"{name} should have the slots {slots!r}, not {tensor.slots!r}")

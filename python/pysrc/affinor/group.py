@@ -135,8 +135,12 @@ class Group:
         (..., k - 1) too."""
         matrix, points = self.matrix(g), floats(points)
         rows, columns = self._engine.shape
-        if rows != columns:
+        # a matrix of one number, or a vector of one, whose identity is 0
+        single = rows == columns == 1
+        if rows != columns or (single and not self.matrix(self.exp(np.zeros(self.dimension))).all()):
             raise ValueError(f"the elements of {self.name} are no matrices that act on points")
+        if single:
+            matrix = matrix[..., None]
         size = points.shape[-1] if points.ndim else 0
         if size == rows:
             moved: Floats = np.einsum("...ij,...j->...i", matrix, points)

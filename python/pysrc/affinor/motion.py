@@ -8,17 +8,23 @@ import os
 import tempfile
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextvars import ContextVar
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from affinor import _engine
+from affinor._identity import identity, of_file, of_files
 from affinor._scalars import Symbols, document, floats, text_of
 
 __all__ = ["Problem", "Trajectory", "convergence", "simulate"]
 
 Floats = NDArray[np.float64]
+
+interrupts: ContextVar[str] = ContextVar("interrupts", default="return")
+"""What an interrupt does to a motion that does not say it: tasks of sweeps end."""
 
 
 class Problem:
@@ -34,7 +40,7 @@ class Problem:
     the integration and of the output.
     """
 
-    __slots__ = ("_arguments", "_engine", "_folder")
+    __slots__ = ("_arguments", "_contents", "_engine", "_folder")
 
     def __init__(
         self,
@@ -79,8 +85,15 @@ class Problem:
 
     def _open(self) -> None:
         path, text, options = self._arguments
+        contents = of_file(Path(path)) if path is not None and os.path.isfile(path) else path
+        # the file of a table in memory has another name each time: its content counts
+        self._contents = repr((contents, of_files(None if text is None else json.loads(text), Path())))
         named = None if text is None else ("problem", text)
         self._engine = _engine.Problem(path, named, **options)
+
+    def identity(self) -> Any:
+        """What its motion depends on, with the contents of files as they were read."""
+        return self._contents, identity(self._arguments[2])
 
     def _document(self, keys: Mapping[str, Any], symbols: Symbols) -> Any:
         forces = keys.get("forces")
@@ -169,8 +182,8 @@ def _settings(values: Mapping[str, Any] | str | None, symbols: Symbols) -> str |
 class Trajectory:
     """The rows of a motion, with a column for each quantity.
 
-    ``trajectory["Omega1"]`` is a view of a column, ``trajectory["Omega"]`` of all components of a stem, shape
-    (rows, components). ``rows`` has all of them.
+    ``trajectory["Omega1"]`` is a view of a column. ``trajectory["Omega"]`` has all components of a stem in their order, shape
+    (rows, components). ``rows`` has all columns.
     """
 
     __slots__ = ("columns", "error", "events", "interrupted", "method", "name", "notes", "rows", "watched")
@@ -192,6 +205,7 @@ class Trajectory:
         if name in self.columns:
             return self.rows[:, self.columns.index(name)]
         stem = [at for at, column in enumerate(self.columns) if column.rstrip("0123456789_") == name]
+        stem.sort(key=lambda at: [int(number) for number in self.columns[at][len(name) :].split("_") if number])
         if not stem:
             raise KeyError(f"no column {name!r}; the columns are {', '.join(self.columns)}")
         if stem == list(range(stem[0], stem[-1] + 1)):
@@ -254,22 +268,26 @@ def simulate(
     member: int = 0,
     progress: bool | Callable[[float], object] = False,
     on_error: str = "raise",
-    on_interrupt: str = "return",
+    on_interrupt: str | None = None,
     **keys: Any,
 ) -> Trajectory:
     """The trajectory of a problem: a file, a dict, or keys as arguments (:class:`Problem`).
 
     ``member`` chooses one of an ensemble, from 0. ``progress`` shows a bar of tqdm, or is called with the share of the time
     that is passed. An interrupt (Ctrl-C) ends the run: the trajectory has the rows so far and ``interrupted`` is set;
-    ``on_interrupt="raise"`` raises KeyboardInterrupt instead. An error of the integration is raised, with the rows so far
-    in its ``trajectory``; ``on_error="keep"`` returns them, with the error in ``error``.
+    ``on_interrupt="raise"`` raises KeyboardInterrupt instead, as do tasks of sweeps unless it is ``"return"``. An error of
+    the integration is raised, with the rows so far in its ``trajectory``; ``on_error="keep"`` returns them, with the error in ``error``.
     """
+    on_interrupt = on_interrupt or interrupts.get()
     if on_error not in ("raise", "keep") or on_interrupt not in ("return", "raise"):
         raise ValueError("on_error is raise or keep, on_interrupt is return or raise")
     if not isinstance(problem, Problem):
         problem = Problem(problem, **keys)
     elif keys:
         raise TypeError(f"a Problem has its own keys: {', '.join(keys)} cannot be added")
+    if not 0 <= member < (problem.members or 1):
+        ensemble = "no ensemble" if problem.members is None else f"an ensemble of {problem.members} members, from 0"
+        raise ValueError(f"the problem has {ensemble}, and no member {member}")
     bar = None
     tell: Callable[[float], object] | None = progress if callable(progress) else None
     if progress is True:
@@ -326,9 +344,11 @@ def convergence(
     Without a ``reference`` the value of ``rkmk853`` with the tolerance 1e-13 is taken.
     """
     if reference is None:
-        reference = float(simulate(problem, method="rkmk853", tolerance=1e-13)[column][-1])
+        exact = simulate(problem, method="rkmk853", tolerance=1e-13, on_interrupt="raise")
+        reference = float(exact[column][-1])
 
     def error(method: str, step: float) -> float:
-        return abs(float(simulate(problem, method=method, step=step)[column][-1]) - reference)
+        found = simulate(problem, method=method, step=step, on_interrupt="raise")
+        return abs(float(found[column][-1]) - reference)
 
     return Convergence({method: np.array([error(method, step) for step in steps]) for method in methods}, steps)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import itertools
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -204,6 +204,12 @@ class Tensor:
 
     # -- components ------------------------------------------------------------------------------------------------------
 
+    def __iter__(self) -> Iterator[Any]:
+        """The components of a vector or covector; of other tensors those with the first index fixed."""
+        if not self.rank:
+            raise TypeError("a tensor of rank 0 has no components to iterate over")
+        return (self[(i, *[slice(None)] * (self.rank - 1))] for i in range(self.dimension))
+
     def __getitem__(self, at: Any) -> Any:
         """The component at indices from 0, or the tensor in which some indices are fixed: ``R[0, :, :, 1]``.
 
@@ -367,9 +373,11 @@ class Tensor:
         return list(slots)
 
     def subs(self, values: Mapping[Any, Scalar]) -> Tensor:
-        """The tensor with parameters replaced, by name or by symbol; floats have none."""
+        """The tensor with parameters replaced, by name or by symbol; floats have none. Functions get values in a geometry."""
         if self.scalar == "float":
             return self
+        if others := [name for name in values if not str(name).isidentifier()]:
+            raise ValueError(f"{others[0]} is no parameter: Geometry.subs gives values to functions")
         symbols = merged(self._symbols)
         written = {str(name): f"({text_of(value, symbols)})" for name, value in values.items()}
         texts = [replaced(text, written) for text in self._engine.texts()]
