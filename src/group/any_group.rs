@@ -11,8 +11,8 @@ use std::sync::Arc;
 /// your own.
 ///
 /// It is a [`LieGroup`] like the others. Elements are lists of embedding coordinates ([`Embedded::numbers`]), vectors are
-/// lists of components; lists of another length than the group expects panic, as vectors of nalgebra do. Matrices of
-/// elements come from [`Written::write`].
+/// lists of components. Lengths are not checked in every call: a list of another length than the group expects panics or
+/// gives a wrong result. Matrices of elements come from [`Written::write`].
 ///
 /// ```
 /// use affinor::group::{AnyGroup, LieGroup, Written};

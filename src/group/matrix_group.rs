@@ -300,7 +300,8 @@ fn derivations(algebra: &LieAlgebra<f64>) -> Result<Vec<DMatrix<f64>>, Error> {
     Ok((0..solutions.rows()).map(matrix).collect())
 }
 
-/// Vectors and matrices of another size than that of the group panic, as they do in nalgebra.
+/// Sizes are not checked in every call: vectors and matrices of another size than that of the group panic or give a wrong
+/// result.
 impl LieGroup for MatrixGroup {
     type Element = DMatrix<f64>;
     type Vector = DVector<f64>;

@@ -108,7 +108,7 @@ impl Nilpotent<f64> {
     }
 }
 
-/// Vectors of another dimension than that of the algebra panic, as they do in nalgebra.
+/// Sizes are not checked in every call: a vector of another size than the dimension panics or gives a wrong result.
 impl LieGroup for Nilpotent<f64> {
     type Element = DVector<f64>;
     type Vector = DVector<f64>;

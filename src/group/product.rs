@@ -52,7 +52,7 @@ impl<G: LieGroup, H: LieGroup> Product<G, H> {
     }
 }
 
-/// Vectors of another size than the dimension panic, as they do in nalgebra.
+/// Sizes are not checked in every call: a vector of another size than the dimension panics or gives a wrong result.
 impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
     type Element = (G::Element, H::Element);
     type Vector = DVector<f64>;
