@@ -3,8 +3,8 @@
 //! The bracket is the same; the connection is not. `plus` has torsion and no curvature, the
 //! paper's M(3); `zero` has curvature and no torsion, the paper's SO(3).
 
+use affinor::tensors::{Rational, Tensor};
 use affinor::{Bracket, Canonical, Connection, LieAlgebra};
-use affinor_tensors::{Rational, Tensor};
 use std::error::Error;
 
 /// Computes both geometries and prints the tensors that do not vanish.

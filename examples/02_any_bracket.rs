@@ -3,8 +3,8 @@
 //! A [`Bracket`] is only antisymmetric. Its conversion to a [`LieAlgebra`] checks the Jacobi identity.
 //! The error says where the identity fails and by how much.
 
+use affinor::tensors::Rational;
 use affinor::{Bracket, LieAlgebra};
-use affinor_tensors::Rational;
 use std::error::Error;
 
 /// Checks a correct table, and one with a wrong sign.

@@ -5,8 +5,8 @@
 //! *Advances in Mathematics* 21 (1976) 293-329, theorem 4.3.
 
 use affinor::algebra::catalogue;
+use affinor::tensors::{Down, Ring, Symbolic, Tensor};
 use affinor::{Connection, LieAlgebra, Metric};
-use affinor_tensors::{Down, Ring, Symbolic, Tensor};
 use std::error::Error;
 
 /// Computes the Levi-Civita connection and its curvature.

@@ -4,8 +4,8 @@
 //! functions are zero. In the left-invariant frame of a group they are constant, and so are all components,
 //! so derivatives vanish. A moving frame has both. One formula of Levi-Civita and of curvature serves all.
 
+use affinor::tensors::{Down, Notation, Ring, Symbolic, Tensor, Up};
 use affinor::{Chart, Connection, Frame, Metric};
-use affinor_tensors::{Down, Notation, Ring, Symbolic, Tensor, Up};
 use std::error::Error;
 
 /// The plane in polar coordinates and in their unit vectors, and the sphere.

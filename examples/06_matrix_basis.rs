@@ -4,7 +4,7 @@
 //! the reals. If the span is not closed, the error names a commutator that leaves it.
 
 use affinor::algebra::{Complex, LieAlgebra, MatrixBasis};
-use affinor_tensors::{Rational, Ring, Tolerance};
+use affinor::tensors::{Rational, Ring, Tolerance};
 use std::error::Error;
 
 type Entries = Vec<(usize, usize, Complex<Rational>)>;

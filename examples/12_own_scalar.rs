@@ -3,9 +3,9 @@
 //! Implement [`Ring`], and [`Field`] if there are inverses. Here the scalars are the integers modulo a
 //! prime. The question: over which of them is the Killing form of sl(2) a metric?
 
+use affinor::tensors::scalar::{ExactSum, laws};
+use affinor::tensors::{Field, Ring, Tolerance};
 use affinor::{Bracket, Connection, Error, LieAlgebra, Metric};
-use affinor_tensors::scalar::{ExactSum, laws};
-use affinor_tensors::{Field, Ring, Tolerance};
 use num_traits::{One, Zero};
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};

@@ -55,7 +55,7 @@ use std::io::{self, BufWriter, Write};
 /// ```
 /// use affinor_documents::report::{Format, Quantity, Report, Table};
 /// use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra};
-/// use affinor_tensors::Rational;
+/// use affinor::tensors::Rational;
 /// let rotations = Bracket::from_fn(&["e1", "e2", "e3"], |j, k| match (j, k) {
 ///     (0, 1) => vec![(2, Rational::from(1))],
 ///     (0, 2) => vec![(1, Rational::from(-1))],

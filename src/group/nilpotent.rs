@@ -16,7 +16,7 @@ use nalgebra::{DMatrix, DVector};
 /// ```
 /// use affinor::group::Nilpotent;
 /// use affinor::{Bracket, LieAlgebra};
-/// use affinor_tensors::Rational;
+/// use affinor::tensors::Rational;
 /// let whole = |n: &[i64]| n.iter().map(|n| Rational::from(*n)).collect::<Vec<_>>();
 /// // [e1, e2] = e3, [e1, e3] = e4
 /// let bracket = Bracket::from_fn(&["e1", "e2", "e3", "e4"], |j, k| match (j, k) {

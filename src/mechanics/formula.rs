@@ -19,7 +19,7 @@ use std::f64::consts::{PI, TAU};
 /// let mut slopes = [0.0; 2];
 /// formula.gradient(&[3.0, 2.0], &mut slopes);
 /// assert_eq!(slopes[0], 12.0);
-/// # Ok::<(), affinor_tensors::expression::ExpressionError>(())
+/// # Ok::<(), affinor::tensors::expression::ExpressionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Formula {

@@ -19,11 +19,11 @@ const SYMBOL: [u8; 3] = [0x55, 0x55, 0x55];
 ///
 /// ```
 /// use affinor_documents::picture::{heat, svg};
-/// use affinor_tensors::{Down, Rational, Tensor};
+/// use affinor::tensors::{Down, Rational, Tensor};
 /// let metric = Tensor::from_fn(2, [Down, Down], |[i, j]| Rational::from(if i == j { 1 } else { 0 }))?;
 /// let picture = heat("metric", "g", &metric).unwrap();
 /// assert_eq!(svg(&picture, 400).matches("<circle").count(), 2);
-/// # Ok::<(), affinor_tensors::TensorError>(())
+/// # Ok::<(), affinor::tensors::TensorError>(())
 /// ```
 pub fn heat<S: Notation>(title: &str, symbol: &str, tensor: &Tensor<S>) -> Option<Picture> {
     let (n, rank) = (tensor.dimension(), tensor.slots().len());

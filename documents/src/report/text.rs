@@ -52,7 +52,7 @@ pub(super) fn component<S: Notation>(
 ///
 /// ```
 /// use affinor_documents::report::{components_in_latex, components_in_text};
-/// use affinor_tensors::{Down, Rational, Tensor};
+/// use affinor::tensors::{Down, Rational, Tensor};
 /// let form = Tensor::diagonal([1, 2].map(Rational::from), [Down, Down]);
 /// assert_eq!(components_in_text("g", &form), "  g_11 = 1\n  g_22 = 2\n");
 /// assert_eq!(components_in_latex("g", &form), ["g_{11} &= 1", "g_{22} &= 2"]);

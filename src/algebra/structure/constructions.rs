@@ -193,7 +193,7 @@ impl<S: Ground> Structure<S> {
     /// ```
     /// use affinor::algebra::catalogue;
     /// use affinor::algebra::structure::Structure;
-    /// use affinor_tensors::{Down, Rational, Tensor, Up};
+    /// use affinor::tensors::{Down, Rational, Tensor, Up};
     /// // two units with u u = u, v v = v, u v = 0: two copies of the algebra
     /// let diagonal = |[d, a, b]: [usize; 3]| Rational::from(i64::from(d == a && a == b));
     /// let products = Tensor::from_fn(2, [Up, Down, Down], diagonal)?;

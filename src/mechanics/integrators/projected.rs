@@ -17,7 +17,7 @@ use crate::group::{Coordinates, Embedded};
 /// use affinor::mechanics::{EulerPoincare, Integrator, Projected};
 /// use affinor::group::{LieGroup, Se3};
 /// use affinor::{Canonical, Connection, Metric};
-/// use affinor_tensors::{Down, Tensor};
+/// use affinor::tensors::{Down, Tensor};
 /// use nalgebra::Vector6;
 /// let se3 = Se3.algebra()?;
 /// let masses = (0..6).map(|i| ([i, i], 1.0 + i as f64));

@@ -15,7 +15,7 @@ use crate::mechanics::systems::cotangent::{CotangentSystem, State};
 /// use affinor::mechanics::{Adaptive, EulerPoincare, State};
 /// use affinor::group::{LieGroup, So3};
 /// use affinor::{Canonical, Connection, Metric};
-/// use affinor_tensors::{Down, Tensor};
+/// use affinor::tensors::{Down, Tensor};
 /// use nalgebra::Vector3;
 /// let so3 = So3.algebra()?;
 /// let moments = (0..3).map(|i| ([i, i], 1.0 + i as f64));

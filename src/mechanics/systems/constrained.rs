@@ -32,7 +32,7 @@ pub trait Constraint<G: LieGroup> {
 /// use affinor::mechanics::{Constrained, Constraint, GeneralisedAlpha, Integrator};
 /// use affinor::group::{LieGroup, Translations};
 /// use affinor::{Canonical, Connection, Metric};
-/// use affinor_tensors::{Down, Tensor};
+/// use affinor::tensors::{Down, Tensor};
 /// use nalgebra::{DMatrix, DVector, Vector2, dvector};
 /// // a pendulum of length 1 and mass 1 in the plane, gravity 1
 /// struct Rod;

@@ -31,7 +31,7 @@ const SAME: f64 = 1e-12;
 /// use affinor::mechanics::{EulerPoincare, Integrator, MuntheKaas};
 /// use affinor::group::{LieGroup, So3};
 /// use affinor::{Canonical, Connection, Metric};
-/// use affinor_tensors::{Down, Tensor};
+/// use affinor::tensors::{Down, Tensor};
 /// use nalgebra::Vector3;
 /// let so3 = So3.algebra()?;
 /// let moments = (0..3).map(|i| ([i, i], 1.0 + i as f64));
