@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import textwrap
+import threading
 import warnings
 from pathlib import Path
 
@@ -14,6 +15,7 @@ import numpy as np
 import pytest
 
 import affinor as af
+from affinor._identity import identity
 
 pytest.importorskip("pyarrow")
 pytestmark = pytest.mark.xdist_group("sweep")
@@ -236,6 +238,25 @@ def test_a_folder_belongs_to_one_task(make, tmp_path):
     assert af.sweep(make(1), {"x": [1, 2]}, out=tmp_path).computed == 0
     with pytest.raises(ValueError, match="another task"):
         af.sweep(make(10), {"x": [1, 2]}, out=tmp_path)
+
+
+def test_tasks_are_told_apart_by_all_that_they_call():
+    def identity_with(number):
+        """Of forty functions that call each other, with a number in the last one."""
+        names = {"number": number}
+        calls = " + ".join(f"f{j}(n - 1)" for j in range(40))
+        for k in range(40):
+            exec(f"def f{k}(n):\n    return {'number' if k == 39 else k} if n == 0 else {calls}", names)
+        return identity(names["f0"])
+
+    assert identity_with(1) == identity_with(1)
+    assert identity_with(1) != identity_with(2)
+    shared = [1, 2]
+    assert identity([shared, shared]) == identity([[1, 2], [1, 2]])
+    shared.append(shared)
+    assert identity(shared) == identity(shared)
+    with pytest.raises(TypeError, match="cannot tell"):
+        identity(threading.Lock())
 
 
 def test_problems_are_told_apart_by_their_files(tmp_path):

@@ -9,7 +9,7 @@ import pickle
 import sys
 import tomllib
 import types
-from collections.abc import Mapping, Set
+from collections.abc import Callable, Mapping, Set
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -19,24 +19,33 @@ import numpy as np
 _PLAIN = (bool, int, float, complex, str, bytes, Fraction, type(None), type(...), np.generic)
 
 
-def identity(value: Any, seen: frozenset[int] = frozenset()) -> Any:
+def identity(value: Any) -> Any:
     """Plain values that are equal for equal values, and differ where code, or a value that it uses, differs.
 
     Functions of packages that the task does not belong to count by name and version.
 
     Raises TypeError for an object that has no such form, such as an open file.
     """
+    return _identity(value, {})
+
+
+def _identity(value: Any, seen: dict[int, tuple[int, Any]]) -> Any:
+    """The same beside what has been ``seen``: objects by their addresses, with numbers in their order."""
     if isinstance(value, _PLAIN):
         return f"{type(value).__name__} {value!r}"
     if isinstance(value, types.ModuleType):
         return "module", value.__name__, getattr(value, "__version__", None)
     if id(value) in seen:
-        return "seen", type(value).__name__
-    inside = seen | {id(value)}
+        return "seen", seen[id(value)][0]
+    seen[id(value)] = len(seen), value
+    found = _of_object(value, lambda item: _identity(item, seen))
+    # functions and classes count once, however often they are used; values that are equal may be one object or several
+    if not isinstance(value, (types.FunctionType, type)):
+        del seen[id(value)]
+    return found
 
-    def of(item: Any) -> Any:
-        return identity(item, inside)
 
+def _of_object(value: Any, of: Callable[[Any], Any]) -> Any:
     if isinstance(value, np.ndarray) and value.dtype.kind != "O":
         digest = hashlib.sha256(np.ascontiguousarray(value).tobytes()).hexdigest()
         return "array", value.dtype.str, value.shape, digest
@@ -66,7 +75,7 @@ def identity(value: Any, seen: frozenset[int] = frozenset()) -> Any:
         ) from error
 
 
-def _of_function(function: types.FunctionType, of: Any) -> Any:
+def _of_function(function: types.FunctionType, of: Callable[[Any], Any]) -> Any:
     if _is_installed(function.__module__):
         return _named(function)
     cells = []
@@ -79,7 +88,7 @@ def _of_function(function: types.FunctionType, of: Any) -> Any:
     return "function", of(function.__code__), of(function.__defaults__), of(function.__kwdefaults__), cells, of(used)
 
 
-def _of_class(value: Any, of: Any) -> Any:
+def _of_class(value: Any, of: Callable[[Any], Any]) -> Any:
     if not isinstance(value, type) or _is_installed(value.__module__):
         return _named(value)
     own = {name: item for name, item in vars(value).items() if isinstance(item, (types.FunctionType, *_PLAIN))}
@@ -104,8 +113,8 @@ def _is_installed(module: str | None) -> bool:
     """Whether a module belongs to Python or to an installed package."""
     root = (module or "").partition(".")[0]
     if root in sys.stdlib_module_names or root == "affinor":
-        return root != "__main__"
-    path = getattr(sys.modules.get(root), "__file__", None)
+        return True
+    path = None if root == "__main__" else getattr(sys.modules.get(root), "__file__", None)
     return path is not None and bool({"site-packages", "dist-packages"} & set(Path(path).parts))
 
 
