@@ -368,8 +368,17 @@ test("the engine is asked for again if it did not load", async () => {
   const page = await open("#report=table&space=so3@zero&show=torsion");
   await page.route("**/*.wasm", (route) => route.abort());
   await page.fill("#space", "E8");
-  await page.click("button[type=submit]");
-  await page.click("#stop");
+  // in the page, where no report ends between the clicks
+  await page.evaluate(() => new Promise((resolve) => {
+    const stop = document.getElementById("stop");
+    new MutationObserver((_, observer) => {
+      if (stop.disabled) return;
+      observer.disconnect();
+      stop.click();
+      resolve();
+    }).observe(stop, { attributes: true });
+    document.querySelector("button[type=submit]").click();
+  }));
   await page.waitForTimeout(300);
   await page.fill("#space", "sl2");
   await page.click("button[type=submit]");
