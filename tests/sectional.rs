@@ -127,9 +127,22 @@ fn planes_in_floats() {
         let y = x.map(|x| x * f64::from(k) / 7.0);
         assert_eq!(curvature(&x, &y), None, "{k}");
     }
-    // g(R(x,y)y, x) over the area, where x is null, and where curvature is no plane's alone
+    // a vector that is null, and one that nearly is, in an indefinite metric
     let sl2 = catalogued("sl(2)");
     let killing = Metric::new(sl2.labels(), sl2.killing_form()).unwrap();
+    let exact = Connection::levi_civita(sl2.left_frame(), &killing).unwrap();
+    let plane = |y: i64| [[integer(1), fraction(y, 1 << 40), integer(0)], [3, 1, 2].map(integer)];
+    let floats = sl2.map(|value| value.to_f64()).unwrap();
+    let metric = Metric::new(sl2.labels(), floats.killing_form()).unwrap();
+    let connection = Connection::levi_civita(floats.left_frame(), &metric).unwrap();
+    for y in [0, 1] {
+        let [x, z] = plane(y);
+        let expected = exact.sectional_curvature(&killing, &x, &z).unwrap().unwrap().to_f64();
+        let [x, z] = [x, z].map(|v| v.map(|value| value.to_f64()));
+        let found = connection.sectional_curvature(&metric, &x, &z).unwrap().unwrap();
+        assert!((found - expected).abs() < 1e-13, "{found} {expected}");
+    }
+    // g(R(x,y)y, x) over the area, where x is null, and where curvature is no plane's alone
     for connection in [
         Connection::levi_civita(sl2.left_frame(), &killing).unwrap(),
         Connection::canonical(&sl2, Canonical::Zero),

@@ -251,6 +251,22 @@ def test_tasks_are_told_apart_by_all_that_they_call():
 
     assert identity_with(1) == identity_with(1)
     assert identity_with(1) != identity_with(2)
+    def of_class(number):
+        names = {"__name__": "tasks", "number": number, "functools": functools}
+        body = "\n".join([
+            "class Task:",
+            "    @property",
+            "    def value(self): return self.cached() + self.fixed()",
+            "    @functools.lru_cache",
+            "    def cached(self): return 1",
+            "    @staticmethod",
+            "    def fixed(): return number",
+        ])  # fmt: skip
+        exec(body, names)
+        return identity(names["Task"]())
+
+    assert of_class(1) == of_class(1)
+    assert of_class(1) != of_class(2)
     shared = [1, 2]
     assert identity([shared, shared]) == identity([[1, 2], [1, 2]])
     shared.append(shared)

@@ -65,6 +65,10 @@ def _of_object(value: Any, of: Callable[[Any], Any]) -> Any:
         return _of_function(value, of)
     if isinstance(value, (type, types.BuiltinFunctionType, np.ufunc)):
         return _of_class(value, of)
+    if isinstance(value, property):
+        return "property", of(value.fget), of(value.fset), of(value.fdel)
+    if hasattr(value, "__wrapped__"):
+        return "wrapped", type(value).__qualname__, of(value.__wrapped__)
     if not _is_installed(type(value).__module__) and hasattr(value, "__dict__"):
         return "object", of(type(value)), of(vars(value))
     try:
@@ -91,8 +95,12 @@ def _of_function(function: types.FunctionType, of: Callable[[Any], Any]) -> Any:
 def _of_class(value: Any, of: Callable[[Any], Any]) -> Any:
     if not isinstance(value, type) or _is_installed(value.__module__):
         return _named(value)
-    own = {name: item for name, item in vars(value).items() if isinstance(item, (types.FunctionType, *_PLAIN))}
-    own = {name: item for name, item in own.items() if name not in ("__module__", "__firstlineno__")}
+    own = {
+        name: item
+        for name, item in vars(value).items()
+        if isinstance(item, types.FunctionType)
+        or not (name.startswith("__") or isinstance(item, (types.MemberDescriptorType, types.GetSetDescriptorType)))
+    }
     return "class", value.__qualname__, of(own), [of(base) for base in value.__bases__]
 
 

@@ -91,16 +91,18 @@ impl<S: Field> Connection<S> {
             let value = formula("l_j b^j ->", &[("l", &lowered), ("b", b)]);
             value.to_scalar().expect("a tensor of rank 0")
         };
-        // the part of y that is orthogonal to x, as `R(x,x) = 0`; for floats in thin planes, too
-        let square = product(&x, &x);
-        let (across, area) = match square.recip() {
-            Some(recip) => {
-                let across = &y - &x.scale(&(product(&x, &y) * &recip));
-                let area = square * &product(&across, &across);
-                (across, area)
-            }
-            None => (y.clone(), -(product(&x, &y) * &product(&x, &y))),
+        // `R(x,x) = 0`, and the area is that of y less a multiple of x: small in thin planes, so that floats keep their digits.
+        // Components decide the multiple, because x may be null
+        let dot = |a: &Tensor<S>| {
+            let terms = a.components().map(|(at, value)| x.get(&at) * value);
+            terms.fold(S::zero(), |sum, term| sum + &term)
         };
+        let across = match dot(&x).recip() {
+            Some(recip) => &y - &x.scale(&(dot(&y) * &recip)),
+            None => y.clone(),
+        };
+        let mixed = product(&x, &across);
+        let area = product(&x, &x) * &product(&across, &across) - &(mixed.clone() * &mixed);
         // R(x,y)y, one argument at a time
         let r = formula("R^i_jkl y^j -> ^i_kl", &[("R", self.curvature()), ("y", &y)]);
         let r = formula("R^i_kl x^k -> ^i_l", &[("R", &r), ("x", &x)]);
