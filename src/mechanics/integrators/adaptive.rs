@@ -2,7 +2,7 @@
 
 use super::munthe_kaas::Canonical;
 use super::projected::Projection;
-use super::runge_kutta::{LocalCoordinates, RungeKutta};
+use super::runge_kutta::{LocalCoordinates, RungeKutta, expect_coordinates};
 use super::step_start::StepStart;
 use super::tableaux::{DormandPrince, DormandPrince8, Tabulated};
 use super::tolerance::Allowed;
@@ -45,7 +45,8 @@ impl Pair {
 /// | momentum of translations | the momentum that moves the body by `a_2` in the time `span` | `r` of the larger momentum at both ends |
 ///
 /// The radius of gyration is the square root of the largest moment of inertia over the largest mass, or 1 without one of them.
-/// For a system without an inertia the error of the momentum is relative to its largest component.
+/// For a system without an inertia the error of the momentum is relative to its largest component. In free motions by
+/// [`projected`](Adaptive::projected) steps the momentum is a function of the element, and only the errors of the element count.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adaptive<C = Canonical> {
     /// The pair.
@@ -129,6 +130,7 @@ impl<C: Copy> Adaptive<C> {
     where
         C: LocalCoordinates<S::Group>,
     {
+        expect_coordinates::<_, C>(system.group(), state.time)?;
         if [self.tolerance, self.max_step, *next].iter().any(|x| x.is_nan() || *x <= 0.0) {
             let reason = "the tolerance, the longest step and the step to try are positive";
             return Err(stopped(state.time, reason));

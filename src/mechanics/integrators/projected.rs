@@ -10,7 +10,7 @@ use crate::group::{Coordinates, Embedded};
 /// The standard projection method: E. Hairer, C. Lubich and G. Wanner, *Geometric Numerical Integration* (2006), IV.4.
 /// A stage needs neither exponentials nor tangent operators, so a step is cheaper than one of
 /// [`MuntheKaas`](super::MuntheKaas) of the same order. Stage elements may lie slightly off the group; forces are evaluated at
-/// their projections.
+/// their projections. A group without [a projection](Embedded::has_projection), such as a group of matrices, is refused.
 /// A free system conserves the spatial momentum: to the last bit on rotations, and to rounding on other groups.
 ///
 /// ```
@@ -52,6 +52,13 @@ pub struct EmbeddedPoint<E> {
 impl<G: Embedded> LocalCoordinates<G> for Projection {
     type Numbers = G::Numbers;
     type Point = EmbeddedPoint<G::Element>;
+
+    const HAS_ELEMENT: bool = true;
+
+    #[inline(always)]
+    fn exist(group: &G) -> bool {
+        group.has_projection()
+    }
 
     #[inline(always)]
     fn origin(group: &G, at: &G::Element) -> G::Numbers {

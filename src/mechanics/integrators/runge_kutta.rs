@@ -8,7 +8,8 @@ use super::tolerance::Allowed;
 use super::{Integrator, expect_finite};
 use crate::Error;
 use crate::group::{Coordinates, LieGroup};
-use crate::mechanics::systems::cotangent::{CotangentSystem, State, Vector};
+use crate::mechanics::stopped;
+use crate::mechanics::systems::cotangent::{CotangentSystem, Element, State, Vector};
 use std::marker::PhantomData;
 
 /// Coordinates `y` of a group near a base point, in which a step is made.
@@ -18,6 +19,16 @@ pub trait LocalCoordinates<G: LieGroup> {
 
     /// The element with coordinates `y`, and what a stage computes from `y` once, such as an exponential.
     type Point;
+
+    /// Whether a point holds its element. Then `Ad*` of the displacement in a step is cheaper than the equations of the momentum of
+    /// a free system.
+    const HAS_ELEMENT: bool = false;
+
+    /// Whether the group has these coordinates.
+    fn exist(group: &G) -> bool {
+        let _ = group;
+        true
+    }
 
     /// The coordinates of the base point `at`.
     fn origin(group: &G, at: &G::Element) -> Self::Numbers;
@@ -53,6 +64,21 @@ pub trait LocalCoordinates<G: LieGroup> {
         velocity: &G::Vector,
         order: u32,
     ) -> Result<Self::Numbers, Error>;
+}
+
+/// Checks that a group has the coordinates of a method.
+///
+/// # Errors
+/// [`Error::Integration`].
+#[inline(always)]
+pub(super) fn expect_coordinates<G: LieGroup, C: LocalCoordinates<G>>(
+    group: &G,
+    time: f64,
+) -> Result<(), Error> {
+    if C::exist(group) {
+        return Ok(());
+    }
+    Err(stopped(time, "the method projects points onto the group, which has no projection"))
 }
 
 /// The Runge-Kutta method `T` for `y'` and `p'`, with `y` the coordinates `C` and `p` the momentum:
@@ -135,6 +161,7 @@ where
 {
     #[inline]
     fn step(&self, system: &S, state: &mut State<S::Group>, h: f64) -> Result<(), Error> {
+        expect_coordinates::<_, C>(system.group(), state.time)?;
         let mut stages = Stages::<_, C, STAGES>::begin(system, state, h);
         stages.make::<T>(T::TABLEAU.needed)?;
         let (y, momentum) = stages.moved(&T::TABLEAU.b)?;
@@ -146,6 +173,9 @@ where
 /// The stages of a step.
 struct Stages<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize> {
     start: StepStart<'s, S>,
+    /// The base point 1, if the step is one of the displacement `g_0^-1 g`. The momentum `H = Ad*_(g_0^-1 g) H_0` of a free system
+    /// then needs no equations.
+    identity: Option<Element<S>>,
     h: f64,
     origin: C::Numbers,
     /// `y'`.
@@ -161,16 +191,19 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
     #[inline]
     fn begin(system: &'s S, state: &'s State<S::Group>, h: f64) -> Self {
         let start = StepStart::new(system, state);
-        let (group, at) = (system.group(), &*start.element);
+        let group = system.group();
+        let is_displaced = C::HAS_ELEMENT && system.is_free() && system.transfers();
+        let identity = is_displaced.then(|| group.identity());
+        let at = identity.as_ref().unwrap_or(&start.element);
         let velocity = system.velocity_at_centre(&start.momentum);
-        let drifts = (!start.is_free()).then(|| {
+        let drifts = (!is_displaced && !start.is_free()).then(|| {
             let drift = start.push(state.time, || at.clone(), &velocity, &start.momentum);
             std::array::from_fn(|_| drift.clone())
         });
         let slope = C::first_rate(group, at, &velocity);
         let slopes = std::array::from_fn(|_| slope.clone());
         let origin = C::origin(group, at);
-        Stages { start, h, origin, slopes, drifts }
+        Stages { start, identity, h, origin, slopes, drifts }
     }
 
     /// Computes the stages up to a number.
@@ -191,10 +224,20 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
         let Tableau { a, c, order, .. } = const { &T::TABLEAU };
         let StepStart { system, state, element, momentum: start } = &self.start;
         let (group, at, h) = (system.group(), &**element, self.h);
+        let y = || moved(&self.origin, &self.slopes[..stage], &a[stage], h);
+        if let Some(identity) = &self.identity
+            && C::HAS_ELEMENT
+            && group.has_translations()
+        {
+            let point = C::point(group, identity, &y());
+            let momentum = group.coadjoint(&C::element(group, identity, &point), start);
+            let velocity = system.velocity_at_centre(&momentum);
+            self.slopes[stage] = C::rate(group, &point, &velocity, *order)?;
+            return Ok(());
+        }
         // forces are evaluated at finite elements only
         expect_finite(state.time, &self.slopes[stage - 1])?;
-        let y = moved(&self.origin, &self.slopes[..stage], &a[stage], h);
-        let point = C::point(group, at, &y);
+        let point = C::point(group, at, &y());
         let velocity = match &mut self.drifts {
             None => system.velocity_at_centre(&C::carried(group, &point, start)),
             Some(drifts) => {
@@ -225,10 +268,21 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
     /// The state after the step.
     #[inline]
     fn end(&self, y: &C::Numbers, momentum: Option<&Vector<S>>) -> Result<State<S::Group>, Error> {
-        let StepStart { system, element, momentum: start, .. } = &self.start;
-        let (group, at) = (system.group(), &**element);
-        let in_body = || C::carried(group, &C::point(group, at, y), momentum.unwrap_or(start));
-        self.start.end(self.h, C::end(group, at, y), momentum, in_body)
+        let StepStart { system, element: from, momentum: start, .. } = &self.start;
+        let group = system.group();
+        let displacement = self.identity.as_ref().map(|identity| {
+            let point = C::point(group, identity, y);
+            C::element(group, identity, &point)
+        });
+        let element = match &displacement {
+            Some(by) => group.restored(group.compose(from, by)),
+            None => C::end(group, from, y),
+        };
+        let in_body = || match &displacement {
+            Some(by) => group.coadjoint(by, start),
+            None => C::carried(group, &C::point(group, from, y), momentum.unwrap_or(start)),
+        };
+        self.start.end(self.h, element, momentum, in_body)
     }
 }
 

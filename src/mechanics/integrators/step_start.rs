@@ -189,6 +189,15 @@ impl<'s, S: CotangentSystem> StepStart<'s, S> {
         }
         let spatial = match momentum {
             _ if !group.has_bounded_turns() => in_body(),
+            None if self.system.transfers() => {
+                let reached = in_axes(group, &element, &in_body());
+                let change = reached - state.spatial.clone();
+                // a momentum of translations that does not change is conserved to the last bit
+                match group.along_translations(&change) {
+                    Some(along) => state.spatial.clone() + (change - along),
+                    None => state.spatial.clone() + change,
+                }
+            }
             None => state.spatial.clone(),
             // a momentum that does not change is conserved to the last bit
             Some(momentum) => {
