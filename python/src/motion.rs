@@ -2,29 +2,63 @@
 
 use crate::arrays::{Floats, Rows, batch};
 use crate::errors::{raise, wrong};
-use crate::run::{run, run_here};
+use crate::run::{Threads, run};
 use affinor::mechanics::motions::{ForceFunction, Side};
 use affinor_documents::definition::InputError;
 use affinor_documents::problem::{Problem, Walk};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
+use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use rayon::prelude::*;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::cell::RefCell;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// The time between two looks for a signal.
 const PIECE: Duration = Duration::from_millis(20);
 
-/// A problem of motion.
+/// A problem of motion, and whether functions of Python are among its forces.
 #[pyclass(name = "Problem", frozen, module = "affinor._engine")]
-pub struct PyProblem(Problem, Failure);
+pub struct PyProblem(Problem, bool);
 
-/// The exception of a force that is a function of Python.
-type Failure = Arc<Mutex<Option<PyErr>>>;
+thread_local! {
+    /// The exception of a force, in the thread that integrates.
+    static RAISED: RefCell<Option<PyErr>> = const { RefCell::new(None) };
+}
+
+/// The exception that a force raised since the last call.
+fn raised() -> Option<PyErr> {
+    RAISED.with_borrow_mut(Option::take)
+}
+
+/// The reason why a run has no further rows.
+enum Failed {
+    /// A refusal of the engine.
+    Refused(InputError),
+    /// An exception of a force.
+    Raised(PyErr),
+}
+
+impl From<Failed> for PyErr {
+    fn from(failed: Failed) -> Self {
+        match failed {
+            Failed::Refused(error) => Python::attach(|py| raise(py, &error)),
+            Failed::Raised(error) => error,
+        }
+    }
+}
+
+/// The result of a step; the exception of a force goes before what the engine says of a force that is not a number.
+fn checked<T>(result: Result<T, impl Into<InputError>>) -> Result<T, Failed> {
+    match raised() {
+        Some(error) => Err(Failed::Raised(error)),
+        None => result.map_err(|error| Failed::Refused(error.into())),
+    }
+}
 
 /// The force that a function of Python computes: `force(t, g, omega)`, with the element as a matrix.
-fn force(function: Py<PyAny>, failure: Failure) -> ForceFunction {
+fn force(function: Py<PyAny>) -> ForceFunction {
     ForceFunction::new(move |t, g, omega| {
         Python::attach(|py| {
             let call = || -> PyResult<Vec<f64>> {
@@ -45,18 +79,13 @@ fn force(function: Py<PyAny>, failure: Failure) -> ForceFunction {
                 Ok(Rows::new(&force, &[], &[]).row(0).to_vec())
             };
             call().unwrap_or_else(|error| {
-                failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+                RAISED.with_borrow_mut(|raised| {
+                    raised.get_or_insert(error);
+                });
                 vec![]
             })
         })
     })
-}
-
-impl PyProblem {
-    /// The exception that a force raised.
-    fn failure(&self) -> Option<PyErr> {
-        self.1.lock().unwrap_or_else(PoisonError::into_inner).take()
-    }
 }
 
 /// The events of a piece of a walk, and whether it has ended.
@@ -64,22 +93,22 @@ impl PyProblem {
 struct Piece {
     events: Vec<(String, f64)>,
     done: bool,
-    failed: Option<InputError>,
+    failed: Option<Failed>,
 }
 
 impl Piece {
     /// Walks until the end of the motion or of the piece.
-    fn walk(walk: &mut Walk, rows: &mut Vec<f64>, until: Option<Instant>) -> Self {
+    fn walk(walk: &mut Walk, rows: &mut Vec<f64>, more: impl Fn() -> bool) -> Self {
         let mut piece = Piece::default();
-        while !piece.done && until.is_none_or(|until| Instant::now() < until) {
-            match walk.step() {
+        while !piece.done && more() {
+            match checked(walk.step()) {
                 Ok(step) => {
                     step.rows.iter().for_each(|row| rows.extend_from_slice(row));
                     piece.events.extend(step.events);
                     piece.done = step.done;
                 }
                 Err(error) => {
-                    (piece.failed, piece.done) = (Some(error.into()), true);
+                    (piece.failed, piece.done) = (Some(error), true);
                 }
             }
         }
@@ -87,11 +116,8 @@ impl Piece {
     }
 }
 
-/// The rows of one member of an ensemble, or the reason why there are none, after it the rows so far.
-type Member<'py> = (Bound<'py, PyArray2<f64>>, Option<String>);
-
-/// The columns, the last rows, and the reasons of runs that failed.
-type Many<'py> = (Vec<String>, Bound<'py, PyArray2<f64>>, Vec<Option<String>>);
+/// The columns, the last rows, and the errors of runs that failed: exceptions of forces, or messages.
+type Many<'py> = (Vec<String>, Bound<'py, PyArray2<f64>>, Vec<Option<Py<PyAny>>>);
 
 fn table<'py>(
     py: Python<'py>,
@@ -121,11 +147,10 @@ impl PyProblem {
         body: Option<Py<PyAny>>,
         space: Option<Py<PyAny>>,
     ) -> PyResult<Self> {
-        let failure = Failure::default();
         let given = [(Side::Body, body), (Side::Space, space)];
-        let given = given.into_iter().filter_map(|(side, function)| Some((side, function?)));
-        let functions: Vec<_> =
-            given.map(|(side, function)| (side, force(function, failure.clone()))).collect();
+        let given = given.into_iter().filter_map(|(side, function)| Some((side, force(function?))));
+        let functions: Vec<_> = given.collect();
+        let of_python = !functions.is_empty();
         let problem = run(py, || {
             let mut problem = match (&path, &text) {
                 (Some(path), None) => Problem::read(path)?,
@@ -144,7 +169,7 @@ impl PyProblem {
             }
             Ok(problem)
         })?;
-        Ok(PyProblem(problem, failure))
+        Ok(PyProblem(problem, of_python))
     }
 
     #[getter]
@@ -190,8 +215,9 @@ impl PyProblem {
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let problem = &self.0;
-        let ready = run(py, || problem.motion(member));
-        let ready = ready.map_err(|error| self.failure().unwrap_or(error))?;
+        // a thread that waits in a function of Python takes no other work
+        let threads = if self.1 { Threads::apart(py, 1)? } else { Threads::shared(py)? };
+        let ready = threads.run(py, || Ok(checked(problem.motion(member))))??;
         let names: Vec<String> = ready.columns.iter().map(|column| column.name.clone()).collect();
         let watched: Vec<bool> = ready.columns.iter().map(|column| column.watched).collect();
         let (method, why) = (ready.method.name(), ready.method.why());
@@ -200,20 +226,20 @@ impl PyProblem {
         let (mut rows, mut events) = (Vec::new(), Vec::new());
         let (mut failed, mut interrupt) = (None, None);
         loop {
-            let piece =
-                run(py, || Ok(Piece::walk(&mut walk, &mut rows, Some(Instant::now() + PIECE))))?;
+            let piece = threads.run(py, || {
+                let until = Instant::now() + PIECE;
+                Ok(Piece::walk(&mut walk, &mut rows, || Instant::now() < until))
+            })?;
             events.extend(piece.events);
-            if let Some(error) = self.failure() {
-                return Err(error);
+            match piece.failed.map(PyErr::from) {
+                Some(error) if error.is_instance_of::<PyException>(py) => failed = Some(error),
+                // such as KeyboardInterrupt
+                error => interrupt = error,
             }
-            failed = failed.or(piece.failed);
             let told = progress.as_ref().map(|progress| progress.call1((walk.share(),)));
             let told = told.transpose().and_then(|_| py.check_signals());
-            if let Err(error) = told {
-                interrupt = Some(error);
-                break;
-            }
-            if piece.done {
+            interrupt = told.err().or(interrupt);
+            if piece.done || interrupt.is_some() {
                 break;
             }
         }
@@ -227,13 +253,13 @@ impl PyProblem {
         found.set_item("method", method)?;
         found.set_item("why", why)?;
         found.set_item("notes", notes)?;
-        found.set_item("failed", failed.map(|error| raise(py, &error)))?;
+        found.set_item("failed", failed)?;
         found.set_item("interrupt", interrupt)?;
         Ok(found)
     }
 
     /// Integrates the problem once for each row of values of parameters, on all threads: the columns, the last row of each
-    /// run, and the reason of its end if it failed.
+    /// run, and its error if it failed. An interrupt ends all runs.
     fn run_many<'py>(
         &self,
         py: Python<'py>,
@@ -244,60 +270,63 @@ impl PyProblem {
         let rows = Rows::new(&values, own, own);
         let count: usize = own.iter().product();
         let problem = self.0.to_the_end();
+        let stop = AtomicBool::new(false);
         let one = |row: &[f64]| {
             let settings = names.iter().zip(row).map(|(name, value)| format!("{name}={value:?}"));
             let mut problem = problem.clone();
-            problem.set(&settings.collect::<Vec<_>>().join(","))?;
-            let ready = problem.motion(0)?;
+            problem.set(&settings.collect::<Vec<_>>().join(",")).map_err(Failed::Refused)?;
+            let ready = checked(problem.motion(0))?;
             let columns: Vec<String> =
                 ready.columns.iter().map(|column| column.name.clone()).collect();
             let mut found = Vec::new();
-            let failed = Piece::walk(&mut problem.walk(ready), &mut found, None).failed;
+            let more = || !stop.load(Ordering::Relaxed);
+            let failed = Piece::walk(&mut problem.walk(ready), &mut found, more).failed;
             let last = found.split_off(found.len().saturating_sub(columns.len()));
             failed.map_or(Ok((columns, last)), Err)
         };
-        let found = run(py, || {
-            Ok((0..count).into_par_iter().map(|at| one(rows.row(at))).collect::<Vec<_>>())
+        // rows are no tasks of a pool: a thread that waits in a force would begin another one
+        let (next, found) = (AtomicUsize::new(0), Mutex::new(vec![]));
+        let work = || {
+            while !stop.load(Ordering::Relaxed) {
+                let at = next.fetch_add(1, Ordering::Relaxed);
+                if at >= count {
+                    break;
+                }
+                let row = one(rows.row(at));
+                found.lock().unwrap_or_else(PoisonError::into_inner).push((at, row));
+            }
+        };
+        let mut signal = Ok(());
+        Threads::apart(py, count)?.each(py, &work, PIECE, || {
+            if signal.is_ok() {
+                signal = Python::attach(|py| py.check_signals());
+            }
+            stop.store(signal.is_err(), Ordering::Relaxed);
         })?;
-        let columns = found.iter().find_map(|row| row.as_ref().ok());
+        signal?;
+        let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+        found.sort_by_key(|(at, _)| *at);
+        let columns = found.iter().find_map(|(_, row)| row.as_ref().ok());
         let columns = columns.map_or(vec![], |(columns, _)| columns.clone());
         let (mut last, mut failed) = (Vec::with_capacity(count * columns.len()), vec![]);
-        for row in found {
-            let (row, reason) = match row {
+        for (_, row) in found {
+            let (row, error) = match row {
                 Ok((_, row)) if row.len() == columns.len() => (row, None),
-                Ok(_) => (vec![], Some("no row was reached".into())),
-                Err(error) => (vec![], Some(error.message)),
+                Ok(_) => (vec![], Some(text(py, "no row was reached")?)),
+                Err(Failed::Refused(error)) => (vec![], Some(text(py, &error.message)?)),
+                Err(Failed::Raised(error)) if error.is_instance_of::<PyException>(py) => {
+                    (vec![], Some(error.into_value(py).into_any()))
+                }
+                Err(Failed::Raised(error)) => return Err(error),
             };
-            last.extend(if reason.is_some() { vec![f64::NAN; columns.len()] } else { row });
-            failed.push(reason);
+            last.extend(if error.is_some() { vec![f64::NAN; columns.len()] } else { row });
+            failed.push(error);
         }
         let width = columns.len();
         Ok((columns, PyArray1::from_vec(py, last).reshape([count, width])?, failed))
     }
+}
 
-    /// Integrates several members of the ensemble on all threads: the rows of each, and the reason of its end if it failed.
-    fn run_members<'py>(
-        &self,
-        py: Python<'py>,
-        members: Vec<u64>,
-    ) -> PyResult<(Vec<String>, Vec<Member<'py>>)> {
-        let problem = &self.0;
-        let first = members.first().copied().unwrap_or(0);
-        let ready = run_here(py, || problem.motion(first))?;
-        let names: Vec<String> = ready.columns.iter().map(|column| column.name.clone()).collect();
-        let found = run(py, || {
-            let member = |member: &u64| {
-                let mut rows = Vec::new();
-                let failed = match problem.motion(*member) {
-                    Ok(ready) => Piece::walk(&mut problem.walk(ready), &mut rows, None).failed,
-                    Err(error) => Some(error),
-                };
-                (rows, failed.map(|error| error.message))
-            };
-            Ok(members.par_iter().map(member).collect::<Vec<_>>())
-        })?;
-        let tables =
-            found.into_iter().map(|(rows, failed)| Ok((table(py, rows, names.len())?, failed)));
-        Ok((names.clone(), tables.collect::<PyResult<_>>()?))
-    }
+fn text(py: Python<'_>, text: &str) -> PyResult<Py<PyAny>> {
+    Ok(text.into_pyobject(py)?.into_any().unbind())
 }

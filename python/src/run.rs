@@ -6,7 +6,8 @@ use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError, mpsc};
+use std::time::Duration;
 
 /// The threads of a process. A pool does not survive `fork`: a child makes its own.
 struct Pool {
@@ -32,14 +33,69 @@ fn pool() -> Result<Arc<ThreadPool>, InputError> {
     Ok(threads)
 }
 
+/// Threads of computations.
+pub struct Threads(Arc<ThreadPool>);
+
+impl Threads {
+    /// The threads that all computations of this process share.
+    pub fn shared(py: Python<'_>) -> PyResult<Self> {
+        pool().map(Threads).map_err(|error| errors::raise(py, &error))
+    }
+
+    /// Threads of one computation, as many as it has parts but not more than are set: no other one runs on them.
+    pub fn apart(py: Python<'_>, parts: usize) -> PyResult<Self> {
+        let count = Self::shared(py)?.0.current_num_threads().min(parts).max(1);
+        let threads = ThreadPoolBuilder::new().num_threads(count).build();
+        let failed = |error| InputError::usage(format!("no threads: {error}"));
+        let threads = threads.map_err(|error| errors::raise(py, &failed(error)))?;
+        Ok(Threads(threads.into()))
+    }
+
+    /// Runs a computation.
+    pub fn run<T: Send>(
+        &self,
+        py: Python<'_>,
+        work: impl FnOnce() -> Result<T, InputError> + Send,
+    ) -> PyResult<T> {
+        let done = py.detach(|| catch_unwind(AssertUnwindSafe(|| self.0.install(work))));
+        finish(py, done)
+    }
+
+    /// Runs the same work on each thread, and meanwhile calls `look` again and again.
+    pub fn each(
+        &self,
+        py: Python<'_>,
+        work: &(dyn Fn() + Sync),
+        every: Duration,
+        mut look: impl FnMut() + Send,
+    ) -> PyResult<()> {
+        let done = py.detach(|| {
+            std::thread::scope(|scope| {
+                let (end, ended) = mpsc::channel();
+                scope.spawn(move || {
+                    let work = || self.0.broadcast(|_| work());
+                    let done = catch_unwind(AssertUnwindSafe(work)).map(|_| Ok(()));
+                    // the receiver waits for it
+                    let _ = end.send(done);
+                });
+                loop {
+                    match ended.recv_timeout(every) {
+                        Ok(done) => break done,
+                        Err(_) => look(),
+                    }
+                }
+            })
+        });
+        finish(py, done)
+    }
+}
+
 /// Runs a computation on the threads of this process.
 pub fn run<T: Send>(
     py: Python<'_>,
     work: impl FnOnce() -> Result<T, InputError> + Send,
 ) -> PyResult<T> {
-    let pool = pool().map_err(|error| errors::raise(py, &error))?;
-    let done = py.detach(|| catch_unwind(AssertUnwindSafe(|| pool.install(work))));
-    finish(py, done)
+    Threads::shared(py)?.run(py, work)
 }
 
 /// Runs a computation that is shorter than a change of threads.

@@ -147,6 +147,15 @@ def test_an_error_keeps_the_rows():
     assert len(kept) == 5 and isinstance(kept.error, af.IntegrationError)
 
 
+def test_an_exception_of_a_force_keeps_the_rows():
+    stopped = {**TOP, "forces": {"body": lambda t, g, omega: [0, 0, 0] if t < 0.6 else 1 / 0}}
+    kept = af.simulate(stopped, on_error="keep")
+    assert len(kept) == 6 and isinstance(kept.error, ZeroDivisionError)
+    with pytest.raises(ZeroDivisionError) as found:
+        af.simulate(stopped)
+    assert len(found.value.trajectory) == 6
+
+
 LONG = {**TOP, "output": {"end": 1e5, "every": 0.1}}
 
 

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import textwrap
 import threading
+import time
 import warnings
 from pathlib import Path
 
@@ -328,3 +329,50 @@ def test_interrupts_end_tasks_of_sweeps(monkeypatch):
         af.sweep(task, {"x": [1, 2]})
     with pytest.warns(RuntimeWarning, match="interrupted"):
         task({})
+
+
+def test_a_force_of_python_is_not_entered_twice():
+    inside, entered = threading.local(), []
+    vectors = np.full((20_000, 6), 0.3)
+
+    def force(t, g, omega):
+        entered.append(getattr(inside, "now", False))
+        inside.now = True
+        found = af.SE3.exp(vectors)[0, :3] * 0
+        inside.now = False
+        return found
+
+    before = af.threads()
+    af.set_threads(4)
+    try:
+        motions = af.Motions(
+            space="so3", metric=[1, 2, 3], parameters={"v": 1}, initial={"velocity": [1, 1, "v"]},
+            forces={"body": force}, output={"end": 0.5, "every": 0.5}, method="rkmk4", step=0.5, columns=["Omega3"],
+        )  # fmt: skip
+        table = af.sweep(motions, {"v": [k / 4 for k in range(12)]}, chunk=12).to_pandas()
+    finally:
+        af.set_threads(before)
+    assert table.error.isna().all() and entered and not any(entered)
+
+
+def test_exceptions_of_forces_are_errors_of_their_rows():
+    def force(t, g, omega):
+        if omega[2] > 5:
+            raise RuntimeError("too fast")
+        return [0, 0, 0]
+
+    keys = {"space": "so3", "metric": [1, 2, 3], "parameters": {"v": 1}, "initial": {"velocity": [0, 0, "v"]}}
+    problem = af.Problem(**keys, forces={"body": force}, output={"end": 1, "every": 0.5})
+    table = af.sweep(af.Motions(problem, columns=["Omega3"]), {"v": [1, 10, 2]}).to_pandas()
+    assert table.error[[0, 2]].isna().all() and table.error[1] == "RuntimeError: too fast"
+    np.testing.assert_allclose(af.simulate(problem)["Omega3"], 1)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals")
+def test_ctrl_c_ends_a_chunk_of_motions():
+    motions = af.Motions({**TOP, "output": {"end": 1e5, "every": 1e5}})
+    threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+    begun = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        af.sweep(motions, {"spin": [5 + k / 100 for k in range(200)]})
+    assert time.monotonic() - begun < 10

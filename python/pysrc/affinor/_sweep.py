@@ -103,7 +103,8 @@ class Motions:
         chosen = self.columns if self.columns is not None else [name for name in columns if name not in rows]
         if columns and not set(chosen) <= set(columns):
             raise KeyError(f"no columns {sorted(set(chosen) - set(columns))}; the columns are {columns}")
-        return {name: last[:, columns.index(name)].tolist() for name in chosen if columns}, failed
+        results = {name: last[:, columns.index(name)].tolist() for name in chosen if columns}
+        return results, [_reason(error) if isinstance(error, Exception) else error for error in failed]
 
     def fingerprint(self) -> str:
         """What the result depends on."""
@@ -311,7 +312,7 @@ def _each(task: Callable[[dict[str, Any]], Mapping[str, Any]], rows: Columns, co
                 raise TypeError(f"a task returns a dict of results, not {type(found).__name__}")
             return {str(key): _plain(value) for key, value in found.items()}, None
         except Exception as error:
-            return {}, f"{type(error).__name__}: {str(error).splitlines()[0] if str(error) else ''}"
+            return {}, _reason(error)
         finally:
             interrupts.reset(before)
 
@@ -326,6 +327,10 @@ def _each(task: Callable[[dict[str, Any]], Mapping[str, Any]], rows: Columns, co
         if key in rows or key in ("row", "error"):
             raise ValueError(f"the result {key!r} has the name of another column")
     return {key: [result.get(key) for result, _ in found] for key in keys}, [error for _, error in found]
+
+
+def _reason(error: Exception) -> str:
+    return f"{type(error).__name__}: {str(error).splitlines()[0] if str(error) else ''}"
 
 
 def _plain(value: Any) -> Any:

@@ -276,7 +276,8 @@ def simulate(
     ``member`` chooses one of an ensemble, from 0. ``progress`` shows a bar of tqdm, or is called with the share of the time
     that is passed. An interrupt (Ctrl-C) ends the run: the trajectory has the rows so far and ``interrupted`` is set;
     ``on_interrupt="raise"`` raises KeyboardInterrupt instead, as do tasks of sweeps unless it is ``"return"``. An error of
-    the integration is raised, with the rows so far in its ``trajectory``; ``on_error="keep"`` returns them, with the error in ``error``.
+    the integration, or an exception of a force, is raised with the rows so far in its ``trajectory``; ``on_error="keep"``
+    returns them, with the error in ``error``.
     """
     on_interrupt = on_interrupt or interrupts.get()
     if on_error not in ("raise", "keep") or on_interrupt not in ("return", "raise"):
