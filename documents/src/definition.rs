@@ -31,7 +31,7 @@ pub use file::{fingerprint, read_rows};
 pub use input::{InputError, Refusal};
 pub use mesh::{mesh, read_mesh};
 pub use numbers::numbers;
-pub use source::{Place, Source};
+pub use source::{Files, Place, Source};
 pub use space::{Request, ScalarChoice, Space, Work};
 
 use affinor::algebra::Complex;

@@ -9,16 +9,18 @@ use crate::tensor::{PyTensor, Values};
 use affinor::{Canonical, Connection, ConnectionKind, Error, Geometry};
 use affinor_documents::certificate::Check;
 use affinor_documents::definition::{
-    Definition, InputError, Reading, Request, ScalarChoice, Space, Work,
+    Definition, Files, InputError, Reading, Request, ScalarChoice, Space, Work,
 };
 use affinor_documents::report::{Computation, certificate};
 use affinor_tensors::{Down, Notation, Rational, Ring, Symbolic, Tensor, Tolerance, Tracked};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use std::collections::BTreeMap;
+use std::sync::Arc;
 
-/// A space that is read, over no scalar yet.
+/// A space that is read, over no scalar yet, and the contents of its files.
 #[pyclass(name = "Space", frozen, module = "affinor._engine")]
-pub struct PySpace(pub Space);
+pub struct PySpace(pub Space, BTreeMap<String, Arc<str>>);
 
 /// The connection of a geometry beside that of its definition.
 #[derive(Clone, Copy)]
@@ -160,10 +162,10 @@ impl PySpace {
 
 #[pymethods]
 impl PySpace {
-    /// A space from the arguments of the command line, or from the text of a definition file.
+    /// A space from the arguments of the command line, or from the text of a definition file; `files` that it names are not read.
     #[new]
     #[allow(clippy::too_many_arguments, reason = "keyword arguments of Python")]
-    #[pyo3(signature = (space=None, definition=None, basis=None, brackets=vec![], connection=None, metric=None, set=None))]
+    #[pyo3(signature = (space=None, definition=None, basis=None, brackets=vec![], connection=None, metric=None, set=None, files=BTreeMap::new()))]
     fn new(
         py: Python<'_>,
         space: Option<String>,
@@ -173,9 +175,20 @@ impl PySpace {
         connection: Option<String>,
         metric: Option<String>,
         set: Option<String>,
+        files: BTreeMap<String, String>,
     ) -> PyResult<Self> {
-        let request = Request { space, definition, basis, brackets, connection, metric, set };
-        run(py, || Space::open(&request)).map(PySpace)
+        let files = files.into_iter().map(|(path, text)| (path, text.into())).collect();
+        let files = Files::new(files);
+        let request =
+            Request { space, definition, basis, brackets, connection, metric, set, files };
+        let space = run(py, || Space::open(&request))?;
+        Ok(PySpace(space, request.files.contents()))
+    }
+
+    /// The contents of the files that it names, by their paths.
+    #[getter]
+    fn files(&self) -> BTreeMap<String, String> {
+        self.1.iter().map(|(path, text)| (path.clone(), text.to_string())).collect()
     }
 
     #[getter]

@@ -1,6 +1,7 @@
 """Algebras and geometries: every way in, and the same values out."""
 
 import json
+import pickle
 import re
 from fractions import Fraction
 from pathlib import Path
@@ -81,6 +82,32 @@ def test_definition_files_as_files_and_as_dicts(path):
     # curvature follows from these, and takes a minute for a rotating black hole
     given = [key for key in ("structure", "affinities", "metric") if from_file.quantity(key) is not None]
     assert from_file.table(given).splitlines()[1:] == from_dict.table(given).splitlines()[1:]
+
+
+def test_a_file_is_read_once(tmp_path):
+    part, whole = tmp_path / "part.toml", tmp_path / "whole.json"
+
+    def write(value):
+        part.write_text(f'basis = ["x", "y", "z"]\nbrackets = "[x,y]={value}*z"\n')
+        whole.write_text(json.dumps({"sum": ["part.toml", "so3"]}))
+
+    def constants(algebra):
+        geometry = af.Geometry(algebra, metric="identity")
+        copied = pickle.loads(pickle.dumps(algebra))
+        of_group = algebra.group().bracket(*np.eye(algebra.dimension)[:2])[2]
+        algebras = (algebra, geometry, geometry.algebra, geometry.subs({}), copied, pickle.loads(pickle.dumps(geometry)))
+        return {of_group, *(one.structure[2, 0, 1] for one in algebras)}
+
+    for path in (part, whole, f"{part}@plus"):
+        write(1)
+        before = af.LieAlgebra(path)
+        group = before.group()
+        write(5)
+        assert constants(before) == {1} and constants(af.LieAlgebra(path)) == {5}
+        assert group == before.group() and group != af.LieAlgebra(path).group()
+        part.unlink()
+        whole.unlink()
+        assert constants(before) == {1}
 
 
 def test_sparse_entries_with_equal_indices_are_added():

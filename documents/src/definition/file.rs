@@ -3,7 +3,7 @@
 use super::document::Document;
 use super::input::{InputError, shown};
 use super::numbers::numbers_in;
-use super::source::{Place, Source};
+use super::source::{Files, Place, Source};
 use super::{Definition, gap, json};
 use serde::de::DeserializeOwned;
 use std::fs::File;
@@ -14,12 +14,17 @@ use toml::de::{DeTable, DeValue};
 /// The largest size of a file in bytes.
 pub(crate) const MAX_BYTES: u64 = 1 << 28;
 
-/// The content of a file, or of standard input for `-`, with the name for messages.
-pub(crate) fn bytes(path: &str, limit: u64) -> Result<(String, Vec<u8>), InputError> {
-    let name = match path {
+/// The name of a file in messages.
+pub(super) fn name(path: &str) -> String {
+    match path {
         "-" => "<standard input>".to_string(),
         path => path.escape_debug().to_string(),
-    };
+    }
+}
+
+/// The content of a file, or of standard input for `-`, with the name for messages.
+pub(crate) fn bytes(path: &str, limit: u64) -> Result<(String, Vec<u8>), InputError> {
+    let name = name(path);
     let mut bytes = Vec::new();
     let length = match path {
         "-" => io::stdin().lock().take(limit + 1).read_to_end(&mut bytes),
@@ -54,14 +59,12 @@ impl Definition {
     /// # Errors
     /// A file that cannot be read, parsed or understood, with the place.
     pub fn read(path: &str) -> Result<Self, InputError> {
-        Self::of_source(&read(path)?)
+        Self::read_part(path, 0, &Files::default())
     }
 
     /// Reads a definition that a file contains, `depth` files below the first.
-    pub(super) fn read_part(path: &str, depth: usize) -> Result<Self, InputError> {
-        let mut source = read(path)?;
-        source.depth = depth;
-        Self::of_source(&source)
+    pub(super) fn read_part(path: &str, depth: usize, files: &Files) -> Result<Self, InputError> {
+        Self::of_source(&files.read(path, depth)?)
     }
 
     /// Reads a definition from the text of a file; messages call it `name`.
@@ -79,7 +82,14 @@ impl Definition {
     /// # Errors
     /// A text that cannot be parsed or understood, with the place.
     pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
-        Self::of_source(&Source::new(name.escape_debug().to_string(), text))
+        Self::parse_part(name, text, &Files::default())
+    }
+
+    /// Reads a definition from a text that may name files.
+    pub(super) fn parse_part(name: &str, text: &str, files: &Files) -> Result<Self, InputError> {
+        let mut source = Source::new(name.escape_debug().to_string(), text);
+        source.files = files.clone();
+        Self::of_source(&source)
     }
 
     fn of_source(source: &Source) -> Result<Self, InputError> {

@@ -1,10 +1,11 @@
 //! Texts that were read, and places in them.
 
-use super::literal;
+use super::input::InputError;
 use super::written::Text;
+use super::{file, literal};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 use toml::de::{DeTable, DeValue};
 
 /// A text that was read, with the name it goes by in messages.
@@ -22,6 +23,35 @@ pub struct Source {
     excerpt: Option<Arc<Excerpt>>,
     /// How many files led to this one.
     pub(super) depth: usize,
+    /// The files that were read.
+    pub(super) files: Files,
+}
+
+/// The contents of files by their paths. A file that is here is not read again.
+#[derive(Clone, Debug, Default)]
+pub struct Files(Arc<Mutex<BTreeMap<String, Arc<str>>>>);
+
+impl Files {
+    /// Files with these contents.
+    pub fn new(contents: BTreeMap<String, Arc<str>>) -> Self {
+        Files(Arc::new(Mutex::new(contents)))
+    }
+
+    /// The contents of the files that were given or read.
+    pub fn contents(&self) -> BTreeMap<String, Arc<str>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// The content of a file, which stays here, `depth` files below the first.
+    pub(super) fn read(&self, path: &str, depth: usize) -> Result<Source, InputError> {
+        let source = match self.contents().get(path) {
+            Some(text) => Source::new(file::name(path), text),
+            None => file::read(path)?,
+        };
+        let mut contents = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        contents.insert(path.into(), source.text.clone());
+        Ok(Source { depth, files: self.clone(), ..source })
+    }
 }
 
 /// A string or a number of a file.
@@ -51,6 +81,7 @@ impl Source {
             table: "".into(),
             excerpt: None,
             depth: 0,
+            files: Files::default(),
         }
     }
 

@@ -3,7 +3,7 @@
 use super::input::{InputError, shown};
 use super::notation::{self, Names, basis, lines, metric, statement};
 use super::setting::settings;
-use super::source::Source;
+use super::source::{Files, Source};
 use super::written::{MetricText, Text};
 use super::{Definition, MetricChoice, Origin, Reading, add, check_dimension};
 use affinor::algebra::catalogue::CatalogueError;
@@ -32,6 +32,8 @@ pub struct Request {
     pub metric: Option<String>,
     /// `--set`, as `name=value,...`.
     pub set: Option<String>,
+    /// The files that are read already, and those that are read.
+    pub files: Files,
 }
 
 /// Which scalar to compute in.
@@ -76,11 +78,17 @@ impl Space {
     /// # Errors
     /// A name that is unknown or ambiguous, a file that cannot be read, a value that is refused: with the place.
     pub fn open(request: &Request) -> Result<Self, InputError> {
-        let inside = request.space.as_deref().map_or(Ok(Request::default()), split_space)?;
+        let files = &request.files;
+        let inside = request
+            .space
+            .as_deref()
+            .map_or(Ok(Request::default()), |space| split_space(space, files))?;
         let inline_brackets = !request.brackets.is_empty();
         let definition = match (&request.definition, &inside.space, &request.basis) {
-            (Some((name, text)), None, None) if !inline_brackets => Definition::parse(name, text)?,
-            (None, Some(name), None) if !inline_brackets => find(name)?,
+            (Some((name, text)), None, None) if !inline_brackets => {
+                Definition::parse_part(name, text, files)?
+            }
+            (None, Some(name), None) if !inline_brackets => find(name, files)?,
             (None, None, Some(labels)) => inline(labels, &request.brackets)?,
             (None, None, None) => {
                 return Err(InputError::usage("no SPACE is given")
@@ -259,9 +267,9 @@ fn on_chart() -> InputError {
 }
 
 /// The parts of `NAME@connection;metric=...`.
-fn split_space(space: &str) -> Result<Request, InputError> {
+fn split_space(space: &str, files: &Files) -> Result<Request, InputError> {
     let mut parts = Request::default();
-    if is_path(space) && Path::new(space).is_file() {
+    if is_path(space) && (files.contents().contains_key(space) || Path::new(space).is_file()) {
         return Ok(Request { space: Some(space.into()), ..parts });
     }
     let source = Source::new("SPACE", space);
@@ -293,7 +301,7 @@ fn split_space(space: &str) -> Result<Request, InputError> {
 }
 
 /// A geometry of the paper, a file, or a sum of catalogue names.
-fn find(name: &str) -> Result<Definition, InputError> {
+fn find(name: &str, files: &Files) -> Result<Definition, InputError> {
     let compact: String = name.chars().filter(|c| !c.is_whitespace()).collect();
     match compact.as_str() {
         "M(3)" | "M3" => return Definition::of_paper(&paper::m3()?, Symbolic::clone),
@@ -304,7 +312,7 @@ fn find(name: &str) -> Result<Definition, InputError> {
         _ => {}
     }
     if is_path(name) {
-        return Definition::read(name);
+        return Definition::read_part(name, 0, files);
     }
     named(&Source::new("SPACE", name))
 }
@@ -324,7 +332,8 @@ pub(super) fn part(source: &Source) -> Result<Definition, InputError> {
         return refused(format!("{MAX_DEPTH} files lead to this one: does one contain itself?"));
     }
     let folder = Path::new(&source.name).parent().unwrap_or(Path::new(""));
-    match Definition::read_part(&folder.join(text).to_string_lossy(), source.depth + 1) {
+    let path = folder.join(text);
+    match Definition::read_part(&path.to_string_lossy(), source.depth + 1, &source.files) {
         Err(error) => Err(error.or_at(&source.whole(text))),
         read => read,
     }

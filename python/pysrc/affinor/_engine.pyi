@@ -111,7 +111,10 @@ class Space:
         connection: str | None = None,
         metric: str | None = None,
         set: str | None = None,
+        files: dict[str, str] = ...,
     ) -> Space: ...
+    @property
+    def files(self) -> dict[str, str]: ...
     @property
     def name(self) -> str: ...
     @property

@@ -24,8 +24,11 @@ class Source:
         self.scalar, self.tolerance = scalar, tolerance
 
     def space(self, **more: Any) -> _engine.Space:
-        """The space, perhaps with another connection, metric or values of parameters."""
-        return _engine.Space(**{**self.request, **more})
+        """The space, perhaps with another connection, metric or values of parameters; its files are read once."""
+        space = _engine.Space(**{**self.request, **more})
+        if space.files:
+            self.request = {**self.request, "files": space.files}
+        return space
 
     def of_algebra(self) -> Source:
         """The source without the connection and the metric, with values of the parameters that remain."""

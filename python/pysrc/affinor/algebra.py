@@ -173,7 +173,8 @@ class LieAlgebra(Structured):
 
     ``LieAlgebra("so3")`` takes a name of the catalogue, a sum of names (``"so3+R^3"``), or the path of a definition file;
     ``LieAlgebra("[x,y]=z, [y,z]=x", basis="x y z")`` brackets, in one text or in a list;
-    ``LieAlgebra({"basis": [...], "brackets": ...})`` the keys of a definition file; ``LieAlgebra(array)`` structure constants (:meth:`from_structure`).
+    ``LieAlgebra({"basis": [...], "brackets": ...})`` the keys of a definition file; ``LieAlgebra(array)`` structure constants
+    (:meth:`from_structure`). A file is read once: what is made of the algebra later does not read it again.
 
     Structure constants are ``c[i, j, k]``, with ``[e_j, e_k] = c^i_jk e_i``.
     """
