@@ -222,6 +222,15 @@ def layouts(x):
     yield from (fixed, x.astype(">f8"), x.astype(object), x.tolist())
 
 
+@pytest.mark.parametrize("dtype", [np.float64, np.int64])
+def test_empty_arrays_anywhere_in_memory(dtype):
+    memory = np.zeros(100, dtype=np.uint8)
+    elements, indices = (np.ndarray(shape, dtype, buffer=memory.data, offset=1) for shape in ((0, 4), (1, 0)))
+    assert SO3.adjoint_matrix(elements).shape == (0, 3, 3) and SO3.log(elements).shape == (0, 3)
+    if dtype is np.int64:
+        assert af.Tensor.from_coo(indices, [], "^", 3).nnz == 0
+
+
 @pytest.mark.parametrize("count", [1, 5, 3000])
 def test_layouts(count):
     x, y = rng.normal(size=(2, count, 3))

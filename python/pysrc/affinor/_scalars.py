@@ -8,7 +8,7 @@ import re
 import sys
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,8 @@ from affinor import _engine
 
 Scalar: TypeAlias = Any
 """A number (int, Fraction), a SymPy expression, or an expression as text."""
+
+T = TypeVar("T", bound=np.generic)
 
 Symbols: TypeAlias = dict[str, Any]
 """The SymPy symbols of the parameters, by name, with their assumptions."""
@@ -103,7 +105,12 @@ def floats(value: Any) -> NDArray[np.float64]:
         array = np.array(numbers, dtype=np.float64).reshape(array.shape)
     elif array.dtype.kind not in "biuf":
         raise TypeError(f"an array of real numbers was expected, not of dtype {array.dtype}")
-    return np.require(array, np.float64, ["C", "A"])
+    return _regular(array, np.float64)
+
+
+def _regular(array: NDArray[Any], dtype: type[T]) -> NDArray[T]:
+    """The array in C order and aligned; NumPy calls every empty array aligned."""
+    return np.require(array, dtype, ["C", "A"]) if array.size else np.empty(array.shape, dtype)
 
 
 def with_axes(what: str, value: Any, *counts: int) -> NDArray[np.float64]:
@@ -130,7 +137,7 @@ def integers(what: str, value: Any) -> NDArray[np.int64]:
         raise type(error)(f"{what} should be an array of integers: {error}") from error
     if array.size and array.dtype.kind not in "iu":
         raise TypeError(f"{what} should be an array of integers, not of dtype {array.dtype}")
-    return np.require(array, np.int64, ["C", "A"])
+    return _regular(array, np.int64)
 
 
 def _inexact(number: float) -> TypeError:
