@@ -106,3 +106,17 @@ def maple(text):
 @every
 def test_maple_has_the_brackets(name):
     equal(by_labels(*maple(af.LieAlgebra(name).export("maple"))), name)
+
+
+def test_parameters_with_names_of_the_programs():
+    names = ["c", "lambda", "F", "F_", "T", "L", "E", "last", "gamma", "symbols", "QQ"]
+    symbols = sp.symbols(names)
+    algebra = af.LieAlgebra.from_structure([(i, 11, i, symbol) for i, symbol in enumerate(symbols)])
+    found: dict = {}
+    exec(algebra.export("sympy"), found)
+    assert [found["c"][i, 11, i] for i in range(11)] == symbols
+    _, brackets = Sage.run(algebra.export("sage"))
+    assert [str(-brackets[f"e{i}", "e12"][f"e{i}"]) for i in range(1, 12)] == ["c", "lambda_", "F__", "F_", "T", "L_", "E", "last", "gamma", "symbols", "QQ_"]
+    variables = re.findall(r"^(\w+) := Indet", algebra.export("gap"), re.MULTILINE)
+    assert sorted(variables) == ["E_", "F__", "F___", "L_", "QQ_", "T_", "c", "gamma", "lambda", "last_", "symbols"]
+    assert "[e6, e12] = -L_*e6" in algebra.export("maple") and "[e9, e12] = -gamma_*e9" in algebra.export("maple")

@@ -43,7 +43,7 @@ impl Program {
     }
 
     /// The structure constants of an algebra as input of the program. Labels that are no names are replaced by
-    /// `e1`, `e2`, ...
+    /// `e1`, `e2`, ...; parameters with a name that the program uses itself, such as `lambda`, get a mark: `lambda_`.
     pub fn structure<S: Notation>(
         self,
         name: &str,
@@ -66,15 +66,98 @@ impl Program {
             false => (1..=labels.len()).map(|at| format!("e{at}")).collect(),
         };
         let name = printable(name);
+        let variables = Variables::new(self, &parameters);
         let mut text = String::new();
         // writing to a string does not fail
         let _ = match self {
-            Program::Gap => gap(&mut text, &name, labels.len(), &brackets, &parameters),
-            Program::Sage => sage(&mut text, &name, &labels, &brackets, &parameters),
-            Program::Maple => maple(&mut text, &name, &labels, &brackets),
-            Program::Sympy => sympy(&mut text, &name, labels.len(), &brackets, &parameters),
+            Program::Gap => gap(&mut text, &name, labels.len(), &brackets, &variables),
+            Program::Sage => sage(&mut text, &name, &labels, &brackets, &variables),
+            Program::Maple => maple(&mut text, &name, &labels, &brackets, &variables),
+            Program::Sympy => sympy(&mut text, &name, labels.len(), &brackets, &variables),
         };
         text
+    }
+
+    /// Whether a variable of the program cannot have this name: a word of its language, or a name of the text around it.
+    fn reserves(self, name: &str) -> bool {
+        match self {
+            // its library begins with capitals
+            Program::Gap => name.starts_with(|c: char| c.is_ascii_uppercase()) || is_in(GAP, name),
+            Program::Maple => is_in(MAPLE, name),
+            Program::Sage => {
+                is_in(PYTHON, name) || is_in("F L QQ FractionField LieAlgebra PolynomialRing", name)
+            }
+            Program::Sympy => {
+                is_in(PYTHON, name) || is_in("c MutableDenseNDimArray Rational symbols", name)
+            }
+        }
+    }
+}
+
+/// Words of GAP, and names of it that have values.
+const GAP: &str = "and atomic break continue do elif else end fail false fi for function if in infinity last last2 last3 local \
+    memory_allocated mod not od or quit readonly readwrite rec repeat return then time true until while";
+
+/// Words of Maple, names of it that have values, and those of an export.
+const MAPLE: &str = "Alg Catalan Digits FAIL I L Order Pi and assuming break by catch description do done elif else end error \
+    export false fi finally for from gamma global if implies in infinity intersect local minus mod module next not od \
+    option options or printlevel proc quit read return save stop subset then to true try undefined union until use uses \
+    while xor";
+
+/// Words of Python.
+const PYTHON: &str = "False None True and as assert async await break class continue def del elif else except finally for from \
+    global if import in is lambda nonlocal not or pass raise return try while with yield";
+
+fn is_in(words: &str, name: &str) -> bool {
+    words.split_ascii_whitespace().any(|word| word == name)
+}
+
+/// The parameters, and the variables of a program that stand for them.
+struct Variables<'p> {
+    parameters: &'p [String],
+    names: Vec<String>,
+}
+
+impl<'p> Variables<'p> {
+    fn new(program: Program, parameters: &'p [String]) -> Self {
+        let mut names: Vec<String> = vec![];
+        for parameter in parameters {
+            let mut name = parameter.clone();
+            if program.reserves(parameter) {
+                name.push('_');
+                while parameters.contains(&name) || names.contains(&name) {
+                    name.push('_');
+                }
+            }
+            names.push(name);
+        }
+        Variables { parameters, names }
+    }
+
+    /// The names as a list on the left of an assignment of Python.
+    fn targets(&self) -> String {
+        self.names.join(", ") + if self.names.len() == 1 { "," } else { "" }
+    }
+
+    /// A value in these variables.
+    fn written(&self, value: &impl Notation) -> String {
+        let (text, mut written) = (value.to_string(), String::new());
+        if self.names == self.parameters {
+            return text;
+        }
+        let in_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        let mut rest = &*text;
+        while let Some(first) = rest.chars().next() {
+            let end = match in_name(first) {
+                true => rest.find(|c| !in_name(c)).unwrap_or(rest.len()),
+                false => first.len_utf8(),
+            };
+            let (word, behind) = rest.split_at(end);
+            let at = self.parameters.iter().position(|parameter| parameter == word);
+            written.push_str(at.map_or(word, |at| &self.names[at]));
+            rest = behind;
+        }
+        written
     }
 }
 
@@ -83,24 +166,25 @@ fn gap<S: Notation>(
     name: &str,
     n: usize,
     brackets: &Brackets<S>,
-    parameters: &[String],
+    variables: &Variables<'_>,
 ) -> std::fmt::Result {
     writeln!(text, "# {name}")?;
-    let field = match parameters {
+    let field = match &variables.names[..] {
         [] => "Rationals".to_string(),
-        _ => {
-            let quoted: Vec<String> = parameters.iter().map(|p| format!("\"{p}\"")).collect();
+        names => {
+            let quoted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
             writeln!(text, "F := FunctionField( Rationals, [ {} ] );", quoted.join(", "))?;
-            for (at, parameter) in parameters.iter().enumerate() {
-                writeln!(text, "{parameter} := IndeterminatesOfFunctionField( F )[{}];", at + 1)?;
+            for (at, name) in names.iter().enumerate() {
+                writeln!(text, "{name} := IndeterminatesOfFunctionField( F )[{}];", at + 1)?;
             }
             "F".into()
         }
     };
-    let zero = if parameters.is_empty() { "0" } else { "Zero( F )" };
+    let zero = if variables.names.is_empty() { "0" } else { "Zero( F )" };
     writeln!(text, "T := EmptySCTable( {n}, {zero}, \"antisymmetric\" );")?;
     for ((j, k), terms) in brackets {
-        let terms: Vec<String> = terms.iter().map(|(i, v)| format!("{v}, {}", i + 1)).collect();
+        let term = |(i, v): &(usize, S)| format!("{}, {}", variables.written(v), i + 1);
+        let terms: Vec<String> = terms.iter().map(term).collect();
         writeln!(text, "SetEntrySCTable( T, {}, {}, [ {} ] );", j + 1, k + 1, terms.join(", "))?;
     }
     writeln!(text, "L := LieAlgebraByStructureConstants( {field}, T );")
@@ -111,15 +195,14 @@ fn sage<S: Notation>(
     name: &str,
     labels: &[String],
     brackets: &Brackets<S>,
-    parameters: &[String],
+    variables: &Variables<'_>,
 ) -> std::fmt::Result {
     writeln!(text, "# {name}")?;
-    let field = match parameters {
+    let field = match &variables.names[..] {
         [] => "QQ".to_string(),
-        _ => {
-            let names = parameters.join(", ");
-            writeln!(text, "F = FractionField(PolynomialRing(QQ, '{}'))", names.replace(' ', ""))?;
-            writeln!(text, "{names}{} = F.gens()", if parameters.len() == 1 { "," } else { "" })?;
+        names => {
+            writeln!(text, "F = FractionField(PolynomialRing(QQ, '{}'))", names.join(","))?;
+            writeln!(text, "{} = F.gens()", variables.targets())?;
             "F".into()
         }
     };
@@ -127,7 +210,7 @@ fn sage<S: Notation>(
     for ((j, k), terms) in brackets {
         let value = |v: &S| match v.parameters().is_empty() {
             true if v.to_string().contains('/') => format!("QQ('{v}')"),
-            _ => v.to_string(),
+            _ => variables.written(v),
         };
         let terms: Vec<String> =
             terms.iter().map(|(i, v)| format!("'{}': {}", labels[*i], value(v))).collect();
@@ -141,13 +224,14 @@ fn maple<S: Notation>(
     name: &str,
     labels: &[String],
     brackets: &Brackets<S>,
+    variables: &Variables<'_>,
 ) -> std::fmt::Result {
     writeln!(text, "# {name}")?;
     writeln!(text, "with(DifferentialGeometry): with(LieAlgebras):")?;
     let lines: Vec<String> = brackets
         .iter()
         .map(|((j, k), terms)| {
-            let terms = terms.iter().map(|(i, v)| (v.to_string(), labels[*i].clone()));
+            let terms = terms.iter().map(|(i, v)| (variables.written(v), labels[*i].clone()));
             let right = combination(terms.collect::<Vec<_>>());
             format!("  [{}, {}] = {right}", labels[*j], labels[*k])
         })
@@ -161,25 +245,20 @@ fn sympy<S: Notation>(
     name: &str,
     n: usize,
     brackets: &Brackets<S>,
-    parameters: &[String],
+    variables: &Variables<'_>,
 ) -> std::fmt::Result {
     writeln!(text, "# {name}: c[i, j, k] is the component i of [e_j, e_k], indices from 0")?;
     writeln!(text, "from sympy import MutableDenseNDimArray, Rational, symbols")?;
-    if !parameters.is_empty() {
-        let comma = if parameters.len() == 1 { "," } else { "" };
-        writeln!(
-            text,
-            "{}{comma} = symbols('{}', seq=True)",
-            parameters.join(", "),
-            parameters.join(" ")
-        )?;
+    if !variables.names.is_empty() {
+        let symbols = variables.parameters.join(" ");
+        writeln!(text, "{} = symbols('{symbols}', seq=True)", variables.targets())?;
     }
     writeln!(text, "c = MutableDenseNDimArray.zeros({n}, {n}, {n})")?;
     for ((j, k), terms) in brackets {
         for (i, v) in terms {
             let value = match v.parameters().is_empty() {
                 true => format!("Rational('{v}')"),
-                false => v.to_string().replace('^', "**"),
+                false => variables.written(v).replace('^', "**"),
             };
             writeln!(text, "c[{i}, {j}, {k}] = {value}\nc[{i}, {k}, {j}] = -c[{i}, {j}, {k}]")?;
         }
