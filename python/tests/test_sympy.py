@@ -172,6 +172,42 @@ def test_what_has_no_exact_value_is_refused(value):
         af.LieAlgebra.from_structure([(0, 0, 1, value)], dimension=2)
 
 
+@pytest.mark.parametrize("value", [1 / sp.sec(a), sp.csc(a), sp.coth(a), sp.sech(a), sp.csch(a), sp.Function("f")(a, b).diff(a, b)])
+def test_functions_come_back(value):
+    found = af.Tensor([value, 0], "^")[0]
+    assert sp.simplify((found - value).rewrite(sp.exp)) == 0
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        *(sp.Abs(sp.Symbol("x")), sp.atan2(a, b), sp.gamma(a), sp.re(sp.Symbol("x")), sp.Max(a, b), sp.asin(a)),
+        *(sp.Function("f_a")(a), sp.Function("sin")(a), sp.Function("f", positive=True)(a)),
+        *(sp.Derivative(sp.Abs(a, evaluate=False), a, evaluate=False), sp.Derivative(sp.sin(a), a)),
+    ],
+)
+def test_functions_that_would_be_others_are_refused(value):
+    with pytest.raises((TypeError, ValueError), match="no counterpart|another name|assumptions"):
+        af.Tensor([value, 0], "^")
+
+
+def test_the_imaginary_unit_is_no_symbol():
+    i = sp.Symbol("i")
+
+    def basis(value):
+        return [[[0, value], [0, 0]], [[0, 0], [value, 0]], [[1, 0], [0, -1]]]
+
+    assert af.LieAlgebra.from_matrices(basis(sp.I)).structure == af.LieAlgebra({"matrices": basis(1j)}).structure
+    for make in (af.LieAlgebra.from_matrices, lambda rows: af.LieAlgebra({"matrices": rows})):
+        with pytest.raises(ValueError, match="imaginary unit"):
+            make(basis(i))
+    keys = {"space": "so3", "metric": "identity", "initial": {"velocity": [0, 0, 0]}, "parameters": {"i": 5}}
+    assert af.simulate(keys, forces={"body": [i, 0, 0]}, output={"end": 1})["Omega1"][-1] == pytest.approx(5)
+    for value in (sp.I, 1j):
+        with pytest.raises(TypeError, match="no counterpart|real number"):
+            af.simulate(keys, forces={"body": [value, 0, 0]}, output={"end": 1})
+
+
 def test_checks_are_those_of_the_connection_given():
     c, s = af.LieAlgebra("so3").structure, sp.Symbol("s")
     lines = [f"nabla[e{j + 1}, e{k + 1}] = s*({value})*e{i + 1}" for (i, j, k), value in c.items()]

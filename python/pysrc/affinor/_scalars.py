@@ -25,7 +25,9 @@ Symbols: TypeAlias = dict[str, Any]
 
 _NAMES = re.compile(r"(?<![\w.])[A-Za-z_]\w*\b(?!\s*\()")
 _ELEMENTARY = {"sin", "cos", "tan", "cot", "exp", "sinh", "cosh", "tanh", "log", "sqrt"}
-_FUNCTIONS = {"Abs": "abs", "Max": "max", "Min": "min", "log": "log", "ceiling": None}
+_RECIPROCALS = {"sec": "cos", "csc": "sin", "coth": "tanh", "sech": "cosh", "csch": "sinh"}
+_OF_FORMULAS = {"Abs": "abs", "Max": "max", "Min": "min"}
+"""Functions that formulas of motions call by other names than SymPy."""
 
 
 def is_sympy(value: object) -> bool:
@@ -153,6 +155,8 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
 
     def write(node: Any) -> str:
         if node.is_Symbol:
+            if imaginary and node.name == "i":
+                raise ValueError("i is the imaginary unit in matrices: give the symbol i another name, or write sympy.I")
             return _symbol(node, symbols)
         if node.is_Integer:
             return f"({node})" if node.is_negative else str(node)
@@ -181,16 +185,34 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
                 return f"exp({write(exponent)})"
         elif node is sympy.E and floats:
             return "exp(1)"
-        elif node.is_Derivative and not isinstance(node.expr, sympy.Derivative) and node.expr.is_Function:
+        elif node.is_Derivative and isinstance(node.expr, sympy.core.function.AppliedUndef):
             by = "".join(f"_{write(variable)}" for variable in node.variables)
-            return f"{node.expr.func.__name__}{by}({', '.join(map(write, node.expr.args))})"
+            return f"{_undefined(node.expr)}{by}({', '.join(map(write, node.expr.args))})"
         elif node.is_Function:
-            name = _FUNCTIONS.get(node.func.__name__, node.func.__name__)
-            if name is not None:
-                return f"{name}({', '.join(map(write, node.args))})"
+            name = node.func.__name__
+            arguments = ", ".join(map(write, node.args))
+            if isinstance(node, sympy.core.function.AppliedUndef):
+                return f"{name if floats else _undefined(node)}({arguments})"
+            if name in _RECIPROCALS:
+                return f"(1/{_RECIPROCALS[name]}({arguments}))"
+            # formulas have further functions, and refuse others themselves
+            if floats or name in _ELEMENTARY:
+                return f"{_OF_FORMULAS.get(name, name)}({arguments})"
         raise TypeError(f"{node} has no counterpart among rational functions and elementary functions")
 
     return write(expression)
+
+
+def _undefined(function: Any) -> str:
+    """The name of an undefined function of SymPy, which comes back as it was."""
+    from sympy import Function
+
+    name = str(function.func.__name__)
+    if function.func != Function(name):
+        raise ValueError(f"the function {name} has assumptions, which would be lost")
+    if name in _ELEMENTARY or not re.fullmatch(r"[A-Za-z][A-Za-z0-9]*", name):
+        raise ValueError(f"the function {name!r} needs another name: of ASCII letters and digits, and not that of a known one")
+    return name
 
 
 def _symbol(symbol: Any, symbols: Symbols) -> str:
@@ -222,15 +244,9 @@ def free_functions(value: Any) -> set[str]:
         return set().union(*map(free_functions, value))
     if not hasattr(value, "atoms"):
         return set()
-    from sympy import Function
     from sympy.core.function import AppliedUndef
 
-    found = set()
-    for function in value.atoms(AppliedUndef):
-        if function.func != Function(function.func.__name__):
-            raise ValueError(f"the function {function.func} has assumptions, which would be lost")
-        found.add(f"{function.func.__name__}({', '.join(map(str, function.args))})")
-    return found
+    return {f"{_undefined(function)}({', '.join(map(str, function.args))})" for function in value.atoms(AppliedUndef)}
 
 
 def names_in(texts: Iterable[str], *, without: Iterable[str] = ()) -> list[str]:
@@ -273,16 +289,18 @@ def value_of(found: Fraction | float | str, symbols: Mapping[str, Any]) -> Any:
         return found
 
 
-def document(value: Any, symbols: Symbols) -> Any:
-    """A value as a definition file or a problem file writes it."""
+def document(value: Any, symbols: Symbols, *, imaginary: bool = False) -> Any:
+    """A value as a definition file or a problem file writes it; matrices of a basis may be complex."""
     if isinstance(value, Mapping):
-        return {str(key): document(item, symbols) for key, item in value.items() if item is not None}
-    if is_matrix(value):
-        return document(value.tolist(), symbols)
+        return {
+            str(key): document(item, symbols, imaginary=imaginary or key == "matrices")
+            for key, item in value.items()
+            if item is not None
+        }
+    if is_matrix(value) or isinstance(value, np.ndarray):
+        return document(value.tolist(), symbols, imaginary=imaginary)
     if isinstance(value, (list, tuple)):
-        return [document(item, symbols) for item in value]
-    if isinstance(value, np.ndarray):
-        return document(value.tolist(), symbols)
+        return [document(item, symbols, imaginary=imaginary) for item in value]
     if isinstance(value, (str, bool, int)):
         return value
     if isinstance(value, np.bool_):
@@ -295,4 +313,4 @@ def document(value: Any, symbols: Symbols) -> Any:
         return int(value)
     if hasattr(value, "to_document"):
         return value.to_document()
-    return text_of(value, symbols, floats=True, imaginary=True)
+    return text_of(value, symbols, floats=True, imaginary=imaginary)
