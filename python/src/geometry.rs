@@ -4,7 +4,7 @@ use crate::errors::raise;
 use crate::group::{PyGroup, PyTransport};
 use crate::report::{format, written};
 use crate::run::run;
-use crate::tensor::{PyTensor, Scalar, of};
+use crate::tensor::{PyTensor, Scalar, float, of};
 use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::geometry::properties::Property;
 use affinor::group::transport::ParallelTranslation;
@@ -279,11 +279,7 @@ impl PyGeometry {
     /// The connection on a group of its algebra.
     fn transport(&self, py: Python<'_>, group: &PyGroup) -> PyResult<PyTransport> {
         fn floats<S: Notation>(tensor: &Tensor<S>) -> Result<Tensor<f64>, InputError> {
-            if tensor.components().any(|(_, value)| value.to_f64().is_none()) {
-                let error =
-                    InputError::usage("parallel transport needs numbers for the parameters");
-                return Err(error.help("substitute them"));
-            }
+            tensor.nonzero().try_for_each(|value| float(value).map(|_| ()))?;
             Ok(tensor.map(|value| value.to_f64().unwrap_or(f64::NAN)))
         }
         fn connection<S: Notation>(geometry: &Geometry<S>) -> Result<Connection<f64>, InputError> {

@@ -122,7 +122,11 @@ fn apply<G: Written>(
         Operation::Inverse => Err(group.inverse(&element(a))),
         Operation::Compose => Err(group.compose(&element(a), &element(b))),
         Operation::Between => Err(group.between(&element(a), &element(b))),
-        Operation::Restore => Err(group.restored(element(a))),
+        Operation::Restore => {
+            let g = group.restored(element(a));
+            group.read(&group.write(&g))?;
+            Err(g)
+        }
         Operation::Read => {
             let (rows, columns) = group.write(&group.identity()).shape();
             Err(group.read(&DMatrix::from_row_slice(rows, columns, a))?)

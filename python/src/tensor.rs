@@ -37,13 +37,31 @@ macro_rules! each {
 /// Indices and values of the nonzero components.
 type Coordinates<'py> = (Bound<'py, PyArrayDyn<i64>>, Bound<'py, PyArrayDyn<f64>>);
 
+/// A component as a float.
+pub fn float<S: Notation>(value: &S) -> Result<f64, InputError> {
+    let refused = |what: &str, help: &str| {
+        let text = value.to_string();
+        let shown: String = text.chars().take(40).collect();
+        let rest = if shown.len() < text.len() { "..." } else { "" };
+        Err(InputError::usage(format!("the component {shown}{rest} {what}")).help(help))
+    };
+    match Notation::to_f64(value) {
+        Some(float) if float.is_finite() => Ok(float),
+        Some(_) => refused("is beyond the range of floats", "take exact numbers: to_numpy(object)"),
+        None if value.parameters().is_empty() => {
+            refused("is no rational number", "take to_sympy(), and evalf of its expressions")
+        }
+        None => refused(
+            "has parameters, and is no float",
+            "substitute numbers for the parameters, or take to_sympy()",
+        ),
+    }
+}
+
 /// The nonzero components as floats.
 fn write_floats<S: Notation>(tensor: &Tensor<S>, list: &mut [f64]) -> Result<(), InputError> {
     for (value, out) in tensor.nonzero().zip(list) {
-        *out = Notation::to_f64(value).ok_or_else(|| {
-            let error = InputError::usage("components with parameters are no floats");
-            error.help("substitute numbers for the parameters, or take to_sympy()")
-        })?;
+        *out = float(value)?;
     }
     Ok(())
 }
@@ -147,10 +165,15 @@ macro_rules! over_widest {
     };
 }
 
-/// The tensor over a scalar, or the refusal to mix parameters with floats.
+/// The tensor over a scalar, or the reason why a component is not in it.
 pub fn of<S: Scalar>(values: &Values) -> Result<Arc<Tensor<S>>, InputError> {
     S::of(values).ok_or_else(|| {
-        InputError::usage("parameters have no floats").help("substitute numbers for them first")
+        if values.kind() == Kind::Float {
+            let error = InputError::usage("the components are floats, and exact ones are needed");
+            return error.help("give exact numbers (int, Fraction, SymPy or texts)");
+        }
+        let reason = each!(values, tensor => tensor.nonzero().find_map(|value| float(value).err()));
+        reason.unwrap_or_else(|| InputError::usage("a component is not in the scalars"))
     })
 }
 

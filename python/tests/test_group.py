@@ -274,3 +274,36 @@ def test_matrices_of_one_number_act_on_points():
     np.testing.assert_allclose(group.act(group.exp([0.5]), [2.0]), [2 * np.exp(0.5)])
     with pytest.raises(ValueError, match="no matrices that act"):
         af.Group("R^1").act([0.5], [2.0])
+
+
+def test_what_has_no_direction_is_refused():
+    for group, g in ((SO3, [0, 0, 0, 0]), (SO3, [np.nan, 0, 0, 1]), (af.Group("so(4)"), np.zeros(16)), (af.SO2, [0, 0])):
+        with pytest.raises(af.MathematicsError, match="no element of the group"):
+            group.restored(g)
+    geometry = af.Geometry("so3", metric=[1, 2, 3])
+    calls = (
+        lambda: geometry.transport([np.nan, 0, 0]),
+        lambda: geometry.transport([[1, 0, 0], [0, np.inf, 0]]),
+        lambda: geometry.geodesic([1, 2, 3], [np.nan]),
+        lambda: geometry.geodesic([1, 2, 3], [1], [0, 0, 0, 0]),
+        lambda: geometry.geodesic([1, 2, 3], [1], tolerance=-1),
+        lambda: af.Geometry("sl2", metric="identity").geodesic([1, 2, 3], [1], [2, 0, 0, 1]),
+    )
+    for call in calls:
+        with pytest.raises(ValueError, match="finite|no element|not positive"):
+            call()
+
+
+def test_lengths_of_quaternions():
+    for length in (5e-324, 1e-200, 1e-3, 1, 1e200, 1.7e308):
+        np.testing.assert_allclose(SO3.from_quaternion([length, 0, 0, -length]), np.array([1, 0, 0, -1]) / np.sqrt(2))
+    geodesic = af.Geometry("so3", metric=[1, 2, 3]).geodesic([1, 2, 3], [0.5, 1], [-2, 0, 0, 0])
+    np.testing.assert_allclose(np.linalg.norm(geodesic.elements, axis=1), 1)
+    assert geodesic.elements[0, 0] < 0
+
+
+def test_times_of_a_geodesic_are_its_own():
+    times = np.array([0.5, 1])
+    geodesic = af.Geometry("so3", metric=[1, 2, 3]).geodesic([1, 2, 3], times)
+    times[:] = 99
+    assert geodesic.times.tolist() == [0.5, 1]

@@ -202,3 +202,23 @@ def test_floats_are_not_taken_for_exact_numbers():
             af.Tensor([np.longdouble(1) + np.finfo(np.longdouble).eps, 0], "^")
     with pytest.raises(TypeError, match="scalar='float'"):
         af.Geometry("so3", affinities=af.Tensor(np.full((3, 3, 3), 0.1), "^__", scalar="float"))
+
+
+def test_components_without_floats_say_why():
+    big = af.Tensor([10**400, 0], "^")
+    for convert in (big.to_numpy, big.to_float):
+        with pytest.raises(af.InputError, match=r"0000\.\.\. is beyond the range of floats"):
+            convert()
+    assert big.to_numpy(object)[0] == 10**400
+    with pytest.raises(af.InputError, match="sqrt.2. is no rational number"):
+        af.Tensor([sp.sqrt(2), 0], "^").to_float()
+    with pytest.raises(af.InputError, match="a has parameters"):
+        af.Tensor(["a", 0], "^").to_numpy(float)
+    halves = af.Tensor(np.eye(3) / 2, "^_", scalar="float")
+    with pytest.raises(af.InputError, match="are floats, and exact ones are needed"):
+        af.LieAlgebra("so3").change_basis(halves)
+
+
+def test_orders_of_slots():
+    with pytest.raises(af.ShapeError, match=r"\[0, 0\] are not different slots"):
+        af.Tensor([[1, 2], [3, 4]], "^_").permute(0, 0)

@@ -293,12 +293,15 @@ impl<S: Ring> Tensor<S> {
     /// The slots in another order: slot `a` of the result is slot `order[a]` of this tensor.
     ///
     /// # Errors
-    /// [`TensorError::Rank`] unless `order` is a permutation of the slots.
+    /// [`TensorError::Rank`] or [`TensorError::Slots`] unless `order` is a permutation of the slots.
     pub fn permute(&self, order: &[usize]) -> Result<Self, TensorError> {
+        if order.len() != self.rank() {
+            return Err(TensorError::Rank { rank: self.rank(), given: order.len() });
+        }
         let mut seen = order.to_vec();
         seen.sort_unstable();
         if !seen.iter().copied().eq(0..self.rank()) {
-            return Err(TensorError::Rank { rank: self.rank(), given: order.len() });
+            return Err(TensorError::Slots { slots: order.to_vec(), rank: self.rank() });
         }
         let slots: Vec<_> = order.iter().map(|&a| self.slots[a]).collect();
         let moved = self.components().map(|(indices, value)| {

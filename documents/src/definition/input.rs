@@ -120,7 +120,9 @@ fn advice(error: &Error) -> Option<&'static str> {
             Some("[y,x] must be -[x,y], and [x,x] zero")
         }
         Error::Jacobi { .. } => Some("look at the brackets of these three basis vectors"),
-        Error::NotSubalgebra { .. } => Some("add the bracket to the vectors, or use generated_by"),
+        Error::NotSubalgebra { .. } => {
+            Some("add the bracket to the vectors, or take the subalgebra that they generate")
+        }
         Error::NotIdeal { .. } => Some("add the bracket to the vectors"),
         Error::NotCocycle { .. } => Some("change the values of the form on these vectors"),
         Error::NotCommutative { .. } | Error::NotAssociative { .. } => {

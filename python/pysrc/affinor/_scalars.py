@@ -116,11 +116,13 @@ def _regular(array: NDArray[Any], dtype: type[T]) -> NDArray[T]:
 
 
 def with_axes(what: str, value: Any, *counts: int) -> NDArray[np.float64]:
-    """Real numbers as an array with one of these numbers of axes."""
+    """Finite real numbers as an array with one of these numbers of axes."""
     array = floats(value)
     if array.ndim not in counts:
         expected = " or ".join(map(str, counts)) + (" axis" if counts == (1,) else " axes")
         raise ValueError(f"{what} should be an array with {expected}, not of the shape {array.shape}")
+    if not np.isfinite(array).all():
+        raise ValueError(f"{what} should be finite, not {array[~np.isfinite(array)][0]}")
     return array
 
 

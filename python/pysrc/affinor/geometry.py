@@ -488,22 +488,23 @@ class Geometry:
 
     def transport_samples(self, elements: ArrayLike) -> NDArray[np.float64]:
         """The matrix of parallel translation along a curve of elements; of a loop its holonomy."""
-        return self._transport()[0].samples(with_axes("elements", elements, 2))
+        transport, group = self._transport()
+        return transport.samples(group._checked("elements", elements, 2))
 
     def geodesic(
         self, tangent: ArrayLike, times: ArrayLike, start: ArrayLike | None = None, *, tolerance: float = 1e-12
     ) -> Geodesic:
         """The autoparallel from an element (default: the identity) with a tangent vector, at times after 0."""
         transport, group = self._transport()
-        moments = np.atleast_1d(with_axes("times", times, 0, 1))
-        begin = group.identity() if start is None else with_axes("start", start, 1)
+        moments = np.array(with_axes("times", times, 0, 1), ndmin=1)
+        begin = group.identity() if start is None else group._checked("start", start, 1)
         tangent = with_axes("tangent", tangent, 1)
         return Geodesic(moments, *transport.autoparallel(begin, tangent, moments.tolist(), tolerance))
 
     def geodesic_between(self, start: ArrayLike, end: ArrayLike, *, tolerance: float = 1e-10) -> NDArray[np.float64]:
         """The tangent vector at ``start`` of an autoparallel that is at ``end`` at time 1."""
-        ends = with_axes("start", start, 1), with_axes("end", end, 1)
-        return self._transport()[0].between(*ends, tolerance)
+        transport, group = self._transport()
+        return transport.between(group._checked("start", start, 1), group._checked("end", end, 1), tolerance)
 
     # -- equality and display --------------------------------------------------------------------------------------------
 

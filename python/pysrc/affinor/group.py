@@ -86,7 +86,7 @@ class Group:
         return self._engine.between(g, h)
 
     def restored(self, g: ArrayLike) -> Floats:
-        """Drifted elements projected back onto the group."""
+        """Drifted elements projected back onto the group; what has no projection is refused."""
         return self._engine.restored(g)
 
     def adjoint(self, g: ArrayLike, x: ArrayLike) -> Floats:
@@ -105,6 +105,12 @@ class Group:
         if array.ndim == 0 or array.shape[-1] != self.coordinates:
             raise ValueError(f"g should be an array of the shape (..., {self.coordinates}), not of the shape {array.shape}")
         return array
+
+    def _checked(self, what: str, g: ArrayLike, axes: int) -> Floats:
+        """Elements, which are checked; their quaternions get the length 1."""
+        array = with_axes(what, g, axes)
+        self.from_matrix(self.matrix(array))
+        return self.restored(array)
 
     def coadjoint(self, g: ArrayLike, h: ArrayLike) -> Floats:
         """``Ad*_g h``: spatial to body momentum."""
@@ -207,10 +213,11 @@ class RotationGroup(Group):
         q = floats(q)
         if q.ndim == 0 or q.shape[-1] != 4:
             raise ValueError(f"quaternions should have the shape (..., 4), not {q.shape}")
-        norm = np.linalg.norm(q, axis=-1, keepdims=True)
-        if not (np.isfinite(norm) & (norm > 0)).all():
+        largest = np.abs(q).max(axis=-1, keepdims=True)
+        if not (np.isfinite(largest) & (largest > 0)).all():
             raise ValueError("a quaternion should be finite and not zero")
-        unit: Floats = q / norm
+        q = np.ldexp(q, -np.frexp(largest)[1])
+        unit: Floats = q / np.linalg.norm(q, axis=-1, keepdims=True)
         return unit if scalar_first else np.roll(unit, 1, axis=-1)
 
     def to_quaternion(self, g: ArrayLike, *, scalar_first: bool = True) -> Floats:
