@@ -238,3 +238,16 @@ def test_brackets_of_one_text(text: str) -> None:
     with pytest.raises(af.InputError) as refused:
         af.LieAlgebra(text.replace("= x", "= u").replace("=x", "=u"), basis="x y z")
     assert "u" in str(refused.value)
+
+
+def test_integers_of_any_type():
+    for integer in (np.int64, np.uint8, sp.Integer):
+        rows = [(integer(2), integer(0), integer(1), 1)]
+        algebra = af.LieAlgebra.from_structure(rows, dimension=integer(3))
+        assert algebra == af.LieAlgebra.from_structure({(integer(2), 0, 1): 1}, dimension=3)
+        assert algebra.structure[integer(2), integer(0), integer(1)] == 1
+        assert algebra.truncated(integer(2)).dimension == 6
+        assert af.Tensor({(integer(1),): 1}, "^", dimension=integer(2))[1] == 1
+    for call in (lambda: algebra.truncated(True), lambda: algebra.contraction([True, 0, 0]), lambda: algebra.structure[True, 0, 1]):
+        with pytest.raises(TypeError, match="is an integer, not bool"):
+            call()

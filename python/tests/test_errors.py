@@ -194,7 +194,7 @@ WRONG = [
     (lambda: af.simulate({**TOP, "forces": {"body": lambda t, g, w: None}}), TypeError, "real numbers"),
     (lambda: af.sweep(len, {"a": 3}), TypeError, "values of a"),
     (lambda: af.sweep(len, {"a": [1]}, chunk="x"), TypeError, "chunk"),
-    (lambda: af.sweep(lambda row: {"y": "x" if row["a"] == 1 else 1}, {"a": [1, 2]}), TypeError, "'y'"),
+    (lambda: af.sweep(lambda row: {"y": "x" if row["a"] == 1 else 1}, {"a": [1, 2]}, chunk=1), TypeError, "'y'"),
     (lambda: af.Draw(1.5, a="uniform(0, 1)"), TypeError, "integer"),
     (lambda: af.Draw(2, a=3), TypeError, "law of a"),
 ]

@@ -10,6 +10,7 @@ import textwrap
 import threading
 import time
 import warnings
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -376,3 +377,54 @@ def test_ctrl_c_ends_a_chunk_of_motions():
     with pytest.raises(KeyboardInterrupt):
         af.sweep(motions, {"spin": [5 + k / 100 for k in range(200)]})
     assert time.monotonic() - begun < 10
+
+
+def columns(task, grid, **options):
+    table = af.sweep(task, grid, **options).to_arrow()
+    return table["x"].to_pylist(), [error is not None for error in table["error"].to_pylist()]
+
+
+@pytest.mark.parametrize(
+    "values, expected",
+    [
+        ([1, 0.5, 2**53], [1.0, 0.5, 2.0**53]),
+        ([0.5, 2**60 + 1, None], [0.5, "error", None]),
+        ([2**60 + 1, 0.5, 3], [2**60 + 1, "error", 3]),
+        ([1, True, 2], [1, "error", 2]),
+        ([True, 0.5, False], [True, "error", False]),
+        (["a", 1, "b"], ["a", "error", "b"]),
+        ([1, 2**70, 3], [1, "error", 3]),
+        ([[1], [0.5], [2]], [[1.0], [0.5], [2.0]]),
+        ([[1], ["a"], 2], [[1], "error", "error"]),
+        ([np.longdouble(0.5), np.int64(1), np.float32(2)], [0.5, 1.0, 2.0]),
+        ([Fraction(1, 2), Fraction(2), None], ["1/2", "2", None]),
+        ([np.arange(2), np.zeros(0), None], [[0, 1], [], None]),
+    ],
+)
+def test_a_column_has_one_kind(values, expected):
+    found, failed = columns(lambda row: {"x": values[row["a"]]}, {"a": [0, 1, 2]})
+    assert failed == [isinstance(value, str) and value == "error" for value in expected]
+    assert found == [None if bad else value for bad, value in zip(failed, expected, strict=True)]
+
+
+def test_partitions_of_other_kinds_end_a_sweep(tmp_path):
+    def task(row):
+        return {"x": "text" if row["a"] == 2 else row["a"]}
+
+    for _ in range(2):
+        with pytest.raises(TypeError, match="'x' has values of two kinds, integer and text"):
+            af.sweep(task, {"a": list(range(100))}, chunk=2, out=tmp_path)
+        assert len(list(tmp_path.glob("part-*"))) == 2
+    with pytest.raises(TypeError, match="two kinds, long integer and float"):
+        af.sweep(lambda row: {"x": 2**60 + 1 if row["a"] < 2 else 0.5}, {"a": [0, 1, 2]}, chunk=1)
+    assert columns(lambda row: {"x": 1 if row["a"] < 2 else 0.5}, {"a": [0, 1, 2]}, chunk=1)[0] == [1, 1, 0.5]
+
+
+def test_columns_of_a_grid_have_one_kind():
+    for values in ([2**60 + 1, 0.5], [1, "a"], [True, 1], [2**70]):
+        with pytest.raises(TypeError, match="two kinds|64 bits"):
+            af.sweep(lambda row: {"x": 1}, {"a": values})
+        with pytest.raises(TypeError, match="two kinds|64 bits"):
+            af.sweep(lambda row: {"x": 1}, af.Draw(2, a=values))
+    table = af.sweep(lambda row: {"x": str(row["a"] / 2)}, {"a": [1, Fraction(1, 2)]}, chunk=np.int64(1)).to_arrow()
+    assert table["a"].to_pylist() == ["1", "1/2"] and table["x"].to_pylist() == ["0.5", "1/4"]

@@ -130,6 +130,13 @@ def _refuse(item: object) -> float:
     raise TypeError(f"{item!r} is no number")
 
 
+def index(what: str, value: Any) -> int:
+    """An integer of any type that has ``__index__``, but no bool."""
+    if isinstance(value, (bool, np.bool_)) or not hasattr(value, "__index__"):
+        raise TypeError(f"{what} is an integer, not {type(value).__name__}")
+    return operator.index(value)
+
+
 def integers(what: str, value: Any) -> NDArray[np.int64]:
     """Indices as an array of int64; numbers that are not integers are refused, not cut."""
     value = unmasked(value)

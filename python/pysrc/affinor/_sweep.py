@@ -22,11 +22,14 @@ import numpy as np
 
 from affinor import _engine
 from affinor._identity import identity
+from affinor._scalars import index
 from affinor.motion import Problem, interrupts
 
 __all__ = ["Draw", "Motions", "Sweep", "sweep"]
 
 Columns = dict[str, list[Any]]
+Kind = Any
+"""The kind of the values of a column: its name, None for no values, or ``["list", kind]``."""
 _BLOCK = 4096
 """The number of draws of one random stream."""
 _MANIFEST = "_affinor.json"
@@ -40,15 +43,12 @@ class Draw:
     """
 
     def __init__(self, samples: int, *, seed: int = 0, **laws: str | Sequence[Any]) -> None:
-        if isinstance(samples, bool) or not isinstance(samples, (int, np.integer)):
-            raise TypeError(f"the number of samples is an integer, not {type(samples).__name__}")
-        if isinstance(seed, bool) or not isinstance(seed, (int, np.integer)):
-            raise TypeError(f"the seed is an integer, not {type(seed).__name__}")
+        samples, seed = index("the number of samples", samples), index("the seed", seed)
         if not 0 <= seed < 2**64:
             raise ValueError(f"a seed is from 0 to 2^64 - 1, not {seed}")
         if samples < 0 or not laws:
             raise ValueError("a draw needs a number of samples and a law for each parameter")
-        self.samples, self.seed, self.laws = int(samples), int(seed), laws
+        self.samples, self.seed, self.laws = samples, seed, laws
         for name, law in laws.items():
             if isinstance(law, str):
                 _law(name, law)
@@ -163,13 +163,13 @@ def sweep(
     cores), a ``dask.distributed.Client``, ``"dask"`` (a client of a local cluster that ends with the sweep), or ``"ray"``.
 
     The rows are the same on every engine: the number of the row, its parameters, its results, and ``error``, the reason why
-    a task failed. ``out`` is the folder; a sweep that was killed goes on where it was when it is called again. A folder of
+    a task failed. A column has one kind: truth values, integers, floats, texts or lists; integers up to 2^53 may stand among floats.
+    A result of another kind than that of the rows before it in its chunk is an error of its row. ``out`` is the folder; a sweep that was killed goes on where it was when it is called again. A folder of
     another task or grid is refused: of other code, other values that it uses, or a problem whose files have changed.
     """
     if not isinstance(task, Motions) and not callable(task):
         raise TypeError(f"a task is a function of a dict or Motions, not {type(task).__name__}")
-    if isinstance(chunk, bool) or not isinstance(chunk, (int, np.integer)):
-        raise TypeError(f"chunk is a number of rows, not {type(chunk).__name__}")
+    chunk = index("chunk", chunk)
     if chunk < 1:
         raise ValueError(f"a chunk has at least one row, not {chunk}")
     source = _Grid(grid)
@@ -201,16 +201,20 @@ def _run(task: Any, source: _Grid, folder: Path, chunk: int, on: Any, progress: 
     def parts() -> Iterator[tuple[Any, ...]]:
         for start in missing:
             stop = min(start + chunk, len(source))
-            yield task, start, source.rows(start, stop), str(folder), _name(start // chunk)
+            yield task, start, source.rows(start, stop), source.kinds, str(folder), _name(start // chunk)
 
     bar: Any = None
     if progress:
         from tqdm.auto import tqdm
 
         bar = tqdm(total=len(source), initial=len(source) - sum(min(chunk, len(source) - s) for s in missing))
+    kinds: dict[str, Kind] = {}
+    for name in sorted(done):
+        _unify(kinds, folder / name)
     engine, close = _engine_of(on)
     try:
         for name, rows, digest in engine(parts(), hashed):
+            _unify(kinds, folder / name)
             done[name] = {"rows": rows, "sha256": digest}
             if bar is not None:
                 bar.update(rows)
@@ -230,7 +234,9 @@ class _Grid:
 
     def __init__(self, grid: Any) -> None:
         self.grid = grid
+        self.kinds: dict[str, Kind] = {}
         if isinstance(grid, Draw):
+            self.kinds = {name: _kind_of(name, [0.0] if isinstance(law, str) else law) for name, law in grid.laws.items()}
             self.length, self.description = len(grid), repr(("draw", grid.samples, grid.seed, identity(grid.laws)))
             return
         if isinstance(grid, Mapping):
@@ -240,14 +246,14 @@ class _Grid:
             self.values = {str(name): list(values) for name, values in grid.items()}
             self.length = int(np.prod([len(values) for values in self.values.values()], dtype=np.int64))
             self.description = repr(("product", identity(self.values)))
-            return
-        if hasattr(grid, "columns") and hasattr(grid, "to_dict"):
+        elif hasattr(grid, "columns") and hasattr(grid, "to_dict"):
             self.values = {str(name): grid[name].tolist() for name in grid.columns}
             self.length = len(grid)
             digest = hashlib.sha256(repr(identity(self.values)).encode()).hexdigest()
             self.description = repr(("table", digest))
-            return
-        raise TypeError(f"a grid is a dict of lists, a DataFrame or a Draw, not {type(grid).__name__}")
+        else:
+            raise TypeError(f"a grid is a dict of lists, a DataFrame or a Draw, not {type(grid).__name__}")
+        self.kinds = {name: _kind_of(name, values) for name, values in self.values.items()}
 
     def __len__(self) -> int:
         return self.length
@@ -273,7 +279,7 @@ def _name(part: int) -> str:
 
 
 def _partition(
-    task: Any, start: int, rows: Columns, folder: str, name: str, threads: int | None = None
+    task: Any, start: int, rows: Columns, kinds: dict[str, Kind], folder: str, name: str, threads: int | None = None
 ) -> tuple[str, int, str]:
     """Computes a partition and writes it: its name, its number of rows, and the hash of the file."""
     import pyarrow as pa
@@ -284,10 +290,13 @@ def _partition(
     count = len(next(iter(rows.values()), []))
     if isinstance(task, Motions):
         results, errors = task.run_rows(rows)
+        found = {key: "float" for key in results}
     else:
-        results, errors = _each(task, rows, count)
+        results, errors, found = _each(task, rows, count)
     columns = {"row": list(range(start, start + count)), **rows, **results, "error": errors}
-    table = pa.table({key: _array(pa, key, values) for key, values in columns.items()})
+    kinds = {"row": "integer", **kinds, **found, "error": "text"}
+    table = pa.table({key: _array(pa, values, kinds[key]) for key, values in columns.items()})
+    table = table.replace_schema_metadata({"affinor": json.dumps(found)})
     sink = pa.BufferOutputStream()
     pq.write_table(table, sink, compression="zstd")
     data = sink.getvalue().to_pybytes()
@@ -301,8 +310,10 @@ def _partition(
     return name, count, hashlib.sha256(data).hexdigest()
 
 
-def _each(task: Callable[[dict[str, Any]], Mapping[str, Any]], rows: Columns, count: int) -> tuple[Columns, list[str | None]]:
-    """The results of a function, row by row."""
+def _each(
+    task: Callable[[dict[str, Any]], Mapping[str, Any]], rows: Columns, count: int
+) -> tuple[Columns, list[str | None], dict[str, Kind]]:
+    """The results of a function, row by row, the errors, and the kinds of the results."""
 
     def one(at: int) -> tuple[dict[str, Any], str | None]:
         before = interrupts.set("raise")
@@ -322,11 +333,15 @@ def _each(task: Callable[[dict[str, Any]], Mapping[str, Any]], rows: Columns, co
             found = list(pool.map(one, range(count)))
     else:
         found = [one(at) for at in range(count)]
-    keys = list(dict.fromkeys(key for result, _ in found for key in result))
-    for key in keys:
-        if key in rows or key in ("row", "error"):
-            raise ValueError(f"the result {key!r} has the name of another column")
-    return {key: [result.get(key) for result, _ in found] for key in keys}, [error for _, error in found]
+    kinds: dict[str, Kind] = {}
+    for at, (result, _) in enumerate(found):
+        if taken := ({"row", "error"} | rows.keys()) & result.keys():
+            raise ValueError(f"the result {sorted(taken)[0]!r} has the name of another column")
+        try:
+            kinds |= {key: _common(key, kinds.get(key), _kind(value)) for key, value in result.items()}
+        except TypeError as error:
+            found[at] = {}, _reason(error)
+    return {key: [result.get(key) for result, _ in found] for key in kinds}, [error for _, error in found], kinds
 
 
 def _reason(error: Exception) -> str:
@@ -337,26 +352,76 @@ def _plain(value: Any) -> Any:
     """A value that Parquet has."""
     if value is None or isinstance(value, (bool, int, float, str)):
         return value
-    if isinstance(value, np.generic):
-        return value.item()
+    if isinstance(value, np.floating):
+        return float(value)
     if isinstance(value, np.ndarray):
-        return value.tolist()
+        return _plain(value.tolist())
+    if isinstance(value, np.generic):
+        return _plain(value.item())
     if isinstance(value, (list, tuple)):
         return [_plain(item) for item in value]
     return str(value)
 
 
-def _array(pa: Any, name: str, values: list[Any]) -> Any:
-    if name == "error":
-        return pa.array(values, pa.string())
-    if any(isinstance(value, float) for value in values) and all(
-        value is None or isinstance(value, (int, float)) for value in values
-    ):
-        return pa.array([None if value is None else float(value) for value in values], pa.float64())
-    try:
-        return pa.array([str(value) if isinstance(value, Fraction) else value for value in values])
-    except (pa.ArrowInvalid, pa.ArrowTypeError, OverflowError) as error:
-        raise TypeError(f"the values of {name!r} have no common type of Parquet: {error}") from error
+def _kind(value: Any) -> Kind:
+    """The kind of a value that Parquet has."""
+    if value is None:
+        return None
+    if isinstance(value, list):
+        inner: Kind = None
+        for item in value:
+            inner = _common("", inner, _kind(item))
+        return ["list", inner]
+    if isinstance(value, int) and not isinstance(value, bool):
+        if not -(2**63) <= value < 2**63:
+            raise TypeError(f"the integer {value} has more than 64 bits: give it as a text")
+        return "integer" if abs(value) <= 2**53 else "long integer"
+    return "truth value" if isinstance(value, bool) else "float" if isinstance(value, float) else "text"
+
+
+def _common(name: str, a: Kind, b: Kind) -> Kind:
+    """The kind of a column that has values of two kinds."""
+    if a is None or b is None or a == b:
+        return b if a is None else a
+    if isinstance(a, list) and isinstance(b, list):
+        return ["list", _common(name, a[1], b[1])]
+    if "integer" in (a, b):
+        other = b if a == "integer" else a
+        if other in ("long integer", "float"):
+            return other
+    first, second = ("list" if isinstance(kind, list) else kind for kind in (a, b))
+    raise TypeError(f"the column {name!r} has values of two kinds, {first} and {second}: convert them to one")
+
+
+def _kind_of(name: str, values: Iterable[Any]) -> Kind:
+    """The kind of a column of a grid; integers beside fractions are texts."""
+    exact = any(isinstance(value, Fraction) for value in values)
+    found: Kind = None
+    for value in values:
+        plain = _plain(value)
+        found = _common(name, found, "text" if exact and type(plain) is int else _kind(plain))
+    return found
+
+
+def _array(pa: Any, values: list[Any], kind: Kind) -> Any:
+    types = {None: pa.null(), "truth value": pa.bool_(), "float": pa.float64(), "text": pa.string()}
+
+    def type_of(kind: Kind) -> Any:
+        return pa.list_(type_of(kind[1])) if isinstance(kind, list) else types.get(kind, pa.int64())
+
+    plain = [_plain(value) for value in values]
+    if kind == "text":
+        plain = [None if value is None else str(value) for value in plain]
+    return pa.array(plain, type_of(kind))
+
+
+def _unify(kinds: dict[str, Kind], path: Path) -> None:
+    """Adds the kinds of the results of a partition; they are those of the partitions before."""
+    import pyarrow.parquet as pq
+
+    metadata = pq.read_schema(path).metadata or {}
+    for key, kind in json.loads(metadata.get(b"affinor", "{}")).items():
+        kinds[key] = _common(key, kinds.get(key), kind)
 
 
 def _fingerprint(task: Any, source: _Grid, chunk: int) -> str:

@@ -12,7 +12,19 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from affinor import _engine
-from affinor._scalars import Scalar, Symbols, document, integers, is_matrix, merged, names_in, replaced, text_of, unmasked
+from affinor._scalars import (
+    Scalar,
+    Symbols,
+    document,
+    index,
+    integers,
+    is_matrix,
+    merged,
+    names_in,
+    replaced,
+    text_of,
+    unmasked,
+)
 from affinor._source import Source
 from affinor.errors import MathematicsError
 from affinor.group import Group
@@ -95,9 +107,10 @@ def structure_source(
     tolerance: float | None = None,
 ) -> Source:
     """The source of structure constants ``c[i, j, k]``, in any of the forms of :meth:`LieAlgebra.from_structure`."""
-    if dimension is not None and (isinstance(dimension, bool) or not isinstance(dimension, (int, np.integer))):
-        raise TypeError(f"the dimension is an integer, not {type(dimension).__name__}")
-    indices, values, found = _entries(constants, dimension)
+    if dimension is not None:
+        dimension = index("the dimension", dimension)
+    places, values, found = _entries(constants, dimension)
+    indices = [tuple(index("an index", i) for i in at) for at in places]
     labels = _labels(basis)
     n = found if dimension is None else dimension
     if labels is not None and n is not None and len(labels) != n:
@@ -107,7 +120,7 @@ def structure_source(
     symbols: Symbols = {}
     texts = [text_of(value, symbols, floats=scalar == "float") for value in values]
     for at in indices:
-        if len(at) != 3 or not all(0 <= index < n for index in at):
+        if len(at) != 3 or not all(0 <= i < n for i in at):
             raise IndexError(f"the index {tuple(at)} is not a triple in 0..{n - 1}")
     # [e_j, e_k] = c^i_jk e_i; files count from 1 and write [j, k, i, value]
     rows = [[j + 1, k + 1, i + 1, text] for (i, j, k), text in zip(indices, texts, strict=True) if text != "0"]

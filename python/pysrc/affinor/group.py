@@ -176,7 +176,7 @@ class Group:
         """Exponentials of normal vectors of this scale."""
         generator = rng if isinstance(rng, np.random.Generator) else np.random.default_rng(rng)
         sizes = tuple(shape) if isinstance(shape, (tuple, list)) else (shape,)
-        if not all(isinstance(size, (int, np.integer)) and size >= 0 for size in sizes):
+        if not all(hasattr(size, "__index__") and size >= 0 for size in sizes):
             raise ValueError(f"the shape should be a number or a tuple of numbers from 0, not {shape!r}")
         return self.exp(generator.normal(scale=scale, size=(*sizes, self.dimension)))
 

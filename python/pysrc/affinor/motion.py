@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from affinor import _engine
 from affinor._identity import identity, of_file, of_files
-from affinor._scalars import Symbols, document, floats, text_of
+from affinor._scalars import Symbols, document, floats, index, text_of
 
 __all__ = ["Problem", "Trajectory", "convergence", "simulate"]
 
@@ -286,6 +286,7 @@ def simulate(
         problem = Problem(problem, **keys)
     elif keys:
         raise TypeError(f"a Problem has its own keys: {', '.join(keys)} cannot be added")
+    member = index("the member", member)
     if not 0 <= member < (problem.members or 1):
         ensemble = "no ensemble" if problem.members is None else f"an ensemble of {problem.members} members, from 0"
         raise ValueError(f"the problem has {ensemble}, and no member {member}")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import operator
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, Self
@@ -15,7 +14,7 @@ from affinor import _engine
 from affinor._engine import Geometry as Components
 from affinor._engine import Space
 from affinor._engine import Tensor as Constants
-from affinor._scalars import Symbols, is_matrix, merged, value_of
+from affinor._scalars import Symbols, index, is_matrix, merged, value_of
 from affinor._source import Source
 from affinor.errors import InputError
 from affinor.tensor import Tensor
@@ -353,6 +352,7 @@ class Structured:
 
     def truncated(self, order: int, *, basis: Basis = None) -> Self:
         """Polynomials in ``t`` with values in this algebra and ``t^order = 0``."""
+        order = index("the order", order)
         return self._made(_engine.truncated(self._engine, order), f"{self.name}[t]/t^{order}", basis)
 
     def tangent_algebra(self, *, basis: Basis = None) -> Self:
@@ -368,7 +368,7 @@ class Structured:
 
         Weights for which there is no limit raise ConstructionError.
         """
-        integers = [operator.index(weight) for weight in weights]
+        integers = [index("a weight", weight) for weight in weights]
         return self._made(_engine.contraction(self._engine, integers), f"contraction of {self.name}", basis)
 
     def _made(

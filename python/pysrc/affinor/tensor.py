@@ -18,6 +18,7 @@ from affinor._scalars import (
     Scalar,
     Symbols,
     floats,
+    index,
     integers,
     is_matrix,
     merged,
@@ -94,8 +95,7 @@ class Tensor:
     ) -> None:
         if not isinstance(slots, str):
             raise TypeError(f"slots are a text of ^ and _, not {type(slots).__name__}")
-        if isinstance(dimension, bool) or not isinstance(dimension, (int, np.integer)):
-            raise TypeError(f"the dimension is an integer, not {type(dimension).__name__}")
+        dimension = index("the dimension", dimension)
         if not 0 <= dimension < 1 << 63:
             raise ValueError(f"the dimension is a number from 0, not {dimension}")
         if scalar not in (None, "exact", "float"):
@@ -218,16 +218,15 @@ class Tensor:
         at = at if isinstance(at, tuple) else (at,)
         if len(at) != self.rank:
             raise IndexError(f"a tensor of rank {self.rank} takes {self.rank} indices, not {len(at)}")
-        for index in at:
-            if isinstance(index, slice):
-                if index != slice(None):
+        at = tuple(i if isinstance(i, slice) else index("an index", i) for i in at)
+        for i in at:
+            if isinstance(i, slice):
+                if i != slice(None):
                     raise IndexError("a slice of a sparse tensor is ':'")
-            elif isinstance(index, (bool, np.bool_)) or not isinstance(index, (int, np.integer)):
-                raise TypeError(f"indices are integers or ':', not {type(index).__name__}")
-            elif not 0 <= index < self.dimension:
-                raise IndexError(f"the index {index} is not in 0..{self.dimension - 1}; negative ones do not count")
-        if not any(isinstance(index, slice) for index in at):
-            return value_of(self._engine.get([int(index) for index in at]), self._symbols)
+            elif not 0 <= i < self.dimension:
+                raise IndexError(f"the index {i} is not in 0..{self.dimension - 1}; negative ones do not count")
+        if not any(isinstance(i, slice) for i in at):
+            return value_of(self._engine.get(list(at)), self._symbols)
         part = self._engine
         for slot in reversed(range(self.rank)):
             if not isinstance(at[slot], slice):
@@ -365,12 +364,11 @@ class Tensor:
         return Tensor._of(self._engine.trace(*self._positions(a, b)), self._symbols)
 
     def _positions(self, *slots: int) -> list[int]:
-        for slot in slots:
-            if isinstance(slot, bool) or not isinstance(slot, (int, np.integer)):
-                raise TypeError(f"a slot is an integer, not {type(slot).__name__}")
+        positions = [index("a slot", slot) for slot in slots]
+        for slot in positions:
             if not 0 <= slot < self.rank:
                 raise ShapeError(f"a tensor of rank {self.rank} has no slot {slot}; they count from 0")
-        return list(slots)
+        return positions
 
     def subs(self, values: Mapping[Any, Scalar]) -> Tensor:
         """The tensor with parameters replaced, by name or by symbol; floats have none. Functions get values in a geometry."""
