@@ -18,6 +18,7 @@ import pytest
 
 import affinor as af
 from affinor._identity import identity
+from affinor._sweep import _partition
 
 pytest.importorskip("pyarrow")
 pytestmark = pytest.mark.xdist_group("sweep")
@@ -428,3 +429,12 @@ def test_columns_of_a_grid_have_one_kind():
             af.sweep(lambda row: {"x": 1}, af.Draw(2, a=values))
     table = af.sweep(lambda row: {"x": str(row["a"] / 2)}, {"a": [1, Fraction(1, 2)]}, chunk=np.int64(1)).to_arrow()
     assert table["a"].to_pylist() == ["1", "1/2"] and table["x"].to_pylist() == ["0.5", "1/4"]
+
+
+def test_a_partition_leaves_the_number_of_threads(tmp_path):
+    af.set_threads(3)
+    try:
+        _partition(lambda row: {"x": af.threads()}, 0, {"a": [1]}, {"a": "integer"}, str(tmp_path), "part.parquet", 1)
+        assert af.threads() == 3
+    finally:
+        af.set_threads(0)

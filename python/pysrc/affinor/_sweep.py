@@ -285,14 +285,21 @@ def _partition(
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    if threads is not None and _engine.threads() != threads:
-        _engine.set_threads(threads)
+    before = _engine.threads()
+    threads = before if threads is None else threads
     count = len(next(iter(rows.values()), []))
-    if isinstance(task, Motions):
-        results, errors = task.run_rows(rows)
-        found = {key: "float" for key in results}
-    else:
-        results, errors, found = _each(task, rows, count)
+    try:
+        if threads != before:
+            _engine.set_threads(threads)
+        if isinstance(task, Motions):
+            results, errors = task.run_rows(rows)
+            found = {key: "float" for key in results}
+        else:
+            results, errors, found = _each(task, rows, count)
+    finally:
+        # a worker may be a thread of a process that computes other things
+        if threads != before:
+            _engine.set_threads(before)
     columns = {"row": list(range(start, start + count)), **rows, **results, "error": errors}
     kinds = {"row": "integer", **kinds, **found, "error": "text"}
     table = pa.table({key: _array(pa, values, kinds[key]) for key, values in columns.items()})
