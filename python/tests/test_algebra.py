@@ -251,3 +251,29 @@ def test_integers_of_any_type():
     for call in (lambda: algebra.truncated(True), lambda: algebra.contraction([True, 0, 0]), lambda: algebra.structure[True, 0, 1]):
         with pytest.raises(TypeError, match="is an integer, not bool"):
             call()
+
+
+def test_floats_stay_floats_with_a_tolerance():
+    algebra = af.LieAlgebra.from_structure([(2, 0, 1, 0.5)], scalar="float", dimension=3)
+    geometry = af.Geometry(algebra, metric=[0.5, 1, 1], tolerance=1e-9)
+    assert geometry.scalar == "float" and geometry.algebra.scalar == "float"
+    assert af.Geometry("so3", 0.25, scalar="float").factor == 0.25
+    for make in (af.LieAlgebra, af.Geometry, af.check):
+        with pytest.raises(ValueError, match="exact numbers have no tolerance"):
+            make("so3", tolerance=1e-9)
+
+
+def test_names_and_dimensions_are_not_ignored():
+    with pytest.raises(TypeError, match="has a basis"):
+        af.LieAlgebra(so3, basis="x y z")
+    with pytest.raises(TypeError, match="has a basis"):
+        af.Geometry({"basis": ["x", "y"], "brackets": "[x, y] = y"}, basis="u v")
+    for call in (
+        lambda: af.Tensor(np.eye(3, dtype=int), "^_", dimension=5),
+        lambda: af.LieAlgebra.from_structure(epsilon(int), dimension=5),
+    ):
+        with pytest.raises(ValueError, match="have the dimension 3, not 5"):
+            call()
+    assert af.Tensor(np.eye(3, dtype=int), "^_", dimension=np.int64(3)).dimension == 3
+    with pytest.raises(TypeError, match="bool"):
+        af.Tensor.from_coo([[0, 1]], [True, 2], "^", 2)

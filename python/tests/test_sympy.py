@@ -265,3 +265,16 @@ def test_values_in_values():
     assert geometry.subs({a: a + 1}).subs({a: 2}).metric[0, 0] == 3
     with pytest.raises(af.InputError):
         geometry.subs({a: 2}).subs({a: 3})
+
+
+def test_values_for_names_that_a_value_brought_in():
+    geometry = af.Geometry("so3", metric=sp.diag(a, b, 1))
+    assert geometry.subs({a: c}).subs({c: 3}).metric[0, 0] == 3
+    assert geometry.subs({a: c + d}).subs({c: 3}).subs({d: 1}).metric[0, 0] == 4
+    assert geometry.subs({a: c}).subs({c: a}).subs({a: 5}).metric[0, 0] == 5
+    assert geometry.subs({a: b}).subs({b: 3}).metric.to_sympy().diagonal() == sp.Matrix([[3, 3, 1]])
+    algebra = af.LieAlgebra.from_structure({(2, 0, 1): a}, dimension=3)
+    assert algebra.subs({a: c}).subs({c: 3}).structure[2, 0, 1] == 3
+    assert algebra.subs({}) == algebra and geometry.subs({}) == geometry
+    with pytest.raises(af.InputError, match="no parameter here"):
+        geometry.subs({a: 3}).subs({c: 3})

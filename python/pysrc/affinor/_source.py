@@ -20,6 +20,8 @@ class Source:
     def __init__(self, request: Request, symbols: Symbols, scalar: str, tolerance: float | None) -> None:
         if scalar not in ("exact", "float"):
             raise ValueError(f"the scalar is exact or float, not {scalar!r}")
+        if tolerance is not None and scalar != "float":
+            raise ValueError("exact numbers have no tolerance: choose scalar='float', or leave the tolerance out")
         self.request, self.symbols = request, symbols
         self.scalar, self.tolerance = scalar, tolerance
 

@@ -42,10 +42,15 @@ def source_of(
     tolerance: float | None = None,
 ) -> Source:
     """The source of a name, a path, brackets as text, a dict, or structure constants."""
+    if basis is not None and isinstance(space, (LieAlgebra, Mapping)):
+        raise TypeError(f"this {type(space).__name__} has a basis: give other names with from_structure, or in the dict")
     if isinstance(space, LieAlgebra):
-        if scalar != "exact" or tolerance is not None:
-            return Source(space._source.request, space._source.symbols, scalar, tolerance)
-        return space._source
+        source = space._source
+        if scalar == "exact" and tolerance is None:
+            return source
+        # floats stay floats
+        scalar = source.scalar if scalar == "exact" else scalar
+        return Source(source.request, source.symbols, scalar, source.tolerance if tolerance is None else tolerance)
     if isinstance(space, os.PathLike):
         space = os.fspath(space)
     if isinstance(space, str):
@@ -112,6 +117,8 @@ def structure_source(
     places, values, found = _entries(constants, dimension)
     indices = [tuple(index("an index", i) for i in at) for at in places]
     labels = _labels(basis)
+    if None not in (found, dimension) and found != dimension:
+        raise ValueError(f"the structure constants have the dimension {found}, not {dimension}")
     n = found if dimension is None else dimension
     if labels is not None and n is not None and len(labels) != n:
         raise ValueError(f"{len(labels)} names for a basis of dimension {n}")
@@ -189,7 +196,8 @@ class LieAlgebra(Structured):
     ``LieAlgebra({"basis": [...], "brackets": ...})`` the keys of a definition file; ``LieAlgebra(array)`` structure constants
     (:meth:`from_structure`). A file is read once: what is made of the algebra later does not read it again.
 
-    Structure constants are ``c[i, j, k]``, with ``[e_j, e_k] = c^i_jk e_i``.
+    Structure constants are ``c[i, j, k]``, with ``[e_j, e_k] = c^i_jk e_i``. ``scalar`` is ``"exact"`` (with parameters
+    ``symbolic``) or ``"float"``; there a ``tolerance``, relative to the terms of a sum, says what counts as zero.
     """
 
     __slots__ = ("_engine", "_source", "_space")
@@ -352,6 +360,8 @@ class LieAlgebra(Structured):
 
     def subs(self, values: Mapping[Any, Scalar]) -> LieAlgebra:
         """The algebra with parameters replaced, by name or by symbol."""
+        if not values:
+            return self
         text, symbols = settings(values, self._source)
         request, _, scalar, tolerance = self._source.of()
         return LieAlgebra._of(Source({**request, "set": text}, symbols, scalar, tolerance))
@@ -414,8 +424,9 @@ def settings(values: Mapping[Any, Scalar], source: Source) -> tuple[str, Symbols
     brought = names_in(before.values())
     inner = {name: f"({text})" for name, text in texts.items()}
     settled = [f"{name}={replaced(text, inner)}" for name, text in before.items()]
-    # a name that was set before is one again only if a value brought it in
-    settled += [f"{name}={text}" for name, text in texts.items() if name not in before or name not in brought]
+    # a name that only the values before brought in is replaced in them
+    own = {*source.space(set=None).parameters}.difference(before) if before else texts.keys()
+    settled += [f"{name}={text}" for name, text in texts.items() if name in own or name not in brought]
     return ",".join(settled), symbols
 
 

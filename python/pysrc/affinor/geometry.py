@@ -58,11 +58,11 @@ def metric_text(metric: Any, symbols: Symbols, *, floats: bool) -> str:
     return "[" + ", ".join(f"[{row}]" for row in written) + "]"
 
 
-def connection_text(connection: Any, symbols: Symbols) -> str:
+def connection_text(connection: Any, symbols: Symbols, *, floats: bool) -> str:
     """A connection as the command line takes it: a name, or the factor lambda."""
     if isinstance(connection, str):
         return connection
-    return f"lambda = {text_of(connection, symbols)}"
+    return f"lambda = {text_of(connection, symbols, floats=floats)}"
 
 
 def completed(source: Source, connection: Any, metric: Any) -> Source:
@@ -71,7 +71,7 @@ def completed(source: Source, connection: Any, metric: Any) -> Source:
     if metric is not None:
         request["metric"] = metric_text(metric, symbols, floats=source.scalar == "float")
     if connection is not None:
-        request["connection"] = connection_text(connection, symbols)
+        request["connection"] = connection_text(connection, symbols, floats=source.scalar == "float")
     given = [request[key] for key, value in (("metric", metric), ("connection", connection)) if value is not None]
     if taken := sorted(set(names_in(given)) & set(source.values())):
         raise ValueError(f"the parameter {taken[0]} has a value in the algebra: choose another name for it, or write its value")
@@ -89,7 +89,8 @@ def check(
 ) -> list[Check]:
     """Antisymmetry, the Jacobi identity, the metric and the Bianchi identities, each with a witness if it fails.
 
-    ``space`` is anything that a LieAlgebra or a Geometry is made of. Failures are results, not exceptions.
+    ``space`` is anything that a LieAlgebra or a Geometry is made of, with the same ``scalar`` and ``tolerance``. Failures are
+    results, not exceptions.
     """
     source = source_of(space, basis=basis, scalar=scalar, tolerance=tolerance)
     return checks(completed(source, connection, metric))
@@ -125,7 +126,8 @@ class Geometry:
     ``torsion`` and ``nonmetricity`` (slots ``^__`` and ``___``, with a metric) determine the connection.
 
     ``metric`` is ``identity``, ``killing``, ``diag(...)``, a matrix, or the entries of a diagonal; unknown names are
-    parameters. ``frame="right"`` gives the components in the right-invariant frame.
+    parameters. ``frame="right"`` gives the components in the right-invariant frame. ``scalar`` and ``tolerance`` are those of
+    a :class:`LieAlgebra`.
     """
 
     __slots__ = ("_engine", "_extra", "_frame", "_source", "_symbols")
@@ -201,7 +203,7 @@ class Geometry:
         if metric is not None:
             keys["metric"] = metric_text(metric, symbols, floats=False)
         if connection is not None:
-            keys["connection"] = connection_text(connection, symbols)
+            keys["connection"] = connection_text(connection, symbols, floats=False)
         if affinities is not None:
             keys["affinities"] = affinities
         declared = [text_of(function, symbols) for function in functions]

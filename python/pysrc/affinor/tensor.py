@@ -80,7 +80,10 @@ class Tensor:
                     raise ValueError(f"the component {key} has {len(key)} indices, the slots {slots!r} {len(slots)}")
             indices = integers("indices", keys).reshape(len(keys), len(slots)).T
         else:
-            indices, values, dimension = _dense(components, slots)
+            indices, values, found = _dense(components, slots)
+            if dimension is not None and dimension != found:
+                raise ValueError(f"the components have the dimension {found}, not {dimension}")
+            dimension = found
         self._make(indices, values, slots, dimension, scalar, symbols, symbol)
 
     def _make(
@@ -150,7 +153,8 @@ class Tensor:
 
         Components with equal indices are added.
         """
-        places, listed = integers("indices", indices), np.asarray(unmasked(values))
+        listed = np.asarray(unmasked(values), dtype=None if isinstance(values, np.ndarray) else object)
+        places = integers("indices", indices)
         if listed.ndim != 1:
             raise ValueError(f"values should have the shape (count,), not {listed.shape}")
         tensor = cls.__new__(cls)
