@@ -222,7 +222,9 @@ impl PyProblem {
         let watched: Vec<bool> = ready.columns.iter().map(|column| column.watched).collect();
         let (method, why) = (ready.method.name(), ready.method.why());
         let notes = ready.notes.clone();
-        let mut walk = problem.walk(ready);
+        // values of events at the start may call forces
+        let mut walk =
+            threads.run(py, || Ok(checked(Ok::<_, InputError>(problem.walk(ready)))))??;
         let (mut rows, mut events) = (Vec::new(), Vec::new());
         let (mut failed, mut interrupt) = (None, None);
         loop {

@@ -119,6 +119,9 @@ def test_plots():
         assert top.plot(kind) is not None
     with pytest.raises(ValueError, match="the plots are"):
         top.plot("pie")
+    body = af.simulate(space="se3", metric="identity", initial={"velocity": [1, 2, 3, 4, 5, 6]}, output={"end": 0.1})
+    with pytest.raises(ValueError, match="this one has 6"):
+        body.plot("momentum")
     errors = af.convergence(TOP, "Omega1", ["kick2", "rkmk4"], [0.1, 0.05])
     assert 3 < errors["kick2"][0] / errors["kick2"][1] < 5
     assert errors["rkmk4"][0] / errors["rkmk4"][1] > 10

@@ -438,3 +438,10 @@ def test_a_partition_leaves_the_number_of_threads(tmp_path):
         assert af.threads() == 3
     finally:
         af.set_threads(0)
+
+
+def test_columns_of_motions_by_their_stems():
+    table = af.sweep(af.Motions(TOP, columns=["energy", "Omega"]), {"spin": [1, 2]}).to_arrow()
+    assert table.column_names == ["row", "spin", "energy", "Omega1", "Omega2", "Omega3", "error"]
+    with pytest.raises(KeyError, match="no column 'Phi'"):
+        af.sweep(af.Motions(TOP, columns=["Phi"]), {"spin": [1]})

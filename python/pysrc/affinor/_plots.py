@@ -56,6 +56,8 @@ def plot(trajectory: Columns, kind: str, columns: Sequence[str] | None, ax: Any)
         _sphere(ax, 1.0)
     else:
         path = trajectory["H"].T
+        if len(path) != 3:
+            raise ValueError(f"a momentum of 3 components is drawn, and this one has {len(path)}")
         ax.plot(*path, label="H")
         _sphere(ax, float(np.linalg.norm(path[:, 0])))
         for name, letter in zip(("set_xlabel", "set_ylabel", "set_zlabel"), "123", strict=True):

@@ -23,7 +23,7 @@ import numpy as np
 from affinor import _engine
 from affinor._identity import identity
 from affinor._scalars import index
-from affinor.motion import Problem, interrupts
+from affinor.motion import Problem, components, interrupts
 
 __all__ = ["Draw", "Motions", "Sweep", "sweep"]
 
@@ -88,7 +88,7 @@ def _law(name: str, law: str) -> tuple[str, float, float]:
 class Motions:
     """The task that integrates a problem with the parameters of a row, and keeps the last row of the trajectory.
 
-    ``columns`` chooses some of its columns. All runs of a partition share the cores.
+    ``columns`` chooses some of its columns, by names or stems. All runs of a partition share the cores.
     """
 
     def __init__(self, problem: Any = None, *, columns: Sequence[str] | None = None, **keys: Any) -> None:
@@ -100,10 +100,10 @@ class Motions:
         names = list(rows)
         values = np.array([rows[name] for name in names], dtype=np.float64).T.reshape(-1, len(names))
         columns, last, failed = self.problem._engine.run_many(names, values)
-        chosen = self.columns if self.columns is not None else [name for name in columns if name not in rows]
-        if columns and not set(chosen) <= set(columns):
-            raise KeyError(f"no columns {sorted(set(chosen) - set(columns))}; the columns are {columns}")
-        results = {name: last[:, columns.index(name)].tolist() for name in chosen if columns}
+        chosen = [name for name in columns if name not in rows]
+        if self.columns is not None and columns:
+            chosen = [column for name in self.columns for column in components(columns, name)]
+        results = {name: last[:, columns.index(name)].tolist() for name in chosen}
         return results, [_reason(error) if isinstance(error, Exception) else error for error in failed]
 
     def fingerprint(self) -> str:

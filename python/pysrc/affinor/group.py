@@ -86,7 +86,7 @@ class Group:
         return self._engine.between(g, h)
 
     def restored(self, g: ArrayLike) -> Floats:
-        """Drifted elements projected back onto the group; what has no projection is refused."""
+        """Drifted elements projected back onto the group; what has no inverse is refused."""
         return self._engine.restored(g)
 
     def adjoint(self, g: ArrayLike, x: ArrayLike) -> Floats:

@@ -179,6 +179,16 @@ def _settings(values: Mapping[str, Any] | str | None, symbols: Symbols) -> str |
     return ",".join(f"{name}={text_of(value, symbols, floats=True)}" for name, value in values.items())
 
 
+def components(columns: Sequence[str], name: str) -> list[str]:
+    """The column of a name, or the columns of a stem in the order of their components."""
+    if name in columns:
+        return [name]
+    stem = [column for column in columns if column.rstrip("0123456789_") == name]
+    if not stem:
+        raise KeyError(f"no column {name!r}; the columns are {', '.join(columns)}")
+    return sorted(stem, key=lambda column: [int(number) for number in column[len(name) :].split("_") if number])
+
+
 class Trajectory:
     """The rows of a motion, with a column for each quantity.
 
@@ -204,10 +214,7 @@ class Trajectory:
     def __getitem__(self, name: str) -> Floats:
         if name in self.columns:
             return self.rows[:, self.columns.index(name)]
-        stem = [at for at, column in enumerate(self.columns) if column.rstrip("0123456789_") == name]
-        stem.sort(key=lambda at: [int(number) for number in self.columns[at][len(name) :].split("_") if number])
-        if not stem:
-            raise KeyError(f"no column {name!r}; the columns are {', '.join(self.columns)}")
+        stem = [self.columns.index(column) for column in components(self.columns, name)]
         if stem == list(range(stem[0], stem[-1] + 1)):
             return self.rows[:, stem[0] : stem[-1] + 1]
         return self.rows[:, stem]
