@@ -287,6 +287,7 @@ def test_what_has_no_direction_is_refused():
         lambda: geometry.geodesic([1, 2, 3], [np.nan]),
         lambda: geometry.geodesic([1, 2, 3], [1], [0, 0, 0, 0]),
         lambda: geometry.geodesic([1, 2, 3], [1], tolerance=-1),
+        lambda: geometry.geodesic_between([1, 0, 0, 0], [0, 1, 0, 0], tolerance=-1),
         lambda: af.Geometry("sl2", metric="identity").geodesic([1, 2, 3], [1], [2, 0, 0, 1]),
     )
     for call in calls:

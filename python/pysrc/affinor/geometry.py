@@ -505,6 +505,8 @@ class Geometry:
 
     def geodesic_between(self, start: ArrayLike, end: ArrayLike, *, tolerance: float = 1e-10) -> NDArray[np.float64]:
         """The tangent vector at ``start`` of an autoparallel that is at ``end`` at time 1."""
+        if not tolerance > 0:
+            raise ValueError(f"the tolerance {tolerance} is not positive")
         transport, group = self._transport()
         return transport.between(group._checked("start", start, 1), group._checked("end", end, 1), tolerance)
 
