@@ -27,7 +27,7 @@ pub struct Source {
     pub(super) files: Files,
 }
 
-/// The contents of files by their paths. A file that is here is not read again.
+/// The contents of files by their paths. A file is read once.
 #[derive(Clone, Debug, Default)]
 pub struct Files(Arc<Mutex<BTreeMap<String, Arc<str>>>>);
 

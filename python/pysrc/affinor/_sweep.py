@@ -163,9 +163,12 @@ def sweep(
     cores), a ``dask.distributed.Client``, ``"dask"`` (a client of a local cluster that ends with the sweep), or ``"ray"``.
 
     The rows are the same on every engine: the number of the row, its parameters, its results, and ``error``, the reason why
-    a task failed. A column has one kind: truth values, integers, floats, texts or lists; integers up to 2^53 may stand among floats.
-    A result of another kind than that of the rows before it in its chunk is an error of its row. ``out`` is the folder; a sweep that was killed goes on where it was when it is called again. A folder of
-    another task or grid is refused: of other code, other values that it uses, or a problem whose files have changed.
+    a task failed. A column has one kind: truth values, integers, floats, texts or lists. Integers up to 2^53 may stand among
+    floats. A result of another kind than the rows before it in its chunk is an error of its row; a chunk of another kind ends
+    the sweep.
+
+    ``out`` is the folder. A sweep that was killed goes on where it was when it is called again. A folder of another task or
+    grid is refused: of other code, other values that it uses, or a problem whose files have changed.
     """
     if not isinstance(task, Motions) and not callable(task):
         raise TypeError(f"a task is a function of a dict or Motions, not {type(task).__name__}")
