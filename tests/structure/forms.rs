@@ -367,3 +367,21 @@ fn complex_structures_of_dimension_four() {
     assert_eq!(is_complex(irrational, "irrational"), Some((true, false)));
     assert_eq!(is_complex(catalogued("so(3)"), "so(3)"), None);
 }
+
+/// The units `i^2 = a`, `j^2 = b` of a quaternion algebra and a central line: a rational complex structure is a rational
+/// quaternion with the square -1.
+#[test]
+fn complex_structures_of_quaternions() {
+    let quaternions =
+        |a: i64, b: i64| by_table(4, &[(1, 2, 3, 2), (2, 3, 1, -2 * b), (3, 1, 2, -2 * a)]);
+    for (a, b) in
+        [(-1, -1), (-1, -3), (-1, -7), (-4, -11), (1, 3), (-1, 7), (2, 7), (7, -7), (3, 13)]
+    {
+        let algebra = quaternions(a, b);
+        for algebra in [algebra.clone(), scrambled(&algebra, a + b)] {
+            assert_eq!(is_complex(algebra, "quaternions"), Some((true, true)), "{a}, {b}");
+        }
+    }
+    // none: at 5, of which -1 is a square, the quaternions are no matrices
+    assert_eq!(is_complex(quaternions(-2, -5), "quaternions"), Some((true, false)));
+}

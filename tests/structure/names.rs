@@ -250,3 +250,19 @@ fn nilpotent_algebras_up_to_dimension_six() {
         }
     }
 }
+
+/// sl(2) over the rationals has a vector with the Killing square 0, from which the isomorphism is rational.
+#[test]
+fn split_algebras_have_rational_isomorphisms() {
+    for scale in [2, 3, 5, 7, -7, 11, 13, 30, 97, -101, 1009] {
+        let table = [(1, 2, 2, 2), (1, 3, 3, -2), (2, 3, 1, scale)];
+        for (n, name) in [(3, "bianchi(VIII)"), (4, "bianchi(VIII)+R^1")] {
+            let plain = crate::common::algebras::by_table(n, &table);
+            for algebra in [plain.clone(), scrambled(&plain, scale)] {
+                let found = Structure::new(algebra.clone()).identify().unwrap();
+                assert_eq!(found.names, [name]);
+                multiply_out(&algebra, &found, name);
+            }
+        }
+    }
+}

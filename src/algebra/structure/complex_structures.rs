@@ -202,7 +202,8 @@ impl Structure<Rational> {
 
     /// `x` rotates `y` and `[x, y]`; `J x` is central.
     fn simple_and_centre(&self) -> Option<Vec<[Vector; 2]>> {
-        let frame = self.frame(true)?;
+        // the length of x has to be rational, that of y need not
+        let frame = self.frame(2).or_else(|| self.frame(1))?;
         let [x, y, z, centre] = &frame.vectors[..] else { return None };
         Some(vec![[y.clone(), z.clone()], [x.clone(), centre.clone()]])
     }

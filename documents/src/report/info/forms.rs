@@ -125,7 +125,7 @@ impl Notes {
         });
         let (text, witness) = match (found.exists, written) {
             (true, Some(images)) => (images, "J^2 = -1, the Nijenhuis tensor is zero"),
-            (true, None) => ("yes".into(), "its eigenvectors are not rational"),
+            (true, None) => ("yes".into(), "no rational one is found"),
             (false, _) => {
                 ("none".into(), "no complex eigenvalues and no eigenspace of dimension 2 on R^3")
             }

@@ -6,13 +6,17 @@
 
 use super::{Vector, catalogued, scale};
 use crate::algebra::structure::subspace::{collected, combination};
-use crate::algebra::structure::{Structure, Subspace};
+use crate::algebra::structure::{Killing, Structure, Subspace};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Field, Rational, Ring};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::Zero;
 
 /// Integers up to these sizes are tried as components in the search for vectors of given length.
 const SMALL: i64 = 6;
 const SMALL_IN_PLANE: i64 = 24;
+const ON_CONIC: i64 = 100;
 /// How many first vectors of given length are tried.
 const FIRST: usize = 60;
 
@@ -223,13 +227,13 @@ impl Structure<Rational> {
 
     /// A simple algebra of dimension 3, perhaps beside a central line.
     fn onto_simple(&self, named: &Self) -> Option<Images> {
-        let other = named.frame(true)?.vectors;
-        if let Some(own) = self.frame(true) {
+        let other = named.frame(2)?.vectors;
+        if let Some(own) = self.frame(2) {
             let vectors = images(&other, &own.vectors).filter(|all| self.respects(named, all))?;
             return Some(Images { vectors, under_root: None });
         }
         // each image is a multiple of one vector of the frame, divided by the root of its square
-        let Frame { vectors, squares } = self.frame(false)?;
+        let Frame { vectors, squares } = self.frame(0)?;
         let (mut found, mut under_root) = (vec![], vec![]);
         for unit in named.unit_vectors() {
             let terms = coordinates(named.dimension(), &other, &unit)?;
@@ -241,9 +245,22 @@ impl Structure<Rational> {
         Some(Images { vectors: found, under_root: Some(under_root) })
     }
 
-    /// Orthogonal vectors `x`, `y` with Killing squares `-2 s` and `+-2 t`, then `[x, y]` and the centre. If `exact`, `s` and `t`
-    /// are squares, and `x` and `y` are divided by their roots. Found by search among small integers.
-    pub(in crate::algebra::structure) fn frame(&self, exact: bool) -> Option<Frame> {
+    /// Orthogonal vectors `x`, `y` with Killing squares `-2 s` and `+-2 t`, then `[x, y]` and the centre. The first `roots` of
+    /// `s`, `t` are squares, and `x` and `y` are divided by their roots.
+    pub(in crate::algebra::structure) fn frame(&self, roots: usize) -> Option<Frame> {
+        let (x, y, s, t) = self.orthogonal_vectors(roots).or_else(|| self.split_vectors())?;
+        let z = self.products.ad(&x).image(&y);
+        let both = s.clone() * &t;
+        let (mut vectors, mut squares) = (vec![x, y, z], vec![s, t, both]);
+        for line in self.centre().basis() {
+            vectors.push(line.clone());
+            squares.push(Rational::from(1));
+        }
+        Some(Frame { vectors, squares })
+    }
+
+    /// `x`, `y`, `s` and `t` of [`frame`](Self::frame), by a search among small integers.
+    fn orthogonal_vectors(&self, roots: usize) -> Option<(Vector, Vector, Rational, Rational)> {
         let derived = self.derived();
         let basis = derived.basis();
         let killing = self.killing_matrix().to_dense();
@@ -263,7 +280,7 @@ impl Structure<Rational> {
             let x = vector(basis, &t);
             let square = -(product(&x, &x) * &half);
             let fits = !square.vanishes() && !square.is_negative();
-            (fits && (!exact || root(&square).is_some())).then_some((x, square))
+            (fits && (roots < 1 || root(&square).is_some())).then_some((x, square))
         });
         firsts.by_ref().take(FIRST).find_map(|(x, s)| {
             let row: Vector = basis.iter().map(|v| product(&x, v)).enumerate().collect();
@@ -276,21 +293,56 @@ impl Structure<Rational> {
                 let square = product(&y, &y) * &half;
                 let square = if compact { -square } else { square };
                 let fits = !square.vanishes() && !square.is_negative();
-                (fits && (!exact || root(&square).is_some())).then_some((y, square))
+                (fits && (roots < 2 || root(&square).is_some())).then_some((y, square))
             })?;
-            let one = Rational::from(1);
-            let (x, y, s, t) = match exact {
-                true => (scale(&x, &root(&s)?), scale(&y, &root(&t)?), one.clone(), one.clone()),
-                false => (x, y, s, t),
+            let unit = |x: Vector, square: Rational, exact: bool| match exact {
+                true => Some((scale(&x, &root(&square)?), Rational::from(1))),
+                false => Some((x, square)),
             };
-            let z = self.products.ad(&x).image(&y);
-            let both = s.clone() * &t;
-            let (mut vectors, mut squares) = (vec![x, y, z], vec![s, t, both]);
-            for line in self.centre().basis() {
-                vectors.push(line.clone());
-                squares.push(one.clone());
-            }
-            Some(Frame { vectors, squares })
+            let ((x, s), (y, t)) = (unit(x, s, roots > 0)?, unit(y, t, roots > 1)?);
+            Some((x, y, s, t))
+        })
+    }
+
+    /// The same of an algebra that is sl(2) over the rationals: `e` with a Killing square 0 belongs to `[h, e] = 2 e`,
+    /// `[h, f] = -2 f`, `[e, f] = h`, and `x` and `y` are `(e - f)/2` and `h/2`.
+    fn split_vectors(&self) -> Option<(Vector, Vector, Rational, Rational)> {
+        let bracket = |x: &Vector, y: &Vector| self.products.ad(x).image(y);
+        let (half, minus) = (Rational::new(1, 2)?, Rational::from(-1));
+        let e = self.isotropic_vector()?;
+        // [[e, v], e] = m e, where v is not orthogonal to e
+        let of = |v: &Vector| {
+            let m = multiple(&bracket(&bracket(&e, v), &e), &e)?;
+            let f = scale(v, &(Rational::from(2) * &m.recip()?));
+            let h = bracket(&e, &f);
+            let rest = sum(&bracket(&h, &f), &scale(&f, &Rational::from(2)));
+            // [h, f] + 2 f is a multiple of e
+            let own = multiple(&rest, &e).unwrap_or_else(|| Rational::from(0));
+            Some((h, sum(&f, &scale(&e, &(-own * &Rational::new(1, 4)?)))))
+        };
+        let (h, f) = self.derived().basis().iter().find_map(of)?;
+        let (x, y) = (scale(&sum(&e, &scale(&f, &minus)), &half), scale(&h, &half));
+        Some((x, y, Rational::from(1), Rational::from(1)))
+    }
+
+    /// A vector of the derived algebra, of dimension 3, with a Killing square 0: a point of the conic
+    /// `a i^2 + b j^2 + c k^2 = 0`, by a search among small `i` and `j`.
+    fn isotropic_vector(&self) -> Option<Vector> {
+        let basis = self.derived().basis();
+        let rows = Matrix::from_rows(self.dimension(), basis.iter().cloned()).ok()?;
+        let gram = rows.mul(self.killing_matrix()).ok()?.mul(&rows.transpose()).ok()?;
+        let Killing { basis: axes, values, .. } = Killing::new(gram);
+        let axis = |(x, value): (&Vector, &Rational)| without_squares(combination(basis, x), value);
+        let axes: Vec<(Vector, Rational)> = axes.iter().zip(&values).map(axis).collect();
+        let [(x, a), (y, b), (z, c)] = &axes[..] else { return None };
+        let unit = c.recip()?;
+        let pairs = (0..=ON_CONIC).flat_map(|i| (0..=ON_CONIC).map(move |j| [i, j]));
+        pairs.skip(1).find_map(|[i, j]| {
+            let squares =
+                a.clone() * &Rational::from(i * i) + &(b.clone() * &Rational::from(j * j));
+            let k = (-squares * &unit).sqrt()?;
+            let [i, j] = [i, j].map(Rational::from);
+            Some(sum(&scale(z, &k), &sum(&scale(x, &i), &scale(y, &j))))
         })
     }
 }
@@ -299,6 +351,26 @@ impl Structure<Rational> {
 pub(in crate::algebra::structure) struct Frame {
     pub vectors: Vec<Vector>,
     squares: Vec<Rational>,
+}
+
+/// The vector and its Killing square, an integer without squares of small numbers, for a multiple of the vector.
+fn without_squares(x: Vector, value: &Rational) -> (Vector, Rational) {
+    let value = BigRational::from(value);
+    let (mut square, mut by) =
+        (value.numer() * value.denom(), BigRational::from(value.denom().clone()));
+    for factor in (2..100).map(BigInt::from) {
+        while (&square % (&factor * &factor)).is_zero() && !square.is_zero() {
+            square /= &factor * &factor;
+            by /= &factor;
+        }
+    }
+    (scale(&x, &Rational::from(by)), Rational::from(BigRational::from(square)))
+}
+
+/// `m` for `x = m e`; `None` for 0.
+fn multiple(x: &Vector, e: &Vector) -> Option<Rational> {
+    let ((_, above), (_, below)) = (x.first()?, e.first()?);
+    Some(above.clone() * &below.recip()?)
 }
 
 /// An integer combination.
