@@ -71,7 +71,7 @@ fn is_symplectic(algebra: LieAlgebra<Rational>, name: &str) -> Option<bool> {
             assert_eq!(rank(&form), structure.dimension(), "{name}");
             Some(true)
         }
-        Existence::Impossible | Existence::Unimodular => Some(false),
+        Existence::Impossible | Existence::Unimodular | Existence::Index(_) => Some(false),
         Existence::Open => None,
     }
 }
@@ -90,7 +90,7 @@ fn is_contact(algebra: LieAlgebra<Rational>, name: &str) -> Option<bool> {
             assert_eq!(rank(&with), n, "{name}");
             Some(true)
         }
-        Existence::Impossible | Existence::Unimodular => Some(false),
+        Existence::Impossible | Existence::Unimodular | Existence::Index(_) => Some(false),
         Existence::Open => None,
     }
 }
@@ -223,6 +223,22 @@ fn contact_algebras() {
     {
         assert_eq!(is_contact(catalogued(name), name), Some(false), "{name}");
     }
+    // where no Pfaffian is expanded, by an index that is proved
+    for name in [
+        "so(3)+so(3)+so(3)",
+        "heisenberg(3)+heisenberg(3)+heisenberg(3)",
+        "iso(3,1)+R^1",
+        "filiform(9)",
+        "so(4,1)+R^3",
+    ] {
+        let structure = Structure::new(catalogued(name));
+        let index = structure.index();
+        assert!(index >= 3, "{name}");
+        assert_eq!(structure.contact_form(), Existence::Index(index), "{name}");
+    }
+    let structure = Structure::new(catalogued("bianchi(V)+bianchi(V)+aff(1)+R^2"));
+    let exact = structure.exact_symplectic_form(&structure.two_forms().unwrap());
+    assert_eq!(exact, Existence::Index(structure.index()));
 }
 
 #[test]

@@ -28,6 +28,9 @@ pub enum Existence<S> {
     Witness(Row<S>),
     /// The Pfaffian of the general form is the zero polynomial.
     Impossible,
+    /// The index is proved to be this. The form `d a` has the rank `n - index` at most, and so the index is 0 for an exact
+    /// symplectic form, and 1 for a contact form.
+    Index(usize),
     /// The algebra is unimodular: then it has no exact symplectic form, and none at all if it is not solvable (Chu).
     Unimodular,
     /// None was found, and the Pfaffian was not expanded.
@@ -48,7 +51,10 @@ impl<S: Ground> Structure<S> {
         if self.is_unimodular() && self.dimension() > 0 {
             return Existence::Unimodular;
         }
-        self.nondegenerate(&forms.exact)
+        match self.nondegenerate(&forms.exact) {
+            Existence::Open => self.by_index(0),
+            found => found,
+        }
     }
 
     fn nondegenerate(&self, forms: &Subspace<S>) -> Existence<S> {
@@ -77,7 +83,16 @@ impl<S: Ground> Structure<S> {
         match search(n + 1, (0..n).map(bordered).collect()) {
             Found::Parameters(t) => Existence::Witness(t),
             Found::Nothing => Existence::Impossible,
-            Found::Open => Existence::Open,
+            Found::Open => self.by_index(1),
+        }
+    }
+
+    /// None, if the index is proved to be larger.
+    fn by_index(&self, most: usize) -> Existence<S> {
+        let index = self.index_counted();
+        match index.proved && index.dimension > most {
+            true => Existence::Index(index.dimension),
+            false => Existence::Open,
         }
     }
 

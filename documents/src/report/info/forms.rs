@@ -80,7 +80,8 @@ impl Notes {
                     Existence::Unimodular => {
                         ("none".into(), "unimodular, not solvable (theorem of Chu)")
                     }
-                    Existence::Open => ("-".into(), "none found"),
+                    // of an exact form alone, which is shown where it is a witness
+                    Existence::Index(_) | Existence::Open => ("-".into(), "none found"),
                 };
                 self.row("symplectic form", text, witness);
                 symplectic = existence(&any, |row| json_of_two(n, row));
@@ -89,13 +90,18 @@ impl Notes {
             if n % 2 == 1 {
                 let found = structure.contact_form();
                 let (text, witness) = match &found {
-                    Existence::Witness(form) => (self.one_form(form), "a (d a)^k is not zero"),
-                    Existence::Impossible | Existence::Unimodular => {
-                        ("none".into(), "a (d a)^k vanishes for every 1-form a")
+                    Existence::Witness(form) => {
+                        (self.one_form(form), "a (d a)^k is not zero".into())
                     }
-                    Existence::Open => ("-".into(), "none found"),
+                    Existence::Impossible | Existence::Unimodular => {
+                        ("none".into(), "a (d a)^k vanishes for every 1-form a".into())
+                    }
+                    Existence::Index(index) => {
+                        ("none".into(), format!("the index is {index}, and has to be 1"))
+                    }
+                    Existence::Open => ("-".into(), "none found".to_string()),
                 };
-                self.row("contact form", text, witness);
+                self.row("contact form", text, &witness);
                 contact = existence(&found, json_of_one);
             }
             regular = structure.regular_form().map_or(Value::Null, |form| json_of_one(&form));
@@ -199,7 +205,9 @@ fn monomials(n: usize, degree: u32) -> usize {
 fn existence<S>(found: &Existence<S>, form: impl Fn(&Row<S>) -> Value) -> Value {
     match found {
         Existence::Witness(row) => json!({ "exists": true, "form": form(row) }),
-        Existence::Impossible | Existence::Unimodular => json!({ "exists": false, "form": null }),
+        Existence::Impossible | Existence::Unimodular | Existence::Index(_) => {
+            json!({ "exists": false, "form": null })
+        }
         Existence::Open => json!({ "exists": null, "form": null }),
     }
 }
