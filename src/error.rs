@@ -392,7 +392,7 @@ pub enum Error {
     /// A value that does not exist or is not admissible: `no inertia: the mass is -1`.
     #[error("no {what}: {reason}")]
     Invalid {
-        /// The object: `element of the group`, `logarithm`, `rotation`, `inertia`, `state`, `solid`
+        /// The object: `basis`, `element of the group`, `logarithm`, `rotation`, `inertia`, `state`, `solid`
         /// or coordinates.
         what: &'static str,
         /// Why, with the witness.

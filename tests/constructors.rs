@@ -113,3 +113,33 @@ fn geometries_as_text_and_by_value() {
 fn errors_are_small() {
     assert!(size_of::<Error>() < 128, "{}", size_of::<Error>());
 }
+
+/// Also of frames and coordinates: messages and brackets name vectors by their labels.
+#[test]
+fn labels_are_different_and_not_empty() {
+    let zero =
+        || affinor::Tensor::<f64>::zero(2, &[affinor::Up, affinor::Down, affinor::Down]).unwrap();
+    let at_point = |labels: [&str; 2]| {
+        Frame::at_point(labels, &[0.0, 0.0], |_, at| {
+            affinor::Jet::constant(f64::from(at[0] == at[1]))
+        })
+    };
+    for (labels, reason) in [
+        (["x", "x"], "no basis: the name `x` stands twice"),
+        (["x", ""], "no basis: a name is empty"),
+        (["", ""], "no basis: a name is empty"),
+    ] {
+        let errors = [
+            Bracket::from_constants(labels, [(0, 1, 1, 1.0)]).unwrap_err(),
+            Bracket::from_fn(labels, |_, _| vec![(1, 1.0)]).unwrap_err(),
+            Bracket::new(labels, zero()).unwrap_err(),
+            Frame::invariant(labels, zero()).unwrap_err(),
+            Frame::moving(labels, zero(), std::sync::Arc::new(|_, _| 0.0)).unwrap_err(),
+            Frame::coordinates(labels).unwrap_err(),
+            at_point(labels).unwrap_err(),
+        ];
+        for error in errors {
+            assert_eq!(error.to_string(), reason);
+        }
+    }
+}

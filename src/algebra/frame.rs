@@ -3,7 +3,7 @@
 use crate::Error;
 use affinor_tensors::text::combination;
 use affinor_tensors::{Down, Ring, Sum, Symbolic, Tensor, Tolerance, Up, Variance, contract};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::Arc;
 
@@ -29,8 +29,8 @@ impl<S: Ring> Frame<S> {
     /// An invariant frame: constant structure `c^i_jk`, components without derivatives.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless `structure` has the slots `^i_jk` in the dimension of the labels;
-    /// [`Error::NotFinite`]; [`Error::NotAntisymmetric`].
+    /// [`Error::Shape`] unless `structure` has the slots `^i_jk` in the dimension of the labels; [`Error::Invalid`] for
+    /// a label that is empty or stands twice; [`Error::NotFinite`]; [`Error::NotAntisymmetric`].
     pub fn invariant(
         labels: impl IntoIterator<Item: AsRef<str>>,
         structure: Tensor<S>,
@@ -44,6 +44,7 @@ impl<S: Ring> Frame<S> {
     fn labelled(labels: Arc<[String]>, structure: Tensor<S>) -> Result<Self, Error> {
         let frame = Frame { labels, structure, derivations: None, isotropy: None };
         expect_slots("the structure", &frame.structure, frame.labels.len(), &[Up, Down, Down])?;
+        expect_names("basis", &frame.labels)?;
         expect_numbers("the structure", &frame.structure)?;
         let symmetric = contract("c^i_jk + c^i_kj -> ^i_jk", &[("c", &frame.structure)])?;
         match symmetric.components().next() {
@@ -216,7 +217,8 @@ impl Frame<Symbolic> {
     /// structure (A9), and partial derivatives.
     ///
     /// # Errors
-    /// [`Error::Tensor`] if the dimension is too large for the indices of a tensor, 64 bits.
+    /// [`Error::Invalid`] for a name that is empty or stands twice; [`Error::Tensor`] if the dimension is too large for the
+    /// indices of a tensor, 64 bits.
     pub fn coordinates(names: impl IntoIterator<Item: AsRef<str>>) -> Result<Self, Error> {
         let names: Arc<[String]> =
             names.into_iter().map(|name| name.as_ref().to_string()).collect();
@@ -263,6 +265,20 @@ pub(crate) fn expect_slots<S: Ring>(
         return Ok(());
     }
     let shape = |n, slots: &[Variance]| format!("dimension {n} and slots {slots:?}");
+/// Checks that names are not empty and different.
+fn expect_names(what: &'static str, names: &[String]) -> Result<(), Error> {
+    let mut seen = BTreeSet::new();
+    match names.iter().find(|name| name.is_empty() || !seen.insert(*name)) {
+        None => Ok(()),
+        Some(name) if name.is_empty() => {
+            Err(Error::Invalid { what, reason: "a name is empty".into() })
+        }
+        Some(name) => {
+            Err(Error::Invalid { what, reason: format!("the name `{name}` stands twice") })
+        }
+    }
+}
+
     Err(Error::Shape {
         what,
         expected: shape(dimension, slots),

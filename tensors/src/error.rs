@@ -78,6 +78,9 @@ pub enum NotationError {
     /// A word is neither a sign, a coefficient nor a name with indices.
     #[error("`{0}` is not a name with indices")]
     Word(String),
+    /// Two operands have the same name.
+    #[error("two operands are called `{0}`")]
+    Ambiguous(String),
     /// The variances in the text differ from the slots of the operand.
     #[error("the indices of `{0}` are not those of its slots")]
     Slots(String),

@@ -11,6 +11,7 @@
 
 use crate::{Rational, Ring, Symbolic, Tensor, Tolerance, Tracked, Variance};
 use serde::de::{Deserialize, Deserializer, Error};
+use serde::ser::Error as _;
 use serde::{Serialize, Serializer};
 use std::borrow::Cow;
 
@@ -60,9 +61,14 @@ struct Written<'t, V> {
 }
 
 impl<S: Ring + Serialize> Serialize for Tensor<S> {
+    /// # Errors
+    /// For a component that is infinite or not a number, which JSON does not have.
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         let component =
             |(at, value): (crate::Indices, _)| (at.iter().map(|index| index + 1).collect(), value);
+        if let Some(value) = self.nonzero().find(|value| !value.is_number()) {
+            return Err(W::Error::custom(format!("a component is {value}, no finite number")));
+        }
         Written {
             schema: SCHEMA.into(),
             dimension: self.dimension(),
@@ -91,6 +97,12 @@ impl<'de, S: Ring + Deserialize<'de>> Deserialize<'de> for Tensor<S> {
         };
         let components = written.components.into_iter().map(component);
         let components: Vec<_> = components.collect::<Result<_, D::Error>>()?;
+        let mut places: Vec<&[usize]> = components.iter().map(|(at, _)| &at[..]).collect();
+        places.sort_unstable();
+        if let Some(two) = places.windows(2).find(|two| two[0] == two[1]) {
+            let at: Vec<usize> = two[0].iter().map(|index| index + 1).collect();
+            return Err(D::Error::custom(format!("the component {at:?} is given twice")));
+        }
         let tensor = Tensor::from_components(written.dimension, &written.slots, components);
         Ok(tensor.map_err(D::Error::custom)?.with_tolerance(tolerance))
     }

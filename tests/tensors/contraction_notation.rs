@@ -20,6 +20,17 @@ fn run(text: &str) -> Result<Tensor<Rational>, TensorError> {
     contract(text, &borrowed)
 }
 
+/// Whether the name stands in the expression or not.
+#[test]
+fn operands_have_different_names() {
+    let operands = operands();
+    let [(_, v), (_, w), ..] = &operands;
+    for text in ["v^i -> ^i", "w_i -> _i"] {
+        let error = contract(text, &[("v", v), ("w", w), ("v", v)]).unwrap_err().to_string();
+        assert_eq!(error, format!("in `{text}`: two operands are called `v`"));
+    }
+}
+
 #[test]
 fn what_does_not_fit_is_refused_with_its_reason() {
     for (text, reason) in [

@@ -98,7 +98,24 @@ fn what_is_read_is_checked() {
         let error = read(dimension, slots, tolerance, at, value).unwrap_err();
         assert!(error.contains(message), "{error}");
     }
+    // a place that stands twice is no sum
+    let twice = r#"{"schema": "affinor.tensor/1", "dimension": 2, "slots": ["up", "down"], "tolerance": 0,
+        "components": [[[2, 1], "1"], [[1, 1], "1"], [[2, 1], "1"]]}"#;
+    let error = serde_json::from_str::<Tensor<Rational>>(twice).unwrap_err().to_string();
+    assert!(error.contains("the component [2, 1] is given twice"), "{error}");
     let other = r#"{"schema": "affinor.tensor/2", "dimension": 1, "slots": [], "tolerance": 0, "components": []}"#;
     let error = serde_json::from_str::<Tensor<Rational>>(other).unwrap_err().to_string();
     assert!(error.contains("expected schema affinor.tensor/1, got affinor.tensor/2"), "{error}");
+}
+
+/// JSON would write null for them.
+#[test]
+fn what_is_no_number_is_not_written() {
+    for wild in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let message = format!("a component is {wild}, no finite number");
+        let floats = Tensor::vector(&[1.0, wild], Up);
+        assert_eq!(serde_json::to_string(&floats).unwrap_err().to_string(), message);
+        let tracked = serde_json::to_string(&floats.map(|v| Tracked::new(*v)));
+        assert_eq!(tracked.unwrap_err().to_string(), message);
+    }
 }

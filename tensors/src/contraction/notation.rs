@@ -58,12 +58,17 @@ impl<'e> Expression<'e> {
         self.groups.iter().any(paired).then(|| (rank - 2, rank - 1))
     }
 
-    /// Looks every name up, checks ranks and variances, and gives each letter its role.
+    /// Looks every name up, each of one operand, checks ranks and variances, and gives each letter its role.
     pub fn bind<'a, S: Ring>(
         &self,
         operands: &[(&str, &'a Tensor<S>)],
     ) -> Result<Vec<Product<'a, S>>, TensorError> {
         let fail = |error| TensorError::Notation { expression: self.text.into(), error };
+        let mut names: Vec<&str> = operands.iter().map(|(name, _)| *name).collect();
+        names.sort_unstable();
+        if let Some(two) = names.windows(2).find(|two| two[0] == two[1]) {
+            return Err(fail(NotationError::Ambiguous(two[0].into())));
+        }
         let mut products = Vec::new();
         for (coefficient, factors) in &self.terms {
             let letters = self.roles(factors).map_err(fail)?;
