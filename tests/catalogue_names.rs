@@ -178,3 +178,10 @@ fn the_largest_of_a_family_stays_within_the_limit() {
     assert_eq!(catalogue::find(&format!("R^{MAX_DIMENSION}")).unwrap().dimension(), MAX_DIMENSION);
     assert_eq!(catalogue::find("A44").unwrap().dimension(), 45 * 45 - 1);
 }
+
+#[test]
+fn no_names_beyond_the_limit() {
+    for dimension in [0, MAX_DIMENSION + 1, usize::MAX - 1, usize::MAX] {
+        assert_eq!(catalogue::names(dimension), [""; 0], "{dimension}");
+    }
+}

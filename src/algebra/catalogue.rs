@@ -94,13 +94,16 @@ pub fn families() -> &'static [Family] {
 }
 
 /// The names of the algebras of a dimension, family by family. Borel and parabolic subalgebras are left out;
-/// parameters stay open.
+/// parameters stay open. None beyond [`MAX_DIMENSION`].
 ///
 /// ```
 /// let names = affinor::algebra::catalogue::names(2);
 /// assert!(names.contains(&"aff(1)".to_string()) && !names.contains(&"so(3)".to_string()));
 /// ```
 pub fn names(dimension: usize) -> Vec<String> {
+    if dimension > MAX_DIMENSION {
+        return vec![];
+    }
     FAMILIES.iter().flat_map(|family| family.names(dimension)).collect()
 }
 
