@@ -617,6 +617,14 @@ fn tolerances_and_steps_are_positive() {
         let refused = run(tolerance, longest).unwrap_err().to_string();
         assert!(refused.contains("are positive"), "{tolerance} {longest}: {refused}");
     }
+    for end in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let message = format!("the end is {end}, no finite time");
+        let control = Adaptive::new(1e-9);
+        let refused = control.states(&body, &start, &[0.5, end]).unwrap_err().to_string();
+        assert!(refused.contains("t = 0.5") && refused.contains(&message), "{refused}");
+        let refused = control.run(&body, &start, end, vec![]).unwrap_err().to_string();
+        assert!(refused.contains(&message), "{refused}");
+    }
     let translation = ParallelTranslation::new(So3, plus.clone()).unwrap();
     let along = |tolerance| translation.along_curve(|_| Vector3::x(), &[0.0, 1.0], tolerance);
     assert!(along(1e-9).is_ok());

@@ -118,8 +118,8 @@ impl<C: Copy> Adaptive<C> {
     /// next step. A step depends on these and on the state alone.
     ///
     /// # Errors
-    /// [`Error::Integration`] when steps become too small: at a pole, a value that is not finite, or in a stiff problem; and for
-    /// a tolerance or a step that is not positive.
+    /// [`Error::Integration`] when steps become too small: at a pole, a value that is not finite, or in a stiff problem; for
+    /// a tolerance or a step that is not positive, and for an end that is not finite.
     pub fn step<S: CotangentSystem>(
         &self,
         system: &S,
@@ -134,6 +134,9 @@ impl<C: Copy> Adaptive<C> {
         if [self.tolerance, self.max_step, *next].iter().any(|x| x.is_nan() || *x <= 0.0) {
             let reason = "the tolerance, the longest step and the step to try are positive";
             return Err(stopped(state.time, reason));
+        }
+        if !end.is_finite() {
+            return Err(stopped(state.time, format!("the end is {end}, no finite time")));
         }
         let allowed = Allowed::new(self.tolerance, self.absolute, self.span, system.sizes());
         loop {

@@ -87,6 +87,9 @@ impl<S: System<State: Saved + Send> + Send> Run<S> {
         if time == until {
             return Ok(true);
         }
+        if !until.is_finite() {
+            return Err(stopped(time, format!("the end is {until}, no finite time")));
+        }
         let Progress { state, memory, steps } = &mut self.now;
         *steps = steps.saturating_add(1);
         let Recorded { system, trouble, .. } = &self.recorded;
