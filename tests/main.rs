@@ -42,6 +42,7 @@ mod lie_derivative;
 mod lie_poisson;
 mod long_runs;
 mod milnor;
+mod mistaken_group;
 mod motions;
 mod nearest_matrices;
 mod no_numbers;
