@@ -81,7 +81,7 @@ pub enum Error {
         values: Box<[String; 2]>,
     },
     /// A component that is infinite or not a number.
-    #[error("{what} has the component {} = {value}, which is no number", indices(.at))]
+    #[error("{what}: the component {} = {value} is no finite number", indices(.at))]
     NotFinite {
         /// The name of the object.
         what: &'static str,

@@ -99,6 +99,25 @@ fn every_command_refuses_what_floats_do_not_hold() {
         let outcome = run(&arguments, "");
         assert!(!outcome.out.contains("inf") && !outcome.out.contains("nan"), "{}", outcome.out);
     }
+    // nor are they verdicts: on the Jacobi identity, of curvature, of Levi-Civita and given affinities
+    let spaces = [
+        "brackets = ['[x,y]=1e160*z', '[y,z]=1e160*x', '[z,x]=1e160*x']",
+        "brackets = ['[x,y]=1e160*z', '[y,z]=1e160*x', '[z,x]=1e160*y']",
+        "brackets = ['[x,y]=1e160*z', '[y,z]=1e160*x', '[z,x]=1e160*y']\nconnection = 'plus'",
+        "brackets = ['[x,y]=z', '[y,z]=x', '[z,x]=y']\nmetric = 'diag(1e200, 1e-200, 1)'",
+        "brackets = '[x,y]=x'\naffinities = ['nabla[x, y] = 1e200*z', 'nabla[y, z] = 1e200*y']",
+    ];
+    for space in spaces {
+        let file = format!("basis = ['x', 'y', 'z']\n{space}\n");
+        fs::write(folder.path().join("wide.toml"), file).unwrap();
+        for command in [&["check", "wide.toml"][..], &["compare", "wide.toml", "so3"]] {
+            let arguments = [command, &["--scalar", "float"]].concat();
+            let outcome = run(&arguments, "");
+            assert_eq!((outcome.status, outcome.out.as_str()), (1, ""), "{arguments:?}: {space}");
+            assert!(outcome.err.contains("is no finite number"), "{}", outcome.err);
+            assert!(outcome.err.contains("compute exactly"), "{}", outcome.err);
+        }
+    }
     // exact output has no range
     let exact = run(&["equations", "so3", "--metric", "diag(1e400,1,1)"], "");
     assert_eq!(exact.status, 0, "{}", exact.err);

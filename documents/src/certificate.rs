@@ -1,6 +1,7 @@
 //! Certificates: checks of a definition, each with a witness if it fails.
 
 use crate::definition::{Definition, InputError, Reading, Refusal};
+use affinor::algebra::frame::expect_numbers;
 use affinor::geometry::conditions::conditions;
 use affinor::{ConnectionKind, Error, FrameOrigin, LieAlgebra};
 use affinor_tensors::text::written;
@@ -38,7 +39,8 @@ pub struct Witness {
 /// an `f64` may fail the identities by rounding alone.
 ///
 /// # Errors
-/// Input that cannot be read as this scalar. Failures of the mathematics are checks, not errors.
+/// Input that cannot be read as this scalar, and floats that leave their range. Failures of the mathematics are checks, not
+/// errors.
 pub fn certify<S: Notation>(
     definition: &Definition,
     reading: &Reading<S>,
@@ -72,16 +74,16 @@ pub fn certify<S: Notation>(
     }
     if let (ConnectionKind::LeviCivita, Some(metric)) = (geometry.kind(), geometry.metric()) {
         stage("levi-civita");
-        checks.push(vanishing("torsion_free", "tau = 0", &connection.torsion()));
+        checks.push(vanishing("torsion_free", "tau = 0", &connection.torsion())?);
         let nonmetricity = connection.nonmetricity(metric)?;
-        checks.push(vanishing("metric_compatible", "nabla g = 0", &nonmetricity));
+        checks.push(vanishing("metric_compatible", "nabla g = 0", &nonmetricity)?);
     }
     stage("bianchi_first");
     let (first, detail) = (connection.bianchi_first(), "R, torsion and nabla torsion fit together");
-    checks.push(vanishing("bianchi_first", detail, &first));
+    checks.push(vanishing("bianchi_first", detail, &first)?);
     stage("bianchi_second");
     let (second, detail) = (connection.bianchi_second(), "nabla R, torsion and R fit together");
-    checks.push(vanishing("bianchi_second", detail, &second));
+    checks.push(vanishing("bianchi_second", detail, &second)?);
     Ok(checks)
 }
 
@@ -98,7 +100,7 @@ fn ground<S: Notation>(
         let Some(ground) = ground else { return Ok(None) };
         checks.push(held("frame", "the fields are independent: their determinant is not zero"));
         let residual = ground.frame().jacobi();
-        checks.push(vanishing("jacobi", "[[x,y],z] + cyclic = 0 for all fields", &residual));
+        checks.push(vanishing("jacobi", "[[x,y],z] + cyclic = 0 for all fields", &residual)?);
         return Ok(Some(ground));
     }
     stage("antisymmetry");
@@ -120,7 +122,7 @@ fn ground<S: Notation>(
     let statement = "[[x,y],z] + cyclic = 0 for all triples";
     if let Some(violation) = bracket.jacobi_violation() {
         let residual = bracket.jacobi();
-        let mut jacobi = vanishing("jacobi", statement, &residual);
+        let mut jacobi = vanishing("jacobi", statement, &residual)?;
         (jacobi.ok, jacobi.detail) = (false, violation.to_string());
         if S::KIND == affinor_tensors::Kind::Symbolic {
             let conditions =
@@ -147,12 +149,17 @@ fn passed<T>(
 ) -> Result<Option<T>, InputError> {
     match step {
         Ok(value) => Ok(Some(value)),
-        Err(error) if error.refusal == Refusal::Mathematics => {
+        Err(error) if error.refusal == Refusal::Mathematics && !is_out_of_range(&error) => {
             checks.push(Check { name, ok: false, detail: error.message, witness: None });
             Ok(None)
         }
         Err(error) => Err(error),
     }
+}
+
+/// Whether floats left their range: then nothing is known of a check.
+fn is_out_of_range(error: &InputError) -> bool {
+    matches!(error.cause.as_deref(), Some(Error::NotFinite { .. }))
 }
 
 /// Where a metric is not symmetric, or the vector that is orthogonal to all.
@@ -171,16 +178,21 @@ fn of_metric(error: &InputError, labels: &[String]) -> Option<Witness> {
 }
 
 /// The check that a residual with one upper index, in front, is zero.
-fn vanishing<S: Notation>(name: &'static str, detail: &str, residual: &Tensor<S>) -> Check {
+fn vanishing<S: Notation>(
+    name: &'static str,
+    detail: &str,
+    residual: &Tensor<S>,
+) -> Result<Check, InputError> {
+    expect_numbers(name, residual)?;
     let upper = usize::from(residual.slots().first() == Some(&affinor_tensors::Up));
     let lower = |at: &Indices| at[upper..].to_vec();
     let Some(place) = residual.components().map(|(at, _)| lower(&at)).min() else {
-        return held(name, detail);
+        return Ok(held(name, detail));
     };
     let here = residual.components().filter(|(at, _)| lower(at) == place);
     let residual: Vec<(usize, String)> =
         here.map(|(at, value)| (if upper == 1 { at[0] + 1 } else { 0 }, written(value))).collect();
     let indices: Vec<usize> = place.iter().map(|i| i + 1).collect();
     let detail = format!("not zero at {indices:?}: {residual:?}");
-    Check { name, ok: false, detail, witness: Some(Witness { indices, residual }) }
+    Ok(Check { name, ok: false, detail, witness: Some(Witness { indices, residual }) })
 }

@@ -287,7 +287,10 @@ fn expect_names(what: &'static str, names: &[String]) -> Result<(), Error> {
 }
 
 /// Checks that no component is infinite or NaN, which comparisons do not detect.
-pub(crate) fn expect_numbers<S: Ring>(what: &'static str, tensor: &Tensor<S>) -> Result<(), Error> {
+///
+/// # Errors
+/// [`Error::NotFinite`] with the first such component; `what` is the name of the tensor.
+pub fn expect_numbers<S: Ring>(what: &'static str, tensor: &Tensor<S>) -> Result<(), Error> {
     match tensor.components().find(|(_, value)| !value.is_number()) {
         None => Ok(()),
         Some((at, value)) => {

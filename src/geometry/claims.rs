@@ -1,7 +1,7 @@
 //! The statements of the paper about its two geometries, as predicates on any geometry.
 
 use crate::Error;
-use crate::algebra::frame::formula;
+use crate::algebra::frame::{expect_numbers, formula};
 use crate::geometry::Geometry;
 use affinor_tensors::{Notation, Tensor};
 
@@ -117,18 +117,18 @@ impl Claim {
     /// Whether the claim holds for a geometry.
     ///
     /// # Errors
-    /// [`Error::NotConstant`]: the claims are about structure constants.
+    /// [`Error::NotConstant`]: the claims are about structure constants. [`Error::NotFinite`] where floats leave their range.
     pub fn verdict<S: Notation>(self, geometry: &Geometry<S>) -> Result<Verdict, Error> {
         let connection = geometry.connection();
         let algebra = geometry.frame_origin().algebra_for("a claim of the paper")?;
         let c = algebra.structure();
-        let none = Verdict::NotApplicable("no metric");
-        let vanish = |sum: &str| {
+        let none = Ok(Verdict::NotApplicable("no metric"));
+        let vanish = |sum: &'static str| {
             let torsion = connection.torsion();
             let operands = [("Lambda", connection.gamma()), ("c", c), ("tau", &torsion)];
             vanishes(&formula(&format!("{sum} -> ^i_jk"), &operands), sum, "ijk")
         };
-        Ok(match (self, geometry.metric()) {
+        match (self, geometry.metric()) {
             (Claim::AffinitiesAreStructure, _) => vanish("Lambda^i_jk - c^i_jk"),
             (Claim::TorsionIsStructure, _) => vanish("tau^i_jk - c^i_jk"),
             (Claim::Antisymmetric, _) => vanish("Lambda^i_jk + Lambda^i_kj"),
@@ -140,28 +140,28 @@ impl Claim {
                 let quarter = c.scale(&share(4));
                 let operands = [("R", curvature), ("q", &quarter), ("c", c)];
                 let residual = formula("R^i_jkl + q^m_kl c^i_mj -> ^i_jkl", &operands);
-                match vanishes(&residual, "R^i_jkl + 1/4 c^m_kl c^i_mj", "ijkl") {
-                    Verdict::Holds if curvature.is_empty() => zero("R^i_jkl"),
-                    verdict => verdict,
+                match vanishes(&residual, "R^i_jkl + 1/4 c^m_kl c^i_mj", "ijkl")? {
+                    Verdict::Holds if curvature.is_empty() => Ok(zero("R^i_jkl")),
+                    verdict => Ok(verdict),
                 }
             }
-            (Claim::TransportByAd, _) => transport(geometry, &S::one(), "G^i_k + ad^i_k")?,
-            (Claim::TransportByHalfAd, _) => transport(geometry, &share(2), "G^i_k + 1/2 ad^i_k")?,
+            (Claim::TransportByAd, _) => transport(geometry, &S::one(), "G^i_k + ad^i_k"),
+            (Claim::TransportByHalfAd, _) => transport(geometry, &share(2), "G^i_k + 1/2 ad^i_k"),
             (Claim::Compatible | Claim::Incompatible | Claim::BiInvariant, None) => none,
             (Claim::Compatible, Some(metric)) => {
                 vanishes(&connection.nonmetricity(metric)?, "(nabla_k g)_ij", "kij")
             }
             (Claim::Incompatible, Some(metric)) => {
-                match connection.nonmetricity(metric)?.is_empty() {
+                Ok(match connection.nonmetricity(metric)?.is_empty() {
                     true => zero("(nabla_k g)_ij"),
                     false => Verdict::Holds,
-                }
+                })
             }
             (Claim::BiInvariant, Some(metric)) => {
                 let variation = metric.ad_variation(algebra)?;
                 vanishes(&variation, "g_mj c^m_ki + g_im c^m_kj", "kij")
             }
-        })
+        }
     }
 }
 
@@ -172,7 +172,11 @@ fn share<S: Notation>(n: i64) -> S {
 
 /// Whether the generator of parallel transport along the autoparallel of each basis vector `n` is
 /// `-share ad_n`.
-fn transport<S: Notation>(geometry: &Geometry<S>, share: &S, sum: &str) -> Result<Verdict, Error> {
+fn transport<S: Notation>(
+    geometry: &Geometry<S>,
+    share: &S,
+    sum: &'static str,
+) -> Result<Verdict, Error> {
     let algebra = geometry.frame_origin().algebra_for("transport by ad")?;
     for (j, n) in algebra.basis().enumerate() {
         let generator = match geometry.connection().transport_generator(&n) {
@@ -185,7 +189,7 @@ fn transport<S: Notation>(geometry: &Geometry<S>, share: &S, sum: &str) -> Resul
         };
         let ad = algebra.ad(&n)?.scale(share);
         let residual = formula("G^i_k + a^i_k -> ^i_k", &[("G", &generator), ("a", &ad)]);
-        if let Verdict::Fails(mut residual) = vanishes(&residual, sum, "ik") {
+        if let Verdict::Fails(mut residual) = vanishes(&residual, sum, "ik")? {
             residual.text += &format!(" for n = {}", algebra.labels()[j]);
             let latex = residual.latex.map(|latex| format!("{latex} for $n = e_{{{}}}$", j + 1));
             residual.latex = latex;
@@ -197,9 +201,14 @@ fn transport<S: Notation>(geometry: &Geometry<S>, share: &S, sum: &str) -> Resul
 
 /// Whether a tensor is zero; if not, its first nonzero component. `sum` is the formula of the tensor,
 /// and `letters` are the index letters of its slots.
-fn vanishes<S: Notation>(tensor: &Tensor<S>, sum: &str, letters: &str) -> Verdict {
+fn vanishes<S: Notation>(
+    tensor: &Tensor<S>,
+    sum: &'static str,
+    letters: &str,
+) -> Result<Verdict, Error> {
+    expect_numbers(sum, tensor)?;
     let Some((at, value)) = tensor.components().next() else {
-        return Verdict::Holds;
+        return Ok(Verdict::Holds);
     };
     let index = |letter: char| match letters.find(letter) {
         Some(slot) => (at[slot] + 1).to_string(),
@@ -208,9 +217,9 @@ fn vanishes<S: Notation>(tensor: &Tensor<S>, sum: &str, letters: &str) -> Verdic
     // beyond dimension 9 an index can have two digits
     let comma = if tensor.dimension() > 9 { "," } else { "" };
     let values = [affinor_tensors::text::written(value), value.latex()];
-    Verdict::Fails(equation(sum, values, |letters| {
+    Ok(Verdict::Fails(equation(sum, values, |letters| {
         letters.chars().map(index).collect::<Vec<_>>().join(comma)
-    }))
+    })))
 }
 
 /// The failure of a claim that a tensor is not zero.

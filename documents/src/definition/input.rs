@@ -134,7 +134,9 @@ fn advice(error: &Error) -> Option<&'static str> {
         Error::Degenerate { .. } => Some("a metric has an inverse: change it, or take another"),
         Error::NoMetric => Some("give a metric, for instance --metric identity"),
         Error::NotInvariant { .. } => Some("take --frame left, or a canonical connection"),
-        Error::Overflow { .. } => Some("compute exactly: without --scalar float"),
+        Error::Overflow { .. } | Error::NotFinite { .. } => {
+            Some("compute exactly: without --scalar float")
+        }
         _ => None,
     }
 }
