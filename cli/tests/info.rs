@@ -147,7 +147,13 @@ fn with_parameters_holds_for_generic_values() {
     assert_eq!(generic["unimodular"], false);
     // VI_0, III and V
     assert_eq!(generic["exceptional_values"], json!(["-1", "0", "1"]));
-    assert_eq!(info("bianchi(VII)")["exceptional_values"], json!(["0"]));
+    // VII_0, and the Killing form (2 h^2 - 2) e3* e3* of rank 1, alone and beside one of rank 1 or 3
+    for (name, rank) in [("bianchi(VII)", 1), ("bianchi(VII)+aff(1)", 2), ("bianchi(VII)+sl(2)", 4)]
+    {
+        let all = info(name);
+        assert_eq!(all["killing"]["rank"], rank, "{name}");
+        assert_eq!(all["exceptional_values"], json!(["-1", "0", "1"]), "{name}");
+    }
     // mu1^p mu2^q is invariant where p + h q = 0
     assert_eq!(generic["casimirs"]["generators"], json!([]));
     assert_eq!(generic["exceptional_casimirs"], json!(["-2", "-1", "-1/2", "0"]));

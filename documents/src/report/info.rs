@@ -40,8 +40,9 @@ pub struct Info {
 /// The values of a parameter at which the answers are compared with the generic ones.
 const TRIED: [&str; 7] = ["-2", "-1", "-1/2", "0", "1/2", "1", "2"];
 /// The answers that are compared.
-const COMPARED: [&str; 14] = [
+const COMPARED: [&str; 15] = [
     "unimodular",
+    "killing",
     "derived_series",
     "lower_central_series",
     "upper_central_series",
@@ -69,7 +70,7 @@ fn dimensions(answer: &Value) -> Value {
         Value::Object(form) if form.contains_key("exists") => {
             json!([exists(answer), form.get("exact").map(exists)])
         }
-        _ => answer.get("dimension").unwrap_or(answer).clone(),
+        _ => answer.get("dimension").or(answer.get("rank")).unwrap_or(answer).clone(),
     }
 }
 
