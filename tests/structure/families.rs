@@ -184,3 +184,35 @@ fn betti_numbers_beyond_the_whole_numbers_of_a_float() {
         assert_eq!(structure(name).betti(), None, "{name}");
     }
 }
+
+/// Members of the tables are indecomposable over the reals, but for those that the summary names.
+#[test]
+fn tables_of_indecomposable_algebras() {
+    let sums = |name: &str| {
+        let zero = |letter: &str| name.contains(&format!("{letter}=0"));
+        let member =
+            |all: &[&str]| all.iter().any(|start| name.starts_with(&format!("patera({start},")));
+        zero("a") && member(&["3,5", "4,2", "4,5", "4,6"])
+            || zero("b") && member(&["4,5"])
+            || name.starts_with("degraaf(6,22,e=") && !name.contains("e=-") && !zero("e")
+    };
+    let tables = ["patera(", "degraaf("];
+    let names =
+        (2..7).flat_map(catalogue::names).filter(|name| tables.iter().any(|t| name.starts_with(t)));
+    let mut count = 0;
+    for name in names {
+        let mut members = vec![name.trim_end_matches(')').to_string()];
+        for parameter in catalogue::find(&name).unwrap().parameters {
+            let values = ["-2", "-1", "0", "1", "2", "4", "9/4"];
+            let with = |name: &String| values.map(|value| format!("{name},{parameter}={value}"));
+            members = members.iter().flat_map(with).collect();
+        }
+        for member in members {
+            let ideals = structure(&format!("{member})")).indecomposable_ideals().unwrap().unwrap();
+            let parts: usize = ideals.iter().map(|part| part.real_parts).sum();
+            assert_eq!(parts > 1, sums(&member), "{member}: {parts} parts");
+            count += 1;
+        }
+    }
+    assert!(count > 150, "{count}");
+}

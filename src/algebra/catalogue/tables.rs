@@ -7,7 +7,7 @@ use affinor_tensors::expression::{Expression, Scalars, no_function};
 use affinor_tensors::{Notation, Symbolic};
 use std::collections::BTreeMap;
 
-/// The indecomposable real algebras of dimension up to 4.
+/// The indecomposable real algebras of dimension up to 4, and sums at some zeros of the parameters.
 ///
 /// J. Patera, R. T. Sharp, P. Winternitz, H. Zassenhaus, *J. Math. Phys.* 17 (1976) 986-994, after
 /// G. M. Mubarakzyanov, *Izv. Vyssh. Uchebn. Zaved. Mat.* 32 (1963) 114-123.
@@ -15,19 +15,20 @@ pub(super) const PATERA: Family = Family {
     pattern: "patera(n,k,a=v,b=v)",
     needs: "2,1 or 3,1 to 3,9 or 4,1 to 4,12; `a=v` in 3,5 3,7 4,2 4,5 4,6 4,11, `b=v` in 4,5 4,6 4,9",
     summary: "A_n,k of Patera, Sharp, Winternitz and Zassenhaus: indecomposable real algebras of \
-              dimension up to 4; basis e1..en; a and b are parameters if not given",
+              dimension up to 4, but for sums at a = 0 in 3,5 4,2 4,5 4,6 and at b = 0 in 4,5; basis e1..en; a and b are \
+              parameters if not given",
     example: "patera(4,8)",
     reader: Reader::Words(|name, arguments| read(&PATERA, PATERA_TABLE, name, arguments)),
 };
 
-/// The indecomposable nilpotent algebras of dimension up to 6.
+/// The indecomposable nilpotent algebras of dimension up to 6, and one sum.
 ///
 /// W. A. de Graaf, *J. Algebra* 309 (2007) 640-653.
 pub(super) const DE_GRAAF: Family = Family {
     pattern: "degraaf(n,k,e=v)",
     needs: "3,2 or 4,3 or 5,4 to 5,9 or 6,10 to 6,26; `e=v` in 6,19 6,21 6,22 6,24",
-    summary: "L_n,k of de Graaf: indecomposable nilpotent algebras of dimension up to 6; basis e1..en; over \
-              the reals e = -1, 0, 1 are enough; e is a parameter if not given",
+    summary: "L_n,k of de Graaf: indecomposable nilpotent algebras of dimension up to 6, but for 6,22 at e > 0, the sum \
+              of two 3,2; basis e1..en; over the reals e = -1, 0, 1 are enough; e is a parameter if not given",
     example: "degraaf(5,6)",
     reader: Reader::Words(|name, arguments| read(&DE_GRAAF, DE_GRAAF_TABLE, name, arguments)),
 };
