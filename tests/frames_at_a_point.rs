@@ -93,3 +93,56 @@ fn fields_that_meet_at_the_point_are_refused() {
     assert!(Frame::at_point(labels(2), &[1.0, 2.0], meet).is_ok());
     assert!(matches!(Frame::at_point(labels(3), &[1.0, 2.0], meet), Err(Error::Shape { .. })));
 }
+
+/// A function of the coordinates.
+type Function = fn(&[Jet]) -> Jet;
+
+/// Of functions two derivatives are known, and the curvature takes both: its own derivatives are unknown also where it
+/// vanishes at the point.
+#[test]
+fn derivatives_of_a_curvature_that_vanishes_are_unknown() {
+    fn one() -> Jet {
+        Jet::constant(1.0)
+    }
+    let at = |metric: Function, n: usize| {
+        let frame = Frame::at_point(labels(n), &vec![0.0; n], |_, at| {
+            Jet::from_i64(i64::from(at[0] == at[1]))
+        });
+        let x: Vec<Jet> = (0..n).map(|a| Jet::coordinate(0.0, a, n)).collect();
+        let metric =
+            Metric::diagonal((0..n).map(|i| if i == 1 { metric(&x) } else { one() })).unwrap();
+        (Connection::levi_civita(&frame.unwrap(), &metric).unwrap(), metric)
+    };
+    // (1 + x^3)^2: K = -6 x/(1 + x^3); 1 + x^4; a plane in other coordinates
+    let functions: [Function; 3] = [
+        |x| num_traits::pow(one() + &num_traits::pow(x[0].clone(), 3), 2),
+        |x| one() + &num_traits::pow(x[0].clone(), 4),
+        |x| num_traits::pow(one() + &x[0], 2),
+    ];
+    for (which, function) in functions.into_iter().enumerate() {
+        for n in [2, 3] {
+            let (connection, metric) = at(function, n);
+            assert!(connection.torsion_free().holds().is_some());
+            assert!(connection.metric_compatible(&metric).unwrap().holds().is_some());
+            assert!(connection.bianchi_first().is_empty());
+            assert!(connection.flat().holds().is_some(), "{which}");
+            assert!(connection.nabla_curvature().get(&[0, 0, 1, 0, 1]).value().is_nan());
+            let witness = connection.locally_symmetric().witness().unwrap();
+            assert!(witness.residual.value().is_nan(), "{witness}");
+            // zero at the point, and perhaps not beside it
+            for property in
+                [connection.einstein_constant(&metric), connection.constant_curvature(&metric)]
+            {
+                assert!(property.unwrap().witness().unwrap().residual.value().is_nan());
+            }
+        }
+        let (connection, metric) = at(function, 3);
+        assert!(connection.cotton(&metric).unwrap().components().all(|(_, v)| v.value().is_nan()));
+        assert!(!connection.cotton(&metric).unwrap().is_empty());
+    }
+    // constants are known with all derivatives
+    let (connection, metric) = at(|_| Jet::constant(2.0), 3);
+    assert!(connection.locally_symmetric().holds().is_some());
+    assert!(connection.constant_curvature(&metric).unwrap().holds().is_some());
+    assert!(connection.cotton(&metric).unwrap().is_empty());
+}

@@ -145,17 +145,10 @@ impl<S: Ring> Frame<S> {
     /// [`Error::Shape`] when the dimensions differ; [`Error::Tensor`] if the result is too large for the indices of a tensor, 64 bits.
     pub fn derivative(&self, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
         expect_slots("the tensor", tensor, self.dimension(), tensor.slots())?;
-        let slots: Vec<Variance> = [&[Down], tensor.slots()].concat();
-        let mut terms = Vec::new();
-        if let Some(derive) = &self.derivations {
-            for (indices, value) in tensor.components() {
-                for k in 0..self.dimension() {
-                    let indices: Vec<usize> = [&[k], &indices[..]].concat();
-                    terms.push((indices, derive(k, value)));
-                }
-            }
-        }
-        let derivative = Tensor::from_components(self.dimension(), &slots, terms)?;
+        let derivative = match &self.derivations {
+            Some(derive) => tensor.with_first_slot(Down, |k, value| derive(k, value))?,
+            None => Tensor::zero(self.dimension(), &[&[Down], tensor.slots()].concat())?,
+        };
         Ok(derivative.with_tolerance(tensor.tolerance()))
     }
 
@@ -265,6 +258,13 @@ pub(crate) fn expect_slots<S: Ring>(
         return Ok(());
     }
     let shape = |n, slots: &[Variance]| format!("dimension {n} and slots {slots:?}");
+    Err(Error::Shape {
+        what,
+        expected: shape(dimension, slots),
+        found: shape(tensor.dimension(), tensor.slots()),
+    })
+}
+
 /// Checks that names are not empty and different.
 fn expect_names(what: &'static str, names: &[String]) -> Result<(), Error> {
     let mut seen = BTreeSet::new();
@@ -277,13 +277,6 @@ fn expect_names(what: &'static str, names: &[String]) -> Result<(), Error> {
             Err(Error::Invalid { what, reason: format!("the name `{name}` stands twice") })
         }
     }
-}
-
-    Err(Error::Shape {
-        what,
-        expected: shape(dimension, slots),
-        found: shape(tensor.dimension(), tensor.slots()),
-    })
 }
 
 /// Checks that no component is infinite or NaN, which comparisons do not detect.

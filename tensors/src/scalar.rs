@@ -204,6 +204,9 @@ impl<S: Ring> Sum<S> for ExactSum<S> {
     fn finish(&self, _: Tolerance) -> Option<S> {
         (!self.0.vanishes()).then(|| self.0.clone())
     }
+    fn kept(&self, _: Tolerance) -> Option<S> {
+        (!self.0.vanishes() || self.0.is_small()).then(|| self.0.clone())
+    }
 }
 
 /// The relative tolerance for zero: a sum of float products counts as zero if

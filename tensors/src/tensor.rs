@@ -284,6 +284,28 @@ impl<S: Ring> Tensor<S> {
         tensor.store(self.keys.len(), mapped)
     }
 
+    /// The tensor with one more slot in front: component `k` of it is `f(k, v)` for each component `v`, also for those that
+    /// are not shown ([`Ring::is_small`]).
+    ///
+    /// # Errors
+    /// [`TensorError::TooLarge`].
+    pub fn with_first_slot(
+        &self,
+        slot: Variance,
+        f: impl Fn(usize, &S) -> S,
+    ) -> Result<Self, TensorError> {
+        let slots = [&[slot], self.slots()].concat();
+        let mut tensor = Self::zero(self.dimension, &slots)?;
+        tensor.tolerance = self.tolerance;
+        let block = (self.dimension as u64).pow(self.rank() as u32);
+        let f = &f;
+        let components = (0..self.dimension).flat_map(|k| {
+            let stored = self.keys.iter().zip(self.values.iter());
+            stored.map(move |(key, value)| (k as u64 * block + key, f(k, value)))
+        });
+        Ok(tensor.store(0, components))
+    }
+
     /// Every component multiplied by `factor`.
     #[must_use]
     pub fn scale(&self, factor: &S) -> Self {

@@ -2,7 +2,7 @@
 
 use super::{Property, vanishing};
 use crate::Error;
-use crate::algebra::frame::{Frame, formula};
+use crate::algebra::frame::formula;
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
 use affinor_tensors::{Field, Tensor, contraction};
@@ -17,7 +17,7 @@ impl<S: Field> Connection<S> {
         metric.expect_dimension(self.frame().dimension())?;
         let equation = |c: &S| format!("Ric_jl - ({c}) g_jl");
         let found = ratio(&self.ricci(), metric.components(), equation, "jl");
-        constant(self.frame(), found)
+        self.constant(metric, found)
     }
 
     /// Whether the curvature is that of a space form, and the constant `K`:
@@ -33,7 +33,21 @@ impl<S: Field> Connection<S> {
             &[("d", &Tensor::identity(self.frame().dimension())), ("g", metric.components())],
         );
         let equation = |k: &S| format!("R^i_jkl - ({k}) (delta^i_k g_jl - delta^i_l g_jk)");
-        constant(self.frame(), ratio(self.curvature(), &unit, equation, "ijkl"))
+        self.constant(metric, ratio(self.curvature(), &unit, equation, "ijkl"))
+    }
+
+    /// Whether the factor is constant; in a moving frame it can be a function. Then the scalar curvature, a multiple of it, is
+    /// one too, whose derivatives may be unknown where the factor is zero.
+    fn constant(&self, metric: &Metric<S>, found: Property<S, S>) -> Result<Property<S, S>, Error> {
+        let Property::Holds(c) = found else { return Ok(found) };
+        let frame = self.frame();
+        let value = Tensor::from_components(frame.dimension(), &[], [([], c.clone())])?;
+        let scalar = formula("I^jl R_jl -> ", &[("I", metric.inverse()), ("R", &self.ricci())]);
+        let constant = match vanishing(&frame.derivative(&value)?, format!("e_k({c})"), "k") {
+            Property::Holds(()) => vanishing(&frame.derivative(&scalar)?, "e_k(S)".into(), "k"),
+            fails => fails,
+        };
+        Ok(constant.with(|()| c))
     }
 }
 
@@ -52,12 +66,4 @@ pub(super) fn ratio<S: Field>(
     let scaled = b.scale(&c);
     let residual = formula(&format!("a{slots} - b{slots} -> {slots}"), &[("a", a), ("b", &scaled)]);
     vanishing(&residual, equation(&c), letters).with(|()| c)
-}
-
-/// Whether the factor is constant; in a moving frame it can be a function.
-fn constant<S: Field>(frame: &Frame<S>, found: Property<S, S>) -> Result<Property<S, S>, Error> {
-    let Property::Holds(c) = found else { return Ok(found) };
-    let value = Tensor::from_components(frame.dimension(), &[], [([], c.clone())])?;
-    let gradient = frame.derivative(&value)?;
-    Ok(vanishing(&gradient, format!("e_k({c})"), "k").with(|()| c))
 }

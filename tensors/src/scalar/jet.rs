@@ -9,9 +9,9 @@ use std::ops::{Add, Div, Mul, Neg};
 /// The value, gradient and Hessian of a function of coordinates at one point, in floats.
 ///
 /// Arithmetic differentiates automatically: a closure over jets computes the derivatives of its
-/// result. Third derivatives are unknown and returned as NaN. A tensor drops a jet only if its value
-/// and all known derivatives are zero. So an unknown derivative of a component that is zero at the point is missing from
-/// a tensor, where it reads as zero. Rounding noise is not removed.
+/// result. Third derivatives are unknown and returned as NaN. A tensor does not show a jet whose value and known derivatives
+/// are zero, but keeps it where a derivative is unknown: then that derivative is NaN and not zero. Rounding noise is not
+/// removed.
 ///
 /// ```
 /// use affinor_tensors::Jet;
@@ -196,6 +196,11 @@ impl Ring for Jet {
     }
     fn vanishes(&self) -> bool {
         self.value == 0.0 && self.known().all(|derivative| *derivative == 0.0)
+    }
+    /// Zero as far as is known; later derivatives are not.
+    fn is_small(&self) -> bool {
+        let is_unknown = self.gradient.is_none() || self.hessian.is_none();
+        is_unknown && self.vanishes()
     }
     fn is_number(&self) -> bool {
         self.is_finite()
