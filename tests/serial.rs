@@ -2,6 +2,8 @@
 
 use crate::common::{Space, property::properties, spaces};
 use affinor::geometry::connection::Canonical;
+use affinor::group::{AnyGroup, Coordinates, LieGroup, Se3, So3};
+use affinor::mechanics::State;
 use affinor::{Connection, ConnectionKind, Geometry, LieAlgebra, Metric, Rational};
 use proptest::prelude::*;
 
@@ -83,4 +85,28 @@ fn other_frames_are_not_written() {
             .unwrap();
     let right = serde_json::to_string(&geometry.in_right_frame().unwrap()).unwrap_err();
     assert_eq!(right.to_string(), "a geometry in its right-invariant frame is not written");
+}
+
+/// To the last bit, with rotations, poses, and elements of a group by name.
+#[test]
+fn states_of_motions() {
+    fn there_and_back<
+        G: LieGroup<Element: PartialEq + serde::Serialize + serde::de::DeserializeOwned>,
+    >(
+        group: &G,
+    ) where
+        G::Vector: serde::Serialize + serde::de::DeserializeOwned,
+    {
+        let x = G::Vector::from_fn(group.dimension(), |i| 0.1 + 0.7 * i as f64);
+        let state = State::<G>::with_momentum(group, 0.3, group.exp(&x), &(x * 1e-300));
+        let text = serde_json::to_string(&state).unwrap();
+        let read: State<G> = serde_json::from_str(&text).unwrap();
+        assert!(read == state);
+        assert!(read != State { time: 0.4, ..state.clone() });
+        let more = text.replacen('{', r#"{"mass":1,"#, 1);
+        assert!(serde_json::from_str::<State<G>>(&more).is_err());
+    }
+    there_and_back(&So3);
+    there_and_back(&Se3);
+    there_and_back(&AnyGroup::named("se3+heisenberg(3)").unwrap());
 }

@@ -4,7 +4,21 @@ use super::System;
 use crate::group::{Coordinates, LieGroup};
 
 /// A state of a motion.
+///
+/// With the feature `serde` it can be written and read back, on groups whose elements can. What is read is not checked: an
+/// element may have drifted off the group.
 #[derive(Debug)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        deny_unknown_fields,
+        bound(
+            serialize = "G::Element: serde::Serialize, G::Vector: serde::Serialize",
+            deserialize = "G::Element: serde::Deserialize<'de>, G::Vector: serde::Deserialize<'de>"
+        )
+    )
+)]
 pub struct State<G: LieGroup> {
     /// The time.
     pub time: f64,
@@ -19,7 +33,13 @@ pub struct State<G: LieGroup> {
     pub spatial: G::Vector,
 }
 
-// a derived implementation would require `G: Clone`
+// derived implementations would require `G: Clone` and `G: PartialEq`
+impl<G: LieGroup<Element: PartialEq>> PartialEq for State<G> {
+    fn eq(&self, other: &Self) -> bool {
+        self.time == other.time && self.element == other.element && self.spatial == other.spatial
+    }
+}
+
 impl<G: LieGroup> Clone for State<G> {
     fn clone(&self) -> Self {
         let (element, spatial) = (self.element.clone(), self.spatial.clone());
