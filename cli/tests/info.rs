@@ -429,6 +429,21 @@ fn properties_of_geometries() {
         let arguments = ["properties", "so3", "--metric", "identity", "--plane", plane];
         assert_eq!(run(root(), &arguments, b"").status, 2, "{plane}");
     }
+    // an unknown name was meant as a vector, and cannot be declared
+    for plane in ["e1, q", "e1, e2+q*e3", "e1, 2*q"] {
+        let arguments = ["properties", "so3", "--metric", "identity", "--plane", plane];
+        let message = run(root(), &arguments, b"").err;
+        assert!(message.contains("`q` is neither a basis vector"), "{message}");
+        assert!(message.contains("help: the basis is e1, e2, e3\n"), "{message}");
+    }
+    // which connection a row is about
+    let by = |connection: &str| {
+        let arguments =
+            ["properties", "heisenberg(3)", "--metric", "identity", "--connection", connection];
+        stdout(root(), &arguments)
+    };
+    assert!(by("plus").contains("Einstein and K are of the connection above"), "{}", by("plus"));
+    assert!(by("levi-civita").contains("metric       given\n"), "{}", by("levi-civita"));
     // no metric, no claims on one
     let bare = of(&["so3@zero"]);
     let names: Vec<&Value> =

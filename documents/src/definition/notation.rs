@@ -90,7 +90,7 @@ impl<'n> Names<'n> {
     }
 
     /// The basis, for messages.
-    fn basis(&self) -> String {
+    pub fn basis(&self) -> String {
         const SHOWN: usize = 12;
         let mut labels: Vec<_> = self.labels.iter().map(|(label, at)| (*at, label)).collect();
         labels.sort_unstable();

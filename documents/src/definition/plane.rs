@@ -22,7 +22,9 @@ impl Definition {
         let names = Names { labels: &labels, parameters: Some(&parameters), functions: None };
         let vector = |text: &str| {
             let mut vector = vec![S::zero(); self.dimension()];
-            for (at, value) in names.vector(text, &Source::new("--plane", text))? {
+            let terms = names.vector(text, &Source::new("--plane", text));
+            // an unknown name was meant as a basis vector: parameters are those of the space
+            for (at, value) in terms.map_err(|error| error.help(names.basis()))? {
                 vector[at] = reading.value(&value)?;
             }
             Ok(vector)

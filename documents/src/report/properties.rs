@@ -7,7 +7,7 @@ use crate::definition::{Definition, InputError, Reading};
 use affinor::algebra::Complex;
 use affinor::algebra::structure::{Ground, Structure};
 use affinor::geometry::properties::{MAX_SEARCHED, Property};
-use affinor::{Connection, Geometry, LieAlgebra, MatrixBasis, Metric};
+use affinor::{Connection, ConnectionKind, Geometry, LieAlgebra, MatrixBasis, Metric};
 use affinor_tensors::text::combination;
 use affinor_tensors::{Notation, Rational, Ring, Symbolic, Tensor, Tolerance};
 use serde_json::{Value, json};
@@ -344,10 +344,17 @@ impl List {
             "scalar": kind_name(S::KIND),
             "properties": self.json,
         });
+        let metric = match (geometry.metric(), geometry.kind()) {
+            (None, _) => "none",
+            (Some(_), ConnectionKind::LeviCivita) => "given",
+            (Some(_), _) => {
+                "given; Einstein and K are of the connection above, the Ricci soliton is of Levi-Civita"
+            }
+        };
         let head: Vec<(&str, Cell)> = vec![
             ("basis", printable_list(geometry.frame().labels()).into()),
             ("connection", printable(&geometry.kind().describe()).into()),
-            ("metric", if geometry.metric().is_some() { "given" } else { "none" }.into()),
+            ("metric", metric.into()),
         ];
         let title = format!("Properties of {}", printable(geometry.name()));
         let grid = Grid::new(title, &["property", "holds", "constant or witness"], self.rows, json);
