@@ -68,9 +68,9 @@ impl<S: Ground> Structure<S> {
             }
         }
         // components at and below the diagonal are no unknowns
-        let unused = (0..n).flat_map(|i| (0..=i).map(move |j| vec![(i * n + j, S::one())]));
+        equations.extend((0..n).flat_map(|i| (0..=i).map(move |j| vec![(i * n + j, S::one())])));
         equations.retain(|row| !row.is_empty());
-        let closed = Subspace::kernel(n * n, equations.into_iter().chain(unused));
+        let closed = Subspace::kernel_of_long(n * n, equations);
         let exact = (0..n).map(|i| self.differential(&[(i, S::one())]));
         Some(TwoForms { closed, exact: Subspace::span(n * n, exact) })
     }

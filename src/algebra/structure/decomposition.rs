@@ -118,6 +118,6 @@ impl Structure<Rational> {
                 }
             }
         }
-        Subspace::kernel(n * n, equations)
+        Subspace::kernel_of_long(n * n, equations)
     }
 }

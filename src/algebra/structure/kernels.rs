@@ -14,6 +14,11 @@ use num_traits::Zero;
 const PRIMES: usize = 2000;
 
 impl<S: Ground> Subspace<S> {
+    /// [`kernel`](Self::kernel) of rows of dense bases, whose entries are long where they are rational.
+    pub(super) fn kernel_of_long(ambient: usize, rows: Vec<Row<S>>) -> Self {
+        Self::lifted_kernel(ambient, &rows).unwrap_or_else(|| Self::kernel(ambient, rows))
+    }
+
     /// The vectors `x` with `v_i x_i = 0` for all given rows `v`, as [`kernel`](Self::kernel), faster where numbers grow long; `None` if a
     /// component is not rational, or after a number of primes.
     pub(super) fn lifted_kernel(ambient: usize, rows: &[Row<S>]) -> Option<Self> {
