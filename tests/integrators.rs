@@ -294,7 +294,7 @@ fn orders_on_the_affine_line() {
 }
 
 /// Magnus methods against the entries of the matrix.
-fn magnus<G: LieGroup + Clone>(name: &str, group: G, steps: usize) {
+fn magnus<G: LieGroup<Element: PartialEq> + Clone>(name: &str, group: G, steps: usize) {
     let n = group.dimension();
     let velocity = move |t: f64| -> Vec<f64> {
         (0..n).map(|i| ((1.0 + i as f64) * t + i as f64).sin() + 0.3 * t).collect()
@@ -303,6 +303,10 @@ fn magnus<G: LieGroup + Clone>(name: &str, group: G, steps: usize) {
     let system = Linear { group: group.clone(), velocity: rate };
     let element = group.exp(&(G::Vector::from_fn(n, |i| 0.3 - 0.1 * i as f64)));
     let start = KinematicState { time: 0.3, element };
+    let mut moved = start.clone();
+    assert!(moved == start, "{name}");
+    Magnus::Four.step(&system, &mut moved, 0.1).unwrap();
+    assert!(moved != start, "{name}");
     let at = (0.3, &start.element, &[][..]);
     let (end, _) = entries(&group, at, 1.3, |t, _| velocity(t), |_, _, _| vec![]);
     let error = |method: Magnus, steps: usize| {

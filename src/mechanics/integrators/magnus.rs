@@ -40,7 +40,13 @@ pub struct KinematicState<G: LieGroup> {
     pub element: G::Element,
 }
 
-// a derived implementation would require `G: Clone`
+// derived implementations would require `G: Clone` and `G: PartialEq`
+impl<G: LieGroup<Element: PartialEq>> PartialEq for KinematicState<G> {
+    fn eq(&self, other: &Self) -> bool {
+        self.time == other.time && self.element == other.element
+    }
+}
+
 impl<G: LieGroup> Clone for KinematicState<G> {
     fn clone(&self) -> Self {
         KinematicState { time: self.time, element: self.element.clone() }

@@ -86,7 +86,17 @@ pub struct ConstrainedState<G: LieGroup> {
     pub(crate) lead: Option<G::Vector>,
 }
 
-// a derived implementation would require `G: Clone`
+// derived implementations would require `G: Clone` and `G: PartialEq`
+impl<G: LieGroup<Element: PartialEq>> PartialEq for ConstrainedState<G> {
+    fn eq(&self, other: &Self) -> bool {
+        let all = |state: &Self| {
+            let velocities = (state.velocity.clone(), state.acceleration.clone());
+            (state.time, velocities, state.multipliers.clone(), state.lead.clone())
+        };
+        self.element == other.element && all(self) == all(other)
+    }
+}
+
 impl<G: LieGroup> Clone for ConstrainedState<G> {
     fn clone(&self) -> Self {
         ConstrainedState {
