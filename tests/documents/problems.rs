@@ -130,6 +130,21 @@ fn an_indefinite_metric_is_allowed_and_named() {
     Run::new(&problem, 0).keeps(&["energy", "h1", "h2", "h3", "casimir1"], 1e-10);
 }
 
+/// Of every kind of motion: an end that is no time is refused, and the motion goes on from where it was.
+#[test]
+fn motions_towards_no_time_are_refused() {
+    for (name, _) in CHECKS {
+        let problem = open(name);
+        let mut motion = problem.motion(0).unwrap().motion;
+        let row = motion.row();
+        for until in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let error = motion.step(until).unwrap_err();
+            assert!(error.to_string().contains("no finite time"), "{name}: {error}");
+        }
+        assert_eq!((motion.row(), motion.steps()), (row, 0), "{name}");
+    }
+}
+
 /// In embedding coordinates a motion is the same, on the groups in closed form.
 #[test]
 fn projected_methods_agree() {
