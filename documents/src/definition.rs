@@ -12,6 +12,7 @@ mod construction;
 pub(crate) mod document;
 mod entry;
 pub(crate) mod file;
+mod files;
 mod functions;
 mod gap;
 mod group;
@@ -28,10 +29,11 @@ mod space;
 pub(crate) mod written;
 
 pub use file::{fingerprint, read_rows};
+pub use files::Files;
 pub use input::{InputError, Refusal};
 pub use mesh::{mesh, read_mesh};
 pub use numbers::numbers;
-pub use source::{Files, Place, Source};
+pub use source::{Place, Source};
 pub use space::{Request, ScalarChoice, Space, Work};
 
 use affinor::algebra::Complex;

@@ -1,9 +1,10 @@
 //! Definition files: TOML, or JSON with the same keys.
 
 use super::document::Document;
+use super::files::Files;
 use super::input::{InputError, shown};
 use super::numbers::numbers_in;
-use super::source::{Files, Place, Source};
+use super::source::{Place, Source};
 use super::{Definition, gap, json};
 use serde::de::DeserializeOwned;
 use std::fs::File;
@@ -15,7 +16,7 @@ use toml::de::{DeTable, DeValue};
 pub(crate) const MAX_BYTES: u64 = 1 << 28;
 
 /// The name of a file in messages.
-pub(super) fn name(path: &str) -> String {
+fn name(path: &str) -> String {
     match path {
         "-" => "<standard input>".to_string(),
         path => path.escape_debug().to_string(),
@@ -64,7 +65,12 @@ impl Definition {
 
     /// Reads a definition that a file contains, `depth` files below the first.
     pub(super) fn read_part(path: &str, depth: usize, files: &Files) -> Result<Self, InputError> {
-        Self::of_source(&files.read(path, depth)?)
+        let source = match files.content(path) {
+            Some(text) => Source::new(name(path), &text),
+            None => read(path)?,
+        };
+        files.keep(path, &source.text);
+        Self::of_source(&source.below(depth, files))
     }
 
     /// Reads a definition from the text of a file; messages call it `name`.
@@ -87,9 +93,8 @@ impl Definition {
 
     /// Reads a definition from a text that may name files.
     pub(super) fn parse_part(name: &str, text: &str, files: &Files) -> Result<Self, InputError> {
-        let mut source = Source::new(name.escape_debug().to_string(), text);
-        source.files = files.clone();
-        Self::of_source(&source)
+        let source = Source::new(name.escape_debug().to_string(), text);
+        Self::of_source(&source.below(0, files))
     }
 
     fn of_source(source: &Source) -> Result<Self, InputError> {

@@ -1,11 +1,11 @@
 //! Texts that were read, and places in them.
 
-use super::input::InputError;
+use super::files::Files;
+use super::literal;
 use super::written::Text;
-use super::{file, literal};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 use toml::de::{DeTable, DeValue};
 
 /// A text that was read, with the name it goes by in messages.
@@ -25,33 +25,6 @@ pub struct Source {
     pub(super) depth: usize,
     /// The files that were read.
     pub(super) files: Files,
-}
-
-/// The contents of files by their paths. A file is read once.
-#[derive(Clone, Debug, Default)]
-pub struct Files(Arc<Mutex<BTreeMap<String, Arc<str>>>>);
-
-impl Files {
-    /// Files with these contents.
-    pub fn new(contents: BTreeMap<String, Arc<str>>) -> Self {
-        Files(Arc::new(Mutex::new(contents)))
-    }
-
-    /// The contents of the files that were given or read.
-    pub fn contents(&self) -> BTreeMap<String, Arc<str>> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
-    }
-
-    /// The content of a file, which stays here, `depth` files below the first.
-    pub(super) fn read(&self, path: &str, depth: usize) -> Result<Source, InputError> {
-        let source = match self.contents().get(path) {
-            Some(text) => Source::new(file::name(path), text),
-            None => file::read(path)?,
-        };
-        let mut contents = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        contents.insert(path.into(), source.text.clone());
-        Ok(Source { depth, files: self.clone(), ..source })
-    }
 }
 
 /// A string or a number of a file.
@@ -83,6 +56,11 @@ impl Source {
             depth: 0,
             files: Files::default(),
         }
+    }
+
+    /// The same text, `depth` files below the first, with the files that were read.
+    pub(super) fn below(self, depth: usize, files: &Files) -> Self {
+        Source { depth, files: files.clone(), ..self }
     }
 
     /// The same text with the places of its keys, as the parser found them.

@@ -1,9 +1,10 @@
 //! A SPACE of the command line, with the options that complete it.
 
+use super::files::Files;
 use super::input::{InputError, shown};
 use super::notation::{self, Names, basis, lines, metric, statement};
 use super::setting::settings;
-use super::source::{Files, Source};
+use super::source::Source;
 use super::written::{MetricText, Text};
 use super::{Definition, MetricChoice, Origin, Reading, add, check_dimension};
 use affinor::algebra::catalogue::CatalogueError;
@@ -269,7 +270,7 @@ fn on_chart() -> InputError {
 /// The parts of `NAME@connection;metric=...`.
 fn split_space(space: &str, files: &Files) -> Result<Request, InputError> {
     let mut parts = Request::default();
-    if is_path(space) && (files.contents().contains_key(space) || Path::new(space).is_file()) {
+    if is_path(space) && (files.content(space).is_some() || Path::new(space).is_file()) {
         return Ok(Request { space: Some(space.into()), ..parts });
     }
     let source = Source::new("SPACE", space);
