@@ -6,7 +6,7 @@ use crate::ode;
 use affinor::geometry::equations::Equations;
 use affinor::group::transport::ParallelTranslation;
 use affinor::group::{
-    Coordinates, Embedded, Heisenberg, LieGroup, MatrixGroup, Product, Se2, Se3, Se23, Sl2, So3,
+    Coordinates, Embedded, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So3,
 };
 use affinor::mechanics::integrators::kick::{FreeMotion, Order as KickOrder};
 use affinor::mechanics::integrators::moser_veselov::Order;
@@ -22,7 +22,7 @@ use affinor_tensors::{Down, Tensor};
 use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3, Vector6, dmatrix};
 
 /// Inner products of a basis that is neither orthogonal nor of length 1.
-fn full<G: LieGroup>(group: &G) -> Metric<f64> {
+pub fn full<G: LieGroup>(group: &G) -> Metric<f64> {
     let entry = |[i, j]: [usize; 2]| match i.abs_diff(j) {
         0 => 1.0 + 0.5 * i as f64,
         1 => 0.2,
@@ -195,7 +195,7 @@ fn order_of_five(method: &str, name: &str, steps: usize, errors: impl Fn(usize) 
 }
 
 /// The group of `x -> a x + b`, which is not unimodular.
-fn affine_line() -> MatrixGroup {
+pub fn affine_line() -> MatrixGroup {
     MatrixGroup::new(&[dmatrix![1.0, 0.0; 0.0, 0.0], dmatrix![0.0, 1.0; 0.0, 0.0]]).unwrap()
 }
 
@@ -227,65 +227,6 @@ fn orders_on_sl2() {
 fn orders_on_heisenberg() {
     orders("Heisenberg", Heisenberg::<3>, &Vector3::new(0.9, -0.5, 1.1), [16, 64]);
     projected_orders("Heisenberg", Heisenberg::<3>, &Vector3::new(0.9, -0.5, 1.1), 16);
-}
-
-/// A free motion takes its momentum from the displacement in a step; a torque of zeros is integrated with the momentum.
-fn free_as_with_a_torque_of_zeros<G: Embedded + Clone>(group: G, velocity: &[f64]) {
-    let n = group.dimension();
-    let plus = Connection::canonical(&group.algebra().unwrap(), Canonical::Plus);
-    let zeros = |_: f64, _: &G::Element, _: &G::Vector| G::Vector::zeros(n);
-    let free = EulerPoincare::free(group.clone(), &plus, &full(&group)).unwrap();
-    let forced = EulerPoincare::new(group.clone(), &plus, &full(&group), zeros).unwrap();
-    let velocity = G::Vector::from_components(velocity);
-    let start = group.exp(&(velocity.clone() * 3.0));
-    fn end<G: Embedded, M: Torque<G>>(
-        system: &EulerPoincare<G, M>,
-        method: &impl Integrator<EulerPoincare<G, M>>,
-        (start, velocity): (&G::Element, &G::Vector),
-    ) -> (DMatrix<f64>, G::Vector) {
-        let mut state = system.state(0.0, start.clone(), velocity);
-        for _ in 0..20 {
-            method.step(system, &mut state, 0.1).unwrap();
-        }
-        (system.group().matrix(&state.element), system.momentum(&state))
-    }
-    macro_rules! compare {
-        ($($method:expr),*) => {$(
-            let [(g, p), (h, q)] = [
-                end(&free, &$method, (&start, &velocity)),
-                end(&forced, &$method, (&start, &velocity)),
-            ];
-            assert!((&g - &h).amax() < 1e-12 * h.amax(), "{g} {h}");
-            assert!((p - q.clone()).largest() < 1e-12 * q.largest());
-        )*};
-    }
-    compare!(Projected::RK4, Projected::DORMAND_PRINCE, Projected::DORMAND_PRINCE_8);
-}
-
-#[test]
-fn free_motions_as_with_a_torque_of_zeros() {
-    free_as_with_a_torque_of_zeros(Se2, &[1.2, 0.8, -0.6]);
-    free_as_with_a_torque_of_zeros(Se3, &[0.5, -0.3, 0.6, 0.4, 0.2, -0.5]);
-    let long = [0.5, -0.3, 0.6, 0.4, 0.2, -0.5, 0.1, 0.7, -0.2];
-    free_as_with_a_torque_of_zeros(Se23, &long);
-    free_as_with_a_torque_of_zeros(Product(So3, Se2), &[0.5, -0.3, 0.6, 1.2, 0.8, -0.6]);
-}
-
-/// Points near a group of matrices are not projected, and its elements have no factor without a translation.
-#[test]
-fn a_group_without_a_projection_is_refused() {
-    let group = affine_line();
-    let plus = Connection::canonical(&group.algebra().unwrap(), Canonical::Plus);
-    let system = EulerPoincare::free(group.clone(), &plus, &full(&group)).unwrap();
-    let start = system.state(0.0, group.identity(), &DVector::from_vec(vec![0.6, 0.8]));
-    let mut state = start.clone();
-    let error = Projected::RK4.step(&system, &mut state, 0.1).unwrap_err();
-    assert!(error.to_string().contains("no projection"), "{error}");
-    assert_eq!(state.spatial, start.spatial);
-    let mut next = 0.1;
-    let adaptive = Adaptive::new(1e-6).projected();
-    let error = adaptive.step(&system, &mut state, &mut next, 1.0).unwrap_err();
-    assert!(error.to_string().contains("no projection"), "{error}");
 }
 
 #[test]

@@ -50,6 +50,7 @@ mod ode;
 mod orbit;
 mod paper;
 mod parallel_translation;
+mod projected;
 mod properties;
 mod property_witnesses;
 mod reductive;
