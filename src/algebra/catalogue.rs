@@ -67,8 +67,8 @@ pub fn algebra<S: Notation>(name: &str) -> Result<LieAlgebra<S>, Error> {
 fn polynomial<S: Notation>(value: &Symbolic) -> Option<S> {
     value.terms().into_iter().try_fold(S::zero(), |sum, (powers, coefficient)| {
         let mut powers = powers.into_iter();
-        let term = powers.try_fold(S::from_rational(&coefficient)?, |term, (name, power)| {
-            Some(term * &num_traits::pow(S::parameter(&name)?, power as usize))
+        let term = powers.try_fold(S::from_rational(&coefficient)?, |term, (variable, power)| {
+            Some(term * &num_traits::pow(S::parameter(variable.text())?, power as usize))
         });
         Some(sum + &term?)
     })

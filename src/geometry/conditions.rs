@@ -1,8 +1,9 @@
 //! Conditions on the parameters under which a tensor vanishes.
 
 use affinor_tensors::linear::Matrix;
+use affinor_tensors::scalar::Variable;
 use affinor_tensors::{Notation, Rational, Tensor};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// The polynomials in the parameters whose common zeros make all components of the tensor vanish.
 ///
@@ -11,15 +12,20 @@ use std::collections::{BTreeMap, BTreeSet};
 /// result is empty or the constant 1.
 pub fn conditions<S: Notation>(tensor: &Tensor<S>) -> Vec<S> {
     let polynomials: Vec<_> = tensor.components().map(|(_, v)| v.numerator_terms()).collect();
-    let monomials: BTreeSet<_> = polynomials.iter().flatten().map(|(m, _)| m.clone()).collect();
-    let columns: BTreeMap<_, _> = monomials.iter().zip(0..).collect();
-    let rows = polynomials.iter().map(|terms| terms.iter().map(|(m, v)| (columns[m], v.clone())));
+    let key = |powers: &[(Variable, u32)]| -> Vec<(&str, u32)> {
+        powers.iter().map(|(variable, power)| (variable.text(), *power)).collect()
+    };
+    let monomials: BTreeMap<_, _> =
+        polynomials.iter().flatten().map(|(powers, _)| (key(powers), powers)).collect();
+    let columns: BTreeMap<_, _> = monomials.keys().zip(0..).collect();
+    let rows = polynomials.iter();
+    let rows = rows.map(|terms| terms.iter().map(|(m, v)| (columns[&key(m)], v.clone())));
     let space = Matrix::from_rows(columns.len(), rows).ok().and_then(|m| m.echelon().ok());
     let monomials: Vec<S> = monomials
-        .iter()
+        .values()
         .map(|powers| {
-            let factors = powers.iter().filter_map(|(name, power)| {
-                S::parameter(name).map(|parameter| num_traits::pow(parameter, *power as usize))
+            let factors = powers.iter().filter_map(|(variable, power)| {
+                S::variable(*variable).map(|value| num_traits::pow(value, *power as usize))
             });
             factors.fold(S::one(), |product, factor| product * &factor)
         })

@@ -180,7 +180,7 @@ impl Expression {
 }
 
 /// The power by repeated squaring.
-fn power<M: Meaning>(meaning: &M, mut base: M::Value, mut n: u64) -> Result<M::Value, String> {
+pub(crate) fn power<M: Meaning>(meaning: &M, mut base: M::Value, mut n: u64) -> Result<M::Value, String> {
     let mut result = meaning.number(&Rational::one())?;
     loop {
         if n & 1 == 1 {

@@ -12,6 +12,7 @@
 mod dual;
 pub(crate) mod effort;
 mod float;
+pub(crate) mod function;
 mod jet;
 pub mod laws;
 mod notation;
@@ -33,8 +34,9 @@ pub use jet::Jet;
 pub use notation::{Kind, Notation};
 pub use rational::Rational;
 use rational::RationalSum;
-pub use recorded::{Count, Function, Output, Recorded, Step, StraightLine, derivatives};
-pub use symbolic::{CommonFactors, FreeFunction, PositiveFactors, Symbolic};
+pub use function::Function;
+pub use recorded::{Count, Output, Recorded, Step, StraightLine, derivatives};
+pub use symbolic::{CommonFactors, FreeFunction, PositiveFactors, Symbolic, Variable};
 pub use tracked::Tracked;
 
 /// A commutative ring with 1, with operators by value and by reference.

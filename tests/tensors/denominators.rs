@@ -39,7 +39,7 @@ fn polynomial(value: &Symbolic) -> Poly<BigRational> {
     let terms = value.terms().into_iter().map(|(powers, c)| {
         let mut exponents = vec![0; NAMES.len()];
         for (name, e) in powers {
-            exponents[NAMES.iter().position(|n| *n == name).unwrap()] = e;
+            exponents[NAMES.iter().position(|n| *n == name.text()).unwrap()] = e;
         }
         (Monomial::new(exponents), BigRational::from(&c))
     });

@@ -2,6 +2,7 @@
 //! them, Euclid's algorithm in one variable, closed forms and finite differences.
 
 use crate::common::property::properties;
+use affinor_tensors::scalar::Variable;
 use affinor_tensors::{Field, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance};
 use num_traits::{One, Zero, pow};
 use proptest::prelude::*;
@@ -96,10 +97,10 @@ fn image(polynomial: &Symbolic, name: &str, point: &[Rational; 3]) -> Vec<Ration
         let mut value = c;
         let mut degree = 0;
         for (own, e) in powers {
-            if own == name {
+            if own.text() == name {
                 degree = e as usize;
             } else {
-                let k = NAMES.iter().position(|n| *n == own).expect("a known parameter");
+                let k = NAMES.iter().position(|n| *n == own.text()).expect("a known parameter");
                 value *= pow(point[k].clone(), e as usize);
             }
         }
@@ -138,7 +139,7 @@ fn coprime(value: &Symbolic, points: &[[Rational; 3]]) -> bool {
     let (above, below) = (value.numerator(), value.denominator());
     let degree = |f: &Symbolic, name: &str| {
         let powers = f.terms().into_iter().flat_map(|(powers, _)| powers);
-        powers.filter(|(own, _)| own == name).map(|(_, e)| e as usize).max().unwrap_or(0)
+        powers.filter(|(own, _)| own.text() == name).map(|(_, e)| e as usize).max().unwrap_or(0)
     };
     NAMES.iter().all(|name| {
         points.iter().any(|point| {
@@ -458,7 +459,7 @@ fn traits_speak_for_constants_and_fractions() {
 
 #[test]
 fn terms_are_coordinates_over_the_monomials() {
-    let power = |name: &str, e| (name.to_owned(), e);
+    let power = |name: &str, e| (Variable::from(name), e);
     assert_eq!(
         read("(a^2*b - 3*c)/4 + 1").terms(),
         [

@@ -2,6 +2,7 @@
 //! and with the sign that the value says.
 
 use crate::common::property::properties;
+use affinor_tensors::scalar::Variable;
 use affinor_tensors::{CommonFactors, Notation, Rational, Symbolic};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -22,8 +23,8 @@ fn expanded(polynomial: &Symbolic) -> String {
             (false, true) => " - ",
         };
         let number = Some(size.to_string()).filter(|n| n != "1" || powers.is_empty());
-        let power = |(name, e): &(String, u32)| match e {
-            1 => name.clone(),
+        let power = |(name, e): &(Variable, u32)| match e {
+            1 => name.to_string(),
             e => format!("{name}^{e}"),
         };
         let factors: Vec<String> = number.into_iter().chain(powers.iter().map(power)).collect();

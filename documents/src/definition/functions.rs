@@ -18,34 +18,15 @@ impl Functions {
     pub fn call(&self, name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
         let head = name.split('_').next().unwrap_or_default();
         if let Some(free) = self.free.iter().find(|free| free.name() == head) {
-            let function = FreeFunction::new(name, free.arguments())?;
-            let same = arguments.len() == free.arguments().len()
-                && arguments
-                    .iter()
-                    .zip(free.arguments())
-                    .all(|(a, b)| *a == Symbolic::parameter(b));
-            let value = || Symbolic::parameter(&function.variable());
-            return same
-                .then(value)
-                .ok_or_else(|| format!("it is declared as {}", free.variable()));
+            return FreeFunction::new(name, free.arguments())?.at(arguments);
         }
-        let [argument] = arguments else {
-            let name = shown(name);
-            return Err(format!(
-                "there is no function `{name}` of {} arguments here",
-                arguments.len()
-            ));
-        };
-        if let "sqrt" | "log" = name {
-            return self.positive.function(name, argument);
-        }
-        // each term has one: `sin(a*x)`
-        let coordinate = |(other, _): &(String, u32)| self.coordinates.contains(other);
-        let terms = argument.terms().into_iter().map(|(powers, _)| powers);
-        let others = terms.filter(|powers| !powers.iter().any(coordinate)).flatten();
-        match others.map(|(other, _)| other).next() {
-            Some(other) => Err(format!("{} takes coordinates, and `{other}` is none", shown(name))),
-            None => self.positive.function(name, argument),
+        match arguments {
+            [argument] => self.positive.function(name, argument),
+            [base, exponent] if name == "pow" => self.positive.power(base, exponent),
+            several => {
+                let (name, count) = (shown(name), several.len());
+                Err(format!("there is no function `{name}` of {count} arguments here"))
+            }
         }
     }
 }

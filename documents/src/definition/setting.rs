@@ -31,12 +31,12 @@ impl Definition {
         }
         for free in self.functions().map_or(&[][..], |functions| &functions.free) {
             let others = self.coordinates().iter().filter(|name| !free.arguments().contains(name));
-            let value = values.get(&free.variable()).map_or(vec![], Symbolic::parameters);
+            let value = values.get(&free.declaration()).map_or(vec![], Symbolic::parameters);
             if let Some(other) = others.into_iter().find(|name| value.contains(name)) {
-                let message = format!("{} cannot depend on {other}", free.variable());
+                let message = format!("{} cannot depend on {other}", free.declaration());
                 return Err(InputError::usage(message));
             }
-            parameters.push(free.variable());
+            parameters.push(free.declaration());
         }
         if let Some(unknown) = values.keys().find(|name| !parameters.contains(name)) {
             return Err(no_parameter(unknown, &parameters));
@@ -70,8 +70,8 @@ fn growth(value: &Symbolic, values: &BTreeMap<String, Symbolic>) -> f64 {
         let terms = part.numerator_terms();
         let images = terms.iter().map(|(powers, _)| {
             // a function of a parameter too
-            let given = powers.iter().filter_map(|(name, power)| {
-                let own = Symbolic::parameter(name);
+            let given = powers.iter().filter_map(|(variable, power)| {
+                let own = Symbolic::variable(*variable);
                 let image = own.substitute(values).filter(|image| *image != own)?;
                 Some((image, power))
             });
@@ -115,7 +115,7 @@ pub(super) fn settings(
             return Err(error.help("separate several by commas, as in --set \"J1=1/2,h=-1\""));
         };
         let name = name.trim();
-        let free = FreeFunction::read(name).map(|function| function.variable());
+        let free = FreeFunction::read(name).map(|function| function.declaration());
         if free.is_err() {
             check_name(name).map_err(|error| error.at(&source.whole(name)))?;
         }

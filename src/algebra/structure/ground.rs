@@ -58,8 +58,8 @@ impl Ground for Symbolic {
         }
         let polynomial = |part: &Symbolic| {
             part.terms().into_iter().try_fold(0, |sum, (powers, coefficient)| {
-                let powers = powers.into_iter().map(|(name, power)| {
-                    polycore::modp::pow(place(&name, prime), power.into(), prime.get())
+                let powers = powers.into_iter().map(|(variable, power)| {
+                    polycore::modp::pow(place(variable.text(), prime), power.into(), prime.get())
                 });
                 let term = powers.fold(prime.rational(&coefficient)?, |a, b| prime.mul(a, b));
                 Some(prime.add(sum, term))

@@ -1,6 +1,6 @@
 //! Scalars with a written form: conversion from numbers and parameters, to text and LaTeX.
 
-use super::{CommonFactors, Field, Rational};
+use super::{CommonFactors, Field, Rational, Variable};
 use crate::expression::{no_function, several_arguments};
 use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -69,10 +69,16 @@ pub trait Notation: Field {
         Self::zero()
     }
 
-    /// The terms of the numerator: monomials in the parameters (names and powers) with rational
+    /// The terms of the numerator: monomials in the variables (with powers) with rational
     /// coefficients. The value vanishes exactly if there are none. Always empty for floats.
-    fn numerator_terms(&self) -> Vec<(Vec<(String, u32)>, Rational)> {
+    fn numerator_terms(&self) -> Vec<(Vec<(Variable, u32)>, Rational)> {
         vec![]
+    }
+
+    /// The value of a variable of [`numerator_terms`](Self::numerator_terms); `None` for scalars without parameters.
+    fn variable(variable: Variable) -> Option<Self> {
+        let _ = variable;
+        None
     }
 
     /// The value as a float; `None` if it depends on a parameter.

@@ -7,7 +7,7 @@
 mod sum;
 
 use super::operators::forward_operators;
-use super::{Field, Kind, Notation, Ring};
+use super::{Field, Kind, Notation, Ring, Variable};
 use crate::expression::{Expression, ExpressionError};
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
@@ -452,7 +452,7 @@ impl Notation for Rational {
     fn from_rational(value: &Rational) -> Option<Self> {
         Some(value.clone())
     }
-    fn numerator_terms(&self) -> Vec<(Vec<(String, u32)>, Rational)> {
+    fn numerator_terms(&self) -> Vec<(Vec<(Variable, u32)>, Rational)> {
         if self.is_zero() { vec![] } else { vec![(vec![], self.clone())] }
     }
     fn to_f64(&self) -> Option<f64> {

@@ -8,9 +8,9 @@ mod image;
 mod operators;
 mod straight_line;
 
-use super::symbolic::is_elementary;
-use super::{Field, FreeFunction, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance};
-use crate::expression::{Expression, ExpressionError, Scalars, is_name};
+use super::function::{Function, is_elementary};
+use super::{Field, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance, Variable};
+use crate::expression::is_name;
 use image::Image;
 use num_traits::{One, Zero};
 use std::collections::HashMap;
@@ -47,34 +47,6 @@ pub struct Recorded {
     node: Option<Arc<Node>>,
 }
 
-/// An elementary function.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Function {
-    /// The sine.
-    Sin,
-    /// The cosine.
-    Cos,
-    /// The exponential.
-    Exp,
-    /// The natural logarithm.
-    Log,
-    /// The square root.
-    Sqrt,
-}
-
-impl Function {
-    /// The name, which most languages share.
-    pub fn name(self) -> &'static str {
-        match self {
-            Function::Sin => "sin",
-            Function::Cos => "cos",
-            Function::Exp => "exp",
-            Function::Log => "log",
-            Function::Sqrt => "sqrt",
-        }
-    }
-}
-
 /// An operation and the image of its result; `None` where the image is no certificate.
 struct Node {
     operation: Operation,
@@ -82,7 +54,7 @@ struct Node {
 }
 
 enum Operation {
-    Input(Arc<str>),
+    Input(Variable),
     Function(Function, Arc<Node>),
     /// A constant, and multiples of other nodes.
     Sum(Rational, Vec<(Rational, Arc<Node>)>),
@@ -182,7 +154,12 @@ impl Recorded {
 
     /// The input of that name; any text serves as a name.
     pub fn input(name: &str) -> Self {
-        Self::of(Operation::Input(name.into()), Some(Image::variable(name)))
+        Self::variable(Variable::parameter(name))
+    }
+
+    /// The input for a parameter or a free function.
+    fn variable(variable: Variable) -> Self {
+        Self::of(Operation::Input(variable), Some(Image::variable(variable.text())))
     }
 
     /// `constant + sum of factor * node`, with equal nodes collected and the common factor in front.
@@ -372,7 +349,7 @@ impl Notation for Recorded {
     }
     fn parameters(&self) -> Vec<String> {
         let name = |node: &Arc<Node>| match &node.operation {
-            Operation::Input(name) => Some(name.to_string()),
+            Operation::Input(variable) => Some(variable.to_string()),
             _ => None,
         };
         let mut names: Vec<_> = post_order(&self.node).into_iter().filter_map(name).collect();
@@ -380,23 +357,21 @@ impl Notation for Recorded {
         names.dedup();
         names
     }
-    /// `sin`, `cos`, `tan`, `exp`, `log` and `sqrt` of any value.
+    /// The elementary functions of any value.
     ///
     /// Sums of angles and of exponents obey the addition theorems; roots and logarithms of different values
     /// count as independent.
     fn function(name: &str, argument: &Self) -> Result<Self, String> {
         let of = |function| Self::of_function(function, argument);
-        match name {
-            "sin" => Ok(of(Function::Sin)),
-            "cos" => Ok(of(Function::Cos)),
-            "exp" => Ok(of(Function::Exp)),
-            "log" => Ok(of(Function::Log)),
-            "sqrt" => Ok(of(Function::Sqrt)),
-            "tan" => match of(Function::Cos).recip() {
-                Some(secant) => Ok(of(Function::Sin) * &secant),
-                None => Err("`tan` is not defined here".into()),
-            },
-            _ => Err(format!("`{name}` has no counterpart in a program")),
+        let ratio = |above: Function, below: Function| match of(below).recip() {
+            Some(below) => Ok(of(above) * &below),
+            None => Err(format!("`{name}` is not defined here")),
+        };
+        match Function::from_name(name) {
+            Some(Function::Tan) => ratio(Function::Sin, Function::Cos),
+            Some(function) => Ok(of(function)),
+            None if name == "cot" => ratio(Function::Cos, Function::Sin),
+            None => Err(format!("`{name}` has no counterpart in a program")),
         }
     }
     /// Free functions of inputs are inputs: `a(t)` and `a_t(t)`.
@@ -405,12 +380,12 @@ impl Notation for Recorded {
             return Self::function(name, argument);
         }
         let input = |value: &Self| match (&value.node.as_ref()?.operation, value.factor.is_one()) {
-            (Operation::Input(name), true) => Some(name.clone()),
+            (Operation::Input(variable), true) => Some(Symbolic::variable(*variable)),
             _ => None,
         };
-        let names = arguments.iter().map(input).collect::<Option<Vec<_>>>();
-        let names = names.ok_or_else(|| format!("`{name}` is no function of names"))?;
-        Ok(Self::input(&FreeFunction::new(name, &names)?.variable()))
+        let inputs = arguments.iter().map(input).collect::<Option<Vec<_>>>();
+        let inputs = inputs.ok_or_else(|| format!("`{name}` is no function of names"))?;
+        Self::try_from(&<Symbolic as Notation>::call(name, &inputs)?)
     }
     fn derivative(&self, name: &str) -> Self {
         derivatives(std::slice::from_ref(self), name).pop().unwrap_or_default()
@@ -427,17 +402,13 @@ impl Notation for Recorded {
 }
 
 impl TryFrom<&Symbolic> for Recorded {
-    type Error = ExpressionError;
+    type Error = String;
     /// The value as it is written, with sines and cosines.
     ///
     /// # Errors
-    /// A value beyond the limits of [expressions](crate::expression).
-    fn try_from(value: &Symbolic) -> Result<Self, ExpressionError> {
-        if let Some(constant) = value.as_constant() {
-            return Ok(Self::constant(constant.clone()));
-        }
-        let name = |name: &str| Ok(Self::input(name));
-        Expression::parse(&value.to_string())?.evaluate(&Scalars(name, <Self as Notation>::call))
+    /// In words: a value beyond the limits of [expressions](crate::expression).
+    fn try_from(value: &Symbolic) -> Result<Self, String> {
+        value.in_scalars(&Self::variable)
     }
 }
 

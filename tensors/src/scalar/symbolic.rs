@@ -5,9 +5,11 @@
 //! identified by its name, so any two values combine. Equal values have equal forms. Sines, cosines,
 //! exponentials, logarithms, square roots and free functions are rational functions of additional variables.
 
+mod argument;
 mod cache;
 mod canonical;
 mod collected;
+mod conversion;
 mod common;
 mod denominator;
 mod derivative;
@@ -15,7 +17,7 @@ mod elementary;
 mod factors;
 mod fraction;
 mod free;
-mod function_names;
+mod memo;
 mod normal_form;
 mod once;
 mod operators;
@@ -23,27 +25,27 @@ mod packed;
 mod polynomial;
 mod positive;
 mod product;
+mod shape;
 mod substitution;
 mod sum;
-mod texts;
-mod variables;
+mod variable;
 mod writing;
 
 use super::{Field, Kind, Notation, Rational, Ring};
-use elementary::Variable;
+use crate::expression::is_name;
 use fraction::Fraction;
 use polynomial::Polynomial;
 use std::collections::BTreeSet;
 use std::fmt;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
-use variables::Name;
-use writing::{Markup, Writer};
+use variable::Kind as Meaning;
+use writing::Markup;
 
 pub use common::CommonFactors;
 pub use free::FreeFunction;
-pub(crate) use function_names::is_elementary;
 pub use positive::PositiveFactors;
+pub use variable::Variable;
 
 /// A rational function of named parameters with rational coefficients, in lowest terms.
 ///
@@ -74,7 +76,25 @@ impl Symbolic {
     /// Any name is accepted here, but only identifiers can be read back from the text
     /// ([`Notation::parameter`] refuses other names).
     pub fn parameter(name: &str) -> Self {
-        Fraction::parameter(name).into()
+        Self::variable(Variable::parameter(name))
+    }
+
+    /// The value of a variable.
+    pub fn variable(variable: Variable) -> Self {
+        Fraction::variable(variable).into()
+    }
+
+    /// The variable that the value is.
+    fn as_variable(&self) -> Option<Variable> {
+        match self.variables() {
+            [variable] if *self == Self::variable(*variable) => Some(*variable),
+            _ => None,
+        }
+    }
+
+    /// The name of the parameter that the value is.
+    pub fn as_parameter(&self) -> Option<&'static str> {
+        self.as_variable().filter(|variable| variable.is_parameter()).map(Variable::text)
     }
 
     /// The constant function.
@@ -98,18 +118,18 @@ impl Symbolic {
     /// The names of the parameters on which the value depends, in alphabetical order; `x` for
     /// `sin(x)`.
     pub fn parameters(&self) -> Vec<String> {
-        let own = self.variables().iter().flat_map(|name| elementary::parameters(name));
-        let mut names: Vec<String> = own.map(str::to_string).collect();
-        if !names.is_sorted_by(|a, b| variables::natural(a, b).is_lt()) {
-            names.sort_by(|a, b| variables::natural(a, b));
-            names.dedup();
+        let own = self.variables().iter().flat_map(|variable| variable.parameters());
+        let mut parameters: Vec<Variable> = own.collect();
+        if !parameters.is_sorted_by(|a, b| a < b) {
+            parameters.sort_unstable();
+            parameters.dedup();
         }
-        names
+        parameters.into_iter().map(|parameter| parameter.text().to_string()).collect()
     }
 
     /// The variables of the fraction: parameters, and `tan(x/2)`, `exp(x)`, `log(x)` and `sqrt(x)` for
     /// functions of them.
-    fn variables(&self) -> &[Name] {
+    fn variables(&self) -> &[Variable] {
         match &self.0 {
             Form::Constant(_) => &[],
             Form::Fraction(f) => &f.variables,
@@ -134,8 +154,8 @@ impl Symbolic {
     }
 
     /// The partial derivative by a variable of the fraction.
-    fn partial(&self, name: &str) -> Self {
-        match (&self.0, self.variables().iter().position(|own| **own == *name)) {
+    fn partial(&self, variable: Variable) -> Self {
+        match (&self.0, self.variables().iter().position(|own| *own == variable)) {
             (Form::Fraction(f), Some(variable)) => f.derivative(variable),
             _ => Self::from_i64(0),
         }
@@ -146,22 +166,24 @@ impl Symbolic {
     ///
     /// A polynomial is thereby a vector over the monomials: its denominator is 1, and constant
     /// denominators are part of the coefficients. Of other values only the numerator is listed.
-    /// Zero has no terms. Functions of a parameter `x` occur as powers of `tan(x/2)` and `exp(x)`.
+    /// Zero has no terms. Functions of a parameter `x` occur as powers of the variables `tan(x/2)` and `exp(x)`.
     ///
     /// ```
     /// use affinor_tensors::{Rational, Symbolic};
     /// let half = Symbolic::constant(Rational::new(1, 2).unwrap());
     /// let terms = (Symbolic::parameter("a") * &half).terms();
-    /// assert_eq!(terms, [(vec![("a".to_owned(), 1)], Rational::new(1, 2).unwrap())]);
+    /// let (powers, coefficient) = &terms[0];
+    /// assert_eq!((powers[0].0.to_string(), powers[0].1), ("a".to_string(), 1));
+    /// assert_eq!(*coefficient, Rational::new(1, 2).unwrap());
     /// ```
-    pub fn terms(&self) -> Vec<(Vec<(String, u32)>, Rational)> {
+    pub fn terms(&self) -> Vec<(Vec<(Variable, u32)>, Rational)> {
         match &self.0 {
             Form::Constant(_) if self.vanishes() => Vec::new(),
             Form::Constant(c) => vec![(Vec::new(), c.clone())],
             Form::Fraction(f) => {
                 let powers = |exponents: &[u32]| {
                     let powers = f.variables.iter().zip(exponents).filter(|(_, e)| **e > 0);
-                    powers.map(|(name, &e)| (name.to_string(), e)).collect()
+                    powers.map(|(variable, &e)| (*variable, e)).collect()
                 };
                 let terms = f.numerator.terms.iter();
                 terms.map(|(m, c)| (powers(m.exps()), c.clone())).collect()
@@ -218,7 +240,7 @@ impl Notation for Symbolic {
     /// `None` unless the name is an identifier: an ASCII letter or `_`, then letters, digits or `_`;
     /// or that of a variable for functions of some, `tan(x/2)`, `exp(a*x)` or `sqrt(x)`.
     fn parameter(name: &str) -> Option<Self> {
-        elementary::is_variable(name).then(|| Symbolic::parameter(name))
+        is_name(name).then(|| Symbolic::parameter(name))
     }
     fn to_f64(&self) -> Option<f64> {
         self.as_constant().map(Rational::to_f64)
@@ -241,7 +263,7 @@ impl Notation for Symbolic {
     fn is_negative_with(&self, factors: &CommonFactors) -> bool {
         match &factors.written(self).0 {
             Form::Constant(c) => c.is_negative(),
-            Form::Fraction(f) => writing::leads_negative(&f.numerator),
+            Form::Fraction(f) => shape::leads_negative(&f.numerator),
         }
     }
     fn fingerprint(&self) -> u64 {
@@ -253,7 +275,7 @@ impl Notation for Symbolic {
     /// parameters, like `2*x - a*y/2`; `sqrt` and `log` of numbers and irreducible polynomials, and of what else
     /// [`PositiveFactors`] can tell.
     fn function(name: &str, argument: &Self) -> Result<Self, String> {
-        Self::function_of(name, argument)
+        PositiveFactors::default().function(name, argument)
     }
     /// Functions of one argument as above, and free functions of names, like `a(t)` and its derivative `a_t(t)`.
     fn call(name: &str, arguments: &[Self]) -> Result<Self, String> {
@@ -262,15 +284,19 @@ impl Notation for Symbolic {
     fn derivative(&self, name: &str) -> Self {
         Symbolic::derivative(self, name)
     }
-    fn numerator_terms(&self) -> Vec<(Vec<(String, u32)>, Rational)> {
+    fn numerator_terms(&self) -> Vec<(Vec<(Variable, u32)>, Rational)> {
         self.terms()
+    }
+    fn variable(variable: Variable) -> Option<Self> {
+        Some(Symbolic::variable(variable))
     }
     fn parameters(&self) -> Vec<String> {
         Symbolic::parameters(self)
     }
     fn parameters_of(values: &mut dyn Iterator<Item = &Self>) -> BTreeSet<String> {
-        let names = variables::distinct(values.map(Self::variables));
-        names.iter().flat_map(|name| elementary::parameters(name)).map(str::to_string).collect()
+        let variables = variable::distinct(values.map(Self::variables));
+        let parameters = variables.into_iter().flat_map(|variable| variable.parameters());
+        parameters.map(|parameter| parameter.text().to_string()).collect()
     }
     /// The sizes of the products over a common denominator.
     fn sum_size(&self, other: &Self) -> usize {
@@ -294,26 +320,10 @@ impl Notation for Symbolic {
 impl Symbolic {
     /// Whether the text contains sines, cosines or roots, which have a form of their own.
     fn has_written_form(&self) -> bool {
-        let written = |name: &Name| {
-            matches!(Variable::of(name), Variable::HalfTangent { .. } | Variable::Root(_))
+        let written = |variable: &Variable| {
+            matches!(variable.kind(), Meaning::HalfTangent(_) | Meaning::Root(_))
         };
         self.variables().iter().any(written)
-    }
-
-    /// The value as text or as LaTeX, with functions of angles in sines and cosines.
-    fn written(&self, markup: Markup, names: &CommonFactors) -> String {
-        match names.is_empty() {
-            true => texts::text(self, markup, |value| value.written_with(markup, names)),
-            false => self.written_with(markup, names),
-        }
-    }
-
-    fn written_with(&self, markup: Markup, names: &CommonFactors) -> String {
-        match (&names.written(self).0, markup) {
-            (Form::Constant(c), Markup::Text) => c.to_string(),
-            (Form::Constant(c), Markup::Latex) => c.latex(),
-            (Form::Fraction(f), _) => Writer { markup, names }.fraction(f),
-        }
     }
 
     /// The size and the number of terms, of numerator and denominator.

@@ -2,7 +2,7 @@
 
 use super::super::head::printable;
 use crate::definition::InputError;
-use affinor_tensors::scalar::{Count, Function, Output, Step, StraightLine};
+use affinor_tensors::scalar::{Count, Function, Output, Step, StraightLine, Variable};
 use affinor_tensors::{Notation, Rational, Recorded, Ring};
 use num_traits::{One, Zero};
 
@@ -36,7 +36,7 @@ pub struct Routine {
     /// The components of the vector `x`.
     coordinates: Vec<String>,
     /// The names of the other arguments, sorted.
-    pub parameters: Vec<String>,
+    parameters: Vec<(Variable, String)>,
     pub arrays: Vec<Array>,
     program: StraightLine,
 }
@@ -64,10 +64,13 @@ impl Routine {
     ) -> Self {
         let values = arrays.iter().flat_map(|array| array.entries.iter().map(|(_, v)| v.clone()));
         let program = StraightLine::new(&values.collect::<Vec<_>>());
-        let free = |name: &&str| !name.contains('[') && !coordinates.iter().any(|own| own == name);
-        let parameters: Vec<_> = program.inputs().filter(free).map(str::to_string).collect();
-        let values = parameters.iter().filter(|name| name.contains('('));
-        let values: Vec<_> = values.map(|name| format!("{} is {name}", parameter(name))).collect();
+        let free = |input: &Variable| {
+            let name = input.text();
+            !name.contains('[') && !coordinates.iter().any(|own| own == name)
+        };
+        let parameters = named(program.inputs().filter(free));
+        let functions = parameters.iter().filter(|(input, _)| !input.is_parameter());
+        let values: Vec<_> = functions.map(|(input, name)| format!("{name} is {input}")).collect();
         if !values.is_empty() {
             about.push(format!("Values of functions: {}.", values.join(", ")));
         }
@@ -82,7 +85,7 @@ impl Routine {
 
     /// The parameters as arguments.
     pub fn arguments(&self) -> Vec<String> {
-        self.parameters.iter().map(|name| parameter(name)).collect()
+        self.parameters.iter().map(|(_, name)| name.clone()).collect()
     }
 
     /// Whether functions like the sine are called.
@@ -100,7 +103,7 @@ impl Routine {
         let mut temporaries = 0;
         for (step, uses) in self.program.steps().iter().zip(self.program.uses()) {
             let text = match step {
-                Step::Input(name) => Text::atom(self.argument(name, dialect)),
+                Step::Input(input) => Text::atom(self.argument(*input, dialect)),
                 Step::Function(function, a) => Text::atom(dialect.call(*function, &texts[*a].text)),
                 Step::Sum(constant, terms) => sum(constant, terms, &texts)?,
                 Step::Product(a, b) => product(&texts[*a], &texts[*b]),
@@ -133,20 +136,40 @@ impl Routine {
     }
 
     /// An input as an argument: a component of a vector, or a parameter.
-    fn argument(&self, name: &str, dialect: &dyn Dialect) -> String {
+    fn argument(&self, input: Variable, dialect: &dyn Dialect) -> String {
+        let name = input.text();
         let component = name.strip_suffix(']').and_then(|name| name.split_once('['));
         let component = component.and_then(|(vector, at)| Some((vector, at.parse().ok()?)));
         match (component, self.coordinates.iter().position(|own| own == name)) {
             (Some((vector, at)), _) => dialect.component(vector, at),
             (_, Some(at)) => dialect.component("x", at),
-            _ => parameter(name),
+            _ => {
+                let known = self.parameters.iter().find(|(own, _)| *own == input);
+                known.map_or_else(|| parameter(input), |(_, name)| name.clone())
+            }
         }
     }
 }
 
+/// The inputs with the names of their arguments, which are different.
+fn named(inputs: impl Iterator<Item = Variable>) -> Vec<(Variable, String)> {
+    let mut all: Vec<(Variable, String)> = vec![];
+    for input in inputs {
+        let name = parameter(input);
+        let other = |number: usize| match number {
+            1 => name.clone(),
+            _ => format!("{name}_{number}"),
+        };
+        let is_free = |name: &String| all.iter().all(|(_, taken)| taken != name);
+        let name = (1..).map(other).find(is_free).unwrap_or_default();
+        all.push((input, name));
+    }
+    all
+}
+
 /// The argument for a parameter, or for the value of a free function: `p_a_t` for `a_t(t)`.
-fn parameter(name: &str) -> String {
-    format!("p_{}", name.split('(').next().unwrap_or(name))
+fn parameter(input: Variable) -> String {
+    format!("p_{}", input.free_function().unwrap_or_else(|| input.to_string()))
 }
 
 /// The number of operations, and the condition of divisions.

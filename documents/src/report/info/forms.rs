@@ -194,7 +194,7 @@ fn is_coordinate(name: &str) -> bool {
 fn degree_in_mu(polynomial: &Symbolic) -> u32 {
     let terms = polynomial.terms();
     let powers = terms.first().into_iter().flat_map(|(powers, _)| powers);
-    powers.filter(|(name, _)| is_coordinate(name)).map(|(_, power)| power).sum()
+    powers.filter(|(variable, _)| is_coordinate(variable.text())).map(|(_, power)| power).sum()
 }
 
 /// How many monomials of a degree there are in `n` variables.

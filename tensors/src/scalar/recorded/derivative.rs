@@ -1,7 +1,7 @@
 //! Partial derivatives of recorded values, in forward mode.
 
 use super::{Function, Node, Operation, Recorded, post_order};
-use crate::scalar::{Field, FreeFunction, Sum, Tolerance};
+use crate::scalar::{Field, Sum, Symbolic, Tolerance};
 use num_traits::{One, Zero};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -40,23 +40,31 @@ fn rate<'k>(
 ) -> Recorded {
     let value = |node: &Arc<Node>| Recorded { factor: One::one(), node: Some(node.clone()) };
     match &node.operation {
-        Operation::Input(own) if **own == *name => Recorded::one(),
+        Operation::Input(own) if own.text() == name => Recorded::one(),
         Operation::Function(function, argument) => {
             let Some(rate) = of(argument) else { return Recorded::zero() };
             let argument = value(argument);
             let own = value(node);
+            let of = |function| Recorded::of_function(function, &argument);
             let slope = match function {
-                Function::Sin => Recorded::of_function(Function::Cos, &argument),
-                Function::Cos => -Recorded::of_function(Function::Sin, &argument),
+                Function::Sin => of(Function::Cos),
+                Function::Cos => -of(Function::Sin),
+                Function::Tan => own.clone() * &own + &Recorded::one(),
                 Function::Exp => own,
+                Function::Sinh => of(Function::Cosh),
+                Function::Cosh => of(Function::Sinh),
+                Function::Tanh => {
+                    let secant = of(Function::Cosh).recip().unwrap_or_default();
+                    secant.clone() * &secant
+                }
                 Function::Log => argument.recip().unwrap_or_default(),
                 Function::Sqrt => (own.clone() + &own).recip().unwrap_or_default(),
             };
             rate.clone() * &slope
         }
         Operation::Input(own) => {
-            let derivative = FreeFunction::read(own).ok().and_then(|f| f.derivative(name));
-            derivative.map_or_else(Recorded::zero, |f| Recorded::input(&f.variable()))
+            let derivative = Symbolic::variable(*own).derivative(name);
+            Recorded::try_from(&derivative).unwrap_or_default()
         }
         Operation::Sum(_, terms) => {
             let rates =

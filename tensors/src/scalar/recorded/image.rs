@@ -12,8 +12,9 @@ use num_integer::Integer;
 use num_rational::{BigRational, Ratio};
 use num_traits::ToPrimitive;
 
-/// The parts of an angle whose functions obey the addition theorems.
-const PARTS: i64 = 720;
+/// The parts of an argument whose functions obey the addition theorems: 100 times the least common multiple of the
+/// numbers to 20.
+const PARTS: i64 = 23_279_256_000;
 
 const PRIMES: [u64; 2] = [(1 << 61) - 1, (1 << 62) - 57];
 
@@ -110,11 +111,20 @@ impl Image {
         };
         let multiples = multiples.iter().map(|(factor, value)| Some((parts_of(factor)?, *value)));
         let multiples: Vec<(i64, Image)> = multiples.collect::<Option<_>>()?;
-        if function == Function::Exp {
-            return multiples.into_iter().try_fold(Self::ONE, |product, (n, value)| {
+        if let Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh = function {
+            let e = multiples.into_iter().try_fold(Self::ONE, |product, (n, value)| {
                 let e = Self::named("exp", value);
                 let e = if n < 0 { e.recip()? } else { e };
                 Some(product.mul(power(e, Self::ONE, n.unsigned_abs(), Self::mul)))
+            })?;
+            let back = e.recip()?;
+            let (sum, difference) = (e.add(back), e.add(back.negated()));
+            let half = Self::ONE.add(Self::ONE).recip()?;
+            return Some(match function {
+                Function::Exp => e,
+                Function::Sinh => difference.mul(half),
+                Function::Cosh => sum.mul(half),
+                _ => difference.mul(sum.recip()?),
             });
         }
         // p + iq, the product of the (1 + i tan(x/(2 PARTS)))^n
@@ -128,6 +138,9 @@ impl Image {
             times(product, power([Self::ONE, t], one, n.unsigned_abs(), times))
         });
         let [pp, qq, pq] = [p.mul(p), q.mul(q), p.mul(q)];
+        if function == Function::Tan {
+            return Some(pq.add(pq).mul(pp.add(qq.negated()).recip()?));
+        }
         let below = pp.add(qq).recip()?;
         Some(match function {
             Function::Sin => pq.add(pq).mul(below),

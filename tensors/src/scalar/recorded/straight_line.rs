@@ -1,6 +1,6 @@
 //! Straight-line programs: the operations of recorded values, each once and in order.
 
-use super::{Function, Key, Operation, Recorded, post_order};
+use super::{Function, Key, Operation, Recorded, Variable, post_order};
 use crate::{Field, Rational};
 use num_traits::{One, Zero};
 use std::collections::HashMap;
@@ -18,8 +18,8 @@ pub struct StraightLine {
 /// One operation; operands are numbers of earlier steps.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
-    /// An input.
-    Input(String),
+    /// An input: a parameter, or a free function.
+    Input(Variable),
     /// A function of a step.
     Function(Function, usize),
     /// A constant and multiples of steps.
@@ -91,7 +91,7 @@ impl StraightLine {
                 (at, negative != other)
             };
             let (step, negated) = match &node.operation {
-                Operation::Input(name) => (Step::Input(name.to_string()), false),
+                Operation::Input(variable) => (Step::Input(*variable), false),
                 Operation::Function(function, a) => {
                     let (mut at, minus) = place(a);
                     if minus {
@@ -167,13 +167,13 @@ impl StraightLine {
         &self.outputs
     }
 
-    /// The names of the inputs, sorted.
-    pub fn inputs(&self) -> impl Iterator<Item = &str> {
-        let names = self.steps.iter().filter_map(|step| match step {
-            Step::Input(name) => Some(name.as_str()),
+    /// The inputs, sorted by their texts.
+    pub fn inputs(&self) -> impl Iterator<Item = Variable> {
+        let inputs = self.steps.iter().filter_map(|step| match step {
+            Step::Input(variable) => Some((variable.text(), *variable)),
             _ => None,
         });
-        names.collect::<std::collections::BTreeSet<_>>().into_iter()
+        inputs.collect::<std::collections::BTreeMap<_, _>>().into_values()
     }
 
     /// How often each step is used, by other steps and by outputs.
@@ -218,7 +218,7 @@ impl StraightLine {
         let mut values: Vec<S> = Vec::with_capacity(self.steps.len());
         for step in &self.steps {
             let value = match step {
-                Step::Input(name) => input(name),
+                Step::Input(variable) => input(variable.text()),
                 Step::Function(f, a) => function(*f, &values[*a]),
                 Step::Sum(constant, terms) => {
                     let mut sum = constant_in(constant)?;

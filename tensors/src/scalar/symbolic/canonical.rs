@@ -1,18 +1,18 @@
 //! The unique form of values with functions.
 //!
-//! Functions of `u/2` and of `u/3` are functions of `u/6`. Before values meet, every product `u` is brought into common
+//! Functions of `u/2` and of `u/3` are functions of `u/6`. Before values meet, every argument `u` is brought into common
 //! parts; afterwards into as few parts as the result allows. So `2 sin(x/2) cos(x/2)` is `sin(x)`.
 //!
-//! The variable `v = sqrt(p)` has the relation `v^2 = p`. It occurs in no denominator, and at most once
-//! in a term of a numerator. Irreducible polynomials and primes are independent modulo squares, so are
+//! The variable `v = p^(1/n)` has the relation `v^n = p`. It occurs in no denominator, and below the power `n` in
+//! the numerator. Irreducible polynomials and primes are independent modulo powers, so are
 //! their roots over the rational functions, and this form is unique.
 
 use super::denominator::Denominator;
-use super::elementary::{Variable, exponential, half_tangent};
 use super::fraction::{Fraction, lowest_terms};
 use super::polynomial::{Polynomial, constant, content, power, product, select};
-use super::variables::{Name, Variables, places};
+use super::variable::{Kind, Part, Variable, Variables, places};
 use super::{Form, Rational, Symbolic};
+use crate::linear::Matrix;
 use crate::scalar::Field;
 use num_integer::Integer;
 use num_traits::{One, Zero};
@@ -20,38 +20,49 @@ use polycore::{Monomial, Order, Poly};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use Variable::{Exponential, HalfTangent, Root};
+/// A function of each family, in the parts in which all functions of the family meet.
+pub(super) type Parts = Vec<(&'static Kind, u32)>;
 
-/// What is common to the functions of all parts of a product: their kind, and the product.
-fn family(variable: &str) -> Option<((bool, &str), u32)> {
-    let variable = Variable::of(variable);
-    let (product, parts) = variable.parts()?;
-    Some(((matches!(variable, HalfTangent { .. }), product), parts))
+/// The functions and parts of a fraction.
+fn functions(f: &Fraction) -> impl Iterator<Item = (usize, &'static Kind, u32)> {
+    let last = if f.has_functions() { f.variables.len() } else { 0 };
+    let kinds = f.variables[..last].iter().map(|variable| variable.kind()).enumerate();
+    kinds.filter_map(|(at, kind)| Some((at, kind, kind.part()?.parts)))
 }
 
-/// The parts in which the functions of each product meet; `None` if no product is in different parts.
+/// The parts in which the functions of each argument meet; `None` if no argument is in different parts.
 pub(super) fn common_parts<'f>(
     fractions: impl Iterator<Item = &'f Arc<Fraction>>,
-) -> Option<BTreeMap<(bool, &'f str), u32>> {
-    let mut finest = BTreeMap::new();
+) -> Option<Parts> {
+    let mut finest = Parts::new();
     let mut different = false;
     for f in fractions.filter(|f| f.has_functions()) {
-        for (family, parts) in f.variables.iter().filter_map(|name| family(name)) {
-            let known = finest.entry(family).or_insert(parts);
-            different |= *known != parts;
-            *known = known.lcm(&parts);
+        for (_, kind, parts) in functions(f) {
+            let related = |(other, _): &&mut (&'static Kind, u32)| {
+                std::ptr::eq(*other, kind) || other.is_related(kind)
+            };
+            match finest.iter_mut().find(related) {
+                None => finest.push((kind, parts)),
+                Some((_, known)) => {
+                    different |= *known != parts;
+                    *known = known.lcm(&parts);
+                }
+            }
         }
     }
     different.then_some(finest)
 }
 
-/// The fraction with its products in these parts.
-pub(super) fn in_parts(f: &Arc<Fraction>, parts: &BTreeMap<(bool, &str), u32>) -> Arc<Fraction> {
+/// The fraction with its functions in these parts.
+pub(super) fn in_parts(f: &Arc<Fraction>, parts: &Parts) -> Arc<Fraction> {
     let mut refined = f.clone();
-    while let Some((at, k)) = refined.variables.iter().enumerate().find_map(|(at, name)| {
-        let (family, own) = family(name)?;
-        Some((at, parts.get(&family)? / own)).filter(|(_, k)| *k > 1)
-    }) {
+    let coarse = |f: &Fraction| {
+        functions(f).find_map(|(at, kind, own)| {
+            let (_, parts) = parts.iter().find(|(other, _)| other.is_related(kind))?;
+            Some((at, parts / own)).filter(|(_, k)| *k > 1)
+        })
+    };
+    while let Some((at, k)) = coarse(&refined) {
         refined = Arc::new(in_more_parts(&refined, at, k));
     }
     refined
@@ -60,41 +71,73 @@ pub(super) fn in_parts(f: &Arc<Fraction>, parts: &BTreeMap<(bool, &str), u32>) -
 /// The value in its unique form.
 pub(super) fn settled(value: Symbolic) -> Symbolic {
     let Form::Fraction(f) = &value.0 else { return value };
-    if !f.has_functions() {
-        return value;
-    }
-    for (at, name) in f.variables.iter().enumerate() {
-        match Variable::of(name) {
-            Root(p) if f.numerator.degrees()[at] > 1 => return without_squares(f, at, p),
-            HalfTangent { parts, .. } | Exponential { parts, .. } => {
-                let divisors = (2..=parts).filter(|k| parts % k == 0);
-                if let Some(coarse) = divisors.filter_map(|k| in_fewer_parts(f, at, k)).next() {
-                    return settled(coarse.into());
-                }
-            }
-            _ => {}
+    for (at, kind, parts) in functions(f) {
+        if let Kind::Root(part) = kind
+            && f.numerator.degrees()[at] >= parts
+        {
+            return without_powers(f, at, part);
+        }
+        if let Some(coarse) = primes(parts).find_map(|k| in_fewer_parts(f, at, k)) {
+            return settled(coarse.into());
         }
     }
     value
 }
 
-/// `1 / f`, without roots in the denominator: `1/(a + b v) = (a - b v)/(a^2 - b^2 p)`.
-pub(super) fn reciprocal(f: &Fraction) -> Option<Symbolic> {
-    let roots = f.variables.iter().enumerate().filter(|_| f.has_functions());
-    let mut root = roots.filter_map(|(at, name)| match Variable::of(name) {
-        Root(p) => Some((at, p)),
-        _ => None,
-    });
-    let Some((at, p)) = root.next_back() else { return f.recip().map(Symbolic::from) };
-    let p: Symbolic = p.parse().ok()?;
-    let mut parts = by_power(&f.numerator, at);
-    let [a, b] =
-        [0, 1].map(|e| parts.remove(&e).map_or_else(Symbolic::zero, |part| f.polynomial(&part)));
-    let norm = a.clone() * &a - &(b.clone() * &b * &p);
-    let conjugate = a - &(b * &Symbolic::parameter(&f.variables[at]));
-    Some(conjugate * &f.polynomial(&f.expanded_denominator()) * &norm.recip()?)
+/// The prime divisors of a number, with repetitions.
+fn primes(n: u32) -> impl Iterator<Item = u32> {
+    let (mut rest, mut k) = (n, 2);
+    std::iter::from_fn(move || {
+        while rest > 1 && !rest.is_multiple_of(k) {
+            k = if k.saturating_mul(k) > rest { rest } else { k + 1 };
+        }
+        (rest > 1).then(|| {
+            rest /= k;
+            k
+        })
+    })
 }
 
+/// `1 / f`, without roots in the denominator: `1/(a + b v) = (a - b v)/(a^2 - b^2 p)` for a square root.
+pub(super) fn reciprocal(f: &Fraction) -> Option<Symbolic> {
+    let root = functions(f).filter_map(|(at, kind, _)| match kind {
+        Kind::Root(part) => Some((at, part)),
+        _ => None,
+    });
+    let Some((at, Part { of: p, parts: n })) = root.last() else {
+        return f.recip().map(Symbolic::from);
+    };
+    let v = Symbolic::variable(f.variables[at]);
+    let below = f.polynomial(&f.expanded_denominator());
+    let mut powers = by_power(&f.numerator, at);
+    let n = *n as usize;
+    let coefficients: Vec<Symbolic> = (0..n as u32)
+        .map(|e| powers.remove(&e).map_or_else(Symbolic::zero, |part| f.polynomial(&part)))
+        .collect();
+    let mut present = (0..n).filter(|e| !coefficients[*e].is_zero());
+    if let (Some(e @ 1..), None) = (present.next(), present.next()) {
+        // a single power
+        let inverse = coefficients[e].recip()? / p;
+        return Some(num_traits::pow(v, n - e) * &below * &inverse);
+    }
+    if let [a, b] = &coefficients[..] {
+        let norm = a.clone() * a - &(b.clone() * b * p);
+        return Some((a.clone() - &(b.clone() * &v)) * &below * &norm.recip()?);
+    }
+    // the coefficients of the inverse, from the matrix of the multiplication
+    let entry = |row: usize, column: usize| match row.checked_sub(column) {
+        Some(e) => coefficients[e].clone(),
+        None => coefficients[n + row - column].clone() * p,
+    };
+    let rows: Vec<Vec<Symbolic>> =
+        (0..n).map(|row| (0..n).map(|column| entry(row, column)).collect()).collect();
+    let mut one = vec![Symbolic::zero(); n];
+    one[0] = Symbolic::one();
+    let inverse = Matrix::from_dense(&rows).ok()?.solve(&one).ok()??;
+    let terms = inverse.into_iter().enumerate();
+    let terms = terms.map(|(e, value)| value * &num_traits::pow(v.clone(), e));
+    Some(terms.fold(Symbolic::zero(), |sum, term| sum + &term) * &below)
+}
 /// The parts of a polynomial by the power of a variable, without that variable.
 fn by_power(f: &Polynomial, at: usize) -> BTreeMap<u32, Polynomial> {
     let mut parts: BTreeMap<u32, Vec<(Monomial, Rational)>> = BTreeMap::new();
@@ -107,38 +150,36 @@ fn by_power(f: &Polynomial, at: usize) -> BTreeMap<u32, Polynomial> {
     parts.into_iter().map(|(e, terms)| (e, part(terms))).collect()
 }
 
-/// The value with powers of the root of `p` replaced by powers of `p`.
-fn without_squares(f: &Fraction, at: usize, p: &str) -> Symbolic {
-    // a variable that was read has a polynomial
-    let Ok(p) = p.parse::<Symbolic>() else { return f.clone().into() };
-    let root = Symbolic::parameter(&f.variables[at]);
+/// The value with high powers of a root of `p` replaced by powers of `p`.
+fn without_powers(f: &Fraction, at: usize, Part { of: p, parts: n }: &Part) -> Symbolic {
+    let root = Symbolic::variable(f.variables[at]);
     let one = constant(Rational::one(), f.variables.len());
     let below = lowest_terms(&f.variables, one, f.denominator.clone());
     let term = |(e, part): (u32, Polynomial)| {
-        let part = f.polynomial(&part) * &num_traits::pow(p.clone(), e as usize / 2);
-        if e % 2 == 1 { part * &root } else { part }
+        let part = f.polynomial(&part) * &num_traits::pow(p.clone(), (e / n) as usize);
+        if e % n > 0 { part * &num_traits::pow(root.clone(), (e % n) as usize) } else { part }
     };
     let terms = by_power(&f.numerator, at).into_iter().map(term);
     settled(terms.fold(Symbolic::zero(), |sum, term| sum + &term) * &below)
 }
 
 /// Numerator and denominator of `tan(k x)` for `tan(x) = t`, or of `t^k`; `t` is the variable at a place.
-fn multiple(variable: Variable, at: usize, n: usize, k: u32) -> [Polynomial; 2] {
+fn multiple(kind: &Kind, at: usize, n: usize, k: u32) -> [Polynomial; 2] {
     let t: Polynomial = Poly::var(at, n, Order::GrLex);
     let [zero, one] = [Rational::zero(), Rational::one()].map(|c| constant(c, n));
-    match variable {
-        HalfTangent { .. } => {
+    match kind {
+        Kind::HalfTangent(_) => {
             (0..k).fold([zero, one], |[q, p], _| [&q + &product(&p, &t), &p - &product(&q, &t)])
         }
         _ => [power(&t, k), one],
     }
 }
 
-/// The fraction with the product of a variable in `k` times as many parts.
+/// The fraction with the argument of a function in `k` times as many parts.
 fn in_more_parts(f: &Fraction, at: usize, k: u32) -> Fraction {
-    let variable = Variable::of(&f.variables[at]);
+    let kind = f.variables[at].kind();
     let n = f.variables.len();
-    let [q, p] = multiple(variable, at, n, k);
+    let [q, p] = multiple(kind, at, n, k);
     let below = f.expanded_denominator();
     let degree = f.numerator.degrees()[at].max(below.degrees()[at]);
     let image = |f: &Polynomial| {
@@ -147,14 +188,14 @@ fn in_more_parts(f: &Fraction, at: usize, k: u32) -> Fraction {
             &sum + &product(&part, &product(&power(&q, e), &power(&p, degree - e)))
         })
     };
-    let parts = variable.parts().map_or(1, |(_, parts)| parts * k);
+    let parts = kind.part().map_or(1, |part| part.parts * k);
     quotient(f, at, parts, image(&f.numerator), image(&below))
 }
 
-/// The fraction with the product of a variable in a `k`th of its parts, if it is a function of that.
+/// The fraction with the argument of a function in a `k`th of its parts, if it is a function of that.
 fn in_fewer_parts(f: &Fraction, at: usize, k: u32) -> Option<Fraction> {
-    let variable = Variable::of(&f.variables[at]);
-    let (_, parts) = variable.parts()?;
+    let kind = f.variables[at].kind();
+    let parts = kind.part()?.parts;
     let in_factors = f.denominator.factors.iter().map(|(factor, e)| {
         let place = places(&factor.variables, &f.variables).iter().position(|own| *own == at);
         place.map_or(0, |place| factor.polynomial.degrees()[place] * e)
@@ -164,8 +205,8 @@ fn in_fewer_parts(f: &Fraction, at: usize, k: u32) -> Option<Fraction> {
     if !degree.is_multiple_of(k) {
         return None;
     }
-    let coarse = |g: &Polynomial| match variable {
-        HalfTangent { .. } => in_multiples(g, at, k, degree / k),
+    let coarse = |g: &Polynomial| match kind {
+        Kind::HalfTangent(_) => in_multiples(kind, g, at, k, degree / k),
         _ => in_powers(g, at, k),
     };
     let above = coarse(&f.numerator)?;
@@ -184,9 +225,9 @@ fn in_powers(g: &Polynomial, at: usize, k: u32) -> Option<Polynomial> {
 }
 
 /// The polynomial `sum_e g_e t^e` from `sum_e g_e q^e p^(m - e)`, with `tan(k x) = q/p`.
-fn in_multiples(g: &Polynomial, at: usize, k: u32, m: u32) -> Option<Polynomial> {
+fn in_multiples(kind: &Kind, g: &Polynomial, at: usize, k: u32, m: u32) -> Option<Polynomial> {
     let n = g.nvars;
-    let [q, p] = multiple(HalfTangent { product: "", parts: 1 }, at, n, k);
+    let [q, p] = multiple(kind, at, n, k);
     let t: Polynomial = Poly::var(at, n, Order::GrLex);
     let (mut rest, mut sum) = (g.clone(), constant(Rational::zero(), n));
     for e in 0..=m {
@@ -201,15 +242,13 @@ fn in_multiples(g: &Polynomial, at: usize, k: u32, m: u32) -> Option<Polynomial>
 
 /// The quotient of coprime polynomials, in the variables of `f`, but for one that has other parts.
 fn quotient(f: &Fraction, at: usize, parts: u32, above: Polynomial, below: Polynomial) -> Fraction {
-    let mut names: Vec<(usize, Name)> = f.variables.iter().copied().enumerate().collect();
-    names[at].1 = match Variable::of(&f.variables[at]) {
-        HalfTangent { product, .. } => Name::new(&half_tangent(product, parts)),
-        Exponential { product, .. } => Name::new(&exponential(product, parts)),
-        _ => f.variables[at],
-    };
-    names.sort_by_key(|(_, name)| *name);
-    let columns: Vec<_> = names.iter().map(|(at, _)| Some(*at)).collect();
-    let variables: Variables = names.into_iter().map(|(_, name)| name).collect();
+    let mut all: Vec<(usize, Variable)> = f.variables.iter().copied().enumerate().collect();
+    if let Some(kind) = f.variables[at].kind().in_parts(parts) {
+        all[at].1 = Variable::function(kind);
+    }
+    all.sort_by_key(|(_, variable)| *variable);
+    let columns: Vec<_> = all.iter().map(|(at, _)| Some(*at)).collect();
+    let variables: Variables = all.into_iter().map(|(_, variable)| variable).collect();
     // another order of the variables is another order of the terms
     let [numerator, below] = [above, below].map(|f| {
         let f = select(&f, &columns);

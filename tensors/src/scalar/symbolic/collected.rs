@@ -6,7 +6,7 @@
 
 use super::super::Rational;
 use super::polynomial::Polynomial;
-use super::variables::Variables;
+use super::variable::Variables;
 use num_traits::One;
 
 /// A deeper nesting is not begun. Expressions may be nested
@@ -28,7 +28,7 @@ pub(super) fn parts(sum: &Polynomial, variables: &Variables) -> Vec<Part> {
     let powers = |exponents: &[u32]| -> Powers {
         exponents.iter().copied().enumerate().filter(|(_, e)| *e > 0).collect()
     };
-    let lengths: Vec<usize> = variables.iter().map(|name| name.len()).collect();
+    let lengths: Vec<usize> = variables.iter().map(|variable| variable.text().len()).collect();
     let terms = sum.terms.iter().enumerate();
     let terms = terms.map(|(place, (m, c))| {
         let (coefficient, powers) = (c.clone(), powers(m.exps()));

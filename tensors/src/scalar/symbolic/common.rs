@@ -2,9 +2,8 @@
 
 use super::denominator::Factor;
 use super::fraction::Fraction;
-use super::free::FreeFunction;
 use super::polynomial::Polynomial;
-use super::variables::Variables;
+use super::variable::{Kind, Variables};
 use super::{Form, Symbolic, normal_form};
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
@@ -93,9 +92,10 @@ impl CommonFactors {
         for value in values {
             let form = factors.written(value).into_owned();
             let Form::Fraction(f) = form.0 else { continue };
-            let free = f.variables.iter().filter(|name| name.ends_with(')'));
-            let free = free.filter_map(|name| FreeFunction::read(name).ok());
-            functions.extend(free.map(|function| function.name().to_string()));
+            functions.extend(f.variables.iter().filter_map(|variable| match variable.kind() {
+                Kind::Applied(applied) => Some(applied.name.to_string()),
+                _ => None,
+            }));
             for (factor, _) in &f.denominator.factors {
                 let known = places.get(&Arc::as_ptr(factor)).copied();
                 let at = known.or_else(|| found.iter().position(|(f, _)| same(f, factor)));

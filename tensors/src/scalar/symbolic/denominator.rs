@@ -7,7 +7,7 @@
 use super::super::Rational;
 use super::factors::{self, Part};
 use super::polynomial::{Polynomial, cofactors, constant, lowered, power, product, select};
-use super::variables::{Variables, places, union};
+use super::variable::{Variables, places, union};
 use num_traits::One;
 use polycore::{Monomial, Order, Poly};
 use std::sync::Arc;

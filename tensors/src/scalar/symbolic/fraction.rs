@@ -2,7 +2,7 @@
 
 use super::denominator::Denominator;
 use super::polynomial::{Polynomial, content, power, select};
-use super::variables::{Name, Variables, places};
+use super::variable::{Variable, Variables, places};
 use super::{Form, Rational, Symbolic};
 use crate::scalar::Field;
 use num_traits::Zero;
@@ -47,9 +47,9 @@ impl Fraction {
         Fraction { variables, quotient: Arc::new(Quotient { numerator, denominator }) }
     }
 
-    pub(super) fn parameter(name: &str) -> Self {
+    pub(super) fn variable(variable: Variable) -> Self {
         let numerator = Poly::monomial(Monomial::var(0, 1), Order::GrLex);
-        Fraction::new(Arc::new([Name::new(name)]), numerator, Denominator::default())
+        Fraction::new(Arc::new([variable]), numerator, Denominator::default())
     }
 
     /// Whether other names may be given to its variables, and nothing else changes.
@@ -59,7 +59,7 @@ impl Fraction {
 
     /// Whether a variable is a function. Functions are the last variables.
     pub(super) fn has_functions(&self) -> bool {
-        self.variables.last().is_some_and(|name| name.ends_with(')'))
+        self.variables.last().is_some_and(|variable| !variable.is_parameter())
     }
 
     /// The larger of the total degrees of numerator and denominator.

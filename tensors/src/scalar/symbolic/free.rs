@@ -1,67 +1,69 @@
 //! Functions that are not given: `a(t)`, `f(r,theta)`, and their derivatives `a_t(t)`, `f_r_theta(r,theta)`.
 //!
 //! Such a function and its partial derivatives are variables of the fractions, independent of each other and of all
-//! parameters. Second derivatives do not depend on the order, so the arguments by which a function is differentiated
-//! are sorted in its name, and a name is unique.
+//! parameters, also at different arguments. Second derivatives do not depend on the order, so the positions by which a
+//! function is differentiated are sorted. The derivative by the first argument of `A(r/t)` is written `A_1(r/t)`.
 
-use super::function_names::is_elementary;
+use super::substitution::Substitution;
+use super::variable::{Kind, Variable};
 use super::{PositiveFactors, Symbolic};
 use crate::expression::is_name;
-use std::collections::BTreeMap;
+use crate::scalar::function::is_elementary;
+use num_traits::Zero;
 
-/// A partial derivative of a free function.
+/// A partial derivative of a free function, with the names of its arguments.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FreeFunction {
     name: String,
     arguments: Vec<String>,
-    /// The places of the arguments by which it is differentiated, sorted.
+    /// The positions of the arguments by which it is differentiated, sorted.
     by: Vec<usize>,
 }
 
+/// A partial derivative of a free function at arguments.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub(super) struct Applied {
+    pub name: Box<str>,
+    /// The positions of the arguments by which the function is differentiated, sorted.
+    pub by: Vec<usize>,
+    pub arguments: Vec<Symbolic>,
+}
+
 impl FreeFunction {
-    /// The function or derivative `head` of these arguments: `a_t` of `t`.
+    /// The function or derivative `head` of these arguments: `a_t` of `t`. The derivative by the first argument is also `a_1`.
     ///
     /// # Errors
-    /// In words, if an argument is no name or occurs twice, or `head` is no name of a function of these arguments.
+    /// In words, if an argument is not a name or occurs twice, or `head` does not name a function of these arguments.
     ///
     /// ```
     /// use affinor_tensors::scalar::FreeFunction;
     /// let f = FreeFunction::new("f_theta_r", &["r", "theta"])?;
-    /// assert_eq!(f.variable(), "f_r_theta(r,theta)");
-    /// assert_eq!(f.derivative("r").unwrap().variable(), "f_r_r_theta(r,theta)");
+    /// assert_eq!(f.value().to_string(), "f_r_theta(r,theta)");
+    /// assert_eq!(f.derivative("r").unwrap().value().to_string(), "f_r_r_theta(r,theta)");
     /// assert_eq!(f.derivative("t"), None);
     /// assert!(FreeFunction::new("f_t", &["r"]).is_err());
     /// # Ok::<(), String>(())
     /// ```
     pub fn new(head: &str, arguments: &[impl AsRef<str>]) -> Result<Self, String> {
         let arguments: Vec<String> = arguments.iter().map(|name| name.as_ref().into()).collect();
-        let plain = |name: &str| is_name(name) && !name.contains('_');
         for (at, name) in arguments.iter().enumerate() {
-            if !plain(name) {
+            if !is_plain(name) {
                 return Err(format!("the arguments of `{head}` are names without `_`"));
             }
             if arguments[..at].contains(name) {
                 return Err(format!("`{head}` has the argument `{name}` twice"));
             }
         }
-        let mut parts = head.split('_');
-        let name = parts.next().unwrap_or_default().to_string();
-        if !plain(&name) || arguments.is_empty() {
-            return Err(format!("`{head}` is no name of a function"));
-        }
-        if is_elementary(&name) {
-            return Err(format!("`{name}` is another function"));
-        }
         let place = |part: &str| arguments.iter().position(|own| own == part);
-        let mut by: Vec<usize> = parts.map(place).collect::<Option<_>>().ok_or_else(|| {
-            let all = arguments.join(", ");
+        let (name, by) = positions(head, arguments.len(), &place)?;
+        let by = by.ok_or_else(|| {
+            let (name, all) = (&name, arguments.join(", "));
             format!("`{head}` is no derivative of a function of {all}: {name}_{}", arguments[0])
         })?;
-        by.sort_unstable();
         Ok(FreeFunction { name, arguments, by })
     }
 
-    /// Reads the name of a variable, or a function as it is declared: `f(r, theta)`.
+    /// Reads a function as it is declared: `f(r, theta)`.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -82,22 +84,44 @@ impl FreeFunction {
         &self.arguments
     }
 
-    /// The arguments by which it is differentiated, in their order.
-    pub fn differentiated_by(&self) -> impl Iterator<Item = &str> {
-        self.by.iter().map(|at| self.arguments[*at].as_str())
+    /// The function as it is declared: `f(r,theta)`.
+    pub fn declaration(&self) -> String {
+        format!("{}({})", self.name, self.arguments.join(","))
     }
 
-    /// The name with derivatives: `f_r_theta`.
-    pub fn head(&self) -> String {
-        self.differentiated_by().fold(self.name.clone(), |head, by| head + "_" + by)
+    /// The function or derivative at its own arguments.
+    pub fn value(&self) -> Symbolic {
+        let arguments: Vec<_> = self.arguments.iter().map(|name| Symbolic::parameter(name)).collect();
+        self.applied(&arguments).value()
     }
 
-    /// The name of its variable in the values: `f_r_theta(r,theta)`.
-    pub fn variable(&self) -> String {
-        format!("{}({})", self.head(), self.arguments.join(","))
+    /// The function or derivative at these arguments.
+    ///
+    /// ```
+    /// use affinor_tensors::scalar::FreeFunction;
+    /// let scale = FreeFunction::read("A(r)")?.at(&["r/t".parse()?])?;
+    /// assert_eq!(scale.derivative("r").to_string(), "A_1(r/t)/t");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// In words, for another number of arguments, or if all arguments are numbers.
+    pub fn at(&self, arguments: &[Symbolic]) -> Result<Symbolic, String> {
+        if arguments.len() != self.arguments.len() {
+            return Err(format!("it is declared as {}", self.declaration()));
+        }
+        self.applied(arguments).checked()
     }
 
-    /// The partial derivative by an argument; `None` if it is none.
+    fn applied(&self, arguments: &[Symbolic]) -> Applied {
+        Applied {
+            name: self.name.as_str().into(),
+            by: self.by.clone(),
+            arguments: arguments.to_vec(),
+        }
+    }
+
+    /// The partial derivative by an argument; `None` for another name.
     pub fn derivative(&self, argument: &str) -> Option<Self> {
         let at = self.arguments.iter().position(|own| own == argument)?;
         let mut derivative = self.clone();
@@ -110,34 +134,126 @@ impl FreeFunction {
         FreeFunction { by: vec![], ..self.clone() }
     }
 
+    /// The partial derivative that a value is, if it is one of this function at its own arguments.
+    pub fn of_value(&self, value: &Symbolic) -> Option<Self> {
+        let [variable] = value.variables() else { return None };
+        let Kind::Applied(applied) = variable.kind() else { return None };
+        let own = FreeFunction { by: applied.by.clone(), ..self.clone() };
+        (own.value() == *value).then_some(own)
+    }
+}
+
+/// Whether this is a name without `_`.
+fn is_plain(name: &str) -> bool {
+    is_name(name) && !name.contains('_')
+}
+
+/// The name of a function, and the positions of the arguments by which it is differentiated: `f_r_1` is `f` by the
+/// argument `r` and the first one; `None` for an argument that the function does not have.
+///
+/// # Errors
+/// In words, if it does not name a function.
+fn positions(
+    head: &str,
+    count: usize,
+    place: &dyn Fn(&str) -> Option<usize>,
+) -> Result<(String, Option<Vec<usize>>), String> {
+    let mut parts = head.split('_');
+    let name = parts.next().unwrap_or_default().to_string();
+    if !is_plain(&name) || count == 0 {
+        return Err(format!("`{head}` is no name of a function"));
+    }
+    if is_elementary(&name) {
+        return Err(format!("`{name}` is another function"));
+    }
+    let numbered = |part: &str| {
+        let number = part.parse::<usize>().ok().filter(|number| (1..=count).contains(number));
+        number.map(|number| number - 1)
+    };
+    let by: Option<Vec<usize>> = parts.map(|part| place(part).or_else(|| numbered(part))).collect();
+    let sorted = |mut by: Vec<usize>| {
+        by.sort_unstable();
+        by
+    };
+    Ok((name, by.map(sorted)))
+}
+
+impl Applied {
+    /// The function or derivative `head` at arguments, of which those that are names may occur in `head`.
+    ///
+    /// # Errors
+    /// In words, if `head` does not name a function of these arguments, or all arguments are numbers.
+    pub fn read(head: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
+        let names: Vec<Option<&str>> = arguments.iter().map(Symbolic::as_parameter).collect();
+        let place = |part: &str| names.iter().position(|name| *name == Some(part));
+        let (name, by) = positions(head, arguments.len(), &place)?;
+        let by = by.ok_or_else(|| {
+            let all: Vec<String> = arguments.iter().map(Symbolic::to_string).collect();
+            format!("`{head}` is no derivative of a function of {}: {name}_1", all.join(", "))
+        })?;
+        Applied { name: name.into(), by, arguments: arguments.to_vec() }.checked()
+    }
+
+    /// The value of the function; an error in words if all arguments are numbers.
+    fn checked(self) -> Result<Symbolic, String> {
+        if self.arguments.iter().all(|value| value.parameters().is_empty()) {
+            return Err(format!("the value of `{}` at a number is not known", self.name));
+        }
+        Ok(self.value())
+    }
+
+    pub fn value(self) -> Symbolic {
+        Symbolic::variable(Variable::function(Kind::Applied(self)))
+    }
+
+    /// The names of the arguments, if they are different names without `_`.
+    pub fn names(&self) -> Option<Vec<&str>> {
+        let name = |value| Symbolic::as_parameter(value).filter(|name| is_plain(name));
+        let names = self.arguments.iter().map(name).collect::<Option<Vec<&str>>>()?;
+        let twice = |at: usize| names[..at].contains(&names[at]);
+        (!(0..names.len()).any(twice)).then_some(names)
+    }
+
+    /// The arguments by which it is differentiated: their names, or else their numbers, from 1.
+    pub fn differentiated_by(&self) -> Vec<String> {
+        match self.names() {
+            Some(names) => self.by.iter().map(|at| names[*at].to_string()).collect(),
+            None => self.by.iter().map(|at| (at + 1).to_string()).collect(),
+        }
+    }
+
+    /// The partial derivative by a parameter, by the chain rule.
+    pub fn derivative(&self, parameter: Variable) -> Symbolic {
+        let terms = self.arguments.iter().enumerate().map(|(at, argument)| {
+            let slope = argument.derivative_by(parameter);
+            if slope.is_zero() {
+                return slope;
+            }
+            let mut derivative = self.clone();
+            derivative.by.insert(self.by.partition_point(|other| *other <= at), at);
+            derivative.value() * &slope
+        });
+        terms.fold(Symbolic::zero(), |sum, term| sum + &term)
+    }
+
     /// The function with values for some functions and parameters.
     ///
     /// # Errors
-    /// In words: an argument gets a value that is no name, or the value of the function has none at its arguments.
-    pub(super) fn image(
+    /// In words: the arguments become numbers, or the value of the function has none at its arguments.
+    pub fn image(
         &self,
         positive: &PositiveFactors,
-        values: &BTreeMap<String, Symbolic>,
+        values: &Substitution,
     ) -> Result<Symbolic, String> {
-        let mut own = values.clone();
-        own.retain(|name, _| self.arguments.contains(name));
-        if let Some(value) = values.get(&self.original().variable()) {
-            let derivative =
-                self.differentiated_by().fold(value.clone(), |value, by| value.derivative(by));
-            return derivative.substitute_where(positive, &own);
-        }
-        let renamed = |name: &String| match own.get(name) {
-            None => Ok(name.clone()),
-            Some(value) => {
-                let name = value.parameters().pop();
-                let name = name.filter(|name| *value == Symbolic::parameter(name));
-                name.ok_or_else(|| {
-                    format!("{value} is no argument of `{}`: its arguments are names", self.name)
-                })
-            }
+        let arguments = self.arguments.iter();
+        let arguments = arguments.map(|argument| argument.substitute_where(positive, values));
+        let arguments = arguments.collect::<Result<Vec<_>, _>>()?;
+        let Some((names, value)) = values.function(&self.name, arguments.len()) else {
+            return Applied { arguments, ..self.clone() }.checked();
         };
-        let arguments = self.arguments.iter().map(renamed).collect::<Result<Vec<_>, _>>()?;
-        let renamed = Self::new(&self.name, &arguments)?;
-        Ok(Symbolic::parameter(&FreeFunction { by: self.by.clone(), ..renamed }.variable()))
+        let by = self.by.iter().map(|at| Variable::parameter(&names[*at]));
+        let derivative = by.fold(value.clone(), |value, by| value.derivative_by(by));
+        let at = names.iter().cloned().zip(arguments).collect();
+        derivative.substitute_where(positive, &Substitution::of_parameters(at))
     }
 }

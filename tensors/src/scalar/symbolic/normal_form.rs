@@ -7,40 +7,47 @@
 //! degree, if that takes fewer terms: `a^2*sin(x)^2 + b^2*cos(x)^2`. Sines stay in denominators:
 //! `1/(1 + sin x)` is shorter than `(1 - sin x)/cos^2 x`.
 
-use super::elementary::{Variable, Variable::Root, angle};
+use super::argument::{by_power, by_powers};
+use super::elementary::written_value;
 use super::fraction::lowest_terms;
 use super::polynomial::{Polynomial, constant};
 use super::sum::SymbolicSum;
+use super::variable::{Kind, Part, Variable};
 use super::{Form, Rational, Symbolic};
+use crate::scalar::function::Function;
 use crate::scalar::{Field, Ring, Sum};
 use num_traits::{One, Zero, pow};
-use polycore::{Monomial, Poly};
-use std::collections::BTreeMap;
-use std::mem;
 
 /// The value as it is written.
 pub(super) fn written(value: &Symbolic) -> Symbolic {
     let value = in_sines(value);
-    let roots = value.variables().iter().filter(|name| matches!(Variable::of(name), Root(_)));
-    let roots: Vec<_> = roots.cloned().collect();
-    roots.iter().fold(value, |value, root| below_the_line(&value, root).unwrap_or(value))
+    let root = |variable: &Variable| matches!(variable.kind(), Kind::Root(_));
+    let roots: Vec<Variable> = value.variables().iter().copied().filter(root).collect();
+    roots.iter().fold(value, |value, root| below_the_line(&value, *root).unwrap_or(value))
 }
 
-/// `1/sqrt(p)` for `sqrt(p)/p`; `None` unless the root is a factor above and `p` one below.
-fn below_the_line(value: &Symbolic, root: &str) -> Option<Symbolic> {
-    let (Form::Fraction(f), Root(p)) = (&value.0, Variable::of(root)) else { return None };
-    let Form::Fraction(p) = p.parse::<Symbolic>().ok()?.0 else { return None };
-    let at = f.variables.iter().position(|name| **name == *root)?;
+/// Whether a variable occurs in written forms only.
+pub(super) fn is_written(variable: &Variable) -> bool {
+    matches!(variable.kind(), Kind::Written(..))
+}
+
+/// `1/sqrt(p)` for `sqrt(p)/p`; `None` unless a power of the root is a factor above and `p` one below.
+fn below_the_line(value: &Symbolic, root: Variable) -> Option<Symbolic> {
+    let (Form::Fraction(f), Kind::Root(Part { of, parts })) = (&value.0, root.kind()) else {
+        return None;
+    };
+    let Form::Fraction(p) = &of.0 else { return None };
+    let at = f.variables.iter().position(|own| *own == root)?;
     let above = by_power(&value.numerator(), root);
-    let [zero, coefficient] = &above[..] else { return None };
-    if !zero.vanishes() {
+    let (coefficient, lower) = above.split_last()?;
+    if lower.is_empty() || lower.iter().any(|other| !other.vanishes()) {
         return None;
     }
     let mut denominator = f.denominator.clone();
     denominator.monomial = (0..f.variables.len()).map(|at| f.denominator.exponent(at)).collect();
     let exponent = match &p.numerator.terms[..] {
         [_] => {
-            let place = f.variables.iter().position(|name| *name == p.variables[0])?;
+            let place = f.variables.iter().position(|own| *own == p.variables[0])?;
             &mut denominator.monomial[place]
         }
         _ => {
@@ -52,7 +59,7 @@ fn below_the_line(value: &Symbolic, root: &str) -> Option<Symbolic> {
     };
     *exponent = exponent.checked_sub(1)?;
     denominator.factors.retain(|(_, e)| *e > 0);
-    denominator.monomial[at] += 1;
+    denominator.monomial[at] += parts - lower.len() as u32;
     let negative = p.numerator.lc().is_some_and(Rational::is_negative);
     let one = constant(Rational::from(if negative { -1 } else { 1 }), f.variables.len());
     Some(coefficient.clone() * &lowest_terms(&f.variables, one, denominator))
@@ -63,25 +70,75 @@ fn below_the_line(value: &Symbolic, root: &str) -> Option<Symbolic> {
 fn in_sines(value: &Symbolic) -> Symbolic {
     let mut value = value.clone();
     // a coefficient may be a function of a larger part of another angle
-    while let Some((t, x)) = value.variables().iter().find_map(|t| Some((*t, angle(t)?))) {
-        value = shortest(&gathered(over_sines(&value, &t, &x), &x), &x);
+    while let Some((t, x)) = angle(&value) {
+        value = shortest(&gathered(over_sines(&value, t, x), x), x);
     }
     value
 }
 
-fn sine(x: &str) -> Symbolic {
-    Symbolic::parameter(&format!("sin({x})"))
+/// A half tangent of the value, and its angle.
+fn angle(value: &Symbolic) -> Option<(Variable, &'static Part)> {
+    value.variables().iter().find_map(|variable| match variable.kind() {
+        Kind::HalfTangent(part) => Some((*variable, part)),
+        _ => None,
+    })
 }
 
-fn cosine(x: &str) -> Symbolic {
-    Symbolic::parameter(&format!("cos({x})"))
+/// The value with cosines and first powers of sines in place of half tangents; `None` if they occur in a denominator.
+pub(super) fn in_cosines(value: &Symbolic) -> Option<Symbolic> {
+    let mut value = value.clone();
+    while let Some((t, x)) = angle(&value) {
+        let over = over_sines(&value, t, x);
+        let square = Symbolic::one() - &(cosine(x) * &cosine(x));
+        let sines = by_power(&over.numerator(), sine_variable(x)).into_iter().enumerate();
+        let above = sines.fold(Symbolic::zero(), |sum, (power, rest)| {
+            sum + &(rest * &pow(square.clone(), power / 2) * &pow(sine(x), power % 2))
+        });
+        value = above / &over.denominator();
+        let [sin, cos] = [sine_variable(x), cosine_variable(x)];
+        let below = value.denominator();
+        if below.variables().iter().any(|own| *own == sin || *own == cos) {
+            return None;
+        }
+    }
+    Some(value)
+}
+
+/// The value with half tangents in place of sines and cosines.
+pub(super) fn in_half_tangents(value: &Symbolic) -> Symbolic {
+    let mut value = value.clone();
+    let written = |value: &Symbolic| value.variables().iter().copied().find(is_written);
+    while let Some(variable) = written(&value) {
+        let Kind::Written(function, part) = variable.kind() else { break };
+        let image = written_value(*function, part);
+        let above = by_power(&value.numerator(), variable).into_iter().rev();
+        let above = above.fold(Symbolic::zero(), |sum, c| sum * &image + &c);
+        value = above / &value.denominator();
+    }
+    value
+}
+
+fn sine_variable(x: &Part) -> Variable {
+    Variable::function(Kind::Written(Function::Sin, x.clone()))
+}
+
+fn cosine_variable(x: &Part) -> Variable {
+    Variable::function(Kind::Written(Function::Cos, x.clone()))
+}
+
+fn sine(x: &Part) -> Symbolic {
+    Symbolic::variable(sine_variable(x))
+}
+
+fn cosine(x: &Part) -> Symbolic {
+    Symbolic::variable(cosine_variable(x))
 }
 
 /// The value in the sine and cosine of `x`, where `t` is the variable `tan(x/2)`.
 ///
 /// A polynomial of degree `d` in `t` becomes one in sine and cosine times `(1 + cos x)^h`, with `h = d/2` rounded up. Factors of the
 /// denominator that are even in `t` contain no sines, and stay apart.
-fn over_sines(value: &Symbolic, t: &str, x: &str) -> Symbolic {
+fn over_sines(value: &Symbolic, t: Variable, x: &Part) -> Symbolic {
     let Form::Fraction(f) = &value.0 else { return value.clone() };
     let half = |coefficients: &[Symbolic]| coefficients.len().saturating_sub(1).div_ceil(2);
     let mut below = Symbolic::one();
@@ -109,7 +166,7 @@ fn over_sines(value: &Symbolic, t: &str, x: &str) -> Symbolic {
 }
 
 /// The polynomial with these coefficients in `tan(x/2)` times `(1 + cos x)^h`.
-fn in_sine(coefficients: &[Symbolic], h: usize, x: &str) -> Symbolic {
+fn in_sine(coefficients: &[Symbolic], h: usize, x: &Part) -> Symbolic {
     let part = |from: usize| coefficients.iter().skip(from).step_by(2);
     homogeneous(part(0), h, x) + &(homogeneous(part(1), h.saturating_sub(1), x) * &sine(x))
 }
@@ -117,37 +174,6 @@ fn in_sine(coefficients: &[Symbolic], h: usize, x: &str) -> Symbolic {
 /// The reciprocal of a value other than zero.
 fn inverse(value: &Symbolic) -> Symbolic {
     value.recip().unwrap_or_default()
-}
-
-/// The coefficients of the powers of a variable, the constant first.
-fn by_power(polynomial: &Symbolic, variable: &str) -> Vec<Symbolic> {
-    let mut coefficients = Vec::new();
-    for ([at], part) in apart(polynomial, [variable]) {
-        coefficients.resize(at, Symbolic::zero());
-        coefficients.push(part);
-    }
-    coefficients
-}
-
-/// A polynomial by the powers of some variables: the rest of the terms with each.
-fn apart<const N: usize>(
-    polynomial: &Symbolic,
-    variables: [&str; N],
-) -> BTreeMap<[usize; N], Symbolic> {
-    let Form::Fraction(f) = &polynomial.0 else {
-        let constant = (!polynomial.vanishes()).then(|| ([0; N], polynomial.clone()));
-        return constant.into_iter().collect();
-    };
-    let columns = variables.map(|name| f.variables.iter().position(|own| **own == *name));
-    let mut parts = BTreeMap::<_, Vec<_>>::new();
-    for (monomial, c) in &f.numerator.terms {
-        let mut rest = monomial.exps().to_vec();
-        let powers = columns.map(|k| k.map_or(0, |k| mem::take(&mut rest[k]) as usize));
-        // of equal powers, so that the order of the terms stays
-        parts.entry(powers).or_default().push((Monomial::new(rest), c.clone()));
-    }
-    let polynomial = |terms| Poly { terms, ..f.numerator.clone() };
-    parts.into_iter().map(|(at, terms)| (at, f.polynomial(&polynomial(terms)))).collect()
 }
 
 /// The number of terms of the numerator.
@@ -162,7 +188,7 @@ fn length(value: &Symbolic) -> usize {
 fn homogeneous<'s>(
     coefficients: impl DoubleEndedIterator<Item = &'s Symbolic> + ExactSizeIterator,
     degree: usize,
-    x: &str,
+    x: &Part,
 ) -> Symbolic {
     let (more, less) = (Symbolic::one() + &cosine(x), Symbolic::one() - &cosine(x));
     let mut power = pow(more.clone(), (degree + 1).saturating_sub(coefficients.len()));
@@ -174,7 +200,7 @@ fn homogeneous<'s>(
 }
 
 /// Replaces factors `1 - cos^2 x` by `sin^2 x`.
-fn gathered(value: Symbolic, x: &str) -> Symbolic {
+fn gathered(value: Symbolic, x: &Part) -> Symbolic {
     if value.vanishes() {
         return value;
     }
@@ -192,9 +218,9 @@ fn gathered(value: Symbolic, x: &str) -> Symbolic {
 }
 
 /// Whether a polynomial is divisible by `1 - cos^2 x`: zero where `cos x` is 1 and where it is -1.
-fn divisible(polynomial: &Symbolic, x: &str) -> bool {
+fn divisible(polynomial: &Symbolic, x: &Part) -> bool {
     let mut sums = [SymbolicSum::default(), SymbolicSum::default()];
-    for ([power], part) in apart(polynomial, [&format!("cos({x})")]) {
+    for ([power], part) in by_powers(polynomial, [cosine_variable(x)]) {
         sums[power % 2].add_term(&part);
     }
     sums.iter().all(|sum| sum.value().vanishes())
@@ -204,7 +230,7 @@ fn divisible(polynomial: &Symbolic, x: &str) -> bool {
 const DEGREE: usize = 64;
 
 /// The value with numerator and denominator each in the form with the fewest terms.
-fn shortest(value: &Symbolic, x: &str) -> Symbolic {
+fn shortest(value: &Symbolic, x: &Part) -> Symbolic {
     let Form::Fraction(f) = &value.0 else { return value.clone() };
     let [above, below] = [value.numerator(), value.denominator()].map(|part| {
         let forms = others(&part, x).into_iter();
@@ -223,12 +249,11 @@ fn shortest(value: &Symbolic, x: &str) -> Symbolic {
 }
 
 /// The other forms of a polynomial: with as few sines or cosines as possible, and homogeneous.
-fn others(polynomial: &Symbolic, x: &str) -> Vec<Symbolic> {
+fn others(polynomial: &Symbolic, x: &Part) -> Vec<Symbolic> {
     let (sin, cos) = (sine(x), cosine(x));
     let [sin2, cos2] = [&sin, &cos].map(|f| f.clone() * f);
     let one = Symbolic::one();
-    let names = [format!("sin({x})"), format!("cos({x})")];
-    let split = apart(polynomial, names.each_ref().map(String::as_str));
+    let split = by_powers(polynomial, [sine_variable(x), cosine_variable(x)]);
     let highest = split.keys().map(|[s, c]| s + c).max().unwrap_or(0);
     if highest > DEGREE {
         return Vec::new();

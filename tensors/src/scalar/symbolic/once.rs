@@ -10,7 +10,7 @@ use super::super::effort::Counted;
 use super::cache::{Cache, Mixer, hash};
 use super::fraction::{Fraction, Quotient};
 use super::product::Product;
-use super::variables::{Name, Variables};
+use super::variable::{Variable, Variables};
 use super::{Form, Rational, Symbolic};
 use num_rational::Ratio;
 use std::cell::RefCell;
@@ -66,7 +66,7 @@ enum Value {
 #[derive(Default)]
 struct Pattern {
     /// The names of all variables, in their order.
-    names: Vec<Name>,
+    names: Vec<Variable>,
     /// Coefficients, addresses and places; the addresses of the names, where these matter.
     key: Vec<u64>,
 }
@@ -237,7 +237,7 @@ fn with_names_of(known: &mut Values, quotient: &Arc<Quotient>, f: &Fraction) -> 
 fn shared(
     known: &mut Values,
     quotient: &Arc<Quotient>,
-    names: impl Iterator<Item = Name> + Clone,
+    names: impl Iterator<Item = Variable> + Clone,
     variables: impl FnOnce() -> Variables,
 ) -> Symbolic {
     let mut mixer = Mixer::default();

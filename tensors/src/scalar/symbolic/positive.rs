@@ -1,14 +1,17 @@
-//! Square roots and logarithms of functions that are positive.
+//! Roots, logarithms and powers of functions that are positive.
 //!
 //! `sqrt(f g)` is `sqrt(f) sqrt(g)` where `f` and `g` are positive, and not where both are negative. So arguments are split
-//! into irreducible factors, each with the sign with which it is positive: declared, or the only sign that makes the
-//! argument positive.
+//! into irreducible factors, each with the sign with which it is positive: declared, inferred because all of its terms are
+//! positive, or the only sign that makes the argument positive.
 
 use super::denominator::Denominator;
-use super::elementary::Variable::{self, Free, Parameter};
+use super::elementary::function_of_sum;
 use super::polynomial::primitive;
+use super::substitution::Substitution;
+use super::variable::{Kind, Part, Variable};
 use super::{Form, Symbolic};
 use crate::Rational;
+use crate::expression::{MAX_EXPONENT, MAX_SIZE};
 use crate::scalar::{Field, Notation, Ring};
 use num_integer::Roots;
 use num_rational::Ratio;
@@ -79,17 +82,11 @@ impl PositiveFactors {
     pub fn with_values(&self, values: &BTreeMap<String, Symbolic>) -> Result<Self, String> {
         let images = self.factors.iter().map(|factor| (factor, factor.substitute(values)));
         let images: Vec<_> = images.filter_map(|(factor, image)| Some((factor, image?))).collect();
-        let is_positive = |name: &str| {
-            let variable = Symbolic::parameter(name);
-            images.iter().any(|(_, image)| *image == variable)
-        };
+        let mut positive = Self::default();
+        let variables = images.iter().map(|(_, image)| image.clone());
+        positive.factors.extend(variables.filter(|image| image.as_variable().is_some()));
         for (factor, image) in &images {
-            let terms = image.numerator_terms();
-            let negative = terms.iter().all(|(powers, coefficient)| {
-                coefficient.is_negative()
-                    && powers.iter().all(|(name, power)| power % 2 == 0 || is_positive(name))
-            });
-            if negative && image.denominator() == Symbolic::one() {
+            if image.denominator() == Symbolic::one() && positive.has_positive_terms(&-image.clone()) {
                 return Err(format!("{factor} is declared positive, and becomes {image}"));
             }
         }
@@ -121,7 +118,7 @@ impl PositiveFactors {
         value: &Symbolic,
         values: &BTreeMap<String, Symbolic>,
     ) -> Result<Symbolic, String> {
-        value.substitute_where(self, values)
+        value.substitute_where(self, &Substitution::from(values))
     }
 
     /// A function of an argument; `sqrt` and `log` where these functions are positive.
@@ -130,19 +127,64 @@ impl PositiveFactors {
     /// In words: an unknown function, or an argument of which it has no exact value.
     pub fn function(&self, name: &str, argument: &Symbolic) -> Result<Symbolic, String> {
         match name {
-            "sqrt" if argument.is_zero() => Ok(Symbolic::zero()),
-            "sqrt" => self.root(argument),
+            "sqrt" => self.root(argument, 2),
             "log" => self.logarithm(argument),
-            _ => Symbolic::function_of_sum(name, argument),
+            _ => function_of_sum(name, argument),
         }
     }
 
-    fn root(&self, argument: &Symbolic) -> Result<Symbolic, String> {
-        let powers = self.powers("sqrt", argument)?.into_iter();
+    /// The power `base^exponent`: a root for a rational exponent, `exp(exponent*log(base))` for one with parameters.
+    ///
+    /// ```
+    /// use affinor_tensors::scalar::PositiveFactors;
+    /// use affinor_tensors::Symbolic;
+    /// let power = PositiveFactors::default().power(&"t".parse()?, &"2*p + 1".parse()?)?;
+    /// assert_eq!(power.to_string(), "t*t^(2*p)");
+    /// assert_eq!(power.derivative("t").to_string(), "2*p*t^(2*p) + t^(2*p)");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// In words, if the sign of the base is not known, or the power is too large.
+    pub fn power(&self, base: &Symbolic, exponent: &Symbolic) -> Result<Symbolic, String> {
+        let Some(number) = exponent.as_constant() else {
+            let logarithm = self.logarithm(base)?;
+            return function_of_sum("exp", &(exponent.clone() * &logarithm));
+        };
+        let number = Ratio::<i64>::try_from(number).ok();
+        let small = number.filter(|n| n.numer().abs() <= MAX_EXPONENT && *n.denom() <= MAX_EXPONENT);
+        let Some(number) = small else {
+            return Err(format!("an exponent has numbers of at most {MAX_EXPONENT}"));
+        };
+        let root = match u32::try_from(*number.denom()) {
+            Ok(1) => base.clone(),
+            Ok(n) => self.root(base, n)?,
+            Err(_) => return Err("an exponent has a positive denominator".into()),
+        };
+        let exponent = *number.numer();
+        if root.size().saturating_mul(exponent.unsigned_abs() as usize) > MAX_SIZE {
+            return Err(format!("the value grows beyond the limit of {MAX_SIZE}"));
+        }
+        if root.is_zero() && exponent < 0 {
+            return Err("division by zero".into());
+        }
+        Ok(power(&root, exponent))
+    }
+
+    /// The root `argument^(1/n)`.
+    ///
+    /// # Errors
+    /// In words, if the sign of a factor is not known.
+    pub(super) fn root(&self, argument: &Symbolic, n: u32) -> Result<Symbolic, String> {
+        if argument.is_zero() {
+            return Ok(Symbolic::zero());
+        }
+        let name = if n == 2 { "sqrt" } else { "a root" };
+        let powers = self.powers(name, argument)?.into_iter();
         let root = |product: Symbolic, (factor, e): (Symbolic, i64)| {
-            let variable = Symbolic::parameter(&format!("sqrt({factor})"));
-            let product = product * &power(&factor, e.div_euclid(2));
-            if e % 2 == 0 { product } else { product * &variable }
+            let (whole, rest) = (e.div_euclid(n.into()), e.rem_euclid(n.into()));
+            let product = product * &power(&factor, whole);
+            if rest == 0 { product } else { product * &power(&root_of_factor(&factor, n), rest) }
         };
         Ok(powers.fold(Symbolic::one(), root))
     }
@@ -150,7 +192,7 @@ impl PositiveFactors {
     fn logarithm(&self, argument: &Symbolic) -> Result<Symbolic, String> {
         let powers = self.powers("log", argument)?.into_iter();
         let term = |sum: Symbolic, (factor, e): (Symbolic, i64)| {
-            sum + &(Symbolic::parameter(&format!("log({factor})")) * &Symbolic::from_i64(e))
+            sum + &(logarithm_of_factor(&factor) * &Symbolic::from_i64(e))
         };
         Ok(powers.fold(Symbolic::zero(), term))
     }
@@ -171,9 +213,9 @@ impl PositiveFactors {
         let mut open = Vec::new();
         for (factor, e) in factors {
             let negative = -factor.clone();
-            if self.factors.contains(&factor) {
+            if self.is_positive(&factor) {
                 oriented.push((factor, e));
-            } else if self.factors.contains(&negative) {
+            } else if self.is_positive(&negative) {
                 if e % 2 != 0 {
                     content = -content;
                 }
@@ -205,14 +247,18 @@ impl PositiveFactors {
     }
 }
 
-/// The content and the irreducible factors of a polynomial or quotient of parameters.
+/// The content and the irreducible factors of a polynomial or quotient.
 fn factors(what: &str, value: &Symbolic) -> Result<(Rational, Vec<(Symbolic, i64)>), String> {
     let f = match &value.0 {
         Form::Constant(c) if c.is_zero() => return Err(format!("{what} is zero")),
         Form::Constant(c) => return Ok((c.clone(), Vec::new())),
         Form::Fraction(f) => f,
     };
-    if f.variables.iter().any(|name| !matches!(Variable::of(name), Parameter | Free(_))) {
+    let angle = |variable: &Variable| matches!(variable.kind(), Kind::HalfTangent(_));
+    let sum = |f: &super::polynomial::Polynomial| f.terms.len() > 1;
+    let root = |variable: &Variable| matches!(variable.kind(), Kind::Root(_));
+    let sums = sum(&f.numerator) || !f.denominator.factors.is_empty();
+    if f.variables.iter().any(angle) || sums && f.variables.iter().any(root) {
         return Err(format!("{what} contains a function, and may be a quotient of polynomials"));
     }
     let (content, above) = primitive(&f.numerator);
@@ -225,6 +271,54 @@ fn factors(what: &str, value: &Symbolic) -> Result<(Rational, Vec<(Symbolic, i64
         all.extend(found.into_iter().map(signed));
     }
     Ok((content, all))
+}
+
+impl PositiveFactors {
+    /// Whether a primitive polynomial is positive: declared, or because its terms are.
+    fn is_positive(&self, factor: &Symbolic) -> bool {
+        self.factors.contains(factor) || self.has_positive_terms(factor)
+    }
+
+    /// Whether no term of a polynomial is negative, and one is positive.
+    fn has_positive_terms(&self, polynomial: &Symbolic) -> bool {
+        let f = match &polynomial.0 {
+            Form::Constant(c) => return !c.is_negative() && !c.is_zero(),
+            Form::Fraction(f) => f,
+        };
+        let positive: Vec<bool> = f.variables.iter().map(|own| self.is_positive_variable(*own)).collect();
+        let (mut all, mut strictly) = (true, false);
+        for (monomial, c) in &f.numerator.terms {
+            let powers = || monomial.exps().iter().zip(&positive);
+            all &= !c.is_negative() && powers().all(|(e, positive)| *positive || e % 2 == 0);
+            strictly |= powers().all(|(e, positive)| *positive || *e == 0);
+        }
+        all && strictly
+    }
+
+    fn is_positive_variable(&self, variable: Variable) -> bool {
+        match variable.kind() {
+            Kind::Exponential(_) | Kind::Root(_) => true,
+            _ => self.factors.contains(&Symbolic::variable(variable)),
+        }
+    }
+}
+
+/// The root `p^(1/n)` of a positive irreducible polynomial or a prime. Roots of roots and of exponentials are such.
+pub(super) fn root_of_factor(p: &Symbolic, n: u32) -> Symbolic {
+    let within = p.as_variable().and_then(|variable| variable.kind().in_parts_of(n));
+    let kind = within.unwrap_or_else(|| Kind::Root(Part { of: p.clone(), parts: n }));
+    Symbolic::variable(Variable::function(kind))
+}
+
+/// The logarithm of a positive irreducible polynomial or a prime.
+fn logarithm_of_factor(p: &Symbolic) -> Symbolic {
+    match p.as_variable().map(Variable::kind) {
+        Some(Kind::Exponential(part)) => part.value(),
+        Some(Kind::Root(Part { of, parts })) => {
+            logarithm_of_factor(of) / &Symbolic::from_i64((*parts).into())
+        }
+        _ => Symbolic::variable(Variable::function(Kind::Logarithm(p.clone()))),
+    }
 }
 
 fn power(value: &Symbolic, exponent: i64) -> Symbolic {

@@ -1,9 +1,10 @@
 //! Substitution of values for parameters, and evaluation.
 
 use super::fraction::Fraction;
+use super::free::FreeFunction;
 use super::polynomial::Polynomial;
-use super::variables::Name;
-use super::{Form, PositiveFactors, Symbolic, canonical, elementary};
+use super::variable::Variable;
+use super::{Form, PositiveFactors, Symbolic, canonical};
 use crate::scalar::Field;
 use num_traits::Zero;
 use std::collections::BTreeMap;
@@ -11,12 +12,53 @@ use std::collections::BTreeMap;
 /// The largest total degree that a substitution may lead to.
 const DEGREE_LIMIT: u64 = 1 << 30;
 
+/// Values for parameters, and for free functions of named arguments.
+#[derive(Clone, Default)]
+pub(super) struct Substitution {
+    parameters: BTreeMap<String, Symbolic>,
+    functions: Vec<(FreeFunction, Symbolic)>,
+}
+
+impl Substitution {
+    pub fn of_parameters(parameters: BTreeMap<String, Symbolic>) -> Self {
+        Substitution { parameters, functions: vec![] }
+    }
+
+    pub fn parameter(&self, name: &str) -> Option<&Symbolic> {
+        self.parameters.get(name)
+    }
+
+    /// The names of the arguments and the value of a function of that name.
+    pub fn function(&self, name: &str, count: usize) -> Option<(&[String], &Symbolic)> {
+        let own = |(f, _): &&(FreeFunction, Symbolic)| f.name() == name && f.arguments().len() == count;
+        self.functions.iter().find(own).map(|(f, value)| (f.arguments(), value))
+    }
+
+    pub fn has_no_functions(&self) -> bool {
+        self.functions.is_empty()
+    }
+}
+
+impl From<&BTreeMap<String, Symbolic>> for Substitution {
+    /// Values by the names of parameters, and by functions as they are declared, `a(t)`.
+    fn from(values: &BTreeMap<String, Symbolic>) -> Self {
+        let mut substitution = Substitution::default();
+        for (name, value) in values {
+            match FreeFunction::read(name) {
+                Ok(function) => substitution.functions.push((function, value.clone())),
+                Err(_) => drop(substitution.parameters.insert(name.clone(), value.clone())),
+            }
+        }
+        substitution
+    }
+}
+
 impl Symbolic {
     /// The value with `values[name]` substituted for every parameter `name`, simultaneously. Other
-    /// parameters stay. The name of a free function, `a(t)`, may get a value too, which its derivatives follow.
+    /// parameters stay. A free function as it is declared, `a(t)`, may get a value too, which its derivatives follow.
     ///
     /// `None` when the denominator becomes zero, when a total degree could pass `2^30`, or when a function
-    /// gets an argument of which it has no exact value, such as `sin(1)`, or `a(2)` for a free function.
+    /// gets an argument of which it has no exact value, such as `log(-1)`, or `a(2)` for a free function.
     ///
     /// ```
     /// use affinor_tensors::Symbolic;
@@ -26,26 +68,24 @@ impl Symbolic {
     /// assert_eq!(value.substitute(&swapped).unwrap().to_string(), "b/a");
     /// ```
     pub fn substitute(&self, values: &BTreeMap<String, Symbolic>) -> Option<Symbolic> {
-        self.substitute_where(&PositiveFactors::default(), values).ok()
+        self.substitute_where(&PositiveFactors::default(), &values.into()).ok()
     }
 
     /// The same with square roots and logarithms where these functions are positive.
     pub(super) fn substitute_where(
         &self,
         positive: &PositiveFactors,
-        values: &BTreeMap<String, Symbolic>,
+        values: &Substitution,
     ) -> Result<Symbolic, String> {
         let Form::Fraction(f) = &self.0 else {
             return Ok(self.clone());
         };
-        let given = |name: &Name| elementary::changes(name, values);
-        if !f.variables.iter().any(given) {
+        if !f.variables.iter().any(|variable| variable.changes(values)) {
             return Ok(self.clone());
         }
-        let image_of = |name: &Name| match values.get(&**name) {
-            Some(value) => Ok(value.clone()),
-            None if given(name) => elementary::at_argument(name, positive, values),
-            None => Ok(Symbolic::parameter(name)),
+        let image_of = |variable: &Variable| match variable.changes(values) {
+            true => variable.image(positive, values),
+            false => Ok(Symbolic::variable(*variable)),
         };
         let given = f.variables.iter().map(image_of).collect::<Result<Vec<Symbolic>, _>>()?;
         if degree_bound(f, &given) > DEGREE_LIMIT {
@@ -72,7 +112,7 @@ impl Symbolic {
         let value = match &self.0 {
             Form::Constant(c) => c.to_f64(),
             Form::Fraction(f) => {
-                let point = f.variables.iter().map(|name| elementary::value(name, lookup));
+                let point = f.variables.iter().map(|variable| variable.evaluate(lookup));
                 let point: Vec<f64> = point.collect::<Option<_>>()?;
                 at(&f.numerator, &point) / at(&f.expanded_denominator(), &point)
             }

@@ -11,7 +11,7 @@ use super::fraction::{Fraction, lowest_terms};
 use super::packed::{Gathered, Layout, Overflow, Word, exact};
 use super::polynomial::{Polynomial, cofactors, constant, power, product, select};
 use super::product::Product;
-use super::variables::{Variables, places, union};
+use super::variable::{Variable, Variables, places, union};
 use super::{Form, Rational, Symbolic, canonical, once};
 use crate::{Ring, Sum, Tolerance};
 use num_integer::Integer;
@@ -484,7 +484,7 @@ impl<'s> Common<'s> {
 /// What stands for a value that is no longer computed: neither zero nor a polynomial, so that no loop
 /// waits for one.
 fn ended() -> Symbolic {
-    Fraction::parameter("limit").recip().map_or_else(Symbolic::zero, Symbolic::from)
+    Fraction::variable(Variable::parameter("limit")).recip().map_or_else(Symbolic::zero, Symbolic::from)
 }
 
 /// A polynomial as integers over a common denominator.

@@ -1,15 +1,12 @@
-//! Fractions as text and as LaTeX.
+//! Values as text and as LaTeX.
 
-use super::Symbolic;
-use super::collected::{self, Part};
 use super::common::CommonFactors;
-use super::elementary::{Variable, part};
-use super::factors::{Factors, factors, known, sort, within_limits};
-use super::fraction::Fraction;
-use super::free::FreeFunction;
-use super::polynomial::{Polynomial, common_denominator};
+use super::free::Applied;
+use super::shape::{Place, Shape, Shaping};
+use super::variable::{Kind, Part, Variable};
+use super::{Form, Symbolic, memo};
 use crate::expression::is_name;
-use crate::scalar::{Notation, Rational};
+use crate::scalar::{Notation, Ring};
 use num_integer::Integer;
 use num_traits::One;
 
@@ -20,316 +17,299 @@ pub(super) enum Markup {
     Latex,
 }
 
-impl Markup {
-    /// An exponent after its base; 1 is not written.
-    fn exponent(self, exponent: u32) -> String {
-        match (exponent, self) {
-            (1, _) => String::new(),
-            (_, Markup::Text) => format!("^{exponent}"),
-            (_, Markup::Latex) => format!("^{{{exponent}}}"),
+impl Symbolic {
+    /// The value as text or as LaTeX, with functions of angles in sines and cosines.
+    pub(super) fn written(&self, markup: Markup, names: &CommonFactors) -> String {
+        let whole = |value: &Symbolic| match &value.0 {
+            Form::Constant(c) if markup == Markup::Text => c.to_string(),
+            Form::Constant(c) => c.latex(),
+            Form::Fraction(f) => {
+                let mut text = String::new();
+                let shape = match names.is_empty() && value.0 == self.0 {
+                    true => memo::shape(f, || Shaping { names }.fraction(f)),
+                    false => Shaping { names }.fraction(f).into(),
+                };
+                Writer { markup, variables: &f.variables }.write(&shape, Binds::Sum, &mut text);
+                text
+            }
+        };
+        match self.has_written_form() {
+            false => whole(self),
+            true if names.is_empty() => memo::text(self, markup, || whole(&names.written(self))),
+            true => whole(&names.written(self)),
         }
-    }
-
-    fn product(self, factors: impl Iterator<Item = String>) -> String {
-        factors.collect::<Vec<_>>().join(if self == Markup::Latex { " " } else { "*" })
     }
 }
 
-/// A writer of fractions.
+/// How tightly an operation binds.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binds {
+    Sum,
+    Product,
+    /// A single factor, as below a fraction.
+    Factor,
+    /// The base of a power.
+    Atom,
+}
+
+/// Writes shapes over variables.
 #[derive(Clone, Copy)]
-pub(super) struct Writer<'w> {
-    pub markup: Markup,
-    /// The factors that have names.
-    pub names: &'w CommonFactors,
+struct Writer<'w> {
+    markup: Markup,
+    variables: &'w [Variable],
 }
 
 impl Writer<'_> {
-    /// `1/2*a` for one term without a denominator; otherwise integer polynomials above and below,
-    /// in factors where that is shorter.
-    pub fn fraction(self, f: &Fraction) -> String {
-        let whole = f.denominator.is_one();
-        if whole && f.numerator.terms.len() == 1 {
-            return self.expanded(f, &f.numerator);
-        }
-        let unit = common_denominator(&f.numerator);
-        let above = f.numerator.scale(&unit);
-        let (sign, size) =
-            if leads_negative(&above) { ("-", -&above) } else { ("", above.clone()) };
-        if whole && unit.is_one() {
-            return match self.factored(f, &size, Place::Alone) {
-                Ok(product) => format!("{sign}{product}"),
-                Err(sum) if sign.is_empty() => sum,
-                Err(_) => self.sum(f, &above),
-            };
-        }
-        let top = self.factored(f, &size, Place::Above).unwrap_or_else(|sum| sum);
-        let bottom = self.denominator(f, unit);
-        match self.markup {
-            Markup::Latex => format!("{sign}\\frac{{{top}}}{{{bottom}}}"),
-            Markup::Text => format!("{sign}{top}/{bottom}"),
-        }
-    }
-
-    /// The sum, in parentheses where a division would otherwise apply to a part of it.
-    fn enclosed_sum(self, f: &Fraction, part: &Polynomial, place: Place) -> String {
-        let torn = match place {
-            Place::Alone => false,
-            Place::Above => part.terms.len() > 1,
-            Place::Below => factors_in(part) > 1,
+    /// Appends a shape to a text, in parentheses where an operation around it binds tighter.
+    fn write(self, shape: &Shape, around: Binds, text: &mut String) {
+        let own = match shape {
+            Shape::Number(_) | Shape::Variable(..) | Shape::Named(..) => Binds::Atom,
+            Shape::Power(..) => Binds::Factor,
+            Shape::Product(_) | Shape::Quotient(..) => Binds::Product,
+            Shape::Sum(_) => Binds::Sum,
         };
-        enclosed(self.sum(f, part), torn && self.markup == Markup::Text)
-    }
-
-    /// The denominator times a number.
-    ///
-    /// Its known factors are written where one has a name, where [`factors`] would find the same, or
-    /// gives up.
-    fn denominator(self, f: &Fraction, unit: Rational) -> String {
-        if f.denominator.factors.iter().any(|(factor, _)| self.names.name(factor).is_some()) {
-            let mut factors = f.denominator.all(&f.variables);
-            sort(&mut factors);
-            let found = Factors { content: unit, factors };
-            return self.enclosed_product(f, &found, Place::Below);
+        let enclosed = own < around;
+        if enclosed {
+            text.push_str(if self.markup == Markup::Latex { "\\left(" } else { "(" });
         }
-        let irreducible = f.denominator.irreducible(&f.variables);
-        let separate = irreducible.as_ref().and_then(|factors| known(unit.clone(), factors));
-        let part = || f.expanded_denominator().scale(&unit);
-        let (found, part) = match (separate, f.denominator.terms() > MAX_EXPANDED) {
-            (Some(found), true) => return self.enclosed_product(f, &found, Place::Below),
-            (Some(found), false) => (found, part()),
-            (None, large) => match irreducible {
-                Some(mut factors) if large || !within_limits(&part()) => {
-                    sort(&mut factors);
-                    let found = Factors { content: unit.clone(), factors };
-                    if large {
-                        return self.enclosed_product(f, &found, Place::Below);
+        match shape {
+            Shape::Number(number) if self.markup == Markup::Latex => text.push_str(&number.latex()),
+            Shape::Number(number) => text.push_str(&number.to_string()),
+            Shape::Variable(at, e) => text.push_str(&power(self.variables[*at], *e, self.markup)),
+            Shape::Named(name, e) => {
+                text.push_str(&parameter(name, self.markup));
+                text.push_str(&exponent(*e, self.markup));
+            }
+            Shape::Power(base, e) => {
+                self.write(base, Binds::Atom, text);
+                text.push_str(&exponent(*e, self.markup));
+            }
+            Shape::Product(factors) => {
+                for (at, factor) in factors.iter().enumerate() {
+                    if at > 0 {
+                        text.push(if self.markup == Markup::Latex { ' ' } else { '*' });
                     }
-                    (found, part())
+                    self.write(factor, Binds::Product, text);
                 }
-                _ => (factors(&part()), part()),
-            },
-        };
-        self.shorter(f, &part, &found, Place::Below).unwrap_or_else(|sum| sum)
-    }
-
-    /// The product of the factors if its text is shorter, otherwise the sum. LaTeX follows the text.
-    fn factored(self, f: &Fraction, part: &Polynomial, place: Place) -> Result<String, String> {
-        match part.terms.len() {
-            0 | 1 => Err(self.enclosed_sum(f, part, place)),
-            _ => self.shorter(f, part, &factors(part), place),
-        }
-    }
-
-    /// The product of these factors if its text is shorter, otherwise the sum.
-    fn shorter(
-        self,
-        f: &Fraction,
-        part: &Polynomial,
-        found: &Factors,
-        place: Place,
-    ) -> Result<String, String> {
-        let whole = match &found.factors[..] {
-            [(factor, 1)] if found.content.is_one() => {
-                self.names.of_polynomial(&f.variables, factor).is_none()
             }
-            _ => false,
-        };
-        if whole || part.terms.len() < 2 {
-            return Err(self.enclosed_sum(f, part, place));
-        }
-        let text = Writer { markup: Markup::Text, ..self };
-        let [product, sum] =
-            [text.enclosed_product(f, found, place), text.enclosed_sum(f, part, place)];
-        match (self.markup, product.len() < sum.len()) {
-            (Markup::Text, true) => Ok(product),
-            (Markup::Text, false) => Err(sum),
-            (Markup::Latex, true) => Ok(self.enclosed_product(f, found, place)),
-            (Markup::Latex, false) => Err(self.enclosed_sum(f, part, place)),
-        }
-    }
-
-    /// The product of the factors, in parentheses where a division would otherwise apply to a part of
-    /// it.
-    fn enclosed_product(self, f: &Fraction, found: &Factors, place: Place) -> String {
-        let pieces = found.factors.len() + usize::from(!found.content.is_one());
-        let torn = place == Place::Below && pieces > 1 && self.markup == Markup::Text;
-        enclosed(self.product(f, found), torn)
-    }
-
-    fn product(self, f: &Fraction, found: &Factors) -> String {
-        let number = Some(found.content.to_string()).filter(|_| !found.content.is_one());
-        let factor = |(factor, exponent): &(Polynomial, u32)| {
-            if let [(monomial, _)] = &factor.terms[..] {
-                // a variable; the power of an exponential stands in its argument
-                let at = monomial.exps().iter().position(|e| *e > 0).unwrap_or(0);
-                return power(&f.variables[at], *exponent, self.markup);
+            Shape::Sum(terms) => {
+                for (at, (negative, term)) in terms.iter().enumerate() {
+                    text.push_str(match (at, negative) {
+                        (0, false) => "",
+                        (0, true) => "-",
+                        (_, false) => " + ",
+                        (_, true) => " - ",
+                    });
+                    self.write(term, Binds::Product, text);
+                }
             }
-            if let Some(name) = self.names.of_polynomial(&f.variables, factor) {
-                return power(name, *exponent, self.markup);
+            Shape::Quotient(above, below) if self.markup == Markup::Latex => {
+                text.push_str("\\frac{");
+                self.write(above, Binds::Sum, text);
+                text.push_str("}{");
+                self.write(below, Binds::Sum, text);
+                text.push('}');
             }
-            self.in_parentheses(&self.sum(f, factor)) + &self.markup.exponent(*exponent)
-        };
-        self.markup.product(number.into_iter().chain(found.factors.iter().map(factor)))
-    }
-
-    fn in_parentheses(self, text: &str) -> String {
-        match self.markup {
-            Markup::Latex => format!("\\left({text}\\right)"),
-            Markup::Text => format!("({text})"),
-        }
-    }
-
-    /// A sum of terms, with common factors taken out where that is shorter.
-    fn sum(self, f: &Fraction, part: &Polynomial) -> String {
-        if part.terms.len() < 3 {
-            return self.expanded(f, part);
-        }
-        self.parts(f, &collected::parts(part, &f.variables))
-    }
-
-    fn parts(self, f: &Fraction, parts: &[Part]) -> String {
-        let mut text = String::new();
-        for Part { coefficient, powers, inner } in parts {
-            text += sign(text.is_empty(), coefficient);
-            text += &self.term(f, &coefficient.clone().abs(), powers.iter().copied());
-            if !inner.is_empty() {
-                let inner = self.in_parentheses(&self.parts(f, inner));
-                text += if self.markup == Markup::Latex { " " } else { "*" };
-                text += &inner;
+            Shape::Quotient(above, below) => {
+                self.write(above, Binds::Product, text);
+                text.push('/');
+                self.write(below, Binds::Factor, text);
             }
         }
-        text
-    }
-
-    /// The sum of its terms.
-    fn expanded(self, f: &Fraction, part: &Polynomial) -> String {
-        let mut text = String::new();
-        for (m, c) in &part.terms {
-            text += sign(text.is_empty(), c);
-            let powers = m.exps().iter().copied().enumerate().filter(|(_, e)| *e > 0);
-            text += &self.term(f, &c.clone().abs(), powers);
+        if enclosed {
+            text.push_str(if self.markup == Markup::Latex { "\\right)" } else { ")" });
         }
-        text
-    }
-
-    fn term(
-        self,
-        f: &Fraction,
-        coefficient: &Rational,
-        powers: impl Iterator<Item = (usize, u32)>,
-    ) -> String {
-        let mut powers = powers.map(|(at, e)| power(&f.variables[at], e, self.markup)).peekable();
-        let number = match self.markup {
-            _ if coefficient.is_one() && powers.peek().is_some() => None,
-            Markup::Text => Some(coefficient.to_string()),
-            Markup::Latex => Some(coefficient.latex()),
-        };
-        self.markup.product(number.into_iter().chain(powers))
     }
 }
 
-/// The sign in front of a term.
-fn sign(first: bool, coefficient: &Rational) -> &'static str {
-    match (first, coefficient.is_negative()) {
-        (true, false) => "",
-        (true, true) => "-",
-        (false, false) => " + ",
-        (false, true) => " - ",
+/// The text of a shape at its place.
+pub(super) fn text_at(shape: &Shape, variables: &[Variable], place: Place) -> String {
+    let around = match place {
+        Place::Alone => Binds::Sum,
+        Place::Above => Binds::Product,
+        Place::Below => Binds::Factor,
+    };
+    let mut text = String::new();
+    Writer { markup: Markup::Text, variables }.write(shape, around, &mut text);
+    text
+}
+
+/// An exponent after its base; 1 is not written.
+fn exponent(exponent: u32, markup: Markup) -> String {
+    match (exponent, markup) {
+        (1, _) => String::new(),
+        (_, Markup::Text) => format!("^{exponent}"),
+        (_, Markup::Latex) => format!("^{{{exponent}}}"),
     }
 }
 
-/// Where a polynomial stands.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Place {
-    Alone,
-    Above,
-    Below,
+/// The text of a function.
+pub(super) fn variable(kind: &Kind) -> String {
+    kind_power(kind, 1, Markup::Text)
 }
 
-/// A product that may have more terms than this is not expanded to compare the lengths of both
-/// texts.
-const MAX_EXPANDED: u64 = 4096;
-
-/// Whether the leading coefficient is negative. Then the text starts with a minus sign.
-pub(super) fn leads_negative(f: &Polynomial) -> bool {
-    f.lc().is_some_and(Rational::is_negative)
+/// The name of a function, and the text of its arguments with the closing parenthesis, by which functions are ordered.
+pub(super) fn call(kind: &Kind) -> [String; 2] {
+    let [name, arguments] = match kind {
+        Kind::Parameter(name) => [name.to_string(), String::new()],
+        Kind::HalfTangent(angle) => ["tan".into(), multiple(angle.half(), 1, Markup::Text)],
+        Kind::Exponential(part) => ["exp".into(), multiple(part.clone(), 1, Markup::Text)],
+        Kind::Logarithm(p) => ["log".into(), p.to_string()],
+        Kind::Root(Part { of, .. }) => ["sqrt".into(), of.to_string()],
+        Kind::Written(function, part) => {
+            [function.name().into(), multiple(part.clone(), 1, Markup::Text)]
+        }
+        Kind::Applied(applied) => [applied.head(), applied.list(Markup::Text)],
+    };
+    [name, arguments + ")"]
 }
 
-fn enclosed(text: String, needed: bool) -> String {
-    if needed { format!("({text})") } else { text }
-}
-
-/// The number of factors of a single term, otherwise the number of terms.
-fn factors_in(f: &Polynomial) -> usize {
-    match &f.terms[..] {
-        [(m, c)] => m.exps().iter().filter(|e| **e > 0).count() + usize::from(!c.is_one()),
-        terms => terms.len(),
+/// A power of a variable.
+fn power(variable: Variable, e: u32, markup: Markup) -> String {
+    match variable.kind() {
+        Kind::Parameter(name) => parameter(name, markup) + &exponent(e, markup),
+        _ if e == 1 && markup == Markup::Text => variable.text().to_string(),
+        kind => kind_power(kind, e, markup),
     }
 }
 
-fn power(name: &str, exponent: u32, markup: Markup) -> String {
-    if let (Markup::Latex, Variable::Free(name)) = (markup, Variable::of(name)) {
-        return latex_function(name) + &markup.exponent(exponent);
+/// `sin(x)^2`, `exp(2*x)`, `\sin^{2} x`, `e^{2 x}`, `\sqrt{x}`, `x^(2/3)`, `t^(2*p)`.
+fn kind_power(kind: &Kind, e: u32, markup: Markup) -> String {
+    match kind {
+        Kind::Parameter(name) => parameter(name, markup) + &exponent(e, markup),
+        Kind::HalfTangent(angle) => called("tan", angle.half(), e, markup),
+        Kind::Written(function, part) => called(function.name(), part.clone(), e, markup),
+        Kind::Logarithm(p) => called("log", Part { of: p.clone(), parts: 1 }, e, markup),
+        Kind::Exponential(part) => match symbolic_power(part) {
+            Some((base, part)) => powered(&base, &multiple(part, e, markup), markup),
+            None if markup == Markup::Latex => format!("e^{{{}}}", multiple(part.clone(), e, markup)),
+            None => format!("exp({})", multiple(part.clone(), e, markup)),
+        },
+        Kind::Root(Part { of, parts }) => {
+            let common = e.gcd(parts);
+            match ((e / common, parts / common), markup) {
+                ((e, 2), Markup::Text) => format!("sqrt({of}){}", exponent(e, markup)),
+                ((e, 2), Markup::Latex) => {
+                    format!("\\sqrt{{{}}}{}", of.to_latex(), exponent(e, markup))
+                }
+                ((1, n), Markup::Latex) => format!("\\sqrt[{n}]{{{}}}", of.to_latex()),
+                ((e, n), _) => powered(of, &format!("{e}/{n}"), markup),
+            }
+        }
+        Kind::Applied(applied) => applied.written(markup) + &exponent(e, markup),
     }
-    if let Some((function, argument)) = name.strip_suffix(')').and_then(|n| n.split_once('(')) {
-        return function_power(function, argument, exponent, markup);
-    }
-    parameter(name, markup) + &markup.exponent(exponent)
 }
 
-/// The name of a parameter. Placeholders of [`texts`](super::texts) stay as they are.
-pub(super) fn parameter(name: &str, markup: Markup) -> String {
+/// A base with an exponent that is not an integer.
+fn powered(base: &Symbolic, exponent: &str, markup: Markup) -> String {
+    let plain = base.as_variable().is_some_and(|variable| match variable.kind() {
+        Kind::Parameter(_) => true,
+        Kind::Applied(_) => markup == Markup::Text,
+        _ => false,
+    });
+    let integer = base.as_constant().is_some_and(|c| c.to_i64().is_some());
+    match (markup, plain || integer) {
+        (Markup::Latex, true) => format!("{}^{{{exponent}}}", base.to_latex()),
+        (Markup::Latex, false) => format!("\\left({}\\right)^{{{exponent}}}", base.to_latex()),
+        (Markup::Text, plain) => {
+            let base = if plain { base.to_string() } else { format!("({base})") };
+            if is_name(exponent) { format!("{base}^{exponent}") } else { format!("{base}^({exponent})") }
+        }
+    }
+}
+
+/// The base `p` and the part `u` of an exponent, if the argument is `u*log(p)`.
+fn symbolic_power(part: &Part) -> Option<(Symbolic, Part)> {
+    let mut logarithms = part.of.variables().iter().filter_map(|variable| match variable.kind() {
+        Kind::Logarithm(p) => Some((*variable, p)),
+        _ => None,
+    });
+    let (variable, p) = logarithms.next().filter(|_| logarithms.next().is_none())?;
+    let of = part.of.clone() / &Symbolic::variable(variable);
+    let free = !of.variables().contains(&variable) && of.as_constant().is_none();
+    free.then(|| (p.clone(), Part { of, parts: part.parts }))
+}
+
+/// A power of a function of a part of an argument.
+fn called(function: &str, part: Part, e: u32, markup: Markup) -> String {
+    let power = exponent(e, markup);
     match markup {
-        Markup::Latex if !name.starts_with(char::is_control) => latex_name(name),
-        _ => name.to_owned(),
+        Markup::Text => format!("{function}({}){power}", multiple(part, 1, markup)),
+        Markup::Latex => match (part.of.as_parameter(), part.parts) {
+            (Some(name), 1) => format!("\\{function}{power} {}", latex_name(name)),
+            _ => format!("\\{function}{power}({})", multiple(part, 1, markup)),
+        },
     }
 }
 
-/// `sin(x)^2`, `exp(2*x)`, `\sin^{2} x`, `e^{2 x}`, `\sqrt{x}`.
-fn function_power(function: &str, argument: &str, exponent: u32, markup: Markup) -> String {
-    let power = markup.exponent(exponent);
-    let multiple = || match Variable::of(&format!("exp({argument})")).parts() {
-        Some((product, parts)) => {
-            let common = exponent.gcd(&parts);
-            let number = Some(exponent / common).filter(|n| *n > 1).map(|n| format!("{n}*"));
-            number.unwrap_or_default() + &part(product, parts / common)
+/// `2*a*x/3`: a multiple of a part of an argument.
+fn multiple(part: Part, count: u32, markup: Markup) -> String {
+    let common = count.gcd(&part.parts);
+    let (count, parts) = (i64::from(count / common), i64::from(part.parts / common));
+    let scaled = part.of * &Symbolic::from_i64(count);
+    let term = scaled.numerator().terms().len() == 1 && scaled.denominator().is_one();
+    match (parts, markup) {
+        (1, Markup::Text) => scaled.to_string(),
+        (1, Markup::Latex) => scaled.to_latex(),
+        _ if !term || scaled.as_constant().is_some() => {
+            let value = scaled / &Symbolic::from_i64(parts);
+            if markup == Markup::Latex { value.to_latex() } else { value.to_string() }
         }
-        None => argument.to_owned(),
-    };
-    match (markup, function) {
-        (Markup::Text, "exp") => format!("exp({})", multiple()),
-        (Markup::Text, _) => format!("{function}({argument}){power}"),
-        (Markup::Latex, "exp") => format!("e^{{{}}}", latex_argument(&multiple())),
-        (Markup::Latex, "sqrt") => format!("\\sqrt{{{}}}{power}", latex_argument(argument)),
-        (Markup::Latex, _) if is_name(argument) => {
-            format!("\\{function}{power} {}", latex_name(argument))
+        (_, Markup::Text) => format!("{scaled}/{parts}"),
+        (_, Markup::Latex) => format!("\\frac{{{}}}{{{parts}}}", scaled.to_latex()),
+    }
+}
+
+impl Part {
+    /// Half of the part.
+    fn half(&self) -> Part {
+        Part { of: self.of.clone(), parts: 2 * self.parts }
+    }
+}
+
+impl Applied {
+    /// The name with derivatives: `f_r_theta`.
+    pub(super) fn head(&self) -> String {
+        self.differentiated_by().iter().fold(self.name.to_string(), |head, by| head + "_" + by)
+    }
+
+    /// The arguments, separated by commas.
+    fn list(&self, markup: Markup) -> String {
+        let write = |value: &Symbolic| match markup {
+            Markup::Text => value.to_string(),
+            Markup::Latex => value.to_latex(),
+        };
+        let comma = if markup == Markup::Latex { ", " } else { "," };
+        self.arguments.iter().map(write).collect::<Vec<_>>().join(comma)
+    }
+
+    /// `f_r_theta(r,theta)`; in LaTeX `f_{,r \theta}`, `f_{1,t}` for `f1_t(t)`, and `A_{,1}(\frac{r}{t})` at arguments that
+    /// are not names.
+    fn written(&self, markup: Markup) -> String {
+        if markup == Markup::Text {
+            return format!("{}({})", self.head(), self.list(markup));
         }
-        (Markup::Latex, _) => format!("\\{function}{power}({})", latex_argument(argument)),
+        let by: Vec<String> = self.differentiated_by().iter().map(|name| latex_name(name)).collect();
+        let name = latex_name(&self.name);
+        let head = match (by.is_empty(), name.strip_suffix('}').filter(|name| name.contains("_{"))) {
+            (true, _) => name,
+            (false, Some(name)) => format!("{name},{}}}", by.join(" ")),
+            (false, None) => format!("{name}_{{,{}}}", by.join(" ")),
+        };
+        match self.names() {
+            Some(_) => head,
+            None => format!("{head}\\left({}\\right)", self.list(markup)),
+        }
     }
 }
 
-/// `a*x/2` is `\frac{a x}{2}`; a polynomial is written as such.
-fn latex_argument(argument: &str) -> String {
-    let (above, below) = match argument.rsplit_once('/') {
-        Some((above, below)) => (above, Some(below)),
-        None => (argument, None),
-    };
-    let above = above.parse().map_or_else(|_| above.to_owned(), |value: Symbolic| value.to_latex());
-    below.map_or(above.clone(), |below| format!("\\frac{{{above}}}{{{below}}}"))
-}
-
-/// `f_r_theta(r,theta)` is `f_{,r \\theta}`, and `f1_t(t)` is `f_{1,t}`.
-fn latex_function(variable: &str) -> String {
-    let Ok(function) = FreeFunction::read(variable) else { return variable.into() };
-    let by: Vec<String> = function.differentiated_by().map(latex_name).collect();
-    let name = latex_name(function.name());
-    match (by.is_empty(), name.strip_suffix('}').filter(|name| name.contains("_{"))) {
-        (true, _) => name,
-        (false, Some(name)) => format!("{name},{}}}", by.join(" ")),
-        (false, None) => format!("{name}_{{,{}}}", by.join(" ")),
+/// The name of a parameter.
+fn parameter(name: &str, markup: Markup) -> String {
+    match markup {
+        Markup::Latex => latex_name(name),
+        Markup::Text => name.to_owned(),
     }
 }
-
 /// `J11` is `J_{11}`, `lambda` is `\lambda`, `abc_x` is `\mathit{abc}_{x}`.
 fn latex_name(name: &str) -> String {
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());

@@ -1,0 +1,91 @@
+//! The elementary functions: one table for values, programs and their languages.
+
+use std::fmt;
+
+/// An elementary function of one argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Function {
+    /// The sine.
+    Sin,
+    /// The cosine.
+    Cos,
+    /// The tangent.
+    Tan,
+    /// The exponential.
+    Exp,
+    /// The hyperbolic sine.
+    Sinh,
+    /// The hyperbolic cosine.
+    Cosh,
+    /// The hyperbolic tangent.
+    Tanh,
+    /// The natural logarithm.
+    Log,
+    /// The square root.
+    Sqrt,
+}
+
+impl Function {
+    /// All functions.
+    pub const ALL: [Function; 9] = [
+        Function::Sin,
+        Function::Cos,
+        Function::Tan,
+        Function::Exp,
+        Function::Sinh,
+        Function::Cosh,
+        Function::Tanh,
+        Function::Log,
+        Function::Sqrt,
+    ];
+
+    /// The name, which most languages share.
+    pub fn name(self) -> &'static str {
+        match self {
+            Function::Sin => "sin",
+            Function::Cos => "cos",
+            Function::Tan => "tan",
+            Function::Exp => "exp",
+            Function::Sinh => "sinh",
+            Function::Cosh => "cosh",
+            Function::Tanh => "tanh",
+            Function::Log => "log",
+            Function::Sqrt => "sqrt",
+        }
+    }
+
+    /// The function of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|function| function.name() == name)
+    }
+
+    /// The value in floats.
+    pub fn value(self, x: f64) -> f64 {
+        match self {
+            Function::Sin => x.sin(),
+            Function::Cos => x.cos(),
+            Function::Tan => x.tan(),
+            Function::Exp => x.exp(),
+            Function::Sinh => x.sinh(),
+            Function::Cosh => x.cosh(),
+            Function::Tanh => x.tanh(),
+            Function::Log => x.ln(),
+            Function::Sqrt => x.sqrt(),
+        }
+    }
+}
+
+impl fmt::Display for Function {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// The names of the functions that expressions call, for messages.
+pub(crate) const NAMES: [&str; 10] =
+    ["sin", "cos", "tan", "cot", "exp", "sinh", "cosh", "tanh", "log", "sqrt"];
+
+/// Whether this is the name of an elementary function, which a free function may not have.
+pub(crate) fn is_elementary(name: &str) -> bool {
+    NAMES.contains(&name)
+}

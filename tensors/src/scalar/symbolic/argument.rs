@@ -1,0 +1,184 @@
+//! Arguments of functions, as rational multiples of the members of a basis.
+//!
+//! Exponentials of arguments that are linearly independent over the rationals, also modulo constants, are algebraically
+//! independent, and so are half tangents (J. Ax, *Ann. Math.* 93 (1971) 252-268; M. Rothstein, B. Caviness, *SIAM J.
+//! Comput.* 8 (1979) 357-367). So an argument is written in a basis of all values over the rationals, which does not depend
+//! on the computation: products of powers of variables, also with a denominator, `x^2*y/M`, and for denominators that
+//! are sums their partial fractions in the first variable, then in the next. Angles within arguments occur as the
+//! powers of cosines, and those times the sine.
+
+use super::normal_form::{in_cosines, in_half_tangents, is_written};
+use super::polynomial::constant;
+use super::variable::{Kind, Part, Variable};
+use super::fraction::{Fraction, lowest_terms};
+use super::{Form, Rational, Symbolic};
+use crate::linear::Matrix;
+use crate::scalar::{Field, Ring};
+use num_rational::Ratio;
+use num_traits::{One, Zero};
+use polycore::Poly;
+use std::collections::BTreeMap;
+
+/// The part `count * of / parts` of an argument.
+pub(super) struct Multiple {
+    pub of: Symbolic,
+    pub count: i64,
+    pub parts: u32,
+}
+
+impl Multiple {
+    /// The member of the basis in the parts of this multiple.
+    pub fn part(&self) -> Part {
+        Part { of: self.of.clone(), parts: self.parts }
+    }
+}
+
+/// Denominators with more terms or a higher degree are not taken apart.
+const MAX_DEGREE: usize = 24;
+
+/// The value in the basis of arguments.
+///
+/// # Errors
+/// In words: a denominator whose factors are not known, or that contains sines; numbers beyond 64 bits.
+pub(super) fn multiples(function: &str, value: &Symbolic) -> Result<Vec<Multiple>, String> {
+    let refuse = |reason: &str| Err(format!("the argument of {function}, {value}, {reason}"));
+    let Some(flat) = in_cosines(value) else {
+        return refuse("divides by a function of an angle");
+    };
+    let Some(members) = members(&flat) else {
+        return refuse("has a denominator whose factors are not known");
+    };
+    let mut all = Vec::new();
+    for (of, coefficient) in members {
+        let number = Ratio::<i64>::try_from(&coefficient).ok();
+        let parts = number.and_then(|number| u32::try_from(*number.denom()).ok());
+        let (Some(number), Some(parts)) = (number, parts) else {
+            return refuse("has numbers that are too large");
+        };
+        let of = if of.variables().iter().any(is_written) { in_half_tangents(&of) } else { of };
+        all.push(Multiple { of, count: *number.numer(), parts });
+    }
+    Ok(all)
+}
+
+/// The members of the basis that add up to a value, with their coefficients.
+fn members(value: &Symbolic) -> Option<Vec<(Symbolic, Rational)>> {
+    let f = match &value.0 {
+        Form::Constant(c) if c.is_zero() => return Some(vec![]),
+        Form::Constant(c) => return Some(vec![(Symbolic::one(), c.clone())]),
+        Form::Fraction(f) => f,
+    };
+    if f.denominator.factors.is_empty() {
+        let member = |(monomial, c): &(polycore::Monomial, Rational)| {
+            let one = Poly::new(
+                vec![(monomial.clone(), Rational::one())],
+                f.variables.len(),
+                polycore::Order::GrLex,
+            );
+            let below = lowest_terms(
+                &f.variables,
+                constant(Rational::one(), f.variables.len()),
+                f.denominator.clone(),
+            );
+            (f.polynomial(&one) * &below, c.clone())
+        };
+        return Some(f.numerator.terms.iter().map(member).collect());
+    }
+    partial_fractions(f)
+}
+
+/// The members in a value with sums in its denominator: partial fractions in the first variable of these sums, whose
+/// coefficients have members in the other variables.
+fn partial_fractions(f: &Fraction) -> Option<Vec<(Symbolic, Rational)>> {
+    let factors = f.denominator.irreducible(&f.variables)?;
+    let sums = factors.iter().filter(|(factor, _)| factor.terms.len() > 1);
+    let at = sums.filter_map(|(factor, _)| factor.degrees().iter().position(|d| *d > 0)).min()?;
+    let x = f.variables[at];
+    let (own, others): (Vec<_>, Vec<_>) =
+        factors.into_iter().partition(|(factor, _)| factor.degrees()[at] > 0);
+    let value = |(factor, e): &(super::polynomial::Polynomial, u32)| {
+        (f.polynomial(factor), *e as usize)
+    };
+    let own: Vec<(Symbolic, usize)> = own.iter().map(value).collect();
+    let product = |factors: &[(Symbolic, usize)]| {
+        let power = |(factor, e): &(Symbolic, usize)| num_traits::pow(factor.clone(), *e);
+        factors.iter().map(power).fold(Symbolic::one(), |product, power| product * &power)
+    };
+    let others = product(&others.iter().map(value).collect::<Vec<_>>());
+    let below = product(&own);
+    let numerator = f.polynomial(&f.numerator);
+    let (above, degree) = (by_power(&numerator, x), by_power(&below, x).len() - 1);
+    if above.len().max(degree) > MAX_DEGREE {
+        return None;
+    }
+    let whole = above.len().saturating_sub(degree);
+    let variable = Symbolic::variable(x);
+    // the parts, and the polynomials that they have over the common denominator
+    let mut parts: Vec<Symbolic> =
+        (0..whole).map(|power| num_traits::pow(variable.clone(), power)).collect();
+    for (factor, exponent) in &own {
+        let length = by_power(factor, x).len() - 1;
+        for e in 1..=*exponent {
+            let below = num_traits::pow(factor.clone(), e).recip()?;
+            parts.extend(
+                (0..length).map(|power| num_traits::pow(variable.clone(), power) * &below),
+            );
+        }
+    }
+    let columns = parts.iter().map(|part| by_power(&(part.clone() * &below), x));
+    let columns: Vec<Vec<Symbolic>> = columns.collect();
+    let coefficient = |of: &[Symbolic], row: usize| of.get(row).cloned().unwrap_or_default();
+    let rows = whole + degree;
+    let matrix: Vec<Vec<Symbolic>> = (0..rows)
+        .map(|row| columns.iter().map(|column| coefficient(column, row)).collect())
+        .collect();
+    let right: Vec<Symbolic> = (0..rows).map(|row| coefficient(&above, row)).collect();
+    let found = Matrix::from_dense(&matrix).ok()?.solve(&right).ok()??;
+    let below = others.recip()?;
+    let mut all: Vec<(Symbolic, Rational)> = Vec::new();
+    for (part, share) in parts.into_iter().zip(found) {
+        let inner = members(&(share * &below))?;
+        all.extend(inner.into_iter().map(|(member, c)| (member * &part, c)));
+    }
+    Some(all)
+}
+
+/// The coefficients of the powers of a variable in a polynomial, the constant first.
+pub(super) fn by_power(polynomial: &Symbolic, variable: Variable) -> Vec<Symbolic> {
+    let mut coefficients = Vec::new();
+    for ([at], part) in by_powers(polynomial, [variable]) {
+        coefficients.resize(at, Symbolic::zero());
+        coefficients.push(part);
+    }
+    coefficients
+}
+
+/// A polynomial by the powers of some variables: the rest of the terms with each.
+pub(super) fn by_powers<const N: usize>(
+    polynomial: &Symbolic,
+    variables: [Variable; N],
+) -> BTreeMap<[usize; N], Symbolic> {
+    let Form::Fraction(f) = &polynomial.0 else {
+        let constant = (!polynomial.vanishes()).then(|| ([0; N], polynomial.clone()));
+        return constant.into_iter().collect();
+    };
+    let columns = variables.map(|variable| f.variables.iter().position(|own| *own == variable));
+    let mut parts = BTreeMap::<_, Vec<_>>::new();
+    for (monomial, c) in &f.numerator.terms {
+        let mut rest = monomial.exps().to_vec();
+        let powers = columns.map(|k| k.map_or(0, |k| std::mem::take(&mut rest[k]) as usize));
+        // of equal powers, so that the order of the terms stays
+        parts.entry(powers).or_default().push((polycore::Monomial::new(rest), c.clone()));
+    }
+    let polynomial = |terms| Poly { terms, ..f.numerator.clone() };
+    parts.into_iter().map(|(at, terms)| (at, f.polynomial(&polynomial(terms)))).collect()
+}
+
+/// Whether the logarithm is a member by itself: `log(p)` in `exp(2*log(p))`.
+pub(super) fn logarithm(of: &Symbolic) -> Option<&'static Symbolic> {
+    let [variable] = of.variables() else { return None };
+    match variable.kind() {
+        Kind::Logarithm(p) if *of == Symbolic::variable(*variable) => Some(p),
+        _ => None,
+    }
+}

@@ -1,0 +1,424 @@
+//! Variables: the generators of the field of values, each stored once.
+//!
+//! A variable has a [`Kind`] and, for functions, arguments that are values themselves. It is read once and written once:
+//! its text serves writing and the order of variables, and is never taken apart.
+
+use super::free::Applied;
+use crate::scalar::function::Function;
+use super::{Symbolic, writing};
+use std::cmp::Ordering;
+use std::collections::HashMap;
+use std::fmt;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
+
+/// The meaning of a variable.
+#[derive(Debug, PartialEq, Eq, Hash)]
+pub(super) enum Kind {
+    /// A parameter or a coordinate.
+    Parameter(Box<str>),
+    /// `tan(u/2)` for the part `u` of an argument: the sine and cosine of `u` are rational in it.
+    HalfTangent(Part),
+    /// The exponential of a part of an argument.
+    Exponential(Part),
+    /// The logarithm of an irreducible polynomial or a prime.
+    Logarithm(Symbolic),
+    /// The root `of^(1/parts)` of an irreducible polynomial or a prime.
+    Root(Part),
+    /// A function that is not given, or a derivative of one, at arguments.
+    Applied(Applied),
+    /// A function in the form in which it is written, such as the sine. It occurs in written forms only.
+    Written(Function, Part),
+}
+
+/// The part `of / parts` of an argument.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Part {
+    /// A member of the basis of arguments, such as `x` or `a*x^2`.
+    pub of: Symbolic,
+    /// A positive number.
+    pub parts: u32,
+}
+
+/// A variable of [`Symbolic`] values: a parameter, or a function of values.
+///
+/// Every variable is stored once, until the process ends, so that variables are compared by their addresses. `Display`
+/// gives its text.
+#[derive(Clone, Copy)]
+pub struct Variable(&'static Entry);
+
+struct Entry {
+    kind: Kind,
+    text: Box<str>,
+    order: Order,
+    /// The parameters that the variable depends on, in their order; empty for a parameter.
+    parameters: Variables,
+    /// Numbers in the order of the variables. Of variables with equal numbers, [`Order`] decides.
+    rank: u64,
+    hash: u64,
+    /// The number of variables that were stored before.
+    index: usize,
+}
+
+/// The order of variables: names in natural order, `J2 < J10 < K1`, then functions by the texts of their arguments, the
+/// sine first: `z < sin(x) < cos(x) < sin(y)`.
+#[derive(PartialEq, Eq)]
+enum Order {
+    Name(Box<str>),
+    Function { arguments: Box<str>, name: Box<str> },
+}
+
+#[derive(Default)]
+struct Stored {
+    parameters: HashMap<&'static str, Variable>,
+    functions: HashMap<&'static Kind, Variable>,
+}
+
+static STORED: LazyLock<Mutex<Stored>> = LazyLock::new(Mutex::default);
+
+impl Stored {
+    fn len(&self) -> usize {
+        self.parameters.len() + self.functions.len()
+    }
+
+    fn lock() -> std::sync::MutexGuard<'static, Self> {
+        STORED.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Variable {
+    /// The parameter of that name.
+    pub(crate) fn parameter(name: &str) -> Self {
+        let mut stored = Stored::lock();
+        if let Some(known) = stored.parameters.get(name) {
+            return *known;
+        }
+        let kind = Kind::Parameter(name.into());
+        let variable = Self::stored(kind, name.into(), Order::Name(name.into()), stored.len());
+        stored.parameters.insert(&variable.0.text, variable);
+        variable
+    }
+
+    /// The function of that kind.
+    pub(super) fn function(kind: Kind) -> Self {
+        if let Some(known) = Stored::lock().functions.get(&kind) {
+            return *known;
+        }
+        // arguments have variables of their own, so the text is written before the table is locked again
+        let text = writing::variable(&kind);
+        let [name, arguments] = writing::call(&kind).map(Box::from);
+        let order = Order::Function { arguments, name };
+        let mut stored = Stored::lock();
+        if let Some(known) = stored.functions.get(&kind) {
+            return *known;
+        }
+        let variable = Self::stored(kind, text.into(), order, stored.len());
+        stored.functions.insert(&variable.0.kind, variable);
+        variable
+    }
+
+    fn stored(kind: Kind, text: Box<str>, order: Order, index: usize) -> Self {
+        let mut hasher = DefaultHasher::new();
+        text.hash(&mut hasher);
+        let (rank, hash) = (order.rank(), hasher.finish());
+        let arguments = kind.arguments();
+        let inner = arguments.iter().flat_map(|value| value.variables());
+        let mut parameters: Vec<Variable> = inner.flat_map(|own| own.parameters()).collect();
+        parameters.sort_unstable();
+        parameters.dedup();
+        let parameters = parameters.into();
+        Variable(Box::leak(Box::new(Entry { kind, text, order, parameters, rank, hash, index })))
+    }
+
+    pub(super) fn kind(self) -> &'static Kind {
+        &self.0.kind
+    }
+
+    /// The text of the variable: a name, or a call such as `tan(x/2)`.
+    pub fn text(self) -> &'static str {
+        &self.0.text
+    }
+
+    /// The parameters that the variable depends on: itself, or the parameters of its arguments.
+    pub(super) fn parameters(self) -> impl Iterator<Item = Variable> {
+        let own = self.is_parameter().then_some(self);
+        own.into_iter().chain(self.0.parameters.iter().copied())
+    }
+
+    /// Whether it is a parameter.
+    pub fn is_parameter(self) -> bool {
+        matches!(self.0.kind, Kind::Parameter(_))
+    }
+
+    /// The name of a free function with its derivatives, `a_t` for `a_t(t)`; `None` for other variables.
+    pub fn free_function(self) -> Option<String> {
+        match self.kind() {
+            Kind::Applied(applied) => Some(applied.head()),
+            _ => None,
+        }
+    }
+
+    /// A number that identifies the variable in this process.
+    pub(super) fn address(self) -> usize {
+        std::ptr::from_ref(self.0).addr()
+    }
+}
+
+impl Kind {
+    /// The values that the function is taken of.
+    pub fn arguments(&self) -> Vec<&Symbolic> {
+        match self {
+            Kind::Parameter(_) => vec![],
+            Kind::HalfTangent(part)
+            | Kind::Exponential(part)
+            | Kind::Root(part)
+            | Kind::Written(_, part) => vec![&part.of],
+            Kind::Logarithm(argument) => vec![argument],
+            Kind::Applied(applied) => applied.arguments.iter().collect(),
+        }
+    }
+
+    /// The part of its argument, of half tangents, exponentials and roots. Functions of the same kind and of the same
+    /// argument depend on each other.
+    pub fn part(&self) -> Option<&Part> {
+        match self {
+            Kind::HalfTangent(part) | Kind::Exponential(part) | Kind::Root(part) => Some(part),
+            _ => None,
+        }
+    }
+
+    /// The function of the same kind in another number of parts of its argument.
+    pub fn in_parts(&self, parts: u32) -> Option<Kind> {
+        let part = Part { of: self.part()?.of.clone(), parts };
+        Some(match self {
+            Kind::HalfTangent(_) => Kind::HalfTangent(part),
+            Kind::Exponential(_) => Kind::Exponential(part),
+            _ => Kind::Root(part),
+        })
+    }
+
+    /// The root of order `n` of a root or an exponential: the function of an `n`th of its part.
+    pub fn in_parts_of(&self, n: u32) -> Option<Kind> {
+        match self {
+            Kind::Exponential(part) | Kind::Root(part) => self.in_parts(part.parts.checked_mul(n)?),
+            _ => None,
+        }
+    }
+
+    /// Whether two functions are of the same kind and of the same argument, in any parts.
+    pub fn is_related(&self, other: &Self) -> bool {
+        std::mem::discriminant(self) == std::mem::discriminant(other)
+            && self.part().zip(other.part()).is_some_and(|(own, other)| own.of == other.of)
+    }
+}
+
+impl PartialEq for Variable {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self.0, other.0)
+    }
+}
+
+impl Eq for Variable {}
+
+impl PartialOrd for Variable {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Variable {
+    fn cmp(&self, other: &Self) -> Ordering {
+        match self.0.rank.cmp(&other.0.rank) {
+            Ordering::Equal if self != other => {
+                // of different functions with one text the first is the one that was stored first
+                self.0.order.cmp(&other.0.order).then(self.0.index.cmp(&other.0.index))
+            }
+            order => order,
+        }
+    }
+}
+
+impl Hash for Variable {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        state.write_u64(self.0.hash);
+    }
+}
+
+impl From<&str> for Variable {
+    /// The parameter of that name.
+    fn from(name: &str) -> Self {
+        Variable::parameter(name)
+    }
+}
+
+impl fmt::Display for Variable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0.text)
+    }
+}
+
+impl fmt::Debug for Variable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.text.fmt(f)
+    }
+}
+
+/// Variables in their order, each once.
+pub(super) type Variables = Arc<[Variable]>;
+
+/// All variables of these lists, each once, in no order.
+pub(super) fn distinct<'v>(lists: impl Iterator<Item = &'v [Variable]>) -> Vec<Variable> {
+    let mut found: Vec<Option<Variable>> = Vec::new();
+    for variable in lists.flatten() {
+        let index = variable.0.index;
+        if found.len() <= index {
+            found.resize(index + 1, None);
+        }
+        found[index] = Some(*variable);
+    }
+    found.into_iter().flatten().collect()
+}
+
+/// All variables of both lists.
+pub(super) fn union(a: &Variables, b: &Variables) -> Variables {
+    if a == b {
+        return a.clone();
+    }
+    let mut all: Vec<Variable> = a.iter().chain(b.iter()).copied().collect();
+    all.sort_unstable();
+    all.dedup();
+    all.into()
+}
+
+impl Order {
+    /// A number that is less or equal where the order is less: the first letters of a name, the number of digits behind
+    /// them and the first digits.
+    fn rank(&self) -> u64 {
+        match self {
+            Order::Name(name) => rank(name),
+            Order::Function { .. } => 1 << 63,
+        }
+    }
+}
+
+impl Ord for Order {
+    fn cmp(&self, other: &Self) -> Ordering {
+        match (self, other) {
+            (Order::Name(a), Order::Name(b)) => natural(a, b),
+            (Order::Name(_), Order::Function { .. }) => Ordering::Less,
+            (Order::Function { .. }, Order::Name(_)) => Ordering::Greater,
+            (
+                Order::Function { arguments: x, name: f },
+                Order::Function { arguments: y, name: g },
+            ) => natural(x, y).then_with(|| (&**f != "sin", f).cmp(&(&**g != "sin", g))),
+        }
+    }
+}
+
+impl PartialOrd for Order {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+fn rank(name: &str) -> u64 {
+    let Some((letters, length, digits)) = pieces(name).next() else { return 0 };
+    let mut first = [0; 4];
+    let count = letters.len().min(4);
+    first[..count].copy_from_slice(&letters.as_bytes()[..count]);
+    let number = match letters.len() {
+        0..=3 => {
+            let digits = &digits[..digits.len().min(6)];
+            (length.min(255) as u64) << 20 | digits.parse().unwrap_or(0)
+        }
+        _ => 0,
+    };
+    u64::from(u32::from_be_bytes(first)) << 28 | number
+}
+
+/// The position of each variable in `all`, which includes the variables.
+pub(super) fn places(variables: &Variables, all: &Variables) -> Vec<usize> {
+    let mut at = 0;
+    let place = |variable: &Variable| {
+        while at < all.len() && all[at] != *variable {
+            at += 1;
+        }
+        at += 1;
+        at - 1
+    };
+    variables.iter().map(place).collect()
+}
+
+/// Alphabetical, with numbers compared by value: `J2 < J10 < K1`.
+pub(super) fn natural(a: &str, b: &str) -> Ordering {
+    pieces(a).cmp(pieces(b)).then_with(|| a.cmp(b))
+}
+
+/// Letters and the number behind them, piece by piece; numbers as (length, digits).
+fn pieces(name: &str) -> impl Iterator<Item = (&str, usize, &str)> {
+    let mut rest = name;
+    std::iter::from_fn(move || {
+        let (letters, tail) = rest.split_at(rest.find(digit).unwrap_or(rest.len()));
+        let (digits, tail) = tail.split_at(tail.find(|c| !digit(c)).unwrap_or(tail.len()));
+        let number = digits.trim_start_matches('0');
+        let done = rest.is_empty();
+        rest = tail;
+        (!done).then_some((letters, number.len(), number))
+    })
+}
+
+fn digit(c: char) -> bool {
+    c.is_ascii_digit()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_ordered_by_letters_then_numbers_then_functions() {
+        let sorted = [
+            "",
+            "1",
+            "7",
+            "11",
+            "J",
+            "J01",
+            "J1",
+            "J1a",
+            "J2",
+            "J10",
+            "J999999",
+            "J1000000",
+            "J1000001",
+            "J10000000",
+            "K1",
+            "Omeg9",
+            "Omega",
+            "Omega1",
+            "Omega2",
+            "Omega10",
+            "_",
+            "abc",
+            "abc1",
+            "abcd",
+            "abcd1",
+            "abcde",
+            "b",
+            "x_1",
+            "x_2",
+            "\u{e9}",
+        ];
+        let functions = ["sin(J1)", "sin(J2)", "a(t)", "a_t(t)"];
+        let functions = functions.map(|text| text.parse::<Symbolic>().unwrap().variables()[0]);
+        let names = sorted.map(Variable::parameter);
+        names.iter().zip(sorted).for_each(|(name, text)| assert_eq!(name.text(), text));
+        let all: Vec<Variable> = names.into_iter().chain(functions).collect();
+        for (i, a) in all.iter().enumerate() {
+            for (j, b) in all.iter().enumerate() {
+                assert_eq!(a.cmp(b), a.0.order.cmp(&b.0.order), "{a:?} {b:?}");
+                assert_eq!(a.cmp(b), i.cmp(&j), "{a:?} {b:?}");
+            }
+        }
+    }
+}
