@@ -7,6 +7,7 @@ use super::source::{Place, Source};
 use super::written::ChartText;
 use super::{Given, Reading};
 use affinor::geometry::chart::{Chart, Fields};
+use affinor_tensors::expression::is_abbreviation;
 use affinor_tensors::scalar::{FreeFunction, PositiveFactors};
 use affinor_tensors::{Down, Notation, Tensor, Up};
 
@@ -69,6 +70,9 @@ impl ChartText {
         let refuse = |message: String| Err(InputError::usage(message));
         if free != free.original() {
             return refuse(format!("the name of a function has no `_`: {}", shown(text)));
+        }
+        if is_abbreviation(free.name()) {
+            return refuse(format!("`{}` is another function", free.name()));
         }
         if let Some(other) = free.arguments().iter().find(|name| !known.coordinates.contains(name))
         {

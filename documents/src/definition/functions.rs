@@ -1,6 +1,7 @@
 //! The functions that expressions over a chart may contain.
 
 use super::input::shown;
+use affinor_tensors::expression::{POWER, no_function};
 use affinor_tensors::scalar::{FreeFunction, PositiveFactors};
 use affinor_tensors::{Rational, Symbolic};
 
@@ -16,6 +17,9 @@ pub(crate) struct Functions {
 impl Functions {
     /// The value of a function.
     pub fn call(&self, name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
+        if name == POWER {
+            return no_function(name, arguments);
+        }
         let head = name.split('_').next().unwrap_or_default();
         if let Some(free) = self.free.iter().find(|free| free.name() == head) {
             let function = FreeFunction::new(name, free.arguments())?;
@@ -52,6 +56,9 @@ impl Functions {
 
 /// The value of a function where there is no chart: the square root of a square.
 pub(super) fn without_chart(name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
+    if name == POWER {
+        return no_function(name, arguments);
+    }
     let (Some(argument), "sqrt") = (arguments.first(), name) else {
         return Err(format!("`{}` is no function here: only a chart has some", shown(name)));
     };

@@ -7,7 +7,7 @@ use super::{ConnectionChoice, Given, MetricChoice};
 use affinor::Canonical;
 use affinor::algebra::Complex;
 use affinor_tensors::expression::{
-    Expression, ExpressionError, Meaning, Scalars, is_name, no_function,
+    Expression, ExpressionError, Meaning, POWER, Scalars, is_name, no_function,
 };
 use affinor_tensors::{Field, Rational, Ring, Symbolic};
 use std::collections::{BTreeMap, BTreeSet};
@@ -379,6 +379,9 @@ impl Meaning for Elements<'_> {
             return Err("a basis vector cannot divide".into());
         }
         scalars().reciprocal(a.scalar).map(Element::scalar)
+    }
+    fn raise(&self, base: Element, exponent: Element) -> Result<Element, String> {
+        self.call(POWER, vec![base, exponent])
     }
     fn call(&self, name: &str, arguments: Vec<Element>) -> Result<Element, String> {
         if arguments.iter().any(|argument| !argument.vector.is_empty()) {
