@@ -12,6 +12,7 @@
 //! | `−`, `·`, `×` | `-`, `*`, `*` |
 //! | `ln(x)` | `log(x)` |
 //! | `sec(x)`, `csc(x)`, `cot(x)`, `sech(x)`, `csch(x)`, `coth(x)` | `1/cos(x)`, `1/sin(x)`, `cos(x)/sin(x)`, `1/cosh(x)`, ... |
+//! | Ohm sign Ω, micro sign µ | the Greek letters Ω, μ |
 //! | `sin^2(x)` | `sin(x)^2`, for elementary functions |
 //!
 //! ```
@@ -28,7 +29,7 @@ mod parser;
 mod signs;
 
 pub use functions::is_abbreviation;
-pub use names::is_name;
+pub use names::{canonical_name, is_name, is_name_character, is_printable, looks_latin};
 
 use crate::{Notation, Rational};
 use num_traits::One;

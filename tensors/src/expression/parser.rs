@@ -1,7 +1,7 @@
 //! The parser of expressions: recursive descent, one method for each level of the grammar.
 
 use super::functions::is_elementary;
-use super::names::{begins_name, continues_name, shown};
+use super::names::{begins_name, canonical_name, continues_name, looks_latin, shown};
 use super::signs::{MINUS, caret, plain, superscript};
 use super::{
     Expression, ExpressionError, MAX_DEPTH, MAX_DIGITS, MAX_EXPONENT, MAX_SIGNS, MAX_TOWER, Node,
@@ -316,11 +316,17 @@ impl Parser<'_> {
             Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
             Some(c) if begins_name(c) => {
                 let length = self.name_length();
+                if looks_latin(&self.text[from..from + length]) {
+                    self.at += self.text[from..].find(|c: char| !c.is_ascii()).unwrap_or_default();
+                    let letter = self.peek().unwrap_or(c);
+                    let ExpressionError { span, reason } = self.unexpected(letter);
+                    return self.error(span, reason + ": it looks like a Latin letter");
+                }
                 // basis vectors of a sum, `e1'`
                 let rest = &self.text[from + length..];
                 let primes = rest.bytes().take_while(|byte| *byte == b'\'').count();
                 self.at += length + primes;
-                let name = &self.text[from..self.at];
+                let name = &*canonical_name(&self.text[from..self.at]);
                 let power = if is_elementary(name) { self.power_of_function()? } else { None };
                 if self.peek() != Some('(') {
                     return Ok(Expression { span: from..self.at, node: Node::Name(name.into()) });
