@@ -1,6 +1,7 @@
 //! A function to be written in some language: its arguments, its arrays, and the steps as statements.
 
 use super::super::head::printable;
+use super::super::identifiers::identifiers;
 use crate::definition::InputError;
 use affinor_tensors::scalar::{Count, Function, Output, Step, StraightLine};
 use affinor_tensors::{Notation, Rational, Recorded, Ring};
@@ -37,6 +38,8 @@ pub struct Routine {
     coordinates: Vec<String>,
     /// The names of the other arguments, sorted.
     pub parameters: Vec<String>,
+    /// The arguments for the parameters.
+    arguments: Vec<String>,
     pub arrays: Vec<Array>,
     program: StraightLine,
 }
@@ -66,10 +69,20 @@ impl Routine {
         let program = StraightLine::new(&values.collect::<Vec<_>>());
         let free = |name: &&str| !name.contains('[') && !coordinates.iter().any(|own| own == name);
         let parameters: Vec<_> = program.inputs().filter(free).map(str::to_string).collect();
-        let values = parameters.iter().filter(|name| name.contains('('));
-        let values: Vec<_> = values.map(|name| format!("{} is {name}", parameter(name))).collect();
-        if !values.is_empty() {
-            about.push(format!("Values of functions: {}.", values.join(", ")));
+        let heads: Vec<&str> = parameters.iter().map(|name| head(name)).collect();
+        let arguments: Vec<String> =
+            identifiers(&heads).into_iter().map(|own| format!("p_{own}")).collect();
+        let explained = |of: &dyn Fn(&str) -> bool| {
+            let named = parameters.iter().zip(&arguments).filter(|(name, _)| of(name));
+            named.map(|(name, own)| format!("{own} is {name}")).collect::<Vec<_>>().join(", ")
+        };
+        for (title, names) in [
+            ("Parameters", explained(&|name| !name.is_ascii() && !name.contains('('))),
+            ("Values of functions", explained(&|name| name.contains('('))),
+        ] {
+            if !names.is_empty() {
+                about.push(format!("{title}: {names}."));
+            }
         }
         about.extend(arrays.iter().map(|array| format!("{}: {}.", array.name, array.about)));
         if arrays.iter().any(Array::has_zeros) {
@@ -77,12 +90,12 @@ impl Routine {
         }
         about.extend(remarks(program.count()));
         about.iter_mut().for_each(|line| *line = printable(line).to_string());
-        Routine { function, about, vectors, coordinates, parameters, arrays, program }
+        Routine { function, about, vectors, coordinates, parameters, arguments, arrays, program }
     }
 
     /// The parameters as arguments.
     pub fn arguments(&self) -> Vec<String> {
-        self.parameters.iter().map(|name| parameter(name)).collect()
+        self.arguments.clone()
     }
 
     /// Whether functions like the sine are called.
@@ -139,14 +152,17 @@ impl Routine {
         match (component, self.coordinates.iter().position(|own| own == name)) {
             (Some((vector, at)), _) => dialect.component(vector, at),
             (_, Some(at)) => dialect.component("x", at),
-            _ => parameter(name),
+            _ => {
+                let at = self.parameters.iter().position(|own| own == name);
+                at.map_or_else(String::new, |at| self.arguments[at].clone())
+            }
         }
     }
 }
 
-/// The argument for a parameter, or for the value of a free function: `p_a_t` for `a_t(t)`.
-fn parameter(name: &str) -> String {
-    format!("p_{}", name.split('(').next().unwrap_or(name))
+/// A parameter, or a free function without its arguments: `a_t` for `a_t(t)`.
+fn head(name: &str) -> &str {
+    name.split('(').next().unwrap_or(name)
 }
 
 /// The number of operations, and the condition of divisions.
