@@ -23,6 +23,7 @@ mod guide;
 mod heads;
 mod info;
 mod limits;
+mod notations;
 mod paper_page;
 #[cfg(feature = "plot")]
 mod plot;

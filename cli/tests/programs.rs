@@ -123,6 +123,39 @@ fn tensors_as_programs_give_the_exact_values() {
     }
 }
 
+/// Parameters in Greek are arguments with Latin names, which differ from the other arguments.
+#[test]
+fn greek_parameters_as_programs() {
+    let folder = tempfile::tempdir().unwrap();
+    let options = ["", "diag(\u{3b8}, theta, \u{3c9}_1 + \u{e9})"];
+    let show = "ricci,scalar_curvature";
+    let set = "\u{3b8}=2,theta=3,\u{3c9}_1=5,\u{e9}=7/2";
+    let exact = open("so(3)", options, Some(set.into()));
+    let convert = |value: &Symbolic| value.as_constant().cloned();
+    let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
+    let geometry = exact.definition.geometry::<Rational>(&reading).unwrap();
+    let (mut expected, mut shapes) = (vec![], vec![]);
+    for quantity in [Quantity::Ricci, Quantity::ScalarCurvature] {
+        let tensor = quantity.of(&geometry).unwrap().unwrap();
+        expected.extend(dense(&tensor, 3, Rational::to_f64));
+        shapes.push(vec![3; quantity.slots().len()]);
+    }
+    let value = |name: &str| match name {
+        "theta_2" => 2.0,
+        "theta" => 3.0,
+        "omega_1" => 5.0,
+        "uE9" => 3.5,
+        other => panic!("{other}"),
+    };
+    for language in RUN {
+        let source = code("so(3)", options, show, language, &[]);
+        assert!(source.contains("p_theta_2 is \u{3b8}"), "{source}");
+        if let Some(found) = compiled::run(folder.path(), language, &source, &[], &value, &shapes) {
+            close(&found, &expected, &source);
+        }
+    }
+}
+
 /// Functions on a chart: against the rational functions at a point.
 #[test]
 fn charts_as_programs() {

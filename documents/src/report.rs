@@ -18,6 +18,7 @@ mod factors;
 mod grid;
 mod head;
 mod html;
+mod identifiers;
 mod info;
 mod json;
 mod latex;

@@ -94,6 +94,9 @@ impl<'py> Meaning for Objects<'py> {
     fn reciprocal(&self, a: Self::Value) -> Result<Self::Value, String> {
         self.keep(a.pow(-1, a.py().None()))
     }
+    fn raise(&self, base: Self::Value, exponent: Self::Value) -> Result<Self::Value, String> {
+        self.keep(base.pow(exponent, base.py().None()))
+    }
     fn call(&self, name: &str, arguments: Vec<Self::Value>) -> Result<Self::Value, String> {
         let call = || {
             let py = self.function.py();

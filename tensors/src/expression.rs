@@ -5,6 +5,16 @@
 //! `a b` are errors. The caller gives names and operations their meaning ([`Meaning`]), so one
 //! grammar serves scalars, vectors written in basis names, and complex numbers.
 //!
+//! | notation | means |
+//! |---|---|
+//! | `x**2`, `x²` | `x^2` |
+//! | `a^b^c` | `a^(b^c)` |
+//! | `−`, `·`, `×` | `-`, `*`, `*` |
+//! | `ln(x)` | `log(x)` |
+//! | `sec(x)`, `csc(x)`, `cot(x)`, `sech(x)`, `csch(x)`, `coth(x)` | `1/cos(x)`, `1/sin(x)`, `cos(x)/sin(x)`, `1/cosh(x)`, ... |
+//! | Ohm sign Ω, micro sign µ | the Greek letters Ω, μ |
+//! | `sin^2(x)` | `sin(x)^2`, for elementary functions |
+//!
 //! ```
 //! use affinor_tensors::{Notation, Rational, expression::Expression};
 //! let text = Expression::parse("1/2 - 2^-2 + 0.25")?;
@@ -12,6 +22,14 @@
 //! assert_eq!(value.to_string(), "1/2");
 //! # Ok::<(), affinor_tensors::expression::ExpressionError>(())
 //! ```
+
+mod functions;
+mod names;
+mod parser;
+mod signs;
+
+pub use functions::is_abbreviation;
+pub use names::{canonical_name, is_name, is_name_character, is_printable, looks_latin};
 
 use crate::{Notation, Rational};
 use num_traits::One;
@@ -23,6 +41,8 @@ pub const MAX_DIGITS: usize = 10_000;
 pub const MAX_EXPONENT: i64 = 10_000;
 /// The deepest nesting of parentheses.
 pub const MAX_DEPTH: usize = 100;
+/// The deepest nesting of powers in exponents.
+pub const MAX_TOWER: usize = 10;
 /// The most signs in front of one value.
 pub const MAX_SIGNS: usize = 100;
 /// The largest [`Notation::size`] a value may reach.
@@ -53,7 +73,8 @@ enum Node {
     Sum(Vec<(bool, Expression)>),
     /// Factors, each with whether it divides.
     Product(Vec<(bool, Expression)>),
-    Power(Box<Expression>, i64),
+    /// A base and an exponent. An exponent without names and functions is a number.
+    Power(Box<Expression>, Box<Expression>),
     /// A function and its arguments.
     Call(String, Vec<Expression>),
 }
@@ -76,6 +97,11 @@ pub trait Meaning {
     fn negate(&self, a: Self::Value) -> Self::Value;
     /// `1 / a`.
     fn reciprocal(&self, a: Self::Value) -> Result<Self::Value, String>;
+    /// `base^exponent`, unless the exponent is an integer: then the power is a product. By default exponents are integers.
+    fn raise(&self, base: Self::Value, exponent: Self::Value) -> Result<Self::Value, String> {
+        let _ = (base, exponent);
+        Err(NO_INTEGER.into())
+    }
     /// The value of a function at an argument. By default no function is known.
     fn function(&self, name: &str, argument: Self::Value) -> Result<Self::Value, String> {
         no_function(name, &argument)
@@ -89,9 +115,15 @@ pub trait Meaning {
     }
 }
 
+/// The name of the function of two arguments that computes `base^exponent` for [`Scalars`].
+pub const POWER: &str = "pow";
+
+/// The reason why a power has no value.
+pub(crate) const NO_INTEGER: &str = "an exponent is an integer";
+
 /// The value of a function where none is known: an error.
 pub fn no_function<V, A: ?Sized>(name: &str, _: &A) -> Result<V, String> {
-    Err(format!("`{name}` is no function here"))
+    Err(if name == POWER { NO_INTEGER.into() } else { format!("`{name}` is no function here") })
 }
 
 /// The reason why a function of one argument has no value at several.
@@ -114,13 +146,7 @@ impl Expression {
     /// # Errors
     /// As [`parse`](Self::parse).
     pub fn parse_beside(text: &str, known: &dyn Fn(&str) -> bool) -> Result<Self, ExpressionError> {
-        let mut parser = Parser { text, at: 0, depth: 0, known };
-        let expression = parser.sum()?;
-        parser.skip_space();
-        match parser.peek() {
-            None => Ok(expression),
-            Some(symbol) => Err(parser.unexpected(symbol)),
-        }
+        parser::parse(text, known)
     }
 
     /// The byte range of the expression in its text.
@@ -158,15 +184,40 @@ impl Expression {
             }
             Node::Power(base, exponent) => {
                 let mut value = base.evaluate(meaning)?;
-                if *exponent < 0 {
+                let Some(n) = exponent.as_integer() else {
+                    let at = |reason| ExpressionError { span: exponent.span(), reason };
+                    let exponent = exponent.evaluate(meaning)?;
+                    return meaning.raise(value, exponent).map_err(at);
+                };
+                if n < 0 {
                     value = meaning.reciprocal(value).map_err(here)?;
                 }
-                power(meaning, value, exponent.unsigned_abs()).map_err(here)
+                power(meaning, value, n.unsigned_abs()).map_err(here)
             }
             Node::Call(name, arguments) => {
                 let values = arguments.iter().map(|argument| argument.evaluate(meaning));
                 meaning.call(name, values.collect::<Result<_, _>>()?).map_err(here)
             }
+        }
+    }
+
+    /// The number, if the expression is an integer without an operation.
+    fn as_integer(&self) -> Option<i64> {
+        match &self.node {
+            Node::Number(number) => number.to_i64(),
+            _ => None,
+        }
+    }
+
+    /// Whether the expression is made of numbers and rational operations.
+    fn is_rational(&self) -> bool {
+        match &self.node {
+            Node::Number(_) => true,
+            Node::Name(_) | Node::Call(..) => false,
+            Node::Sum(parts) | Node::Product(parts) => {
+                parts.iter().all(|(_, part)| part.is_rational())
+            }
+            Node::Power(base, exponent) => exponent.as_integer().is_some() && base.is_rational(),
         }
     }
 
@@ -225,6 +276,9 @@ where
     fn reciprocal(&self, a: S) -> Result<S, String> {
         finite(a.recip().ok_or("division by zero")?)
     }
+    fn raise(&self, base: S, exponent: S) -> Result<S, String> {
+        self.1(POWER, &[base, exponent])
+    }
     fn call(&self, name: &str, arguments: Vec<S>) -> Result<S, String> {
         self.1(name, &arguments)
     }
@@ -241,304 +295,5 @@ fn finite<S: Notation>(value: S) -> Result<S, String> {
             Err("the value is beyond the range of f64".into())
         }
         _ => Ok(value),
-    }
-}
-
-/// Whether the text is a valid name: an ASCII letter or `_`, then letters, digits and `_`.
-pub fn is_name(name: &str) -> bool {
-    name.starts_with(begins_name) && name.chars().all(continues_name)
-}
-
-const NO_INTEGER: &str = "an exponent is an integer";
-
-fn begins_name(c: char) -> bool {
-    c.is_ascii_alphabetic() || c == '_'
-}
-
-fn continues_name(c: char) -> bool {
-    c.is_ascii_alphanumeric() || c == '_'
-}
-
-struct Parser<'t> {
-    text: &'t str,
-    at: usize,
-    depth: usize,
-    known: &'t dyn Fn(&str) -> bool,
-}
-
-impl Parser<'_> {
-    fn peek(&self) -> Option<char> {
-        self.text[self.at..].chars().next()
-    }
-
-    fn skip_space(&mut self) {
-        let rest = &self.text[self.at..];
-        self.at += rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_whitespace()).len();
-    }
-
-    /// Consumes and returns the next symbol after white space, if it is one of `symbols`.
-    fn take(&mut self, symbols: &[char]) -> Option<char> {
-        self.skip_space();
-        let symbol = self.peek().filter(|symbol| symbols.contains(symbol))?;
-        self.at += symbol.len_utf8();
-        Some(symbol)
-    }
-
-    fn error<T>(
-        &self,
-        span: Range<usize>,
-        reason: impl Into<String>,
-    ) -> Result<T, ExpressionError> {
-        Err(ExpressionError { span, reason: reason.into() })
-    }
-
-    fn unexpected(&self, symbol: char) -> ExpressionError {
-        let span = self.at..self.at + symbol.len_utf8();
-        let reason = if symbol.is_ascii_graphic() {
-            format!("`{symbol}` is not expected here")
-        } else {
-            format!("the character {} is not expected here", symbol.escape_unicode())
-        };
-        ExpressionError { span, reason }
-    }
-
-    fn sum(&mut self) -> Result<Expression, ExpressionError> {
-        self.skip_space();
-        let from = self.at;
-        let mut terms = Vec::new();
-        loop {
-            terms.push((self.signs()?, self.product()?));
-            self.skip_space();
-            if !matches!(self.peek(), Some('+' | '-')) {
-                return Ok(fold(terms, from..self.at, Node::Sum));
-            }
-        }
-    }
-
-    /// Whether an odd number of minus signs stands here.
-    fn signs(&mut self) -> Result<bool, ExpressionError> {
-        let mut negative = false;
-        for _ in 0..=MAX_SIGNS {
-            match self.take(&['+', '-']) {
-                Some(sign) => negative ^= sign == '-',
-                None => return Ok(negative),
-            }
-        }
-        self.error(self.at - 1..self.at, format!("more than {MAX_SIGNS} signs in a row"))
-    }
-
-    /// A factor behind `*` or `/`, perhaps with signs.
-    fn factor(&mut self) -> Result<Expression, ExpressionError> {
-        self.skip_space();
-        let from = self.at;
-        let sign = (self.signs()?, self.power()?);
-        Ok(fold(vec![sign], from..self.at, Node::Sum))
-    }
-
-    fn product(&mut self) -> Result<Expression, ExpressionError> {
-        self.skip_space();
-        let from = self.at;
-        let mut factors = vec![(false, self.power()?)];
-        loop {
-            let end = self.at;
-            if let Some(symbol) = self.take(&['*', '/']) {
-                factors.push((symbol == '/', self.factor()?));
-            } else if self.peek().is_some_and(begins_name) {
-                let number =
-                    matches!(factors.last(), Some((_, Expression { node: Node::Number(_), .. })));
-                let written =
-                    self.text[from..end].ends_with(|c: char| c.is_ascii_digit() || c == '.');
-                if !(number && written) {
-                    return self
-                        .error(self.at..self.at + 1, "an operator is missing before this name");
-                }
-                if self.at == end {
-                    let span = self.at..self.at + 1;
-                    return self.error(span, "write `*` or a space between a number and a name");
-                }
-                factors.push((false, self.power()?));
-            } else {
-                self.at = end;
-                return Ok(fold(factors, from..end, Node::Product));
-            }
-        }
-    }
-
-    fn power(&mut self) -> Result<Expression, ExpressionError> {
-        let base = self.atom()?;
-        let end = self.at;
-        if self.take(&['^']).is_none() {
-            self.at = end;
-            return Ok(base);
-        }
-        let exponent = self.exponent()?;
-        let end = self.at;
-        if self.take(&['^']).is_some() {
-            return self.error(self.at - 1..self.at, "write parentheses around a power of a power");
-        }
-        self.at = end;
-        let span = base.span.start..end;
-        Ok(Expression { span, node: Node::Power(Box::new(base), exponent) })
-    }
-
-    /// An integer with an optional sign, optionally in parentheses.
-    fn exponent(&mut self) -> Result<i64, ExpressionError> {
-        let parenthesis = self.take(&['(']).is_some();
-        let sign = self.take(&['+', '-']);
-        self.skip_space();
-        let from = self.at;
-        let digits = self.digits();
-        if digits.is_empty() {
-            let width = self.peek().map_or(0, char::len_utf8);
-            return self.error(from..from + width, NO_INTEGER);
-        }
-        if self.peek() == Some('.') {
-            return self.error(from..self.at + 1, NO_INTEGER);
-        }
-        let value = digits.parse::<i64>().ok().filter(|n| *n <= MAX_EXPONENT);
-        let Some(value) = value else {
-            return self.error(from..self.at, format!("an exponent is at most {MAX_EXPONENT}"));
-        };
-        let end = self.at;
-        if parenthesis && self.take(&[')']).is_none() {
-            if self.take(&['/', '*', '+', '-']).is_some() {
-                return self.error(from..end, NO_INTEGER);
-            }
-            return self.error(self.at..self.at, "`)` is missing after the exponent");
-        }
-        Ok(if sign == Some('-') { -value } else { value })
-    }
-
-    fn atom(&mut self) -> Result<Expression, ExpressionError> {
-        self.skip_space();
-        let from = self.at;
-        match self.peek() {
-            None => self.error(from..from, "the expression ends where a value is expected"),
-            Some('(') => {
-                let inside = self.parenthesis(Self::sum)?;
-                Ok(Expression { span: from..self.at, node: inside.node })
-            }
-            Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
-            Some(c) if begins_name(c) => {
-                let rest = &self.text[from..];
-                let length = rest.find(|c| !continues_name(c)).unwrap_or(rest.len());
-                // basis vectors of a sum, `e1'`
-                let primes = rest[length..].bytes().take_while(|byte| *byte == b'\'').count();
-                self.at += length + primes;
-                let name = self.text[from..self.at].to_string();
-                if self.peek() != Some('(') {
-                    return Ok(Expression { span: from..self.at, node: Node::Name(name) });
-                }
-                let node = Node::Call(name, self.parenthesis(Self::arguments)?);
-                Ok(Expression { span: from..self.at, node })
-            }
-            Some(c) => Err(self.unexpected(c)),
-        }
-    }
-
-    /// What stands in parentheses, from the opening one on.
-    fn parenthesis<T>(
-        &mut self,
-        inside: fn(&mut Self) -> Result<T, ExpressionError>,
-    ) -> Result<T, ExpressionError> {
-        let from = self.at;
-        self.at += 1;
-        self.depth += 1;
-        if self.depth > MAX_DEPTH {
-            let reason = format!("more than {MAX_DEPTH} nested parentheses");
-            return self.error(from..from + 1, reason);
-        }
-        let found = inside(self)?;
-        self.depth -= 1;
-        match (self.take(&[')']), self.peek()) {
-            (Some(_), _) => Ok(found),
-            (None, Some(symbol)) => Err(self.unexpected(symbol)),
-            (None, None) => self.error(from..from + 1, "this parenthesis is not closed"),
-        }
-    }
-
-    /// The arguments of a function, separated by commas.
-    fn arguments(&mut self) -> Result<Vec<Expression>, ExpressionError> {
-        let mut all = vec![self.sum()?];
-        while self.take(&[',']).is_some() {
-            all.push(self.sum()?);
-        }
-        Ok(all)
-    }
-
-    fn digits(&mut self) -> String {
-        let rest = &self.text[self.at..];
-        let digits = &rest[..rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len())];
-        self.at += digits.len();
-        digits.into()
-    }
-
-    /// The exponent of `e-3` directly after a number; zero if there is none.
-    fn power_of_ten(&mut self) -> Result<i64, ExpressionError> {
-        let rest = &self.text[self.at..];
-        let Some(behind) = rest.strip_prefix(['e', 'E']) else { return Ok(0) };
-        let digits = behind.strip_prefix(['+', '-']).unwrap_or(behind);
-        if !digits.starts_with(|c: char| c.is_ascii_digit()) {
-            return Ok(0);
-        }
-        let from = self.at;
-        self.at += rest.len() - digits.len();
-        let value = self.digits().parse::<i64>().ok().filter(|n| *n <= MAX_EXPONENT);
-        match value {
-            Some(value) => Ok(if behind.starts_with('-') { -value } else { value }),
-            None => self.error(from..self.at, format!("an exponent is at most {MAX_EXPONENT}")),
-        }
-    }
-
-    /// Digits, a fraction, a power of ten.
-    fn number(&mut self) -> Result<Expression, ExpressionError> {
-        let from = self.at;
-        let mut digits = self.digits();
-        let mut decimals = 0;
-        if self.peek() == Some('.') {
-            self.at += 1;
-            let fraction = self.digits();
-            decimals = fraction.len() as i64;
-            digits.push_str(&fraction);
-        }
-        let glued = &self.text[self.at..];
-        let glued = &glued[..glued.find(|c| !continues_name(c)).unwrap_or(glued.len())];
-        if (self.known)(glued) {
-            let mut reason = format!("write `*` or a space between the number and `{glued}`");
-            if let Some(digits) = glued.strip_prefix(['e', 'E'])
-                && digits.starts_with(|c: char| c.is_ascii_digit())
-            {
-                reason += &format!(", or `e+{digits}` for a power of ten");
-            }
-            return self.error(from..self.at + glued.len(), reason);
-        }
-        let exponent = self.power_of_ten()?;
-        let span = from..self.at;
-        if digits.len() > MAX_DIGITS {
-            return self.error(span, format!("a number has at most {MAX_DIGITS} digits"));
-        }
-        let Some(mantissa) = Rational::from_digits(&digits) else {
-            return self.error(span, "a number needs a digit");
-        };
-        let shift = exponent - decimals;
-        let ten = Rational::from_digits(&format!("1{}", "0".repeat(shift.unsigned_abs() as usize)));
-        let value = match (ten, shift < 0) {
-            (Some(ten), false) => mantissa * &ten,
-            (Some(ten), true) => mantissa / &ten,
-            (None, _) => mantissa,
-        };
-        Ok(Expression { span, node: Node::Number(value) })
-    }
-}
-
-/// A sum or product; a single positive part is returned unchanged.
-fn fold(
-    mut parts: Vec<(bool, Expression)>,
-    span: Range<usize>,
-    node: fn(Vec<(bool, Expression)>) -> Node,
-) -> Expression {
-    match parts.as_slice() {
-        [(false, _)] => parts.swap_remove(0).1,
-        _ => Expression { span, node: node(parts) },
     }
 }

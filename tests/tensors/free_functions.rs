@@ -29,17 +29,15 @@ fn derivatives_have_names_in_which_the_order_does_not_matter() {
 
 #[test]
 fn names_that_are_no_function_are_refused() {
-    for text in
-        ["f(2)", "f(x + y)", "f(x, x)", "f_y(x)", "f(a_b)", "sin_x(x)", "_f(x)", "f_(x)", "f(g(x))"]
-    {
+    for text in ["f(2)", "f_y(x)", "sin_x(x)", "_f(x)", "f_(x)", "f_3(x,y)", "f()"] {
         assert!(text.parse::<Symbolic>().is_err(), "{text}");
         assert!(FreeFunction::read(text).is_err(), "{text}");
     }
-    for (name, is) in
-        [("f_r(r,s)", true), ("f(r, s)", false), ("f_s_r(r,s)", false), ("f()", false)]
-    {
-        assert_eq!(<Symbolic as Notation>::parameter(name).is_some(), is, "{name}");
+    for text in ["f(x + y)", "f(x, x)", "f(a_b)", "f(g(x))"] {
+        assert!(FreeFunction::read(text).is_err(), "{text}");
+        assert_eq!(value(text).to_string().replace(' ', ""), text.replace(' ', ""));
     }
+    assert!(<Symbolic as Notation>::parameter("f_r(r,s)").is_none());
 }
 
 #[test]
@@ -68,8 +66,13 @@ fn substitution_reaches_functions_and_their_arguments() {
         value("f_x(x,y)").substitute(&given(&[("x", "y"), ("y", "x")])),
         Some(value("f_y(y,x)"))
     );
-    assert_eq!(value("f_x(x,y)").substitute(&given(&[("x", "y")])), None);
-    assert_eq!(value("f(x)").substitute(&given(&[("x", "2*y")])), None);
+    assert_eq!(value("f_x(x,y)").substitute(&given(&[("x", "y")])), Some(value("f_1(y,y)")));
+    assert_eq!(value("f(x)").substitute(&given(&[("x", "2*y")])), Some(value("f(2*y)")));
+    assert_eq!(value("f(x)").substitute(&given(&[("x", "2")])), None);
+    // by the chain rule, at any argument
+    let square = given(&[("f(x)", "x^2")]);
+    assert_eq!(value("f_1(r/t)").substitute(&square), Some(value("2*r/t")));
+    assert_eq!(value("f(r/t)").derivative("t"), value("-r*f_1(r/t)/t^2"));
     // a function is taken at the new argument
     let both = given(&[("f(x)", "x^3"), ("x", "2")]);
     assert_eq!(value("f_x(x) + x").substitute(&both), Some(value("14")));

@@ -81,7 +81,6 @@ fn what_has_no_sign_is_refused() {
         ("log(0)", "the argument of log is zero"),
         ("log(-2)", "the argument of log is negative"),
         ("sqrt(sin(x))", "contains a function"),
-        ("log(sqrt(x))", "contains a function"),
         ("sqrt(18446744073709551616*x)", "is too large"),
         ("sqrt(1000000016000000063)", "is too large"),
     ] {

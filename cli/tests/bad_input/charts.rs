@@ -144,7 +144,7 @@ fn functions() {
         ("\"f_z(x)\"", &["`f_z` is no derivative of a function of x: f_x"]),
         ("\"sin(x)\"", &["`sin` is another function"]),
         ("\"x(y)\"", &["the function `x` is already the name of something"]),
-        ("\"d(x)\"", &["the function `d_x` is already the name of something"]),
+        ("\"sec(x)\"", &["`sec` is another function"]),
         ("\"f(x)\", \"f(x, y)\"", &["a.toml:6:23", "the function `f` is already the name"]),
         ("\"f(x + y)\"", &["the arguments of `f` are names"]),
     ]);

@@ -7,6 +7,7 @@ use super::source::{Place, Source};
 use super::written::ChartText;
 use super::{Given, Reading};
 use affinor::geometry::chart::{Chart, Fields};
+use affinor_tensors::expression::{canonical_name, is_abbreviation};
 use affinor_tensors::scalar::{FreeFunction, PositiveFactors};
 use affinor_tensors::{Down, Notation, Tensor, Up};
 
@@ -65,20 +66,24 @@ impl ChartText {
         names: &Names,
         known: &Functions,
     ) -> Result<FreeFunction, InputError> {
-        let free = FreeFunction::read(text).map_err(InputError::usage)?;
+        let free = FreeFunction::read(&canonical_name(text)).map_err(InputError::usage)?;
         let refuse = |message: String| Err(InputError::usage(message));
         if free != free.original() {
             return refuse(format!("the name of a function has no `_`: {}", shown(text)));
+        }
+        if is_abbreviation(free.name()) {
+            return refuse(format!("`{}` is another function", free.name()));
         }
         if let Some(other) = free.arguments().iter().find(|name| !known.coordinates.contains(name))
         {
             return refuse(format!("`{}` takes coordinates, and `{other}` is none", free.name()));
         }
-        // `a` and its derivatives `a_t`
+        // `a` and its derivatives `a_t`; basis vectors differ from derivatives, which have arguments: `d_x` and `d_x(x)`
         let is = |name: &str| {
             FreeFunction::new(name, free.arguments()).is_ok_and(|own| own.original() == free)
         };
-        let declared = names.parameters.into_iter().flatten().chain(names.labels.keys());
+        let labels = names.labels.keys().filter(|label| *label == free.name());
+        let declared = names.parameters.into_iter().flatten().chain(labels);
         let others = known.free.iter().map(FreeFunction::name);
         if let Some(taken) = declared.map(String::as_str).chain(others).find(|name| is(name)) {
             return refuse(format!(

@@ -13,7 +13,7 @@ use super::notation::{
 use super::source::{Place, Source};
 use super::written::{
     Block, Cell, ChartText, ConnectionText, Entries, Formulas, MatrixRows, MetricText, Part, Row,
-    Text,
+    Text, canonical_names, optional_names,
 };
 use super::{
     ConnectionChoice, Definition, Given, MatrixEntries, MetricChoice, Origin, Pairs, Reading, add,
@@ -30,9 +30,10 @@ use std::collections::{BTreeMap, BTreeSet};
 #[serde(deny_unknown_fields)]
 pub(crate) struct Document {
     name: Option<String>,
+    #[serde(default, deserialize_with = "optional_names")]
     basis: Option<Vec<Text>>,
     dimension: Option<i64>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "canonical_names")]
     parameters: Vec<Text>,
     brackets: Option<Block>,
     structure_constants: Option<Vec<Row>>,

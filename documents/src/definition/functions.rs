@@ -1,6 +1,7 @@
 //! The functions that expressions over a chart may contain.
 
 use super::input::shown;
+use affinor_tensors::expression::{POWER, no_function};
 use affinor_tensors::scalar::{FreeFunction, PositiveFactors};
 use affinor_tensors::{Rational, Symbolic};
 
@@ -22,7 +23,7 @@ impl Functions {
         }
         match arguments {
             [argument] => self.positive.function(name, argument),
-            [base, exponent] if name == "pow" => self.positive.power(base, exponent),
+            [base, exponent] if name == POWER => self.positive.power(base, exponent),
             several => {
                 let (name, count) = (shown(name), several.len());
                 Err(format!("there is no function `{name}` of {count} arguments here"))
@@ -33,6 +34,9 @@ impl Functions {
 
 /// The value of a function where there is no chart: the square root of a square.
 pub(super) fn without_chart(name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
+    if name == POWER {
+        return no_function(name, arguments);
+    }
     let (Some(argument), "sqrt") = (arguments.first(), name) else {
         return Err(format!("`{}` is no function here: only a chart has some", shown(name)));
     };

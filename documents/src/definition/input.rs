@@ -3,6 +3,7 @@
 use super::source::{Place, Source};
 use affinor::Error;
 use affinor_tensors::TensorError;
+use affinor_tensors::expression::{is_printable, looks_latin};
 use std::fmt;
 use std::sync::Arc;
 
@@ -141,11 +142,13 @@ fn advice(error: &Error) -> Option<&'static str> {
     }
 }
 
-/// A name for a message: characters other than printable ASCII are escaped, and long names are truncated.
+/// A name for a message: control characters are escaped, and all letters outside ASCII if the name looks like one in ASCII.
+/// Long names are truncated.
 pub(crate) fn shown(name: &str) -> String {
     const LONGEST: usize = 64;
-    let plain = |c: &char| c.is_ascii_graphic() || *c == ' ';
-    let shown = name.chars().take(LONGEST).map(|c| match plain(&c) {
+    let latin = looks_latin(name);
+    let plain = |c: char| is_printable(c) && (c.is_ascii() || !latin);
+    let shown = name.chars().take(LONGEST).map(|c| match plain(c) {
         true => c.to_string(),
         false => c.escape_unicode().to_string(),
     });

@@ -7,7 +7,7 @@ use super::{ConnectionChoice, Given, MetricChoice};
 use affinor::Canonical;
 use affinor::algebra::Complex;
 use affinor_tensors::expression::{
-    Expression, ExpressionError, Meaning, Scalars, is_name, no_function,
+    Expression, ExpressionError, Meaning, POWER, Scalars, canonical_name, is_name, no_function,
 };
 use affinor_tensors::{Field, Rational, Ring, Symbolic};
 use std::collections::{BTreeMap, BTreeSet};
@@ -35,17 +35,18 @@ impl<'n> Names<'n> {
         meaning: &M,
     ) -> Result<M::Value, InputError> {
         let known = |name: &str| self.labels.contains_key(name);
-        Expression::parse_beside(text, &known)
-            .and_then(|expression| expression.evaluate(meaning))
-            .map_err(|ExpressionError { span, reason }| {
-                let place = source.find(text, span.clone());
-                let error = InputError::usage(reason).at(&place);
-                match text.get(span) {
-                    Some(name) if self.parameters.is_some() && self.is_unknown(name) => error
-                        .help(format!("declare a parameter: parameters = [\"{}\"]", shown(name))),
-                    _ => error,
-                }
-            })
+        let refused = |ExpressionError { span, reason }: ExpressionError| {
+            InputError::usage(reason).at(&source.find(text, span))
+        };
+        let expression = Expression::parse_beside(text, &known).map_err(refused)?;
+        expression.evaluate(meaning).map_err(|error| {
+            let name = text.get(error.span.clone()).map(canonical_name);
+            match name.filter(|name| self.parameters.is_some() && self.is_unknown(name)) {
+                Some(name) => refused(error)
+                    .help(format!("declare a parameter: parameters = [\"{}\"]", shown(&name))),
+                None => refused(error),
+            }
+        })
     }
 
     /// Whether a name is neither declared nor a basis vector.
@@ -150,7 +151,7 @@ pub(super) fn statement(
     };
     let vector = |name: &str| {
         let trimmed = name.trim();
-        names.labels.get(trimmed).copied().ok_or_else(|| {
+        names.labels.get(&*canonical_name(trimmed)).copied().ok_or_else(|| {
             let place = source.whole(if trimmed.is_empty() { name } else { trimmed });
             InputError::usage(format!("`{}` is not a basis vector", shown(trimmed)))
                 .at(&place)
@@ -300,11 +301,11 @@ pub(super) fn basis(
 
 /// Refuses a text that is no name.
 pub(crate) fn check_name(name: &str) -> Result<(), InputError> {
-    if is_name(name) && name.len() <= 64 {
+    if is_name(name) && name.chars().count() <= 64 {
         return Ok(());
     }
     Err(InputError::usage(format!("`{}` is not a name", shown(name)))
-        .help("a name is an ASCII letter or _, then letters, digits and _, at most 64 in all"))
+        .help("a name is a letter or _, then letters, digits and _, at most 64 in all"))
 }
 
 /// Sums of a vector and a scalar, as they arise within a right side.
@@ -379,6 +380,9 @@ impl Meaning for Elements<'_> {
             return Err("a basis vector cannot divide".into());
         }
         scalars().reciprocal(a.scalar).map(Element::scalar)
+    }
+    fn raise(&self, base: Element, exponent: Element) -> Result<Element, String> {
+        self.call(POWER, vec![base, exponent])
     }
     fn call(&self, name: &str, arguments: Vec<Element>) -> Result<Element, String> {
         if arguments.iter().any(|argument| !argument.vector.is_empty()) {

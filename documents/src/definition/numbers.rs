@@ -102,6 +102,15 @@ impl Meaning for Floats {
             reciprocal => Ok(reciprocal),
         }
     }
+
+    fn raise(&self, base: f64, exponent: f64) -> Result<f64, String> {
+        match base.powf(exponent) {
+            power if power.is_nan() => Err(format!("{base}^{exponent} is not a real number")),
+            0.0 if base == 0.0 => Ok(0.0),
+            power if power.is_normal() => Ok(power),
+            _ => Err(beyond()),
+        }
+    }
 }
 
 fn beyond() -> String {

@@ -4,6 +4,7 @@ use super::Definition;
 use super::input::{InputError, shown};
 use super::notation::{Names, check_name, split};
 use super::source::Source;
+use affinor_tensors::expression::canonical_name;
 use affinor_tensors::scalar::{FreeFunction, PositiveFactors};
 use affinor_tensors::{Notation, Symbolic};
 use std::collections::BTreeMap;
@@ -114,7 +115,7 @@ pub(super) fn settings(
             let error = InputError::usage("a setting is name=value").at(&place);
             return Err(error.help("separate several by commas, as in --set \"J1=1/2,h=-1\""));
         };
-        let name = name.trim();
+        let name = &*canonical_name(name.trim());
         let free = FreeFunction::read(name).map(|function| function.declaration());
         if free.is_err() {
             check_name(name).map_err(|error| error.at(&source.whole(name)))?;

@@ -1,7 +1,7 @@
 //! A SPACE of the command line, with the options that complete it.
 
 use super::files::Files;
-use super::input::{InputError, shown};
+use super::input::InputError;
 use super::notation::{self, Names, basis, lines, metric, statement};
 use super::setting::settings;
 use super::source::Source;
@@ -370,10 +370,11 @@ fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
         _ => 0..name.len(),
     };
     let refused = InputError::usage(error.to_string()).at(&source.find(name, span));
-    let foreign: String = name.chars().filter(|c| !c.is_ascii()).collect();
+    let foreign: String = name.chars().filter(|c| !c.is_ascii()).take(64).collect();
     Err(match error {
         _ if !foreign.is_empty() => {
-            refused.help(format!("names are ASCII; this is not: {}", shown(&foreign)))
+            let foreign = foreign.escape_unicode();
+            refused.help(format!("names of algebras are ASCII; this is not: {foreign}"))
         }
         CatalogueError::Unknown { .. } => refused.help(NAMES),
         _ => refused,

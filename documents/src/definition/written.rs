@@ -1,5 +1,6 @@
 //! The values of a definition file as they are written, in TOML or JSON, each with its place.
 
+use affinor_tensors::expression::canonical_name;
 use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Unexpected, Visitor};
 use std::fmt;
 use std::marker::PhantomData;
@@ -21,6 +22,20 @@ impl Deref for Text {
     fn deref(&self) -> &str {
         &self.content
     }
+}
+
+/// Names, in their canonical form.
+pub(super) fn canonical_names<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Text>, D::Error> {
+    let mut names = Vec::<Text>::deserialize(from)?;
+    names.iter_mut().for_each(|name| name.content = canonical_name(&name.content).into_owned());
+    Ok(names)
+}
+
+/// Names that a key may give, in their canonical form.
+pub(super) fn optional_names<'de, D: Deserializer<'de>>(
+    from: D,
+) -> Result<Option<Vec<Text>>, D::Error> {
+    canonical_names(from).map(Some)
 }
 
 /// A value: an expression in a string, or an integer.
@@ -48,6 +63,7 @@ pub(crate) struct ConnectionText {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ChartText {
+    #[serde(deserialize_with = "canonical_names")]
     pub coordinates: Vec<Text>,
     #[serde(default)]
     pub functions: Vec<Text>,

@@ -1,7 +1,8 @@
 //! The structure constants of an algebra as input of other programs: GAP, Sage, Maple, SymPy.
 
 use super::head::printable;
-use affinor_tensors::expression::is_name;
+use super::identifiers::identifiers;
+use affinor_tensors::expression::{is_name, is_name_character};
 use affinor_tensors::text::combination;
 use affinor_tensors::{Notation, Tensor};
 use std::collections::BTreeMap;
@@ -62,7 +63,7 @@ impl Program {
         parameters.dedup();
         let plain = labels.iter().all(|label| is_name(label));
         let labels: Vec<String> = match plain {
-            true => labels.to_vec(),
+            true => identifiers(labels),
             false => (1..=labels.len()).map(|at| format!("e{at}")).collect(),
         };
         let name = printable(name);
@@ -121,11 +122,12 @@ struct Variables<'p> {
 impl<'p> Variables<'p> {
     fn new(program: Program, parameters: &'p [String]) -> Self {
         let mut names: Vec<String> = vec![];
-        for parameter in parameters {
-            let mut name = parameter.clone();
-            if program.reserves(parameter) {
+        let identifiers = identifiers(parameters);
+        for identifier in &identifiers {
+            let mut name = identifier.clone();
+            if program.reserves(&name) {
                 name.push('_');
-                while parameters.contains(&name) || names.contains(&name) {
+                while identifiers.contains(&name) || names.contains(&name) {
                     name.push('_');
                 }
             }
@@ -145,11 +147,10 @@ impl<'p> Variables<'p> {
         if self.names == self.parameters {
             return text;
         }
-        let in_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
         let mut rest = &*text;
         while let Some(first) = rest.chars().next() {
-            let end = match in_name(first) {
-                true => rest.find(|c| !in_name(c)).unwrap_or(rest.len()),
+            let end = match is_name_character(first) {
+                true => rest.find(|c| !is_name_character(c)).unwrap_or(rest.len()),
                 false => first.len_utf8(),
             };
             let (word, behind) = rest.split_at(end);

@@ -1,7 +1,7 @@
 //! Scalars with a written form: conversion from numbers and parameters, to text and LaTeX.
 
 use super::{CommonFactors, Field, Rational, Variable};
-use crate::expression::{no_function, several_arguments};
+use crate::expression::{POWER, no_function, several_arguments};
 use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -52,13 +52,15 @@ pub trait Notation: Field {
         no_function(name, argument)
     }
 
-    /// The value of a function at a list of arguments; by default functions take one.
+    /// The value of a function at a list of arguments; by default functions take one. The power of a base with an
+    /// exponent that is not an integer is the function `pow` of both.
     ///
     /// # Errors
     /// As [`function`](Self::function).
     fn call(name: &str, arguments: &[Self]) -> Result<Self, String> {
         match arguments {
             [argument] => Self::function(name, argument),
+            [_, exponent] if name == POWER => no_function(name, exponent),
             several => Err(several_arguments(name, several.len())),
         }
     }

@@ -1,6 +1,7 @@
 //! A function to be written in some language: its arguments, its arrays, and the steps as statements.
 
 use super::super::head::printable;
+use super::super::identifiers::identifiers;
 use crate::definition::InputError;
 use affinor_tensors::scalar::{Count, Function, Output, Step, StraightLine, Variable};
 use affinor_tensors::{Notation, Rational, Recorded, Ring};
@@ -68,11 +69,22 @@ impl Routine {
             let name = input.text();
             !name.contains('[') && !coordinates.iter().any(|own| own == name)
         };
-        let parameters = named(program.inputs().filter(free));
-        let functions = parameters.iter().filter(|(input, _)| !input.is_parameter());
-        let values: Vec<_> = functions.map(|(input, name)| format!("{name} is {input}")).collect();
-        if !values.is_empty() {
-            about.push(format!("Values of functions: {}.", values.join(", ")));
+        let inputs: Vec<Variable> = program.inputs().filter(free).collect();
+        let head = |input: &Variable| input.free_function().unwrap_or_else(|| input.to_string());
+        let names = identifiers(&inputs.iter().map(head).collect::<Vec<_>>());
+        let names = names.into_iter().map(|name| format!("p_{name}"));
+        let parameters: Vec<(Variable, String)> = inputs.into_iter().zip(names).collect();
+        let explained = |of: &dyn Fn(&Variable) -> bool| {
+            let named = parameters.iter().filter(|(input, _)| of(input));
+            named.map(|(input, name)| format!("{name} is {input}")).collect::<Vec<_>>().join(", ")
+        };
+        for (title, names) in [
+            ("Parameters", explained(&|own| own.is_parameter() && !own.text().is_ascii())),
+            ("Values of functions", explained(&|own| !own.is_parameter())),
+        ] {
+            if !names.is_empty() {
+                about.push(format!("{title}: {names}."));
+            }
         }
         about.extend(arrays.iter().map(|array| format!("{}: {}.", array.name, array.about)));
         if arrays.iter().any(Array::has_zeros) {
@@ -145,31 +157,10 @@ impl Routine {
             (_, Some(at)) => dialect.component("x", at),
             _ => {
                 let known = self.parameters.iter().find(|(own, _)| *own == input);
-                known.map_or_else(|| parameter(input), |(_, name)| name.clone())
+                known.map_or_else(String::new, |(_, name)| name.clone())
             }
         }
     }
-}
-
-/// The inputs with the names of their arguments, which are different.
-fn named(inputs: impl Iterator<Item = Variable>) -> Vec<(Variable, String)> {
-    let mut all: Vec<(Variable, String)> = vec![];
-    for input in inputs {
-        let name = parameter(input);
-        let other = |number: usize| match number {
-            1 => name.clone(),
-            _ => format!("{name}_{number}"),
-        };
-        let is_free = |name: &String| all.iter().all(|(_, taken)| taken != name);
-        let name = (1..).map(other).find(is_free).unwrap_or_default();
-        all.push((input, name));
-    }
-    all
-}
-
-/// The argument for a parameter, or for the value of a free function: `p_a_t` for `a_t(t)`.
-fn parameter(input: Variable) -> String {
-    format!("p_{}", input.free_function().unwrap_or_else(|| input.to_string()))
 }
 
 /// The number of operations, and the condition of divisions.

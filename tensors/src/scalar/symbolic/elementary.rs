@@ -24,7 +24,7 @@ use super::free::Applied;
 use super::substitution::Substitution;
 use super::variable::{Kind, Part, Variable};
 use super::{PositiveFactors, Symbolic};
-use crate::expression::MAX_SIZE;
+use crate::expression::{MAX_SIZE, POWER};
 use crate::scalar::function::{Function, NAMES, is_elementary};
 use crate::scalar::{Field, Notation, Ring};
 use num_traits::{One, Zero, pow};
@@ -189,7 +189,7 @@ impl PositiveFactors {
     pub fn call(&self, name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
         match arguments {
             [argument] if is_elementary(name) => self.function(name, argument),
-            [base, exponent] if name == "pow" => self.power(base, exponent),
+            [base, exponent] if name == POWER => self.power(base, exponent),
             _ => Applied::read(name, arguments),
         }
     }

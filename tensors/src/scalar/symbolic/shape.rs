@@ -163,8 +163,11 @@ impl Shaping<'_> {
             return Err(sum);
         }
         let product = self.product(f, found);
-        let length = |shape: &Shape| writing::text_at(shape, &f.variables, place).len();
-        if length(&product) < length(&sum) { Ok(product) } else { Err(sum) }
+        let length = |shape: &Shape, place| writing::text_at(shape, &f.variables, place).len();
+        // a sum is counted with its parentheses, also where a common factor is taken out of it
+        let parentheses = if place == Place::Alone { 0 } else { 2 };
+        let longer = length(&sum, Place::Alone) + parentheses;
+        if length(&product, place) < longer { Ok(product) } else { Err(sum) }
     }
 
     fn product(self, f: &Fraction, found: &Factors) -> Shape {

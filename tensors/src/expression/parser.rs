@@ -1,0 +1,461 @@
+//! The parser of expressions: recursive descent, one method for each level of the grammar.
+
+use super::functions::is_elementary;
+use super::names::{begins_name, canonical_name, continues_name, looks_latin, shown};
+use super::signs::{MINUS, caret, plain, superscript};
+use super::{
+    Expression, ExpressionError, MAX_DEPTH, MAX_DIGITS, MAX_EXPONENT, MAX_SIGNS, MAX_TOWER, Node,
+};
+use crate::Rational;
+use std::ops::Range;
+
+/// The longest text that a message repeats.
+const MAX_SHOWN: usize = 60;
+
+/// The most changes to a text that a message proposes.
+const MAX_EDITS: usize = 8;
+
+/// Parses a whole text beside `known` names.
+pub(super) fn parse(
+    text: &str,
+    known: &dyn Fn(&str) -> bool,
+) -> Result<Expression, ExpressionError> {
+    parse_once(text, known).map_err(|(mut error, edit)| {
+        if let Some(whole) = edit.and_then(|edit| corrected(text, known, edit)) {
+            let problem = error.reason.split(": ").next().unwrap_or_default();
+            error.reason = format!("{problem}: write `{whole}`");
+        }
+        error
+    })
+}
+
+/// A change to the text: what replaces a part of it.
+type Edit = (Range<usize>, &'static str);
+
+fn parse_once(
+    text: &str,
+    known: &dyn Fn(&str) -> bool,
+) -> Result<Expression, (ExpressionError, Option<Edit>)> {
+    let mut parser = Parser { text, at: 0, depth: 0, tower: 0, edit: None, known };
+    parser.whole().map_err(|error| (error, parser.edit))
+}
+
+/// The whole text with this edit and those that follow from it; `None` if it is long or has other errors.
+fn corrected(text: &str, known: &dyn Fn(&str) -> bool, edit: Edit) -> Option<String> {
+    let mut text = text.to_string();
+    let mut next = Some(edit);
+    for _ in 0..MAX_EDITS {
+        let (range, replacement) = next.filter(|_| is_short(&text))?;
+        text.replace_range(range, replacement);
+        next = match parse_once(&text, known) {
+            Ok(_) => return Some(text.trim().into()),
+            Err((_, edit)) => edit,
+        };
+    }
+    None
+}
+
+/// Whether a message may repeat the text.
+fn is_short(text: &str) -> bool {
+    text.len() <= MAX_SHOWN && !text.contains(char::is_control)
+}
+
+struct Parser<'t> {
+    text: &'t str,
+    at: usize,
+    depth: usize,
+    /// The number of exponents around this place.
+    tower: usize,
+    /// What would mend the error.
+    edit: Option<Edit>,
+    known: &'t dyn Fn(&str) -> bool,
+}
+
+impl Parser<'_> {
+    fn whole(&mut self) -> Result<Expression, ExpressionError> {
+        let expression = self.sum()?;
+        self.skip_space();
+        match self.peek() {
+            None => Ok(expression),
+            Some(symbol) => Err(self.unexpected(symbol)),
+        }
+    }
+
+    fn peek(&self) -> Option<char> {
+        self.text[self.at..].chars().next()
+    }
+
+    fn skip_space(&mut self) {
+        let rest = &self.text[self.at..];
+        self.at += rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_whitespace()).len();
+    }
+
+    /// Consumes and returns the next symbol after white space, if it is one of `symbols`.
+    fn take(&mut self, symbols: &[char]) -> Option<char> {
+        self.skip_space();
+        let symbol = self.peek()?;
+        let found = symbols.contains(&plain(symbol)).then(|| plain(symbol))?;
+        self.at += symbol.len_utf8();
+        Some(found)
+    }
+
+    /// The length of the name that begins here.
+    fn name_length(&self) -> usize {
+        let rest = &self.text[self.at..];
+        rest.find(|c| !continues_name(c)).unwrap_or(rest.len())
+    }
+
+    fn error<T>(
+        &self,
+        span: Range<usize>,
+        reason: impl Into<String>,
+    ) -> Result<T, ExpressionError> {
+        Err(ExpressionError { span, reason: reason.into() })
+    }
+
+    fn unexpected(&self, symbol: char) -> ExpressionError {
+        let span = self.at..self.at + symbol.len_utf8();
+        let reason = format!("{} is not expected here", shown(symbol));
+        ExpressionError { span, reason }
+    }
+
+    fn sum(&mut self) -> Result<Expression, ExpressionError> {
+        self.skip_space();
+        let from = self.at;
+        let mut terms = Vec::new();
+        loop {
+            terms.push((self.signs()?, self.product()?));
+            self.skip_space();
+            if !matches!(self.peek().map(plain), Some('+' | '-')) {
+                return Ok(fold(terms, from..self.at, Node::Sum));
+            }
+        }
+    }
+
+    /// Whether an odd number of minus signs stands here.
+    fn signs(&mut self) -> Result<bool, ExpressionError> {
+        let mut negative = false;
+        let mut last = self.at;
+        for _ in 0..=MAX_SIGNS {
+            last = self.at;
+            match self.take(&['+', '-']) {
+                Some(sign) => negative ^= sign == '-',
+                None => return Ok(negative),
+            }
+        }
+        self.error(last..self.at, format!("more than {MAX_SIGNS} signs in a row"))
+    }
+
+    /// A factor behind `*` or `/`, perhaps with signs.
+    fn factor(&mut self) -> Result<Expression, ExpressionError> {
+        self.skip_space();
+        let from = self.at;
+        let sign = (self.signs()?, self.power()?);
+        Ok(fold(vec![sign], from..self.at, Node::Sum))
+    }
+
+    fn product(&mut self) -> Result<Expression, ExpressionError> {
+        self.skip_space();
+        let from = self.at;
+        let mut factors = vec![(false, self.power()?)];
+        loop {
+            let end = self.at;
+            if let Some(symbol) = self.take(&['*', '/']) {
+                factors.push((symbol == '/', self.factor()?));
+                continue;
+            }
+            let numeral = match factors.last() {
+                Some((_, Expression { node: Node::Number(_), .. })) => {
+                    self.text[from..end].ends_with(|c: char| c.is_ascii_digit() || c == '.')
+                }
+                _ => false,
+            };
+            let name = self.peek().is_some_and(begins_name);
+            match self.peek() {
+                Some(_) if name && numeral && self.at > end => {
+                    factors.push((false, self.power()?));
+                }
+                Some(c) if name || c == '(' || (c.is_ascii_digit() && !numeral) => {
+                    return Err(self.missing(factors.last().map(|(_, factor)| factor), end));
+                }
+                _ => {
+                    self.at = end;
+                    return Ok(fold(factors, from..end, Node::Product));
+                }
+            }
+        }
+    }
+
+    /// The error that an operator, or the parentheses of a function, are missing between a factor and this place.
+    fn missing(&mut self, last: Option<&Expression>, end: usize) -> ExpressionError {
+        let width = self.name_length().max(1);
+        let span = self.at..self.at + width;
+        let before = last.and_then(|last| self.text.get(last.span()));
+        let before = before.filter(|text| is_short(text)).unwrap_or("...");
+        let after = Some(&self.text[span.clone()]).filter(|text| is_short(text)).unwrap_or("...");
+        let called = last.is_some_and(Expression::is_function_name);
+        let edit = if called { "" } else { "*" };
+        let reason = match (called, after) {
+            (true, "(") => format!("a space is before the parenthesis: write `{before}(...)`"),
+            (true, _) => format!("parentheses are missing: write `{before}({after})`"),
+            (false, "(") => format!("`*` is missing: write `{before}*(...)`"),
+            (false, _) => format!("`*` is missing: write `{before}*{after}`"),
+        };
+        self.edit = (!called || after == "(").then_some((end..self.at, edit));
+        ExpressionError { span, reason }
+    }
+
+    fn power(&mut self) -> Result<Expression, ExpressionError> {
+        let base = self.atom()?;
+        let end = self.at;
+        let exponent = match superscript(&self.text[end..]) {
+            Some((exponent, width)) => {
+                self.at += width;
+                let exponent = self.integer(&exponent, end)?;
+                let end = self.at;
+                if self.take_caret() {
+                    let reason = "write parentheses around a power of a power";
+                    return self.error(end..self.at, reason);
+                }
+                self.at = end;
+                exponent
+            }
+            None if self.take_caret() => self.exponent()?,
+            None => {
+                self.at = end;
+                return Ok(base);
+            }
+        };
+        let span = base.span.start..self.at;
+        Ok(Expression { span, node: Node::Power(Box::new(base), Box::new(exponent)) })
+    }
+
+    /// Consumes `^` or `**`.
+    fn take_caret(&mut self) -> bool {
+        self.skip_space();
+        let width = caret(&self.text[self.at..]);
+        self.at += width;
+        width > 0
+    }
+
+    /// A power with an optional sign: `-2`, `(1/2)`, `2^p`.
+    fn exponent(&mut self) -> Result<Expression, ExpressionError> {
+        self.skip_space();
+        let from = self.at;
+        self.tower += 1;
+        if self.tower > MAX_TOWER {
+            let reason = format!("more than {MAX_TOWER} powers in exponents");
+            return self.error(from..from, reason);
+        }
+        let sign = (self.signs()?, self.power()?);
+        self.tower -= 1;
+        let exponent = fold(vec![sign], from..self.at, Node::Sum);
+        if !exponent.is_rational() {
+            return Ok(exponent);
+        }
+        let value: Rational = exponent.evaluate_constant()?;
+        self.bounded_exponent(value, exponent.span)
+    }
+
+    fn bounded_exponent(
+        &self,
+        value: Rational,
+        span: Range<usize>,
+    ) -> Result<Expression, ExpressionError> {
+        if value.to_f64().abs() > MAX_EXPONENT as f64 {
+            return self.error(span, format!("an exponent is at most {MAX_EXPONENT}"));
+        }
+        Ok(Expression { span, node: Node::Number(value) })
+    }
+
+    /// The exponent of these digits, perhaps behind a sign, which are read between `from` and here.
+    fn integer(&self, digits: &str, from: usize) -> Result<Expression, ExpressionError> {
+        // more digits are beyond the limit
+        let value = digits.parse().unwrap_or(i64::MAX);
+        self.bounded_exponent(Rational::from(value), from..self.at)
+    }
+
+    /// The integer `n` in `sin^n(x)`, from behind the name to the parenthesis.
+    fn power_of_function(&mut self) -> Result<Option<Expression>, ExpressionError> {
+        let from = self.at;
+        let rest = &self.text[from..];
+        let (digits, width) = superscript(rest).unwrap_or_else(|| {
+            let start = caret(rest);
+            let written = &rest[start..];
+            let sign = written.chars().next().filter(|c| plain(*c) == '-');
+            let behind = &written[sign.map_or(0, char::len_utf8)..];
+            let count = behind.find(|c: char| !c.is_ascii_digit()).unwrap_or(behind.len());
+            let digits = format!("{}{}", sign.map_or("", |_| "-"), &behind[..count]);
+            if start == 0 || count == 0 {
+                return (digits, 0);
+            }
+            (digits, rest.len() - behind.len() + count)
+        });
+        self.at += width;
+        let end = self.at;
+        self.skip_space();
+        if width == 0 || self.peek() != Some('(') {
+            self.at = from;
+            return Ok(None);
+        }
+        let behind = std::mem::replace(&mut self.at, end);
+        let power = self.integer(&digits, from)?;
+        self.at = behind;
+        Ok(Some(power))
+    }
+
+    fn atom(&mut self) -> Result<Expression, ExpressionError> {
+        self.skip_space();
+        let from = self.at;
+        match self.peek() {
+            None => self.error(from..from, "the expression ends where a value is expected"),
+            Some('(') => {
+                let inside = self.parenthesis(Self::sum)?;
+                Ok(Expression { span: from..self.at, node: inside.node })
+            }
+            Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
+            Some(c) if begins_name(c) => {
+                let length = self.name_length();
+                if looks_latin(&self.text[from..from + length]) {
+                    self.at += self.text[from..].find(|c: char| !c.is_ascii()).unwrap_or_default();
+                    let letter = self.peek().unwrap_or(c);
+                    let ExpressionError { span, reason } = self.unexpected(letter);
+                    return self.error(span, reason + ": it looks like a Latin letter");
+                }
+                // basis vectors of a sum, `e1'`
+                let rest = &self.text[from + length..];
+                let primes = rest.bytes().take_while(|byte| *byte == b'\'').count();
+                self.at += length + primes;
+                let name = &*canonical_name(&self.text[from..self.at]);
+                let power = if is_elementary(name) { self.power_of_function()? } else { None };
+                if self.peek() != Some('(') {
+                    return Ok(Expression { span: from..self.at, node: Node::Name(name.into()) });
+                }
+                if let Some(power) = power.as_ref().filter(|power| power.as_integer() == Some(-1)) {
+                    let reason = format!(
+                        "`{name}^-1` may be the reciprocal or the inverse function: write `1/{name}(...)` or `{name}(...)^-1` \
+                         for the reciprocal"
+                    );
+                    return self.error(from..power.span.end, reason);
+                }
+                let arguments = self.parenthesis(Self::arguments)?;
+                let call = Expression::call(name, arguments, from..self.at);
+                Ok(match power {
+                    None => call,
+                    Some(power) => {
+                        let node = Node::Power(Box::new(call), Box::new(power));
+                        Expression { span: from..self.at, node }
+                    }
+                })
+            }
+            Some(c) => Err(self.unexpected(c)),
+        }
+    }
+
+    /// What stands in parentheses, from the opening one on.
+    fn parenthesis<T>(
+        &mut self,
+        inside: fn(&mut Self) -> Result<T, ExpressionError>,
+    ) -> Result<T, ExpressionError> {
+        let from = self.at;
+        self.at += 1;
+        self.depth += 1;
+        // exponents of integers may be in parentheses at any depth
+        if self.depth > MAX_DEPTH + self.tower {
+            let reason = format!("more than {MAX_DEPTH} nested parentheses");
+            return self.error(from..from + 1, reason);
+        }
+        let found = inside(self)?;
+        self.depth -= 1;
+        match (self.take(&[')']), self.peek()) {
+            (Some(_), _) => Ok(found),
+            (None, Some(symbol)) => Err(self.unexpected(symbol)),
+            (None, None) => self.error(from..from + 1, "this parenthesis is not closed"),
+        }
+    }
+
+    /// The arguments of a function, separated by commas.
+    fn arguments(&mut self) -> Result<Vec<Expression>, ExpressionError> {
+        let mut all = vec![self.sum()?];
+        while self.take(&[',']).is_some() {
+            all.push(self.sum()?);
+        }
+        Ok(all)
+    }
+
+    fn digits(&mut self) -> String {
+        let rest = &self.text[self.at..];
+        let digits = &rest[..rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len())];
+        self.at += digits.len();
+        digits.into()
+    }
+
+    /// The exponent of `e-3` directly after a number; zero if there is none.
+    fn power_of_ten(&mut self) -> Result<i64, ExpressionError> {
+        let rest = &self.text[self.at..];
+        let Some(behind) = rest.strip_prefix(['e', 'E']) else { return Ok(0) };
+        let digits = behind.strip_prefix(['+', '-', MINUS]).unwrap_or(behind);
+        if !digits.starts_with(|c: char| c.is_ascii_digit()) {
+            return Ok(0);
+        }
+        let from = self.at;
+        self.at += rest.len() - digits.len();
+        let value = self.digits().parse::<i64>().ok().filter(|n| *n <= MAX_EXPONENT);
+        match value {
+            Some(value) => Ok(if behind.starts_with(['-', MINUS]) { -value } else { value }),
+            None => self.error(from..self.at, format!("an exponent is at most {MAX_EXPONENT}")),
+        }
+    }
+
+    /// Digits, a fraction, a power of ten.
+    fn number(&mut self) -> Result<Expression, ExpressionError> {
+        let from = self.at;
+        let mut digits = self.digits();
+        let mut decimals = 0;
+        if self.peek() == Some('.') {
+            self.at += 1;
+            let fraction = self.digits();
+            decimals = fraction.len() as i64;
+            digits.push_str(&fraction);
+        }
+        let glued = &self.text[self.at..];
+        let glued = &glued[..glued.find(|c| !continues_name(c)).unwrap_or(glued.len())];
+        if (self.known)(glued) {
+            let mut reason = format!("write `*` or a space between the number and `{glued}`");
+            if let Some(digits) = glued.strip_prefix(['e', 'E'])
+                && digits.starts_with(|c: char| c.is_ascii_digit())
+            {
+                reason += &format!(", or `e+{digits}` for a power of ten");
+            }
+            return self.error(from..self.at + glued.len(), reason);
+        }
+        let exponent = self.power_of_ten()?;
+        let span = from..self.at;
+        if digits.len() > MAX_DIGITS {
+            return self.error(span, format!("a number has at most {MAX_DIGITS} digits"));
+        }
+        let Some(mantissa) = Rational::from_digits(&digits) else {
+            return self.error(span, "a number needs a digit");
+        };
+        let shift = exponent - decimals;
+        let ten = Rational::from_digits(&format!("1{}", "0".repeat(shift.unsigned_abs() as usize)));
+        let value = match (ten, shift < 0) {
+            (Some(ten), false) => mantissa * &ten,
+            (Some(ten), true) => mantissa / &ten,
+            (None, _) => mantissa,
+        };
+        Ok(Expression { span, node: Node::Number(value) })
+    }
+}
+
+/// A sum or product; a single positive part is returned unchanged.
+fn fold(
+    mut parts: Vec<(bool, Expression)>,
+    span: Range<usize>,
+    node: fn(Vec<(bool, Expression)>) -> Node,
+) -> Expression {
+    match parts.as_slice() {
+        [(false, _)] => parts.swap_remove(0).1,
+        _ => Expression { span, node: node(parts) },
+    }
+}
