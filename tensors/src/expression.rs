@@ -102,6 +102,10 @@ pub trait Meaning {
         let _ = (base, exponent);
         Err(NO_INTEGER.into())
     }
+    /// `1 / a^n`.
+    fn divide(&self, a: Self::Value, n: u64) -> Result<Self::Value, String> {
+        self.reciprocal(power(self, a, n)?)
+    }
     /// The value of a function at an argument. By default no function is known.
     fn function(&self, name: &str, argument: Self::Value) -> Result<Self::Value, String> {
         no_function(name, &argument)
@@ -173,8 +177,13 @@ impl Expression {
             }
             Node::Product(factors) => {
                 let mut values = factors.iter().map(|(divides, factor)| {
-                    let value = factor.evaluate(meaning)?;
                     let at = |reason| ExpressionError { span: factor.span(), reason };
+                    if let (true, Node::Power(base, n)) = (*divides, &factor.node)
+                        && let Some(n) = n.as_integer().filter(|n| *n > 0)
+                    {
+                        return meaning.divide(base.evaluate(meaning)?, n.unsigned_abs()).map_err(at);
+                    }
+                    let value = factor.evaluate(meaning)?;
                     if *divides { meaning.reciprocal(value).map_err(at) } else { Ok(value) }
                 });
                 let first = values.next().ok_or_else(|| here("an empty product".into()))??;
@@ -231,7 +240,7 @@ impl Expression {
 }
 
 /// The power by repeated squaring.
-pub(crate) fn power<M: Meaning>(meaning: &M, mut base: M::Value, mut n: u64) -> Result<M::Value, String> {
+pub(crate) fn power<M: Meaning + ?Sized>(meaning: &M, mut base: M::Value, mut n: u64) -> Result<M::Value, String> {
     let mut result = meaning.number(&Rational::one())?;
     loop {
         if n & 1 == 1 {
@@ -275,6 +284,10 @@ where
     }
     fn reciprocal(&self, a: S) -> Result<S, String> {
         finite(a.recip().ok_or("division by zero")?)
+    }
+    /// The factors of a formula are found in the base, and not in the power.
+    fn divide(&self, a: S, n: u64) -> Result<S, String> {
+        if S::GROWS { power(self, self.reciprocal(a)?, n) } else { self.reciprocal(power(self, a, n)?) }
     }
     fn raise(&self, base: S, exponent: S) -> Result<S, String> {
         self.1(POWER, &[base, exponent])

@@ -9,8 +9,8 @@ mod argument;
 mod cache;
 mod canonical;
 mod collected;
-mod conversion;
 mod common;
+mod conjugates;
 mod denominator;
 mod derivative;
 mod elementary;
@@ -19,6 +19,7 @@ mod fraction;
 mod free;
 mod memo;
 mod normal_form;
+mod numeric;
 mod once;
 mod operators;
 mod packed;
@@ -318,10 +319,11 @@ impl Notation for Symbolic {
 }
 
 impl Symbolic {
-    /// Whether the text contains sines, cosines or roots, which have a form of their own.
+    /// Whether the text may contain sines, cosines or roots, which have a form of their own.
     fn has_written_form(&self) -> bool {
         let written = |variable: &Variable| {
-            matches!(variable.kind(), Meaning::HalfTangent(_) | Meaning::Root(_))
+            let kind = variable.kind();
+            matches!(kind, Meaning::HalfTangent(_) | Meaning::Exponential(_) | Meaning::Root(_))
         };
         self.variables().iter().any(written)
     }

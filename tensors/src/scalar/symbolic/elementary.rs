@@ -53,7 +53,7 @@ impl Variable {
             }
             Kind::Applied(applied) => applied.derivative(parameter),
             // written forms are not differentiated
-            Kind::Written(..) => Symbolic::zero(),
+            Kind::Written(..) | Kind::FreeRoot(_) | Kind::Secant(_) => Symbolic::zero(),
         }
     }
 
@@ -65,12 +65,15 @@ impl Variable {
             Kind::HalfTangent(angle) => Some((part(angle)? / 2.0).tan()),
             Kind::Exponential(exponent) => part(exponent).map(f64::exp),
             Kind::Logarithm(p) => p.evaluate_at(lookup).map(f64::ln),
-            Kind::Root(Part { of, parts: 2 }) => of.evaluate_at(lookup).map(f64::sqrt),
-            Kind::Root(Part { of, parts: 3 }) => of.evaluate_at(lookup).map(f64::cbrt),
-            Kind::Root(Part { of, parts }) => {
-                of.evaluate_at(lookup).map(|p| p.powf(1.0 / f64::from(*parts)))
+            Kind::Root(Part { of, parts }) | Kind::FreeRoot(Part { of, parts }) => {
+                of.evaluate_at(lookup).map(|p| match parts {
+                    2 => p.sqrt(),
+                    3 => p.cbrt(),
+                    _ => p.powf(1.0 / f64::from(*parts)),
+                })
             }
             Kind::Written(function, argument) => part(argument).map(|x| function.value(x)),
+            Kind::Secant(argument) => part(argument).map(|x| x.cosh().recip()),
         }
     }
 
@@ -121,7 +124,7 @@ impl Variable {
             Kind::Logarithm(p) => {
                 positive.function("log", &p.substitute_where(positive, values)?)
             }
-            Kind::Root(part) => {
+            Kind::Root(part) | Kind::FreeRoot(part) => {
                 let base = part.of.substitute_where(positive, values)?;
                 positive.root(&base, part.parts)
             }
@@ -129,6 +132,8 @@ impl Variable {
             Kind::Written(function, part) => {
                 positive.function(function.name(), &part.value().substitute_where(positive, values)?)
             }
+            // programs are not changed
+            Kind::Secant(_) => Ok(Symbolic::variable(self)),
         }
     }
 }
@@ -190,15 +195,26 @@ impl PositiveFactors {
         match arguments {
             [argument] if is_elementary(name) => self.function(name, argument),
             [base, exponent] if name == POWER => self.power(base, exponent),
+            // names of functions in the field, which would be taken for free functions
+            _ if UNKNOWN.contains(&name) => Err(unknown(name)),
             _ => Applied::read(name, arguments),
         }
     }
 }
 
+/// Functions without exact values here.
+const UNKNOWN: [&str; 13] = [
+    "abs", "acos", "acosh", "asin", "asinh", "atan", "atan2", "atanh", "erf", "gamma", "max", "min", "sign",
+];
+
+fn unknown(name: &str) -> String {
+    format!("`{name}` is not a function here: there are {}, and free functions", NAMES.join(", "))
+}
+
 /// A function of a sum of multiples of members of the basis of arguments.
 pub(super) fn function_of_sum(name: &str, argument: &Symbolic) -> Result<Symbolic, String> {
     if !is_elementary(name) {
-        return Err(format!("`{name}` is no function here: there are {}", NAMES.join(", ")));
+        return Err(unknown(name));
     }
     let multiples = multiples(name, argument)?;
     let quotient = |above: Symbolic, below: Symbolic| {

@@ -1,5 +1,6 @@
 //! The form in which functions are written: angles in sines and cosines, roots below the line where that is shorter.
 //!
+//! Hyperbolic functions are written in the same way, from `T = tanh(x/2)`.
 //! Numerator and denominator are divided by the least power of `1 + t^2`, with `t = tan(x/2)`, that
 //! makes both polynomials in `sin x` and `cos x`. They are linear in the sine: `1/(1 + t^2)` is
 //! `(1 + cos x)/2`, `t/(1 + t^2)` is `sin(x)/2`, `t^2/(1 + t^2)` is `(1 - cos x)/2`. Then factors
@@ -8,6 +9,7 @@
 //! `1/(1 + sin x)` is shorter than `(1 - sin x)/cos^2 x`.
 
 use super::argument::{by_power, by_powers};
+use super::conjugates::cancelled;
 use super::elementary::written_value;
 use super::fraction::lowest_terms;
 use super::polynomial::{Polynomial, constant};
@@ -20,7 +22,7 @@ use num_traits::{One, Zero, pow};
 
 /// The value as it is written.
 pub(super) fn written(value: &Symbolic) -> Symbolic {
-    let value = in_sines(value);
+    let value = in_sines(&cancelled(value.clone()));
     let root = |variable: &Variable| matches!(variable.kind(), Kind::Root(_));
     let roots: Vec<Variable> = value.variables().iter().copied().filter(root).collect();
     roots.iter().fold(value, |value, root| below_the_line(&value, *root).unwrap_or(value))
@@ -65,7 +67,8 @@ fn below_the_line(value: &Symbolic, root: Variable) -> Option<Symbolic> {
     Some(coefficient.clone() * &lowest_terms(&f.variables, one, denominator))
 }
 
-/// The value with variables `sin(x)` and `cos(x)` in place of every `tan(x/2)`. It is for writing
+/// The value with variables `sin(x)` and `cos(x)` in place of every `tan(x/2)`, and hyperbolic ones in place of
+/// exponentials that occur in powers of `x` and `-x` alike. It is for writing
 /// only, because it does not contain the relation `sin^2 + cos^2 = 1`.
 fn in_sines(value: &Symbolic) -> Symbolic {
     let mut value = value.clone();
@@ -73,15 +76,154 @@ fn in_sines(value: &Symbolic) -> Symbolic {
     while let Some((t, x)) = angle(&value) {
         value = shortest(&gathered(over_sines(&value, t, x), x), x);
     }
-    value
+    let exponentials = value.variables().iter().copied();
+    let exponentials: Vec<Variable> =
+        exponentials.filter(|variable| matches!(variable.kind(), Kind::Exponential(_))).collect();
+    exponentials.into_iter().fold(value, |value, exponential| match over_hyperbolic(&value, exponential) {
+        Some((over, x)) => shortest(&gathered(over, x), x),
+        None => value,
+    })
 }
 
 /// A half tangent of the value, and its angle.
-fn angle(value: &Symbolic) -> Option<(Variable, &'static Part)> {
+fn angle(value: &Symbolic) -> Option<(Variable, Angle)> {
     value.variables().iter().find_map(|variable| match variable.kind() {
-        Kind::HalfTangent(part) => Some((*variable, part)),
+        Kind::HalfTangent(part) => Some((*variable, Angle { part, hyperbolic: false })),
         _ => None,
     })
+}
+
+/// Whether the value is `p(E)/q(E)` for an exponential `E = exp(x)`, where the mean of the lowest and the
+/// highest power is the same in `p` and in `q`, as for `sinh(x)^2` and unlike `exp(2*x)`.
+pub(super) fn is_balanced(value: &Symbolic, exponential: Variable) -> bool {
+    let (Form::Fraction(f), Kind::Exponential(part)) = (&value.0, exponential.kind()) else {
+        return false;
+    };
+    let logarithm = |variable: &Variable| matches!(variable.kind(), Kind::Logarithm(_));
+    let Some(at) = f.variables.iter().position(|own| *own == exponential) else { return false };
+    let powers = || f.numerator.terms.iter().map(|(monomial, _)| monomial.exps()[at]);
+    let above = powers().min().unwrap_or(0) + powers().max().unwrap_or(0);
+    let below = f.denominator.factors.iter().map(|(factor, e)| {
+        let polynomial = factor.over(&f.variables);
+        polynomial.degrees()[at] * e
+    });
+    let below = below.sum::<u32>() + 2 * f.denominator.exponent(at);
+    // powers of logarithms are exponentials as well
+    above == below && !part.of.variables().iter().any(logarithm)
+}
+
+/// The value in hyperbolic functions of `x`, if it is balanced in `E = exp(x)`, and functions of `x` and `-x` are alike or
+/// divide.
+///
+/// For `T = tanh(x/2)` it is `E = (1 + T)/(1 - T)`, and equal powers of `1 + T` and `1 - T` remain.
+fn over_hyperbolic(value: &Symbolic, exponential: Variable) -> Option<(Symbolic, Angle)> {
+    let (Form::Fraction(f), Kind::Exponential(part)) = (&value.0, exponential.kind()) else {
+        return None;
+    };
+    if !is_balanced(value, exponential) {
+        return None;
+    }
+    let (mut above, lowest) = in_tangents(&by_power(&value.numerator(), exponential));
+    let at = f.variables.iter().position(|variable| *variable == exponential)?;
+    let mut divides = false;
+    let mut below = Vec::new();
+    for (factor, e) in &f.denominator.factors {
+        let polynomial = f.polynomial(&factor.over(&f.variables));
+        let coefficients = by_power(&polynomial, exponential);
+        divides |= coefficients.len() > 1;
+        below.push((in_tangents(&coefficients).0, *e));
+    }
+    let even = |odd: usize| above.iter().skip(odd).step_by(2).all(Symbolic::vanishes);
+    if !(divides || even(0) || even(1)) {
+        return None;
+    }
+    let mut rest = f.denominator.clone();
+    rest.factors.clear();
+    if let Some(exponent) = rest.monomial.get_mut(at) {
+        *exponent = 0;
+    }
+    let one = constant(Rational::one(), f.variables.len());
+    let monomial = lowest_terms(&f.variables, one, rest);
+    // powers of 1 - T^2
+    let square = vec![Symbolic::one(), Symbolic::zero(), -Symbolic::one()];
+    let power = f.denominator.exponent(at);
+    (power..lowest).for_each(|_| above = times(&above, &square));
+    if power > lowest {
+        below.push((square, power - lowest));
+    }
+    let x = Angle { part, hyperbolic: true };
+    Some((over(&above, below, x) * &monomial, x))
+}
+
+/// A polynomial of even degree `d` in `t = tan(x/2)`, divided by `(1 + t^2)^(d/2)`, as it is written.
+pub(super) fn in_angles(polynomial: &Symbolic, t: Variable, part: &'static Part) -> Symbolic {
+    let x = Angle { part, hyperbolic: false };
+    let coefficients = by_power(polynomial, t);
+    let square = vec![Symbolic::one(), Symbolic::zero(), Symbolic::one()];
+    let half = coefficients.len() as u32 / 2;
+    shortest(&gathered(over(&coefficients, vec![(square, half)], x), x), x)
+}
+
+/// A polynomial of degree `d` in `t = s/c`, times `c^d`.
+pub(super) fn half_angles(polynomial: &Symbolic, t: Variable, s: &Symbolic, c: &Symbolic) -> Symbolic {
+    let coefficients = by_power(polynomial, t);
+    let degree = coefficients.len() - 1;
+    let terms = coefficients.into_iter().enumerate();
+    let terms = terms.map(|(k, p)| p * &pow(s.clone(), k) * &pow(c.clone(), degree - k));
+    terms.fold(Symbolic::zero(), |sum, term| sum + &term)
+}
+
+/// A polynomial of degree `d` in `E = exp(x)`, divided by `E^(d/2)` and a power of `cosh`: of `cosh(x)^(d/2)` for an even
+/// degree, where `tanh` is `tanh(x)`, and otherwise of `cosh(x/2)^d`.
+pub(super) fn in_bounded(
+    polynomial: &Symbolic,
+    exponential: Variable,
+    tanh: &Symbolic,
+    secant: &Symbolic,
+) -> Symbolic {
+    let coefficients = by_power(polynomial, exponential);
+    let degree = coefficients.len() as i64 - 1;
+    let (step, half) = if degree % 2 == 0 { (1, degree / 2) } else { (2, degree) };
+    let [more, less] = [Symbolic::one() + tanh, Symbolic::one() - tanh];
+    let terms = coefficients.into_iter().enumerate().filter(|(_, c)| !c.vanishes());
+    let terms = terms.map(|(k, c)| {
+        let power = step * k as i64 - half;
+        let base = if power < 0 { less.clone() } else { more.clone() };
+        let size = power.unsigned_abs() as usize;
+        c * &pow(base, size) * &pow(secant.clone(), half as usize - size)
+    });
+    terms.fold(Symbolic::zero(), |sum, term| sum + &term)
+}
+
+/// The polynomial `sum c_k E^k` as one in `T`, without the power of `E` that divides it and times a power of `1 - T`.
+/// Returns the lowest power of `E` as well.
+fn in_tangents(coefficients: &[Symbolic]) -> (Vec<Symbolic>, u32) {
+    let lowest = coefficients.iter().take_while(|c| c.vanishes()).count();
+    let own = &coefficients[lowest.min(coefficients.len())..];
+    let degree = own.len().saturating_sub(1);
+    let [plus, minus] = [1, -1].map(|sign| vec![Symbolic::one(), Symbolic::from_i64(sign)]);
+    let power = |base: &Vec<Symbolic>, e: usize| {
+        (0..e).fold(vec![Symbolic::one()], |power, _| times(&power, base))
+    };
+    let mut sums = vec![SymbolicSum::default(); degree + 1];
+    for (k, c) in own.iter().enumerate().filter(|(_, c)| !c.vanishes()) {
+        let product = times(&power(&plus, k), &power(&minus, degree - k));
+        sums.iter_mut().zip(&product).for_each(|(sum, p)| sum.add_product(c, p));
+    }
+    let mut sums: Vec<Symbolic> = sums.iter().map(SymbolicSum::value).collect();
+    while sums.last().is_some_and(Symbolic::vanishes) {
+        sums.pop();
+    }
+    (sums, lowest as u32)
+}
+
+/// The product of two polynomials by their coefficients.
+fn times(a: &[Symbolic], b: &[Symbolic]) -> Vec<Symbolic> {
+    let mut sums = vec![SymbolicSum::default(); a.len() + b.len() - 1];
+    for (i, x) in a.iter().enumerate() {
+        b.iter().enumerate().for_each(|(j, y)| sums[i + j].add_product(x, y));
+    }
+    sums.iter().map(SymbolicSum::value).collect()
 }
 
 /// The value with cosines and first powers of sines in place of half tangents; `None` if they occur in a denominator.
@@ -118,19 +260,38 @@ pub(super) fn in_half_tangents(value: &Symbolic) -> Symbolic {
     value
 }
 
-fn sine_variable(x: &Part) -> Variable {
-    Variable::function(Kind::Written(Function::Sin, x.clone()))
+/// An angle, or the argument of hyperbolic functions.
+#[derive(Clone, Copy)]
+struct Angle {
+    part: &'static Part,
+    hyperbolic: bool,
 }
 
-fn cosine_variable(x: &Part) -> Variable {
-    Variable::function(Kind::Written(Function::Cos, x.clone()))
+impl Angle {
+    fn variable(self, angle: Function, hyperbolic: Function) -> Variable {
+        let function = if self.hyperbolic { hyperbolic } else { angle };
+        Variable::function(Kind::Written(function, self.part.clone()))
+    }
+
+    /// The value, or the negative of it for hyperbolic functions: `1 - cos^2` is `sin^2`, `1 - cosh^2` is `-sinh^2`.
+    fn signed(self, value: Symbolic) -> Symbolic {
+        if self.hyperbolic { -value } else { value }
+    }
 }
 
-fn sine(x: &Part) -> Symbolic {
+fn sine_variable(x: Angle) -> Variable {
+    x.variable(Function::Sin, Function::Sinh)
+}
+
+fn cosine_variable(x: Angle) -> Variable {
+    x.variable(Function::Cos, Function::Cosh)
+}
+
+fn sine(x: Angle) -> Symbolic {
     Symbolic::variable(sine_variable(x))
 }
 
-fn cosine(x: &Part) -> Symbolic {
+fn cosine(x: Angle) -> Symbolic {
     Symbolic::variable(cosine_variable(x))
 }
 
@@ -138,35 +299,40 @@ fn cosine(x: &Part) -> Symbolic {
 ///
 /// A polynomial of degree `d` in `t` becomes one in sine and cosine times `(1 + cos x)^h`, with `h = d/2` rounded up. Factors of the
 /// denominator that are even in `t` contain no sines, and stay apart.
-fn over_sines(value: &Symbolic, t: Variable, x: &Part) -> Symbolic {
+fn over_sines(value: &Symbolic, t: Variable, x: Angle) -> Symbolic {
     let Form::Fraction(f) = &value.0 else { return value.clone() };
-    let half = |coefficients: &[Symbolic]| coefficients.len().saturating_sub(1).div_ceil(2);
-    let mut below = Symbolic::one();
-    let (mut rest, mut degree) = (Symbolic::one(), 0);
-    for (part, exponent) in f.denominator.parts(&f.variables) {
+    let below = f.denominator.parts(&f.variables).into_iter().map(|(part, exponent)| {
         let polynomial = f.polynomial(&part.expanded(&f.variables));
-        let coefficients = by_power(&polynomial, t);
+        (by_power(&polynomial, t), exponent)
+    });
+    over(&by_power(&value.numerator(), t), below.collect(), x)
+}
+
+/// The quotient of a polynomial and powers of others, all by their coefficients in `tan(x/2)` or `tanh(x/2)`.
+fn over(above: &[Symbolic], below: Vec<(Vec<Symbolic>, u32)>, x: Angle) -> Symbolic {
+    let half = |coefficients: &[Symbolic]| coefficients.len().saturating_sub(1).div_ceil(2);
+    let mut product = Symbolic::one();
+    let (mut rest, mut degree) = (vec![Symbolic::one()], 0);
+    for (coefficients, exponent) in below {
         if coefficients.iter().skip(1).step_by(2).all(Symbolic::vanishes) {
             let image = in_sine(&coefficients, half(&coefficients), x);
-            below *= &pow(inverse(&image), exponent as usize);
+            product *= &pow(inverse(&image), exponent as usize);
             degree += half(&coefficients) * exponent as usize;
         } else {
-            rest *= &pow(polynomial, exponent as usize);
+            rest = (0..exponent).fold(rest, |rest, _| times(&rest, &coefficients));
         }
     }
-    let rest = by_power(&rest, t);
-    below *= &inverse(&in_sine(&rest, half(&rest), x));
+    product *= &inverse(&in_sine(&rest, half(&rest), x));
     degree += half(&rest);
-    let above = by_power(&value.numerator(), t);
-    let highest = half(&above).max(degree);
+    let highest = half(above).max(degree);
     if highest > degree {
-        below *= &pow(inverse(&(Symbolic::one() + &cosine(x))), highest - degree);
+        product *= &pow(inverse(&(Symbolic::one() + &cosine(x))), highest - degree);
     }
-    in_sine(&above, highest, x) * &below
+    in_sine(above, highest, x) * &product
 }
 
 /// The polynomial with these coefficients in `tan(x/2)` times `(1 + cos x)^h`.
-fn in_sine(coefficients: &[Symbolic], h: usize, x: &Part) -> Symbolic {
+fn in_sine(coefficients: &[Symbolic], h: usize, x: Angle) -> Symbolic {
     let part = |from: usize| coefficients.iter().skip(from).step_by(2);
     homogeneous(part(0), h, x) + &(homogeneous(part(1), h.saturating_sub(1), x) * &sine(x))
 }
@@ -188,9 +354,9 @@ fn length(value: &Symbolic) -> usize {
 fn homogeneous<'s>(
     coefficients: impl DoubleEndedIterator<Item = &'s Symbolic> + ExactSizeIterator,
     degree: usize,
-    x: &Part,
+    x: Angle,
 ) -> Symbolic {
-    let (more, less) = (Symbolic::one() + &cosine(x), Symbolic::one() - &cosine(x));
+    let (more, less) = (Symbolic::one() + &cosine(x), x.signed(Symbolic::one() - &cosine(x)));
     let mut power = pow(more.clone(), (degree + 1).saturating_sub(coefficients.len()));
     coefficients.rev().fold(Symbolic::zero(), |sum, p| {
         let next = sum * &less + &(p.clone() * &power);
@@ -200,11 +366,11 @@ fn homogeneous<'s>(
 }
 
 /// Replaces factors `1 - cos^2 x` by `sin^2 x`.
-fn gathered(value: Symbolic, x: &Part) -> Symbolic {
+fn gathered(value: Symbolic, x: Angle) -> Symbolic {
     if value.vanishes() {
         return value;
     }
-    let square = Symbolic::one() - &(cosine(x) * &cosine(x));
+    let square = x.signed(Symbolic::one() - &(cosine(x) * &cosine(x)));
     let count = |part: Symbolic| {
         let divided = |part: &Symbolic| divisible(part, x).then(|| part.clone() / &square);
         std::iter::successors(Some(part), divided).count() - 1
@@ -218,7 +384,7 @@ fn gathered(value: Symbolic, x: &Part) -> Symbolic {
 }
 
 /// Whether a polynomial is divisible by `1 - cos^2 x`: zero where `cos x` is 1 and where it is -1.
-fn divisible(polynomial: &Symbolic, x: &Part) -> bool {
+fn divisible(polynomial: &Symbolic, x: Angle) -> bool {
     let mut sums = [SymbolicSum::default(), SymbolicSum::default()];
     for ([power], part) in by_powers(polynomial, [cosine_variable(x)]) {
         sums[power % 2].add_term(&part);
@@ -230,7 +396,7 @@ fn divisible(polynomial: &Symbolic, x: &Part) -> bool {
 const DEGREE: usize = 64;
 
 /// The value with numerator and denominator each in the form with the fewest terms.
-fn shortest(value: &Symbolic, x: &Part) -> Symbolic {
+fn shortest(value: &Symbolic, x: Angle) -> Symbolic {
     let Form::Fraction(f) = &value.0 else { return value.clone() };
     let [above, below] = [value.numerator(), value.denominator()].map(|part| {
         let forms = others(&part, x).into_iter();
@@ -249,7 +415,7 @@ fn shortest(value: &Symbolic, x: &Part) -> Symbolic {
 }
 
 /// The other forms of a polynomial: with as few sines or cosines as possible, and homogeneous.
-fn others(polynomial: &Symbolic, x: &Part) -> Vec<Symbolic> {
+fn others(polynomial: &Symbolic, x: Angle) -> Vec<Symbolic> {
     let (sin, cos) = (sine(x), cosine(x));
     let [sin2, cos2] = [&sin, &cos].map(|f| f.clone() * f);
     let one = Symbolic::one();
@@ -265,14 +431,14 @@ fn others(polynomial: &Symbolic, x: &Part) -> Vec<Symbolic> {
     };
     let even = split.keys().all(|[s, c]| (highest - s - c) % 2 == 0);
     let by_cosines = sum(&|s, c| {
-        pow(one.clone() - &cos2, s / 2) * &pow(sin.clone(), s % 2) * &pow(cos.clone(), c)
+        pow(x.signed(one.clone() - &cos2), s / 2) * &pow(sin.clone(), s % 2) * &pow(cos.clone(), c)
     });
     let by_sines = sum(&|s, c| {
-        pow(one.clone() - &sin2, c / 2) * &pow(cos.clone(), c % 2) * &pow(sin.clone(), s)
+        pow(one.clone() - &x.signed(sin2.clone()), c / 2) * &pow(cos.clone(), c % 2) * &pow(sin.clone(), s)
     });
     let of_one_degree = even.then(|| {
         sum(&|s, c| {
-            let rest = pow(sin2.clone() + &cos2, (highest - s - c) / 2);
+            let rest = pow(x.signed(sin2.clone()) + &cos2, (highest - s - c) / 2);
             rest * &pow(sin.clone(), s) * &pow(cos.clone(), c)
         })
     });

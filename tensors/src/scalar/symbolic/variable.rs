@@ -29,6 +29,10 @@ pub(super) enum Kind {
     Applied(Applied),
     /// A function in the form in which it is written, such as the sine. It occurs in written forms only.
     Written(Function, Part),
+    /// A root without its relation, in written forms only.
+    FreeRoot(Part),
+    /// The hyperbolic secant, which does not overflow, in programs only.
+    Secant(Part),
 }
 
 /// The part `of / parts` of an argument.
@@ -172,6 +176,8 @@ impl Kind {
             Kind::HalfTangent(part)
             | Kind::Exponential(part)
             | Kind::Root(part)
+            | Kind::FreeRoot(part)
+            | Kind::Secant(part)
             | Kind::Written(_, part) => vec![&part.of],
             Kind::Logarithm(argument) => vec![argument],
             Kind::Applied(applied) => applied.arguments.iter().collect(),

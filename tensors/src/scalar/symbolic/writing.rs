@@ -155,7 +155,8 @@ pub(super) fn call(kind: &Kind) -> [String; 2] {
         Kind::HalfTangent(angle) => ["tan".into(), multiple(angle.half(), 1, Markup::Text)],
         Kind::Exponential(part) => ["exp".into(), multiple(part.clone(), 1, Markup::Text)],
         Kind::Logarithm(p) => ["log".into(), p.to_string()],
-        Kind::Root(Part { of, .. }) => ["sqrt".into(), of.to_string()],
+        Kind::Root(Part { of, .. }) | Kind::FreeRoot(Part { of, .. }) => ["sqrt".into(), of.to_string()],
+        Kind::Secant(part) => ["sech".into(), multiple(part.clone(), 1, Markup::Text)],
         Kind::Written(function, part) => {
             [function.name().into(), multiple(part.clone(), 1, Markup::Text)]
         }
@@ -179,19 +180,24 @@ fn kind_power(kind: &Kind, e: u32, markup: Markup) -> String {
         Kind::Parameter(name) => parameter(name, markup) + &exponent(e, markup),
         Kind::HalfTangent(angle) => called("tan", angle.half(), e, markup),
         Kind::Written(function, part) => called(function.name(), part.clone(), e, markup),
+        Kind::Secant(part) => called("sech", part.clone(), e, markup),
         Kind::Logarithm(p) => called("log", Part { of: p.clone(), parts: 1 }, e, markup),
         Kind::Exponential(part) => match symbolic_power(part) {
             Some((base, part)) => powered(&base, &multiple(part, e, markup), markup),
             None if markup == Markup::Latex => format!("e^{{{}}}", multiple(part.clone(), e, markup)),
             None => format!("exp({})", multiple(part.clone(), e, markup)),
         },
-        Kind::Root(Part { of, parts }) => {
+        Kind::Root(Part { of, parts }) | Kind::FreeRoot(Part { of, parts }) => {
             let common = e.gcd(parts);
             match ((e / common, parts / common), markup) {
                 ((e, 2), Markup::Text) => format!("sqrt({of}){}", exponent(e, markup)),
                 ((e, 2), Markup::Latex) => {
                     format!("\\sqrt{{{}}}{}", of.to_latex(), exponent(e, markup))
                 }
+                ((e, 1), _) => match exponent(e, markup) {
+                    power if power.is_empty() => of.written(markup, &CommonFactors::default()),
+                    _ => powered(of, &e.to_string(), markup),
+                },
                 ((1, n), Markup::Latex) => format!("\\sqrt[{n}]{{{}}}", of.to_latex()),
                 ((e, n), _) => powered(of, &format!("{e}/{n}"), markup),
             }

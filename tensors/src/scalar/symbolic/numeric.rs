@@ -1,0 +1,263 @@
+//! Values over another scalar, in a form that is accurate in floats.
+//!
+//! A quotient with functions is computed factor by factor. Powers of `t = tan(x/2)`, `1 - t^2` and `1 + t^2` are powers of
+//! sines and cosines of `x` and `x/2`. If the exponentials of `x` and `-x` occur alike, a factor `p(E)` of degree `d` in
+//! `E = exp(x)` is `E^(d/2)` times a power of `cosh` and a polynomial in `tanh` and `1/cosh`, which neither overflows for large
+//! `x` nor cancels for small ones: `E - 1` is `2 sinh(x/2) E^(1/2)`.
+
+use super::argument::by_power;
+use super::common::CommonFactors;
+use super::conjugates::cancelled;
+use super::factors::{Factors, factors};
+use super::fraction::Fraction;
+use super::normal_form::{half_angles, in_angles, in_bounded, is_balanced};
+use super::shape::Shaping;
+use super::variable::{Kind, Part, Variable};
+use super::{Form, Symbolic, memo};
+use crate::expression::{Meaning, Scalars, no_function};
+use crate::scalar::function::Function;
+use crate::scalar::{Notation, Rational, Ring};
+use num_traits::{One, pow};
+
+impl Symbolic {
+    /// The value over a scalar with elementary functions; `variable` gives the values of parameters and free functions.
+    ///
+    /// # Errors
+    /// In words: a number or a function that the scalar does not have, or a division by zero.
+    pub(in crate::scalar) fn in_scalars<S: Notation>(
+        &self,
+        variable: &dyn Fn(Variable) -> S,
+    ) -> Result<S, String> {
+        let value = match &self.0 {
+            Form::Fraction(f) if f.has_functions() => cancelled(self.clone()),
+            _ => self.clone(),
+        };
+        match &value.0 {
+            Form::Constant(c) => number(c),
+            Form::Fraction(f) if f.has_functions() => Numeric { f, variable }.value(),
+            Form::Fraction(f) => shaped(f, variable),
+        }
+    }
+}
+
+fn number<S: Notation>(c: &Rational) -> Result<S, String> {
+    S::from_rational(c).ok_or_else(|| "the number is beyond the range of f64".into())
+}
+
+/// The operations of a scalar.
+fn meaning<S: Notation>() -> impl Meaning<Value = S> {
+    Scalars(|name: &str| Err::<S, _>(format!("`{name}` is unknown")), no_function)
+}
+
+/// The fraction in the shape in which it is written.
+fn shaped<S: Notation>(f: &Fraction, variable: &dyn Fn(Variable) -> S) -> Result<S, String> {
+    let names = CommonFactors::default();
+    let shape = memo::shape(f, || Shaping { names: &names }.fraction(f));
+    shape.evaluate(&meaning(), &mut |at, e| f.variables[at].power_in(e, variable))
+}
+
+/// The computation of a fraction with functions.
+struct Numeric<'f, S> {
+    f: &'f Fraction,
+    variable: &'f dyn Fn(Variable) -> S,
+}
+
+/// A polynomial with an exponent, negative below the line.
+type Power = (Symbolic, i64);
+
+impl<S: Notation> Numeric<'_, S> {
+    fn value(&self) -> Result<S, String> {
+        let Factors { content, factors } = factors(&self.f.numerator);
+        let above = factors.iter().map(|(factor, e)| (self.f.polynomial(factor), i64::from(*e)));
+        let below = self.f.denominator.all(&self.f.variables);
+        let below = below.iter().map(|(factor, e)| (self.f.polynomial(factor), -i64::from(*e)));
+        let mut all: Vec<Power> = above.chain(below).collect();
+        let value = Symbolic::from(self.f.clone());
+        for variable in self.f.variables.iter().copied() {
+            match variable.kind() {
+                Kind::HalfTangent(part) => all = angular(all, variable, part),
+                Kind::Exponential(part) if is_balanced(&value, variable) => {
+                    all = balanced(all, variable, part);
+                }
+                Kind::Exponential(part) => all = exponential(all, variable, part),
+                _ => {}
+            }
+        }
+        let mut product = number(&content)?;
+        for (factor, e) in collected(all) {
+            let value = match &factor.0 {
+                Form::Constant(c) => number(c)?,
+                Form::Fraction(f) => match factor.as_variable() {
+                    // one function of a multiple of the exponent
+                    Some(own) if matches!(own.kind(), Kind::Exponential(_)) => {
+                        let size = u32::try_from(e.unsigned_abs()).map_err(|_| "too large")?;
+                        let value = own.power_in(size, self.variable)?;
+                        product = meaning().multiply(product, signed(value, e.signum())?)?;
+                        continue;
+                    }
+                    _ => shaped(f, self.variable)?,
+                },
+            };
+            product = meaning().multiply(product, signed(value, e)?)?;
+        }
+        Ok(product)
+    }
+}
+
+/// A power with an exponent of any sign.
+fn signed<S: Notation>(value: S, e: i64) -> Result<S, String> {
+    let power = pow(value, e.unsigned_abs() as usize);
+    if e < 0 { meaning().reciprocal(power) } else { Ok(power) }
+}
+
+/// The product with every factor once.
+fn collected(all: Vec<Power>) -> Vec<Power> {
+    let mut different: Vec<Power> = Vec::new();
+    for (factor, e) in all {
+        match different.iter_mut().find(|(other, _)| *other == factor) {
+            Some((_, exponent)) => *exponent += e,
+            None => different.push((factor, e)),
+        }
+    }
+    different.retain(|(factor, e)| *e != 0 && *factor != Symbolic::one());
+    different
+}
+
+fn written(function: Function, of: &Symbolic, parts: u32) -> Symbolic {
+    let part = Part { of: of.clone(), parts };
+    Symbolic::variable(Variable::function(Kind::Written(function, part)))
+}
+
+/// The factors with sines and cosines in place of the half tangent `t` of an angle.
+fn angular(all: Vec<Power>, t: Variable, angle: &'static Part) -> Vec<Power> {
+    let Part { of, parts } = angle;
+    let [sin, cos] = [Function::Sin, Function::Cos].map(|function| written(function, of, *parts));
+    let [s, c] = [Function::Sin, Function::Cos].map(|function| written(function, of, 2 * parts));
+    let variable = Symbolic::variable(t);
+    let one = Symbolic::one;
+    let square = variable.clone() * &variable;
+    let [minus, plus] = [one() - &variable, one() + &variable];
+    let mut rest = Vec::new();
+    // the exponents of sin(x/2), cos(x/2), 1 - t, 1 + t
+    let (mut sines, mut cosines, mut less, mut more) = (0i64, 0i64, 0i64, 0i64);
+    for (factor, e) in all {
+        let degree = by_power(&factor, t).len() as i64 - 1;
+        cosines -= degree * e;
+        if degree == 0 {
+            rest.push((factor, e));
+        } else if factor == variable {
+            sines += e;
+        } else if factor == one() + &square {
+            // 1/cos(x/2)^2
+        } else if factor == plus {
+            more += e;
+        } else if factor == minus || factor == -minus.clone() {
+            less += e;
+            rest.push((if factor == minus { one() } else { -one() }, e));
+        } else if degree % 2 == 0 {
+            rest.push((in_angles(&factor, t, angle), e));
+        } else {
+            rest.push((half_angles(&factor, t, &s, &c), e));
+        }
+    }
+    let common = |a: i64, b: i64| if a.signum() == b.signum() { a.signum() * a.abs().min(b.abs()) } else { 0 };
+    let both = common(less, more);
+    rest.push((cos, both));
+    rest.push((c.clone() - &s, less - both));
+    rest.push((c.clone() + &s, more - both));
+    let both = common(sines, cosines);
+    rest.push((sin, both));
+    rest.push((Symbolic::from_i64(2), -both));
+    rest.push((s, sines - both));
+    rest.push((c, cosines - both));
+    rest
+}
+
+/// The factors with hyperbolic functions in place of an exponential that occurs with its inverse alike.
+fn balanced(all: Vec<Power>, exponential: Variable, part: &'static Part) -> Vec<Power> {
+    let Part { of, parts } = part;
+    let mut rest = Vec::new();
+    for (factor, e) in all {
+        let degree = by_power(&factor, exponential).len() - 1;
+        if factor == Symbolic::variable(exponential) {
+            continue;
+        }
+        if degree == 0 {
+            rest.push((factor, e));
+            continue;
+        }
+        // in x for an even degree, in x/2 for an odd one
+        let (parts, half) = if degree % 2 == 0 { (*parts, degree / 2) } else { (2 * parts, degree) };
+        let [tanh, cosh] = [Function::Tanh, Function::Cosh].map(|function| written(function, of, parts));
+        let secant = Kind::Secant(Part { of: of.clone(), parts });
+        let secant = Symbolic::variable(Variable::function(secant));
+        let image = in_bounded(&factor, exponential, &tanh, &secant);
+        match image.as_variable().is_some() || image.as_constant().is_some() {
+            true => rest.push((image, e)),
+            false => {
+                let own = image.clone() / &tanh;
+                match own.as_constant() {
+                    // sinh keeps digits, and is one function
+                    Some(c) => {
+                        rest.push((Symbolic::constant(c.clone()), e));
+                        rest.push((written(Function::Sinh, of, parts), e));
+                        rest.push((cosh, e * (half as i64 - 1)));
+                        continue;
+                    }
+                    None => rest.push((image, e)),
+                }
+            }
+        }
+        rest.push((cosh, e * half as i64));
+    }
+    rest
+}
+
+/// The factors with `2*sinh(x/2)*exp(x/2)` in place of `exp(x) - 1`.
+fn exponential(all: Vec<Power>, exponential: Variable, part: &'static Part) -> Vec<Power> {
+    let Part { of, parts } = part;
+    let minus = Symbolic::variable(exponential) - &Symbolic::one();
+    let factor = |(factor, e): Power| {
+        if factor != minus {
+            return vec![(factor, e)];
+        }
+        let half = Part { of: of.clone(), parts: 2 * parts };
+        let half = Symbolic::variable(Variable::function(Kind::Exponential(half)));
+        vec![(Symbolic::from_i64(2), e), (written(Function::Sinh, of, 2 * parts), e), (half, e)]
+    };
+    all.into_iter().flat_map(factor).collect()
+}
+
+impl Variable {
+    /// A power of the variable over a scalar.
+    fn power_in<S: Notation>(self, e: u32, variable: &dyn Fn(Variable) -> S) -> Result<S, String> {
+        let fraction = |value: &Symbolic, above: u32, below: u32| {
+            let factor = Rational::new(above.into(), below.into()).unwrap_or_else(Rational::one);
+            (value.clone() * &Symbolic::constant(factor)).in_scalars(variable)
+        };
+        let value = match self.kind() {
+            Kind::Parameter(_) | Kind::Applied(_) => variable(self),
+            Kind::HalfTangent(Part { of, parts }) => S::function("tan", &fraction(of, 1, 2 * parts)?)?,
+            Kind::Exponential(Part { of, parts }) => {
+                return S::function("exp", &fraction(of, e, *parts)?);
+            }
+            Kind::Logarithm(p) => S::function("log", &p.in_scalars(variable)?)?,
+            Kind::Root(Part { of, parts: 2 }) | Kind::FreeRoot(Part { of, parts: 2 }) => {
+                S::function("sqrt", &of.in_scalars(variable)?)?
+            }
+            Kind::Root(Part { of, parts }) | Kind::FreeRoot(Part { of, parts }) => {
+                let logarithm = S::function("log", &of.in_scalars(variable)?)?;
+                let exponent = Rational::new(e.into(), (*parts).into()).unwrap_or_else(Rational::one);
+                let exponent = S::from_rational(&exponent).unwrap_or_else(S::one);
+                return S::function("exp", &(logarithm * &exponent));
+            }
+            Kind::Written(function, Part { of, parts }) => {
+                S::function(function.name(), &fraction(of, 1, *parts)?)?
+            }
+            Kind::Secant(Part { of, parts }) => {
+                meaning().reciprocal(S::function("cosh", &fraction(of, 1, *parts)?)?)?
+            }
+        };
+        Ok(pow(value, e as usize))
+    }
+}
