@@ -9,4 +9,5 @@ pub mod invariants;
 mod names;
 mod orthogonal_forms;
 mod root_systems;
+mod trials;
 mod witnesses;
