@@ -1,6 +1,7 @@
 //! Structure theory against stored invariants, in random bases, beside other summands, multiplied out.
 
 mod certificates;
+mod decomposition;
 mod families;
 mod forms;
 mod gap;
