@@ -6,6 +6,7 @@ mod families;
 mod forms;
 mod gap;
 mod gong;
+mod invariant_parameters;
 pub mod invariants;
 mod names;
 mod orthogonal_forms;
