@@ -158,8 +158,10 @@ impl<S: Ground> Structure<S> {
     }
 
     /// The reductions of a semisimple algebra with a Killing form that is not degenerate: they have the types of the algebra.
+    /// None of another algebra.
     pub(super) fn semisimple_reductions(&self) -> impl Iterator<Item = Reduction> {
         let regular = |prime: &Prime| self.has_regular_killing_form(*prime) == Some(true);
-        primes().filter(regular).filter_map(|prime| Reduction::new(self, prime))
+        let candidates = primes().take_while(|_| self.is_semisimple()).filter(regular);
+        candidates.filter_map(|prime| Reduction::new(self, prime))
     }
 }
