@@ -174,6 +174,31 @@ fn with_parameters_holds_for_generic_values() {
     assert_eq!(info("M3")["generic"], false);
 }
 
+/// Rows of the table: a root that every isomorphism needs, equations of parameters, and flags that are not proved.
+#[test]
+fn reservations_are_written() {
+    let rows =
+        |arguments: &[&str]| stdout(root(), &[&["info", "--format", "csv"], arguments].concat());
+    let oscillator = ["--bracket", "[H,x] = p", "--bracket", "[H,p] = -2*x"];
+    let text = rows(&[&["--basis", "H x p m"], &oscillator[..]].concat());
+    let expected = "\"bianchi(VII,h=0)+R^1\",isomorphic over the reals; sqrt(2) is needed";
+    assert!(text.contains(&format!("identification,{expected}")), "{text}");
+    let text = rows(&[&["--basis", "H x p"], &oscillator[..]].concat());
+    let expected = "\"its basis is p, x, -H, times sqrt(1/2), sqrt(1), sqrt(1/2)\"";
+    assert!(text.contains(&format!("identification,\"bianchi(VII,h=0)\",{expected}")), "{text}");
+    let damped = ["--bracket", "[H,x] = p", "--bracket", "[H,p] = p - 2*x"];
+    let text = rows(&[&["--basis", "H x p m"], &damped[..]].concat());
+    assert!(
+        text.contains("identification,\"bianchi(VII)+R^1, h^2 = 1/7\",by invariants"),
+        "{text}"
+    );
+    assert_eq!(info("degraaf(6,22,e=3)")["identification"]["root"], "3");
+    assert_eq!(info("so(3)")["identification"].get("root"), None);
+    // derivations with parameters are counted modulo two primes
+    assert!(rows(&["bianchi(VI)"]).contains("complete (modulo two primes)"));
+    assert!(!rows(&["bianchi(VI,h=2)"]).contains("complete (modulo two primes)"));
+}
+
 #[test]
 fn refuses_what_is_no_algebra() {
     let space = ["info", "--basis", "x y z", "--bracket", "[x,y]=z; [y,z]=y"];

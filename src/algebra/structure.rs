@@ -11,6 +11,34 @@
 //! - `constructions`: quotients, extensions, semidirect sums, contractions, complexifications.
 //!
 //! W. A. de Graaf, *Lie Algebras: Theory and Algorithms*, North-Holland 2000.
+//!
+//! # Choices by trial
+//!
+//! Every search among elements, forms or primes ends with a certificate, or the answer says that it has none. Primes that divide
+//! a denominator or a structure constant are skipped.
+//!
+//! | choice | certificate |
+//! |---|---|
+//! | `radical`: element that separates the weights | the subspace is a nilpotent ideal; points of a moment curve until one serves |
+//! | `cartan`: regular element | its null component is nilpotent, or has the dimension of the rank; tried until one serves |
+//! | `cartan`, dense basis: prime | the Killing form is regular modulo the prime; the kernel is multiplied out |
+//! | `kernels`: primes | as many rational vectors as modulo a prime, multiplied out; elimination otherwise |
+//! | `killing`: prime for the rank | full rank modulo a prime; elimination otherwise |
+//! | `dynkin`: prime and regular element | the Killing form is regular modulo the prime; ranks add up; one type satisfies its identities |
+//! | `ideals`: primes for the centroid | the maps commute with all `ad`, one for each simple factor |
+//! | `ideals`: generator of the centroid | degree of its minimal polynomial; points of a moment curve until one serves |
+//! | `decomposition`: element of the centroid | number of its eigenvalues; points of a moment curve until one serves |
+//! | `certificates`: primes for derivations, invariant forms, closed forms | a basis is multiplied out; otherwise "modulo two primes" |
+//! | `index`: form and primes | centre, abelian ideals, parity, or Pfaffians that vanish; otherwise "modulo two primes" |
+//! | `symplectic`: symplectic, contact and regular forms | full rank modulo a prime; "none" by Pfaffian, index or theorem; otherwise "none found" |
+//! | `orthogonal_forms`: regular element and primes | bounds of the coefficients, and intervals; otherwise both names |
+//! | `root_spaces`: prime | only excludes a Cartan subalgebra that does not split; root vectors are exact |
+//! | `identification`: names of nilpotent algebras | proved dimensions, or an isomorphism that is multiplied out; otherwise "modulo two primes" |
+//! | `identification`: isomorphisms | multiplied out; otherwise "by invariants", or the root that is needed |
+//! | `complex_structures`: rational frames | existence by a theorem; otherwise "no rational one is found" |
+//! | generators for the Jacobi identity | independent modulo a prime; otherwise all triples |
+//! | sectional curvature: planes | exact curvature; "found by a search, not proved" unless a theorem decides |
+//! | charts: eigenvalues at sample points | the polynomial annihilates the matrix of all coordinates |
 
 mod cartan;
 mod certificates;

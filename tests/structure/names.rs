@@ -146,18 +146,28 @@ fn isomorphisms_with_square_roots() {
         let (Some(images), Some(roots)) = (&found.isomorphism, &found.under_root) else {
             panic!("{name}: {found:?}")
         };
-        let named = catalogued(name);
-        for (i, j) in (0..line).flat_map(|i| (0..line).map(move |j| (i, j))) {
-            let mut expected = vec![Rational::from(0); line];
-            for (at, c) in named.structure().components().filter(|(at, _)| at[1..] == [i, j]) {
-                let below = (roots[i].clone() * &roots[j]).recip().unwrap();
-                let root = (roots[at[0]].clone() * &below).sqrt().expect("a square");
-                for (sum, v) in expected.iter_mut().zip(&images[at[0]]) {
-                    *sum = sum.clone() + &(c.clone() * &root * v);
-                }
+        respects_under_roots(&algebra, images, roots, &catalogued(name));
+    }
+}
+
+/// The brackets of the images, each times the square root of its number.
+pub fn respects_under_roots(
+    algebra: &LieAlgebra<Rational>,
+    images: &[Vec<Rational>],
+    roots: &[Rational],
+    named: &LieAlgebra<Rational>,
+) {
+    let n = images.len();
+    for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+        let mut expected = vec![Rational::from(0); n];
+        for (at, c) in named.structure().components().filter(|(at, _)| at[1..] == [i, j]) {
+            let below = (roots[i].clone() * &roots[j]).recip().unwrap();
+            let root = (roots[at[0]].clone() * &below).sqrt().expect("a square");
+            for (sum, v) in expected.iter_mut().zip(&images[at[0]]) {
+                *sum = sum.clone() + &(c.clone() * &root * v);
             }
-            assert_eq!(algebra.bracket(&images[i], &images[j]).unwrap(), expected, "{name}");
         }
+        assert_eq!(algebra.bracket(&images[i], &images[j]).unwrap(), expected);
     }
 }
 

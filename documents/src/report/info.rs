@@ -196,6 +196,7 @@ impl Info {
             _ if !centre.is_zero() => Some(false),
             all => all.map(|all| all == inner),
         };
+        let unproved = centre.is_zero() && counted.is_some_and(|all| !all.proved);
         let steps = |series: &[Subspace<S>], is: bool| is.then(|| series.len() - 1);
         let (class, length) = (steps(lower, nilpotent), steps(derived, solvable));
         let words = |value: Option<usize>, unit: &str| value.map(|v| format!("{unit} {v}"));
@@ -208,7 +209,7 @@ impl Info {
             ("reductive", Some(structure.is_reductive()), None),
             ("semisimple", Some(structure.is_semisimple()), None),
             ("simple", simple, None),
-            ("complete", complete, None),
+            ("complete", complete, unproved.then(|| certainty(false).into())),
         ]);
         notes.json.insert("nilpotency_class".into(), json!(class));
         notes.json.insert("derived_length".into(), json!(length));
@@ -476,7 +477,9 @@ impl Notes {
     }
 
     fn identification(&mut self, found: Option<Identification>) {
-        let Some(Identification { names, parameter, isomorphism, under_root }) = found else {
+        let Some(Identification { names, parameter, isomorphism, under_root, root, proved }) =
+            found
+        else {
             self.json.insert("identification".into(), Value::Null);
             return;
         };
@@ -501,7 +504,11 @@ impl Notes {
                 }
                 None => format!("its basis is {images}"),
             },
-            None => "by invariants".into(),
+            None => match &root {
+                _ if !proved => format!("by invariants; {}", certainty(proved)),
+                Some(number) => format!("isomorphic over the reals; sqrt({number}) is needed"),
+                None => "by invariants".into(),
+            },
         };
         let text = match &parameter {
             Some(equation) => format!("{name}, {equation}"),
@@ -509,9 +516,12 @@ impl Notes {
         };
         self.row("identification", text, &witness);
         let roots = under_root.map(|all| all.iter().map(Rational::to_string).collect::<Vec<_>>());
-        let json = json!({
+        let mut json = json!({
             "name": name, "parameter": parameter, "isomorphism": images, "under_root": roots,
         });
+        if let Some(number) = root {
+            json["root"] = json!(number.to_string());
+        }
         self.json.insert("identification".into(), json);
     }
 

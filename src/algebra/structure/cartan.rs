@@ -1,9 +1,8 @@
 //! Cartan subalgebras: nilpotent subalgebras that are their own normalizers (de Graaf 3.2).
 
 use super::radical::TRIALS;
-use super::reduction::Reduction;
 use super::{Ground, Structure, Subspace};
-use affinor_tensors::linear::modular::{PRIMES, Residues};
+use affinor_tensors::linear::modular::Residues;
 use affinor_tensors::linear::{Matrix, Row};
 use std::cmp::Ordering;
 
@@ -13,7 +12,7 @@ impl<S: Ground> Structure<S> {
     ///
     /// The elements tried are sums of basis vectors that commute, which keeps the numbers short, and by turns sums of more
     /// and more basis vectors. Of `m` commuting vectors an algebra may have some `m^2` roots, so the coefficients are that large:
-    /// with small ones some root would vanish on the element. At last comes a sum of all basis vectors.
+    /// with small ones some root would vanish on the element. At last come sums of all basis vectors, until one serves.
     pub fn cartan_subalgebra(&self) -> Subspace<S> {
         self.cartan.get_or_init(|| self.search_cartan_subalgebra()).clone()
     }
@@ -34,10 +33,13 @@ impl<S: Ground> Structure<S> {
         };
         let mut best: Option<Subspace<S>> = None;
         let large = commuting.len() * commuting.len() / 2;
-        for trial in 0..=TRIALS as usize {
+        let mut trials = 0;
+        loop {
+            let trial = trials;
+            trials += 1;
             let mut weight = |below: usize| S::from_i64(1 + draw(below) as i64);
             let mut x: Row<S> = vec![];
-            if trial == TRIALS as usize {
+            if trial >= TRIALS {
                 x.extend((0..n).map(|at| (at, weight(1 << 30))));
             } else if trial % 2 == 0 {
                 x.extend(commuting.iter().map(|&at| (at, weight(large.max(4 + 4 * trial)))));
@@ -64,7 +66,6 @@ impl<S: Ground> Structure<S> {
                 best = Some(null);
             }
         }
-        unreachable!("almost every element has a nilpotent null component")
     }
 
     /// The rank of a semisimple algebra by its types.
@@ -92,12 +93,13 @@ impl<S: Ground> Structure<S> {
             let form = basis.mul(self.killing_matrix()).ok()?.mul(&basis.transpose()).ok()?;
             return (kernel.dimension() == rank && form.rank().ok()? == rank).then_some(kernel);
         }
-        let regular = PRIMES.into_iter().find_map(|prime| {
+        let regular = self.semisimple_reductions().find_map(|reduction| {
+            let prime = reduction.prime();
             let mut dense = vec![0; n];
             for (at, value) in x {
                 dense[*at] = value.residue(prime)?;
             }
-            let ad = Reduction::new(self, prime)?.ad(&dense);
+            let ad = reduction.ad(&dense);
             let kernel = ad.clone().kernel();
             // no vector of the kernel is an image
             let image = (0..n).map(|k| ad.rows().iter().map(|row| row[k]).collect()).collect();

@@ -3,8 +3,13 @@
 //!
 //! Central lines outside the derived algebra split off. The rest is decomposed by its centroid, the maps that commute
 //! with all `ad`: the coprime factors of the minimal polynomial of a general element give the ideals.
+//!
+//! Certificate: the centroid `C` modulo its radical is a product of number fields, because its commutators map to the centre, which
+//! lies in the derived algebra, and send that to zero. So `C` has `dim C - dim rad C` characters over the complex numbers. An
+//! element on which they all differ generates the product, and its minimal polynomial has as many different roots.
 
 use super::ideals::{evaluate, minimal_polynomial};
+use super::radical::on_moment_curve;
 use super::{Structure, Subspace};
 use crate::Error;
 use affinor_tensors::linear::{Matrix, Row};
@@ -12,6 +17,9 @@ use affinor_tensors::{Rational, Ring};
 
 /// The largest dimension at which the centroid is computed.
 pub const MAX_DIMENSION: usize = 12;
+
+/// So many elements with short coefficients are tried first.
+const SHORT: i64 = 3;
 
 /// An ideal that is indecomposable over the rationals.
 #[derive(Clone, Debug)]
@@ -64,35 +72,32 @@ impl Structure<Rational> {
     fn parts_by_centroid(&self) -> Option<Vec<(Subspace<Rational>, usize)>> {
         let n = self.dimension();
         let centroid = self.centroid_by_equations();
-        let mut best: Vec<(Subspace<Rational>, usize)> = vec![];
-        for trial in 1..=3i64 {
-            let mut gamma = Matrix::zero(n, n);
-            for (at, row) in centroid.basis().iter().enumerate() {
-                let factor =
-                    Rational::from((trial * 7 + (at as i64 + 1) * (at as i64 + trial)) % 23);
-                let rows = (0..n).map(|i| {
-                    let own = row.iter().filter(move |(unknown, _)| unknown / n == i);
-                    own.map(|(unknown, v)| (unknown % n, v.clone() * &factor)).collect::<Row<_>>()
-                });
-                gamma = gamma.add(&Matrix::from_rows(n, rows).ok()?).ok()?;
-            }
+        let eigenvalues = geometric_idempotents(n, centroid.basis());
+        for trial in 1.. {
+            let factors: Vec<Rational> = match trial <= SHORT {
+                true => {
+                    let factor = |at: i64| (trial * 7 + (at + 1) * (at + trial)) % 23;
+                    (0..centroid.dimension() as i64).map(|at| Rational::from(factor(at))).collect()
+                }
+                false => on_moment_curve(trial - SHORT + 1, centroid.dimension()),
+            };
+            let terms: Row<Rational> =
+                factors.into_iter().enumerate().filter(|(_, factor)| !factor.vanishes()).collect();
+            let gamma = square(n, &centroid.vector(&terms))?;
             let minimal = minimal_polynomial(&gamma)?;
             let factors = polyfactor::factor(&minimal);
+            if factors.iter().map(|(factor, _)| factor.deg()).sum::<usize>() < eigenvalues {
+                continue;
+            }
             let part = |(factor, multiplicity): &(polycore::Uni<_>, u32)| {
                 let kernel = evaluate(&gamma, &factor.pow(*multiplicity));
                 let kernel = Subspace::kernel(n, (0..n).map(|i| kernel.row(i).to_vec()));
                 let real = factor.isolate().len();
                 (kernel, real + (factor.deg() - real) / 2)
             };
-            let count = |parts: &[(Subspace<Rational>, usize)]| {
-                (parts.len(), parts.iter().map(|p| p.1).sum::<usize>())
-            };
-            let parts: Vec<_> = factors.iter().map(part).collect();
-            if count(&parts) > count(&best) {
-                best = parts;
-            }
+            return Some(factors.iter().map(part).collect());
         }
-        Some(best)
+        None
     }
 
     /// The maps `A^i_j`, at `i n + j`, with `A [e_a, e_k] = [e_a, A e_k]` for all `a` and `k`.
@@ -120,4 +125,28 @@ impl Structure<Rational> {
         }
         Subspace::kernel_of_long(n * n, equations)
     }
+}
+
+/// The matrix of a map `A^i_j` at `i n + j`.
+fn square(n: usize, map: &[(usize, Rational)]) -> Option<Matrix<Rational>> {
+    let mut rows = vec![vec![]; n];
+    map.iter().for_each(|(at, value)| rows[at / n].push((at % n, value.clone())));
+    Matrix::from_rows(n, rows).ok()
+}
+
+/// `dim C - dim rad C` of an algebra of maps: the rank of the form `tr(A B)`, whose kernel is the radical in characteristic 0.
+fn geometric_idempotents(n: usize, maps: &[Row<Rational>]) -> usize {
+    let transposed = |at: usize| at % n * n + at / n;
+    let form = maps.iter().map(|a| {
+        let trace = |b: &Row<Rational>| {
+            let terms = a.iter().filter_map(|(at, value)| {
+                let place = b.binary_search_by_key(&transposed(*at), |(at, _)| *at).ok()?;
+                Some(value.clone() * &b[place].1)
+            });
+            terms.fold(Rational::from(0), |sum, term| sum + &term)
+        };
+        let row = maps.iter().map(trace).enumerate();
+        row.filter(|(_, value)| !value.vanishes()).collect::<Row<Rational>>()
+    });
+    Subspace::span(maps.len(), form).dimension()
 }

@@ -10,11 +10,15 @@
 //! `V`, are linear equations in the coefficients of `q`. The solutions are the centroid; its
 //! idempotents are the factors. A factor of rank `r` and dimension `n` is known but for B, C and E6,
 //! which the power sums of the roots tell apart.
+//!
+//! Certificates: `X` is invertible on `V` and `H` is abelian, so `H` is a Cartan subalgebra; the ranks of the factors, each of
+//! which may only come out too small, add up to that of `H`; each type of the same rank and dimension implies an identity of
+//! power sums, and one type alone satisfies its own. Otherwise another prime is taken.
 
 use super::reduction::{Draw, Reduction};
 use super::{Ground, Structure};
 use crate::algebra::roots::{CartanType, Series};
-use affinor_tensors::linear::modular::{Prime, Residues, primes};
+use affinor_tensors::linear::modular::{Prime, Residues};
 use polycore::{Fp, Uni};
 
 impl<S: Ground> Structure<S> {
@@ -36,8 +40,8 @@ impl<S: Ground> Structure<S> {
     }
 
     fn factors(&self) -> Option<Vec<CartanType>> {
-        let reductions = primes().filter_map(|prime| Reduction::new(self, prime));
-        let mut types = reductions.take(400).find_map(|reduction| reduction.factors())?;
+        let mut reductions = self.semisimple_reductions().take(400);
+        let mut types = reductions.find_map(|reduction| reduction.factors())?;
         types.sort_by_key(|factor| (factor.series() as usize, factor.rank()));
         Some(types)
     }
@@ -113,7 +117,7 @@ impl Reduction {
         if split.centroid.len() == 1 {
             return Some(vec![split.recognise(self.dimension(), split.rank, &sums)?]);
         }
-        let mut types = vec![];
+        let (mut types, mut ranks) = (vec![], 0);
         for (idempotent, degree) in split.idempotents(&mut draw)? {
             let sums: Vec<u64> = (0..=2 * split.rank + 2)
                 .map(|shift| {
@@ -129,8 +133,9 @@ impl Reduction {
             let sums = if degree == 1 { &sums[..] } else { &[] };
             let factor = split.recognise((roots + rank) / degree, rank / degree, sums)?;
             types.extend(std::iter::repeat_n(factor, degree));
+            ranks += rank;
         }
-        Some(types)
+        (ranks == split.rank).then_some(types)
     }
 }
 
@@ -139,6 +144,12 @@ impl Split {
         let (n, p) = (algebra.dimension(), algebra.prime());
         let mut split = Self::of(&algebra.ad(&draw.vector(p, n)), draw)?;
         let (rank, m) = (split.rank, n - split.rank);
+        for (at, x) in split.basis[..rank].iter().enumerate() {
+            let zero = |y: &Vec<u64>| algebra.bracket(x, y).iter().all(|value| *value == 0);
+            if !split.basis[..at].iter().all(zero) {
+                return None;
+            }
+        }
         let v = split.basis.get(rank)?.clone();
         // A w = [A v, y] on V, for w = [v, y]
         let right = algebra.ad(&draw.vector(p, n)).sparse();
@@ -325,15 +336,20 @@ impl Split {
         if sums.len() < 2 * r + 3 {
             return None;
         }
-        let (classical, others): (Vec<CartanType>, Vec<CartanType>) =
-            fits.into_iter().partition(|t| matches!(t.series(), Series::B | Series::C));
-        let fitting: Vec<CartanType> =
-            classical.into_iter().filter(|t| self.is_classical(t.series(), r, sums)).collect();
-        match (fitting.as_slice(), others.as_slice()) {
-            ([one], _) => Some(*one),
-            ([], [one]) => Some(*one),
+        fits.retain(|t| match t.series() {
+            Series::B | Series::C => self.is_classical(t.series(), r, sums),
+            _ => self.has_no_quartic_invariant(n, sums),
+        });
+        match fits[..] {
+            [one] => Some(one),
             _ => None,
         }
+    }
+
+    /// Whether `2 (n + 2) tr X^4 = 5 (tr X^2)^2`, as for the types without an invariant of degree 4: A1, A2 and the exceptional ones.
+    fn has_no_quartic_invariant(&self, n: usize, sums: &[u64]) -> bool {
+        let p = self.prime;
+        p.mul(p.integer(2 * n as i64 + 4), sums[4]) == p.mul(5, p.mul(sums[2], sums[2]))
     }
 
     /// Whether the roots are those of B_r or C_r in some `a_1, .., a_r`. The power sums `s_2k` that follow are those of `r` numbers if

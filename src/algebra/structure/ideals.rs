@@ -6,6 +6,7 @@
 
 use super::dynkin::{Split, inverse_of_columns};
 use super::killing::Killing;
+use super::radical::on_moment_curve;
 use super::real_forms::{complex_form, real_forms};
 use super::reduction::{Draw, Reduction};
 use super::{Structure, Subspace};
@@ -58,6 +59,9 @@ impl RealIdeal {
 
 /// How many primes are tried for the reconstruction of the centroid.
 const PRIMES: usize = 200;
+/// Elements of the centroid with short coefficients are tried below this number, if it has few dimensions.
+const SHORT: i64 = 64;
+const FEW: usize = 12;
 
 impl Structure<Rational> {
     /// The simple ideals of a semisimple algebra; `None` where the search gives up.
@@ -304,18 +308,30 @@ fn column(matrix: &Matrix<Rational>, k: usize) -> Row<Rational> {
     entries.filter(|(_, value)| !value.vanishes()).collect()
 }
 
-/// An element that generates the algebra of commuting matrices, and its minimal polynomial.
+/// An element that generates the algebra of commuting matrices, and its minimal polynomial, whose degree proves it.
 fn generator(matrices: &[Matrix<Rational>]) -> Option<(Matrix<Rational>, Uni<BigRational>)> {
-    let degree = matrices.len();
-    for trial in 1..64i64 {
-        let mut gamma = Matrix::zero(matrices[0].rows(), matrices[0].columns());
-        for (at, matrix) in matrices.iter().enumerate() {
-            let factor = Rational::from_i64((trial * (at as i64 + 1) * (at as i64 + trial)) % 11);
-            gamma = gamma.add(&matrix.map(|v| v.clone() * &factor)).ok()?;
+    let (degree, n) = (matrices.len(), matrices.first()?.rows());
+    let first = if degree <= FEW { 1 } else { SHORT };
+    for trial in first.. {
+        let (factors, start): (Vec<Rational>, Vec<Rational>) = match trial < SHORT {
+            true => {
+                let factor = |at: i64| (trial * (at + 1) * (at + trial)) % 11;
+                let component = |i: i64| (i * 7 + trial) % 13 + 1;
+                let integers = |count: usize, value: &dyn Fn(i64) -> i64| {
+                    (0..count as i64).map(|at| Rational::from(value(at))).collect()
+                };
+                (integers(degree, &factor), integers(n, &component))
+            }
+            // eigenvalues that differ are equal, and eigenspaces are met, but for few points of the curve
+            false => {
+                let t = trial - SHORT + 2;
+                (on_moment_curve(t, degree), on_moment_curve(t, n))
+            }
+        };
+        let mut gamma = Matrix::zero(n, n);
+        for (matrix, factor) in matrices.iter().zip(&factors) {
+            gamma = gamma.add(&matrix.map(|v| v.clone() * factor)).ok()?;
         }
-        let n = gamma.rows();
-        let start: Vec<Rational> =
-            (0..n).map(|i| Rational::from_i64((i as i64 * 7 + trial) % 13 + 1)).collect();
         let mut powers = vec![start];
         for at in 0..degree {
             powers.push(gamma.apply(&powers[at]).ok()?);

@@ -1,5 +1,8 @@
 //! The name of an algebra of low dimension: real ones up to dimension 4, nilpotent ones up to 6.
 //!
+//! Parameters are decided by invariants of the action that do not change with a multiple of the acting vector, such as
+//! `tr^2 / det`: these are rational where eigenvalues are not.
+//!
 //! The isomorphism is a witness where it is rational and found; of simple algebras also over square roots. Nilpotent
 //! algebras are told apart by the dimensions of both central series and of the derivations, and by the Betti
 //! numbers; these separate all real ones up to dimension 6 but for the sign of the parameter of four families, which
@@ -26,17 +29,29 @@ pub(super) use witness::{images as vector_images, sum};
 pub struct Identification {
     /// The names: one, or those that the invariants leave.
     pub names: Vec<String>,
-    /// An equation for the parameter, where it is not rational.
+    /// Equations for parameters that are not rational.
     pub parameter: Option<String>,
     /// The images of the basis of the named algebra, where they are rational up to `under_root`.
     pub isomorphism: Option<Vec<Vec<Rational>>>,
     /// Positive numbers: each image is to be multiplied by the square root of its number.
     pub under_root: Option<Vec<Rational>>,
+    /// A positive number without a rational square root, which every isomorphism needs: the algebras are isomorphic over the
+    /// reals, and not over the rationals. Only where `isomorphism` is `None`.
+    pub root: Option<Rational>,
+    /// Whether the names are proved: by an isomorphism, or by invariants that are proved over the rationals.
+    pub proved: bool,
 }
 
 impl Identification {
     fn by_name(names: Vec<String>) -> Self {
-        Identification { names, parameter: None, isomorphism: None, under_root: None }
+        Identification {
+            names,
+            parameter: None,
+            isomorphism: None,
+            under_root: None,
+            root: None,
+            proved: true,
+        }
     }
 }
 
@@ -50,7 +65,7 @@ impl Structure<Rational> {
         match &found.names[..] {
             [name] if named => match self.isomorphism_with(name) {
                 Some(images) => Some(self.with_images(name, images)),
-                None => Some(found),
+                None => Some(Identification { root: self.needed_root(name), ..found }),
             },
             _ => Some(found),
         }
@@ -169,6 +184,14 @@ impl Structure<Rational> {
         if discriminant.is_negative() {
             let beta = (-discriminant.clone()).sqrt().map(|root| root * &half);
             let Some(beta) = beta else {
+                if trace.vanishes() {
+                    // e1 and e3 times the square root of 1 / determinant
+                    let images = vec![ad.image(u), u.clone(), scale(&e, &Rational::from(-1))];
+                    let unit = determinant.recip()?;
+                    let under_root = Some(vec![unit.clone(), Rational::from(1), unit]);
+                    let images = Images { vectors: images, under_root };
+                    return Some(self.with_images("bianchi(VII,h=0)", images));
+                }
                 let square = trace.clone() * &trace * &(-discriminant).recip()?;
                 let mut found = self.named("bianchi(VII)", vec![])?;
                 found.parameter = Some(format!("h^2 = {square}"));
@@ -182,6 +205,9 @@ impl Structure<Rational> {
             return self.named(&format!("bianchi(VII,h={h})"), vec![e1, e2, scale(&e, &-unit)]);
         }
         let Some(root) = discriminant.sqrt() else {
+            if trace.vanishes() {
+                return self.named("bianchi(VI,h=-1)", vec![]);
+            }
             let sum = (trace.clone() * &trace - &(determinant.clone() * &Rational::from(2)))
                 * &determinant.recip()?;
             let mut found = self.named("bianchi(VI)", vec![])?;
@@ -207,12 +233,12 @@ impl Structure<Rational> {
     /// The names of nilpotent algebras with the same invariants.
     fn nilpotent_by_invariants(&self) -> Option<Identification> {
         let n = self.dimension();
-        let own = self.fingerprint();
+        let (own, proved) = self.fingerprint();
         let mut names = vec![];
         for small in 1..=n {
             for name in nilpotent_names(small) {
                 let full = if small < n { format!("{name}+R^{}", n - small) } else { name };
-                if Structure::new(catalogued(&full)?).fingerprint() == own {
+                if Structure::new(catalogued(&full)?).fingerprint().0 == own {
                     names.push(full);
                 }
             }
@@ -225,21 +251,29 @@ impl Structure<Rational> {
         if let Some(positive) = positive {
             names.retain(|name| name.ends_with("e=1)") == positive);
         }
-        (!names.is_empty()).then(|| Identification::by_name(names))
+        (!names.is_empty()).then(|| Identification { proved, ..Identification::by_name(names) })
     }
 
-    fn fingerprint(&self) -> (Vec<usize>, Vec<usize>, Option<usize>, Option<Vec<u64>>) {
+    /// The dimensions, and whether all are proved.
+    fn fingerprint(&self) -> (Fingerprint, bool) {
         let dimensions = |series: &[Subspace<Rational>]| -> Vec<usize> {
             series.iter().map(Subspace::dimension).collect()
         };
-        (
+        let (derivations, betti) = (self.derivations_counted(), self.betti_proved());
+        let proved = derivations.is_none_or(|all| all.proved)
+            && betti.as_ref().is_none_or(|(_, proved)| *proved);
+        let fingerprint = (
             dimensions(self.lower_central_series()),
             dimensions(&self.upper_central_series()),
-            self.derivations(),
-            self.betti(),
-        )
+            derivations.map(|all| all.dimension),
+            betti.map(|(numbers, _)| numbers),
+        );
+        (fingerprint, proved)
     }
 }
+
+/// The dimensions of both central series and of the derivations, and the Betti numbers.
+type Fingerprint = (Vec<usize>, Vec<usize>, Option<usize>, Option<Vec<u64>>);
 
 /// The nilpotent algebras of a dimension that are no sums with a line; `e = 1` of de Graaf's families 6,22
 /// is a sum of two Heisenberg algebras.

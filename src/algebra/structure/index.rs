@@ -15,6 +15,8 @@ use affinor_tensors::linear::modular::Residues;
 use affinor_tensors::{Rational, Ring, Symbolic};
 use num_traits::Zero;
 
+/// Modulo how many primes a form is reduced.
+const PRIMES: usize = 6;
 /// The largest dimension at which abelian ideals are looked for.
 const MAX_IDEALS: usize = 60;
 /// The most products of entries in the Pfaffians that are expanded.
@@ -44,7 +46,7 @@ impl<S: Ground> Structure<S> {
 
     /// Rows on which a form `f([x, y])` is not degenerate, as many as were found.
     fn regular_rows(&self) -> Vec<usize> {
-        let rows = self.reductions().take(2).map(|reduction| reduction.regular_rows());
+        let rows = self.reductions().take(PRIMES).map(|reduction| reduction.regular_rows());
         rows.max_by_key(Vec::len).unwrap_or_default()
     }
 

@@ -203,25 +203,27 @@ impl<S: Ground> Structure<S> {
     pub fn is_semisimple(&self) -> bool {
         let n = self.dimension();
         *self.semisimple.get_or_init(|| {
-            let blocks = blocks(self.killing_matrix());
-            let full = |prime: Prime| {
-                let mut regular = true;
-                for block in &blocks {
-                    let row = |&i: &usize| {
-                        let mut row = vec![0; block.len()];
-                        for (j, value) in self.killing_matrix().row(i) {
-                            row[block.binary_search(j).ok()?] = value.residue(prime)?;
-                        }
-                        Some(row)
-                    };
-                    let rows = block.iter().map(row).collect::<Option<_>>()?;
-                    regular &= Residues::new(prime, block.len(), rows).rank() == block.len();
-                }
-                Some(regular)
-            };
+            let full = |prime: Prime| self.has_regular_killing_form(prime);
             let regular = PRIMES.into_iter().find_map(full).unwrap_or(false);
             n > 0 && (regular || self.killing().rank() == n)
         })
+    }
+
+    /// Whether the Killing form has full rank modulo a prime; `None` if the prime divides a denominator.
+    pub(super) fn has_regular_killing_form(&self, prime: Prime) -> Option<bool> {
+        let mut regular = true;
+        for block in blocks(self.killing_matrix()) {
+            let row = |&i: &usize| {
+                let mut row = vec![0; block.len()];
+                for (j, value) in self.killing_matrix().row(i) {
+                    row[block.binary_search(j).ok()?] = value.residue(prime)?;
+                }
+                Some(row)
+            };
+            let rows = block.iter().map(row).collect::<Option<_>>()?;
+            regular &= Residues::new(prime, block.len(), rows).rank() == block.len();
+        }
+        Some(regular)
     }
 }
 

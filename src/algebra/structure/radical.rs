@@ -3,8 +3,16 @@
 use super::{Ground, Structure, Subspace};
 use affinor_tensors::linear::{Matrix, Row};
 
-/// How many elements are tried before a search is given up.
-pub(super) const TRIALS: i64 = 64;
+/// How many elements with small coefficients are tried first.
+pub(super) const TRIALS: usize = 64;
+
+/// The coefficients `1, t, t^2, ..`. A linear form that is not zero vanishes at fewer than `count` values of `t`, so
+/// combinations with these coefficients separate finitely many linear forms after finitely many `t`.
+pub(super) fn on_moment_curve<S: Ground>(t: i64, count: usize) -> Vec<S> {
+    let powers =
+        std::iter::successors(Some(S::one()), |power| Some(power.clone() * &S::from_i64(t)));
+    powers.take(count).collect()
+}
 
 impl<S: Ground> Structure<S> {
     /// The radical, the largest solvable ideal: the orthogonal complement of `[L, L]` for the Killing
@@ -44,11 +52,18 @@ impl<S: Ground> Structure<S> {
         let lower = lower.basis().iter().filter_map(|row| radical.coordinates(row));
         let lower = Subspace::span(radical.dimension(), lower);
         let open: Vec<usize> = lower.complement().collect();
-        for trial in 1..=TRIALS {
-            let coefficients = (0..).scan(1, |power, _| {
-                *power = (*power * trial + 1) % 101;
-                Some(S::from_i64(*power))
-            });
+        let mut trial = 0;
+        loop {
+            trial += 1;
+            let coefficients: Vec<S> = match trial <= TRIALS as i64 {
+                true => {
+                    let next = |power: &i64| Some((*power * trial + 1) % 101);
+                    let powers = std::iter::successors(next(&1), next);
+                    powers.map(S::from_i64).take(open.len()).collect()
+                }
+                // weights that differ are equal at few points of the curve
+                false => on_moment_curve(trial - TRIALS as i64 + 1, open.len()),
+            };
             let y: Row<S> = open.iter().copied().zip(coefficients).collect();
             let found = inside.weightless(&lower, &open, &y);
             let nilpotent =
@@ -57,7 +72,6 @@ impl<S: Ground> Structure<S> {
                 return radical.within(&found);
             }
         }
-        unreachable!("finitely many weights are separated by one of many elements")
     }
 
     /// The `x` with `tr(ad_x ad_y^k) = 0` for all `k`, as `lower` and combinations of the basis

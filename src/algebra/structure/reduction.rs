@@ -4,7 +4,7 @@
 //! primes.
 
 use super::{Ground, Structure};
-use affinor_tensors::linear::modular::{PRIMES, Prime, Residues};
+use affinor_tensors::linear::modular::{Prime, Residues, primes};
 
 /// The structure constants of an algebra modulo a prime.
 #[derive(Clone, Debug)]
@@ -39,11 +39,12 @@ impl Draw {
 }
 
 impl Reduction {
-    /// The algebra modulo a prime; `None` if the prime divides a denominator.
+    /// The algebra modulo a prime; `None` if the prime divides a denominator or a structure constant.
     pub fn new<S: Ground>(structure: &Structure<S>, prime: Prime) -> Option<Self> {
+        let residue = |value: &S| value.residue(prime).filter(|residue| *residue != 0);
         let line = |j: usize| {
             let terms = structure.products.of(j).iter();
-            let residues = terms.map(|(k, i, value)| Some((*k, *i, value.residue(prime)?)));
+            let residues = terms.map(|(k, i, value)| Some((*k, *i, residue(value)?)));
             residues.collect::<Option<Vec<_>>>()
         };
         let by_first = (0..structure.dimension()).map(line).collect::<Option<_>>()?;
@@ -110,17 +111,18 @@ impl Reduction {
         Residues::new(p, n, rows)
     }
 
-    /// Few vectors that generate the algebra: pseudorandom ones, as many as are needed.
+    /// Few vectors that generate the algebra: pseudorandom ones if fewer than the dimension do, else the basis.
     pub(super) fn generators(&self) -> Vec<Vec<u64>> {
         let (n, p) = (self.dimension(), self.prime);
         let mut draw = Draw::new(2);
         let mut generators = vec![];
-        loop {
+        while generators.len() + 1 < n {
             generators.push(draw.vector(p, n));
-            if generators.len() >= n || (generators.len() > 1 && self.generates(&generators)) {
+            if generators.len() > 1 && self.generates(&generators) {
                 return generators;
             }
         }
+        (0..n).map(|at| (0..n).map(|i| u64::from(i == at)).collect()).collect()
     }
 
     /// Whether the vectors generate the algebra.
@@ -150,8 +152,16 @@ impl Reduction {
 }
 
 impl<S: Ground> Structure<S> {
-    /// The algebra modulo primes that divide no denominator.
+    /// The algebra modulo primes that divide neither a denominator nor a structure constant, without end.
     pub fn reductions(&self) -> impl Iterator<Item = Reduction> {
-        PRIMES.into_iter().filter_map(|prime| Reduction::new(self, prime))
+        primes().filter_map(|prime| Reduction::new(self, prime))
+    }
+
+    /// The reductions of a semisimple algebra with a Killing form that is not degenerate: they have the types of the algebra.
+    /// None of another algebra.
+    pub(super) fn semisimple_reductions(&self) -> impl Iterator<Item = Reduction> {
+        let regular = |prime: &Prime| self.has_regular_killing_form(*prime) == Some(true);
+        let candidates = primes().take_while(|_| self.is_semisimple()).filter(regular);
+        candidates.filter_map(|prime| Reduction::new(self, prime))
     }
 }

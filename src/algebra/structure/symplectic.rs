@@ -13,13 +13,16 @@ use crate::algebra::LieAlgebra;
 use crate::algebra::lie_poisson::LiePoisson;
 use affinor_tensors::Symbolic;
 use affinor_tensors::linear::Row;
-use affinor_tensors::linear::modular::{PRIMES, Prime, Residues};
+use affinor_tensors::linear::modular::{Prime, Residues, primes};
 use num_traits::{One, Zero};
 
 /// The largest dimension at which a Pfaffian is expanded, that is: at which "there is none" can be proved.
 const MAX_PFAFFIAN: usize = 8;
-/// How many forms are tried where the Pfaffian is not expanded.
+/// How many forms are tried modulo a prime.
 const TRIALS: usize = 12;
+/// Modulo how many primes, and modulo how many where the Pfaffian is known not to vanish.
+const PRIMES: usize = 3;
+const MORE_PRIMES: usize = 40;
 
 /// Whether a form exists.
 #[derive(Clone, Debug, PartialEq)]
@@ -102,7 +105,7 @@ impl<S: Ground> Structure<S> {
         let rank = n - self.index();
         let differentials: Vec<_> =
             (0..n).map(|i| antisymmetric(n, &self.differential(&[(i, S::one())]))).collect();
-        shortened(&differentials, n, rank)
+        shortened(&differentials, n, rank, PRIMES)
     }
 
     /// Generators of the polynomial Casimir functions up to a degree, in `mu_i = mu(e_i)`.
@@ -137,7 +140,7 @@ fn search<S: Ground>(n: usize, family: Vec<Dense<S>>) -> Found<S> {
     if n % 2 == 1 || family.is_empty() {
         return if n == 0 { Found::Parameters(vec![]) } else { Found::Nothing };
     }
-    if let Some(t) = shortened(&family, n, n) {
+    if let Some(t) = shortened(&family, n, n, PRIMES) {
         return Found::Parameters(t);
     }
     if n > MAX_PFAFFIAN {
@@ -158,7 +161,7 @@ fn search<S: Ground>(n: usize, family: Vec<Dense<S>>) -> Found<S> {
         (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
     match pfaffian(&general, &(0..n).collect::<Vec<_>>()).is_zero() {
         true => Found::Nothing,
-        false => Found::Open,
+        false => shortened(&family, n, n, MORE_PRIMES).map_or(Found::Open, Found::Parameters),
     }
 }
 
@@ -178,18 +181,29 @@ pub(super) fn pfaffian(matrix: &[Vec<Symbolic>], rows: &[usize]) -> Symbolic {
 }
 
 /// Small parameters at which a combination of matrices has a rank: of a few pseudorandom ones, with as many zeros and ones
-/// as the rank allows. The rank modulo a prime is no larger than the rank, so it proves that.
-fn shortened<S: Ground>(family: &[Dense<S>], n: usize, rank: usize) -> Option<Row<S>> {
+/// as the rank allows. The rank modulo a prime is no larger than the rank, so it proves that. Primes that divide an entry are
+/// passed over.
+fn shortened<S: Ground>(family: &[Dense<S>], n: usize, rank: usize, most: usize) -> Option<Row<S>> {
     let residues = |prime: Prime| {
+        let entry = |v: &S| v.residue(prime).filter(|residue| *residue != 0 || v.vanishes());
         let matrix = |matrix: &Dense<S>| -> Option<Vec<Vec<u64>>> {
-            matrix.iter().map(|row| row.iter().map(|v| v.residue(prime)).collect()).collect()
+            matrix.iter().map(|row| row.iter().map(entry).collect()).collect()
         };
         Some((prime, family.iter().map(matrix).collect::<Option<Vec<_>>>()?))
     };
-    let (prime, reduced) = PRIMES.into_iter().find_map(residues)?;
+    let mut reductions = primes().filter_map(residues).take(most);
+    reductions.find_map(|(prime, reduced)| shortened_modulo(prime, &reduced, n, rank))
+}
+
+fn shortened_modulo<S: Ground>(
+    prime: Prime,
+    reduced: &[Vec<Vec<u64>>],
+    n: usize,
+    rank: usize,
+) -> Option<Row<S>> {
     let regular = |t: &[i64]| {
         let mut sum = vec![vec![0; n]; n];
-        for (factor, matrix) in t.iter().zip(&reduced).filter(|(factor, _)| **factor != 0) {
+        for (factor, matrix) in t.iter().zip(reduced).filter(|(factor, _)| **factor != 0) {
             let factor = prime.integer(*factor);
             for (row, terms) in sum.iter_mut().zip(matrix) {
                 for (entry, term) in row.iter_mut().zip(terms) {
@@ -206,7 +220,7 @@ fn shortened<S: Ground>(family: &[Dense<S>], n: usize, rank: usize) -> Option<Ro
         1 + ((state >> 33) % below) as i64
     };
     for trial in 0..TRIALS as u64 {
-        let mut t: Vec<i64> = family.iter().map(|_| draw(5 << trial)).collect();
+        let mut t: Vec<i64> = reduced.iter().map(|_| draw(5 << trial)).collect();
         if !regular(&t) {
             continue;
         }

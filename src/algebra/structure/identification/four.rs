@@ -1,7 +1,7 @@
 //! Names of the solvable real algebras of dimension 4, by the action on the nilradical.
 //!
 //! G. M. Mubarakzyanov, *Izv. Vyssh. Uchebn. Zaved. Mat.* 32 (1963) 114-123; the numbers are those of Patera,
-//! Sharp, Winternitz and Zassenhaus. Parameters that are not rational stay open.
+//! Sharp, Winternitz and Zassenhaus. Parameters that are not rational stay open, with equations that have rational coefficients.
 
 use super::Identification;
 use crate::algebra::structure::{Structure, Subspace};
@@ -95,10 +95,30 @@ fn by_name(name: String) -> Option<Identification> {
     Some(Identification::by_name(vec![name]))
 }
 
-/// A name whose parameters are not rational.
-fn open(name: &str) -> Option<Identification> {
-    let parameter = Some("its parameters are not rational".to_string());
+/// A name whose parameters are not rational, with equations for them.
+fn open(name: &str, equations: String) -> Option<Identification> {
+    let parameter = Some(equations);
     Some(Identification { parameter, ..Identification::by_name(vec![name.into()]) })
+}
+
+/// The equations of parameters of which no rational function is given.
+fn unknown() -> String {
+    "its parameters are not rational".into()
+}
+
+fn squared(value: &Rational) -> Rational {
+    value.clone() * value
+}
+
+fn trace(matrix: &Matrix<Rational>) -> Rational {
+    (0..matrix.rows()).fold(Rational::from(0), |sum, i| sum + &matrix.get(i, i))
+}
+
+/// `x/y + y/x` for the eigenvalues `x`, `y` that are not zero, two of them: `tr D^2 / (x y)`.
+fn ratios(action: &Matrix<Rational>) -> Option<Rational> {
+    let squares = trace(&action.mul(action).ok()?);
+    let product = (squared(&trace(action)) - &squares) * &Rational::new(1, 2)?;
+    Some(squares * &product.recip()?)
 }
 
 fn different(values: &[Rational]) -> bool {
@@ -148,10 +168,21 @@ pub(in crate::algebra::structure) fn spectrum(matrix: &Matrix<Rational>) -> Opti
 fn on_space(action: &Matrix<Rational>) -> Option<Identification> {
     let Spectrum { rational, irrational, complex } = spectrum(action)?;
     if let Some(pair) = complex {
-        let Some((real, square)) = pair else { return open("patera(4,6)") };
+        let Some((real, square)) = pair else { return open("patera(4,6)", unknown()) };
         let [simple] = &rational[..] else { return None };
         let Some(unit) = square.sqrt().and_then(|root| root.recip()) else {
-            return open(if simple.vanishes() { "bianchi(VII)+R^1" } else { "patera(4,6)" });
+            let unit = square.recip()?;
+            return match (simple.recip(), real.vanishes()) {
+                (None, true) => by_name("bianchi(VII,h=0)+R^1".into()),
+                (None, false) => {
+                    open("bianchi(VII)+R^1", format!("h^2 = {}", squared(&real) * &unit))
+                }
+                (Some(inverse), zero) => {
+                    let (a, ratio) = (squared(simple) * &unit, real * &inverse);
+                    let b = if zero { "b = 0".into() } else { format!("b/a = {ratio}") };
+                    open("patera(4,6)", format!("a^2 = {a}, {b}"))
+                }
+            };
         };
         let (mut a, mut b) = (simple.clone() * &unit, real * &unit);
         if b.is_negative() || (b.vanishes() && a.is_negative()) {
@@ -163,10 +194,15 @@ fn on_space(action: &Matrix<Rational>) -> Option<Identification> {
         });
     }
     if irrational {
-        return open(match rational.first() {
-            Some(zero) if zero.vanishes() => "bianchi(VI)+R^1",
-            _ => "patera(4,5)",
-        });
+        return match rational.first() {
+            Some(zero) if zero.vanishes() && trace(action).vanishes() => {
+                by_name("bianchi(VI,h=-1)+R^1".into())
+            }
+            Some(zero) if zero.vanishes() => {
+                open("bianchi(VI)+R^1", format!("h + 1/h = {}", ratios(action)?))
+            }
+            _ => open("patera(4,5)", unknown()),
+        };
     }
     let shifted = |root: &Rational| {
         let shift = Matrix::diagonal(std::iter::repeat_n(-root.clone(), 3));
@@ -226,20 +262,19 @@ fn diagonal(values: &[Rational]) -> Option<Identification> {
 /// The nilradical is the Heisenberg algebra; `action` is on its quotient by the centre.
 fn on_heisenberg(action: &Matrix<Rational>) -> Option<Identification> {
     let Spectrum { rational, irrational, complex } = spectrum(action)?;
-    let trace = action.get(0, 0) + &action.get(1, 1);
-    if trace.vanishes() {
+    if trace(action).vanishes() {
         let name = if complex.is_some() { "patera(4,10)" } else { "patera(4,8)" };
         return by_name(name.into());
     }
     if let Some(pair) = complex {
         let (real, square) = pair?;
         let Some(unit) = square.sqrt().and_then(|root| root.recip()) else {
-            return open("patera(4,11)");
+            return open("patera(4,11)", format!("a^2 = {}", squared(&real) * &square.recip()?));
         };
         return by_name(format!("patera(4,11,a={})", (real * &unit).abs()));
     }
     if irrational {
-        return open("patera(4,9)");
+        return open("patera(4,9)", format!("b + 1/b = {}", ratios(action)?));
     }
     let [x, y] = &rational[..] else { return None };
     if x == y {

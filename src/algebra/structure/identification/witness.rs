@@ -52,6 +52,30 @@ impl Structure<Rational> {
         self.respects(&named, &vectors).then_some(Images { vectors, under_root: None })
     }
 
+    /// The number whose square root every isomorphism with a named algebra needs, if it is not rational; `None` where no
+    /// invariant shows one.
+    ///
+    /// The invariants are known up to squares: the quadratic form of a nilpotent family; of two vectors that act on a plane the
+    /// square of the action without trace; of one vector that acts without trace `tr(D^2)`, because `a D` is conjugate to `D'`.
+    pub(super) fn needed_root(&self, name: &str) -> Option<Rational> {
+        if !self.is_solvable() {
+            return None;
+        }
+        let named = Structure::new(catalogued(name)?);
+        let square = |all: &Self| match all.dimension() - all.nilradical().dimension() {
+            0 => all.determinant_of_form(name),
+            2 => all.square_on_plane().map(|(_, _, square)| square),
+            _ => {
+                let (trace, square) = traces(&all.extension_form()?.2)?;
+                trace.vanishes().then_some(square)
+            }
+        };
+        let (own, other) = (square(self)?, square(&named)?);
+        let product = own * &other;
+        let (root, _) = without_squares(&product);
+        (!product.vanishes() && !product.is_negative() && product.sqrt().is_none()).then_some(root)
+    }
+
     /// Whether `[f_i, f_j] = c^k_ij f_k` for the images `f_i`, which are a basis.
     pub(super) fn respects(&self, named: &Self, images: &[Vector]) -> bool {
         let n = self.dimension();
@@ -91,8 +115,8 @@ impl Structure<Rational> {
         None
     }
 
-    /// `u, v` in the nilradical, a plane, and commuting `h, k`: `h` acts as 1, `k` with square 1 or -1.
-    pub(in crate::algebra::structure) fn form_on_plane(&self) -> Option<Vec<Vector>> {
+    /// `h` that acts as 1 on the nilradical, a plane, a vector `k` that acts without trace, and the square of its action.
+    fn square_on_plane(&self) -> Option<(Vector, Vector, Rational)> {
         let plane = self.nilradical();
         let outside: Vec<usize> = plane.complement().collect();
         let unit = |at: usize| vec![(at, Rational::from(1))];
@@ -103,31 +127,33 @@ impl Structure<Rational> {
         let solution = system.solve(&one).ok()??;
         let h = sum(&scale(&e, &solution[0]), &scale(&f, &solution[1]));
         let half = Rational::new(1, 2)?;
-        for x in [e, f] {
+        [e, f].into_iter().find_map(|x| {
             let m = self.action(&x, &plane, None)?;
             let trace = m.get(0, 0) + &m.get(1, 1);
             let k = sum(&x, &scale(&h, &-(trace * &half)));
-            let m = self.action(&k, &plane, None)?;
-            let square = -(m.determinant().ok()?);
-            let Some(unit) = square.clone().abs().sqrt().and_then(|root| root.recip()) else {
-                continue;
-            };
-            let k = scale(&k, &unit);
-            let twisted = self.products.ad(&h).image(&k);
-            let k = sum(&k, &scale(&twisted, &Rational::from(-1)));
-            let ad = self.products.ad(&k);
-            let basis = plane.basis();
-            if square.is_negative() {
-                return Some(vec![basis[0].clone(), ad.image(&basis[0]), h, k]);
-            }
-            // k + 1 and k - 1 map to the eigenvectors
-            let eigenvector = |sign: i64| {
-                let image = |v: &Vector| sum(&ad.image(v), &scale(v, &Rational::from(sign)));
-                basis.iter().map(image).find(|v| !v.is_empty())
-            };
-            return Some(vec![eigenvector(1)?, eigenvector(-1)?, h, k]);
+            let square = -self.action(&k, &plane, None)?.determinant().ok()?;
+            (!square.vanishes()).then(|| (h.clone(), k, square))
+        })
+    }
+
+    /// `u, v` in the nilradical, a plane, and commuting `h, k`: `h` acts as 1, `k` with square 1 or -1.
+    pub(in crate::algebra::structure) fn form_on_plane(&self) -> Option<Vec<Vector>> {
+        let (h, k, square) = self.square_on_plane()?;
+        let k = scale(&k, &square.clone().abs().sqrt()?.recip()?);
+        let twisted = self.products.ad(&h).image(&k);
+        let k = sum(&k, &scale(&twisted, &Rational::from(-1)));
+        let ad = self.products.ad(&k);
+        let plane = self.nilradical();
+        let basis = plane.basis();
+        if square.is_negative() {
+            return Some(vec![basis[0].clone(), ad.image(&basis[0]), h, k]);
         }
-        None
+        // k + 1 and k - 1 map to the eigenvectors
+        let eigenvector = |sign: i64| {
+            let image = |v: &Vector| sum(&ad.image(v), &scale(v, &Rational::from(sign)));
+            basis.iter().map(image).find(|v| !v.is_empty())
+        };
+        Some(vec![eigenvector(1)?, eigenvector(-1)?, h, k])
     }
 
     /// The vector that acts on a nilradical of dimension 3, the vectors on which it acts, and the action.
@@ -164,12 +190,6 @@ impl Structure<Rational> {
         if named_acted.len() != m {
             return None;
         }
-        let traces = |matrix: &Matrix<Rational>| {
-            let square = matrix.mul(matrix).ok()?;
-            let trace =
-                |a: &Matrix<Rational>| (0..m).fold(Rational::from(0), |sum, i| sum + &a.get(i, i));
-            Some((trace(matrix), trace(&square)))
-        };
         let ((t1, t2), (s1, s2)) = (traces(&own)?, traces(&other)?);
         let factors = match (t1.recip(), t2.recip()) {
             (Some(unit), _) => vec![s1 * &unit],
@@ -332,7 +352,10 @@ impl Structure<Rational> {
         let rows = Matrix::from_rows(self.dimension(), basis.iter().cloned()).ok()?;
         let gram = rows.mul(self.killing_matrix()).ok()?.mul(&rows.transpose()).ok()?;
         let Killing { basis: axes, values, .. } = Killing::new(gram);
-        let axis = |(x, value): (&Vector, &Rational)| without_squares(combination(basis, x), value);
+        let axis = |(x, value): (&Vector, &Rational)| {
+            let (square, by) = without_squares(value);
+            (scale(&combination(basis, x), &by), square)
+        };
         let axes: Vec<(Vector, Rational)> = axes.iter().zip(&values).map(axis).collect();
         let [(x, a), (y, b), (z, c)] = &axes[..] else { return None };
         let unit = c.recip()?;
@@ -353,8 +376,16 @@ pub(in crate::algebra::structure) struct Frame {
     squares: Vec<Rational>,
 }
 
-/// The vector and its Killing square, an integer without squares of small numbers, for a multiple of the vector.
-fn without_squares(x: Vector, value: &Rational) -> (Vector, Rational) {
+/// `tr D` and `tr D^2`.
+fn traces(matrix: &Matrix<Rational>) -> Option<(Rational, Rational)> {
+    let square = matrix.mul(matrix).ok()?;
+    let trace =
+        |a: &Matrix<Rational>| (0..a.rows()).fold(Rational::from(0), |sum, i| sum + &a.get(i, i));
+    Some((trace(matrix), trace(&square)))
+}
+
+/// An integer without squares of small numbers, and the number whose square leads to it.
+fn without_squares(value: &Rational) -> (Rational, Rational) {
     let value = BigRational::from(value);
     let (mut square, mut by) =
         (value.numer() * value.denom(), BigRational::from(value.denom().clone()));
@@ -364,7 +395,7 @@ fn without_squares(x: Vector, value: &Rational) -> (Vector, Rational) {
             by /= &factor;
         }
     }
-    (scale(&x, &Rational::from(by)), Rational::from(BigRational::from(square)))
+    (Rational::from(BigRational::from(square)), Rational::from(by))
 }
 
 /// `m` for `x = m e`; `None` for 0.
