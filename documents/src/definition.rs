@@ -177,6 +177,13 @@ impl Definition {
         names
     }
 
+    /// Whether all values are rational numbers, and nothing is a function on a chart.
+    pub fn is_rational(&self) -> bool {
+        let mut rational = !self.is_on_chart();
+        self.each_value(&mut |value| rational &= value.as_constant().is_some());
+        rational
+    }
+
     /// The coordinates of the chart, of which values may be functions; none without a chart.
     pub fn coordinates(&self) -> &[String] {
         self.functions().map_or(&[], |functions| &functions.coordinates)

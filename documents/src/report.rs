@@ -30,7 +30,7 @@ mod quantity;
 mod stored;
 mod text;
 
-pub use code::{Language, tensors_as_code};
+pub use code::{Language, Programmed, tensors_as_code};
 pub use comparison::{ComparedSide, Comparison};
 pub use components::{GROUPED, Group, groups, independent};
 pub use computation::{Computation, Selection, Tabulated};

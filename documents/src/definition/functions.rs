@@ -3,7 +3,7 @@
 use super::input::shown;
 use affinor_tensors::expression::{POWER, no_function};
 use affinor_tensors::scalar::{FreeFunction, PositiveFactors};
-use affinor_tensors::{Rational, Symbolic};
+use affinor_tensors::Symbolic;
 
 /// The functions on a chart: of its coordinates, with the signs by which roots and logarithms are defined, and those
 /// that are declared without being given.
@@ -32,14 +32,19 @@ impl Functions {
     }
 }
 
-/// The value of a function where there is no chart: the square root of a square.
+/// The value of a function where there is no chart: roots of numbers.
 pub(super) fn without_chart(name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
-    if name == POWER {
-        return no_function(name, arguments);
+    let is_number = |value: &Symbolic| value.parameters().is_empty();
+    let positive = PositiveFactors::default();
+    match arguments {
+        [argument] if name == "sqrt" && is_number(argument) => positive.function(name, argument),
+        [argument] if name == "sqrt" => {
+            Err(format!("sqrt takes numbers here, and {argument} has parameters"))
+        }
+        [base, exponent] if name == POWER => match is_number(base) && is_number(exponent) {
+            true => positive.power(base, exponent),
+            false => no_function(name, arguments),
+        },
+        _ => Err(format!("`{}` is no function here: only a chart has some", shown(name))),
     }
-    let (Some(argument), "sqrt") = (arguments.first(), name) else {
-        return Err(format!("`{}` is no function here: only a chart has some", shown(name)));
-    };
-    let root = argument.as_constant().and_then(Rational::sqrt).map(Symbolic::constant);
-    root.ok_or_else(|| format!("the square root of {argument} is not rational; exact values are"))
 }

@@ -108,6 +108,8 @@ impl<'n> Names<'n> {
             return Err(format!("`{}` is not a basis vector here", shown(name)));
         }
         match self.parameters {
+            None if name == "pi" => Ok(Symbolic::pi()),
+            Some(declared) if name == "pi" && !declared.contains(name) => Ok(Symbolic::pi()),
             Some(declared) if !declared.contains(name) => {
                 let name = shown(name);
                 let known = if self.functions.is_none() { "" } else { "coordinate nor a " };

@@ -206,7 +206,6 @@ impl Space {
         tolerance: Tolerance,
         work: W,
     ) -> Result<W::Output, InputError> {
-        let parameters = self.definition.parameters();
         match choice {
             ScalarChoice::Float if self.definition.is_on_chart() => {
                 Err(on_chart().help("leave --scalar float away"))
@@ -215,7 +214,7 @@ impl Space {
                 .in_floats::<Tracked, _>(tolerance, |definition, reading| {
                     work.run(definition, reading)
                 }),
-            ScalarChoice::Exact if parameters.is_empty() && !self.definition.is_on_chart() => {
+            ScalarChoice::Exact if self.definition.is_rational() => {
                 let convert = |value: &Symbolic| value.as_constant().cloned();
                 work.run::<Rational>(&self.definition, &Reading { convert: &convert, tolerance })
             }
@@ -257,7 +256,11 @@ impl Space {
             let help = "set them, as in --set \"J1=1/2,h=-1\"";
             return Err(InputError::usage(message).help(help));
         }
-        let convert = |value: &Symbolic| value.as_constant().and_then(S::from_rational);
+        let convert = |value: &Symbolic| match value.as_constant() {
+            Some(c) => S::from_rational(c),
+            // roots of numbers, and pi
+            None => S::from_rational(&Rational::from_f64(value.to_f64()?)?),
+        };
         work(&self.definition, &Reading { convert: &convert, tolerance })
     }
 }

@@ -14,9 +14,58 @@ use crate::definition::InputError;
 use affinor::geometry::Geometry;
 use affinor::geometry::equations::Variable;
 use affinor_tensors::scalar::derivatives;
-use affinor_tensors::{Recorded, Up};
+use affinor_tensors::{Notation, Recorded, Symbolic, Up};
 use num_traits::Zero;
 use routine::{Array, Routine};
+
+/// A scalar whose values are programs, or become such.
+pub trait Programmed: Notation {
+    /// The program of a value.
+    ///
+    /// # Errors
+    /// In words: a function without a counterpart in programs.
+    fn program(&self) -> Result<Recorded, String>;
+
+    /// The partial derivatives of values by the parameter of that name.
+    fn rates(values: &[Self], name: &str) -> Vec<Self>;
+}
+
+impl Programmed for Recorded {
+    fn program(&self) -> Result<Recorded, String> {
+        Ok(self.clone())
+    }
+    fn rates(values: &[Self], name: &str) -> Vec<Self> {
+        derivatives(values, name)
+    }
+}
+
+impl Programmed for Symbolic {
+    fn program(&self) -> Result<Recorded, String> {
+        Recorded::try_from(self)
+    }
+    fn rates(values: &[Self], name: &str) -> Vec<Self> {
+        values.iter().map(|value| value.derivative(name)).collect()
+    }
+}
+
+/// An array whose components are values.
+struct Values<S> {
+    name: String,
+    shape: Vec<usize>,
+    about: String,
+    entries: Vec<(Vec<usize>, S)>,
+}
+
+impl<S: Programmed> Values<S> {
+    fn array(self) -> Result<Array, InputError> {
+        let entry = |(at, value): (Vec<usize>, S)| match value.program() {
+            Ok(program) => Ok((at, program)),
+            Err(reason) => Err(InputError::usage(reason)),
+        };
+        let entries = self.entries.into_iter().map(entry).collect::<Result<_, _>>()?;
+        Ok(Array { name: self.name, shape: self.shape, about: self.about, entries })
+    }
+}
 
 /// The most components of one array. All are written, with their indices as in the formula.
 const MAX_COMPONENTS: usize = 100_000;
@@ -72,8 +121,8 @@ impl Language {
 ///
 /// # Errors
 /// A tensor of more than 100,000 components; a constant beyond the range of floats; no tensor that applies.
-pub fn tensors_as_code(
-    geometry: &Geometry<Recorded>,
+pub fn tensors_as_code<S: Programmed>(
+    geometry: &Geometry<S>,
     quantities: &[Quantity],
     language: Language,
     by: &[String],
@@ -85,7 +134,7 @@ pub fn tensors_as_code(
         expect_size(quantity.key(), n, quantity.slots().len())?;
         if let Some(tensor) = quantity.of(geometry)? {
             let entries = tensor.components().map(|(at, value)| (at.to_vec(), value.clone()));
-            arrays.push(Array {
+            arrays.push(Values {
                 name: quantity.key().into(),
                 shape: vec![n; quantity.slots().len()],
                 about: indices(quantity),
@@ -147,7 +196,7 @@ impl EquationReport<Recorded> {
             })
         });
         let values: Vec<Recorded> = position.chain(rates).collect();
-        let rate = Array {
+        let rate = Values {
             name: "rate".into(),
             shape: vec![values.len()],
             about: format!(
@@ -187,9 +236,12 @@ fn expect_size(name: &str, dimension: usize, rank: usize) -> Result<(), InputErr
 }
 
 /// The arrays, each followed by its derivatives.
-fn with_derivatives(arrays: Vec<Array>, by: &[String]) -> Result<Vec<Array>, InputError> {
+fn with_derivatives<S: Programmed>(
+    arrays: Vec<Values<S>>,
+    by: &[String],
+) -> Result<Vec<Array>, InputError> {
     if by.is_empty() {
-        return Ok(arrays);
+        return arrays.into_iter().map(Values::array).collect();
     }
     let mut all = Vec::new();
     for array in arrays {
@@ -201,17 +253,17 @@ fn with_derivatives(arrays: Vec<Array>, by: &[String]) -> Result<Vec<Array>, Inp
             );
             return Err(InputError::usage(message).help("choose fewer --derivatives"));
         }
-        let values: Vec<Recorded> = array.entries.iter().map(|(_, value)| value.clone()).collect();
+        let values: Vec<S> = array.entries.iter().map(|(_, value)| value.clone()).collect();
         let mut entries = Vec::new();
         for (number, name) in by.iter().enumerate() {
-            let rates = derivatives(&values, name).into_iter().zip(&array.entries);
+            let rates = S::rates(&values, name).into_iter().zip(&array.entries);
             entries.extend(
                 rates
                     .filter(|(rate, _)| !rate.is_zero())
                     .map(|(rate, (at, _))| ([&[number][..], at].concat(), rate)),
             );
         }
-        let derivative = Array {
+        let derivative = Values {
             name: format!("d_{}", array.name),
             shape: [&[by.len()][..], &array.shape].concat(),
             about: format!(
@@ -221,7 +273,7 @@ fn with_derivatives(arrays: Vec<Array>, by: &[String]) -> Result<Vec<Array>, Inp
             ),
             entries,
         };
-        all.extend([array, derivative]);
+        all.extend([array.array()?, derivative.array()?]);
     }
     Ok(all)
 }

@@ -5,13 +5,13 @@
 
 use super::{
     ComparedSide, Differences, EquationReport, Language, Program, Quantity, Report, StoredTable,
-    Table, tensors_as_code,
+    Programmed, Table, tensors_as_code,
 };
 use crate::certificate::{Check, certify};
 use crate::definition::{Definition, InputError, Reading, ScalarChoice, Space, Work};
 use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::{Error, Geometry};
-use affinor_tensors::{Notation, Tolerance};
+use affinor_tensors::{Effort, Notation, Symbolic, Tolerance};
 
 /// A space to be computed with, and how.
 ///
@@ -58,6 +58,10 @@ pub struct Tabulated {
     pub absent: Vec<Quantity>,
 }
 
+/// The terms that the simplification of the components of a program may form. Beyond, the program computes as the formulas
+/// do.
+const SIMPLIFIED: u64 = 3_000_000;
+
 impl<'a> Computation<'a> {
     /// An exact computation.
     #[must_use]
@@ -92,11 +96,30 @@ impl<'a> Computation<'a> {
         language: Language,
         by: &[String],
     ) -> Result<String, InputError> {
-        self.space.record(|definition, reading| {
-            let geometry = geometry(definition, reading, selection, self.stage)?;
-            (self.stage)("program");
-            tensors_as_code(&geometry, &selection.quantities, language, by)
-        })
+        // on a chart the components are simplified first, so that terms that cancel are not computed
+        if self.space.definition.is_on_chart() {
+            let convert = |value: &Symbolic| Some(value.clone());
+            let reading = Reading { convert: &convert, tolerance: self.tolerance };
+            let simplified = Effort::new(SIMPLIFIED)
+                .bound(|| self.code(&self.space.definition, &reading, selection, language, by));
+            if let Ok(code) = simplified {
+                return code;
+            }
+        }
+        self.space.record(|definition, reading| self.code(definition, reading, selection, language, by))
+    }
+
+    fn code<S: Programmed>(
+        &self,
+        definition: &Definition,
+        reading: &Reading<S>,
+        selection: &Selection,
+        language: Language,
+        by: &[String],
+    ) -> Result<String, InputError> {
+        let geometry = geometry(definition, reading, selection, self.stage)?;
+        (self.stage)("program");
+        tensors_as_code(&geometry, &selection.quantities, language, by)
     }
 
     /// The structure constants as input of another program.

@@ -98,6 +98,11 @@ impl Symbolic {
         self.as_variable().filter(|variable| variable.is_parameter()).map(Variable::text)
     }
 
+    /// The number pi.
+    pub fn pi() -> Self {
+        Self::variable(Variable::function(Meaning::Pi))
+    }
+
     /// The constant function.
     pub fn constant(value: Rational) -> Self {
         Symbolic(Form::Constant(value))
@@ -244,7 +249,13 @@ impl Notation for Symbolic {
         is_name(name).then(|| Symbolic::parameter(name))
     }
     fn to_f64(&self) -> Option<f64> {
-        self.as_constant().map(Rational::to_f64)
+        match self.as_constant() {
+            Some(c) => Some(c.to_f64()),
+            None if self.variables().iter().all(|own| own.parameters().next().is_none()) => {
+                self.evaluate(|_| None)
+            }
+            None => None,
+        }
     }
     fn latex(&self) -> String {
         self.to_latex()
@@ -309,12 +320,10 @@ impl Notation for Symbolic {
         let ([n, d], [m, e]) = (self.parts(), other.parts());
         meeting(n, m).saturating_add(meeting(d, e))
     }
-    /// Bits of the coefficients plus degrees of the terms, summed over numerator and denominator.
+    /// Bits of the coefficients plus degrees of the terms, summed over the numerator and the factors of the denominator.
     fn size(&self) -> usize {
-        match &self.0 {
-            Form::Constant(c) => c.size(),
-            Form::Fraction(f) => size(&f.numerator).saturating_add(size(&f.expanded_denominator())),
-        }
+        let [(above, _), (below, _)] = self.parts();
+        if self.as_constant().is_some() { above } else { above.saturating_add(below) }
     }
 }
 
@@ -328,12 +337,17 @@ impl Symbolic {
         self.variables().iter().any(written)
     }
 
-    /// The size and the number of terms, of numerator and denominator.
+    /// The size and the number of terms, of numerator and denominator. Products keep the factors of denominators, so
+    /// these are counted and not expanded.
     fn parts(&self) -> [(usize, usize); 2] {
         match &self.0 {
             Form::Constant(c) => [(c.size(), 1), (1, 1)],
             Form::Fraction(f) => {
-                [&f.numerator, &f.expanded_denominator()].map(|p| (size(p), p.terms.len()))
+                let monomial: u32 = f.denominator.monomial.iter().sum();
+                let factors = f.denominator.factors.iter();
+                let below = factors.map(|(g, e)| size(&g.polynomial).saturating_add(*e as usize));
+                let below = below.fold(1 + monomial as usize, usize::saturating_add);
+                [(size(&f.numerator), f.numerator.terms.len()), (below, 1)]
             }
         }
     }

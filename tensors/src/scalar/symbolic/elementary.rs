@@ -41,7 +41,7 @@ impl Variable {
         let own = Symbolic::variable(self);
         match self.kind() {
             Kind::Parameter(_) if self == parameter => Symbolic::one(),
-            Kind::Parameter(_) => Symbolic::zero(),
+            Kind::Parameter(_) | Kind::Pi => Symbolic::zero(),
             Kind::HalfTangent(part) => {
                 let slope = own.clone() * &own + &Symbolic::one();
                 slope * &part.derivative(2, parameter)
@@ -62,6 +62,7 @@ impl Variable {
         let part = |part: &Part| Some(part.of.evaluate_at(lookup)? / f64::from(part.parts));
         match self.kind() {
             Kind::Parameter(_) | Kind::Applied(_) => lookup(self.text()),
+            Kind::Pi => Some(std::f64::consts::PI),
             Kind::HalfTangent(angle) => Some((part(angle)? / 2.0).tan()),
             Kind::Exponential(exponent) => part(exponent).map(f64::exp),
             Kind::Logarithm(p) => p.evaluate_at(lookup).map(f64::ln),
@@ -133,7 +134,7 @@ impl Variable {
                 positive.function(function.name(), &part.value().substitute_where(positive, values)?)
             }
             // programs are not changed
-            Kind::Secant(_) => Ok(Symbolic::variable(self)),
+            Kind::Pi | Kind::Secant(_) => Ok(Symbolic::variable(self)),
         }
     }
 }
@@ -274,12 +275,41 @@ fn half_angle(name: &str, multiples: &[Multiple]) -> Result<[Symbolic; 2], Strin
     }
     let (mut p, mut q) = (Symbolic::one(), Symbolic::zero());
     for multiple in multiples {
+        if multiple.of == Symbolic::pi() {
+            let [a, b] = half_angle_of_pi(name, multiple)?;
+            (p, q) = (p.clone() * &a - &(q.clone() * &b), q * &a + &(p * &b));
+            continue;
+        }
         let t = Symbolic::variable(Variable::function(Kind::HalfTangent(multiple.part())));
         let t = if multiple.count < 0 { -t } else { t };
         for _ in 0..multiple.count.unsigned_abs() {
             (p, q) = (p.clone() - &bounded(&q, &t)?, q + &bounded(&p, &t)?);
         }
     }
+    Ok([p, q])
+}
+
+/// `p` and `q` with `tan(y/2) = q/p` for a multiple `y` of pi.
+fn half_angle_of_pi(name: &str, multiple: &Multiple) -> Result<[Symbolic; 2], String> {
+    let root = |n: i64| super::positive::root_of_factor(&Symbolic::from_i64(n), 2);
+    let number = Symbolic::from_i64;
+    let (a, b) = match multiple.parts {
+        1 => (number(0), number(1)),
+        2 => (number(1), number(1)),
+        3 => (root(3), number(1)),
+        4 => (number(1) + &root(2), number(1)),
+        6 => (number(2) + &root(3), number(1)),
+        parts => {
+            return Err(format!(
+                "the value of {name} at a multiple of pi/{parts} is not known: at pi/2, pi/3, pi/4 and pi/6 it is"
+            ));
+        }
+    };
+    let turns = multiple.count.rem_euclid(4 * i64::from(multiple.parts));
+    let one = (Symbolic::one(), Symbolic::zero());
+    let (p, q) = (0..turns).fold(one, |(p, q), _| {
+        (p.clone() * &a - &(q.clone() * &b), q * &a + &(p * &b))
+    });
     Ok([p, q])
 }
 

@@ -104,10 +104,10 @@ impl<S: Notation> Numeric<'_, S> {
     }
 }
 
-/// A power with an exponent of any sign.
+/// A power with an exponent of any sign. The reciprocal comes first, because a power may overflow.
 fn signed<S: Notation>(value: S, e: i64) -> Result<S, String> {
-    let power = pow(value, e.unsigned_abs() as usize);
-    if e < 0 { meaning().reciprocal(power) } else { Ok(power) }
+    let base = if e < 0 { meaning().reciprocal(value)? } else { value };
+    Ok(pow(base, e.unsigned_abs() as usize))
 }
 
 /// The product with every factor once.
@@ -177,6 +177,8 @@ fn angular(all: Vec<Power>, t: Variable, angle: &'static Part) -> Vec<Power> {
 fn balanced(all: Vec<Power>, exponential: Variable, part: &'static Part) -> Vec<Power> {
     let Part { of, parts } = part;
     let mut rest = Vec::new();
+    // the exponents of sinh(x/2) and cosh(x/2)
+    let (mut sines, mut cosines) = (0i64, 0i64);
     for (factor, e) in all {
         let degree = by_power(&factor, exponential).len() - 1;
         if factor == Symbolic::variable(exponential) {
@@ -192,24 +194,37 @@ fn balanced(all: Vec<Power>, exponential: Variable, part: &'static Part) -> Vec<
         let secant = Kind::Secant(Part { of: of.clone(), parts });
         let secant = Symbolic::variable(Variable::function(secant));
         let image = in_bounded(&factor, exponential, &tanh, &secant);
-        match image.as_variable().is_some() || image.as_constant().is_some() {
-            true => rest.push((image, e)),
-            false => {
-                let own = image.clone() / &tanh;
-                match own.as_constant() {
-                    // sinh keeps digits, and is one function
-                    Some(c) => {
-                        rest.push((Symbolic::constant(c.clone()), e));
-                        rest.push((written(Function::Sinh, of, parts), e));
-                        rest.push((cosh, e * (half as i64 - 1)));
-                        continue;
-                    }
-                    None => rest.push((image, e)),
-                }
+        let image = match (image.clone() / &tanh).as_constant().filter(|_| degree == 1) {
+            Some(c) => {
+                sines += e;
+                cosines -= e;
+                Symbolic::constant(c.clone())
             }
+            None => image,
+        };
+        rest.push((image, e));
+        match degree {
+            1 => cosines += e,
+            _ => rest.push((cosh, e * half as i64)),
         }
-        rest.push((cosh, e * half as i64));
     }
+    let common = |a: i64, b: i64| if a.signum() == b.signum() { a.signum() * a.abs().min(b.abs()) } else { 0 };
+    let whole = |function| written(function, of, *parts);
+    let half = |function| written(function, of, 2 * parts);
+    // sinh(x) = 2 sinh(x/2) cosh(x/2), sinh = tanh cosh
+    let both = common(sines, cosines);
+    let (sines, cosines) = (sines - both, cosines - both);
+    let quotient = common(sines, -cosines);
+    rest.push((Symbolic::from_i64(2), -both));
+    rest.push((half(Function::Tanh), quotient));
+    rest.push((half(Function::Sinh), sines - quotient));
+    rest.push((half(Function::Cosh), cosines + quotient));
+    let cosh = whole(Function::Cosh);
+    let power: i64 = rest.iter().filter(|(factor, _)| *factor == cosh).map(|(_, e)| e).sum();
+    let quotient = common(both, -power);
+    rest.push((whole(Function::Tanh), quotient));
+    rest.push((whole(Function::Sinh), both - quotient));
+    rest.push((cosh, quotient));
     rest
 }
 
@@ -237,6 +252,7 @@ impl Variable {
         };
         let value = match self.kind() {
             Kind::Parameter(_) | Kind::Applied(_) => variable(self),
+            Kind::Pi => number(&Rational::from_f64(std::f64::consts::PI).unwrap_or_else(Rational::one))?,
             Kind::HalfTangent(Part { of, parts }) => S::function("tan", &fraction(of, 1, 2 * parts)?)?,
             Kind::Exponential(Part { of, parts }) => {
                 return S::function("exp", &fraction(of, e, *parts)?);

@@ -17,6 +17,8 @@ use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 pub(super) enum Kind {
     /// A parameter or a coordinate.
     Parameter(Box<str>),
+    /// The number pi.
+    Pi,
     /// `tan(u/2)` for the part `u` of an argument: the sine and cosine of `u` are rational in it.
     HalfTangent(Part),
     /// The exponential of a part of an argument.
@@ -172,7 +174,7 @@ impl Kind {
     /// The values that the function is taken of.
     pub fn arguments(&self) -> Vec<&Symbolic> {
         match self {
-            Kind::Parameter(_) => vec![],
+            Kind::Parameter(_) | Kind::Pi => vec![],
             Kind::HalfTangent(part)
             | Kind::Exponential(part)
             | Kind::Root(part)

@@ -152,6 +152,7 @@ pub(super) fn variable(kind: &Kind) -> String {
 pub(super) fn call(kind: &Kind) -> [String; 2] {
     let [name, arguments] = match kind {
         Kind::Parameter(name) => [name.to_string(), String::new()],
+        Kind::Pi => return ["pi".into(), String::new()],
         Kind::HalfTangent(angle) => ["tan".into(), multiple(angle.half(), 1, Markup::Text)],
         Kind::Exponential(part) => ["exp".into(), multiple(part.clone(), 1, Markup::Text)],
         Kind::Logarithm(p) => ["log".into(), p.to_string()],
@@ -178,6 +179,7 @@ fn power(variable: Variable, e: u32, markup: Markup) -> String {
 fn kind_power(kind: &Kind, e: u32, markup: Markup) -> String {
     match kind {
         Kind::Parameter(name) => parameter(name, markup) + &exponent(e, markup),
+        Kind::Pi => parameter("pi", markup) + &exponent(e, markup),
         Kind::HalfTangent(angle) => called("tan", angle.half(), e, markup),
         Kind::Written(function, part) => called(function.name(), part.clone(), e, markup),
         Kind::Secant(part) => called("sech", part.clone(), e, markup),
