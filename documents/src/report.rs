@@ -28,6 +28,7 @@ mod properties;
 mod quantity;
 mod stored;
 mod text;
+mod typeset;
 
 pub use code::{Language, tensors_as_code};
 pub use comparison::{ComparedSide, Comparison};
