@@ -1,6 +1,6 @@
 //! Widths of formulas, and formulas in lines.
 
-use super::{Accent, Node, Row, is_prefix};
+use super::{Node, Row, is_prefix};
 
 /// The approximate width of a row in letters, spaces included.
 pub(crate) fn width(row: &[Node]) -> usize {
@@ -26,9 +26,7 @@ fn piece(node: &Node) -> usize {
         }
         Node::Fraction([above, below]) => width(above).max(width(below)) + 2,
         Node::Root(row) => width(row) + 1,
-        Node::Accent(Accent::Tilde | Accent::Dot | Accent::Bar | Accent::Hat, letter) => {
-            piece(letter)
-        }
+        Node::Accent(_, letter) => piece(letter),
         Node::Scripts(base, scripts) => {
             piece(base) + scripts.iter().map(|(_, row)| width(row)).sum::<usize>()
         }

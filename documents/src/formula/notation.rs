@@ -21,7 +21,7 @@ pub(crate) fn notation(text: &str) -> Result<Row, String> {
     }
 }
 
-/// The tree of a formula; one that is not understood is words.
+/// The tree of a formula. A formula outside the grammar becomes words.
 pub(crate) fn formula(text: &str) -> Row {
     notation(text).unwrap_or_else(|_| vec![Node::Text(text.into())])
 }

@@ -1,4 +1,4 @@
-//! Formulas are read back, and bars have what a parser by precedence puts above and below.
+//! Tests of formulas: text reads back to the same tree, and every bar has its numerator and its denominator.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use super::*;

@@ -23,7 +23,7 @@ pub(crate) fn term(row: &[Node], first: bool) -> String {
     }
 }
 
-/// Names that are no quantities of the user.
+/// Names of tensors and groups, set upright.
 const UPRIGHT: [&str; 5] = ["Ric", "symRic", "altRic", "Kr", "SO"];
 /// Functions that LaTeX knows.
 const COMMANDS: [&str; 10] =

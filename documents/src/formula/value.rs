@@ -4,7 +4,7 @@ use super::{Brackets, FUNCTIONS, Node, Row, bare, fraction, symbol};
 use affinor_tensors::expression::{Expression, View, is_name};
 use affinor_tensors::scalar::FreeFunction;
 
-/// The tree of a written value. A text beyond the limits of expressions is words.
+/// The tree of a written value. A text outside the grammar of expressions becomes words.
 pub(crate) fn value(text: &str) -> Row {
     match Expression::parse(text) {
         Ok(expression) => read(&expression, text),
@@ -126,7 +126,7 @@ fn raised(base: Node, exponent: Option<Row>) -> Node {
     }
 }
 
-/// A function to a power: `sin^2 x`. A function that is not given has no arguments, and its derivatives are indices behind a
+/// A function to a power: `sin^2 x`. An undetermined function is written without its arguments, and its derivatives are indices behind a
 /// comma, `f_{,r}`.
 fn call(head: &str, arguments: &[Expression], exponent: Option<Row>, text: &str) -> Row {
     let rows: Vec<Row> = arguments.iter().map(|argument| read(argument, text)).collect();

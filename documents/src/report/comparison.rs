@@ -185,7 +185,7 @@ fn written(verdict: &Verdict) -> Cell {
         Verdict::Fails(Residual { text, .. }) => {
             let (equation, n) = text.split_once(" for n = ").unwrap_or((text, ""));
             let sides = equation.rsplit_once(" = ");
-            // a witness that is no component is words
+            // a witness that is not an equation stays text
             match sides.and_then(|(left, right)| Some((notation(left).ok()?, right))) {
                 Some((left, right)) => {
                     let equation = Part::Formula(chain([left, value(right)]));
