@@ -278,7 +278,7 @@ fn kinematics_of_euler_angles() {
     }
     let orbits = ["--motion", "autoparallel", "--format", "latex"];
     let orbits = printed(&[&[definition("schwarzschild.toml").as_str()], &orbits[..]].concat());
-    let sine = "- \\sin^{2} \\theta \\left(2 M - r\\right) \\, (v^{4})^2";
+    let sine = "- \\sin^{2} \\theta \\, \\left(2 M - r\\right) (v^{4})^2";
     assert!(orbits.contains(sine), "{orbits}");
     let refused = program::run(root(), &["equations", &definition("sphere.toml")], b"");
     assert_eq!(refused.status, 1);

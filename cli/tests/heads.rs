@@ -41,7 +41,7 @@ fn heads_state_conventions_and_tolerance() {
             let (exact, float) = (print("exact"), print("float"));
             let formula = match format {
                 "markdown" => r"\[e\_j, e\_k\] = c\^i\_jk e\_i",
-                "latex" => "$[e_j, e_k] = c^{i}{}_{jk} e_i$",
+                "latex" => "$[e_{j}, e_{k}] = c^{i}{}_{jk} e_{i}$",
                 _ => bracket,
             };
             assert!(exact.contains(formula), "{command:?} {format}: {exact}");

@@ -233,6 +233,86 @@ fn html_stands_alone() {
     assert!(count("math") > 300);
 }
 
+/// The text of an element, with bars as slashes.
+fn content(node: roxmltree::Node) -> String {
+    let inside = || node.children().filter(|child| child.is_element()).map(content);
+    match node.tag_name().name() {
+        "mfrac" => format!("({})", inside().collect::<Vec<_>>().join("/")),
+        _ if node.children().any(|child| child.is_element()) => inside().collect(),
+        // the sign between a function and its argument is not seen
+        _ => node.text().unwrap_or_default().replace('\u{2061}', ""),
+    }
+}
+
+fn balanced(text: &str) -> bool {
+    let mut depth = 0;
+    text.chars().all(|c| {
+        depth += i32::from("([⟨".contains(c)) - i32::from(")]⟩".contains(c));
+        depth >= 0
+    }) && depth == 0
+}
+
+/// Every slash of a formula is a bar with whole factors above and below, signs are no hyphens, and nothing is words.
+#[test]
+fn every_bar_has_whole_factors() {
+    let mut written = vec![];
+    PAPER.write(PaperFormat::Html, &[], &mut written).unwrap();
+    let text = String::from_utf8(written).unwrap();
+    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+    let page = roxmltree::Document::parse_with_options(&text, options).unwrap();
+    let (mut parts, mut slashes) = (vec![], 0);
+    for formula in page.descendants().filter(|node| node.has_tag_name("math")) {
+        let alternative = formula.attribute("alttext").unwrap();
+        slashes += alternative.matches('/').count();
+        assert!(!content(formula).contains('-'), "{alternative}");
+        assert!(!formula.descendants().any(|node| node.has_tag_name("mtext")), "{alternative}");
+        for bar in formula.descendants().filter(|node| node.has_tag_name("mfrac")) {
+            let part: Vec<String> =
+                bar.children().filter(|child| child.is_element()).map(content).collect();
+            assert!(part.len() == 2 && part.iter().all(|text| balanced(text)), "{alternative}");
+            parts.push(part.join(" over "));
+        }
+    }
+    assert_eq!(parts.len(), slashes);
+    assert!(parts.len() > 50, "{parts:?}");
+    for part in [
+        "Ψ(t) over t",
+        "sinθ over θ",
+        "sin((θ/2)) over (θ/2)",
+        "1−cosθ over θ2",
+        "θ−sinθ over θ3",
+        "Ω2Ω3(J22−J33) over 2",
+        "DΩ over Dt",
+        "D(JΩ) over Dt",
+        "dΩj over dt",
+    ] {
+        assert!(parts.iter().any(|found| found == part), "{part}: {parts:?}");
+    }
+
+    // LaTeX has the same bars
+    let mut written = vec![];
+    PAPER.write(PaperFormat::Latex, &[], &mut written).unwrap();
+    let latex = String::from_utf8(written).unwrap();
+    assert_eq!(latex.matches("\\frac{").count(), slashes);
+    for (at, bar) in latex.match_indices("\\frac{") {
+        let rest = &latex[at + bar.len()..];
+        let above = &rest[..closing(rest)];
+        let below = rest[above.len() + 1..].strip_prefix('{').unwrap();
+        let below = &below[..closing(below)];
+        assert!([above, below].iter().all(|part| balanced(part)), "{above} over {below}");
+    }
+}
+
+/// The position of the brace that closes one in front of the text.
+fn closing(text: &str) -> usize {
+    let mut depth = 0;
+    let closes = |(_, c): &(usize, char)| {
+        depth += i32::from(*c == '{') - i32::from(*c == '}');
+        depth < 0
+    };
+    text.char_indices().find(closes).unwrap().0
+}
+
 /// A function is a link to the file that defines it, a test one to a file with a test of the equation.
 #[test]
 fn links_lead_to_functions_and_tests() {

@@ -178,7 +178,7 @@ fn from_latex(text: &str) -> Components {
 fn ascii(latex: &str) -> String {
     let mut text = latex.replace("{}", "").replace("J_{", "J{").replace("e_{", "e{");
     for (command, word) in [
-        ("\\dot u", "du/dt"),
+        ("\\frac{d u}{d t}", "du/dt"),
         ("\\frac{1}{2}", "1/2"),
         ("\\frac{1}{4}", "1/4"),
         ("\\frac{3}{4}", "3/4"),
@@ -186,6 +186,7 @@ fn ascii(latex: &str) -> String {
         ("\\newline", ""),
         ("\\par", ""),
         ("\\mathrm", ""),
+        ("\\operatorname", ""),
         ("\\_", "_"),
     ] {
         text = text.replace(command, word);

@@ -29,6 +29,7 @@ mod properties;
 mod quantity;
 mod stored;
 mod text;
+mod typeset;
 
 pub use code::{Language, Programmed, tensors_as_code};
 pub use comparison::{ComparedSide, Comparison};

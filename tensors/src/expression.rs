@@ -79,6 +79,23 @@ enum Node {
     Call(String, Vec<Expression>),
 }
 
+/// The parts of an expression, to look at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum View<'e> {
+    /// A number.
+    Number(&'e Rational),
+    /// A name.
+    Name(&'e str),
+    /// Terms, each with whether it is subtracted.
+    Sum(&'e [(bool, Expression)]),
+    /// Factors, each with whether it divides the product of those in front of it.
+    Product(&'e [(bool, Expression)]),
+    /// A power with its exponent.
+    Power(&'e Expression, i64),
+    /// A function and its arguments.
+    Call(&'e str, &'e [Expression]),
+}
+
 /// An interpretation of expressions: the values of numbers and names, and the operations on values.
 ///
 /// An error is the reason in words; [`Expression::evaluate`] adds the byte range.
@@ -156,6 +173,26 @@ impl Expression {
     /// The byte range of the expression in its text.
     pub fn span(&self) -> Range<usize> {
         self.span.clone()
+    }
+
+    /// The parts of the expression.
+    ///
+    /// ```
+    /// use affinor_tensors::expression::{Expression, View};
+    /// let quotient = Expression::parse("a*(b + 1)/2")?;
+    /// let View::Product([(false, _), (false, sum), (true, _)]) = quotient.view() else { panic!() };
+    /// assert_eq!((sum.view(), sum.span()), (Expression::parse("  (b + 1)")?.view(), 2..9));
+    /// # Ok::<(), affinor_tensors::expression::ExpressionError>(())
+    /// ```
+    pub fn view(&self) -> View<'_> {
+        match &self.node {
+            Node::Number(number) => View::Number(number),
+            Node::Name(name) => View::Name(name),
+            Node::Sum(terms) => View::Sum(terms),
+            Node::Product(factors) => View::Product(factors),
+            Node::Power(base, exponent) => View::Power(base, *exponent),
+            Node::Call(name, arguments) => View::Call(name, arguments),
+        }
     }
 
     /// The value under a meaning.

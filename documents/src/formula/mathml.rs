@@ -1,70 +1,53 @@
-//! Formulas as MathML, which browsers draw without a script.
+//! The writer of formulas as MathML, which browsers draw without a script.
 
-use super::{Accent, Node, parse, parse_value};
+use super::lines::lines;
+use super::{Accent, Brackets, Node, is_prefix, text};
 use std::fmt::Write;
 
-/// Formulas with more letters are broken in front of signs.
-const UNBROKEN: usize = 44;
+/// The letters of a line within text.
+const INLINE: usize = 44;
+/// The letters of a line on its own.
+pub(crate) const WIDE: usize = 64;
+/// The letters of a line in a cell of a table.
+pub(crate) const NARROW: usize = 26;
 
-/// A formula within a line.
-pub(crate) fn inline(formula: &str) -> String {
-    in_pieces(formula, parse)
+/// A formula within a line of text: an element `math` for each piece between which the line may be broken.
+pub(crate) fn inline(formula: &[Node]) -> String {
+    math(formula, INLINE, "").join("<wbr/>")
 }
 
-/// A computed value within a line, in which a run of letters is the name of one parameter. A chain of equations may be broken in
-/// front of each `=`.
-pub(crate) fn value(text: &str) -> String {
-    in_pieces(text, parse_value)
+/// A formula that stands alone behind a mark: as within text, in display style.
+pub(crate) fn alone(formula: &[Node]) -> String {
+    math(formula, INLINE, " displaystyle=\"true\"").join("<wbr/>")
 }
 
-/// An element `math` for each piece between which a line may break.
-fn in_pieces(formula: &str, tree: impl Fn(&str) -> Vec<Node>) -> String {
-    let signs = if formula.len() > UNBROKEN { &["=", "+", "-"][..] } else { &[] };
-    let chain = formula.matches(" = ").count() > 1;
-    let (mut words, mut depth): (Vec<String>, usize) = (vec![], 0);
-    for word in formula.split(' ') {
-        let sign = signs.contains(&word) || chain && word == "=";
-        match words.last_mut() {
-            Some(piece) if depth > 0 || !sign => *piece += &format!(" {word}"),
-            _ => words.push(word.into()),
-        }
-        depth += word.matches(['(', '[', '{', '"']).count();
-        depth = depth.saturating_sub(word.matches([')', ']', '}']).count());
-    }
-    let pieces = words.iter().map(|piece| {
-        let nodes = tree(piece);
-        // a sign at the start has the space of one between terms
-        let written = match nodes.as_slice() {
-            [Node::Operator(sign @ ("+" | "−")), rest @ ..]
-                if piece.starts_with([('+'), '-']) && piece[1..].starts_with(' ') =>
-            {
-                format!("<mrow><mo form=\"infix\">{sign}</mo>{}</mrow>", self::pieces(rest))
+/// A formula on lines of its own, each an element `math` in display style.
+pub(crate) fn block(formula: &[Node], most: usize) -> String {
+    math(formula, most, " display=\"block\"").concat()
+}
+
+/// An element `math` for each line.
+fn math(formula: &[Node], most: usize, attributes: &str) -> Vec<String> {
+    let gap = if attributes.contains("block") { "<mspace width=\"1em\"/>" } else { "" };
+    let element = |(number, line): (usize, &[Node])| {
+        let (mut alternative, mut content) = (text(line), String::new());
+        for (at, node) in line.iter().enumerate() {
+            match node {
+                // a sign at a break is one between terms
+                Node::Sign(sign) if at == 0 && number > 0 && node.is_sign_of_term() => {
+                    content = format!("<mo form=\"infix\">{sign}</mo>");
+                    alternative = format!("{} {}", text(&line[..1]), text(&line[1..]));
+                }
+                _ => content += &piece_of_row(line, at),
             }
-            nodes => row(nodes),
-        };
-        format!("<math alttext=\"{}\">{written}</math>", escaped(piece))
-    });
-    pieces.collect::<Vec<_>>().join(" ")
-}
-
-/// An element `math` on a line of its own, with gaps between its equations.
-pub(crate) fn display(formula: &str) -> String {
-    let nodes = parse(formula);
-    let (mut depth, mut start, mut text) = (0, 0, String::new());
-    for (at, node) in nodes.iter().enumerate() {
-        depth += match node {
-            Node::Operator("(" | "[" | "⟨") => 1,
-            Node::Operator(")" | "]" | "⟩") => -1,
-            _ => 0,
-        };
-        if depth == 0 && *node == Node::Operator(",") {
-            text += &(pieces(&nodes[start..=at]) + "<mspace width=\"1em\"/>");
-            start = at + 1;
+            content += if node.is_separator() && at + 1 < line.len() { gap } else { "" };
         }
-    }
-    text += &pieces(&nodes[start..]);
-    let plain = escaped(formula);
-    format!("<math display=\"block\" alttext=\"{plain}\"><mrow>{text}</mrow></math>")
+        if line.len() != 1 {
+            content = format!("<mrow>{content}</mrow>");
+        }
+        format!("<math{attributes} alttext=\"{}\">{content}</math>", escaped(&alternative))
+    };
+    lines(formula, most).into_iter().enumerate().map(element).collect()
 }
 
 /// Pieces in a row; a single piece needs none.
@@ -75,37 +58,73 @@ fn row(nodes: &[Node]) -> String {
     }
 }
 
-/// Pieces one after the other, with a gap between a function and an argument without brackets.
 fn pieces(nodes: &[Node]) -> String {
-    let mut text = String::new();
-    for (at, node) in nodes.iter().enumerate() {
-        text += &piece(node);
-        let argument = nodes.get(at + 1).is_some_and(|next| !matches!(next, Node::Operator(_)));
-        let function = match node {
-            Node::Scripts(base, _) => matches!(**base, Node::Function(_)),
-            node => matches!(node, Node::Function(_)),
-        };
-        if function && argument {
-            text += "<mspace width=\"0.17em\"/>";
-        }
+    (0..nodes.len()).map(|at| piece_of_row(nodes, at)).collect()
+}
+
+/// A piece, with a gap between a word and its neighbour, and the form of a sign.
+fn piece_of_row(nodes: &[Node], at: usize) -> String {
+    let node = &nodes[at];
+    if node.is_sign_of_term()
+        && let Node::Sign(sign) = node
+    {
+        // the position in an element gives the form of others
+        let form = if is_prefix(nodes, at) { "prefix" } else { "infix" };
+        return format!("<mo form=\"{form}\">{sign}</mo>");
     }
-    text
+    let signs = |pair: &[Node]| pair.iter().any(|node| matches!(node, Node::Sign(_)));
+    let gap = match at.checked_sub(1).map(|before| &nodes[before..=at]) {
+        Some(pair) => !signs(pair) && pair.iter().any(is_word),
+        None => false,
+    };
+    let gap = if gap { "<mspace width=\"0.17em\"/>" } else { "" };
+    gap.to_string() + &piece(node)
+}
+
+/// Whether the piece is a word, or begins with one.
+fn is_word(node: &Node) -> bool {
+    match node {
+        Node::Name(_) | Node::Function(_) => true,
+        Node::Apply(base, _) | Node::Scripts(base, _) => is_word(base),
+        _ => false,
+    }
 }
 
 fn piece(node: &Node) -> String {
     match node {
-        Node::Letter(letter) => match letter {
-            '∇' | '∑' | '∂' => format!("<mo>{letter}</mo>"),
-            _ => format!("<mi>{letter}</mi>"),
-        },
-        Node::Function(name) => format!("<mi>{name}</mi>"),
+        Node::Letter(letter @ ('∇' | '∂')) => format!("<mo>{letter}</mo>"),
+        Node::Letter(letter) => format!("<mi>{letter}</mi>"),
+        Node::Name(name) | Node::Function(name) => format!("<mi>{name}</mi>"),
         Node::Number(number) => format!("<mn>{number}</mn>"),
-        Node::Operator(sign @ ("(" | ")" | "[" | "]" | "⟨" | "⟩" | "|")) => {
-            format!("<mo stretchy=\"false\">{sign}</mo>")
+        Node::Indices(indices) => {
+            let index = |c: char| match c.is_ascii_digit() {
+                true => format!("<mn>{c}</mn>"),
+                false => format!("<mi>{c}</mi>"),
+            };
+            format!("<mrow>{}</mrow>", indices.chars().map(index).collect::<String>())
         }
-        Node::Operator(sign @ ("," | ";")) => format!("<mo separator=\"true\">{sign}</mo>"),
-        Node::Operator(sign) => format!("<mo>{sign}</mo>"),
-        Node::Text(text) => format!("<mtext> {} </mtext>", escaped(text)),
+        Node::Sign(sign @ ("," | ";")) => format!("<mo separator=\"true\">{sign}</mo>"),
+        Node::Sign(sign @ "∗") => format!("<mo lspace=\"0\" rspace=\"0\">{sign}</mo>"),
+        Node::Sign(sign) => format!("<mo>{sign}</mo>"),
+        Node::Text(words) => format!("<mtext>{}</mtext>", escaped(words)),
+        Node::Group(brackets, row) => {
+            let [open, close] = match brackets {
+                Brackets::Angle => ["⟨", "⟩"],
+                brackets => brackets.text(),
+            };
+            let stretchy = row.iter().any(Node::is_tall);
+            let [open, close] =
+                [open, close].map(|sign| format!("<mo stretchy=\"{stretchy}\">{sign}</mo>"));
+            format!("<mrow>{open}{}{close}</mrow>", pieces(row))
+        }
+        Node::Apply(function, argument) => {
+            let gap = match (&**function, &**argument) {
+                (Node::Letter(_), _) | (_, Node::Group(..)) => "",
+                _ => "<mspace width=\"0.17em\"/>",
+            };
+            let [function, argument] = [function, argument].map(|node| piece(node));
+            format!("<mrow>{function}<mo>&#x2061;</mo>{gap}{argument}</mrow>")
+        }
         Node::Root(inner) => format!("<msqrt>{}</msqrt>", pieces(inner)),
         Node::Fraction([above, below]) => format!("<mfrac>{}{}</mfrac>", row(above), row(below)),
         Node::Accent(accent, letter) => {
@@ -117,24 +136,31 @@ fn piece(node: &Node) -> String {
             };
             format!("<mover accent=\"true\">{}<mo>{sign}</mo></mover>", piece(letter))
         }
-        Node::Scripts(base, scripts) => match scripts.as_slice() {
-            [(true, power)] => format!("<msup>{}{}</msup>", piece(base), row(power)),
-            [(false, index)] => format!("<msub>{}{}</msub>", piece(base), row(index)),
-            several => {
-                let mut text = format!("<mmultiscripts>{}", piece(base));
-                for (above, script) in several {
-                    let script = row(script);
-                    let pair = if *above {
-                        ["<mrow></mrow>", &script]
-                    } else {
-                        [&script, "<mrow></mrow>"]
-                    };
-                    // a string takes every text
-                    let _ = write!(text, "{}{}", pair[0], pair[1]);
-                }
-                text + "</mmultiscripts>"
+        Node::Scripts(base, scripts) => self::scripts(base, scripts),
+    }
+}
+
+fn scripts(base: &Node, scripts: &[(bool, Vec<Node>)]) -> String {
+    match (base, scripts) {
+        // a power stands above the index of its base
+        (Node::Scripts(inner, indices), [(true, power)])
+            if matches!(&indices[..], [(false, _)]) =>
+        {
+            format!("<msubsup>{}{}{}</msubsup>", piece(inner), row(&indices[0].1), row(power))
+        }
+        (base, [(true, power)]) => format!("<msup>{}{}</msup>", piece(base), row(power)),
+        (base, [(false, index)]) => format!("<msub>{}{}</msub>", piece(base), row(index)),
+        (base, several) => {
+            let mut text = format!("<mmultiscripts>{}", piece(base));
+            for (above, script) in several {
+                let script = row(script);
+                let empty = "<mrow></mrow>".to_string();
+                let [below, above] = if *above { [empty, script] } else { [script, empty] };
+                // a string takes every text
+                let _ = write!(text, "{below}{above}");
             }
-        },
+            text + "</mmultiscripts>"
+        }
     }
 }
 

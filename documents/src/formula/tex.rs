@@ -1,81 +1,165 @@
-//! Formulas in LaTeX's mathematics mode.
+//! The writer of formulas in LaTeX's mathematics mode.
 
-use super::{Accent, Node, parse};
+use super::{Accent, Brackets, DIFFERENTIALS, LETTERS, Node, is_prefix};
 use crate::report::latex_escaped;
 
-/// The formula in LaTeX's mathematics mode.
-pub(crate) fn formula(formula: &str) -> String {
-    pieces(&parse(formula))
+/// The row, with brackets that grow.
+pub(crate) fn formula(row: &[Node]) -> String {
+    Writer { grows: true }.row(row, " ")
 }
 
-fn pieces(nodes: &[Node]) -> String {
-    let pieces: Vec<String> = nodes.iter().map(piece).collect();
-    pieces.join(" ")
+/// The row with plain brackets, between which TeX breaks lines.
+pub(crate) fn breakable(row: &[Node]) -> String {
+    Writer { grows: false }.row(row, " ")
 }
 
-fn piece(node: &Node) -> String {
-    match node {
-        Node::Letter(letter) => greek(*letter).map_or(letter.to_string(), Into::into),
-        Node::Function(name) => match name.as_str() {
-            "exp" | "log" | "sin" | "cos" | "det" => format!("\\{name}"),
-            "sqrt" => "\\operatorname{sqrt}".into(),
-            _ => format!("\\operatorname{{{name}}}"),
-        },
-        Node::Number(number) => number.clone(),
-        Node::Operator(sign) => operator(sign).into(),
-        Node::Text(text) => format!("\\text{{ {} }}", latex_escaped(text)),
-        Node::Root(inner) => format!("\\sqrt{{{}}}", pieces(inner)),
-        Node::Fraction([above, below]) => {
-            format!("\\frac{{{}}}{{{}}}", pieces(above), pieces(below))
+/// A piece of a sum, whose first sign stands between terms unless it is the first piece.
+pub(crate) fn term(row: &[Node], first: bool) -> String {
+    match row {
+        [Node::Sign(sign), rest @ ..] if !first && row[0].is_sign_of_term() => {
+            format!("{} {}", in_tex(sign), formula(rest))
         }
-        Node::Accent(accent, letter) => {
-            let name = match accent {
-                Accent::Tilde => "tilde",
-                Accent::Dot => "dot",
-                Accent::Bar => "bar",
-                Accent::Hat => "hat",
-            };
-            format!("\\{name}{{{}}}", piece(letter))
-        }
-        Node::Scripts(base, scripts) => {
-            let mut text = piece(base);
-            for (at, (above, script)) in scripts.iter().enumerate() {
-                let gap = if at > 0 { "{}" } else { "" };
-                let mark = if *above { '^' } else { '_' };
-                text += &format!("{gap}{mark}{{{}}}", pieces(script));
-            }
-            text
-        }
+        row => formula(row),
     }
 }
 
-fn greek(letter: char) -> Option<&'static str> {
-    Some(match letter {
-        'Λ' => "\\Lambda",
-        'λ' => "\\lambda",
-        'Ω' => "\\Omega",
-        'ω' => "\\omega",
-        'Γ' => "\\Gamma",
-        'Φ' => "\\Phi",
-        'Ψ' => "\\Psi",
-        'Θ' => "\\Theta",
-        'θ' => "\\theta",
-        'τ' => "\\tau",
-        '∇' => "\\nabla",
-        'δ' => "\\delta",
-        'ε' => "\\varepsilon",
-        'η' => "\\eta",
-        'γ' => "\\gamma",
-        '∂' => "\\partial",
-        'μ' => "\\mu",
-        'ψ' => "\\psi",
-        'π' => "\\pi",
-        '∑' => "\\sum",
-        _ => return None,
-    })
+/// Names of tensors and groups, set upright.
+const UPRIGHT: [&str; 5] = ["Ric", "symRic", "altRic", "Kr", "SO"];
+/// Functions that LaTeX knows.
+const COMMANDS: [&str; 10] =
+    ["exp", "log", "sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "det"];
+
+#[derive(Clone, Copy)]
+struct Writer {
+    /// Whether brackets around sums are `\left(` and `\right)`.
+    grows: bool,
 }
 
-fn operator(sign: &'static str) -> &'static str {
+impl Writer {
+    /// Pieces, with a gap between them; `behind` follows a separator.
+    fn row(self, row: &[Node], behind: &str) -> String {
+        let mut text = String::new();
+        for (at, node) in row.iter().enumerate() {
+            if let Some(before) = at.checked_sub(1).map(|before| &row[before]) {
+                // a space ends the argument of a function without brackets
+                let torn =
+                    ends_open(before) && !matches!(node, Node::Sign(_)) && !is_function(node);
+                text += match (before, node) {
+                    (Node::Sign("/"), _) | (_, Node::Sign("/" | "∗" | "," | ";" | ":")) => "",
+                    (before, _) if before.is_separator() => behind,
+                    _ if is_prefix(row, at - 1) => "",
+                    _ if torn => " \\, ",
+                    _ => " ",
+                };
+            }
+            text += &self.piece(node);
+        }
+        text
+    }
+
+    fn piece(self, node: &Node) -> String {
+        match node {
+            Node::Letter(letter) => match LETTERS.iter().find(|(_, known, _)| known == letter) {
+                Some((name, _, "")) | Some((_, _, name)) => format!("\\{name}"),
+                None => letter.to_string(),
+            },
+            Node::Name(name) if UPRIGHT.contains(&name.as_str()) => format!("\\mathrm{{{name}}}"),
+            Node::Name(name) => format!("\\mathit{{{}}}", name.replace('_', "\\_")),
+            Node::Function(name) if COMMANDS.contains(&name.as_str()) => format!("\\{name}"),
+            Node::Function(name) => format!("\\operatorname{{{name}}}"),
+            Node::Number(text) | Node::Indices(text) => text.clone(),
+            Node::Sign(sign) => in_tex(sign).into(),
+            Node::Text(text) => format!("\\text{{{}}}", latex_escaped(text)),
+            Node::Group(brackets, row) => {
+                let sum = row.iter().any(|node| node.is_sign_of_term());
+                let grows = self.grows && sum && *brackets == Brackets::Round;
+                self.group(*brackets, row, grows || row.iter().any(Node::is_tall))
+            }
+            Node::Apply(function, argument) => match &**argument {
+                Node::Group(brackets, row) => {
+                    let group = self.group(*brackets, row, row.iter().any(Node::is_tall));
+                    self.piece(function) + &group
+                }
+                argument => format!("{} {}", self.piece(function), self.piece(argument)),
+            },
+            Node::Root(row) => format!("\\sqrt{{{}}}", self.row(row, " ")),
+            Node::Fraction(parts) => {
+                let [above, below] = parts.each_ref().map(|part| self.row(part, " "));
+                format!("\\frac{{{above}}}{{{below}}}")
+            }
+            Node::Accent(accent, letter) => {
+                let name = match accent {
+                    Accent::Tilde => "tilde",
+                    Accent::Dot => "dot",
+                    Accent::Bar => "bar",
+                    Accent::Hat => "hat",
+                };
+                format!("\\{name}{{{}}}", self.piece(letter))
+            }
+            Node::Scripts(base, scripts) => self.scripts(base, scripts),
+        }
+    }
+
+    fn group(self, brackets: Brackets, row: &[Node], grows: bool) -> String {
+        let [open, close] = match brackets {
+            Brackets::Angle => ["\\langle ", " \\rangle"],
+            brackets => brackets.text(),
+        };
+        let row = self.row(row, " ");
+        match grows {
+            true => format!("\\left{open}{row}\\right{}", close.trim_start()),
+            false => format!("{open}{row}{close}"),
+        }
+    }
+
+    fn scripts(self, base: &Node, scripts: &[(bool, Vec<Node>)]) -> String {
+        let mut text = self.piece(base);
+        // a power stands above the index of its base, other scripts side by side
+        if let Node::Scripts(_, inner) = base
+            && !matches!((&inner[..], scripts), ([(false, _)], [(true, _)]))
+        {
+            text = format!("{{{text}}}");
+        }
+        for (at, (above, row)) in scripts.iter().enumerate() {
+            text += if at > 0 { "{}" } else { "" };
+            text += &match (above, &row[..]) {
+                (true, [Node::Sign("′")]) => "'".into(),
+                // a digit behind plain brackets
+                (true, [Node::Number(n)])
+                    if scripts.len() == 1 && text.ends_with(')') && !text.ends_with("\\right)") =>
+                {
+                    format!("^{n}")
+                }
+                (true, row) => format!("^{{{}}}", self.row(row, "")),
+                (false, row) => format!("_{{{}}}", self.row(row, "")),
+            };
+        }
+        text
+    }
+}
+
+/// Whether the piece is a function with or without its argument.
+fn is_function(node: &Node) -> bool {
+    match node {
+        Node::Function(_) => true,
+        Node::Apply(function, _) => is_function(function),
+        Node::Scripts(base, _) => is_function(base),
+        _ => false,
+    }
+}
+
+/// Whether the piece ends with an argument that has no brackets.
+fn ends_open(node: &Node) -> bool {
+    match node {
+        Node::Apply(function, argument) => {
+            let differential = matches!(**function, Node::Letter(d) if DIFFERENTIALS.contains(&d));
+            !differential && !matches!(**argument, Node::Group(..))
+        }
+        _ => false,
+    }
+}
+
+fn in_tex(sign: &'static str) -> &'static str {
     match sign {
         "→" => "\\to",
         "≤" => "\\le",
@@ -83,15 +167,10 @@ fn operator(sign: &'static str) -> &'static str {
         "≠" => "\\ne",
         "±" => "\\pm",
         "…" => "\\dots",
-        "⟨" => "\\langle",
-        "⟩" => "\\rangle",
         "−" => "-",
         "×" => "\\times",
         "∗" => "*",
         "′" => "'",
-        "∘" => "\\circ",
-        "°" => "^{\\circ}",
-        "%" => "\\%",
         sign => sign,
     }
 }

@@ -44,7 +44,7 @@ fn covectors(lab: &Lab) -> Result<Row, Error> {
     let off = contract("l_i u^i - g_ij v^i u^j ->", &operands)?;
     Ok(Row::new(
         "(91)-(98)",
-        "v*(u) = v_i u^i = g_ij v^i u^j, v_i = g_ij v^j, e^i(e_j) = delta^i_j",
+        "v^*(u) = v_i u^i = g_ij v^i u^j, v_i = g_ij v^j, e^i(e_j) = delta^i_j",
         "Covectors, and the metric that lowers indices.",
     )
     .shown_by("report=table&space=M3&show=metric")
@@ -161,7 +161,7 @@ fn balance(lab: &Lab) -> Result<Row, Error> {
         .by(&["Equations::euler_poincare"])
         .find(Finding::equal("`DH/Dt - Hdot = Omega x H` for the covector", &covector, &cross(&omega, &h)))
         .find(Finding::exact("`D Omega/Dt - Omegadot = 0` for the vector: no gyroscopic term", &vector))
-        .find(Finding::equal("`J D Omega/Dt = D(J Omega)/Dt`", &covector, &zero).refuted()))
+        .find(Finding::equal("`J D Omega/Dt = D(J Omega)/Dt`", &zero, &covector).refuted()))
 }
 
 fn dual_frame(lab: &Lab) -> Result<Row, Error> {

@@ -27,7 +27,7 @@ pub enum Outcome {
 }
 
 impl Finding {
-    /// That a tensor, the difference of two sides, is zero. The witness is its first component.
+    /// That a tensor, the left side of a statement minus the right one, is zero. The witness is its first component.
     pub(super) fn exact<S: Notation>(claim: &str, difference: &Tensor<S>) -> Self {
         let witness = difference.components().next().map(|(at, value)| {
             let indices: Vec<String> = at.iter().map(|index| (index + 1).to_string()).collect();
@@ -39,16 +39,17 @@ impl Finding {
         Self::of(claim, witness.map_or(Outcome::Exactly, Outcome::Fails))
     }
 
-    /// That two lists of values are equal.
-    pub(super) fn equal<S: Notation>(claim: &str, found: &[S], expected: &[S]) -> Self {
-        let differ = found.iter().zip(expected).position(|(a, b)| a != b);
+    /// That two lists of values are equal. The witness is the first component of the left side minus the right one, which is
+    /// that of the computed value minus the stated one.
+    pub(super) fn equal<S: Notation>(claim: &str, left: &[S], right: &[S]) -> Self {
+        let differ = left.iter().zip(right).position(|(a, b)| a != b);
         let outcome = match differ {
-            None if found.len() == expected.len() => Outcome::Exactly,
-            None => Outcome::Fails(format!("{} values for {}", found.len(), expected.len())),
+            None if left.len() == right.len() => Outcome::Exactly,
+            None => Outcome::Fails(format!("{} values for {}", left.len(), right.len())),
             Some(at) => Outcome::Fails(format!(
                 "component {} differs by `{}`",
                 at + 1,
-                found[at].clone() - &expected[at]
+                left[at].clone() - &right[at]
             )),
         };
         Self::of(claim, outcome)

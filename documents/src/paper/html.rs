@@ -1,7 +1,8 @@
 //! The document as one file of HTML: no script, nothing from elsewhere, formulas in MathML.
 
 use super::{ABOUT, Finding, Outcome, Paper, PaperFigure, Part, Row, TITLE, parts};
-use crate::formula::mathml::{self, escaped};
+use crate::formula::formula;
+use crate::formula::mathml::{self, WIDE, escaped};
 use crate::page::page;
 use std::io::{self, Write};
 
@@ -72,7 +73,7 @@ fn equation(row: &Row, id: &str, live: bool, out: &mut dyn Write) -> io::Result<
         writeln!(
             out,
             "<div class=\"formula\" tabindex=\"0\" role=\"group\" aria-label=\"formula\">{}</div>",
-            mathml::display(row.formula)
+            mathml::block(&formula(row.formula), WIDE)
         )?;
     }
     writeln!(out, "<p>{}</p>", text(row.says))?;
@@ -120,7 +121,11 @@ fn line(finding: &Finding) -> String {
     } else {
         format!(" <span class=\"outcome\">{}</span>", text(&words))
     };
-    let claim = text(&finding.claim);
+    let mut parts = parts(&finding.claim);
+    let claim = match (parts.next(), parts.next()) {
+        (Some(Part::Formula(alone)), None) => mathml::alone(&formula(alone)),
+        _ => text(&finding.claim),
+    };
     format!("{claim}{words}")
 }
 
@@ -128,7 +133,7 @@ fn line(finding: &Finding) -> String {
 fn text(text: &str) -> String {
     let part = |part| match part {
         Part::Words(words) => escaped(words),
-        Part::Formula(formula) => mathml::inline(formula),
+        Part::Formula(text) => mathml::inline(&formula(text)),
         Part::Name(name) => format!("<code>{name}</code>"),
     };
     parts(text).map(part).collect()

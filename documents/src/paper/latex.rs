@@ -1,7 +1,7 @@
 //! The document for pdfLaTeX.
 
 use super::{ABOUT, Paper, Part, Row, TITLE, parts};
-use crate::formula::tex;
+use crate::formula::{Node, formula, tex};
 use crate::report::latex_escaped;
 use std::io::{self, Write};
 
@@ -34,7 +34,7 @@ fn equation(row: &Row, out: &mut dyn Write) -> io::Result<()> {
         row.standing.word()
     )?;
     if !row.formula.is_empty() {
-        writeln!(out, "${}$.", tex::formula(row.formula))?;
+        writeln!(out, "{}.", display(row.formula))?;
     }
     writeln!(out, "{}", text(row.says))?;
     if let Some(remark) = row.standing.remark() {
@@ -45,18 +45,31 @@ fn equation(row: &Row, out: &mut dyn Write) -> io::Result<()> {
         let words = finding.words();
         let words = if words.is_empty() { words } else { format!(" ({})", text(&words)) };
         let mark = if finding.refuted { "[$\\times$]" } else { "" };
-        writeln!(out, "\\item{mark} {}{words}", text(&finding.claim))?;
+        let mut parts = parts(&finding.claim);
+        let claim = match (parts.next(), parts.next()) {
+            (Some(Part::Formula(alone)), None) => display(alone),
+            _ => text(&finding.claim),
+        };
+        writeln!(out, "\\item{mark} {claim}{words}")?;
     }
     let functions: Vec<String> =
         row.functions.iter().map(|name| format!("\\texttt{{{}}}", latex_escaped(name))).collect();
     writeln!(out, "\\end{{itemize}}\nComputed by {}.", functions.join(", "))
 }
 
+/// A formula that stands alone, which TeX breaks at commas, relations and signs.
+fn display(text: &str) -> String {
+    let formula = formula(text);
+    let parts = formula.split(|node| *node == Node::Sign(","));
+    let part = |part: &[Node]| format!("$\\displaystyle {}$", tex::breakable(part));
+    parts.map(part).collect::<Vec<_>>().join(", ")
+}
+
 /// Words, with formulas in the mathematics mode.
 fn text(text: &str) -> String {
     let part = |part| match part {
         Part::Words(words) => latex_escaped(words),
-        Part::Formula(formula) => format!("${}$", tex::formula(formula)),
+        Part::Formula(text) => format!("${}$", tex::breakable(&formula(text))),
         Part::Name(name) => format!("\\texttt{{{name}}}"),
     };
     parts(text).map(part).collect()

@@ -2,8 +2,10 @@
 
 use super::components::groups;
 use super::grid::{Cell, Grid, head_of_grid, pretty};
-use super::{Format, Quantity, Report, head, latex, text};
-use crate::formula::mathml::escaped;
+use super::{Format, Quantity, Report, head, html, latex, text, typeset};
+use crate::formula::lines::chain;
+use crate::formula::mathml::{self, NARROW, escaped};
+use crate::formula::{Row, formula, notation, sum, tex, value};
 use crate::page::page;
 use affinor::geometry::claims::{Claim, Residual, Verdict};
 use affinor::geometry::conditions::conditions;
@@ -180,11 +182,23 @@ impl Report for Comparison {
 fn written(verdict: &Verdict) -> Cell {
     match verdict {
         Verdict::Holds => "yes".into(),
-        Verdict::Fails(Residual { text, latex }) => Cell {
-            text: vec![format!("no: {text}")],
-            latex: latex.as_ref().map(|latex| vec![format!("no: {latex}")]),
-            ..Cell::default()
-        },
+        Verdict::Fails(Residual { text, .. }) => {
+            let (equation, n) = text.split_once(" for n = ").unwrap_or((text, ""));
+            let sides = equation.rsplit_once(" = ");
+            // a witness that is not an equation stays text
+            match sides.and_then(|(left, right)| Some((notation(left).ok()?, right))) {
+                Some((left, right)) => {
+                    let equation = Part::Formula(chain([left, value(right)]));
+                    let mut line = vec![Part::Words("no: "), equation];
+                    if !n.is_empty() {
+                        let n = Part::Formula(chain([formula("n"), value(n)]));
+                        line.extend([Part::Words(" for "), n]);
+                    }
+                    Cell { text: vec![format!("no: {text}")], ..typeset(&[line]) }
+                }
+                None => format!("no: {text}").into(),
+            }
+        }
         Verdict::NotApplicable(reason) => format!("({reason})").into(),
     }
 }
@@ -212,10 +226,16 @@ fn listed<S: Notation>(quantity: Quantity, tensor: &Tensor<S>) -> Cell {
     let text = groups.iter().map(|group| {
         text::equation(group, &none, |at| text::component(quantity, tensor, at)).join(" ")
     });
-    let latex = groups.iter().map(|group| latex::equation(quantity, tensor, group));
+    let formulas = groups.iter().map(|group| typeset::equation(quantity, tensor, group, &none));
+    let formulas: Vec<Row> = formulas.collect();
     // paragraphs, so that each has a hanging indent of its own
-    let latex = latex.collect::<Vec<_>>().join(" \\par ");
-    Cell { text: text.collect(), latex: Some(vec![latex]), ..Cell::default() }
+    let latex: Vec<String> = formulas.iter().map(|formula| latex::paragraph(formula)).collect();
+    Cell {
+        text: text.collect(),
+        latex: Some(vec![latex.join(" \\par ")]),
+        html: Some(vec![html::list(&formulas, NARROW)]),
+        ..Cell::default()
+    }
 }
 
 /// Whether the connection preserves the metric, or the conditions on the parameters.
@@ -225,50 +245,79 @@ fn compatibility<S: Notation>(geometry: &Geometry<S>) -> Result<Cell, Error> {
     };
     let nonmetricity = geometry.connection().nonmetricity(metric)?;
     if nonmetricity.is_empty() {
-        return Ok(both("nabla g = 0", "$\\nabla g = 0$"));
+        return Ok(line("nabla g = 0", vec![Part::Formula(formula("nabla g = 0"))]));
     }
     let conditions = conditions(&nonmetricity);
     let possible = !conditions.is_empty() && conditions.iter().all(|e| !e.parameters().is_empty());
     if possible {
         let text: Vec<String> = conditions.iter().map(|e| format!("{e} = 0")).collect();
-        let latex: Vec<String> =
-            conditions.iter().map(|e| format!("${} = 0$", e.latex())).collect();
-        return Ok(Cell {
-            text: vec!["nabla g = 0 only if".into(), text.join(", ")],
-            latex: Some(vec!["$\\nabla g = 0$ only if".into(), latex.join(", ")]),
-            ..Cell::default()
-        });
+        let mut formulas = vec![];
+        for condition in &conditions {
+            formulas.extend((!formulas.is_empty()).then_some(Part::Words(", ")));
+            formulas.push(Part::Formula(chain([value(&condition.to_string()), value("0")])));
+        }
+        let first = vec![Part::Formula(formula("nabla g = 0")), Part::Words(" only if")];
+        let text = vec!["nabla g = 0 only if".into(), text.join(", ")];
+        return Ok(Cell { text, ..typeset(&[first, formulas]) });
     }
-    let count = format!("{} nonzero components", nonmetricity.len());
-    Ok(both(&format!("nabla g has {count}"), &format!("$\\nabla g$ has {count}")))
+    let count = format!(" has {} nonzero components", nonmetricity.len());
+    let formula = Part::Formula(formula("nabla g"));
+    Ok(line(&format!("nabla g{count}"), vec![formula, Part::Words(&count)]))
 }
 
 /// The generator of transport along an autoparallel, as a multiple of `ad_n` where it is one.
 fn transport<S: Notation>(geometry: &Geometry<S>, algebra: &LieAlgebra<S>) -> Cell {
     let (c, gamma) = (algebra.structure(), geometry.connection().gamma());
-    let generator = |text: &str, latex: &str| {
-        both(&format!("du/dt = G u, {text}"), &format!("$\\dot u = G u$, {latex}"))
+    let generator = |text: &str, parts: Vec<Part>| {
+        let law = [Part::Formula(formula("du/dt = G u")), Part::Words(", ")];
+        line(&format!("du/dt = G u, {text}"), law.into_iter().chain(parts).collect())
     };
     if gamma.is_empty() {
-        return generator("G = 0", "$G = 0$");
+        return generator("G = 0", vec![Part::Formula(formula("G = 0"))]);
     }
     let share = c.components().next().and_then(|(at, value)| {
         let share = gamma.get(&at) * &value.recip()?;
         let operands = [("L", gamma), ("c", &c.scale(&share))];
         contract("L^i_jk - c^i_jk -> ^i_jk", &operands).ok()?.is_empty().then_some(-share)
     });
-    match share {
+    let ad = formula("ad_n");
+    match share.map(|share| share.to_string()) {
         Some(share) => {
-            let times = |value, ad: &str| combination([(value, ad.to_string())]).replace('*', " ");
-            let text = times(share.to_string(), "ad_n");
-            let latex = times(share.latex(), "\\mathrm{ad}_n");
-            generator(&format!("G = {text}"), &format!("$G = {latex}$"))
+            let written = combination([(&share, "ad_n".to_string())]).replace('*', " ");
+            let equation = chain([formula("G"), sum([(value(&share), ad)])]);
+            generator(&format!("G = {written}"), vec![Part::Formula(equation)])
         }
-        None => generator("no multiple of ad_n", "no multiple of $\\mathrm{ad}_n$"),
+        None => generator(
+            "no multiple of ad_n",
+            vec![Part::Words("no multiple of "), Part::Formula(ad)],
+        ),
     }
 }
 
-/// One line as plain text and as LaTeX.
-fn both(text: &str, latex: &str) -> Cell {
-    Cell { text: vec![text.into()], latex: Some(vec![latex.into()]), ..Cell::default() }
+/// A part of a line.
+enum Part<'a> {
+    Words(&'a str),
+    Formula(Row),
+}
+
+/// One line of text, and the same with formulas.
+fn line(text: &str, parts: Vec<Part>) -> Cell {
+    Cell { text: vec![text.into()], ..typeset(&[parts]) }
+}
+
+/// Lines of words and formulas, without their text.
+fn typeset(lines: &[Vec<Part>]) -> Cell {
+    let of = |formula: &dyn Fn(&[crate::formula::Node]) -> String,
+              words: &dyn Fn(&str) -> String| {
+        let part = |part: &Part| match part {
+            Part::Words(text) => words(text),
+            Part::Formula(row) => formula(row),
+        };
+        Some(lines.iter().map(|line| line.iter().map(part).collect()).collect())
+    };
+    Cell {
+        latex: of(&|row| format!("${}$", tex::breakable(row)), &latex::escape),
+        html: of(&mathml::inline, &escaped),
+        ..Cell::default()
+    }
 }

@@ -3,15 +3,17 @@
 use super::components::plain;
 use super::grid::{Cell, Grid, pretty};
 use super::head::{kind_name, printable, printable_list};
-use super::latex::{WIDTH, escape, width};
+use super::latex::{WIDTH, escape};
 use super::text::fill;
 use super::{Format, Report, html};
-use crate::formula::mathml::{escaped, value};
+use crate::formula::lines::{chain, pieces, width};
+use crate::formula::mathml::{self, WIDE, escaped};
+use crate::formula::{self, Accent, Brackets, Node, Row, sum, tex, value};
 use crate::page::page;
-use affinor::geometry::equations::{EquationKind, Equations, Row, Variable};
+use affinor::geometry::equations::{self, EquationKind, Equations, Variable};
 use affinor::{Connection, Error, Geometry};
-use affinor_tensors::text::{combination, is_sum};
-use affinor_tensors::{Notation, Symbolic, Tensor};
+use affinor_tensors::text::combination;
+use affinor_tensors::{Notation, Tensor};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -110,7 +112,7 @@ impl<S: Notation> EquationReport<S> {
             }
             name
         };
-        Names { state: free(state), other: free(other), latex: false }
+        Names { state: free(state), other: free(other) }
     }
 
     fn text(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -140,13 +142,13 @@ impl<S: Notation> EquationReport<S> {
         let names = self.names();
         page(&self.title(), out, |out| {
             writeln!(out, "<main>\n<h1>{}</h1>", escaped(&self.title()))?;
-            let lines = self.head(&names).into_iter();
-            html::head(lines.map(|(title, line)| (title, escaped(&line))), out)?;
-            writeln!(out, "<ul class=\"components\">")?;
-            for [left, right] in self.sides(&names) {
-                writeln!(out, "<li>{}</li>", value(&format!("{left} = {right}")))?;
-            }
-            writeln!(out, "</ul>\n</main>")
+            let lines = self.head(&names).into_iter().map(|(title, line)| match title {
+                "statement" => (title, statement(&line)),
+                _ => (title, escaped(&line)),
+            });
+            html::head(lines, out)?;
+            let formulas: Vec<Row> = self.formulas().into_iter().map(chain).collect();
+            writeln!(out, "{}\n</main>", html::list(&formulas, WIDE))
         })
     }
 
@@ -251,22 +253,52 @@ impl<S: Notation> EquationReport<S> {
         ]
     }
 
-    /// The lines of an `aligned` environment.
-    fn aligned(&self) -> String {
-        let Names { state, other, .. } = self.names();
-        let [state, other] = [state, other].map(|name| Symbolic::parameter(&name).latex());
-        let names = Names { state, other, latex: true };
+    /// The left and the right side of each equation, as formulas.
+    fn formulas(&self) -> Vec<[Row; 2]> {
+        let names = self.names();
+        let coefficient = |v: &S| value(&plain(v));
         let positions = self.positions().into_iter().map(|(name, right)| {
-            let right = right.iter().map(|(value, v)| (value, names.variable(*v)));
-            let name = Symbolic::parameter(name).latex();
-            latex_equation(&[format!("\\dot{{{name}}}")], &latex_terms(right))
+            let rate = Node::Accent(Accent::Dot, Box::new(formula::name(name)));
+            let right = right.iter().map(|(v, along)| (coefficient(v), vec![names.node(*along)]));
+            [vec![rate], sum(right)]
         });
         let rows = self.equations.rows().into_iter().map(|row| {
-            let rates = row.left.iter().map(|(value, j)| (value, names.rate(*j)));
-            let right = row.right.iter().map(|(value, factors)| (value, names.product(factors)));
-            latex_equation(&latex_terms(rates), &latex_terms(right))
+            let left = row.left.iter().map(|(v, j)| (coefficient(v), vec![names.rate_node(*j)]));
+            let right = row.right.iter().map(|(v, product)| {
+                let factors: Row = match product[..] {
+                    [a, b] if a == b => {
+                        let base = Node::Group(Brackets::Round, vec![names.node(a)]);
+                        vec![Node::Scripts(Box::new(base), vec![(true, value("2"))])]
+                    }
+                    _ => product.iter().map(|variable| names.node(*variable)).collect(),
+                };
+                (coefficient(v), factors)
+            });
+            [sum(left), sum(right)]
         });
-        positions.chain(rows).collect::<Vec<_>>().join(" \\\\\n")
+        positions.chain(rows).collect()
+    }
+
+    /// The lines of an `aligned` environment; a long right side takes several.
+    fn aligned(&self) -> String {
+        let equation = |[left, right]: [Row; 2]| {
+            let mut text = format!("{} &= ", tex::formula(&left));
+            let mut column = width(&left) + 4;
+            for (position, term) in pieces(&right).into_iter().enumerate() {
+                // the sign between terms has a gap
+                let width = width(term) + usize::from(position > 0);
+                if position > 0 && column + width > WIDTH {
+                    text.push_str("\\\\\n&\\quad ");
+                    column = 8;
+                } else if position > 0 {
+                    text.push(' ');
+                }
+                column += width + 1;
+                text.push_str(&tex::term(term, position == 0));
+            }
+            text
+        };
+        self.formulas().into_iter().map(equation).collect::<Vec<_>>().join(" \\\\\n")
     }
 }
 
@@ -293,92 +325,70 @@ pub(super) fn letters(motion: EquationKind) -> [&'static str; 2] {
 }
 
 /// The coefficients of both sides.
-fn coefficients<S>(row: &Row<S>) -> impl Iterator<Item = &S> {
+fn coefficients<S>(row: &equations::Row<S>) -> impl Iterator<Item = &S> {
     row.left.iter().map(|(v, _)| v).chain(row.right.iter().map(|(v, _)| v))
 }
 
-/// The names of the variables, in text or in LaTeX.
+/// The names of the variables.
 struct Names {
     state: String,
     other: String,
-    latex: bool,
 }
 
 impl Names {
     fn rate(&self, j: usize) -> String {
-        match self.latex {
-            true => format!("\\dot{{{}}}^{{{}}}", self.state, j + 1),
-            false => format!("d{}{}/dt", self.state, j + 1),
-        }
+        format!("d{}{}/dt", self.state, j + 1)
+    }
+
+    fn rate_node(&self, j: usize) -> Node {
+        let state = Node::Accent(Accent::Dot, Box::new(formula::name(&self.state)));
+        indexed(state, true, j)
     }
 
     fn variable(&self, variable: Variable) -> String {
-        let (name, mark, j) = match variable {
-            Variable::State(j) => (&self.state, '^', j + 1),
-            Variable::Along(j) => (&self.other, '^', j + 1),
-            Variable::Force(j) => (&self.other, '_', j + 1),
-        };
-        if self.latex { format!("{name}{mark}{{{j}}}") } else { format!("{name}{j}") }
+        let (name, _, j) = self.parts(variable);
+        format!("{name}{}", j + 1)
+    }
+
+    fn node(&self, variable: Variable) -> Node {
+        let (name, above, j) = self.parts(variable);
+        indexed(formula::name(name), above, j)
+    }
+
+    /// The name, whether the index stands above, and the index from 0.
+    fn parts(&self, variable: Variable) -> (&str, bool, usize) {
+        match variable {
+            Variable::State(j) => (&self.state, true, j),
+            Variable::Along(j) => (&self.other, true, j),
+            Variable::Force(j) => (&self.other, false, j),
+        }
     }
 
     fn product(&self, product: &[Variable]) -> String {
         let names: Vec<String> = product.iter().map(|v| self.variable(*v)).collect();
         match product {
-            [a, b] if a == b && self.latex => format!("({})^2", names[0]),
             [a, b] if a == b => format!("{}^2", names[0]),
-            _ => names.join(if self.latex { " " } else { "*" }),
+            _ => names.join("*"),
         }
     }
 
     /// Both sides of an equation.
-    fn row<S: Notation>(&self, row: &Row<S>) -> [String; 2] {
+    fn row<S: Notation>(&self, row: &equations::Row<S>) -> [String; 2] {
         let left = row.left.iter().map(|(value, j)| (plain(value), self.rate(*j)));
         let right = row.right.iter().map(|(value, factors)| (plain(value), self.product(factors)));
         [combination(left), combination(right)]
     }
 }
 
-/// `left = right` in LaTeX; a long right side takes several lines.
-fn latex_equation(left: &[String], right: &[String]) -> String {
-    let mut text = format!("{} &= ", if left.is_empty() { "0".into() } else { left.join(" ") });
-    let mut column = width(&text);
-    for (position, term) in right.iter().enumerate() {
-        if position > 0 && column + width(term) > WIDTH {
-            text.push_str("\\\\\n&\\quad ");
-            column = 8;
-        } else if position > 0 {
-            text.push(' ');
-        }
-        column += width(term) + 1;
-        text.push_str(term);
-    }
-    if right.is_empty() { text + "0" } else { text }
+/// `DH/Dt = M (104): g_ij dOmega^j/dt = ...` in HTML.
+fn statement(text: &str) -> String {
+    let parts = text.split_once(" (").and_then(|(law, rest)| Some((law, rest.split_once("): ")?)));
+    let Some((law, (number, components))) = parts else { return escaped(text) };
+    let [law, components] = [law, components].map(|text| mathml::inline(&formula::formula(text)));
+    format!("{law} ({number}): {components}")
 }
 
-/// The terms `coefficient factor` in LaTeX, each with its sign; the first has no plus sign.
-fn latex_terms<'v, S: Notation + 'v>(
-    terms: impl IntoIterator<Item = (&'v S, String)>,
-) -> Vec<String> {
-    let mut written: Vec<String> = Vec::new();
-    for (value, factor) in terms {
-        let sum = is_sum(&value.to_string());
-        let fraction = value.latex().trim_start_matches('-').starts_with("\\frac");
-        let (sign, size) = match value.is_negative() && (!sum || fraction) {
-            true => ("-", (-value.clone()).latex()),
-            false => ("+", value.latex()),
-        };
-        let size = match size.as_str() {
-            "1" => String::new(),
-            size if sum && !fraction => format!("\\left({size}\\right) "),
-            // the space ends the argument of the function
-            size if size.contains("\\sin") || size.contains("\\cos") => format!("{size} \\, "),
-            size => format!("{size} "),
-        };
-        written.push(match (written.is_empty(), sign) {
-            (true, "+") => format!("{size}{factor}"),
-            (true, _) => format!("-{size}{factor}"),
-            (false, sign) => format!("{sign} {size}{factor}"),
-        });
-    }
-    written
+/// A letter with an index, from 0.
+fn indexed(base: Node, above: bool, j: usize) -> Node {
+    Node::Scripts(Box::new(base), vec![(above, vec![Node::Number((j + 1).to_string())])])
 }

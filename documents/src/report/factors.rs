@@ -2,6 +2,7 @@
 
 use super::components::{GROUPED, groups};
 use super::{OnChart, Table};
+use crate::formula::{Row, formula, name};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{CommonFactors, Kind, Notation, Symbolic, Tensor};
 
@@ -19,8 +20,6 @@ pub(super) struct NamedFactor {
     determinant: Option<(Vec<usize>, bool)>,
     /// The factor in plain text.
     pub text: String,
-    /// The factor in LaTeX.
-    pub latex: String,
 }
 
 impl NamedFactor {
@@ -33,13 +32,13 @@ impl NamedFactor {
         [self.name.clone()].into_iter().chain(self.determinant.as_ref().map(minor)).collect()
     }
 
-    /// The same in LaTeX.
-    pub fn is_in_latex(&self) -> Vec<String> {
+    /// The same as formulas.
+    pub fn is_in_formulas(&self) -> Vec<Row> {
         let minor = |(rows, all): &(Vec<usize>, bool)| match all {
-            true => "\\det g".to_string(),
-            false => format!("\\det g_{{[{}]}}", list(rows)),
+            true => formula("det g"),
+            false => formula(&format!("det g_{{[{}]}}", list(rows))),
         };
-        let name = Symbolic::parameter(&self.name).to_latex();
+        let name = vec![name(&self.name)];
         [name].into_iter().chain(self.determinant.as_ref().map(minor)).collect()
     }
 }
@@ -77,7 +76,6 @@ impl<S: Notation> Table<S> {
                 name: name.into(),
                 determinant: found.map(|(rows, _)| (rows.clone(), rows.len() == self.labels.len())),
                 text,
-                latex: value.to_latex(),
             }
         };
         let lines = factors.iter().map(line).collect();

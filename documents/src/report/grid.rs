@@ -1,10 +1,10 @@
 //! Grids of short cells, for reports that are not tables of tensors.
 
 use super::head::{conventions, float};
-use super::latex::{CONVENTIONS, escape, verbatim};
+use super::latex::{self, escape, verbatim};
 use super::markdown::escaped;
 use super::text::head_line;
-use super::{Format, Report};
+use super::{Format, Report, html};
 use crate::rows::failed;
 use comfy_table::presets::UTF8_BORDERS_ONLY;
 use comfy_table::{ContentArrangement, Table};
@@ -28,13 +28,15 @@ pub(super) struct Grid {
     pub json: Value,
 }
 
-/// A cell as plain text and as LaTeX.
+/// A cell as plain text, as LaTeX and as HTML.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Cell {
     /// Lines of plain text.
     pub text: Vec<String>,
     /// The same lines in LaTeX, where they differ from the escaped text.
     pub latex: Option<Vec<String>>,
+    /// The same lines in HTML, where they differ from the escaped text.
+    pub html: Option<Vec<String>>,
     /// Whether signs stand below each other, as in a diagram or a matrix.
     pub is_drawn: bool,
 }
@@ -88,7 +90,8 @@ impl Report for Grid {
 pub(super) fn head_of_grid(zero: Option<&str>) -> Vec<(&'static str, Cell)> {
     let conventions = Cell {
         text: vec![conventions()],
-        latex: Some(vec![CONVENTIONS.into()]),
+        latex: Some(vec![latex::conventions()]),
+        html: Some(vec![html::conventions()]),
         ..Cell::default()
     };
     let scalar = zero.map(|zero| ("scalar", float(zero).into()));

@@ -1,11 +1,14 @@
 //! Pages of HTML, with formulas in MathML.
 
-use super::components::{GROUPED, groups_with, plain, summary, with_names};
+use super::components::{GROUPED, groups_with, summary, with_names};
 use super::grid::{Cell, Grid};
-use super::head::{conventions, printable};
-use super::text::{brackets, component, equation, general};
+use super::head::printable;
+use super::text::component;
+use super::typeset::{brackets, convention_formulas, equation, general};
 use super::{Quantity, Table, TableEntry};
-use crate::formula::mathml::{escaped, value};
+use crate::formula::lines::chain;
+use crate::formula::mathml::{self, WIDE, escaped};
+use crate::formula::{Row, value};
 use crate::page::page;
 use affinor_tensors::{CommonFactors, Notation};
 use std::io::{self, Write};
@@ -17,10 +20,10 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
         let lines = table.head().into_iter().map(|(title, line)| (title, escaped(&line)));
         let named = table.factors();
         let factors = named.lines.iter().map(|line| {
-            let is = [line.is(), vec![line.text.clone()]].concat();
-            ("where", value(&is.join(" = ")))
+            let is = [line.is_in_formulas(), vec![value(&line.text)]].concat();
+            ("where", mathml::inline(&chain(is)))
         });
-        let conventions = [("conventions", formulas(&conventions()))];
+        let conventions = [("conventions", conventions())];
         head(lines.chain(conventions).chain(factors), out)?;
         table.tensors.iter().try_for_each(|entry| tensor(table, entry, &named.factors, out))?;
         writeln!(out, "</main>")
@@ -39,9 +42,17 @@ pub(super) fn head(
     writeln!(out, "</dl>")
 }
 
-/// Formulas that are separated by semicolons.
-fn formulas(text: &str) -> String {
-    text.split("; ").map(value).collect::<Vec<_>>().join("; ")
+/// The conventions in brief.
+pub(super) fn conventions() -> String {
+    let formulas = convention_formulas();
+    formulas.iter().map(|formula| mathml::inline(formula)).collect::<Vec<_>>().join("; ")
+}
+
+/// A list of formulas, in lines of at most so many letters.
+pub(super) fn list(formulas: &[Row], width: usize) -> String {
+    let item = |formula: &Row| format!("<li>{}</li>\n", mathml::block(formula, width));
+    let items: String = formulas.iter().map(item).collect();
+    format!("<ul class=\"components\">\n{items}</ul>")
 }
 
 fn tensor<S: Notation>(
@@ -51,35 +62,30 @@ fn tensor<S: Notation>(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let shown = table.shown(entry);
-    let name = |at: &[usize]| component(entry.quantity, &shown, at);
     writeln!(out, "<section>\n<h2>{}</h2>", escaped(table.title(entry.quantity)))?;
     if shown.is_empty() {
-        let zero = value(&format!("{} = 0", general(entry.quantity, &shown)));
-        return writeln!(out, "<p>{zero}</p>\n</section>");
+        let zero = chain([general(entry.quantity, &shown), value("0")]);
+        return writeln!(out, "<p>{}</p>\n</section>", mathml::inline(&zero));
     }
     if shown.len() > GROUPED {
         // a formula for each of a million components would be too much for a browser
         writeln!(out, "<pre tabindex=\"0\">")?;
         for (at, value) in shown.components() {
-            writeln!(
-                out,
-                "{}",
-                escaped(&format!("{} = {}", name(&at), with_names(value, factors)))
-            )?;
+            let name = component(entry.quantity, &shown, &at);
+            let line = format!("{name} = {}", with_names(value, factors));
+            writeln!(out, "{}", escaped(&line))?;
         }
         writeln!(out, "</pre>")?;
     } else {
-        writeln!(out, "<ul class=\"components\">")?;
+        let mut formulas = vec![];
         if entry.quantity == Quantity::Structure {
             let labels: Vec<String> = table.labels.iter().map(|label| printable(label)).collect();
-            for (left, right) in brackets(&entry.tensor, &labels, plain) {
-                writeln!(out, "<li>{}</li>", value(&format!("{left} = {right}")))?;
-            }
+            formulas.extend(brackets(&entry.tensor, &labels));
         }
-        for group in groups_with(&shown, factors) {
-            writeln!(out, "<li>{}</li>", value(&equation(&group, factors, name).join(" ")))?;
-        }
-        writeln!(out, "</ul>")?;
+        let groups = groups_with(&shown, factors);
+        formulas
+            .extend(groups.iter().map(|group| equation(entry.quantity, &shown, group, factors)));
+        writeln!(out, "{}", list(&formulas, WIDE))?;
     }
     if let Some(summary) = summary(&entry.tensor, &shown) {
         writeln!(out, "<p>{summary}</p>")?;
@@ -125,15 +131,12 @@ impl Grid {
     }
 }
 
-/// The lines of a cell; those with a form of their own in LaTeX are formulas.
+/// The lines of a cell.
 fn lines(cell: &Cell) -> String {
     if cell.is_drawn {
         return format!("<pre>{}</pre>", escaped(&cell.text.join("\n")));
     }
-    let line = |line: &String| match (&cell.latex, line.strip_prefix("no: ")) {
-        (None, _) => escaped(line),
-        (Some(_), Some(residual)) => format!("no: {}", value(residual)),
-        (Some(_), None) => formulas(line),
-    };
-    cell.text.iter().map(line).collect::<Vec<_>>().join("<br/>")
+    let lines = cell.html.clone();
+    let lines = lines.unwrap_or_else(|| cell.text.iter().map(|line| escaped(line)).collect());
+    lines.join("<br/>")
 }

@@ -1,18 +1,16 @@
 //! LaTeX: a fragment with one `align*` for every tensor.
 
-use super::components::{GROUPED, Group, groups, groups_with, scripts, summary};
+use super::components::{GROUPED, Group, groups, groups_with, summary};
 use super::head::printable;
-use super::text::brackets;
+use super::typeset::{brackets, convention_formulas, general, sides};
 use super::{Quantity, Table, TableEntry};
-use affinor_tensors::{CommonFactors, Notation, Symbolic, Tensor, Up, Variance};
+use crate::formula::lines::{chain, width};
+use crate::formula::{Brackets, Node, Row, formula, label, tex, value};
+use affinor_tensors::{CommonFactors, Notation, Tensor};
 use std::io::{self, Write};
 
 /// The approximate number of letters in a line.
 pub(super) const WIDTH: usize = 58;
-
-/// The conventions in brief.
-pub(super) const CONVENTIONS: &str = "$[e_j, e_k] = c^{i}{}_{jk} e_i$, \
-    $\\nabla_{e_j} e_k = \\Lambda^{i}{}_{jk} e_i$, $R(e_k, e_l) e_j = R^{i}{}_{jkl} e_i$";
 
 pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "% A fragment: it needs \\usepackage{{amsmath}}.")?;
@@ -22,17 +20,21 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
         "\\begingroup\\allowdisplaybreaks\\raggedright\\setlength{{\\parindent}}{{0pt}}"
     )?;
     writeln!(out, "\\section*{{{}}}", escape(&printable(&table.name)))?;
-    let labels: Vec<String> = table.labels.iter().map(|label| label_name(label)).collect();
+    let label = |text: &String| match label(&printable(text)) {
+        Node::Text(words) => escape(&words),
+        name => format!("${}$", tex::formula(&[name])),
+    };
+    let labels: Vec<String> = table.labels.iter().map(label).collect();
     let mut lines: Vec<_> =
         table.head().into_iter().map(|(title, line)| (title, escape(&line))).collect();
     lines[1].1 = labels.join(", ");
-    lines.push(("conventions", CONVENTIONS.into()));
+    lines.push(("conventions", conventions()));
     for (title, line) in lines {
         writeln!(out, "{title}: {line}\\par")?;
     }
     let named = table.factors();
     for line in &named.lines {
-        let equation = Equation { members: line.is_in_latex(), value: line.latex.clone() };
+        let equation = Equation([line.is_in_formulas(), vec![value(&line.text)]].concat());
         writeln!(out, "where: {}", equation.inline())?;
     }
     for entry in &table.tensors {
@@ -48,23 +50,21 @@ fn tensor<S: Notation>(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let (quantity, shown) = (entry.quantity, table.shown(entry));
-    let symbol = quantity.latex();
+    let symbol = formula(quantity.symbol());
     writeln!(out, "\\subsection*{{{}}}", table.title(quantity))?;
     if shown.is_empty() {
-        let letters = quantity.letters();
-        let letters = letters.chars().map(String::from);
-        let general = join(&symbol, scripts(0, shown.slots(), letters));
+        let general = tex::formula(&general(quantity, &shown));
         return writeln!(out, "\\begin{{align*}}\n{general} &= 0\n\\end{{align*}}");
     }
     if shown.len() <= GROUPED {
         if quantity == Quantity::Structure {
-            let labels: Vec<String> = table.labels.iter().map(|label| in_formula(label)).collect();
-            for (left, right) in brackets(&entry.tensor, &labels, Notation::latex) {
-                writeln!(out, "\\hangindent=2em ${left} = {}$\\par", right.replace('*', " "))?;
+            let labels: Vec<String> = table.labels.iter().map(|label| printable(label)).collect();
+            for bracket in brackets(&entry.tensor, &labels) {
+                writeln!(out, "{}\\par", paragraph(&bracket))?;
             }
         }
         let groups = groups_with(&shown, factors);
-        let equation = |group: &Group<S>| Equation::new(&symbol, &shown, group, factors);
+        let equation = |group: &Group<S>| Equation(sides(&symbol, &shown, group, factors));
         let equations: Vec<Equation> = groups.iter().map(equation).collect();
         for run in equations.chunk_by(|a, b| a.is_long() == b.is_long()) {
             if run[0].is_long() {
@@ -79,59 +79,40 @@ fn tensor<S: Notation>(
         // TeX reads a whole align* into memory before it sets it; paragraphs have no such limit
         for (at, value) in shown.components() {
             let group = Group { value: value.clone(), members: vec![(at.to_vec(), false)] };
-            writeln!(out, "{}", Equation::new(&symbol, &shown, &group, factors).inline())?;
+            writeln!(out, "{}", Equation(sides(&symbol, &shown, &group, factors)).inline())?;
         }
     }
     summary(&entry.tensor, &shown).map_or(Ok(()), |summary| writeln!(out, "{summary}\\par"))
 }
 
-/// `first = second = ... = value` in pieces.
-struct Equation {
-    members: Vec<String>,
-    value: String,
-}
+/// The sides of `first = second = ... = value`.
+struct Equation(Vec<Row>);
 
 impl Equation {
-    fn new<S: Notation>(
-        symbol: &str,
-        tensor: &Tensor<S>,
-        group: &Group<S>,
-        factors: &CommonFactors,
-    ) -> Self {
-        let members = group.names(|at| {
-            let numbers = at.iter().map(|index| (index + 1).to_string());
-            join(symbol, scripts(tensor.dimension(), tensor.slots(), numbers))
-        });
-        Equation { members, value: group.value.latex_with(factors) }
+    fn value(&self) -> &[Node] {
+        self.0.last().map_or(&[], Vec::as_slice)
     }
 
     /// Whether the value is too wide for a display.
     fn is_long(&self) -> bool {
-        self.value_width() > WIDTH
-    }
-
-    /// The width of the value; of a fraction that of its wider part.
-    fn value_width(&self) -> usize {
-        let bar = fraction(&self.value).map(|(_, above, below)| width(above).max(width(below)));
-        bar.unwrap_or_else(|| width(&self.value))
+        width(self.value()) > WIDTH
     }
 
     /// Lines of an `align*`, broken in front of `=`.
     fn aligned(&self) -> String {
-        let mut text = self.members[0].clone();
-        let mut column = width(&text);
-        let members = self.members[1..].iter().map(|member| (member, width(member)));
-        let pieces = members.chain([(&self.value, self.value_width())]);
-        for (position, (piece, piece_width)) in pieces.enumerate() {
-            let full = column + 3 + piece_width > WIDTH;
+        let Some((first, sides)) = self.0.split_first() else { return String::new() };
+        let (mut text, mut column) = (tex::formula(first), width(first));
+        for (position, side) in sides.iter().enumerate() {
+            let full = position > 0 && column + 3 + width(side) > WIDTH;
             text.push_str(match (position, full) {
                 (0, _) => " &= ",
                 // the star keeps the lines of one equation on one page
                 (_, true) => " \\\\*\n&= ",
                 (_, false) => " = ",
             });
-            column = if full && position > 0 { 8 } else { column } + 3 + piece_width;
-            text.push_str(piece);
+            column = if full { 8 } else { column };
+            column += 3 + width(side);
+            text.push_str(&tex::formula(side));
         }
         text
     }
@@ -139,93 +120,42 @@ impl Equation {
     /// A paragraph, which TeX breaks at relations and signs. A fraction is written with a slash, because TeX cannot break
     /// a fraction bar.
     fn inline(&self) -> String {
-        let value = match fraction(&self.value).filter(|_| self.is_long()) {
-            Some((sign, above, below)) => format!("{sign}({above})/({below})"),
-            None => self.value.clone(),
-        };
-        // TeX breaks no line between \left and \right
-        let value = value.replace("\\left(", "(").replace("\\right)", ")");
-        format!("\\hangindent=2em ${} = {value}$\\par", self.members.join(" = "))
-    }
-}
-
-/// The symbol with its indices: `R^{1}{}_{212}`.
-fn join(symbol: &str, scripts: Vec<(Variance, String)>) -> String {
-    let scripts = scripts.into_iter().map(|(variance, indices)| {
-        let mark = if variance == Up { '^' } else { '_' };
-        format!("{mark}{{{indices}}}")
-    });
-    symbol.to_string() + &scripts.collect::<Vec<_>>().join("{}")
-}
-
-/// The sign and the two parts of `-\frac{a}{b}`; `None` for anything but one fraction.
-fn fraction(value: &str) -> Option<(&str, &str, &str)> {
-    let (sign, rest) = value.split_once("\\frac{")?;
-    let (above, rest) = rest.split_at(closing(rest)?);
-    let below = rest.strip_prefix("}{")?;
-    let end = closing(below)?;
-    let whole = end + 1 == below.len() && matches!(sign, "" | "-");
-    whole.then(|| (sign, above, &below[..end]))
-}
-
-/// The position of the brace that closes the one at the start.
-fn closing(text: &str) -> Option<usize> {
-    let mut depth = 0usize;
-    for (at, c) in text.char_indices() {
-        match c {
-            '{' => depth += 1,
-            '}' if depth == 0 => return Some(at),
-            '}' => depth -= 1,
-            _ => {}
+        let mut sides = self.0.clone();
+        if self.is_long()
+            && let Some(value) = sides.last_mut()
+            && let Some(Node::Fraction([above, below])) =
+                value.pop_if(|last| matches!(last, Node::Fraction(_)))
+        {
+            let group = |row| Node::Group(Brackets::Round, row);
+            value.extend([group(above), Node::Sign("/"), group(below)]);
         }
-    }
-    None
-}
-
-/// The approximate width of a formula in letters.
-pub(super) fn width(latex: &str) -> usize {
-    let mut width = 0;
-    let mut command = false;
-    for c in latex.chars() {
-        let letter = command && c.is_ascii_alphabetic();
-        width += usize::from(!letter && !matches!(c, '{' | '}' | '^' | '_'));
-        command = letter || c == '\\';
-    }
-    width
-}
-
-/// A basis vector: `e1` is `$e_{1}$`; a label that is no identifier stays text.
-fn label_name(label: &str) -> String {
-    match <Symbolic as Notation>::parameter(label) {
-        Some(name) => format!("${}$", name.latex()),
-        None => escape(&printable(label)),
+        format!("{}\\par", paragraph(&chain(sides)))
     }
 }
 
-/// A basis vector within a formula.
-fn in_formula(label: &str) -> String {
-    match <Symbolic as Notation>::parameter(label) {
-        Some(name) => name.latex(),
-        None => format!("\\text{{{}}}", escape(&printable(label))),
-    }
+/// A formula as a paragraph without its end.
+pub(super) fn paragraph(formula: &[Node]) -> String {
+    format!("\\hangindent=2em ${}$", tex::breakable(formula))
 }
 
-/// The groups of components of a tensor with a symbol of its own, as lines of an `align*`.
+/// The conventions in brief.
+pub(super) fn conventions() -> String {
+    let formulas = convention_formulas();
+    let formulas: Vec<String> =
+        formulas.iter().map(|formula| format!("${}$", tex::formula(formula))).collect();
+    formulas.join(", ")
+}
+
+/// The groups of components of a tensor with a symbol of its own, in LaTeX, as lines of an `align*`.
 pub fn components_in_latex<S: Notation>(symbol: &str, tensor: &Tensor<S>) -> Vec<String> {
+    // the symbol is LaTeX already
+    const SYMBOL: char = '\u{FFFC}';
     let none = CommonFactors::default();
-    let aligned = |group: &Group<S>| Equation::new(symbol, tensor, group, &none).aligned();
+    let aligned = |group: &Group<S>| {
+        let sides = sides(&[Node::Letter(SYMBOL)], tensor, group, &none);
+        Equation(sides).aligned().replace(SYMBOL, symbol)
+    };
     groups(tensor).iter().map(aligned).collect()
-}
-
-/// One group of components as a formula within text.
-pub(super) fn equation<S: Notation>(
-    quantity: Quantity,
-    tensor: &Tensor<S>,
-    group: &Group<S>,
-) -> String {
-    let none = CommonFactors::default();
-    let equation = Equation::new(&quantity.latex(), tensor, group, &none);
-    equation.inline().trim_end_matches("\\par").into()
 }
 
 /// A line in which every space counts: a box, at whose start TeX drops none.

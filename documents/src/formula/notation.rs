@@ -1,0 +1,268 @@
+//! The reader of the notation.
+
+use super::{
+    ACCENTS, Accent, Brackets, DIFFERENTIALS, FUNCTIONS, LETTERS, Node, Row, SIGNS, fraction,
+    symbol,
+};
+
+/// Formulas with more open brackets are not read.
+const DEEPEST: usize = 64;
+
+/// The tree of a formula.
+///
+/// # Errors
+/// The rest of the text in front of which the formula must end.
+pub(crate) fn notation(text: &str) -> Result<Row, String> {
+    let mut reader = Reader { rest: text, depth: 0 };
+    let row = reader.row("");
+    match row {
+        Some(row) if reader.rest.is_empty() => Ok(row),
+        _ => Err(reader.rest.into()),
+    }
+}
+
+/// The tree of a formula. A formula outside the grammar becomes words.
+pub(crate) fn formula(text: &str) -> Row {
+    notation(text).unwrap_or_else(|_| vec![Node::Text(text.into())])
+}
+
+#[derive(Clone)]
+struct Reader<'a> {
+    rest: &'a str,
+    /// The number of open brackets and braces.
+    depth: usize,
+}
+
+impl<'a> Reader<'a> {
+    /// Takes a text that begins here.
+    fn take(&mut self, text: &str) -> bool {
+        self.rest.strip_prefix(text).map(|rest| self.rest = rest).is_some()
+    }
+
+    /// The longest run of such characters, which may be empty.
+    fn run(&mut self, of: impl Fn(char) -> bool) -> &'a str {
+        let end = self.rest.find(|c| !of(c)).unwrap_or(self.rest.len());
+        let (run, rest) = self.rest.split_at(end);
+        self.rest = rest;
+        run
+    }
+
+    /// Whether a factor begins here.
+    fn begins_factor(&self) -> bool {
+        self.rest.starts_with(|c: char| c.is_ascii_alphanumeric() || "([<{\"".contains(c))
+            && !self.rest.starts_with("<=")
+    }
+
+    /// Signs and products up to a closing bracket.
+    fn row(&mut self, end: &str) -> Option<Row> {
+        let mut row = vec![];
+        loop {
+            let before = self.rest.len();
+            self.rest = self.rest.trim_start_matches([' ', '\n']);
+            let spaced = self.rest.len() < before;
+            if end.is_empty() && self.rest.is_empty() || !end.is_empty() && self.take(end) {
+                return Some(row);
+            }
+            if spaced && self.rest.starts_with("x ") {
+                self.rest = &self.rest[1..];
+                row.push(Node::Sign("×"));
+                continue;
+            }
+            let sign = SIGNS.iter().find(|(sign, _)| self.rest.starts_with(sign));
+            match sign.filter(|(sign, _)| !["'", "x"].contains(sign)) {
+                Some((sign, shown)) => {
+                    self.rest = &self.rest[sign.len()..];
+                    row.push(Node::Sign(shown));
+                }
+                None => row.extend(self.quotient()?),
+            }
+        }
+    }
+
+    /// A row in brackets, behind the opening one.
+    fn inside(&mut self, end: &str) -> Option<Row> {
+        self.depth += 1;
+        let row = (self.depth <= DEEPEST).then(|| self.row(end)).flatten();
+        self.depth -= 1;
+        row
+    }
+
+    /// Factors with `*` and `/` between them.
+    fn quotient(&mut self) -> Option<Row> {
+        let mut row = self.factor()?;
+        loop {
+            let mut ahead = Reader { rest: self.rest.get(1..).unwrap_or_default(), ..*self };
+            let divides = self.rest.starts_with('/');
+            if !(divides || self.rest.starts_with('*')) || !ahead.begins_factor() {
+                return Some(row);
+            }
+            let factor = ahead.factor()?;
+            *self = ahead;
+            match divides {
+                true => row = fraction(row, factor),
+                false => row.extend(factor),
+            }
+        }
+    }
+
+    /// A piece with its scripts and its argument; braces may have several pieces.
+    fn factor(&mut self) -> Option<Row> {
+        if self.take("{") {
+            let mut row = self.inside("}")?;
+            let last = row.pop()?;
+            row.push(self.scripts(last)?);
+            return Some(row);
+        }
+        let atom = self.atom()?;
+        let mut node = self.scripts(atom)?;
+        let base = match &node {
+            Node::Scripts(base, _) => base,
+            node => node,
+        };
+        let number = matches!(base, Node::Number(_) | Node::Text(_));
+        let differential = matches!(base, Node::Letter(c) if *c == 'D');
+        let function = differential || matches!(base, Node::Function(_));
+        if self.rest.starts_with('(') && !number {
+            self.take("(");
+            let argument = self.inside(")")?;
+            node = match node {
+                Node::Function(name) if name == "sqrt" => Node::Root(argument),
+                node => apply(node, Node::Group(Brackets::Round, argument)),
+            };
+            node = self.scripts(node)?;
+        } else if let Some(rest) = self.rest.strip_prefix(' ').filter(|_| function) {
+            let mut ahead = Reader { rest, depth: self.depth + 1 };
+            if ahead.begins_factor() && !rest.starts_with("x ") && ahead.depth <= DEEPEST {
+                let [argument] = <[Node; 1]>::try_from(ahead.factor()?).ok()?;
+                self.rest = ahead.rest;
+                node = apply(node, argument);
+            }
+        }
+        Some(vec![node])
+    }
+
+    fn atom(&mut self) -> Option<Node> {
+        if self.rest.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            let word = self.run(|c| c.is_ascii_alphabetic());
+            return self.word(word);
+        }
+        if self.rest.starts_with(|c: char| c.is_ascii_digit()) {
+            let mut number = self.run(|c| c.is_ascii_digit()).to_string();
+            let decimals = self.rest.strip_prefix('.').unwrap_or_default();
+            if decimals.starts_with(|c: char| c.is_ascii_digit()) {
+                self.rest = decimals;
+                number = number + "." + self.run(|c| c.is_ascii_digit());
+            }
+            return Some(Node::Number(number));
+        }
+        if self.take("\"") {
+            let (words, rest) = self.rest.split_once('"')?;
+            self.rest = rest;
+            return Some(Node::Text(words.into()));
+        }
+        let kinds = [Brackets::Round, Brackets::Square, Brackets::Angle];
+        let kind = kinds.into_iter().find(|kind| self.rest.starts_with(kind.text()[0]))?;
+        let [open, close] = kind.text();
+        self.take(open);
+        Some(Node::Group(kind, self.inside(close)?))
+    }
+
+    /// A letter, a function or a name, with an accent and digits; or a differential of one.
+    fn word(&mut self, word: &str) -> Option<Node> {
+        if FUNCTIONS.contains(&word) {
+            return Some(Node::Function(word.into()));
+        }
+        let known = |word: &str| word.len() == 1 || LETTERS.iter().any(|(name, ..)| *name == word);
+        let split = |word: &'_ str| -> (usize, Option<Accent>) {
+            let ending = ACCENTS[1..]
+                .iter()
+                .find(|(ending, _)| word.strip_suffix(ending).is_some_and(|name| !name.is_empty()));
+            ending.map_or((word.len(), None), |(e, accent)| (word.len() - e.len(), Some(*accent)))
+        };
+        let (length, ending) = split(word);
+        let stem = &word[..length];
+        let (stem, accent) = match known(stem) {
+            _ if self.take("~") => (word, Some(Accent::Tilde)),
+            true => (stem, ending),
+            false => (word, None),
+        };
+        let inner = DIFFERENTIALS.into_iter().find_map(|d| {
+            let inner = stem.strip_prefix(d).filter(|inner| known(inner))?;
+            (!known(stem)).then_some((d, inner))
+        });
+        let (differential, stem) = inner.map_or((None, stem), |(d, inner)| (Some(d), inner));
+        let mut node = symbol(stem);
+        if let Some(accent) = accent {
+            node = Node::Accent(accent, Box::new(node));
+        }
+        let digits = self.run(|c| c.is_ascii_digit());
+        if !digits.is_empty() {
+            let index = vec![Node::Number(digits.into())];
+            node = Node::Scripts(Box::new(node), vec![(false, index)]);
+        }
+        match differential {
+            Some(d) => {
+                let argument = self.scripts(node)?;
+                Some(apply(Node::Letter(d), argument))
+            }
+            None => Some(node),
+        }
+    }
+
+    /// The piece with the indices and powers that follow it.
+    fn scripts(&mut self, base: Node) -> Option<Node> {
+        let mut scripts = vec![];
+        loop {
+            let script = match self.rest.chars().next() {
+                Some('\'') => {
+                    self.rest = &self.rest[1..];
+                    (true, vec![Node::Sign("′")])
+                }
+                Some(mark @ ('^' | '_')) => {
+                    self.rest = &self.rest[1..];
+                    let script = if self.take("{") {
+                        self.inside("}")?
+                    } else if self.take("(") {
+                        let indices = self.indices()?;
+                        self.take(")").then(|| vec![Node::Group(Brackets::Round, indices)])?
+                    } else {
+                        self.indices()?
+                    };
+                    (mark == '^', script)
+                }
+                _ if scripts.is_empty() => return Some(base),
+                _ => return Some(Node::Scripts(Box::new(base), scripts)),
+            };
+            scripts.push(script);
+        }
+    }
+
+    /// Letters and digits, each an index; `-1` and `*` may stand alone.
+    fn indices(&mut self) -> Option<Row> {
+        let sign = SIGNS.iter().find(|(sign, _)| self.rest.starts_with(sign));
+        let sign = sign.filter(|(sign, _)| ["-", "+", "*"].contains(sign));
+        let mut row = vec![];
+        if let Some((sign, shown)) = sign {
+            self.take(sign);
+            row.push(Node::Sign(shown));
+        }
+        let run = self.run(|c| c.is_ascii_alphanumeric());
+        if sign.is_some() && run.bytes().all(|b| b.is_ascii_digit()) && !run.is_empty() {
+            // a power such as -12 is one number
+            row.push(Node::Number(run.into()));
+            return Some(row);
+        }
+        let mut letters = run.chars();
+        row.extend(match (letters.next(), letters.next()) {
+            (None, _) => None,
+            (Some(c), None) if c.is_ascii_digit() => Some(Node::Number(c.into())),
+            (Some(c), None) => Some(Node::Letter(c)),
+            _ => Some(Node::Indices(run.into())),
+        });
+        (!row.is_empty()).then_some(row)
+    }
+}
+
+fn apply(function: Node, argument: Node) -> Node {
+    Node::Apply(Box::new(function), Box::new(argument))
+}

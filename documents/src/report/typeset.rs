@@ -1,0 +1,88 @@
+//! Reports as formulas: components, brackets and equations of tables.
+
+use super::Quantity;
+use super::components::{Group, plain, scripts, with_names};
+use super::head::conventions;
+use crate::formula::lines::chain;
+use crate::formula::{Node, Row, formula, label, sum, value};
+use affinor_tensors::{CommonFactors, Notation, Tensor, Up};
+use std::collections::BTreeMap;
+
+/// The conventions in brief.
+pub(super) fn convention_formulas() -> Vec<Row> {
+    conventions().split("; ").map(formula).collect()
+}
+
+/// `R^i_jkl`.
+pub(super) fn general<S: Notation>(quantity: Quantity, tensor: &Tensor<S>) -> Row {
+    let letters = quantity.letters();
+    with_scripts(&formula(quantity.symbol()), 0, tensor, letters.chars().map(String::from))
+}
+
+/// The sides of `R^1_212 = -R^1_221 = ... = 1/4`.
+pub(super) fn sides<S: Notation>(
+    symbol: &[Node],
+    tensor: &Tensor<S>,
+    group: &Group<S>,
+    factors: &CommonFactors,
+) -> Vec<Row> {
+    let members = group.members.iter().map(|(at, negative)| {
+        let numbers = at.iter().map(|index| (index + 1).to_string());
+        let mut side = with_scripts(symbol, tensor.dimension(), tensor, numbers);
+        if *negative {
+            side.insert(0, Node::Sign("−"));
+        }
+        side
+    });
+    members.chain([value(&with_names(&group.value, factors))]).collect()
+}
+
+/// `R^1_212 = -R^1_221 = ... = 1/4`.
+pub(super) fn equation<S: Notation>(
+    quantity: Quantity,
+    tensor: &Tensor<S>,
+    group: &Group<S>,
+    factors: &CommonFactors,
+) -> Row {
+    chain(sides(&formula(quantity.symbol()), tensor, group, factors))
+}
+
+/// The brackets of the basis vectors, `[e1, e2] = e3`.
+pub(super) fn brackets<S: Notation>(structure: &Tensor<S>, labels: &[String]) -> Vec<Row> {
+    let mut brackets: BTreeMap<_, Vec<_>> = BTreeMap::new();
+    for (at, coefficient) in structure.components().filter(|(at, _)| at[1] < at[2]) {
+        let term = (value(&plain(coefficient)), vec![label(&labels[at[0]])]);
+        brackets.entry((at[1], at[2])).or_default().push(term);
+    }
+    let pair = |(j, k): (usize, usize)| {
+        let pair = vec![label(&labels[j]), Node::Sign(","), label(&labels[k])];
+        vec![Node::Group(crate::formula::Brackets::Square, pair)]
+    };
+    brackets.into_iter().map(|(at, terms)| chain([pair(at), sum(terms)])).collect()
+}
+
+/// The symbol with its indices; beyond dimension 9 commas stand between them.
+fn with_scripts<S: Notation>(
+    symbol: &[Node],
+    dimension: usize,
+    tensor: &Tensor<S>,
+    indices: impl Iterator<Item = String>,
+) -> Row {
+    let run = |(variance, run): (_, String)| {
+        let numbers = run.split(',').map(|index| match index.len() {
+            1 if index.bytes().all(|b| b.is_ascii_alphabetic()) => formula(index),
+            1 => vec![Node::Number(index.into())],
+            _ if dimension > 9 => vec![Node::Number(index.into())],
+            _ => vec![Node::Indices(index.into())],
+        });
+        (variance == Up, numbers.collect::<Vec<_>>().join(&Node::Sign(",")))
+    };
+    let scripts: Vec<_> =
+        scripts(dimension, tensor.slots(), indices).into_iter().map(run).collect();
+    match symbol.split_last() {
+        Some((last, rest)) if !scripts.is_empty() => {
+            [rest, &[Node::Scripts(Box::new(last.clone()), scripts)]].concat()
+        }
+        _ => symbol.to_vec(),
+    }
+}
