@@ -90,8 +90,8 @@ pub enum View<'e> {
     Sum(&'e [(bool, Expression)]),
     /// Factors, each with whether it divides the product of those in front of it.
     Product(&'e [(bool, Expression)]),
-    /// A power with its exponent.
-    Power(&'e Expression, i64),
+    /// A base and an exponent; an exponent without names is a number.
+    Power(&'e Expression, &'e Expression),
     /// A function and its arguments.
     Call(&'e str, &'e [Expression]),
 }
@@ -190,7 +190,7 @@ impl Expression {
             Node::Name(name) => View::Name(name),
             Node::Sum(terms) => View::Sum(terms),
             Node::Product(factors) => View::Product(factors),
-            Node::Power(base, exponent) => View::Power(base, *exponent),
+            Node::Power(base, exponent) => View::Power(base, exponent),
             Node::Call(name, arguments) => View::Call(name, arguments),
         }
     }

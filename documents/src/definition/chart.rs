@@ -1,6 +1,6 @@
 //! Charts in definitions: coordinates, and fields whose components are functions of them.
 
-use super::functions::Functions;
+use super::functions::{Functions, Positive};
 use super::input::{InputError, shown};
 use super::notation::Names;
 use super::source::{Place, Source};
@@ -8,8 +8,8 @@ use super::written::ChartText;
 use super::{Given, Reading};
 use affinor::geometry::chart::{Chart, Fields};
 use affinor_tensors::expression::{canonical_name, is_abbreviation};
-use affinor_tensors::scalar::{FreeFunction, PositiveFactors};
-use affinor_tensors::{Down, Notation, Tensor, Up};
+use affinor_tensors::scalar::FreeFunction;
+use affinor_tensors::{Down, Notation, Symbolic, Tensor, Up};
 
 /// Fields by their components in the coordinate frame.
 #[derive(Clone, Debug)]
@@ -44,11 +44,12 @@ impl ChartText {
     pub fn functions(&self, names: &Names, source: &Source) -> Result<Functions, InputError> {
         let coordinates: Vec<_> = self.coordinates.iter().map(|name| name.to_string()).collect();
         let mut functions =
-            Functions { coordinates, free: vec![], positive: PositiveFactors::default() };
+            Functions { coordinates, free: vec![], positive: Positive::default() };
         for text in &self.functions {
             let free = self.free(text, names, &functions);
             functions.free.push(free.map_err(|error| error.at(&source.at(text)))?);
         }
+        self.conditions(&mut functions, names, source)?;
         for text in &self.positive {
             let excerpt = source.excerpt(text);
             let names = Names { functions: Some(&functions), ..*names };
@@ -57,6 +58,47 @@ impl ChartText {
             declared.map_err(|reason| InputError::usage(reason).at(&source.at(text)))?;
         }
         Ok(functions)
+    }
+
+    /// The conditions `r_u = ...` on derivatives of free functions, whose names stand for the functions at their own
+    /// arguments.
+    fn conditions(
+        &self,
+        functions: &mut Functions,
+        names: &Names,
+        source: &Source,
+    ) -> Result<(), InputError> {
+        let mut found: Vec<(String, Symbolic)> = Vec::new();
+        for text in &self.conditions {
+            let excerpt = source.excerpt(text);
+            let content = excerpt.content();
+            let refuse = |message: String| Err(InputError::usage(message).at(&source.at(text)));
+            let Some((head, value)) = content.split_once('=') else {
+                return refuse("a condition is derivative = value, as in \"r_u = 2*u/r\"".into());
+            };
+            let bare = Names { functions: Some(functions), bare: true, ..*names };
+            let head = canonical_name(head.trim());
+            let head = head.split('(').next().unwrap_or_default().trim().to_string();
+            let name = head.split('_').next().unwrap_or_default();
+            if !functions.free.iter().any(|free| free.name() == name) {
+                let message = format!("`{}` is not a derivative of a declared function", shown(&head));
+                return refuse(message);
+            }
+            found.push((head, bare.scalar(value.trim(), &excerpt)?));
+        }
+        for free in &mut functions.free {
+            let is_own = |head: &str| head.split('_').next() == Some(free.name());
+            let own = found.iter().filter(|(head, _)| is_own(head));
+            let own: Vec<_> = own.map(|(head, value)| (head.as_str(), value.clone())).collect();
+            if own.is_empty() {
+                continue;
+            }
+            let conditioned = free.with_conditions(&own);
+            *free = conditioned.map_err(|reason| {
+                InputError::mathematics(reason).at(&source.key("chart.where"))
+            })?;
+        }
+        Ok(())
     }
 
     /// A function that is declared without being given, `f(r, theta)`.

@@ -4,6 +4,7 @@ use super::input::shown;
 use affinor_tensors::expression::{POWER, no_function};
 use affinor_tensors::scalar::{FreeFunction, PositiveFactors};
 use affinor_tensors::Symbolic;
+use std::sync::{Mutex, PoisonError};
 
 /// The functions on a chart: of its coordinates, with the signs by which roots and logarithms are defined, and those
 /// that are declared without being given.
@@ -11,18 +12,52 @@ use affinor_tensors::Symbolic;
 pub(crate) struct Functions {
     pub coordinates: Vec<String>,
     pub free: Vec<FreeFunction>,
-    pub positive: PositiveFactors,
+    pub positive: Positive,
+}
+
+/// Positive factors, to which bases of powers with symbolic exponents are added while a definition is read.
+#[derive(Debug, Default)]
+pub(crate) struct Positive(Mutex<PositiveFactors>);
+
+impl Positive {
+    /// The factors that are known so far.
+    pub fn known(&self) -> PositiveFactors {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Adds a positive function.
+    pub fn declare(&self, function: &Symbolic) -> Result<(), String> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).declare(function)
+    }
+
+    fn power(&self, base: &Symbolic, exponent: &Symbolic) -> Result<Symbolic, String> {
+        let mut factors = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        factors.assumed_power(base, exponent)
+    }
+}
+
+impl Clone for Positive {
+    fn clone(&self) -> Self {
+        Positive(Mutex::new(self.known()))
+    }
 }
 
 impl Functions {
+    /// The declared function, or the derivative of one, of that name.
+    pub fn derivative(&self, name: &str) -> Option<FreeFunction> {
+        let head = name.split('_').next()?;
+        let free = self.free.iter().find(|free| free.name() == head)?;
+        free.named(name).ok()
+    }
+
     /// The value of a function.
     pub fn call(&self, name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
         let head = name.split('_').next().unwrap_or_default();
         if let Some(free) = self.free.iter().find(|free| free.name() == head) {
-            return FreeFunction::new(name, free.arguments())?.at(arguments);
+            return free.named(name)?.at(arguments);
         }
         match arguments {
-            [argument] => self.positive.function(name, argument),
+            [argument] => self.positive.known().function(name, argument),
             [base, exponent] if name == POWER => self.positive.power(base, exponent),
             several => {
                 let (name, count) = (shown(name), several.len());

@@ -19,12 +19,14 @@ pub(crate) struct Names<'n> {
     pub parameters: Option<&'n BTreeSet<String>>,
     /// The functions on a chart. Its coordinates are also declared as parameters.
     pub functions: Option<&'n Functions>,
+    /// Whether the name of a free function stands for the function at its own arguments.
+    pub bare: bool,
 }
 
 impl<'n> Names<'n> {
     /// The names of scalars beside these basis vectors; every unknown name is a parameter.
     pub fn open(labels: &'n BTreeMap<String, usize>, functions: Option<&'n Functions>) -> Self {
-        Names { labels, parameters: None, functions }
+        Names { labels, parameters: None, functions, bare: false }
     }
 
     /// Parses `text`, a piece of `source`, and evaluates it.
@@ -106,6 +108,11 @@ impl<'n> Names<'n> {
         }
         if name.ends_with('\'') {
             return Err(format!("`{}` is not a basis vector here", shown(name)));
+        }
+        if let (true, Some(functions)) = (self.bare, self.functions)
+            && let Some(function) = functions.derivative(name)
+        {
+            return Ok(function.value());
         }
         match self.parameters {
             None if name == "pi" => Ok(Symbolic::pi()),

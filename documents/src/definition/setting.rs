@@ -45,7 +45,7 @@ impl Definition {
         let positive = match self.functions() {
             None => PositiveFactors::default(),
             Some(functions) => {
-                functions.positive.with_values(values).map_err(InputError::mathematics)?
+                functions.positive.known().with_values(values).map_err(InputError::mathematics)?
             }
         };
         let mut failed = None;

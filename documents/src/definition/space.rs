@@ -400,7 +400,7 @@ fn inline(labels: &str, brackets: &[String]) -> Result<Definition, InputError> {
     let labels = source.text.split([' ', ',', '\t', '\n']);
     let labels: Vec<&str> = labels.filter(|label| !label.is_empty()).collect();
     let indices = basis(&labels, &|at| source.whole(labels[at]))?;
-    let names = Names { labels: &indices, parameters: None, functions: None };
+    let names = Names { labels: &indices, parameters: None, functions: None, bare: false };
     let mut given = BTreeMap::new();
     for block in brackets {
         let source = Source::new("--bracket", block);

@@ -69,6 +69,8 @@ pub(crate) struct ChartText {
     pub functions: Vec<Text>,
     #[serde(default)]
     pub positive: Vec<Text>,
+    #[serde(default, rename = "where")]
+    pub conditions: Vec<Text>,
 }
 
 /// A number: an expression in a string, an integer, or a decimal.

@@ -106,8 +106,20 @@ fn signed(text: &str) -> Row {
     if text.starts_with('-') { vec![Node::Sign("−"), size] } else { vec![size] }
 }
 
-fn power(base: &Expression, exponent: i64, text: &str) -> Row {
-    let exponent = signed(&exponent.to_string());
+fn power(base: &Expression, exponent: &Expression, text: &str) -> Row {
+    let exponent = match exponent.view() {
+        View::Number(number) => {
+            let number = number.to_string();
+            match number.split_once('/') {
+                None => signed(&number),
+                Some((above, below)) => {
+                    let below = Node::Number(below.into());
+                    [signed(above), vec![Node::Sign("/"), below]].concat()
+                }
+            }
+        }
+        _ => read(exponent, text),
+    };
     if let View::Call(name, arguments) = base.view() {
         return call(name, arguments, Some(exponent), text);
     }

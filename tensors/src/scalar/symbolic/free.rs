@@ -10,6 +10,7 @@ use super::{PositiveFactors, Symbolic};
 use crate::expression::is_name;
 use crate::scalar::function::is_elementary;
 use num_traits::Zero;
+use std::sync::Arc;
 
 /// A partial derivative of a free function, with the names of its arguments.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -18,6 +19,19 @@ pub struct FreeFunction {
     arguments: Vec<String>,
     /// The positions of the arguments by which it is differentiated, sorted.
     by: Vec<usize>,
+    conditions: Conditions,
+}
+
+/// Partial derivatives that have values, in terms of the arguments by their names and of the function.
+type Conditions = Option<Arc<Vec<Condition>>>;
+
+#[derive(Debug, PartialEq, Eq, Hash)]
+struct Condition {
+    /// The positions of the arguments by which the function is differentiated, sorted.
+    by: Vec<usize>,
+    /// The names of the arguments.
+    names: Vec<String>,
+    value: Symbolic,
 }
 
 /// A partial derivative of a free function at arguments.
@@ -27,6 +41,7 @@ pub(super) struct Applied {
     /// The positions of the arguments by which the function is differentiated, sorted.
     pub by: Vec<usize>,
     pub arguments: Vec<Symbolic>,
+    conditions: Conditions,
 }
 
 impl FreeFunction {
@@ -60,7 +75,60 @@ impl FreeFunction {
             let (name, all) = (&name, arguments.join(", "));
             format!("`{head}` is no derivative of a function of {all}: {name}_{}", arguments[0])
         })?;
-        Ok(FreeFunction { name, arguments, by })
+        Ok(FreeFunction { name, arguments, by, conditions: None })
+    }
+
+    /// The function with values for some of its derivatives, in terms of its arguments and of the function without conditions.
+    /// Higher derivatives follow.
+    ///
+    /// ```
+    /// use affinor_tensors::scalar::FreeFunction;
+    /// let f = FreeFunction::read("f(x,y)")?;
+    /// let f = f.with_conditions(&[("f_x", "y*f(x,y)".parse()?), ("f_y", "x*f(x,y)".parse()?)])?;
+    /// assert_eq!(f.value().derivative("x").derivative("y").to_string(), "f(x,y)*(x*y + 1)");
+    /// let both = [("f_x", "y".parse()?), ("f_y", "x^2".parse()?)];
+    /// assert!(FreeFunction::read("f(x,y)")?.with_conditions(&both).unwrap_err().contains("f_x_y"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// In words: not a derivative of the function, a derivative that has two values, a value that depends on the derivative
+    /// itself, or two conditions whose mixed derivatives differ.
+    pub fn with_conditions(&self, conditions: &[(&str, Symbolic)]) -> Result<Self, String> {
+        let mut all: Vec<Condition> = Vec::new();
+        for (head, value) in conditions {
+            let derivative = FreeFunction::new(head, &self.arguments)?;
+            if derivative.name != self.name || derivative.by.is_empty() {
+                return Err(format!("`{head}` is not a derivative of {}", self.declaration()));
+            }
+            let by = derivative.by;
+            let itself = |inner: &Applied| *inner.name == *self.name && contains(&inner.by, &by);
+            if value.functions().iter().any(|inner| itself(inner)) {
+                return Err(format!("the value of {head} contains {head} or a derivative of it"));
+            }
+            if all.iter().any(|other| contains(&by, &other.by) || contains(&other.by, &by)) {
+                return Err(format!("{head} follows from another condition, or another one from it"));
+            }
+            all.push(Condition { by, names: self.arguments.clone(), value: value.clone() });
+        }
+        let all = Arc::new(all);
+        let function = FreeFunction { conditions: Some(all.clone()), ..self.clone() };
+        for (at, one) in all.iter().enumerate() {
+            for other in &all[..at] {
+                let mut mixed = one.by.clone();
+                mixed.extend(without(&other.by, &one.by));
+                mixed.sort_unstable();
+                let own = FreeFunction { by: mixed.clone(), ..function.clone() };
+                let parameters: Vec<Symbolic> =
+                    self.arguments.iter().map(|name| Symbolic::parameter(name)).collect();
+                let applied = own.applied(&parameters);
+                if applied.under(one) != applied.under(other) {
+                    let head = FreeFunction { conditions: None, ..own }.applied(&parameters).head();
+                    return Err(format!("the conditions give two values of {head}"));
+                }
+            }
+        }
+        Ok(function)
     }
 
     /// Reads a function as it is declared: `f(r, theta)`.
@@ -82,6 +150,11 @@ impl FreeFunction {
     /// The arguments.
     pub fn arguments(&self) -> &[String] {
         &self.arguments
+    }
+
+    /// The arguments by which it is differentiated, in their order.
+    pub fn differentiated_by(&self) -> impl Iterator<Item = &str> {
+        self.by.iter().map(|at| self.arguments[*at].as_str())
     }
 
     /// The function as it is declared: `f(r,theta)`.
@@ -118,6 +191,7 @@ impl FreeFunction {
             name: self.name.as_str().into(),
             by: self.by.clone(),
             arguments: arguments.to_vec(),
+            conditions: self.conditions.clone(),
         }
     }
 
@@ -127,6 +201,15 @@ impl FreeFunction {
         let mut derivative = self.clone();
         derivative.by.insert(self.by.partition_point(|other| *other <= at), at);
         Some(derivative)
+    }
+
+    /// The function or derivative of that name, with the conditions of this function: `f_r` for `f`.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn named(&self, head: &str) -> Result<Self, String> {
+        let conditions = self.conditions.clone();
+        Ok(FreeFunction { conditions, ..Self::new(head, &self.arguments)? })
     }
 
     /// The function without derivatives.
@@ -140,6 +223,53 @@ impl FreeFunction {
         let Kind::Applied(applied) = variable.kind() else { return None };
         let own = FreeFunction { by: applied.by.clone(), ..self.clone() };
         (own.value() == *value).then_some(own)
+    }
+}
+
+/// Whether a sorted list contains another one.
+fn contains(by: &[usize], other: &[usize]) -> bool {
+    by.len() >= other.len() && without(by, other).len() == by.len() - other.len()
+}
+
+/// A sorted list without the members of another one.
+fn without(by: &[usize], other: &[usize]) -> Vec<usize> {
+    let mut rest = by.to_vec();
+    for at in other {
+        if let Some(place) = rest.iter().position(|own| own == at) {
+            rest.remove(place);
+        }
+    }
+    rest
+}
+
+impl Symbolic {
+    /// The free functions that the value contains, those in arguments included.
+    fn functions(&self) -> Vec<&'static Applied> {
+        let mut all = Vec::new();
+        for variable in self.variables() {
+            if let Kind::Applied(applied) = variable.kind() {
+                all.push(applied);
+            }
+            variable.kind().arguments().iter().for_each(|inner| all.extend(inner.functions()));
+        }
+        all
+    }
+
+    /// The value with conditions on the free function of that name.
+    fn with_conditions(&self, name: &str, conditions: &Conditions) -> Symbolic {
+        let Some(function) = self.functions().into_iter().find(|inner| *inner.name == *name) else {
+            return self.clone();
+        };
+        let arguments: Vec<String> = (1..=function.arguments.len()).map(|at| format!("x{at}")).collect();
+        let value = Applied {
+            name: name.into(),
+            by: vec![],
+            arguments: arguments.iter().map(|name| Symbolic::parameter(name)).collect(),
+            conditions: conditions.clone(),
+        };
+        let substitution = Substitution::of_function(name, arguments, value.value());
+        let positive = PositiveFactors::default();
+        self.substitute_where(&positive, &substitution).unwrap_or_else(|_| self.clone())
     }
 }
 
@@ -191,7 +321,7 @@ impl Applied {
             let all: Vec<String> = arguments.iter().map(Symbolic::to_string).collect();
             format!("`{head}` is no derivative of a function of {}: {name}_1", all.join(", "))
         })?;
-        Applied { name: name.into(), by, arguments: arguments.to_vec() }.checked()
+        Applied { name: name.into(), by, arguments: arguments.to_vec(), conditions: None }.checked()
     }
 
     /// The value of the function; an error in words if all arguments are numbers.
@@ -202,8 +332,29 @@ impl Applied {
         Ok(self.value())
     }
 
+    /// The value; by the conditions of the function for a derivative that has one.
     pub fn value(self) -> Symbolic {
-        Symbolic::variable(Variable::function(Kind::Applied(self)))
+        let conditions = self.conditions.clone();
+        let mut all = conditions.iter().flat_map(|all| all.iter());
+        match all.find(|condition| contains(&self.by, &condition.by)) {
+            Some(condition) => self.under(condition),
+            None => Symbolic::variable(Variable::function(Kind::Applied(self))),
+        }
+    }
+
+    /// The value of a derivative by a condition, differentiated as often as is left.
+    fn under(&self, condition: &Condition) -> Symbolic {
+        let conditioned = |value: Symbolic| value.with_conditions(&self.name, &self.conditions);
+        let by = without(&self.by, &condition.by).into_iter();
+        let by = by.map(|at| Variable::parameter(&condition.names[at]));
+        let value = by.fold(conditioned(condition.value.clone()), |value, by| value.derivative_by(by));
+        let own = condition.names.iter().map(|name| Symbolic::parameter(name));
+        if own.eq(self.arguments.iter().cloned()) {
+            return value;
+        }
+        let at = condition.names.iter().cloned().zip(self.arguments.iter().cloned()).collect();
+        let positive = PositiveFactors::default();
+        value.substitute_where(&positive, &Substitution::of_parameters(at)).unwrap_or(value)
     }
 
     /// The names of the arguments, if they are different names without `_`.

@@ -171,6 +171,39 @@ impl PositiveFactors {
         Ok(power(&root, exponent))
     }
 
+    /// As [`power`](Self::power) for an exponent with parameters, where the base and its variables are taken as positive if their signs are
+    /// not known; from then on they are declared.
+    ///
+    /// ```
+    /// use affinor_tensors::scalar::PositiveFactors;
+    /// let mut positive = PositiveFactors::default();
+    /// let power = positive.assumed_power(&"1 - 2*m/r".parse()?, &"p".parse()?)?;
+    /// assert_eq!(power.to_string(), "(-2*m + r)^p/r^p");
+    /// assert_eq!(positive.function("sqrt", &"r^2 - 2*m*r".parse()?)?.to_string(), "sqrt(r)*sqrt(-2*m + r)");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As there, if signs of several sums are not known.
+    pub fn assumed_power(&mut self, base: &Symbolic, exponent: &Symbolic) -> Result<Symbolic, String> {
+        let refused = match self.power(base, exponent) {
+            Ok(power) => return Ok(power),
+            Err(reason) => reason,
+        };
+        if exponent.as_constant().is_some() {
+            return Err(refused);
+        }
+        let mut assumed = self.clone();
+        let Ok((_, factors)) = factors("a base", base) else { return Err(refused) };
+        for (factor, _) in factors.iter().filter(|(factor, _)| factor.as_variable().is_some()) {
+            assumed.declare(factor).map_err(|_| refused.clone())?;
+        }
+        assumed.declare(base).map_err(|_| refused.clone())?;
+        let power = assumed.power(base, exponent).map_err(|_| refused)?;
+        *self = assumed;
+        Ok(power)
+    }
+
     /// The root `argument^(1/n)`.
     ///
     /// # Errors

@@ -24,6 +24,14 @@ impl Substitution {
         Substitution { parameters, functions: vec![] }
     }
 
+    /// The value of a function of arguments of these names.
+    pub fn of_function(name: &str, arguments: Vec<String>, value: Symbolic) -> Self {
+        match FreeFunction::new(name, &arguments) {
+            Ok(function) => Substitution { functions: vec![(function, value)], ..Self::default() },
+            Err(_) => Self::default(),
+        }
+    }
+
     pub fn parameter(&self, name: &str) -> Option<&Symbolic> {
         self.parameters.get(name)
     }
