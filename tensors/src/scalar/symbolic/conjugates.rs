@@ -77,7 +77,10 @@ impl Root {
         let below = reduced.denominator.parts(&reduced.variables).into_iter();
         let below = below.map(|(g, e)| (reduced.polynomial(&g.expanded(&reduced.variables)), e));
         let numerator = reduced.polynomial(&reduced.numerator);
-        let inverse = below.map(|(g, e)| Some(pow(self.in_roots(&g).recip()?, e as usize)));
+        let inverse = below.map(|(g, e)| match g == free {
+            true => self.in_roots(&pow(g, e as usize)).recip(),
+            false => Some(pow(self.in_roots(&g).recip()?, e as usize)),
+        });
         inverse.fold(Some(self.in_roots(&numerator)), |product, factor| Some(product? * &factor?))
     }
 

@@ -17,7 +17,7 @@ use super::{Form, Symbolic, memo};
 use crate::expression::{Meaning, Scalars, no_function};
 use crate::scalar::function::Function;
 use crate::scalar::{Notation, Rational, Ring};
-use num_traits::{One, pow};
+use num_traits::{One, Zero, pow};
 
 impl Symbolic {
     /// The value over a scalar with elementary functions; `variable` gives the values of parameters and free functions.
@@ -180,10 +180,9 @@ fn balanced(all: Vec<Power>, exponential: Variable, part: &'static Part) -> Vec<
     // the exponents of sinh(x/2) and cosh(x/2)
     let (mut sines, mut cosines) = (0i64, 0i64);
     for (factor, e) in all {
+        // powers of the exponential cancel
+        let factor = without_power(&factor, exponential);
         let degree = by_power(&factor, exponential).len() - 1;
-        if factor == Symbolic::variable(exponential) {
-            continue;
-        }
         if degree == 0 {
             rest.push((factor, e));
             continue;
@@ -226,6 +225,12 @@ fn balanced(all: Vec<Power>, exponential: Variable, part: &'static Part) -> Vec<
     rest.push((whole(Function::Sinh), both - quotient));
     rest.push((cosh, quotient));
     rest
+}
+
+/// The polynomial divided by the power of a variable that divides it.
+fn without_power(polynomial: &Symbolic, variable: Variable) -> Symbolic {
+    let lowest = by_power(polynomial, variable).iter().take_while(|c| c.is_zero()).count();
+    polynomial.clone() / &pow(Symbolic::variable(variable), lowest)
 }
 
 /// The factors with `2*sinh(x/2)*exp(x/2)` in place of `exp(x) - 1`.

@@ -196,10 +196,7 @@ fn kind_power(kind: &Kind, e: u32, markup: Markup) -> String {
                 ((e, 2), Markup::Latex) => {
                     format!("\\sqrt{{{}}}{}", of.to_latex(), exponent(e, markup))
                 }
-                ((e, 1), _) => match exponent(e, markup) {
-                    power if power.is_empty() => of.written(markup, &CommonFactors::default()),
-                    _ => powered(of, &e.to_string(), markup),
-                },
+                ((e, 1), _) => atom(of, markup) + &exponent(e, markup),
                 ((1, n), Markup::Latex) => format!("\\sqrt[{n}]{{{}}}", of.to_latex()),
                 ((e, n), _) => powered(of, &format!("{e}/{n}"), markup),
             }
@@ -210,19 +207,27 @@ fn kind_power(kind: &Kind, e: u32, markup: Markup) -> String {
 
 /// A base with an exponent that is not an integer.
 fn powered(base: &Symbolic, exponent: &str, markup: Markup) -> String {
+    let base = atom(base, markup);
+    match markup {
+        Markup::Latex => format!("{base}^{{{exponent}}}"),
+        Markup::Text if is_name(exponent) => format!("{base}^{exponent}"),
+        Markup::Text => format!("{base}^({exponent})"),
+    }
+}
+
+/// A value as the base of a power, in parentheses unless it is a name or a positive integer.
+fn atom(base: &Symbolic, markup: Markup) -> String {
     let plain = base.as_variable().is_some_and(|variable| match variable.kind() {
         Kind::Parameter(_) => true,
         Kind::Applied(_) => markup == Markup::Text,
         _ => false,
     });
-    let integer = base.as_constant().is_some_and(|c| c.to_i64().is_some());
+    let integer = base.as_constant().is_some_and(|c| c.to_i64().is_some_and(|n| n >= 0));
     match (markup, plain || integer) {
-        (Markup::Latex, true) => format!("{}^{{{exponent}}}", base.to_latex()),
-        (Markup::Latex, false) => format!("\\left({}\\right)^{{{exponent}}}", base.to_latex()),
-        (Markup::Text, plain) => {
-            let base = if plain { base.to_string() } else { format!("({base})") };
-            if is_name(exponent) { format!("{base}^{exponent}") } else { format!("{base}^({exponent})") }
-        }
+        (Markup::Text, true) => base.to_string(),
+        (Markup::Latex, true) => base.to_latex(),
+        (Markup::Text, false) => format!("({base})"),
+        (Markup::Latex, false) => format!("\\left({}\\right)", base.to_latex()),
     }
 }
 
