@@ -93,6 +93,44 @@ fn differences<S: Notation>(table: &Table<S>, row: &Value) -> Vec<String> {
     found
 }
 
+/// Derivatives in a table that the relations of the chart replace.
+fn unreduced<S: Notation>(table: &Table<S>, row: &Value) -> Vec<String> {
+    let chart = &row["definition"]["chart"];
+    let texts = |key: &str| chart[key].as_array().into_iter().flatten();
+    let texts = |key: &str| texts(key).map(|text| text.as_str().unwrap().replace(' ', ""));
+    let mut found = vec![];
+    for rule in texts("where") {
+        let left: Vec<&str> = rule.split('=').next().unwrap().split('_').collect();
+        let declared = texts("functions").find(|text| text.split('(').next() == Some(left[0]));
+        let declared = declared.unwrap();
+        let call = declared.strip_prefix(left[0]).unwrap();
+        for entry in &table.tensors {
+            for (at, value) in entry.tensor.components() {
+                let text = value.to_string().replace(", ", ",");
+                for (end, _) in text.match_indices(call) {
+                    let name = text[..end].rsplit(|c: char| !c.is_alphanumeric() && c != '_');
+                    let name: Vec<&str> = name.take(1).flat_map(|name| name.split('_')).collect();
+                    let count =
+                        |names: &[&str], by: &str| names.iter().filter(|n| **n == by).count();
+                    let replaced = name[0] == left[0]
+                        && left[1..]
+                            .iter()
+                            .all(|by| count(&name[1..], by) >= count(&left[1..], by));
+                    if replaced {
+                        found.push(format!(
+                            "{} {at:?} has {}",
+                            entry.quantity.key(),
+                            name.join("_")
+                        ));
+                    }
+                }
+            }
+        }
+    }
+    found.truncate(3);
+    found
+}
+
 /// Compares a table with the reference, and with its own texts.
 struct Compared<'a>(&'a Value);
 
@@ -106,6 +144,7 @@ impl Work for Compared<'_> {
     ) -> Result<Vec<String>, InputError> {
         let table = Table::new(&definition.geometry(reading)?, &QUANTITIES)?;
         let mut found = differences(&table, self.0);
+        found.extend(unreduced(&table, self.0));
         for format in Format::ALL {
             let mut text = vec![];
             table.write(format, &mut text).unwrap();
