@@ -41,7 +41,10 @@ impl LineElement {
     }
 
     /// A function on the chart. It is the first component of a metric that is never degenerate.
-    fn function(&self, text: &str) -> Result<Symbolic, String> {
+    ///
+    /// # Errors
+    /// A function that is refused.
+    pub fn function(&self, text: &str) -> Result<Symbolic, String> {
         let entry = |i: usize, j: usize| match (i, j) {
             (0, 0) => text,
             (0, 1) | (1, 0) => "1",

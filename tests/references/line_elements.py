@@ -1,4 +1,4 @@
-"""The claims of tests/documents/line_elements.rs and public_reports.rs, tested at random points in 50 digits.
+"""The claims of tests/documents/line_elements.rs, public_reports.rs and equal_functions.rs, tested at random points in 50 digits.
 
     python3 tests/references/line_elements.py [NAME ...]        (Python 3.11, mpmath 1.3)
 
@@ -7,6 +7,7 @@ The claims are read from the tables in the Rust sources, the definition files fr
 import random
 import re
 import sys
+import tomllib
 import zlib
 from itertools import product
 from pathlib import Path
@@ -53,6 +54,22 @@ def residuals(claim, point, geometry):
             yield found, factor * component(g, at) if right.endswith("*metric") else factor
 
 
+def identities():
+    """Pairs of functions that tests/documents/equal_functions.rs says are equal; the number that are not."""
+    text = (ROOT / "tests/documents/equal_functions.rs").read_text()
+    chart = tomllib.loads(re.search(r'const CHART: &str = "(.*?)";', text, re.S)[1].replace('\\"', '"'))
+    found, failed = re.findall(r'^    "(.*) = (.*)",$', text, re.M), 0
+    for left, right in found:
+        rng = random.Random(zlib.crc32(left.encode()))
+        point, _, _ = random_point(Definition(chart), rng)
+        left, right = (point.value(parse(side)).v for side in (left, right))
+        if abs(left - right) > mpf(10) ** (10 - charts.DIGITS) * (1 + abs(left)):
+            print(f"{mp.nstr(left, 20)} is not {mp.nstr(right, 20)}")
+            failed += 1
+    print(f"{len(found)} identities, {failed} failed")
+    return failed
+
+
 def main():
     chosen, failed, count = sys.argv[1:], 0, 0
     geometries = {}
@@ -77,6 +94,7 @@ def main():
         print("no claim:", *sorted(missing))
         failed += 1
     print(f"{count} claims of {len(geometries)} line elements, {failed} failed")
+    failed += 0 if chosen else identities()
     sys.exit(failed > 0)
 
 
