@@ -197,7 +197,7 @@ def written(value, size):
 
 
 def selection(geometry, other_geometry, rng):
-    """The scalars, and components of each tensor: up to three that differ from zero, and one that vanishes everywhere."""
+    """The scalars, and components of each tensor: up to three nonzero ones, and one that is identically zero."""
     values = []
     for key in ["metric", "affinities", "curvature", "ricci", "scalar_curvature", "kretschmann"]:
         found = components(getattr(geometry, key), geometry.n, RANKS[key])
@@ -224,7 +224,7 @@ def taylor(point, definition):
 
 
 class Recording(Point):
-    """A point that remembers the arguments of the free functions."""
+    """A point that records the arguments of the free functions."""
 
     def __init__(self, *arguments):
         super().__init__(*arguments)
