@@ -50,7 +50,9 @@ impl FreeFunction {
     /// The derivative `f_x_y` at these arguments, if it is one of this function there.
     fn value(&self, name: &str, arguments: &[DoubleDouble]) -> Option<DoubleDouble> {
         let by = name.strip_prefix(&self.name)?;
-        let mut by: Vec<_> = by.split('_').skip(1).collect();
+        // an argument is named, or numbered from 1
+        let argument = |by| str::parse::<usize>(by).map_or(by, |at| &self.arguments[at - 1]);
+        let mut by: Vec<&str> = by.split('_').skip(1).map(argument).collect();
         let place = |name: &&str| self.arguments.iter().position(|other| other == name);
         by.sort_by_key(place);
         let near = |(a, b): (&DoubleDouble, &DoubleDouble)| {

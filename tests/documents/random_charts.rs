@@ -26,9 +26,6 @@ const QUANTITIES: [Quantity; 6] = [
     Quantity::Kretschmann,
 ];
 
-/// Charts whose parameters and functions are set: one in so many, for time.
-const EVERY: usize = 3;
-
 fn charts() -> Vec<Value> {
     let text = std::fs::read_to_string(root().join("tests/data/charts.json")).unwrap();
     let charts: Vec<Value> = serde_json::from_str(&text).unwrap();
@@ -197,7 +194,7 @@ fn tables_have_the_values_of_an_independent_program_and_are_read_back() {
 /// Parameters get the values of the point, and functions without relations their expressions.
 #[test]
 fn values_set_before_are_values_set_after() {
-    let charts: Vec<Value> = charts().into_iter().step_by(EVERY).collect();
+    let charts: Vec<Value> = charts().into_iter().filter(|row| row["set"] == true).collect();
     for_each(&charts, |row| {
         let parameters = row["definition"]["parameters"].as_array().into_iter().flatten();
         let parameters = parameters.map(|name| (name.as_str().unwrap(), &row["point"]));

@@ -329,8 +329,9 @@ class Point:
         self.taylor = {}
 
     def coefficient(self, name, by, arguments):
-        """The partial derivative of a free function by its own arguments."""
-        by = tuple(sorted(by))
+        """The partial derivative of a free function by its own arguments, by their names or numbers from 1."""
+        own = self.definition.functions[name]
+        by = tuple(sorted(own[int(a) - 1] if a.isdigit() else a for a in by))
         key = name, by, tuple(mp.nstr(x, 30) for x in arguments)
         if key not in self.taylor:
             self.taylor[key] = self.computed(name, by, arguments)

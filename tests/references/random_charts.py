@@ -9,6 +9,7 @@ relations. A chart of the file has
     point        values of coordinates and parameters
     functions    of each free function: name, arguments, their values, and the partial derivatives up to order 2 there
     given        expressions of the free functions that are not constrained by a relation
+    set          whether the tests set the parameters and these functions
     values       [tensor, indices from 1, value in 25 digits]; zeros are exact
 """
 import json
@@ -20,7 +21,10 @@ from mpmath import mp, mpf
 
 from charts import RANKS, Definition, Domain, Geometry, Point, components, random_point
 
-SEED, CHARTS = 19160225, 240
+SEED, CHARTS = 19160225, 245
+# Charts whose exact curvature takes more than seconds, and those for which it does once values are set.
+OMITTED = {2, 64, 84, 123, 188}
+UNSET = {6, 10, 22, 41, 74, 83, 96, 132, 209, 217, 219}
 NAMES = {2: ["x", "y"], 3: ["t", "r", "phi"], 4: ["t", "r", "theta", "phi"], 5: ["t", "x", "y", "z", "w"]}
 GREEK = {"theta": "Θ", "phi": "φ", "r": "ρ"}
 NUMBERS = ["2", "1/2", "3", "1/5", "0.1", "3/7", "1/3"]
@@ -70,9 +74,9 @@ class Chart:
                 rules = [rng.choice(ONE)] if len(arguments) == 1 else rng.choice(TWO)
                 self.where += [rule.format(f=name, a=a, b=b) for rule in rules]
             else:
-                terms = [f"{rng.choice(['1/3', '-1/4', '2/5'])}*{a}" for a in arguments]
-                inner = " + ".join(f"{rng.choice(['2', '1/2', '3/2'])}*{a}" for a in arguments)
-                self.given[name] = " + ".join(["2", *terms, f"1/3*sin({inner} + 1)"]).replace("+ -", "- ")
+                u = "*".join(arguments)
+                forms = ["1 + 1/3*({u})^2", "2 + exp(-1/2*{u})", "2 + 1/3*sin(3/2*{u})", "1 + 1/4*{u}"]
+                self.given[name] = rng.choice(forms).format(u=u)
         arguments = self.functions[name]
         kind = rng.random()
         if kind < 0.6 or len(arguments) > 1:
@@ -266,6 +270,7 @@ def chart(rng, at):
     given = {f"{f}({', '.join(drawn.functions[f])})": text for f, text in drawn.given.items()}
     if given:
         row["given"] = given
+    row["set"] = at not in UNSET
     return row | {"values": selection(geometry, elsewhere, rng)}
 
 
@@ -280,6 +285,7 @@ def main():
         if text not in seen:
             seen.add(text)
             rows.append(row)
+    rows = [row for at, row in enumerate(rows, 1) if at not in OMITTED]
     print("[")
     print(",\n".join(json.dumps(row, ensure_ascii=False, separators=(",", ":")) for row in rows))
     print("]")
