@@ -4,12 +4,19 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod claims;
+mod double_double;
+mod equal_functions;
 mod formula_names;
 mod fuzz;
+mod line_elements;
 mod mass_properties;
 mod parameters;
 mod places;
+mod printed;
 mod problems;
+mod public_reports;
+mod random_charts;
 mod read_back;
 mod report;
 mod right_invariant;
