@@ -16,7 +16,8 @@ impl File {
     /// The lines of code, numbered from 1: neither comments, nor docs, nor unit tests.
     fn code(&self) -> impl Iterator<Item = (usize, &str)> {
         let lines = self.text.lines().enumerate().map(|(at, line)| (at + 1, line));
-        let lines = lines.take_while(|(_, line)| line.trim() != "#[cfg(test)]");
+        let unit_tests = self.path.ends_with("/tests.rs");
+        let lines = lines.take_while(move |(_, line)| !unit_tests && line.trim() != "#[cfg(test)]");
         lines.filter(|(_, line)| !line.trim_start().starts_with("//"))
     }
 

@@ -218,7 +218,9 @@ impl Expression {
                     if let (true, Node::Power(base, n)) = (*divides, &factor.node)
                         && let Some(n) = n.as_integer().filter(|n| *n > 0)
                     {
-                        return meaning.divide(base.evaluate(meaning)?, n.unsigned_abs()).map_err(at);
+                        return meaning
+                            .divide(base.evaluate(meaning)?, n.unsigned_abs())
+                            .map_err(at);
                     }
                     let value = factor.evaluate(meaning)?;
                     if *divides { meaning.reciprocal(value).map_err(at) } else { Ok(value) }
@@ -277,7 +279,11 @@ impl Expression {
 }
 
 /// The power by repeated squaring.
-pub(crate) fn power<M: Meaning + ?Sized>(meaning: &M, mut base: M::Value, mut n: u64) -> Result<M::Value, String> {
+pub(crate) fn power<M: Meaning + ?Sized>(
+    meaning: &M,
+    mut base: M::Value,
+    mut n: u64,
+) -> Result<M::Value, String> {
     let mut result = meaning.number(&Rational::one())?;
     loop {
         if n & 1 == 1 {
@@ -324,7 +330,11 @@ where
     }
     /// The factors of a formula are found in the base, and not in the power.
     fn divide(&self, a: S, n: u64) -> Result<S, String> {
-        if S::GROWS { power(self, self.reciprocal(a)?, n) } else { self.reciprocal(power(self, a, n)?) }
+        if S::GROWS {
+            power(self, self.reciprocal(a)?, n)
+        } else {
+            self.reciprocal(power(self, a, n)?)
+        }
     }
     fn raise(&self, base: S, exponent: S) -> Result<S, String> {
         self.1(POWER, &[base, exponent])

@@ -30,11 +30,11 @@ use std::fmt::{Debug, Display};
 use std::ops::{Add, Mul, Neg, Sub};
 
 pub use effort::{Effort, EffortExceeded};
+pub use function::Function;
 pub use jet::Jet;
 pub use notation::{Kind, Notation};
 pub use rational::Rational;
 use rational::RationalSum;
-pub use function::Function;
 pub use recorded::{Count, Output, Recorded, Step, StraightLine, derivatives};
 pub use symbolic::{CommonFactors, FreeFunction, PositiveFactors, Symbolic, Variable};
 pub use tracked::Tracked;

@@ -172,10 +172,7 @@ fn substitution_reaches_arguments() {
     ] {
         assert_eq!(value(text).substitute(&set(pairs)), Some(value(image)), "{text}");
     }
-    for (text, pairs) in [
-        ("exp(a*x)", ("a", "sin(x)/cos(x)")),
-        ("1/sin(a*x)", ("a", "0")),
-    ] {
+    for (text, pairs) in [("exp(a*x)", ("a", "sin(x)/cos(x)")), ("1/sin(a*x)", ("a", "0"))] {
         assert_eq!(value(text).substitute(&set(&[pairs])), None, "{text}");
     }
 }

@@ -43,8 +43,7 @@ impl ChartText {
     /// The functions, and their positive factors.
     pub fn functions(&self, names: &Names, source: &Source) -> Result<Functions, InputError> {
         let coordinates: Vec<_> = self.coordinates.iter().map(|name| name.to_string()).collect();
-        let mut functions =
-            Functions { coordinates, free: vec![], positive: Positive::default() };
+        let mut functions = Functions { coordinates, free: vec![], positive: Positive::default() };
         for text in &self.functions {
             let free = self.free(text, names, &functions);
             functions.free.push(free.map_err(|error| error.at(&source.at(text)))?);
@@ -81,7 +80,8 @@ impl ChartText {
             let head = head.split('(').next().unwrap_or_default().trim().to_string();
             let name = head.split('_').next().unwrap_or_default();
             if !functions.free.iter().any(|free| free.name() == name) {
-                let message = format!("`{}` is not a derivative of a declared function", shown(&head));
+                let message =
+                    format!("`{}` is not a derivative of a declared function", shown(&head));
                 return refuse(message);
             }
             found.push((head, bare.scalar(value.trim(), &excerpt)?));
@@ -94,9 +94,8 @@ impl ChartText {
                 continue;
             }
             let conditioned = free.with_conditions(&own);
-            *free = conditioned.map_err(|reason| {
-                InputError::mathematics(reason).at(&source.key("chart.where"))
-            })?;
+            *free = conditioned
+                .map_err(|reason| InputError::mathematics(reason).at(&source.key("chart.where")))?;
         }
         Ok(())
     }

@@ -215,7 +215,12 @@ impl<D> Site<'_, D> {
         if indices.len() != n + centre.len() {
             return Err(self.refuse("a vector of the centre has the name of another vector"));
         }
-        let names = Names { labels: &indices, parameters: Some(&self.declared), functions: None, bare: false };
+        let names = Names {
+            labels: &indices,
+            parameters: Some(&self.declared),
+            functions: None,
+            bare: false,
+        };
         let mut cocycle = vec![];
         for block in &given.cocycle.0 {
             let source = self.source.excerpt(block);
@@ -239,7 +244,12 @@ impl<D> Site<'_, D> {
         if units.is_empty() || indices.len() != units.len() {
             return Err(self.refuse("the basis of the factor has no names, or one name twice"));
         }
-        let names = Names { labels: &indices, parameters: Some(&self.declared), functions: None, bare: false };
+        let names = Names {
+            labels: &indices,
+            parameters: Some(&self.declared),
+            functions: None,
+            bare: false,
+        };
         let mut products = BTreeMap::new();
         for block in &given.products.0 {
             let source = self.source.excerpt(block);
@@ -292,7 +302,12 @@ impl<D> Site<'_, D> {
 
     fn matrix(&self, matrix: &MatrixRows) -> Result<Matrix<Symbolic>, InputError> {
         let labels = BTreeMap::new();
-        let names = Names { labels: &labels, parameters: Some(&self.declared), functions: None, bare: false };
+        let names = Names {
+            labels: &labels,
+            parameters: Some(&self.declared),
+            functions: None,
+            bare: false,
+        };
         let entry = |Cell(text): &Cell| {
             let source = self.source.excerpt(text);
             names.scalar(source.content(), &source)
@@ -314,7 +329,12 @@ impl<D> Site<'_, D> {
     ) -> Result<Vec<Row<Symbolic>>, InputError> {
         let labels = structure.algebra().labels().iter().cloned();
         let indices: BTreeMap<String, usize> = labels.zip(0..).collect();
-        let names = Names { labels: &indices, parameters: Some(&self.declared), functions: None, bare: false };
+        let names = Names {
+            labels: &indices,
+            parameters: Some(&self.declared),
+            functions: None,
+            bare: false,
+        };
         let vector = |text: &Text| {
             let source = self.source.excerpt(text);
             let vector = names.vector(source.content(), &source)?;

@@ -1,9 +1,9 @@
 //! The functions that expressions over a chart may contain.
 
 use super::input::shown;
+use affinor_tensors::Symbolic;
 use affinor_tensors::expression::{POWER, no_function};
 use affinor_tensors::scalar::{FreeFunction, PositiveFactors};
-use affinor_tensors::Symbolic;
 use std::sync::{Mutex, PoisonError};
 
 /// The functions on a chart: of its coordinates, with the signs by which roots and logarithms are defined, and those

@@ -19,7 +19,8 @@ impl Definition {
     ) -> Result<[Vec<S>; 2], InputError> {
         let labels: BTreeMap<String, usize> = self.labels.iter().cloned().zip(0..).collect();
         let parameters: BTreeSet<String> = self.parameters().into_iter().collect();
-        let names = Names { labels: &labels, parameters: Some(&parameters), functions: None, bare: false };
+        let names =
+            Names { labels: &labels, parameters: Some(&parameters), functions: None, bare: false };
         let vector = |text: &str| {
             let mut vector = vec![S::zero(); self.dimension()];
             let terms = names.vector(text, &Source::new("--plane", text));

@@ -4,8 +4,8 @@
 //! command line, the page and Python share it.
 
 use super::{
-    ComparedSide, Differences, EquationReport, Language, Program, Quantity, Report, StoredTable,
-    Programmed, Table, tensors_as_code,
+    ComparedSide, Differences, EquationReport, Language, Program, Programmed, Quantity, Report,
+    StoredTable, Table, tensors_as_code,
 };
 use crate::certificate::{Check, certify};
 use crate::definition::{Definition, InputError, Reading, ScalarChoice, Space, Work};
@@ -106,7 +106,8 @@ impl<'a> Computation<'a> {
                 return code;
             }
         }
-        self.space.record(|definition, reading| self.code(definition, reading, selection, language, by))
+        self.space
+            .record(|definition, reading| self.code(definition, reading, selection, language, by))
     }
 
     fn code<S: Programmed>(

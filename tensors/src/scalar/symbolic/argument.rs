@@ -7,10 +7,10 @@
 //! are sums their partial fractions in the first variable, then in the next. Angles within arguments occur as the
 //! powers of cosines, and those times the sine.
 
+use super::fraction::{Fraction, lowest_terms};
 use super::normal_form::{in_cosines, in_half_tangents, is_written};
 use super::polynomial::constant;
 use super::variable::{Kind, Part, Variable};
-use super::fraction::{Fraction, lowest_terms};
 use super::{Form, Rational, Symbolic};
 use crate::linear::Matrix;
 use crate::scalar::{Field, Ring};
@@ -96,9 +96,8 @@ fn partial_fractions(f: &Fraction) -> Option<Vec<(Symbolic, Rational)>> {
     let x = f.variables[at];
     let (own, others): (Vec<_>, Vec<_>) =
         factors.into_iter().partition(|(factor, _)| factor.degrees()[at] > 0);
-    let value = |(factor, e): &(super::polynomial::Polynomial, u32)| {
-        (f.polynomial(factor), *e as usize)
-    };
+    let value =
+        |(factor, e): &(super::polynomial::Polynomial, u32)| (f.polynomial(factor), *e as usize);
     let own: Vec<(Symbolic, usize)> = own.iter().map(value).collect();
     let product = |factors: &[(Symbolic, usize)]| {
         let power = |(factor, e): &(Symbolic, usize)| num_traits::pow(factor.clone(), *e);
@@ -120,9 +119,8 @@ fn partial_fractions(f: &Fraction) -> Option<Vec<(Symbolic, Rational)>> {
         let length = by_power(factor, x).len() - 1;
         for e in 1..=*exponent {
             let below = num_traits::pow(factor.clone(), e).recip()?;
-            parts.extend(
-                (0..length).map(|power| num_traits::pow(variable.clone(), power) * &below),
-            );
+            parts
+                .extend((0..length).map(|power| num_traits::pow(variable.clone(), power) * &below));
         }
     }
     let columns = parts.iter().map(|part| by_power(&(part.clone() * &below), x));

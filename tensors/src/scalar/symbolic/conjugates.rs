@@ -40,7 +40,8 @@ impl Root {
         let (p, n) = (&self.part.of, self.part.parts);
         let alone = |x: &Variable| {
             let others = f.variables.iter().filter(|own| *own != x && **own != self.v);
-            x.is_parameter() && others.into_iter().all(|own| own.parameters().all(|inner| inner != *x))
+            x.is_parameter()
+                && others.into_iter().all(|own| own.parameters().all(|inner| inner != *x))
         };
         let linear = |x: &Variable| match &by_power(p, *x)[..] {
             [b, a] if a.as_constant().is_some() => Some((*x, a.clone(), b.clone())),
@@ -67,7 +68,9 @@ impl Root {
         let power = at.map_or(0, |at| reduced.denominator.exponent(at) as usize);
         let factors = reduced.denominator.factors.iter();
         let left: usize = factors
-            .map(|(g, e)| self.degree(&reduced.polynomial(&g.over(&reduced.variables))) * *e as usize)
+            .map(|(g, e)| {
+                self.degree(&reduced.polynomial(&g.over(&reduced.variables))) * *e as usize
+            })
             .sum();
         let lost = degree - left - power;
         // a power of the root alone is written below the line anyway

@@ -122,17 +122,14 @@ impl Variable {
                 let argument = part.value().substitute_where(positive, values)?;
                 positive.function("exp", &argument)
             }
-            Kind::Logarithm(p) => {
-                positive.function("log", &p.substitute_where(positive, values)?)
-            }
+            Kind::Logarithm(p) => positive.function("log", &p.substitute_where(positive, values)?),
             Kind::Root(part) | Kind::FreeRoot(part) => {
                 let base = part.of.substitute_where(positive, values)?;
                 positive.root(&base, part.parts)
             }
             Kind::Applied(applied) => applied.image(positive, values),
-            Kind::Written(function, part) => {
-                positive.function(function.name(), &part.value().substitute_where(positive, values)?)
-            }
+            Kind::Written(function, part) => positive
+                .function(function.name(), &part.value().substitute_where(positive, values)?),
             // programs are not changed
             Kind::Pi | Kind::Secant(_) => Ok(Symbolic::variable(self)),
         }
@@ -154,7 +151,9 @@ impl Part {
 /// The value of an elementary function in its written form.
 pub(super) fn written_value(function: Function, part: &Part) -> Symbolic {
     let value = function_of_sum(function.name(), &part.value());
-    value.unwrap_or_else(|_| Symbolic::variable(Variable::function(Kind::Written(function, part.clone()))))
+    value.unwrap_or_else(|_| {
+        Symbolic::variable(Variable::function(Kind::Written(function, part.clone())))
+    })
 }
 
 impl Symbolic {
@@ -175,7 +174,8 @@ impl Symbolic {
 
     pub(super) fn derivative_by(&self, parameter: Variable) -> Self {
         let functions = self.variables().iter().filter(|variable| !variable.is_parameter());
-        let functions = functions.filter(|function| function.parameters().any(|own| own == parameter));
+        let functions =
+            functions.filter(|function| function.parameters().any(|own| own == parameter));
         functions.fold(self.partial(parameter), |sum, function| {
             sum + &(self.partial(*function) * &function.rate(parameter))
         })
@@ -205,7 +205,8 @@ impl PositiveFactors {
 
 /// Functions without exact values here.
 const UNKNOWN: [&str; 13] = [
-    "abs", "acos", "acosh", "asin", "asinh", "atan", "atan2", "atanh", "erf", "gamma", "max", "min", "sign",
+    "abs", "acos", "acosh", "asin", "asinh", "atan", "atan2", "atanh", "erf", "gamma", "max",
+    "min", "sign",
 ];
 
 fn unknown(name: &str) -> String {
@@ -307,9 +308,8 @@ fn half_angle_of_pi(name: &str, multiple: &Multiple) -> Result<[Symbolic; 2], St
     };
     let turns = multiple.count.rem_euclid(4 * i64::from(multiple.parts));
     let one = (Symbolic::one(), Symbolic::zero());
-    let (p, q) = (0..turns).fold(one, |(p, q), _| {
-        (p.clone() * &a - &(q.clone() * &b), q * &a + &(p * &b))
-    });
+    let (p, q) =
+        (0..turns).fold(one, |(p, q), _| (p.clone() * &a - &(q.clone() * &b), q * &a + &(p * &b)));
     Ok([p, q])
 }
 

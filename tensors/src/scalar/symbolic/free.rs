@@ -107,7 +107,9 @@ impl FreeFunction {
                 return Err(format!("the value of {head} contains {head} or a derivative of it"));
             }
             if all.iter().any(|other| contains(&by, &other.by) || contains(&other.by, &by)) {
-                return Err(format!("{head} follows from another condition, or another one from it"));
+                return Err(format!(
+                    "{head} follows from another condition, or another one from it"
+                ));
             }
             all.push(Condition { by, names: self.arguments.clone(), value: value.clone() });
         }
@@ -164,7 +166,8 @@ impl FreeFunction {
 
     /// The function or derivative at its own arguments.
     pub fn value(&self) -> Symbolic {
-        let arguments: Vec<_> = self.arguments.iter().map(|name| Symbolic::parameter(name)).collect();
+        let arguments: Vec<_> =
+            self.arguments.iter().map(|name| Symbolic::parameter(name)).collect();
         self.applied(&arguments).value()
     }
 
@@ -260,7 +263,8 @@ impl Symbolic {
         let Some(function) = self.functions().into_iter().find(|inner| *inner.name == *name) else {
             return self.clone();
         };
-        let arguments: Vec<String> = (1..=function.arguments.len()).map(|at| format!("x{at}")).collect();
+        let arguments: Vec<String> =
+            (1..=function.arguments.len()).map(|at| format!("x{at}")).collect();
         let value = Applied {
             name: name.into(),
             by: vec![],
@@ -347,7 +351,8 @@ impl Applied {
         let conditioned = |value: Symbolic| value.with_conditions(&self.name, &self.conditions);
         let by = without(&self.by, &condition.by).into_iter();
         let by = by.map(|at| Variable::parameter(&condition.names[at]));
-        let value = by.fold(conditioned(condition.value.clone()), |value, by| value.derivative_by(by));
+        let value =
+            by.fold(conditioned(condition.value.clone()), |value, by| value.derivative_by(by));
         let own = condition.names.iter().map(|name| Symbolic::parameter(name));
         if own.eq(self.arguments.iter().cloned()) {
             return value;

@@ -79,9 +79,11 @@ fn in_sines(value: &Symbolic) -> Symbolic {
     let exponentials = value.variables().iter().copied();
     let exponentials: Vec<Variable> =
         exponentials.filter(|variable| matches!(variable.kind(), Kind::Exponential(_))).collect();
-    exponentials.into_iter().fold(value, |value, exponential| match over_hyperbolic(&value, exponential) {
-        Some((over, x)) => shortest(&gathered(over, x), x),
-        None => value,
+    exponentials.into_iter().fold(value, |value, exponential| {
+        match over_hyperbolic(&value, exponential) {
+            Some((over, x)) => shortest(&gathered(over, x), x),
+            None => value,
+        }
     })
 }
 
@@ -165,7 +167,12 @@ pub(super) fn in_angles(polynomial: &Symbolic, t: Variable, part: &'static Part)
 }
 
 /// A polynomial of degree `d` in `t = s/c`, times `c^d`.
-pub(super) fn half_angles(polynomial: &Symbolic, t: Variable, s: &Symbolic, c: &Symbolic) -> Symbolic {
+pub(super) fn half_angles(
+    polynomial: &Symbolic,
+    t: Variable,
+    s: &Symbolic,
+    c: &Symbolic,
+) -> Symbolic {
     let coefficients = by_power(polynomial, t);
     let degree = coefficients.len() - 1;
     let terms = coefficients.into_iter().enumerate();
@@ -434,7 +441,9 @@ fn others(polynomial: &Symbolic, x: Angle) -> Vec<Symbolic> {
         pow(x.signed(one.clone() - &cos2), s / 2) * &pow(sin.clone(), s % 2) * &pow(cos.clone(), c)
     });
     let by_sines = sum(&|s, c| {
-        pow(one.clone() - &x.signed(sin2.clone()), c / 2) * &pow(cos.clone(), c % 2) * &pow(sin.clone(), s)
+        pow(one.clone() - &x.signed(sin2.clone()), c / 2)
+            * &pow(cos.clone(), c % 2)
+            * &pow(sin.clone(), s)
     });
     let of_one_degree = even.then(|| {
         sum(&|s, c| {

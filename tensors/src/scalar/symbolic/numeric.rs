@@ -160,7 +160,9 @@ fn angular(all: Vec<Power>, t: Variable, angle: &'static Part) -> Vec<Power> {
             rest.push((half_angles(&factor, t, &s, &c), e));
         }
     }
-    let common = |a: i64, b: i64| if a.signum() == b.signum() { a.signum() * a.abs().min(b.abs()) } else { 0 };
+    let common = |a: i64, b: i64| {
+        if a.signum() == b.signum() { a.signum() * a.abs().min(b.abs()) } else { 0 }
+    };
     let both = common(less, more);
     rest.push((cos, both));
     rest.push((c.clone() - &s, less - both));
@@ -188,8 +190,10 @@ fn balanced(all: Vec<Power>, exponential: Variable, part: &'static Part) -> Vec<
             continue;
         }
         // in x for an even degree, in x/2 for an odd one
-        let (parts, half) = if degree % 2 == 0 { (*parts, degree / 2) } else { (2 * parts, degree) };
-        let [tanh, cosh] = [Function::Tanh, Function::Cosh].map(|function| written(function, of, parts));
+        let (parts, half) =
+            if degree % 2 == 0 { (*parts, degree / 2) } else { (2 * parts, degree) };
+        let [tanh, cosh] =
+            [Function::Tanh, Function::Cosh].map(|function| written(function, of, parts));
         let secant = Kind::Secant(Part { of: of.clone(), parts });
         let secant = Symbolic::variable(Variable::function(secant));
         let image = in_bounded(&factor, exponential, &tanh, &secant);
@@ -207,7 +211,9 @@ fn balanced(all: Vec<Power>, exponential: Variable, part: &'static Part) -> Vec<
             _ => rest.push((cosh, e * half as i64)),
         }
     }
-    let common = |a: i64, b: i64| if a.signum() == b.signum() { a.signum() * a.abs().min(b.abs()) } else { 0 };
+    let common = |a: i64, b: i64| {
+        if a.signum() == b.signum() { a.signum() * a.abs().min(b.abs()) } else { 0 }
+    };
     let whole = |function| written(function, of, *parts);
     let half = |function| written(function, of, 2 * parts);
     // sinh(x) = 2 sinh(x/2) cosh(x/2), sinh = tanh cosh
@@ -257,8 +263,12 @@ impl Variable {
         };
         let value = match self.kind() {
             Kind::Parameter(_) | Kind::Applied(_) => variable(self),
-            Kind::Pi => number(&Rational::from_f64(std::f64::consts::PI).unwrap_or_else(Rational::one))?,
-            Kind::HalfTangent(Part { of, parts }) => S::function("tan", &fraction(of, 1, 2 * parts)?)?,
+            Kind::Pi => {
+                number(&Rational::from_f64(std::f64::consts::PI).unwrap_or_else(Rational::one))?
+            }
+            Kind::HalfTangent(Part { of, parts }) => {
+                S::function("tan", &fraction(of, 1, 2 * parts)?)?
+            }
             Kind::Exponential(Part { of, parts }) => {
                 return S::function("exp", &fraction(of, e, *parts)?);
             }
@@ -268,7 +278,8 @@ impl Variable {
             }
             Kind::Root(Part { of, parts }) | Kind::FreeRoot(Part { of, parts }) => {
                 let logarithm = S::function("log", &of.in_scalars(variable)?)?;
-                let exponent = Rational::new(e.into(), (*parts).into()).unwrap_or_else(Rational::one);
+                let exponent =
+                    Rational::new(e.into(), (*parts).into()).unwrap_or_else(Rational::one);
                 let exponent = S::from_rational(&exponent).unwrap_or_else(S::one);
                 return S::function("exp", &(logarithm * &exponent));
             }

@@ -82,7 +82,8 @@ impl std::str::FromStr for Symbolic {
 
     /// Reads an [`Expression`] over any parameters: `(a^2 - b)/(4*c)`, `sin(2*x)`, and free functions `f(x)`.
     fn from_str(text: &str) -> Result<Self, ExpressionError> {
-        let value = |name: &str| if name == "pi" { Symbolic::pi() } else { Symbolic::parameter(name) };
+        let value =
+            |name: &str| if name == "pi" { Symbolic::pi() } else { Symbolic::parameter(name) };
         let names = Scalars(|name: &str| Ok(value(name)), Self::called);
         Expression::parse(text)?.evaluate(&names)
     }

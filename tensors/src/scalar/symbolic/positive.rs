@@ -86,7 +86,9 @@ impl PositiveFactors {
         let variables = images.iter().map(|(_, image)| image.clone());
         positive.factors.extend(variables.filter(|image| image.as_variable().is_some()));
         for (factor, image) in &images {
-            if image.denominator() == Symbolic::one() && positive.has_positive_terms(&-image.clone()) {
+            if image.denominator() == Symbolic::one()
+                && positive.has_positive_terms(&-image.clone())
+            {
                 return Err(format!("{factor} is declared positive, and becomes {image}"));
             }
         }
@@ -152,7 +154,8 @@ impl PositiveFactors {
             return function_of_sum("exp", &(exponent.clone() * &logarithm));
         };
         let number = Ratio::<i64>::try_from(number).ok();
-        let small = number.filter(|n| n.numer().abs() <= MAX_EXPONENT && *n.denom() <= MAX_EXPONENT);
+        let small =
+            number.filter(|n| n.numer().abs() <= MAX_EXPONENT && *n.denom() <= MAX_EXPONENT);
         let Some(number) = small else {
             return Err(format!("an exponent has numbers of at most {MAX_EXPONENT}"));
         };
@@ -185,7 +188,11 @@ impl PositiveFactors {
     ///
     /// # Errors
     /// As there, if signs of several sums are not known.
-    pub fn assumed_power(&mut self, base: &Symbolic, exponent: &Symbolic) -> Result<Symbolic, String> {
+    pub fn assumed_power(
+        &mut self,
+        base: &Symbolic,
+        exponent: &Symbolic,
+    ) -> Result<Symbolic, String> {
         let refused = match self.power(base, exponent) {
             Ok(power) => return Ok(power),
             Err(reason) => reason,
@@ -318,7 +325,8 @@ impl PositiveFactors {
             Form::Constant(c) => return !c.is_negative() && !c.is_zero(),
             Form::Fraction(f) => f,
         };
-        let positive: Vec<bool> = f.variables.iter().map(|own| self.is_positive_variable(*own)).collect();
+        let positive: Vec<bool> =
+            f.variables.iter().map(|own| self.is_positive_variable(*own)).collect();
         let (mut all, mut strictly) = (true, false);
         for (monomial, c) in &f.numerator.terms {
             let powers = || monomial.exps().iter().zip(&positive);

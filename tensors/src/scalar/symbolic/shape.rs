@@ -44,7 +44,9 @@ impl Shape {
             Shape::Number(number) => meaning.number(number),
             Shape::Variable(at, e) => variable(*at, *e),
             Shape::Named(name, e) => power(meaning, meaning.name(name)?, u64::from(*e)),
-            Shape::Power(base, e) => power(meaning, base.evaluate(meaning, variable)?, u64::from(*e)),
+            Shape::Power(base, e) => {
+                power(meaning, base.evaluate(meaning, variable)?, u64::from(*e))
+            }
             Shape::Product(factors) => {
                 let mut values = factors.iter().map(|factor| factor.evaluate(meaning, variable));
                 let first = values.next().unwrap_or_else(|| meaning.number(&Rational::one()))?;

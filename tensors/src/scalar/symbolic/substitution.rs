@@ -38,7 +38,8 @@ impl Substitution {
 
     /// The names of the arguments and the value of a function of that name.
     pub fn function(&self, name: &str, count: usize) -> Option<(&[String], &Symbolic)> {
-        let own = |(f, _): &&(FreeFunction, Symbolic)| f.name() == name && f.arguments().len() == count;
+        let own =
+            |(f, _): &&(FreeFunction, Symbolic)| f.name() == name && f.arguments().len() == count;
         self.functions.iter().find(own).map(|(f, value)| (f.arguments(), value))
     }
 

@@ -484,7 +484,9 @@ impl<'s> Common<'s> {
 /// What stands for a value that is no longer computed: neither zero nor a polynomial, so that no loop
 /// waits for one.
 fn ended() -> Symbolic {
-    Fraction::variable(Variable::parameter("limit")).recip().map_or_else(Symbolic::zero, Symbolic::from)
+    Fraction::variable(Variable::parameter("limit"))
+        .recip()
+        .map_or_else(Symbolic::zero, Symbolic::from)
 }
 
 /// A polynomial as integers over a common denominator.

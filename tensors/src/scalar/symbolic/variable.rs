@@ -4,8 +4,8 @@
 //! its text serves writing and the order of variables, and is never taken apart.
 
 use super::free::Applied;
-use crate::scalar::function::Function;
 use super::{Symbolic, writing};
+use crate::scalar::function::Function;
 use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::fmt;

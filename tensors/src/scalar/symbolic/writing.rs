@@ -156,7 +156,9 @@ pub(super) fn call(kind: &Kind) -> [String; 2] {
         Kind::HalfTangent(angle) => ["tan".into(), multiple(angle.half(), 1, Markup::Text)],
         Kind::Exponential(part) => ["exp".into(), multiple(part.clone(), 1, Markup::Text)],
         Kind::Logarithm(p) => ["log".into(), p.to_string()],
-        Kind::Root(Part { of, .. }) | Kind::FreeRoot(Part { of, .. }) => ["sqrt".into(), of.to_string()],
+        Kind::Root(Part { of, .. }) | Kind::FreeRoot(Part { of, .. }) => {
+            ["sqrt".into(), of.to_string()]
+        }
         Kind::Secant(part) => ["sech".into(), multiple(part.clone(), 1, Markup::Text)],
         Kind::Written(function, part) => {
             [function.name().into(), multiple(part.clone(), 1, Markup::Text)]
@@ -186,7 +188,9 @@ fn kind_power(kind: &Kind, e: u32, markup: Markup) -> String {
         Kind::Logarithm(p) => called("log", Part { of: p.clone(), parts: 1 }, e, markup),
         Kind::Exponential(part) => match symbolic_power(part) {
             Some((base, part)) => powered(&base, &multiple(part, e, markup), markup),
-            None if markup == Markup::Latex => format!("e^{{{}}}", multiple(part.clone(), e, markup)),
+            None if markup == Markup::Latex => {
+                format!("e^{{{}}}", multiple(part.clone(), e, markup))
+            }
             None => format!("exp({})", multiple(part.clone(), e, markup)),
         },
         Kind::Root(Part { of, parts }) | Kind::FreeRoot(Part { of, parts }) => {
@@ -302,9 +306,11 @@ impl Applied {
         if markup == Markup::Text {
             return format!("{}({})", self.head(), self.list(markup));
         }
-        let by: Vec<String> = self.differentiated_by().iter().map(|name| latex_name(name)).collect();
+        let by: Vec<String> =
+            self.differentiated_by().iter().map(|name| latex_name(name)).collect();
         let name = latex_name(&self.name);
-        let head = match (by.is_empty(), name.strip_suffix('}').filter(|name| name.contains("_{"))) {
+        let head = match (by.is_empty(), name.strip_suffix('}').filter(|name| name.contains("_{")))
+        {
             (true, _) => name,
             (false, Some(name)) => format!("{name},{}}}", by.join(" ")),
             (false, None) => format!("{name}_{{,{}}}", by.join(" ")),
