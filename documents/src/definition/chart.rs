@@ -48,15 +48,31 @@ impl ChartText {
             let free = self.free(text, names, &functions);
             functions.free.push(free.map_err(|error| error.at(&source.at(text)))?);
         }
-        self.conditions(&mut functions, names, source)?;
+        self.declare(&functions, names, source)?;
+        if !self.conditions.is_empty() {
+            self.conditions(&mut functions, names, source)?;
+            // of the functions under their conditions
+            functions.positive = Positive::default();
+            self.declare(&functions, names, source)?;
+        }
+        Ok(functions)
+    }
+
+    /// Declares the positive functions.
+    fn declare(
+        &self,
+        functions: &Functions,
+        names: &Names,
+        source: &Source,
+    ) -> Result<(), InputError> {
         for text in &self.positive {
             let excerpt = source.excerpt(text);
-            let names = Names { functions: Some(&functions), ..*names };
+            let names = Names { functions: Some(functions), ..*names };
             let positive = names.scalar(excerpt.content(), &excerpt)?;
             let declared = functions.positive.declare(&positive);
             declared.map_err(|reason| InputError::usage(reason).at(&source.at(text)))?;
         }
-        Ok(functions)
+        Ok(())
     }
 
     /// The conditions `r_u = ...` on derivatives of free functions, whose names stand for the functions at their own
@@ -86,15 +102,11 @@ impl ChartText {
             }
             found.push((head, bare.scalar(value.trim(), &excerpt)?));
         }
-        for free in &mut functions.free {
-            let is_own = |head: &str| head.split('_').next() == Some(free.name());
-            let own = found.iter().filter(|(head, _)| is_own(head));
-            let own: Vec<_> = own.map(|(head, value)| (head.as_str(), value.clone())).collect();
-            if own.is_empty() {
-                continue;
-            }
-            let conditioned = free.with_conditions(&own);
-            *free = conditioned
+        let found: Vec<_> =
+            found.iter().map(|(head, value)| (head.as_str(), value.clone())).collect();
+        if !found.is_empty() {
+            let conditioned = FreeFunction::under_conditions(&functions.free, &found);
+            functions.free = conditioned
                 .map_err(|reason| InputError::mathematics(reason).at(&source.key("chart.where")))?;
         }
         Ok(())

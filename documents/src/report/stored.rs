@@ -296,7 +296,8 @@ impl StoredTable {
                     Some(named) => with_names(&computed, &named.factors),
                     None => plain(&computed),
                 };
-                let read = if written == *value { Ok(computed) } else { read(value, &names) };
+                let read =
+                    if written == *value { Ok(computed.read_back()) } else { read(value, &names) };
                 let read = read.map_err(|reason| refused(format!("{key}: `{value}`: {reason}")))?;
                 values.push((indices.clone(), read));
             }
@@ -485,7 +486,7 @@ fn compare<S: Notation>(
         };
         let zero = S::zero();
         let (a, b) = (a.unwrap_or(&zero), b.unwrap_or(&zero));
-        if differs(a, b) {
+        if differs(a, &b.read_back()) {
             let component = text::component(quantity, computed, &at);
             differences.push([component, plain(a), plain(b)]);
         }

@@ -25,10 +25,15 @@ pub trait Notation: Field {
     /// number is too close to zero.
     fn from_rational(value: &Rational) -> Option<Self>;
 
-    /// The parameter of that name; `None` for scalars without parameters.
+    /// The parameter of that name, or the number `pi`; `None` for scalars without parameters.
     fn parameter(name: &str) -> Option<Self> {
         let _ = name;
         None
+    }
+
+    /// The value of the text of this value: free functions do not keep their conditions.
+    fn read_back(&self) -> Self {
+        self.clone()
     }
 
     /// The parameters that the value depends on, sorted.

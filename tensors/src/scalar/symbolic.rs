@@ -246,7 +246,10 @@ impl Notation for Symbolic {
     /// `None` unless the name is an identifier: an ASCII letter or `_`, then letters, digits or `_`;
     /// or that of a variable for functions of some, `tan(x/2)`, `exp(a*x)` or `sqrt(x)`.
     fn parameter(name: &str) -> Option<Self> {
-        is_name(name).then(|| Symbolic::parameter(name))
+        match name {
+            "pi" => Some(Symbolic::pi()),
+            _ => is_name(name).then(|| Symbolic::parameter(name)),
+        }
     }
     fn to_f64(&self) -> Option<f64> {
         match self.as_constant() {
@@ -298,6 +301,9 @@ impl Notation for Symbolic {
     }
     fn numerator_terms(&self) -> Vec<(Vec<(Variable, u32)>, Rational)> {
         self.terms()
+    }
+    fn read_back(&self) -> Self {
+        self.without_conditions()
     }
     fn variable(variable: Variable) -> Option<Self> {
         Some(Symbolic::variable(variable))

@@ -22,15 +22,16 @@ pub struct FreeFunction {
     conditions: Conditions,
 }
 
-/// Partial derivatives that have values, in terms of the arguments by their names and of the function.
+/// Partial derivatives that have values, in terms of the arguments by their names and of the functions.
 type Conditions = Option<Arc<Vec<Condition>>>;
 
 #[derive(Debug, PartialEq, Eq, Hash)]
 struct Condition {
+    /// The name of the function.
+    name: String,
     /// The positions of the arguments by which the function is differentiated, sorted.
     by: Vec<usize>,
-    /// The names of the arguments.
-    names: Vec<String>,
+    arguments: Vec<String>,
     value: Symbolic,
 }
 
@@ -78,59 +79,71 @@ impl FreeFunction {
         Ok(FreeFunction { name, arguments, by, conditions: None })
     }
 
-    /// The function with values for some of its derivatives, in terms of its arguments and of the function without conditions.
+    /// Functions with values for some of their derivatives, in terms of their arguments and of the functions without conditions.
     /// Higher derivatives follow.
     ///
     /// ```
     /// use affinor_tensors::scalar::FreeFunction;
     /// let f = FreeFunction::read("f(x,y)")?;
-    /// let f = f.with_conditions(&[("f_x", "y*f(x,y)".parse()?), ("f_y", "x*f(x,y)".parse()?)])?;
-    /// assert_eq!(f.value().derivative("x").derivative("y").to_string(), "f(x,y)*(x*y + 1)");
+    /// let conditions = [("f_x", "y*f(x,y)".parse()?), ("f_y", "x*f(x,y)".parse()?)];
+    /// let [g] = &FreeFunction::under_conditions(&[f.clone()], &conditions)?[..] else { panic!() };
+    /// assert_eq!(g.value().derivative("x").derivative("y").to_string(), "f(x,y)*(x*y + 1)");
     /// let both = [("f_x", "y".parse()?), ("f_y", "x^2".parse()?)];
-    /// assert!(FreeFunction::read("f(x,y)")?.with_conditions(&both).unwrap_err().contains("f_x_y"));
+    /// assert!(FreeFunction::under_conditions(&[f], &both).unwrap_err().contains("f_x_y"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// In words: not a derivative of the function, a derivative that has two values, a value that depends on the derivative
+    /// In words: not a derivative of a function, a derivative that has two values, a value that depends on the derivative
     /// itself, or two conditions whose mixed derivatives differ.
-    pub fn with_conditions(&self, conditions: &[(&str, Symbolic)]) -> Result<Self, String> {
+    pub fn under_conditions(
+        functions: &[Self],
+        conditions: &[(&str, Symbolic)],
+    ) -> Result<Vec<Self>, String> {
         let mut all: Vec<Condition> = Vec::new();
         for (head, value) in conditions {
-            let derivative = FreeFunction::new(head, &self.arguments)?;
-            if derivative.name != self.name || derivative.by.is_empty() {
-                return Err(format!("`{head}` is not a derivative of {}", self.declaration()));
+            let name = head.split('_').next();
+            let function = functions.iter().find(|f| Some(f.name()) == name);
+            let unknown = || format!("`{head}` is not a derivative of a declared function");
+            let function = function.ok_or_else(unknown)?;
+            let FreeFunction { name, by, .. } = FreeFunction::new(head, &function.arguments)?;
+            if by.is_empty() {
+                return Err(unknown());
             }
-            let by = derivative.by;
-            let itself = |inner: &Applied| *inner.name == *self.name && contains(&inner.by, &by);
-            if value.functions().iter().any(|inner| itself(inner)) {
+            let itself = |inner: &&Applied| *inner.name == *name && contains(&inner.by, &by);
+            if value.functions().iter().any(itself) {
                 return Err(format!("the value of {head} contains {head} or a derivative of it"));
             }
-            if all.iter().any(|other| contains(&by, &other.by) || contains(&other.by, &by)) {
+            let related = |other: &Condition| {
+                other.name == name && (contains(&by, &other.by) || contains(&other.by, &by))
+            };
+            if all.iter().any(related) {
                 return Err(format!(
-                    "{head} follows from another condition, or another one from it"
+                    "{head} has two values, or one that follows from another condition"
                 ));
             }
-            all.push(Condition { by, names: self.arguments.clone(), value: value.clone() });
+            let arguments = function.arguments.clone();
+            all.push(Condition { name, by, arguments, value: value.clone() });
         }
         let all = Arc::new(all);
-        let function = FreeFunction { conditions: Some(all.clone()), ..self.clone() };
         for (at, one) in all.iter().enumerate() {
-            for other in &all[..at] {
-                let mut mixed = one.by.clone();
-                mixed.extend(without(&other.by, &one.by));
-                mixed.sort_unstable();
-                let own = FreeFunction { by: mixed.clone(), ..function.clone() };
-                let parameters: Vec<Symbolic> =
-                    self.arguments.iter().map(|name| Symbolic::parameter(name)).collect();
-                let applied = own.applied(&parameters);
-                if applied.under(one) != applied.under(other) {
-                    let head = FreeFunction { conditions: None, ..own }.applied(&parameters).head();
-                    return Err(format!("the conditions give two values of {head}"));
+            for other in all[..at].iter().filter(|other| other.name == one.name) {
+                let mut by = one.by.clone();
+                by.extend(without(&other.by, &one.by));
+                by.sort_unstable();
+                let mixed = Applied {
+                    name: one.name.as_str().into(),
+                    by,
+                    arguments: one.arguments.iter().map(|name| Symbolic::parameter(name)).collect(),
+                    conditions: Some(all.clone()),
+                };
+                if mixed.under(one) != mixed.under(other) {
+                    return Err(format!("the conditions give two values of {}", mixed.head()));
                 }
             }
         }
-        Ok(function)
+        let conditioned = |f: &Self| FreeFunction { conditions: Some(all.clone()), ..f.clone() };
+        Ok(functions.iter().map(conditioned).collect())
     }
 
     /// Reads a function as it is declared: `f(r, theta)`.
@@ -258,20 +271,31 @@ impl Symbolic {
         all
     }
 
-    /// The value with conditions on the free function of that name.
-    fn with_conditions(&self, name: &str, conditions: &Conditions) -> Symbolic {
-        let Some(function) = self.functions().into_iter().find(|inner| *inner.name == *name) else {
+    /// The value without conditions on its free functions.
+    pub(super) fn without_conditions(&self) -> Symbolic {
+        match self.functions().iter().any(|function| function.conditions.is_some()) {
+            true => self.with_conditions(&None),
+            false => self.clone(),
+        }
+    }
+
+    /// The value with conditions on its free functions.
+    fn with_conditions(&self, conditions: &Conditions) -> Symbolic {
+        let mut substitution = Substitution::default();
+        for function in self.functions() {
+            let count = function.arguments.len();
+            let arguments: Vec<String> = (1..=count).map(|at| format!("x{at}")).collect();
+            let value = Applied {
+                name: function.name.clone(),
+                by: vec![],
+                arguments: arguments.iter().map(|name| Symbolic::parameter(name)).collect(),
+                conditions: conditions.clone(),
+            };
+            substitution.add_function(&function.name, &arguments, value.value());
+        }
+        if substitution.has_no_functions() {
             return self.clone();
-        };
-        let arguments: Vec<String> =
-            (1..=function.arguments.len()).map(|at| format!("x{at}")).collect();
-        let value = Applied {
-            name: name.into(),
-            by: vec![],
-            arguments: arguments.iter().map(|name| Symbolic::parameter(name)).collect(),
-            conditions: conditions.clone(),
-        };
-        let substitution = Substitution::of_function(name, arguments, value.value());
+        }
         let positive = PositiveFactors::default();
         self.substitute_where(&positive, &substitution).unwrap_or_else(|_| self.clone())
     }
@@ -340,7 +364,10 @@ impl Applied {
     pub fn value(self) -> Symbolic {
         let conditions = self.conditions.clone();
         let mut all = conditions.iter().flat_map(|all| all.iter());
-        match all.find(|condition| contains(&self.by, &condition.by)) {
+        let own = |condition: &&Condition| {
+            *condition.name == *self.name && contains(&self.by, &condition.by)
+        };
+        match all.find(own) {
             Some(condition) => self.under(condition),
             None => Symbolic::variable(Variable::function(Kind::Applied(self))),
         }
@@ -348,16 +375,16 @@ impl Applied {
 
     /// The value of a derivative by a condition, differentiated as often as is left.
     fn under(&self, condition: &Condition) -> Symbolic {
-        let conditioned = |value: Symbolic| value.with_conditions(&self.name, &self.conditions);
         let by = without(&self.by, &condition.by).into_iter();
-        let by = by.map(|at| Variable::parameter(&condition.names[at]));
-        let value =
-            by.fold(conditioned(condition.value.clone()), |value, by| value.derivative_by(by));
-        let own = condition.names.iter().map(|name| Symbolic::parameter(name));
+        let by = by.map(|at| Variable::parameter(&condition.arguments[at]));
+        let value = by.fold(condition.value.with_conditions(&self.conditions), |value, by| {
+            value.derivative_by(by)
+        });
+        let own = condition.arguments.iter().map(|name| Symbolic::parameter(name));
         if own.eq(self.arguments.iter().cloned()) {
             return value;
         }
-        let at = condition.names.iter().cloned().zip(self.arguments.iter().cloned()).collect();
+        let at = condition.arguments.iter().cloned().zip(self.arguments.iter().cloned()).collect();
         let positive = PositiveFactors::default();
         value.substitute_where(&positive, &Substitution::of_parameters(at)).unwrap_or(value)
     }

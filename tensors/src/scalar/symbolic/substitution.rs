@@ -24,11 +24,12 @@ impl Substitution {
         Substitution { parameters, functions: vec![] }
     }
 
-    /// The value of a function of arguments of these names.
-    pub fn of_function(name: &str, arguments: Vec<String>, value: Symbolic) -> Self {
-        match FreeFunction::new(name, &arguments) {
-            Ok(function) => Substitution { functions: vec![(function, value)], ..Self::default() },
-            Err(_) => Self::default(),
+    /// Adds the value of a function of arguments of these names, unless it has one.
+    pub fn add_function(&mut self, name: &str, arguments: &[String], value: Symbolic) {
+        if self.function(name, arguments.len()).is_none()
+            && let Ok(function) = FreeFunction::new(name, arguments)
+        {
+            self.functions.push((function, value));
         }
     }
 
