@@ -105,9 +105,9 @@ pub enum Error {
         /// The value of the left side, which must vanish.
         residual: String,
     },
-    /// Structure constants that are not rational in any basis of multiples.
+    /// Structure constants that square roots as divisors of the basis vectors do not make rational.
     #[error(
-        "the structure constants are not rational in any basis of multiples of the basis vectors: \
+        "no division of basis vectors by square roots makes all structure constants rational: \
          the component of [{x}, {y}] along {component} is {value}"
     )]
     NoRationalBasis {

@@ -99,6 +99,35 @@ fn commands_compute_with_roots_exactly_and_in_floats() {
     assert_eq!(table["scalar"], "symbolic");
 }
 
+/// Motions in a basis that is scaled by a root are the same motions.
+#[test]
+fn simulations_scale_with_the_basis() {
+    let file = |factor: &str, unit: f64| {
+        let brackets =
+            on_three(&format!("[x,y] = {factor}*z\n[y,z] = {factor}*x\n[z,x] = {factor}*y"));
+        let velocity = [1.0, 0.1, 0.2].map(|v| v * unit);
+        (brackets, velocity)
+    };
+    let last_row = |(brackets, velocity): (String, [f64; 3])| -> Vec<f64> {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("g.toml"), brackets).unwrap();
+        let problem = format!(
+            "space = \"g.toml\"\nmetric = \"diag(1, 2, 3)\"\n[initial]\nvelocity = {velocity:?}\n\
+             [integrator]\ntolerance = 1e-12\n[output]\nend = 3\nevery = 3\ncolumns = [\"Omega\"]\n"
+        );
+        std::fs::write(folder.path().join("m.toml"), problem).unwrap();
+        let text = stdout(folder.path(), &["simulate", "m.toml"]);
+        text.lines().last().unwrap().split(',').map(|value| value.parse().unwrap()).collect()
+    };
+    // a velocity has the components Omega/sqrt(2) in the basis sqrt(2) e; a factor of the metric does not matter
+    let unit = 0.5f64.sqrt();
+    let (given, scaled) = (last_row(file("1", 1.0)), last_row(file("sqrt(2)", unit)));
+    assert_eq!(given.len(), 3);
+    for (given, scaled) in given.iter().zip(&scaled) {
+        assert!((given * unit - scaled).abs() < 1e-10, "{given} {scaled}");
+    }
+}
+
 /// A parameter takes the value of a root, exactly and in floats.
 #[test]
 fn parameters_take_roots_as_values() {
@@ -127,14 +156,14 @@ fn tables_that_no_scaling_makes_rational_are_refused_at_the_bracket() {
         ("[x,y] = (a + sqrt(2))*z", "[x, y]", "sqrt(2)"),
     ] {
         let message = refused(&on_three(brackets), &["info", "-"]);
-        assert!(message.contains("not rational in any basis"), "{message}");
+        assert!(message.contains("no division of basis vectors by square roots"), "{message}");
         assert!(message.contains(pair) && message.contains(value), "{message}");
         assert!(message.contains("give another basis") && message.contains("-->"), "{message}");
         with(&on_three(brackets), &["check", "-"]);
     }
 }
 
-/// sqrt(2) is not a free parameter: at the same brackets with a parameter the answers differ.
+/// Roots beside parameters are scaled away; the answers are those of the brackets without roots.
 #[test]
 fn brackets_with_parameters_and_roots_are_scaled() {
     let file = on_three("[x,y] = sqrt(2)*z\n[y,z] = a*sqrt(2)*x\n[z,x] = sqrt(2)*y");
@@ -144,4 +173,23 @@ fn brackets_with_parameters_and_roots_are_scaled() {
     for key in INVARIANT.into_iter().chain(["exceptional_values"]) {
         assert_eq!(info[key], without[key], "{key}");
     }
+}
+
+/// Exports for other programs have fields with these numbers.
+#[test]
+fn exports_have_roots_and_pi() {
+    let file = on_three("[x,y] = sqrt(2)/3*z\n[z,x] = a*pi*y");
+    let export = |program: &str| with(&file, &["table", "-", "--format", program]);
+    let contains = |program: &str, parts: &[&str]| {
+        let text = export(program);
+        parts.iter().for_each(|part| assert!(text.contains(part), "{part}\n{text}"));
+    };
+    let field = "F := FunctionField( Field( [ Sqrt(2) ] ), [ \"a\", \"pi\" ] );";
+    contains("gap", &[field, "SetEntrySCTable( T, 1, 2, [ Sqrt(2)/3, 3 ] );"]);
+    contains("sage", &["a, = (SR.var('a'),)", "LieAlgebra(SR, {", "'z': sqrt(2)/3"]);
+    contains("maple", &["sqrt(2)/3*z", "Pi"]);
+    let import = "from sympy import MutableDenseNDimArray, Rational, pi, sqrt, symbols";
+    contains("sympy", &[import, "c[2, 0, 1] = sqrt(2)/3"]);
+    let rational = with(&on_three("[x,y] = 2/3*z"), &["table", "-", "--format", "sympy"]);
+    assert!(rational.contains("Rational, symbols") && rational.contains("Rational('2/3')"));
 }

@@ -25,7 +25,7 @@ const FREE: usize = 12;
 /// let constants = [(0, 1, 2, root.clone()), (1, 2, 0, root.clone()), (0, 2, 1, -root)];
 /// let algebra = LieAlgebra::try_from(Bracket::from_constants(["x", "y", "z"], constants)?)?;
 /// let basis = RationalBasis::of(&algebra)?;
-/// assert_eq!(basis.algebra().labels(), ["x/sqrt(3)", "y/sqrt(3)", "z/sqrt(3)"]);
+/// assert_eq!(basis.algebra().labels(), ["x/sqrt(3)", "y", "z"]);
 /// assert_eq!(basis.algebra().structure().get(&[2, 0, 1]), Symbolic::from(1));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -68,6 +68,8 @@ impl RationalBasis {
                 divisors: vec![Symbolic::one(); n],
             });
         }
+        // rational constants come first, so that a contradiction shows at a root
+        equations.sort_by_key(|(_, _, class)| !class.is_empty());
         let mut system = System::new(n);
         for (at, value, class) in &equations {
             let bits = class.iter().filter_map(|root| roots.iter().position(|own| own == root));
@@ -120,13 +122,11 @@ impl RationalBasis {
     }
 }
 
-/// The name of `label / divisor`.
+/// The name of `label / divisor`, for the square root of a rational function.
 fn multiple(label: &str, divisor: &Symbolic) -> String {
-    let text = divisor.to_string();
-    match text.contains('*') {
-        _ if divisor.is_one() => label.to_string(),
-        true => format!("{label}/({text})"),
-        false => format!("{label}/{text}"),
+    match divisor.is_one() {
+        true => label.to_string(),
+        false => format!("{label}/sqrt({})", divisor.clone() * divisor),
     }
 }
 

@@ -90,8 +90,8 @@ impl Info {
     /// The structure of the algebra of a definition; `stage` is called before each part.
     ///
     /// # Errors
-    /// Brackets that define no Lie algebra; a chart; structure constants with roots that are not rational in any basis of
-    /// multiples.
+    /// Brackets that define no Lie algebra; a chart; structure constants that no division of basis vectors by
+    /// square roots makes rational.
     pub fn of(definition: &Definition, stage: &dyn Fn(&str)) -> Result<Self, InputError> {
         let definition = definition.algebra_alone();
         let tolerance = Tolerance::default();

@@ -16,7 +16,8 @@ pub(super) struct InBases {
 
 impl InBases {
     /// # Errors
-    /// Brackets that define no Lie algebra; a chart; structure constants that are not rational in any basis of multiples.
+    /// Brackets that define no Lie algebra; a chart; structure constants that no division of basis vectors by square
+    /// roots makes rational.
     pub fn of(definition: &Definition) -> Result<Self, InputError> {
         let convert = |value: &Symbolic| Some(value.clone());
         let reading = Reading { convert: &convert, tolerance: Tolerance::default() };

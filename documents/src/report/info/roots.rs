@@ -16,8 +16,8 @@ const SHOWN_RANK: usize = 8;
 /// The types of the simple factors of the Levi subalgebra over the complex numbers; none of a solvable algebra.
 ///
 /// # Errors
-/// Brackets that define no Lie algebra; a chart; structure constants with roots that are not rational in any basis of
-/// multiples; a type that is not found.
+/// Brackets that define no Lie algebra; a chart; structure constants that no division of basis vectors by square
+/// roots makes rational; a type that is not found.
 pub fn dynkin_type(definition: &Definition) -> Result<Vec<CartanType>, InputError> {
     let definition = definition.algebra_alone();
     let tolerance = Tolerance::default();
