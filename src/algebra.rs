@@ -3,6 +3,7 @@
 //! - [`frame`]: structure functions and derivations of frame vectors;
 //! - [`Bracket`]: antisymmetric structure constants; [`LieAlgebra`]: with the Jacobi identity;
 //! - [`BasisChange`], [`MatrixBasis`]: other bases, and structure constants from matrices;
+//! - [`RationalBasis`]: a basis in which the structure constants have no square roots;
 //! - [`roots`]: root systems and Chevalley bases; [`catalogue`]: Lie algebras by name;
 //! - [`structure`]: series, radicals, Levi subalgebras, types, simple ideals;
 //! - [`lie_derivative`]: Lie derivatives of tensors; [`invariants`]: invariant tensors;
@@ -20,6 +21,7 @@ pub mod invariants;
 pub mod lie_derivative;
 pub mod lie_poisson;
 mod matrices;
+mod rational_basis;
 pub mod roots;
 pub mod structure;
 
@@ -27,6 +29,7 @@ pub use basis::BasisChange;
 pub(crate) use basis::{LETTERS, indices, inverse, to_matrix};
 pub use bracket::Bracket;
 pub use matrices::{Complex, MatrixBasis};
+pub use rational_basis::RationalBasis;
 
 use crate::Error;
 use crate::algebra::frame::{Frame, formula};

@@ -105,6 +105,21 @@ pub enum Error {
         /// The value of the left side, which must vanish.
         residual: String,
     },
+    /// Structure constants that square roots as divisors of the basis vectors do not make rational.
+    #[error(
+        "no division of basis vectors by square roots makes all structure constants rational: \
+         the component of [{x}, {y}] along {component} is {value}"
+    )]
+    NoRationalBasis {
+        /// The first basis vector.
+        x: String,
+        /// The second basis vector.
+        y: String,
+        /// The basis vector of the component.
+        component: String,
+        /// The component that prevents it.
+        value: String,
+    },
     /// Matrices whose span is not closed under the commutator.
     #[error("the matrices do not close: [{x}, {y}] leaves their real span, by {residual}")]
     NotClosed {

@@ -10,6 +10,7 @@ mod invariant_parameters;
 pub mod invariants;
 mod names;
 mod orthogonal_forms;
+mod rational_basis;
 mod root_systems;
 mod trials;
 mod witnesses;

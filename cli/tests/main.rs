@@ -31,6 +31,7 @@ mod plot;
 mod plot_motions;
 mod programs;
 mod range_of_floats;
+mod roots;
 #[cfg(unix)]
 mod simulate;
 mod snapshots;

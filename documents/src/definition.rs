@@ -406,13 +406,17 @@ impl Definition {
     }
 
     /// A refusal of the mathematics, at the first given bracket that it names, or else in the whole source.
-    fn refused(&self, error: Error) -> InputError {
+    pub(crate) fn refused(&self, error: Error) -> InputError {
         let whole = self.source.clone().map(Place::within);
-        let bracket = match (&error, &self.origin) {
-            (Error::Jacobi { x, y, z, .. }, Origin::Brackets(given)) => {
+        let pairs = match &error {
+            Error::Jacobi { x, y, z, .. } => vec![(x, y), (y, z), (z, x)],
+            Error::NoRationalBasis { x, y, .. } => vec![(x, y)],
+            _ => vec![],
+        };
+        let bracket = match &self.origin {
+            Origin::Brackets(given) => {
                 let index = |label: &String| self.labels.iter().position(|other| other == label);
-                let pairs =
-                    [(x, y), (y, z), (z, x)].into_iter().flat_map(|(x, y)| [(x, y), (y, x)]);
+                let pairs = pairs.into_iter().flat_map(|(x, y)| [(x, y), (y, x)]);
                 let mut pairs = pairs.filter_map(|(x, y)| Some((index(x)?, index(y)?)));
                 pairs.find_map(|pair| given.get(&pair)).map(|given| given.place.clone())
             }

@@ -118,7 +118,7 @@ impl Scalar for Tracked {
         match values {
             Values::Exact(tensor) => over(tensor, Tracked::from_rational),
             Values::Symbolic(tensor) => {
-                over(tensor, |value| value.as_constant().and_then(Tracked::from_rational))
+                over(tensor, |value| Tracked::from_rational(&value.approximation()?))
             }
             Values::Float(tensor) => Some(tensor.clone()),
         }

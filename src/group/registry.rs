@@ -118,7 +118,7 @@ fn factor(name: &str) -> Result<AnyGroup, Error> {
         let matrices: Vec<_> = matrices.matrices().iter().map(dense).collect();
         return MatrixGroup::with_labels(&matrices, &entry.labels).map(AnyGroup::new);
     }
-    let number = |value: &Symbolic| match value.as_constant() {
+    let number = |value: &Symbolic| match value.approximation() {
         Some(value) => Ok(value.to_f64()),
         None => Err(refused(format!("its structure constants contain {value}"))),
     };

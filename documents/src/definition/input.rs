@@ -121,6 +121,9 @@ fn advice(error: &Error) -> Option<&'static str> {
             Some("[y,x] must be -[x,y], and [x,x] zero")
         }
         Error::Jacobi { .. } => Some("look at the brackets of these three basis vectors"),
+        Error::NoRationalBasis { .. } => Some(
+            "structure theory computes over the rational numbers: give another basis, or a parameter instead of the number",
+        ),
         Error::NotSubalgebra { .. } => {
             Some("add the bracket to the vectors, or take the subalgebra that they generate")
         }

@@ -256,11 +256,8 @@ impl Space {
             let help = "set them, as in --set \"J1=1/2,h=-1\"";
             return Err(InputError::usage(message).help(help));
         }
-        let convert = |value: &Symbolic| match value.as_constant() {
-            Some(c) => S::from_rational(c),
-            // roots of numbers, and pi
-            None => S::from_rational(&Rational::from_f64(value.to_f64()?)?),
-        };
+        // roots of numbers and pi have rational approximations beyond floats, so that rounding errors are known
+        let convert = |value: &Symbolic| S::from_rational(&value.approximation()?);
         work(&self.definition, &Reading { convert: &convert, tolerance })
     }
 }

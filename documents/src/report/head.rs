@@ -72,11 +72,20 @@ impl<S: Notation> Table<S> {
         }
     }
 
+    /// Whether a component is a number that is not rational.
+    fn is_irrational(&self) -> bool {
+        let mut values = self.tensors.iter().flat_map(|entry| entry.tensor.nonzero());
+        values.any(|value| value.numerator_terms().iter().any(|(powers, _)| !powers.is_empty()))
+    }
+
     fn scalar_line(&self) -> String {
         match (S::KIND, self.zero_line()) {
             (_, Some(zero)) => float(&zero),
             (Kind::Symbolic, _) if !self.parameters.is_empty() => {
                 format!("symbolic in {}", printable_list(&self.parameters))
+            }
+            (Kind::Symbolic, _) if self.is_irrational() => {
+                "symbolic: exact numbers with roots or pi".into()
             }
             (Kind::Symbolic, _) => "symbolic, though no parameter is left in it".into(),
             (kind, _) => kind_name(kind).into(),

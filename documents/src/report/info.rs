@@ -1,5 +1,6 @@
 //! The structure of a Lie algebra: one row a notion, with its answer and a witness.
 
+mod basis;
 mod forms;
 mod roots;
 mod rows;
@@ -17,6 +18,7 @@ use affinor::algebra::structure::{
 use affinor_tensors::linear::Row;
 use affinor_tensors::text::combination;
 use affinor_tensors::{Kind, Notation, Rational, Symbolic, Tolerance};
+use basis::InBases;
 use rows::Rows;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
@@ -88,21 +90,28 @@ impl Info {
     /// The structure of the algebra of a definition; `stage` is called before each part.
     ///
     /// # Errors
-    /// Brackets that define no Lie algebra; a chart.
+    /// Brackets that define no Lie algebra; a chart; structure constants that no division of basis vectors by
+    /// square roots makes rational.
     pub fn of(definition: &Definition, stage: &dyn Fn(&str)) -> Result<Self, InputError> {
         let definition = definition.algebra_alone();
         let tolerance = Tolerance::default();
         stage("jacobi");
-        if definition.parameters().is_empty() {
+        if definition.is_rational() {
             let convert = |value: &Symbolic| value.as_constant().cloned();
             let algebra =
                 definition.algebra::<Rational>(&Reading { convert: &convert, tolerance })?;
             return Self::new(&definition.name, &Structure::new(algebra), &[], stage);
         }
-        let convert = |value: &Symbolic| Some(value.clone());
-        let algebra = definition.algebra::<Symbolic>(&Reading { convert: &convert, tolerance })?;
-        let parameters = definition.parameters();
-        let mut info = Self::new(&definition.name, &Structure::new(algebra), &parameters, stage)?;
+        let (bases, parameters) = (InBases::of(&definition)?, definition.parameters());
+        let numbers = bases.rational.over_the_rationals().filter(|_| parameters.is_empty());
+        let mut info = match numbers {
+            Some(algebra) => Self::new(&definition.name, &Structure::new(algebra), &[], stage)?,
+            None => {
+                let structure = Structure::new(bases.rational.algebra().clone());
+                Self::new(&definition.name, &structure, &parameters, stage)?
+            }
+        };
+        info.describe(&bases);
         if let [parameter] = &parameters[..] {
             stage("exceptional values");
             info.exceptional_values(parameter, &definition);

@@ -5,7 +5,7 @@ use super::identifiers::identifiers;
 use affinor_tensors::expression::{is_name, is_name_character};
 use affinor_tensors::text::combination;
 use affinor_tensors::{Notation, Tensor};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 /// A computer algebra program.
@@ -53,11 +53,17 @@ impl Program {
     ) -> String {
         let mut brackets: Brackets<S> = BTreeMap::new();
         let mut parameters = vec![];
+        let mut numbers = BTreeSet::new();
         for (at, value) in structure.components() {
             parameters.extend(value.parameters());
+            numbers.extend(irrational(value));
             if at[1] < at[2] {
                 brackets.entry((at[1], at[2])).or_default().push((at[0], value.clone()));
             }
+        }
+        // pi is transcendental, so an indeterminate generates the same field
+        if self == Program::Gap && numbers.remove("pi") {
+            parameters.push("pi".into());
         }
         parameters.sort();
         parameters.dedup();
@@ -67,7 +73,7 @@ impl Program {
             false => (1..=labels.len()).map(|at| format!("e{at}")).collect(),
         };
         let name = printable(name);
-        let variables = Variables::new(self, &parameters);
+        let variables = Variables::new(self, &parameters, numbers);
         let mut text = String::new();
         // writing to a string does not fail
         let _ = match self {
@@ -113,14 +119,25 @@ fn is_in(words: &str, name: &str) -> bool {
     words.split_ascii_whitespace().any(|word| word == name)
 }
 
+/// The roots of numbers in a value, and pi: `sqrt(2)`.
+fn irrational(value: &impl Notation) -> BTreeSet<&'static str> {
+    let terms = value.numerator_terms();
+    let powers = terms.iter().flat_map(|(powers, _)| powers);
+    powers.filter(|(own, _)| !own.is_parameter()).map(|(own, _)| own.text()).collect()
+}
+
 /// The parameters, and the variables of a program that stand for them.
 struct Variables<'p> {
     parameters: &'p [String],
     names: Vec<String>,
+    /// The irrational numbers that occur.
+    numbers: BTreeSet<&'static str>,
+    /// Functions and constants of the program, with our names for them.
+    words: &'static [(&'static str, &'static str)],
 }
 
 impl<'p> Variables<'p> {
-    fn new(program: Program, parameters: &'p [String]) -> Self {
+    fn new(program: Program, parameters: &'p [String], numbers: BTreeSet<&'static str>) -> Self {
         let mut names: Vec<String> = vec![];
         let identifiers = identifiers(parameters);
         for identifier in &identifiers {
@@ -133,7 +150,12 @@ impl<'p> Variables<'p> {
             }
             names.push(name);
         }
-        Variables { parameters, names }
+        let words: &[_] = match program {
+            Program::Gap => &[("sqrt", "Sqrt")],
+            Program::Maple => &[("pi", "Pi")],
+            Program::Sage | Program::Sympy => &[],
+        };
+        Variables { parameters, names, numbers, words }
     }
 
     /// The names as a list on the left of an assignment of Python.
@@ -143,11 +165,15 @@ impl<'p> Variables<'p> {
 
     /// A value in these variables.
     fn written(&self, value: &impl Notation) -> String {
-        let (text, mut written) = (value.to_string(), String::new());
-        if self.names == self.parameters {
+        self.replaced(value.to_string())
+    }
+
+    /// A text with our names of parameters, functions and constants in these variables.
+    fn replaced(&self, text: String) -> String {
+        if self.names == self.parameters && self.numbers.is_empty() {
             return text;
         }
-        let mut rest = &*text;
+        let (mut rest, mut written) = (&*text, String::new());
         while let Some(first) = rest.chars().next() {
             let end = match is_name_character(first) {
                 true => rest.find(|c| !is_name_character(c)).unwrap_or(rest.len()),
@@ -155,7 +181,10 @@ impl<'p> Variables<'p> {
             };
             let (word, behind) = rest.split_at(end);
             let at = self.parameters.iter().position(|parameter| parameter == word);
-            written.push_str(at.map_or(word, |at| &self.names[at]));
+            let known = self.words.iter().filter(|_| !self.numbers.is_empty());
+            let known =
+                known.into_iter().find(|(ours, _)| *ours == word).map(|(_, theirs)| *theirs);
+            written.push_str(at.map_or(known.unwrap_or(word), |at| &self.names[at]));
             rest = behind;
         }
         written
@@ -170,11 +199,17 @@ fn gap<S: Notation>(
     variables: &Variables<'_>,
 ) -> std::fmt::Result {
     writeln!(text, "# {name}")?;
-    let field = match &variables.names[..] {
+    let roots: Vec<String> =
+        variables.numbers.iter().map(|root| variables.replaced(root.to_string())).collect();
+    let numbers = match &roots[..] {
         [] => "Rationals".to_string(),
+        roots => format!("Field( [ {} ] )", roots.join(", ")),
+    };
+    let field = match &variables.names[..] {
+        [] => numbers,
         names => {
             let quoted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
-            writeln!(text, "F := FunctionField( Rationals, [ {} ] );", quoted.join(", "))?;
+            writeln!(text, "F := FunctionField( {numbers}, [ {} ] );", quoted.join(", "))?;
             for (at, name) in names.iter().enumerate() {
                 writeln!(text, "{name} := IndeterminatesOfFunctionField( F )[{}];", at + 1)?;
             }
@@ -200,6 +235,14 @@ fn sage<S: Notation>(
 ) -> std::fmt::Result {
     writeln!(text, "# {name}")?;
     let field = match &variables.names[..] {
+        names if !variables.numbers.is_empty() => {
+            let symbols = names.iter().map(|name| format!("SR.var('{name}'),"));
+            let symbols = symbols.collect::<Vec<_>>().join(" ");
+            if !names.is_empty() {
+                writeln!(text, "{} = ({symbols})", variables.targets())?;
+            }
+            "SR".into()
+        }
         [] => "QQ".to_string(),
         names => {
             writeln!(text, "F = FractionField(PolynomialRing(QQ, '{}'))", names.join(","))?;
@@ -210,7 +253,9 @@ fn sage<S: Notation>(
     writeln!(text, "L = LieAlgebra({field}, {{")?;
     for ((j, k), terms) in brackets {
         let value = |v: &S| match v.parameters().is_empty() {
-            true if v.to_string().contains('/') => format!("QQ('{v}')"),
+            true if irrational(v).is_empty() && v.to_string().contains('/') => {
+                format!("QQ('{v}')")
+            }
             _ => variables.written(v),
         };
         let terms: Vec<String> =
@@ -249,7 +294,13 @@ fn sympy<S: Notation>(
     variables: &Variables<'_>,
 ) -> std::fmt::Result {
     writeln!(text, "# {name}: c[i, j, k] is the component i of [e_j, e_k], indices from 0")?;
-    writeln!(text, "from sympy import MutableDenseNDimArray, Rational, symbols")?;
+    let used = |name: &str| variables.numbers.iter().any(|number| number.starts_with(name));
+    let numbers: String = ["pi", "sqrt"]
+        .into_iter()
+        .filter(|name| used(name))
+        .map(|name| format!("{name}, "))
+        .collect();
+    writeln!(text, "from sympy import MutableDenseNDimArray, Rational, {numbers}symbols")?;
     if !variables.names.is_empty() {
         let symbols = variables.parameters.join(" ");
         writeln!(text, "{} = symbols('{symbols}', seq=True)", variables.targets())?;
@@ -257,7 +308,7 @@ fn sympy<S: Notation>(
     writeln!(text, "c = MutableDenseNDimArray.zeros({n}, {n}, {n})")?;
     for ((j, k), terms) in brackets {
         for (i, v) in terms {
-            let value = match v.parameters().is_empty() {
+            let value = match v.parameters().is_empty() && irrational(v).is_empty() {
                 true => format!("Rational('{v}')"),
                 false => variables.written(v).replace('^', "**"),
             };

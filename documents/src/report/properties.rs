@@ -43,7 +43,7 @@ impl Properties {
     /// As [`Definition::geometry`] and [`Definition::plane`]; planes without a metric.
     pub fn with_planes(definition: &Definition, planes: &[String]) -> Result<Self, InputError> {
         let tolerance = Tolerance::default();
-        if definition.parameters().is_empty() && !definition.is_on_chart() {
+        if definition.is_rational() {
             let convert = |value: &Symbolic| value.as_constant().cloned();
             return Self::read(
                 definition,

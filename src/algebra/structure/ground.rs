@@ -1,21 +1,22 @@
 //! The ground fields of structure theory: exact scalars with signs and residues.
 
 use affinor_tensors::linear::modular::Prime;
+use affinor_tensors::scalar::Variable;
 use affinor_tensors::{Field, Rational, Ring, Symbolic};
 use std::cmp::Ordering;
 
 /// An exact field of characteristic 0 whose elements have residues modulo primes.
 ///
-/// Parameters take pseudorandom residues. A rank over rational functions is the rank at generic
-/// values, so ranks of residues are generic ranks.
+/// Parameters and transcendental numbers take pseudorandom residues. A rank over rational functions is the rank at generic
+/// values, so ranks of residues are generic ranks. Residues of roots are roots of residues, and satisfy the same equations.
 pub trait Ground: Field {
-    /// The residue; `None` if the prime divides the denominator.
+    /// The residue; `None` if the prime divides the denominator, or if the residues have no root that occurs in the value.
     fn residue(&self, prime: Prime) -> Option<u64>;
 
-    /// The sign of a real number; `None` where it depends on parameters.
+    /// The sign of a real number; `None` if it depends on parameters, or if approximations do not decide it.
     fn sign(&self) -> Option<Ordering>;
 
-    /// The value as a rational number, if it depends on no parameter.
+    /// The value as a rational number, if it is one.
     fn rational(&self) -> Option<Rational>;
 
     /// A rational number.
@@ -58,10 +59,14 @@ impl Ground for Symbolic {
         }
         let polynomial = |part: &Symbolic| {
             part.terms().into_iter().try_fold(0, |sum, (powers, coefficient)| {
-                let powers = powers.into_iter().map(|(variable, power)| {
-                    polycore::modp::pow(place(variable.text(), prime), power.into(), prime.get())
-                });
-                let term = powers.fold(prime.rational(&coefficient)?, |a, b| prime.mul(a, b));
+                let term = powers.into_iter().try_fold(
+                    prime.rational(&coefficient)?,
+                    |product, (variable, power)| {
+                        let value = place(variable, prime)?;
+                        let power = polycore::modp::pow(value, power.into(), prime.get());
+                        Some(prime.mul(product, power))
+                    },
+                )?;
                 Some(prime.add(sum, term))
             })
         };
@@ -70,7 +75,11 @@ impl Ground for Symbolic {
     }
 
     fn sign(&self) -> Option<Ordering> {
-        self.as_constant()?.sign()
+        if let Some(constant) = self.as_constant() {
+            return constant.sign();
+        }
+        let signs = [sign_of_sum(&self.numerator())?, sign_of_sum(&self.denominator())?];
+        Some(if signs[0] == signs[1] { Ordering::Greater } else { Ordering::Less })
     }
 
     fn rational(&self) -> Option<Rational> {
@@ -86,8 +95,41 @@ impl Ground for Symbolic {
     }
 }
 
-/// The residue of a parameter: a hash of its name (FNV-1a).
-fn place(name: &str, prime: Prime) -> u64 {
+/// The residue of a variable: of a root a root, of other variables a hash of the name (FNV-1a).
+fn place(variable: Variable, prime: Prime) -> Option<u64> {
+    if let Some((argument, order)) = variable.root() {
+        return root(argument.residue(prime)?, order, prime);
+    }
     let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-    name.bytes().fold(0xcbf2_9ce4_8422_2325, mix) % prime.get()
+    Some(variable.text().bytes().fold(0xcbf2_9ce4_8422_2325, mix) % prime.get())
+}
+
+/// The root of that order among the squares modulo the prime; `None` if there is none, or more than one.
+///
+/// If -1 is not a square, the squares are a group of odd order `q = (p - 1)/2`. Their roots of an order without a common
+/// divisor with `q` are unique, so roots of products are products of roots, and roots of roots are roots.
+fn root(value: u64, order: u32, prime: Prime) -> Option<u64> {
+    let (p, q, n) = (prime.get(), (prime.get() - 1) / 2, u64::from(order));
+    let power = |exponent: u64| polycore::modp::pow(value, exponent, p);
+    // the inverse of n modulo q is (1 + k q)/n
+    let inverse = (0..n).map(|k| 1 + k * q).find(|multiple| multiple.is_multiple_of(n))? / n;
+    (q % 2 == 1 && power(q) == 1).then(|| power(inverse))
+}
+
+/// The sign of a polynomial in roots of numbers and pi that is not zero; `None` if it has parameters, or if its terms nearly
+/// cancel.
+fn sign_of_sum(sum: &Symbolic) -> Option<Ordering> {
+    let (mut total, mut size) = (Rational::default(), Rational::default());
+    for (powers, coefficient) in sum.terms() {
+        let mut term = coefficient;
+        for (variable, power) in powers {
+            let value = Symbolic::variable(variable).approximation()?;
+            term *= &num_traits::pow(value, power as usize);
+        }
+        total += &term;
+        size += &term.abs();
+    }
+    // far above the rounding errors of floats, which functions other than roots have
+    let decided = total.clone().abs() > size * &Rational::new(1, 1 << 30)?;
+    total.sign().filter(|_| decided)
 }

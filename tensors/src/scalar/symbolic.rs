@@ -5,6 +5,7 @@
 //! identified by its name, so any two values combine. Equal values have equal forms. Sines, cosines,
 //! exponentials, logarithms, square roots and free functions are rational functions of additional variables.
 
+mod approximation;
 mod argument;
 mod cache;
 mod canonical;

@@ -49,11 +49,17 @@ impl Notes {
     }
 
     fn one_form<S: Ground>(&self, row: &Row<S>) -> String {
-        combination(row.iter().map(|(at, v)| (v.to_string(), format!("{}*", self.labels[*at]))))
+        combination(row.iter().map(|(at, v)| (v.to_string(), self.dual(*at))))
+    }
+
+    /// The name of a vector of the dual basis.
+    fn dual(&self, at: usize) -> String {
+        let label = &self.labels[at];
+        if label.contains('/') { format!("({label})*") } else { format!("{label}*") }
     }
 
     fn two_form<S: Ground>(&self, n: usize, row: &Row<S>) -> String {
-        let pair = |at: usize| format!("{}*^{}*", self.labels[at / n], self.labels[at % n]);
+        let pair = |at: usize| format!("{}^{}", self.dual(at / n), self.dual(at % n));
         combination(row.iter().map(|(at, v)| (v.to_string(), pair(*at))))
     }
 

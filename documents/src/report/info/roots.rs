@@ -2,6 +2,7 @@
 
 use super::super::grid::Cell;
 use super::Notes;
+use super::basis::InBases;
 use crate::definition::{Definition, InputError, Reading};
 use affinor::algebra::roots::CartanType;
 use affinor::algebra::structure::dynkin::diagram;
@@ -15,18 +16,21 @@ const SHOWN_RANK: usize = 8;
 /// The types of the simple factors of the Levi subalgebra over the complex numbers; none of a solvable algebra.
 ///
 /// # Errors
-/// Brackets that define no Lie algebra; a chart; a type that is not found.
+/// Brackets that define no Lie algebra; a chart; structure constants that no division of basis vectors by square
+/// roots makes rational; a type that is not found.
 pub fn dynkin_type(definition: &Definition) -> Result<Vec<CartanType>, InputError> {
     let definition = definition.algebra_alone();
     let tolerance = Tolerance::default();
-    let types = if definition.parameters().is_empty() {
+    let types = if definition.is_rational() {
         let convert = |value: &Symbolic| value.as_constant().cloned();
         let algebra = definition.algebra::<Rational>(&Reading { convert: &convert, tolerance })?;
         Structure::new(algebra).dynkin_type()
     } else {
-        let convert = |value: &Symbolic| Some(value.clone());
-        let algebra = definition.algebra::<Symbolic>(&Reading { convert: &convert, tolerance })?;
-        Structure::new(algebra).dynkin_type()
+        let basis = InBases::of(&definition)?.rational;
+        match basis.over_the_rationals() {
+            Some(algebra) => Structure::new(algebra).dynkin_type(),
+            None => Structure::new(basis.algebra().clone()).dynkin_type(),
+        }
     };
     types.ok_or_else(|| InputError::mathematics("the Dynkin type was not found"))
 }

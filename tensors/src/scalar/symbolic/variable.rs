@@ -164,6 +164,23 @@ impl Variable {
         }
     }
 
+    /// The argument `p` and the order `n` of a root `p^(1/n)`, a prime or an irreducible polynomial; `None` for other variables.
+    ///
+    /// ```
+    /// use affinor_tensors::{Symbolic, scalar::PositiveFactors};
+    /// let root = PositiveFactors::default().function("sqrt", &Symbolic::from(3))?;
+    /// let (powers, _) = root.terms().remove(0);
+    /// let (argument, order) = powers[0].0.root().ok_or("not a root")?;
+    /// assert_eq!((argument.to_string(), order), ("3".to_string(), 2));
+    /// # Ok::<(), String>(())
+    /// ```
+    pub fn root(self) -> Option<(&'static Symbolic, u32)> {
+        match self.kind() {
+            Kind::Root(Part { of, parts }) => Some((of, *parts)),
+            _ => None,
+        }
+    }
+
     /// A number that identifies the variable in this process.
     pub(super) fn address(self) -> usize {
         std::ptr::from_ref(self.0).addr()
