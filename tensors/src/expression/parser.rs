@@ -247,14 +247,15 @@ impl Parser<'_> {
             let reason = format!("more than {MAX_TOWER} powers in exponents");
             return self.error(from..from, reason);
         }
-        let sign = (self.signs()?, self.power()?);
+        let (negative, size) = (self.signs()?, self.power()?);
         self.tower -= 1;
-        let exponent = fold(vec![sign], from..self.at, Node::Sum);
+        let (without_sign, span) = (size.span(), from..self.at);
+        let exponent = fold(vec![(negative, size)], span.clone(), Node::Sum);
         if !exponent.is_rational() {
             return Ok(exponent);
         }
         let value: Rational = exponent.evaluate_constant()?;
-        self.bounded_exponent(value, exponent.span)
+        Ok(Expression { span, ..self.bounded_exponent(value, without_sign)? })
     }
 
     fn bounded_exponent(
