@@ -181,9 +181,8 @@ impl<'p> Variables<'p> {
             };
             let (word, behind) = rest.split_at(end);
             let at = self.parameters.iter().position(|parameter| parameter == word);
-            let known = self.words.iter().filter(|_| !self.numbers.is_empty());
-            let known =
-                known.into_iter().find(|(ours, _)| *ours == word).map(|(_, theirs)| *theirs);
+            let mut words = self.words.iter().filter(|_| !self.numbers.is_empty());
+            let known = words.find(|(ours, _)| *ours == word).map(|(_, theirs)| *theirs);
             written.push_str(at.map_or(known.unwrap_or(word), |at| &self.names[at]));
             rest = behind;
         }
