@@ -1,13 +1,15 @@
 //! Values over another scalar, in a form that is accurate in floats.
 //!
 //! A quotient with functions is computed factor by factor. Powers of `t = tan(x/2)`, `1 - t^2` and `1 + t^2` are powers of
-//! sines and cosines of `x` and `x/2`. If the exponentials of `x` and `-x` occur alike, a factor `p(E)` of degree `d` in
-//! `E = exp(x)` is `E^(d/2)` times a power of `cosh` and a polynomial in `tanh` and `1/cosh`, which neither overflows for large
-//! `x` nor cancels for small ones: `E - 1` is `2 sinh(x/2) E^(1/2)`.
+//! sines and cosines of `x` and `x/2`. If the exponentials of `x` and `-x` occur alike in a factor `p(E)` of degree `d` in
+//! `E = exp(x)`, or in the whole quotient, the factor is `E^(d/2)` times a power of `cosh` and a polynomial in `tanh` and
+//! `1/cosh`, which neither overflows for large `x` nor cancels for small ones: `E - 1` is `2 sinh(x/2) E^(1/2)`. Factors that
+//! grow exponentially are divided by one another before they are raised to powers.
 
 use super::argument::by_power;
 use super::common::CommonFactors;
 use super::conjugates::cancelled;
+use super::differences;
 use super::factors::{Factors, factors};
 use super::fraction::Fraction;
 use super::normal_form::{half_angles, in_angles, in_bounded, is_balanced};
@@ -17,7 +19,7 @@ use super::{Form, Symbolic, memo};
 use crate::expression::{Meaning, Scalars, no_function};
 use crate::scalar::function::Function;
 use crate::scalar::{Notation, Rational, Ring};
-use num_traits::{One, pow};
+use num_traits::{One, Zero, pow};
 
 impl Symbolic {
     /// The value over a scalar with elementary functions; `variable` gives the values of parameters and free functions.
@@ -71,37 +73,88 @@ impl<S: Notation> Numeric<'_, S> {
         let above = factors.iter().map(|(factor, e)| (self.f.polynomial(factor), i64::from(*e)));
         let below = self.f.denominator.all(&self.f.variables);
         let below = below.iter().map(|(factor, e)| (self.f.polynomial(factor), -i64::from(*e)));
-        let mut all: Vec<Power> = above.chain(below).collect();
+        let mut all: Vec<Power> = differences::separated(above.chain(below).collect());
         let value = Symbolic::from(self.f.clone());
         for variable in self.f.variables.iter().copied() {
             match variable.kind() {
-                Kind::HalfTangent(part) => all = angular(all, variable, part),
-                Kind::Exponential(part) if is_balanced(&value, variable) => {
-                    all = balanced(all, variable, part);
+                Kind::HalfTangent(part) => all = angular(separated(all, variable), variable, part),
+                Kind::Exponential(part) => {
+                    let all_factors = is_balanced(&value, variable);
+                    all = hyperbolic(separated(all, variable), variable, part, all_factors);
                 }
-                Kind::Exponential(part) => all = exponential(all, variable, part),
                 _ => {}
             }
         }
+        let (mut growing, others) = collected(all).into_iter().partition::<Vec<_>, _>(grows);
         let mut product = number(&content)?;
-        for (factor, e) in collected(all) {
-            let value = match &factor.0 {
-                Form::Constant(c) => number(c)?,
-                Form::Fraction(f) => match factor.as_variable() {
-                    // one function of a multiple of the exponent
-                    Some(own) if matches!(own.kind(), Kind::Exponential(_)) => {
-                        let size = u32::try_from(e.unsigned_abs()).map_err(|_| "too large")?;
-                        let value = own.power_in(size, self.variable)?;
-                        product = meaning().multiply(product, signed(value, e.signum())?)?;
-                        continue;
-                    }
-                    _ => shaped(f, self.variable)?,
-                },
-            };
-            product = meaning().multiply(product, signed(value, e)?)?;
+        for (factor, e) in others {
+            product = meaning().multiply(product, self.power(&factor, e)?)?;
+        }
+        while let Some(up) = growing.iter().position(|(_, e)| *e > 0)
+            && let Some(down) = growing.iter().position(|(_, e)| *e < 0)
+        {
+            let [a, b] = [growing[up].1, -growing[down].1];
+            let common = a.min(b);
+            let quotient = meaning().multiply(
+                self.power(&growing[up].0, a / common)?,
+                self.power(&growing[down].0, -(b / common))?,
+            )?;
+            product = meaning().multiply(product, signed(quotient, common)?)?;
+            growing[up].1 -= common * (a / common);
+            growing[down].1 += common * (b / common);
+            growing.retain(|(_, e)| *e != 0);
+        }
+        for (factor, e) in growing {
+            product = meaning().multiply(product, self.power(&factor, e)?)?;
         }
         Ok(product)
     }
+
+    fn power(&self, factor: &Symbolic, e: i64) -> Result<S, String> {
+        let value = match &factor.0 {
+            Form::Constant(c) => number(c)?,
+            Form::Fraction(f) => match factor.as_variable() {
+                // one function of a multiple of the exponent
+                Some(own) if matches!(own.kind(), Kind::Exponential(_)) => {
+                    let size = u32::try_from(e.unsigned_abs()).map_err(|_| "too large")?;
+                    return signed(own.power_in(size, self.variable)?, e.signum());
+                }
+                _ => shaped(f, self.variable)?,
+            },
+        };
+        signed(value, e)
+    }
+}
+
+/// Whether a factor has values near the ends of the range of floats at moderate arguments, so that its powers overflow.
+fn grows((factor, _): &Power) -> bool {
+    let exponential = |variable: &Variable| {
+        use Function::{Cosh, Sinh};
+        matches!(variable.kind(), Kind::Exponential(_) | Kind::Written(Sinh | Cosh, _))
+    };
+    factor.variables().iter().any(exponential)
+}
+
+/// The factors with `v - 1` and `v + 1` apart from others: they vanish at special arguments of functions.
+fn separated(all: Vec<Power>, v: Variable) -> Vec<Power> {
+    let mut apart = Vec::new();
+    for (mut factor, e) in all {
+        for root in [Symbolic::one(), -Symbolic::one()] {
+            let linear = Symbolic::variable(v) - &root;
+            loop {
+                let coefficients = by_power(&factor, v);
+                let at_root =
+                    coefficients.iter().rev().fold(Symbolic::zero(), |sum, c| sum * &root + c);
+                if coefficients.len() < 3 || !at_root.vanishes() {
+                    break;
+                }
+                factor = factor / &linear;
+                apart.push((linear.clone(), e));
+            }
+        }
+        apart.push((factor, e));
+    }
+    apart
 }
 
 /// A power with an exponent of any sign. The reciprocal comes first, because a power may overflow.
@@ -160,7 +213,9 @@ fn angular(all: Vec<Power>, t: Variable, angle: &'static Part) -> Vec<Power> {
             rest.push((half_angles(&factor, t, &s, &c), e));
         }
     }
-    let common = |a: i64, b: i64| if a.signum() == b.signum() { a.signum() * a.abs().min(b.abs()) } else { 0 };
+    let common = |a: i64, b: i64| {
+        if a.signum() == b.signum() { a.signum() * a.abs().min(b.abs()) } else { 0 }
+    };
     let both = common(less, more);
     rest.push((cos, both));
     rest.push((c.clone() - &s, less - both));
@@ -173,24 +228,45 @@ fn angular(all: Vec<Power>, t: Variable, angle: &'static Part) -> Vec<Power> {
     rest
 }
 
-/// The factors with hyperbolic functions in place of an exponential that occurs with its inverse alike.
-fn balanced(all: Vec<Power>, exponential: Variable, part: &'static Part) -> Vec<Power> {
+/// Whether the coefficients are the same from both ends, up to a common sign.
+fn is_symmetric(coefficients: &[Symbolic]) -> bool {
+    let pairs = || coefficients.iter().zip(coefficients.iter().rev());
+    pairs().all(|(a, b)| a == b) || pairs().all(|(a, b)| *a == -b.clone())
+}
+
+/// The factors with hyperbolic functions in place of an exponential: all factors, or those in which it occurs with its
+/// inverse alike.
+fn hyperbolic(
+    all: Vec<Power>,
+    exponential: Variable,
+    part: &'static Part,
+    all_factors: bool,
+) -> Vec<Power> {
     let Part { of, parts } = part;
+    let logarithm = |variable: &Variable| matches!(variable.kind(), Kind::Logarithm(_));
+    let is_power = of.variables().iter().any(logarithm);
+    let minus = Symbolic::variable(exponential) - &Symbolic::one();
     let mut rest = Vec::new();
-    // the exponents of sinh(x/2) and cosh(x/2)
-    let (mut sines, mut cosines) = (0i64, 0i64);
+    // the exponents of sinh(x/2), cosh(x/2) and exp(x/2)
+    let (mut sines, mut cosines, mut exponents) = (0i64, 0i64, 0i64);
     for (factor, e) in all {
-        let degree = by_power(&factor, exponential).len() - 1;
+        let coefficients = by_power(&factor, exponential);
+        let degree = coefficients.len() - 1;
         if factor == Symbolic::variable(exponential) {
+            exponents += 2 * e;
             continue;
         }
-        if degree == 0 {
+        let alike = is_symmetric(&coefficients) && (!is_power || factor == minus);
+        if degree == 0 || !all_factors && !alike {
             rest.push((factor, e));
             continue;
         }
+        exponents += degree as i64 * e;
         // in x for an even degree, in x/2 for an odd one
-        let (parts, half) = if degree % 2 == 0 { (*parts, degree / 2) } else { (2 * parts, degree) };
-        let [tanh, cosh] = [Function::Tanh, Function::Cosh].map(|function| written(function, of, parts));
+        let (parts, half) =
+            if degree % 2 == 0 { (*parts, degree / 2) } else { (2 * parts, degree) };
+        let [tanh, cosh] =
+            [Function::Tanh, Function::Cosh].map(|function| written(function, of, parts));
         let secant = Kind::Secant(Part { of: of.clone(), parts });
         let secant = Symbolic::variable(Variable::function(secant));
         let image = in_bounded(&factor, exponential, &tanh, &secant);
@@ -208,7 +284,11 @@ fn balanced(all: Vec<Power>, exponential: Variable, part: &'static Part) -> Vec<
             _ => rest.push((cosh, e * half as i64)),
         }
     }
-    let common = |a: i64, b: i64| if a.signum() == b.signum() { a.signum() * a.abs().min(b.abs()) } else { 0 };
+    let half = Part { of: of.clone(), parts: 2 * parts };
+    rest.push((Symbolic::variable(Variable::function(Kind::Exponential(half))), exponents));
+    let common = |a: i64, b: i64| {
+        if a.signum() == b.signum() { a.signum() * a.abs().min(b.abs()) } else { 0 }
+    };
     let whole = |function| written(function, of, *parts);
     let half = |function| written(function, of, 2 * parts);
     // sinh(x) = 2 sinh(x/2) cosh(x/2), sinh = tanh cosh
@@ -228,21 +308,6 @@ fn balanced(all: Vec<Power>, exponential: Variable, part: &'static Part) -> Vec<
     rest
 }
 
-/// The factors with `2*sinh(x/2)*exp(x/2)` in place of `exp(x) - 1`.
-fn exponential(all: Vec<Power>, exponential: Variable, part: &'static Part) -> Vec<Power> {
-    let Part { of, parts } = part;
-    let minus = Symbolic::variable(exponential) - &Symbolic::one();
-    let factor = |(factor, e): Power| {
-        if factor != minus {
-            return vec![(factor, e)];
-        }
-        let half = Part { of: of.clone(), parts: 2 * parts };
-        let half = Symbolic::variable(Variable::function(Kind::Exponential(half)));
-        vec![(Symbolic::from_i64(2), e), (written(Function::Sinh, of, 2 * parts), e), (half, e)]
-    };
-    all.into_iter().flat_map(factor).collect()
-}
-
 impl Variable {
     /// A power of the variable over a scalar.
     fn power_in<S: Notation>(self, e: u32, variable: &dyn Fn(Variable) -> S) -> Result<S, String> {
@@ -252,8 +317,12 @@ impl Variable {
         };
         let value = match self.kind() {
             Kind::Parameter(_) | Kind::Applied(_) => variable(self),
-            Kind::Pi => number(&Rational::from_f64(std::f64::consts::PI).unwrap_or_else(Rational::one))?,
-            Kind::HalfTangent(Part { of, parts }) => S::function("tan", &fraction(of, 1, 2 * parts)?)?,
+            Kind::Pi => {
+                number(&Rational::from_f64(std::f64::consts::PI).unwrap_or_else(Rational::one))?
+            }
+            Kind::HalfTangent(Part { of, parts }) => {
+                S::function("tan", &fraction(of, 1, 2 * parts)?)?
+            }
             Kind::Exponential(Part { of, parts }) => {
                 return S::function("exp", &fraction(of, e, *parts)?);
             }
@@ -263,7 +332,8 @@ impl Variable {
             }
             Kind::Root(Part { of, parts }) | Kind::FreeRoot(Part { of, parts }) => {
                 let logarithm = S::function("log", &of.in_scalars(variable)?)?;
-                let exponent = Rational::new(e.into(), (*parts).into()).unwrap_or_else(Rational::one);
+                let exponent =
+                    Rational::new(e.into(), (*parts).into()).unwrap_or_else(Rational::one);
                 let exponent = S::from_rational(&exponent).unwrap_or_else(S::one);
                 return S::function("exp", &(logarithm * &exponent));
             }
