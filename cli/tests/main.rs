@@ -29,6 +29,7 @@ mod paper_page;
 mod plot;
 #[cfg(feature = "plot")]
 mod plot_motions;
+mod program_accuracy;
 mod programs;
 mod range_of_floats;
 mod roots;

@@ -14,6 +14,7 @@ mod common;
 mod conjugates;
 mod denominator;
 mod derivative;
+mod differences;
 mod elementary;
 mod factors;
 mod fraction;

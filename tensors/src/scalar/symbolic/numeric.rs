@@ -1,13 +1,15 @@
 //! Values over another scalar, in a form that is accurate in floats.
 //!
 //! A quotient with functions is computed factor by factor. Powers of `t = tan(x/2)`, `1 - t^2` and `1 + t^2` are powers of
-//! sines and cosines of `x` and `x/2`. If the exponentials of `x` and `-x` occur alike, a factor `p(E)` of degree `d` in
-//! `E = exp(x)` is `E^(d/2)` times a power of `cosh` and a polynomial in `tanh` and `1/cosh`, which neither overflows for large
-//! `x` nor cancels for small ones: `E - 1` is `2 sinh(x/2) E^(1/2)`.
+//! sines and cosines of `x` and `x/2`. If the exponentials of `x` and `-x` occur alike in a factor `p(E)` of degree `d` in
+//! `E = exp(x)`, or in the whole quotient, the factor is `E^(d/2)` times a power of `cosh` and a polynomial in `tanh` and
+//! `1/cosh`, which neither overflows for large `x` nor cancels for small ones: `E - 1` is `2 sinh(x/2) E^(1/2)`. Factors that
+//! grow exponentially are divided by one another before they are raised to powers.
 
 use super::argument::by_power;
 use super::common::CommonFactors;
 use super::conjugates::cancelled;
+use super::differences;
 use super::factors::{Factors, factors};
 use super::fraction::Fraction;
 use super::normal_form::{half_angles, in_angles, in_bounded, is_balanced};
@@ -71,37 +73,88 @@ impl<S: Notation> Numeric<'_, S> {
         let above = factors.iter().map(|(factor, e)| (self.f.polynomial(factor), i64::from(*e)));
         let below = self.f.denominator.all(&self.f.variables);
         let below = below.iter().map(|(factor, e)| (self.f.polynomial(factor), -i64::from(*e)));
-        let mut all: Vec<Power> = above.chain(below).collect();
+        let mut all: Vec<Power> = differences::separated(above.chain(below).collect());
         let value = Symbolic::from(self.f.clone());
         for variable in self.f.variables.iter().copied() {
             match variable.kind() {
-                Kind::HalfTangent(part) => all = angular(all, variable, part),
-                Kind::Exponential(part) if is_balanced(&value, variable) => {
-                    all = balanced(all, variable, part);
+                Kind::HalfTangent(part) => all = angular(separated(all, variable), variable, part),
+                Kind::Exponential(part) => {
+                    let all_factors = is_balanced(&value, variable);
+                    all = hyperbolic(separated(all, variable), variable, part, all_factors);
                 }
-                Kind::Exponential(part) => all = exponential(all, variable, part),
                 _ => {}
             }
         }
+        let (mut growing, others) = collected(all).into_iter().partition::<Vec<_>, _>(grows);
         let mut product = number(&content)?;
-        for (factor, e) in collected(all) {
-            let value = match &factor.0 {
-                Form::Constant(c) => number(c)?,
-                Form::Fraction(f) => match factor.as_variable() {
-                    // one function of a multiple of the exponent
-                    Some(own) if matches!(own.kind(), Kind::Exponential(_)) => {
-                        let size = u32::try_from(e.unsigned_abs()).map_err(|_| "too large")?;
-                        let value = own.power_in(size, self.variable)?;
-                        product = meaning().multiply(product, signed(value, e.signum())?)?;
-                        continue;
-                    }
-                    _ => shaped(f, self.variable)?,
-                },
-            };
-            product = meaning().multiply(product, signed(value, e)?)?;
+        for (factor, e) in others {
+            product = meaning().multiply(product, self.power(&factor, e)?)?;
+        }
+        while let Some(up) = growing.iter().position(|(_, e)| *e > 0)
+            && let Some(down) = growing.iter().position(|(_, e)| *e < 0)
+        {
+            let [a, b] = [growing[up].1, -growing[down].1];
+            let common = a.min(b);
+            let quotient = meaning().multiply(
+                self.power(&growing[up].0, a / common)?,
+                self.power(&growing[down].0, -(b / common))?,
+            )?;
+            product = meaning().multiply(product, signed(quotient, common)?)?;
+            growing[up].1 -= common * (a / common);
+            growing[down].1 += common * (b / common);
+            growing.retain(|(_, e)| *e != 0);
+        }
+        for (factor, e) in growing {
+            product = meaning().multiply(product, self.power(&factor, e)?)?;
         }
         Ok(product)
     }
+
+    fn power(&self, factor: &Symbolic, e: i64) -> Result<S, String> {
+        let value = match &factor.0 {
+            Form::Constant(c) => number(c)?,
+            Form::Fraction(f) => match factor.as_variable() {
+                // one function of a multiple of the exponent
+                Some(own) if matches!(own.kind(), Kind::Exponential(_)) => {
+                    let size = u32::try_from(e.unsigned_abs()).map_err(|_| "too large")?;
+                    return signed(own.power_in(size, self.variable)?, e.signum());
+                }
+                _ => shaped(f, self.variable)?,
+            },
+        };
+        signed(value, e)
+    }
+}
+
+/// Whether a factor has values near the ends of the range of floats at moderate arguments, so that its powers overflow.
+fn grows((factor, _): &Power) -> bool {
+    let exponential = |variable: &Variable| {
+        use Function::{Cosh, Sinh};
+        matches!(variable.kind(), Kind::Exponential(_) | Kind::Written(Sinh | Cosh, _))
+    };
+    factor.variables().iter().any(exponential)
+}
+
+/// The factors with `v - 1` and `v + 1` apart from others: they vanish at special arguments of functions.
+fn separated(all: Vec<Power>, v: Variable) -> Vec<Power> {
+    let mut apart = Vec::new();
+    for (mut factor, e) in all {
+        for root in [Symbolic::one(), -Symbolic::one()] {
+            let linear = Symbolic::variable(v) - &root;
+            loop {
+                let coefficients = by_power(&factor, v);
+                let at_root =
+                    coefficients.iter().rev().fold(Symbolic::zero(), |sum, c| sum * &root + c);
+                if coefficients.len() < 3 || !at_root.vanishes() {
+                    break;
+                }
+                factor = factor / &linear;
+                apart.push((linear.clone(), e));
+            }
+        }
+        apart.push((factor, e));
+    }
+    apart
 }
 
 /// A power with an exponent of any sign. The reciprocal comes first, because a power may overflow.
@@ -175,20 +228,39 @@ fn angular(all: Vec<Power>, t: Variable, angle: &'static Part) -> Vec<Power> {
     rest
 }
 
-/// The factors with hyperbolic functions in place of an exponential that occurs with its inverse alike.
-fn balanced(all: Vec<Power>, exponential: Variable, part: &'static Part) -> Vec<Power> {
+/// Whether the coefficients are the same from both ends, up to a common sign.
+fn is_symmetric(coefficients: &[Symbolic]) -> bool {
+    let pairs = || coefficients.iter().zip(coefficients.iter().rev());
+    pairs().all(|(a, b)| a == b) || pairs().all(|(a, b)| *a == -b.clone())
+}
+
+/// The factors with hyperbolic functions in place of an exponential: all factors, or those in which it occurs with its
+/// inverse alike.
+fn hyperbolic(
+    all: Vec<Power>,
+    exponential: Variable,
+    part: &'static Part,
+    all_factors: bool,
+) -> Vec<Power> {
     let Part { of, parts } = part;
+    let logarithm = |variable: &Variable| matches!(variable.kind(), Kind::Logarithm(_));
+    let is_power = of.variables().iter().any(logarithm);
+    let minus = Symbolic::variable(exponential) - &Symbolic::one();
     let mut rest = Vec::new();
-    // the exponents of sinh(x/2) and cosh(x/2)
-    let (mut sines, mut cosines) = (0i64, 0i64);
+    // the exponents of sinh(x/2), cosh(x/2) and exp(x/2)
+    let (mut sines, mut cosines, mut exponents) = (0i64, 0i64, 0i64);
     for (factor, e) in all {
-        // powers of the exponential cancel
-        let factor = without_power(&factor, exponential);
-        let degree = by_power(&factor, exponential).len() - 1;
-        if degree == 0 {
+        let lowest = by_power(&factor, exponential).iter().take_while(|c| c.is_zero()).count();
+        let factor = factor / &pow(Symbolic::variable(exponential), lowest);
+        exponents += 2 * lowest as i64 * e;
+        let coefficients = by_power(&factor, exponential);
+        let degree = coefficients.len() - 1;
+        let alike = is_symmetric(&coefficients) && (!is_power || factor == minus);
+        if degree == 0 || !all_factors && !alike {
             rest.push((factor, e));
             continue;
         }
+        exponents += degree as i64 * e;
         // in x for an even degree, in x/2 for an odd one
         let (parts, half) =
             if degree % 2 == 0 { (*parts, degree / 2) } else { (2 * parts, degree) };
@@ -211,6 +283,8 @@ fn balanced(all: Vec<Power>, exponential: Variable, part: &'static Part) -> Vec<
             _ => rest.push((cosh, e * half as i64)),
         }
     }
+    let half = Part { of: of.clone(), parts: 2 * parts };
+    rest.push((Symbolic::variable(Variable::function(Kind::Exponential(half))), exponents));
     let common = |a: i64, b: i64| {
         if a.signum() == b.signum() { a.signum() * a.abs().min(b.abs()) } else { 0 }
     };
@@ -231,27 +305,6 @@ fn balanced(all: Vec<Power>, exponential: Variable, part: &'static Part) -> Vec<
     rest.push((whole(Function::Sinh), both - quotient));
     rest.push((cosh, quotient));
     rest
-}
-
-/// The polynomial divided by the power of a variable that divides it.
-fn without_power(polynomial: &Symbolic, variable: Variable) -> Symbolic {
-    let lowest = by_power(polynomial, variable).iter().take_while(|c| c.is_zero()).count();
-    polynomial.clone() / &pow(Symbolic::variable(variable), lowest)
-}
-
-/// The factors with `2*sinh(x/2)*exp(x/2)` in place of `exp(x) - 1`.
-fn exponential(all: Vec<Power>, exponential: Variable, part: &'static Part) -> Vec<Power> {
-    let Part { of, parts } = part;
-    let minus = Symbolic::variable(exponential) - &Symbolic::one();
-    let factor = |(factor, e): Power| {
-        if factor != minus {
-            return vec![(factor, e)];
-        }
-        let half = Part { of: of.clone(), parts: 2 * parts };
-        let half = Symbolic::variable(Variable::function(Kind::Exponential(half)));
-        vec![(Symbolic::from_i64(2), e), (written(Function::Sinh, of, 2 * parts), e), (half, e)]
-    };
-    all.into_iter().flat_map(factor).collect()
 }
 
 impl Variable {
