@@ -86,9 +86,8 @@ impl PositiveFactors {
         let variables = images.iter().map(|(_, image)| image.clone());
         positive.factors.extend(variables.filter(|image| image.as_variable().is_some()));
         for (factor, image) in &images {
-            if image.denominator() == Symbolic::one()
-                && positive.has_positive_terms(&-image.clone())
-            {
+            let negative = || positive.has_positive_terms(&-image.clone());
+            if image.is_zero() || image.denominator() == Symbolic::one() && negative() {
                 return Err(format!("{factor} is declared positive, and becomes {image}"));
             }
         }
