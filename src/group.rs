@@ -17,8 +17,10 @@ mod any_group;
 pub mod batch;
 mod coordinates;
 mod cubic;
+mod double;
 mod embedded;
 pub mod fields;
+mod fit;
 mod heisenberg;
 pub mod laws;
 pub(crate) mod least_squares;
@@ -117,6 +119,12 @@ pub trait LieGroup {
     /// # Errors
     /// [`Error::Invalid`] for an element without a logarithm, or without one that the group can compute.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error>;
+    /// A bound on the error of the components of `x = log(g)` if each entry of `g` is rounded to a float. `None` if the group
+    /// does not estimate it, as with closed forms.
+    fn log_rounding(&self, g: &Self::Element, x: &Self::Vector) -> Option<f64> {
+        let _ = (g, x);
+        None
+    }
     /// `Ad_g x`, for matrices `g x g^-1`.
     fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector;
     /// `[x, y] = ad_x y`, for matrices the commutator (28).

@@ -40,6 +40,7 @@ mod jacobi_by_generators;
 mod levi_civita;
 mod lie_derivative;
 mod lie_poisson;
+mod logarithm_digits;
 mod long_runs;
 mod milnor;
 mod mistaken_group;

@@ -100,6 +100,36 @@ fn groups_of_any_algebra() {
     near(&numbers(&product, ""), &[0.0, 0.0, 2.0, 1.0, 1.0, 0.5]);
 }
 
+/// `compose` has all digits of boosts, and `log` notes how many digits rounded entries determine if these are few.
+#[test]
+fn digits_of_logarithms() {
+    for (space, rows) in [
+        ("so(2,1)", ["3,0,0,3,0,0", "14,0,0,-13,0,0"]),
+        ("so(3,1)", ["0,3,0,0,0,0, 0,3,0,0,0,0", "0,14,0,0,0,0, 0,-13,0,0,0,0"]),
+    ] {
+        let found = output(&["compose", space, "--format", "csv", rows[0], rows[1]], "");
+        let sums: Vec<f64> = found
+            .lines()
+            .skip(1)
+            .flat_map(|line| line.split(','))
+            .map(|n| n.parse().expect(n))
+            .collect();
+        let largest: Vec<f64> = sums
+            .chunks(sums.len() / 2)
+            .map(|x| x.iter().fold(0.0, |a: f64, b| a.max(b.abs())))
+            .collect();
+        assert!((largest[0] - 6.0).abs() < 1e-14 && (largest[1] - 1.0).abs() < 1e-14, "{found}");
+    }
+    let rows = ["1.00000001,0,0,1", "2,0,0,3", "1.00000001,1e-3,0,1"];
+    let outcome = run(root(), &["log", "gl(2)", rows[0], rows[1], rows[2]], b"");
+    let note =
+        "note: entries rounded to floats determine about 7 digits of the logarithm (1 row)\n";
+    assert_eq!(outcome.err, note);
+    for row in ["2,0,0,3", "1,0,0,1", "1,2,0,1"] {
+        assert_eq!(run(root(), &["log", "gl(2)", row], b"").err, "", "{row}");
+    }
+}
+
 /// Generators that turn are angles in groups of matrices too.
 #[test]
 fn degrees_of_matrix_groups() {

@@ -183,6 +183,10 @@ macro_rules! on_lists {
                 self.0.log(&self.element(g)).map(|x| self.to_vector(x))
             }
 
+            fn log_rounding(&self, g: &DVector<f64>, x: &DVector<f64>) -> Option<f64> {
+                self.0.log_rounding(&self.element(g), &self.vector(x))
+            }
+
             fn tangent_left_inverse(
                 &self,
                 x: &DVector<f64>,

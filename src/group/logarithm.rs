@@ -2,10 +2,12 @@
 //!
 //! `log(A) = 2^k log(A^(1/2^k))`: square roots bring the matrix near 1, where a Pade approximant is exact to rounding. N. J. Higham, *Functions of Matrices* (2008), chapter 11.
 
-use super::series::{balanced, exp, unbalanced};
+use super::double::{self, Double, mapped, rounded};
+use super::series::{balance, balanced, balanced_by, exp, unbalanced};
 use crate::Error;
-use nalgebra::DMatrix;
 use nalgebra::linalg::Schur;
+use nalgebra::{ClosedAddAssign, ClosedMulAssign, ClosedSubAssign, DMatrix, Scalar};
+use num_traits::{One, Zero};
 
 /// The approximant with [`NODES`] nodes is exact to rounding up to this norm (Higham, Table 11.1).
 const NEAR: f64 = 0.25;
@@ -21,32 +23,49 @@ const OFF: f64 = 1e-9;
 
 /// The principal logarithm: its eigenvalues have imaginary parts between `-pi` and `pi`.
 pub(crate) fn logarithm(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
-    if let Some(value) = a.iter().find(|value| !value.is_finite()) {
-        return Err(refused(format!("an entry is {value}")));
-    }
+    expect_finite(a)?;
     let (a, exponents) = balanced(a);
     Ok(unbalanced(&rooted_to(&a, NEAR)?, &exponents))
 }
 
-/// The principal logarithm of `1 + x`, with all digits of a small `x`.
-pub(super) fn logarithm_near_identity(x: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
-    if x.norm() <= NEAR {
-        near_identity(x)
-    } else {
-        logarithm(&(x + DMatrix::identity(x.nrows(), x.nrows())))
+/// The principal logarithm of `1 + x`, right to rounding errors of the result.
+///
+/// The condition number of the logarithm is about `|a| |a^-1|` for `a = 1 + x`. Square roots in double-double arithmetic
+/// preserve twice the digits of floats, and the root near 1 is well conditioned.
+pub(super) fn logarithm_of_double(x: &DMatrix<Double>) -> Result<DMatrix<f64>, Error> {
+    let rounded_x = rounded(x);
+    expect_finite(&rounded_x)?;
+    if rounded_x.norm() <= NEAR {
+        return near_identity(&rounded_x);
     }
+    let one = DMatrix::identity(x.nrows(), x.nrows());
+    let exponents = balance(&rounded_x);
+    let mut less_one = mapped(x, |x| balanced_by(x, &exponents));
+    let a = rounded(&(&less_one + &one));
+    // the rounding error of small eigenvalues may exceed them
+    off_the_negative_axis(&a, rounding(&a))?;
+    let mut squarings = 0;
+    while rounded(&less_one).norm() > NEAR {
+        if squarings == ROOTS {
+            return Err(too_many_roots());
+        }
+        less_one = square_root(&(less_one + &one))? - &one;
+        squarings += 1;
+    }
+    let log = near_identity(&rounded(&less_one))? * 2.0_f64.powi(squarings as i32);
+    Ok(unbalanced(&log, &exponents))
 }
 
 /// [`logarithm`], with as many square roots as bring the matrix within the distance `near` of 1.
 fn rooted_to(a: &DMatrix<f64>, near: f64) -> Result<DMatrix<f64>, Error> {
-    off_the_negative_axis(a)?;
+    off_the_negative_axis(a, 0.0)?;
     if let Some(log) = unipotent(a) {
         return Ok(log);
     }
     let (mut root, mut squarings) = (a.clone(), 0);
     while less_identity(&root).norm() > near {
         if squarings == ROOTS {
-            return Err(refused(format!("{ROOTS} square roots do not come near 1")));
+            return Err(too_many_roots());
         }
         root = square_root(&root)?;
         squarings += 1;
@@ -94,19 +113,36 @@ fn refused(reason: String) -> Error {
     Error::Invalid { what: "logarithm", reason }
 }
 
+fn expect_finite(a: &DMatrix<f64>) -> Result<(), Error> {
+    match a.iter().find(|value| !value.is_finite()) {
+        Some(value) => Err(refused(format!("an entry is {value}"))),
+        None => Ok(()),
+    }
+}
+
+fn too_many_roots() -> Error {
+    refused(format!("{ROOTS} square roots do not come near 1"))
+}
+
 fn less_identity(a: &DMatrix<f64>) -> DMatrix<f64> {
     a - DMatrix::identity(a.nrows(), a.nrows())
 }
 
-fn off_the_negative_axis(a: &DMatrix<f64>) -> Result<(), Error> {
+/// The rounding error of the eigenvalues of a normal matrix.
+fn rounding(a: &DMatrix<f64>) -> f64 {
+    a.nrows() as f64 * f64::EPSILON * a.norm()
+}
+
+/// Rejects eigenvalues on the negative axis, from `-known` on.
+fn off_the_negative_axis(a: &DMatrix<f64>, known: f64) -> Result<(), Error> {
     let n = a.nrows();
     let Some(schur) = Schur::try_new(a.clone(), 4.0 * f64::EPSILON, 100 * n) else {
         // without eigenvalues there is no reason to give, but the roots will not converge either
         return Ok(());
     };
-    let rounding = n as f64 * f64::EPSILON * a.norm();
+    let rounding = rounding(a);
     for value in schur.complex_eigenvalues().iter() {
-        if value.re <= 0.0 && value.im.abs() <= rounding {
+        if value.re <= -known && value.im.abs() <= rounding {
             let value = value.re;
             let reason = format!("the eigenvalue {value} is on the closed negative axis");
             return Err(refused(reason));
@@ -115,25 +151,76 @@ fn off_the_negative_axis(a: &DMatrix<f64>) -> Result<(), Error> {
     Ok(())
 }
 
+/// The entries of matrices whose square roots are computed.
+trait Entry:
+    Scalar + Zero + One + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + From<f64>
+{
+    /// The relative precision.
+    const EPSILON: f64;
+
+    /// The nearest float.
+    fn rounded(&self) -> f64;
+
+    /// A scale of about this size whose square and reciprocal have no rounding error beyond [`EPSILON`](Self::EPSILON).
+    fn scale(size: f64) -> f64;
+
+    /// The determinant to a few digits, and the inverse unless the matrix is singular.
+    fn inverse(m: &DMatrix<Self>) -> (f64, Option<DMatrix<Self>>);
+}
+
+impl Entry for f64 {
+    const EPSILON: f64 = f64::EPSILON;
+
+    fn rounded(&self) -> f64 {
+        *self
+    }
+
+    fn scale(size: f64) -> f64 {
+        size
+    }
+
+    fn inverse(m: &DMatrix<f64>) -> (f64, Option<DMatrix<f64>>) {
+        let lu = m.clone().lu();
+        (lu.determinant(), lu.try_inverse())
+    }
+}
+
+impl Entry for Double {
+    const EPSILON: f64 = Double::EPSILON;
+
+    fn rounded(&self) -> f64 {
+        Double::rounded(*self)
+    }
+
+    fn scale(size: f64) -> f64 {
+        size.log2().round().exp2()
+    }
+
+    fn inverse(m: &DMatrix<Double>) -> (f64, Option<DMatrix<Double>>) {
+        (rounded(m).determinant(), double::inverse(m))
+    }
+}
+
 /// The principal square root by the product form of the iteration of Denman and Beavers, scaled by
 /// the determinant: `X -> A^(1/2)`, `M -> 1`. S. H. Cheng, N. J. Higham, C. S. Kenney and A. J. Laub,
 /// *SIAM J. Matrix Anal. Appl.* 22 (2001) 1112-1125.
-fn square_root(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
+fn square_root<T: Entry>(a: &DMatrix<T>) -> Result<DMatrix<T>, Error> {
     let n = a.nrows();
-    let one = DMatrix::identity(n, n);
+    let one = DMatrix::<T>::identity(n, n);
     let (mut m, mut x) = (a.clone(), a.clone());
     let mut before = f64::INFINITY;
     for _ in 0..STEPS {
-        let lu = m.clone().lu();
-        let size = lu.determinant().abs().powf(-0.5 / n as f64);
+        let (determinant, inverse) = T::inverse(&m);
+        let size = determinant.abs().powf(-0.5 / n as f64);
         // near the limit the scaling would only disturb
-        let scale = if before < 0.01 || !size.is_normal() { 1.0 } else { size };
+        let scale = if before < 0.01 || !size.is_normal() { 1.0 } else { T::scale(size) };
         let singular = || refused("a square root does not converge".into());
-        let inverse = lu.try_inverse().ok_or_else(singular)? * (scale * scale).recip();
-        x = &x * (&one + &inverse) * (0.5 * scale);
-        m = (&one + (m * (scale * scale) + inverse) * 0.5) * 0.5;
-        let distance = less_identity(&m).norm();
-        let settled = distance <= n as f64 * f64::EPSILON;
+        let square = T::from(scale * scale);
+        let inverse = inverse.ok_or_else(singular)? * T::from((scale * scale).recip());
+        x = &x * (&one + &inverse) * T::from(0.5 * scale);
+        m = (&one + (m * square + inverse) * T::from(0.5)) * T::from(0.5);
+        let distance = (&m - &one).map(|value| value.rounded()).norm();
+        let settled = distance <= n as f64 * T::EPSILON;
         if settled || (distance < 1e-6 && distance >= before) {
             return Ok(x);
         }
@@ -143,8 +230,8 @@ fn square_root(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
 }
 
 /// `log(1 + X) = int_0^1 X (1 + s X)^-1 ds` by Gauss-Legendre quadrature, which is the diagonal Pade
-/// approximant: L. Dieci, B. Morini and A. Papini, *SIAM J. Matrix Anal. Appl.* 17 (1996) 570-593.
-fn near_identity(x: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
+/// approximant for `|X| <= 1/4`: L. Dieci, B. Morini and A. Papini, *SIAM J. Matrix Anal. Appl.* 17 (1996) 570-593.
+pub(super) fn near_identity(x: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     let n = x.nrows();
     let mut sum = DMatrix::zeros(n, n);
     for (node, weight) in nodes() {

@@ -1,8 +1,10 @@
 //! Groups of real matrices, given by a basis of their algebra.
 
-use super::logarithm::{logarithm, logarithm_near_identity};
+use super::double::{self, Double};
+use super::fit;
+use super::logarithm::{logarithm, logarithm_of_double, near_identity};
 use super::rounding::expect_digits_of_product;
-use super::series::{exp, exp_less_identity};
+use super::series::{balance, balanced, balanced_by, exp, exp_less_identity, unbalanced};
 use super::span::Span;
 use super::splitting::translations;
 use super::written::{TOLERANCE, Written, checked, expect_shape, replace};
@@ -16,8 +18,21 @@ use nalgebra::{DMatrix, DVector};
 /// The relative distance from the algebra that roundings give a logarithm.
 const OUTSIDE: f64 = 1e-9;
 
-/// The largest norm of generators from whose exponentials 1 is left out before they are multiplied.
-const SHORT: f64 = 0.5;
+/// The largest norm of generators from whose exponentials 1 is left out before they are multiplied, so that the product less
+/// 1 is at most a quarter.
+const SHORT: f64 = 0.1;
+
+/// The largest error of a product in floats, in roundings per row, that suffices.
+const ACCURATE: f64 = 4.0;
+
+/// The largest number of rows of matrices in double-double arithmetic, which takes a hundred times longer.
+const ROWS: usize = 64;
+
+/// The relative rounding error of a logarithm from which on that of the nearest element is computed.
+const ILL_CONDITIONED: f64 = 1e-14;
+
+/// The relative distance from the algebra of a logarithm from which the nearest element is sought.
+const CLOSE: f64 = 0.1;
 
 /// The largest power of an element whose logarithm is tested. It covers the orders of the centres of small classical groups,
 /// and of half and third turns.
@@ -224,9 +239,47 @@ impl MatrixGroup {
         Err(Error::Invalid { what: "logarithm", reason })
     }
 
+    /// `log(exp(x) exp(y))` of generators that are balanced by `exponents`.
+    fn product_in_floats(&self, [x, y]: [DMatrix<f64>; 2], exponents: &[i32]) -> FloatProduct {
+        let (terms, log) = if x.norm().max(y.norm()) <= SHORT {
+            // g h - 1, of factors near 1
+            let [g, h] = [&x, &y].map(exp_less_identity);
+            (x.norm() + y.norm(), near_identity(&(&g + &h + &g * &h)))
+        } else {
+            let (g, h) = (exp(&x), exp(&y));
+            let (back, first) = (exp(&-x), exp(&-y));
+            // cancellation: the inverse may be small by chance
+            let rounding = f64::EPSILON * first.norm() * back.norm();
+            let inverse = (first * back).norm().max(rounding);
+            (g.norm() * h.norm() * inverse, logarithm(&(g * h)))
+        };
+        let size = log.as_ref().map_or(0.0, DMatrix::norm);
+        let log = log.map(|log| unbalanced(&log, exponents));
+        // the factors of orthogonal matrices have the norm sqrt(n)
+        let roundings = ACCURATE * self.size() as f64;
+        match log {
+            // near a half turn the errors leave the algebra
+            Ok(log)
+                if terms <= roundings * size
+                    && self.outside(&log) <= roundings * f64::EPSILON * log.norm() =>
+            {
+                FloatProduct::Accurate(log)
+            }
+            log => FloatProduct::Lost { terms, log },
+        }
+    }
+
     fn size(&self) -> usize {
         self.span.size()
     }
+}
+
+/// `log(exp(x) exp(y))` in floats.
+enum FloatProduct {
+    /// Right to a few roundings.
+    Accurate(DMatrix<f64>),
+    /// With the error of so many roundings.
+    Lost { terms: f64, log: Result<DMatrix<f64>, Error> },
 }
 
 /// The diagonal of a form `F` with `F B + B^T F = 0` for all matrices, if there is one: `F_i B_ij = -F_j B_ji`.
@@ -333,10 +386,31 @@ impl LieGroup for MatrixGroup {
     }
 
     /// The principal logarithm of the matrix, if it lies in the algebra. Other logarithms, as of a rotation by `pi`, are not
-    /// computed.
+    /// computed. Where it is ill-conditioned, the logarithm of the nearest element of the group.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         expect_shape(g, (self.size(), self.size()))?;
-        self.in_algebra(logarithm(g)?)
+        let (balanced, _) = balanced(g);
+        let inverse = balanced.clone().try_inverse();
+        let lost = inverse.map_or(0.0, |inverse| balanced.norm() * inverse.norm() * f64::EPSILON);
+        let is_ill_conditioned = lost > ILL_CONDITIONED && self.size() <= ROWS;
+        let log = if is_ill_conditioned {
+            let one = DMatrix::identity(self.size(), self.size());
+            logarithm_of_double(&(g.map(Double::from) - one))?
+        } else {
+            logarithm(g)?
+        };
+        let outside = self.outside(&log) / (1.0 + log.norm());
+        if (is_ill_conditioned || outside > OUTSIDE)
+            && outside <= CLOSE
+            && let Some(x) = fit::nearest(&self.span, g, &self.coordinates(&log))
+        {
+            return Ok(x);
+        }
+        self.in_algebra(log)
+    }
+
+    fn log_rounding(&self, g: &Self::Element, x: &Self::Vector) -> Option<f64> {
+        fit::rounding(&self.span, g, x)
     }
 
     /// `g x g^-1`.
@@ -352,20 +426,32 @@ impl LieGroup for MatrixGroup {
         exp(&ad)
     }
 
-    /// Refused if the product loses its digits: the bound is some ten to a thousand times the error. An entry of `g h` has the rounding error of a term, about `eps |g| |h|`, and the
-    /// logarithm multiplies it by up to `|(g h)^-1|`.
+    /// In double-double arithmetic if the product is ill-conditioned: the logarithm may multiply rounding errors by
+    /// `|g h| |(g h)^-1|`. Rejected if the result loses digits even so: an entry of `g h` has the error of a term, about
+    /// `|g| |h|` roundings.
     fn log_product(&self, x: &Self::Vector, y: &Self::Vector) -> Result<Self::Vector, Error> {
         let generators = [x, y].map(|x| self.generator(x));
-        if generators.iter().all(|generator| generator.norm() <= SHORT) {
-            // g h - 1, of factors near 1
-            let [g, h] = generators.map(|generator| exp_less_identity(&generator));
-            return self.in_algebra(logarithm_near_identity(&(&g + &h + &g * &h))?);
-        }
-        let (g, h) = (self.exp(x), self.exp(y));
-        let inverse = self.exp(&-y) * self.exp(&-x);
-        let lost = f64::EPSILON * g.norm() * h.norm() * inverse.norm();
-        expect_digits_of_product(lost)?;
-        self.log(&(g * h))
+        let exponents = balance(&(generators[0].abs() + generators[1].abs()));
+        let balanced = generators.map(|x| balanced_by(&x, &exponents));
+        let log = match self.product_in_floats(balanced, &exponents) {
+            FloatProduct::Accurate(log) => log,
+            FloatProduct::Lost { terms, log } if self.size() > ROWS => {
+                expect_digits_of_product(f64::EPSILON * terms)?;
+                log?
+            }
+            FloatProduct::Lost { terms, .. } => {
+                expect_digits_of_product(Double::EPSILON * terms)?;
+                // g h - 1 has all digits where g and h are near 1
+                let [g, h] = [x, y].map(|x| {
+                    let generator = self.span.double_combination(x);
+                    let balanced = double::mapped(&generator, |m| balanced_by(m, &exponents));
+                    double::exp_less_identity(&balanced)
+                });
+                let product = &g + &h + &g * &h;
+                logarithm_of_double(&double::mapped(&product, |m| unbalanced(m, &exponents)))?
+            }
+        };
+        self.in_algebra(log)
     }
 
     /// The part in the kernel of the Killing form, if this is abelian and has a complementary subalgebra.

@@ -58,6 +58,10 @@ impl<G: LieGroup> LieGroup for Opposite<G> {
         self.0.log(g)
     }
 
+    fn log_rounding(&self, g: &Self::Element, x: &Self::Vector) -> Option<f64> {
+        self.0.log_rounding(g, x)
+    }
+
     fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
         self.0.adjoint(&self.0.inverse(g), x)
     }

@@ -82,6 +82,13 @@ impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
         Ok(self.join(&self.0.log(&g.0)?, &self.1.log(&g.1)?))
     }
 
+    /// The larger bound of the factors that have one.
+    fn log_rounding(&self, g: &Self::Element, x: &Self::Vector) -> Option<f64> {
+        let (x, y) = self.split(x);
+        let bounds = [self.0.log_rounding(&g.0, &x), self.1.log_rounding(&g.1, &y)];
+        bounds.into_iter().flatten().reduce(f64::max)
+    }
+
     fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
         self.map(x, |x| self.0.adjoint(&g.0, x), |x| self.1.adjoint(&g.1, x))
     }

@@ -55,10 +55,20 @@ fn scaled(m: &DMatrix<f64>, exponent: impl Fn(usize, usize) -> i32) -> DMatrix<f
 /// A similar matrix with small entries off the diagonal, `m_ik 2^(e_k - e_i)`, and the exponents `e`. Functions of matrices
 /// then keep the digits of a rotation beside a long translation.
 pub(super) fn balanced(m: &DMatrix<f64>) -> (DMatrix<f64>, Vec<i32>) {
+    let exponents = balance(m);
+    (balanced_by(m, &exponents), exponents)
+}
+
+/// The exponents `e` of [`balanced`].
+pub(super) fn balance(m: &DMatrix<f64>) -> Vec<i32> {
     let n = m.nrows();
     let places = (0..n).flat_map(|i| (0..n).map(move |k| (i, k)));
-    let exponents = balancing(n, places.map(|(i, k)| (i, k, m[(i, k)])));
-    (scaled(m, |i, k| exponents[k] - exponents[i]), exponents)
+    balancing(n, places.map(|(i, k)| (i, k, m[(i, k)])))
+}
+
+/// The similar matrix `m_ik 2^(e_k - e_i)`.
+pub(super) fn balanced_by(m: &DMatrix<f64>, exponents: &[i32]) -> DMatrix<f64> {
+    scaled(m, |i, k| exponents[k] - exponents[i])
 }
 
 /// The reverse of [`balanced`].

@@ -1,5 +1,6 @@
 //! The span of sparse matrices in floats, and the matrix of it that is nearest to a given one.
 
+use super::double::Double;
 use crate::Error;
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
@@ -55,6 +56,17 @@ impl Span {
         let places = sum.as_mut_slice();
         for (entries, x) in self.basis.iter().zip(x.iter()) {
             entries.iter().for_each(|(place, value)| places[*place] += value * x);
+        }
+        sum
+    }
+
+    /// [`combination`](Self::combination) without rounding errors of sums of entries.
+    pub fn double_combination(&self, x: &DVector<f64>) -> DMatrix<Double> {
+        let mut sum = DMatrix::zeros(self.size, self.size);
+        let places = sum.as_mut_slice();
+        for (entries, x) in self.basis.iter().zip(x.iter()) {
+            let x = Double::from(*x);
+            entries.iter().for_each(|(place, value)| places[*place] += Double::from(*value) * x);
         }
         sum
     }

@@ -1,7 +1,7 @@
 //! `affinor exp`, `log`, `compose`, `adjoint`: operations of the group of a space.
 
 use super::failure::Failure;
-use super::note::note;
+use super::note::{counted, note};
 use super::options::{Settings, SpaceOptions};
 use super::rows::{Expected, RowOutput, map_rows, vector};
 use affinor::group::{AnyGroup, LieGroup, Written};
@@ -59,6 +59,7 @@ impl Arguments {
             Operation::Adjoint => "Ad",
             Operation::Log | Operation::Compose => "x",
         };
+        let mut coarse = Coarse::default();
         map_rows(&self.rows, &expected, head, &self.output, |row| {
             Ok(match operation {
                 Operation::Exp => group.write(&group.exp(&angles.read(row))),
@@ -70,10 +71,15 @@ impl Arguments {
                 }
                 Operation::Log => {
                     let element = DMatrix::from_row_slice(shape.0, shape.1, row);
-                    vector(&angles.written(group.log(&group.read(&element)?)?))
+                    let g = group.read(&element)?;
+                    let x = group.log(&g)?;
+                    coarse.add(group.log_rounding(&g, &x), x.amax());
+                    vector(&angles.written(x))
                 }
             })
-        })
+        })?;
+        coarse.note();
+        Ok(())
     }
 
     fn open(&self) -> Result<AnyGroup, Failure> {
@@ -81,6 +87,40 @@ impl Arguments {
         let space = self.settings.open(Some(&self.space), &SpaceOptions::default())?;
         let tolerance = self.settings.tolerance()?;
         Ok(space.in_floats(tolerance, |definition, reading| definition.group(reading))?)
+    }
+}
+
+/// The logarithms of which rounded entries determine few digits.
+#[derive(Default)]
+struct Coarse {
+    rows: u64,
+    /// The largest relative error.
+    error: f64,
+}
+
+impl Coarse {
+    /// The relative error that is not worth a note: twelve digits are printed.
+    const FINE: f64 = 1e-12;
+
+    /// Counts a logarithm of this size with this error.
+    fn add(&mut self, error: Option<f64>, size: f64) {
+        let error = error.unwrap_or(0.0);
+        // the logarithm 0 has no digits
+        if size > 0.0 && error > Self::FINE * size {
+            self.rows += 1;
+            self.error = self.error.max(error / size);
+        }
+    }
+
+    /// Notes how many digits of the worst logarithm are right.
+    fn note(&self) {
+        if self.rows > 0 {
+            let digits = (-self.error.log10()).floor().max(0.0);
+            let rows = counted(self.rows, "row");
+            note(&format!(
+                "entries rounded to floats determine about {digits} digits of the logarithm ({rows})"
+            ));
+        }
     }
 }
 
