@@ -30,7 +30,7 @@ pub fn has_numpy() -> bool {
 /// A substitute for NumPy, of numbers alone: it shows that the formulas are right without it.
 const NUMPY: &str = "
 import itertools
-from math import sin, cos, exp, log, sqrt
+from math import sin, cos, exp, log, sqrt, sinh, cosh, tanh
 class Number(float):
     shape = ()
 class Array(dict):

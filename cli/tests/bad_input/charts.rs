@@ -148,12 +148,11 @@ fn functions() {
     let with_free =
         |entry: &str| chart(&format!("metric = \"diag(1, {entry})\""), "functions = [\"f(x, y)\"]");
     definitions("a.toml", with_free).usage(&[
-        ("f(y, x)", &["a.toml:3:19", "it is declared as f(x,y)"]),
-        ("f(x)", &["it is declared as f(x,y)"]),
+        ("f(x)", &["a.toml:3:19", "it is declared as f(x,y)"]),
+        ("f(1, 2)", &["the value of `f` at a number is not known"]),
         ("f_z(x, y)", &["`f_z` is no derivative of a function of x, y: f_x"]),
         ("f", &["`f` is neither a basis vector here nor a coordinate"]),
         ("g(x, y)", &["there is no function `g` of 2 arguments here"]),
-        ("sin(f(x, y))", &["sin takes coordinates, and `f(x,y)` is none"]),
         ("sqrt(f(x, y))*sqrt(x*f(x, y))", &["declare which are positive, of x, f(x,y)"]),
     ]);
     definitions("a.toml", with_metric).mathematics(&[(
