@@ -115,7 +115,7 @@ fn violations(chart: &Chart, point: &Point, found: &[f64]) -> Vec<String> {
         let Some((value, size)) = text.split_once(' ') else { continue };
         let [value, size] = [value, size].map(|text| text.parse::<f64>().unwrap());
         let units = (found - value).abs() / size / f64::EPSILON;
-        if !(units <= LARGEST) {
+        if units.is_nan() || units > LARGEST {
             let (name, at) = (&chart.name, &point.at);
             all.push(format!(
                 "{name}, {component} at {at:?}: {found:e}, right {value:e}: {units:e}"

@@ -74,17 +74,17 @@ impl Root {
             .sum();
         let lost = degree - left - power;
         // a power of the root alone is written below the line anyway
-        if lost < n as usize && left == 0 || lost == 0 || left == 0 {
+        if lost == 0 || left == 0 {
             return None;
         }
         let below = reduced.denominator.parts(&reduced.variables).into_iter();
         let below = below.map(|(g, e)| (reduced.polynomial(&g.expanded(&reduced.variables)), e));
         let numerator = reduced.polynomial(&reduced.numerator);
-        let inverse = below.map(|(g, e)| match g == free {
+        let mut inverse = below.map(|(g, e)| match g == free {
             true => self.in_roots(&pow(g, e as usize)).recip(),
             false => Some(pow(self.in_roots(&g).recip()?, e as usize)),
         });
-        inverse.fold(Some(self.in_roots(&numerator)), |product, factor| Some(product? * &factor?))
+        inverse.try_fold(self.in_roots(&numerator), |product, factor| Some(product * &factor?))
     }
 
     fn degree(&self, polynomial: &Symbolic) -> usize {

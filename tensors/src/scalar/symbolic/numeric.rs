@@ -148,7 +148,7 @@ fn separated(all: Vec<Power>, v: Variable) -> Vec<Power> {
                 if coefficients.len() < 3 || !at_root.vanishes() {
                     break;
                 }
-                factor = factor / &linear;
+                factor /= &linear;
                 apart.push((linear.clone(), e));
             }
         }
@@ -263,7 +263,7 @@ fn hyperbolic(
         exponents += degree as i64 * e;
         // in x for an even degree, in x/2 for an odd one
         let (parts, half) =
-            if degree % 2 == 0 { (*parts, degree / 2) } else { (2 * parts, degree) };
+            if degree.is_multiple_of(2) { (*parts, degree / 2) } else { (2 * parts, degree) };
         let [tanh, cosh] =
             [Function::Tanh, Function::Cosh].map(|function| written(function, of, parts));
         let secant = Kind::Secant(Part { of: of.clone(), parts });
