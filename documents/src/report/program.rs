@@ -309,10 +309,34 @@ fn sympy<S: Notation>(
         for (i, v) in terms {
             let value = match v.parameters().is_empty() && irrational(v).is_empty() {
                 true => format!("Rational('{v}')"),
-                false => variables.written(v).replace('^', "**"),
+                false => exact_quotients(&variables.written(v)).replace('^', "**"),
             };
             writeln!(text, "c[{i}, {j}, {k}] = {value}\nc[{i}, {k}, {j}] = -c[{i}, {j}, {k}]")?;
         }
     }
     Ok(())
+}
+
+/// The text with `Rational('1/3')` for `1/3`, which Python would compute in floats.
+fn exact_quotients(text: &str) -> String {
+    let digits = |text: &str| text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
+    let (mut rest, mut written, mut before) = (text, String::new(), ' ');
+    while let Some(first) = rest.chars().next() {
+        let above = digits(rest);
+        let below = rest[above..].strip_prefix('/').map_or(0, digits);
+        let whole = !is_name_character(before) && !matches!(before, '^' | '/' | '.');
+        let end = match above {
+            0 => first.len_utf8(),
+            _ if below > 0 && whole => above + 1 + below,
+            _ => above,
+        };
+        let (piece, behind) = rest.split_at(end);
+        match above > 0 && end > above {
+            true => written.push_str(&format!("Rational('{piece}')")),
+            false => written.push_str(piece),
+        }
+        before = piece.chars().next_back().unwrap_or(' ');
+        rest = behind;
+    }
+    written
 }
