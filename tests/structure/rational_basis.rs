@@ -164,7 +164,7 @@ fn other_numbers_and_contradictions_are_refused_with_the_constant() {
     assert_eq!(refused(["1 + sqrt(3)", "0", "0"]), "x y z sqrt(3) + 1");
     assert_eq!(refused(["0", "pi", "0"]), "y z x pi");
     assert_eq!(refused(["0", "0", "2^(1/3)"]), "x z y -2^(1/3)");
-    assert_eq!(refused(["a", "b + a*sqrt(2)", "1"]), "y z x sqrt(2)*a + b");
+    assert_eq!(refused(["a", "b + a*sqrt(2)", "1"]), "y z x a*sqrt(2) + b");
     // d/dt acts on the plane with eigenvalues of the ratio sqrt(2)
     let constants = [(0, 1, 1, value("1")), (0, 2, 2, value("sqrt(2)"))];
     let algebra = Bracket::from_constants(["t", "x", "y"], constants).unwrap().try_into().unwrap();
