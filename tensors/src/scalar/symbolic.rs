@@ -320,7 +320,13 @@ impl Notation for Symbolic {
     }
     /// The sizes of the products over a common denominator.
     fn sum_size(&self, other: &Self) -> usize {
-        let ([n, d], [m, e]) = (self.parts(), other.parts());
+        let ([n, d], [m, e]) = (self.expanded_parts(), other.expanded_parts());
+        if let (Form::Fraction(f), Form::Fraction(g)) = (&self.0, &other.0)
+            && f.variables == g.variables
+            && f.denominator == g.denominator
+        {
+            return [n, m, d].iter().fold(0, |sum, (size, _)| sum.saturating_add(*size));
+        }
         let products = [(n, e), (m, d), (d, e)].map(|(p, q)| meeting(p, q));
         products.into_iter().fold(0, usize::saturating_add)
     }
@@ -343,6 +349,25 @@ impl Symbolic {
             matches!(kind, Meaning::HalfTangent(_) | Meaning::Exponential(_) | Meaning::Root(_))
         };
         self.variables().iter().any(written)
+    }
+
+    /// As [`parts`](Self::parts), with a bound for the expanded denominator, by which the other numerator of a sum is multiplied.
+    fn expanded_parts(&self) -> [(usize, usize); 2] {
+        let [above, below] = self.parts();
+        let Form::Fraction(f) = &self.0 else { return [above, below] };
+        let mut degrees = vec![1u64; f.variables.len()];
+        for (factor, e) in &f.denominator.factors {
+            let own = factor.polynomial.degrees().into_iter();
+            for (at, degree) in
+                variable::places(&factor.variables, &f.variables).into_iter().zip(own)
+            {
+                degrees[at] += u64::from(degree) * u64::from(*e);
+            }
+        }
+        let dense = degrees.iter().fold(1, |product: u64, degree| product.saturating_mul(*degree));
+        let terms = usize::try_from(dense.min(f.denominator.terms())).unwrap_or(usize::MAX);
+        let degree = usize::try_from(f.denominator.degree()).unwrap_or(usize::MAX);
+        [above, (terms.saturating_mul(degree.saturating_add(1)), terms)]
     }
 
     /// The size and the number of terms, of numerator and denominator. Products keep the factors of denominators, so
