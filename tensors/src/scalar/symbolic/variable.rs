@@ -435,7 +435,8 @@ mod tests {
             "\u{e9}",
         ];
         let functions = ["sin(J1)", "sin(J2)", "a(t)", "a_t(t)"];
-        let functions = functions.map(|text| text.parse::<Symbolic>().unwrap().variables()[0]);
+        let functions =
+            functions.map(|text| text.parse::<Symbolic>().expect("a function").variables()[0]);
         let names = sorted.map(Variable::parameter);
         names.iter().zip(sorted).for_each(|(name, text)| assert_eq!(name.text(), text));
         let all: Vec<Variable> = names.into_iter().chain(functions).collect();
