@@ -36,7 +36,7 @@ pub use straight_line::{Count, Output, Step, StraightLine};
 /// let ratio = (a.clone() * &a - &(b.clone() * &b)) * &(a.clone() - &b).recip().unwrap();
 /// assert_eq!(ratio, a + &b);
 /// let program = StraightLine::new(&[ratio]);
-/// assert_eq!(program.inputs().collect::<Vec<_>>(), ["a", "b"]);
+/// assert_eq!(program.inputs().map(|input| input.text()).collect::<Vec<_>>(), ["a", "b"]);
 /// let value = |name: &str| Rational::from(if name == "a" { 5 } else { 3 });
 /// assert_eq!(program.evaluate(value, |_, x| x.clone()), Some(vec![Rational::from(8)]));
 /// ```
