@@ -5,7 +5,7 @@
 
 use affinor::algebra::roots::{CartanType, RootSystem, Series, chevalley_constants};
 use affinor::{Bracket, Canonical, Connection, LieAlgebra, Metric};
-use affinor_tensors::{Down, Rational, Ring, Tensor};
+use affinor_tensors::{Down, Rational, Scalar, Tensor};
 use criterion::{BatchSize, Bencher, Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 
@@ -21,7 +21,7 @@ fn bracket() -> Bracket<Rational> {
 }
 
 /// The curvature of a connection that has not computed it yet.
-fn curvature<S: Ring>(bencher: &mut Bencher, connection: &Connection<S>) {
+fn curvature<S: Scalar>(bencher: &mut Bencher, connection: &Connection<S>) {
     let fresh = || {
         let (frame, gamma) = (connection.frame().clone(), connection.gamma().clone());
         Connection::new(frame, gamma).expect("the affinities of a connection")

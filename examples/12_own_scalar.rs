@@ -1,10 +1,10 @@
 //! How do I compute over a scalar of my own?
 //!
-//! Implement [`Ring`], and [`Field`] if there are inverses. Here the scalars are the integers modulo a
+//! Implement [`Ring`] and [`Field`], and name the accumulator of its sums ([`Summable`]). Here the scalars are the integers modulo a
 //! prime. The question: over which of them is the Killing form of sl(2) a metric?
 
 use affinor::tensors::scalar::{ExactSum, laws};
-use affinor::tensors::{Field, Ring, Tolerance};
+use affinor::tensors::{Field, Ring, Scalar, Summable, Tolerance};
 use affinor::{Bracket, Connection, Error, LieAlgebra, Metric};
 use num_traits::{One, Zero};
 use std::fmt;
@@ -62,8 +62,6 @@ impl<const P: i64> One for Modulo<P> {
 }
 
 impl<const P: i64> Ring for Modulo<P> {
-    type Sum = ExactSum<Self>;
-
     fn from_i64(n: i64) -> Self {
         Modulo(n.rem_euclid(P))
     }
@@ -71,6 +69,12 @@ impl<const P: i64> Ring for Modulo<P> {
         self.0 == 0
     }
 }
+
+impl<const P: i64> Summable for Modulo<P> {
+    type Sum = ExactSum<Self>;
+}
+
+impl<const P: i64> Scalar for Modulo<P> {}
 
 impl<const P: i64> Field for Modulo<P> {
     fn recip(&self) -> Option<Self> {
@@ -82,7 +86,7 @@ impl<const P: i64> Field for Modulo<P> {
 }
 
 /// sl(2): `[h, e] = 2 e`, `[h, f] = -2 f`, `[e, f] = h`.
-fn sl2<S: Ring>() -> Result<LieAlgebra<S>, Error> {
+fn sl2<S: Scalar>() -> Result<LieAlgebra<S>, Error> {
     LieAlgebra::try_from(Bracket::from_fn(&["e", "f", "h"], |j, k| match (j, k) {
         (0, 1) => vec![(2, S::one())],
         (0, 2) => vec![(0, S::from_i64(-2))],

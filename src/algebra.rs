@@ -33,7 +33,7 @@ pub use rational_basis::RationalBasis;
 
 use crate::Error;
 use crate::algebra::frame::{Frame, formula};
-use affinor_tensors::{Down, Field, Ring, Tensor, Up};
+use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 use std::fmt;
 
 /// A Lie algebra: a bracket that is antisymmetric and satisfies the Jacobi identity.
@@ -56,13 +56,13 @@ pub struct LieAlgebra<S> {
 }
 
 /// The nonzero brackets `[x, y] = z`, one a line.
-impl<S: Ring> fmt::Display for LieAlgebra<S> {
+impl<S: Scalar> fmt::Display for LieAlgebra<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.frame.write_products(f, self.structure(), "[", "]", |j, k| j < k)
     }
 }
 
-impl<S: Ring> TryFrom<Bracket<S>> for LieAlgebra<S> {
+impl<S: Scalar> TryFrom<Bracket<S>> for LieAlgebra<S> {
     type Error = Error;
 
     /// Checks the Jacobi identity; [`Error::Jacobi`] names the first triple that fails.
@@ -74,7 +74,7 @@ impl<S: Ring> TryFrom<Bracket<S>> for LieAlgebra<S> {
     }
 }
 
-impl<S: Ring> LieAlgebra<S> {
+impl<S: Scalar> LieAlgebra<S> {
     /// The dimension.
     pub fn dimension(&self) -> usize {
         self.frame.dimension()
@@ -169,12 +169,12 @@ impl<S: Ring> LieAlgebra<S> {
     ///
     /// # Errors
     /// [`Error::Jacobi`] or [`Error::NotAntisymmetric`] when `f` is no homomorphism.
-    pub fn map<T: Ring>(&self, f: impl Fn(&S) -> T) -> Result<LieAlgebra<T>, Error> {
+    pub fn map<T: Scalar>(&self, f: impl Fn(&S) -> T) -> Result<LieAlgebra<T>, Error> {
         Bracket::new(self.labels(), self.structure().map(f))?.try_into()
     }
 }
 
-impl<S: Field> LieAlgebra<S> {
+impl<S: Field + Scalar> LieAlgebra<S> {
     /// The same algebra in the basis `e'_a = A^i_a e_i`: `c' = A^-1 c (A, A)`.
     ///
     /// # Errors
@@ -188,12 +188,12 @@ impl<S: Field> LieAlgebra<S> {
 }
 
 /// The matrix of `[n, .]` from structure constants that need not be checked again.
-pub(crate) fn ad<S: Ring>(structure: &Tensor<S>, n: &[S]) -> Result<Tensor<S>, Error> {
+pub(crate) fn ad<S: Scalar>(structure: &Tensor<S>, n: &[S]) -> Result<Tensor<S>, Error> {
     let n = vector(structure, n)?;
     Ok(formula("c^i_jk n^j -> ^i_k", &[("c", structure), ("n", &n)]))
 }
 
-fn vector<S: Ring>(structure: &Tensor<S>, components: &[S]) -> Result<Tensor<S>, Error> {
+fn vector<S: Scalar>(structure: &Tensor<S>, components: &[S]) -> Result<Tensor<S>, Error> {
     let vector = Tensor::vector(components, Up).with_tolerance(structure.tolerance());
     crate::algebra::frame::expect_slots("the vector", &vector, structure.dimension(), &[Up])?;
     Ok(vector)

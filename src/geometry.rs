@@ -29,7 +29,7 @@ use crate::algebra::{Bracket, LieAlgebra};
 use crate::geometry::chart::Fields;
 use crate::geometry::connection::{Canonical, Connection};
 use crate::geometry::metric::Metric;
-use affinor_tensors::{Field, Notation, Tensor};
+use affinor_tensors::{Field, Notation, Scalar, Tensor};
 use std::fmt;
 
 /// A frame with a connection and, optionally, a metric, all components given in that frame.
@@ -69,7 +69,7 @@ pub enum FrameOrigin<S> {
     Chart(Box<Fields<S>>, Option<LieAlgebra<S>>),
 }
 
-impl<S: Field> FrameOrigin<S> {
+impl<S: Field + Scalar> FrameOrigin<S> {
     /// The frame.
     pub fn frame(&self) -> &Frame<S> {
         match self {
@@ -123,7 +123,7 @@ impl<S> From<LieAlgebra<S>> for FrameOrigin<S> {
     }
 }
 
-impl<S: Field> From<Fields<S>> for FrameOrigin<S> {
+impl<S: Field + Scalar> From<Fields<S>> for FrameOrigin<S> {
     fn from(fields: Fields<S>) -> Self {
         let frame = fields.frame();
         let structure = frame.structure();
@@ -147,7 +147,7 @@ pub enum ConnectionKind<S> {
     Affinities(Tensor<S>),
 }
 
-impl<S: Notation> Geometry<S> {
+impl<S: Notation + Scalar> Geometry<S> {
     /// The geometry with a connection of the given kind.
     ///
     /// # Errors
@@ -285,7 +285,7 @@ impl<S: Notation> Geometry<S> {
 }
 
 /// `so(3), connection plus (left invariant canonical, (29)), metric diag(1, 2, 3)`.
-impl<S: Notation> fmt::Display for Geometry<S> {
+impl<S: Notation + Scalar> fmt::Display for Geometry<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}, connection {}", self.name, self.kind.describe())?;
         match &self.metric {
@@ -295,7 +295,7 @@ impl<S: Notation> fmt::Display for Geometry<S> {
     }
 }
 
-impl<S: Notation> ConnectionKind<S> {
+impl<S: Notation + Scalar> ConnectionKind<S> {
     /// The short name: `plus`, `zero`, `minus`, `lambda`, `levi-civita`, `affinities`.
     pub fn name(&self) -> &'static str {
         match self {

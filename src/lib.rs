@@ -40,8 +40,8 @@ mod serial;
 
 pub use affinor_tensors as tensors;
 pub use affinor_tensors::{
-    Down, Field, Jet, Notation, Rational, Ring, Symbolic, Tensor, TensorError, Tolerance, Tracked,
-    Up, Variance, contract,
+    Down, Field, Jet, Notation, Rational, Ring, Scalar, Summable, Symbolic, Tensor, TensorError,
+    Tolerance, Tracked, Up, Variance, contract,
 };
 pub use algebra::frame::Frame;
 pub use algebra::lie_poisson::LiePoisson;

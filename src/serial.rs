@@ -13,7 +13,7 @@
 
 use crate::geometry::connection::{Canonical, Connection};
 use crate::{
-    Bracket, ConnectionKind, Field, FrameOrigin, Geometry, LieAlgebra, Metric, Notation, Ring,
+    Bracket, ConnectionKind, Field, FrameOrigin, Geometry, LieAlgebra, Metric, Notation, Scalar,
     Tensor,
 };
 use serde::de::{Deserialize, Deserializer, Error as _};
@@ -90,14 +90,14 @@ enum Kind<S, T> {
     Affinities(T),
 }
 
-impl<S: Ring + Serialize> Serialize for LieAlgebra<S> {
+impl<S: Scalar + Serialize> Serialize for LieAlgebra<S> {
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         Algebra { schema: Schema, basis: self.labels(), structure: self.structure() }
             .serialize(serializer)
     }
 }
 
-impl<'de, S: Ring + Deserialize<'de>> Deserialize<'de> for LieAlgebra<S> {
+impl<'de, S: Scalar + Deserialize<'de>> Deserialize<'de> for LieAlgebra<S> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let read = Algebra::<Vec<String>, Tensor<S>>::deserialize(deserializer)?;
         let bracket = Bracket::new(read.basis, read.structure).map_err(D::Error::custom)?;
@@ -105,13 +105,13 @@ impl<'de, S: Ring + Deserialize<'de>> Deserialize<'de> for LieAlgebra<S> {
     }
 }
 
-impl<S: Field + Serialize> Serialize for Metric<S> {
+impl<S: Field + Scalar + Serialize> Serialize for Metric<S> {
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         Components { schema: Schema, components: self.components() }.serialize(serializer)
     }
 }
 
-impl<'de, S: Field + Deserialize<'de>> Deserialize<'de> for Metric<S> {
+impl<'de, S: Field + Scalar + Deserialize<'de>> Deserialize<'de> for Metric<S> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let components = Components::<Tensor<S>>::deserialize(deserializer)?.components;
         let labels = (1..=components.dimension()).map(|i| format!("e{i}"));
@@ -119,7 +119,7 @@ impl<'de, S: Field + Deserialize<'de>> Deserialize<'de> for Metric<S> {
     }
 }
 
-impl<S: Ring + Serialize> Serialize for Connection<S> {
+impl<S: Scalar + Serialize> Serialize for Connection<S> {
     /// # Errors
     /// In a frame that is not invariant, and of a homogeneous space.
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
@@ -134,7 +134,7 @@ impl<S: Ring + Serialize> Serialize for Connection<S> {
     }
 }
 
-impl<'de, S: Ring + Deserialize<'de>> Deserialize<'de> for Connection<S> {
+impl<'de, S: Scalar + Deserialize<'de>> Deserialize<'de> for Connection<S> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let read = Affinities::<LieAlgebra<S>, Tensor<S>>::deserialize(deserializer)?;
         Connection::new(read.algebra.left_frame().clone(), read.affinities)
@@ -142,7 +142,7 @@ impl<'de, S: Ring + Deserialize<'de>> Deserialize<'de> for Connection<S> {
     }
 }
 
-impl<S: Notation + Serialize> Serialize for Geometry<S> {
+impl<S: Notation + Scalar + Serialize> Serialize for Geometry<S> {
     /// # Errors
     /// On a chart, and in a right-invariant frame.
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
@@ -167,7 +167,7 @@ impl<S: Notation + Serialize> Serialize for Geometry<S> {
     }
 }
 
-impl<'de, S: Notation + Deserialize<'de>> Deserialize<'de> for Geometry<S> {
+impl<'de, S: Notation + Scalar + Deserialize<'de>> Deserialize<'de> for Geometry<S> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let read =
             Space::<String, LieAlgebra<S>, S, Tensor<S>, Metric<S>>::deserialize(deserializer)?;

@@ -5,7 +5,7 @@ use crate::common::algebras::{by_table, catalogued};
 use crate::common::charts::{Moved, affine, constant, heisenberg, special_linear};
 use crate::common::{fraction, integer, property::properties, spaces, stored};
 use affinor::{Connection, Error, Frame, Metric};
-use affinor_tensors::{Down, Field, Rational, Symbolic, Tensor, Up, contract};
+use affinor_tensors::{Down, Field, Rational, Scalar, Symbolic, Tensor, Up, contract};
 use proptest::prelude::*;
 
 /// The full square `T_ijkl T^ijkl` of a tensor with the slots `^i_jkl`.
@@ -172,7 +172,7 @@ properties! {
     }
 }
 
-fn levi_civita<S: Field>(frame: &Frame<S>, g: Tensor<S>) -> (Connection<S>, Metric<S>) {
+fn levi_civita<S: Field + Scalar>(frame: &Frame<S>, g: Tensor<S>) -> (Connection<S>, Metric<S>) {
     let metric = Metric::new(frame.labels(), g).unwrap();
     (Connection::levi_civita(frame, &metric).unwrap(), metric)
 }

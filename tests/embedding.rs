@@ -4,6 +4,7 @@
 use crate::common::algebras::{by_table, catalogued, seeds};
 use crate::common::{fraction, integer, labels, property::properties, spaces, stored};
 use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra, Metric};
+use affinor_documents::Coefficient;
 use affinor_documents::certificate::certify;
 use affinor_documents::definition::{Reading, Request, Space};
 use affinor_documents::report::Quantity;
@@ -22,7 +23,7 @@ struct Place {
 }
 
 impl Place {
-    fn pad<S: Notation>(&self, tensor: &Tensor<S>) -> Tensor<S> {
+    fn pad<S: Coefficient>(&self, tensor: &Tensor<S>) -> Tensor<S> {
         let moved = stored(tensor).into_iter().map(|(at, value)| (self.shift(&at), value));
         let padded = Tensor::from_components(self.n, tensor.slots(), moved).unwrap();
         padded.with_tolerance(tensor.tolerance())
@@ -39,14 +40,14 @@ impl Place {
     }
 
     /// The tensor beside the identity on `R^k`.
-    fn block<S: Notation>(&self, tensor: &Tensor<S>) -> Tensor<S> {
+    fn block<S: Coefficient>(&self, tensor: &Tensor<S>) -> Tensor<S> {
         let ones = self.others().map(|at| (vec![at, at], S::one()));
         let all = stored(&self.pad(tensor)).into_iter().chain(ones);
         Tensor::from_components(self.n, tensor.slots(), all).unwrap()
     }
 
     /// The geometry of the sum, by its constants.
-    fn sum<S: Notation>(&self, space: &Geometry<S>) -> Geometry<S> {
+    fn sum<S: Coefficient>(&self, space: &Geometry<S>) -> Geometry<S> {
         let structure = self.pad(space.frame().structure());
         let algebra: LieAlgebra<S> =
             Bracket::new(labels(self.n), structure).unwrap().try_into().unwrap();
@@ -93,7 +94,7 @@ struct Dense<S> {
     scalar: S,
 }
 
-impl<S: Notation> Dense<S> {
+impl<S: Coefficient> Dense<S> {
     /// From the tensors of the summand.
     fn new(place: &Place, space: &Geometry<S>) -> Self {
         let metric = space.metric().unwrap();
@@ -183,7 +184,7 @@ impl<S: Notation> Dense<S> {
 }
 
 /// `g^ip P_pk` with its indices.
-fn raised<S: Notation>(inverse: &Components<S>, form: &Components<S>) -> Vec<(usize, usize, S)> {
+fn raised<S: Coefficient>(inverse: &Components<S>, form: &Components<S>) -> Vec<(usize, usize, S)> {
     let mut sum = Components::new();
     for (ip, g) in inverse {
         for (pk, value) in form.range(vec![ip[1], 0]..vec![ip[1] + 1, 0]) {
@@ -193,13 +194,13 @@ fn raised<S: Notation>(inverse: &Components<S>, form: &Components<S>) -> Vec<(us
     sum.into_iter().map(|(at, value)| (at[0], at[1], value)).collect()
 }
 
-fn add<S: Notation>(sum: &mut Components<S>, at: Vec<usize>, value: S) {
+fn add<S: Coefficient>(sum: &mut Components<S>, at: Vec<usize>, value: S) {
     let old = sum.remove(&at).unwrap_or_else(S::zero);
     sum.insert(at, old + &value);
 }
 
 /// Every tensor of the sum against that of the summand, and what must vanish.
-fn embedded<S: Notation>(space: &Geometry<S>, place: &Place, dense: bool) {
+fn embedded<S: Coefficient>(space: &Geometry<S>, place: &Place, dense: bool) {
     let n = place.n;
     let sum = place.sum(space);
     let of = |space: &Geometry<S>, quantity: Quantity| quantity.of(space).unwrap();
@@ -237,7 +238,7 @@ fn embedded<S: Notation>(space: &Geometry<S>, place: &Place, dense: bool) {
 }
 
 /// Exactly the same; floats up to rounding.
-fn close<S: Notation>(quantity: Quantity, found: &Tensor<S>, mut expected: Components<S>) {
+fn close<S: Coefficient>(quantity: Quantity, found: &Tensor<S>, mut expected: Components<S>) {
     let n = found.dimension();
     if S::KIND != Kind::Float {
         expected.retain(|_, value| !value.vanishes());

@@ -7,7 +7,7 @@ use crate::common::{
 };
 use affinor::{Canonical, Connection, ConnectionKind, Error, Geometry, LieAlgebra, Metric};
 use affinor_documents::report::Quantity;
-use affinor_tensors::{Down, Notation, Rational, Ring, Tensor, Tracked, Up, contract};
+use affinor_tensors::{Down, Notation, Rational, Ring, Scalar, Tensor, Tracked, Up, contract};
 use proptest::prelude::*;
 
 /// The scalar under test.
@@ -31,7 +31,7 @@ impl Given {
         Given { algebra, metric, kind: ConnectionKind::LeviCivita }
     }
 
-    fn over<S: Notation>(&self, f: impl Fn(&Rational) -> S) -> Geometry<S> {
+    fn over<S: Notation + Scalar>(&self, f: impl Fn(&Rational) -> S) -> Geometry<S> {
         let algebra = self.algebra.map(&f).unwrap();
         let metric = Metric::new(algebra.labels(), self.metric.map(&f)).unwrap();
         let kind = match &self.kind {
@@ -44,7 +44,7 @@ impl Given {
     }
 }
 
-fn places<S: Ring>(tensor: &Tensor<S>) -> Vec<Vec<usize>> {
+fn places<S: Scalar>(tensor: &Tensor<S>) -> Vec<Vec<usize>> {
     stored(tensor).into_iter().map(|(at, _)| at).collect()
 }
 
@@ -337,7 +337,7 @@ fn conformally_flat() {
 /// What is not a number is called so, with its component, and not unsymmetric.
 #[test]
 fn what_is_no_number_is_named() {
-    fn all<S: Ring + affinor_tensors::Field + From<f64>>() {
+    fn all<S: Scalar + affinor_tensors::Field + From<f64>>() {
         for wild in [f64::NAN, f64::INFINITY] {
             let constants = [(0, 1, 1, S::from(2.0)), (0, 2, 1, S::from(wild))];
             let error = affinor::Bracket::from_constants(labels(3), constants).unwrap_err();

@@ -5,12 +5,12 @@ use crate::common::charts::{Moved, affine, constant, heisenberg, special_linear}
 use crate::common::{integer, property::properties, rationals, spaces, stored};
 use affinor::{Bracket, Error, Form, Frame, LieAlgebra};
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{Down, Rational, Ring, Symbolic, Tensor, Up};
+use affinor_tensors::{Down, Rational, Scalar, Symbolic, Tensor, Up};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
 /// The form with independent components in the order of their indices.
-fn form<S: Ring>(n: usize, degree: usize, values: &[S]) -> Form<S> {
+fn form<S: Scalar>(n: usize, degree: usize, values: &[S]) -> Form<S> {
     let increasing = increasing(n, degree);
     let components = increasing.iter().zip(values.iter().cycle()).flat_map(|(at, value)| {
         permutations(at).into_iter().map(move |(at, sign)| (at, value.clone() * &S::from_i64(sign)))
@@ -39,7 +39,7 @@ fn permutations(at: &[usize]) -> Vec<(Vec<usize>, i64)> {
     (0..at.len()).flat_map(shortened).collect()
 }
 
-fn add<S: Ring>(a: &Form<S>, b: &Form<S>, factor: i64) -> Form<S> {
+fn add<S: Scalar>(a: &Form<S>, b: &Form<S>, factor: i64) -> Form<S> {
     let scaled = b.components().scale(&S::from_i64(factor));
     let both = stored(a.components()).into_iter().chain(stored(&scaled));
     let (n, slots) = (a.components().dimension(), a.components().slots());
@@ -51,7 +51,7 @@ fn sign(degree: usize) -> i64 {
 }
 
 /// What holds for two forms and a field in any frame of a manifold.
-fn laws<S: Ring>(frame: &Frame<S>, a: &Form<S>, b: &Form<S>, x: &Tensor<S>) {
+fn laws<S: Scalar>(frame: &Frame<S>, a: &Form<S>, b: &Form<S>, x: &Tensor<S>) {
     let d = |form: &Form<S>| frame.exterior_derivative(form).unwrap();
     let lie =
         |form: &Form<S>| Form::new(frame.lie_derivative(x, form.components()).unwrap()).unwrap();

@@ -27,20 +27,20 @@ mod translations;
 use crate::common::algebras::by_table;
 use affinor::{LieAlgebra, Metric};
 use affinor_tensors::expression::{Expression, Scalars, no_function};
-use affinor_tensors::{Down, Notation, Rational, Ring, Symbolic, Tensor, Up, Variance};
+use affinor_tensors::{Down, Notation, Rational, Scalar, Symbolic, Tensor, Up, Variance};
 
 /// A rational number or a formula, as written on paper.
-fn value<S: Notation>(text: &str) -> S {
+fn value<S: Notation + Scalar>(text: &str) -> S {
     let parameter = |name: &str| S::parameter(name).ok_or(format!("`{name}` is no number"));
     Expression::parse(text).unwrap().evaluate(&Scalars(parameter, no_function)).unwrap()
 }
 
-fn values<S: Notation, const N: usize>(texts: [&str; N]) -> Vec<S> {
+fn values<S: Notation + Scalar, const N: usize>(texts: [&str; N]) -> Vec<S> {
     texts.map(value).to_vec()
 }
 
 /// The tensor with these components, indices from 1 as on paper.
-fn tensor<S: Notation, const R: usize>(
+fn tensor<S: Notation + Scalar, const R: usize>(
     n: usize,
     slots: [Variance; R],
     components: &[([usize; R], &str)],
@@ -50,7 +50,7 @@ fn tensor<S: Notation, const R: usize>(
 }
 
 /// The symmetric matrix with these rows as a metric.
-fn metric<S: Notation>(rows: &[&[&str]]) -> Metric<S> {
+fn metric<S: Notation + Scalar>(rows: &[&[&str]]) -> Metric<S> {
     let n = rows.len();
     let g = Tensor::from_fn(n, [Down, Down], |[i, j]| value(rows[i][j])).unwrap();
     Metric::new(crate::common::labels(n), g).unwrap()
@@ -75,7 +75,7 @@ fn delta(i: usize, j: usize) -> i64 {
 }
 
 /// `share * eps_ijk` in the slots `^i_jk`.
-fn epsilons<S: Notation>(share: &str) -> Tensor<S> {
+fn epsilons<S: Notation + Scalar>(share: &str) -> Tensor<S> {
     let share: S = value(share);
     let component = |[i, j, k]: [usize; 3]| share.clone() * &S::from_i64(epsilon(i, j, k));
     Tensor::from_fn(3, [Up, Down, Down], component).unwrap()
@@ -151,7 +151,7 @@ fn parameters(letter: &str, n: usize) -> Vec<Symbolic> {
 
 /// Whether two tensors are equal, with the first difference in the message.
 #[track_caller]
-fn assert_tensors<S: Ring>(found: &Tensor<S>, expected: &Tensor<S>, what: &str) {
+fn assert_tensors<S: Scalar>(found: &Tensor<S>, expected: &Tensor<S>, what: &str) {
     assert_eq!(found.slots(), expected.slots(), "{what}");
     assert_eq!(crate::common::stored(found), crate::common::stored(expected), "{what}");
 }

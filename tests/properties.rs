@@ -8,27 +8,27 @@ use crate::common::{Space, fraction, integer, property::properties, spaces};
 use affinor::geometry::properties::{Property, Soliton};
 use affinor::{Connection, Error, Frame, Geometry, LieAlgebra, Metric};
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{Down, Notation, Rational, Symbolic, Tensor, contract};
+use affinor_tensors::{Down, Notation, Rational, Scalar, Symbolic, Tensor, contract};
 use num_traits::Zero;
 use proptest::prelude::*;
 
-fn einstein<S: Notation>(space: &Geometry<S>) -> Option<S> {
+fn einstein<S: Notation + Scalar>(space: &Geometry<S>) -> Option<S> {
     space.connection().einstein_constant(space.metric().unwrap()).unwrap().holds()
 }
 
-fn symmetric<S: Notation>(space: &Geometry<S>) -> bool {
+fn symmetric<S: Notation + Scalar>(space: &Geometry<S>) -> bool {
     space.connection().locally_symmetric().holds().is_some()
 }
 
-fn curvature<S: Notation>(space: &Geometry<S>) -> Option<S> {
+fn curvature<S: Notation + Scalar>(space: &Geometry<S>) -> Option<S> {
     space.connection().constant_curvature(space.metric().unwrap()).unwrap().holds()
 }
 
-fn soliton<S: Notation>(space: &Geometry<S>) -> Option<Soliton<S>> {
+fn soliton<S: Notation + Scalar>(space: &Geometry<S>) -> Option<Soliton<S>> {
     space.metric().unwrap().ricci_soliton(space.algebra().unwrap()).unwrap().holds()
 }
 
-fn reductive<S: Notation>(space: &Geometry<S>) -> Property<S, Tensor<S>> {
+fn reductive<S: Notation + Scalar>(space: &Geometry<S>) -> Property<S, Tensor<S>> {
     space.metric().unwrap().naturally_reductive(space.algebra().unwrap()).unwrap()
 }
 
@@ -180,7 +180,7 @@ fn second_einstein_metrics() {
 }
 
 /// The conditions on `phi`, with brackets of vectors.
-fn naturally_reductive<S: Notation>(space: &Geometry<S>) {
+fn naturally_reductive<S: Notation + Scalar>(space: &Geometry<S>) {
     let (algebra, metric) = (space.algebra().unwrap(), space.metric().unwrap());
     let phi = reductive(space).holds().unwrap();
     let n = algebra.dimension();

@@ -4,7 +4,7 @@ use crate::common::algebras::algebras;
 use crate::common::{integer, labels, property::properties};
 use affinor::{Bracket, Error};
 use affinor_documents::definition::{Definition, InputError, Reading, Request, Space};
-use affinor_tensors::{Down, Rational, Ring, Symbolic, Tensor, Tolerance, Up};
+use affinor_tensors::{Down, Rational, Ring, Scalar, Symbolic, Tensor, Tolerance, Up};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::fmt::Display;
@@ -15,7 +15,7 @@ type Constant<S> = (usize, usize, usize, S);
 /// What a door makes of constants: the structure, or what it says.
 type Read<S> = Result<Tensor<S>, String>;
 
-fn of_bracket<S: Ring>(bracket: Result<Bracket<S>, Error>) -> Read<S> {
+fn of_bracket<S: Scalar>(bracket: Result<Bracket<S>, Error>) -> Read<S> {
     bracket.map(|bracket| bracket.structure().clone()).map_err(|error| error.to_string())
 }
 

@@ -5,10 +5,11 @@ use crate::program::{root, stdout};
 use affinor::Geometry;
 use affinor::geometry::claims::{Claim, Verdict};
 use affinor::geometry::paper;
+use affinor_documents::Coefficient;
 use affinor_documents::definition::{
     Definition, InputError, Reading, Request, ScalarChoice, Space, Work,
 };
-use affinor_tensors::{Notation, Tolerance};
+use affinor_tensors::Tolerance;
 use serde_json::Value;
 
 /// The verdicts on a geometry, each with what loops over its components say.
@@ -17,7 +18,7 @@ struct Verdicts;
 impl Work for Verdicts {
     type Output = Vec<(Claim, Verdict, Option<String>)>;
 
-    fn run<S: Notation>(
+    fn run<S: Coefficient>(
         self,
         definition: &Definition,
         reading: &Reading<S>,
@@ -49,7 +50,7 @@ fn residual(space: &str, claim: Claim) -> String {
 
 /// The first component that a claim says is zero and that is not, `c^i_jk` and so on summed by
 /// loops; the end of a residual, ` = value`. `None` where the claim holds or does not apply.
-fn by_loops<S: Notation>(claim: Claim, geometry: &Geometry<S>) -> Option<String> {
+fn by_loops<S: Coefficient>(claim: Claim, geometry: &Geometry<S>) -> Option<String> {
     let n = geometry.frame().dimension();
     let c = |i, j, k| geometry.frame().structure().get(&[i, j, k]);
     let gamma = |i, j, k| geometry.connection().gamma().get(&[i, j, k]);

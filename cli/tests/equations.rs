@@ -7,13 +7,14 @@ use crate::compiled;
 use crate::program::{self, definition, root, stdout};
 use affinor::geometry::equations::{EquationKind, Equations, Variable};
 use affinor::{Canonical, Connection, ConnectionKind, Geometry, LieAlgebra, Metric};
+use affinor_documents::Coefficient;
 use affinor_documents::report::{EquationReport, Format, Report};
 use affinor_tensors::{Down, Notation, Rational, Recorded, Symbolic, Tensor};
 use proptest::prelude::*;
 
 type Vector<S> = [S; 3];
 
-fn cross<S: Notation>(a: &Vector<S>, b: &Vector<S>) -> Vector<S> {
+fn cross<S: Coefficient>(a: &Vector<S>, b: &Vector<S>) -> Vector<S> {
     let minor = |i: usize, j: usize| a[i].clone() * &b[j] - &(a[j].clone() * &b[i]);
     [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
@@ -22,14 +23,14 @@ fn seed(name: &str) -> LieAlgebra<Rational> {
     seeds().into_iter().find(|(other, _)| *other == name).unwrap().1
 }
 
-fn metric<S: Notation>(algebra: &LieAlgebra<S>, rows: &[Vec<S>]) -> Metric<S> {
+fn metric<S: Coefficient>(algebra: &LieAlgebra<S>, rows: &[Vec<S>]) -> Metric<S> {
     let n = algebra.dimension();
     let tensor = Tensor::from_fn(n, [Down, Down], |[i, j]| rows[i][j].clone()).unwrap();
     Metric::new(algebra.labels(), tensor).unwrap()
 }
 
 /// `J v` for a symmetric matrix.
-fn times<S: Notation>(matrix: &[Vec<S>], vector: &[S]) -> Vec<S> {
+fn times<S: Coefficient>(matrix: &[Vec<S>], vector: &[S]) -> Vec<S> {
     let row =
         |row: &Vec<S>| row.iter().zip(vector).fold(S::zero(), |sum, (a, b)| sum + &(a.clone() * b));
     matrix.iter().map(row).collect()
@@ -165,7 +166,7 @@ properties! {
 }
 
 /// A family with awkward parameter names (reserved words) and a full metric.
-fn awkward<S: Notation>() -> Geometry<S> {
+fn awkward<S: Coefficient>() -> Geometry<S> {
     let [a, b] = ["lambda", "int"].map(|name| S::parameter(name).unwrap());
     let bracket = affinor::Bracket::from_fn(&["x", "y", "z"], |j, k| match (j, k) {
         (0, 2) => {

@@ -1,10 +1,11 @@
 //! The examples run, and every definition beside them passes `affinor check`.
 
 use crate::program::{definition, root, stdout};
+use affinor_documents::Coefficient;
 use affinor_documents::definition::{
     Definition, InputError, Reading, Request, ScalarChoice, Space, Work,
 };
-use affinor_tensors::{Notation, Tolerance};
+use affinor_tensors::Tolerance;
 
 #[path = "../../examples/01_so3_two_geometries.rs"]
 mod so3_two_geometries;
@@ -106,7 +107,7 @@ impl Work for Dimension {
     type Output = (usize, usize);
 
     /// The dimension, and the number of structure constants; Jacobi is checked on the way.
-    fn run<S: Notation>(
+    fn run<S: Coefficient>(
         self,
         definition: &Definition,
         reading: &Reading<S>,

@@ -3,6 +3,7 @@
 use crate::common::root;
 use crate::compiled::{self, RUN, run_numpy};
 use crate::program::{self, definition, stdout};
+use affinor_documents::Coefficient;
 use affinor_documents::definition::{Reading, Request, Space};
 use affinor_documents::report::{Language, Quantity};
 use affinor_tensors::{Notation, Rational, Symbolic, Tensor, Tolerance};
@@ -32,7 +33,7 @@ fn open(space: &str, [connection, metric]: [&str; 2], set: Option<String>) -> Sp
 }
 
 /// All components of a tensor, zeros included, the last index first to change.
-fn dense<S: Notation>(tensor: &Tensor<S>, n: usize, value: impl Fn(&S) -> f64) -> Vec<f64> {
+fn dense<S: Coefficient>(tensor: &Tensor<S>, n: usize, value: impl Fn(&S) -> f64) -> Vec<f64> {
     let mut all = vec![0.0; n.pow(tensor.slots().len() as u32)];
     for (at, component) in tensor.components() {
         all[at.iter().fold(0, |place, i| place * n + i)] = value(component);

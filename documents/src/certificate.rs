@@ -1,11 +1,12 @@
 //! Certificates: checks of a definition, each with a witness if it fails.
 
+use crate::Coefficient;
 use crate::definition::{Definition, InputError, Reading, Refusal};
 use affinor::algebra::frame::expect_numbers;
 use affinor::geometry::conditions::conditions;
 use affinor::{ConnectionKind, Error, FrameOrigin, LieAlgebra};
 use affinor_tensors::text::written;
-use affinor_tensors::{Indices, Notation, Tensor};
+use affinor_tensors::{Indices, Tensor};
 
 /// One check of a certificate.
 #[derive(Clone, Debug)]
@@ -41,7 +42,7 @@ pub struct Witness {
 /// # Errors
 /// Input that cannot be read as this scalar, and floats that leave their range. Failures of the mathematics are checks, not
 /// errors.
-pub fn certify<S: Notation>(
+pub fn certify<S: Coefficient>(
     definition: &Definition,
     reading: &Reading<S>,
     stage: &dyn Fn(&str),
@@ -88,7 +89,7 @@ pub fn certify<S: Notation>(
 }
 
 /// Checks the algebra or the fields of a geometry; `None` if a check fails.
-fn ground<S: Notation>(
+fn ground<S: Coefficient>(
     definition: &Definition,
     reading: &Reading<S>,
     stage: &dyn Fn(&str),
@@ -178,7 +179,7 @@ fn of_metric(error: &InputError, labels: &[String]) -> Option<Witness> {
 }
 
 /// The check that a residual with one upper index, in front, is zero.
-fn vanishing<S: Notation>(
+fn vanishing<S: Coefficient>(
     name: &'static str,
     detail: &str,
     residual: &Tensor<S>,

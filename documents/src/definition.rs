@@ -36,11 +36,12 @@ pub use numbers::numbers;
 pub use source::{Place, Source};
 pub use space::{Request, ScalarChoice, Space, Work};
 
+use crate::Coefficient;
 use affinor::algebra::Complex;
 use affinor::algebra::catalogue::MAX_DIMENSION;
 use affinor::geometry::{ConnectionKind, FrameOrigin, Geometry};
 use affinor::{Bracket, Canonical, Error, LieAlgebra, MatrixBasis, Metric};
-use affinor_tensors::{Down, Notation, Ring, Symbolic, Tensor, Tolerance, Up};
+use affinor_tensors::{Down, Ring, Symbolic, Tensor, Tolerance, Up};
 use chart::OnChart;
 use functions::Functions;
 use num_traits::Zero;
@@ -118,7 +119,7 @@ pub struct Reading<'r, S> {
     pub tolerance: Tolerance,
 }
 
-impl<S: Notation> Reading<'_, S> {
+impl<S: Coefficient> Reading<'_, S> {
     fn value(&self, value: &Symbolic) -> Result<S, InputError> {
         (self.convert)(value).ok_or_else(|| {
             let shown = input::shown(&value.to_string());
@@ -212,7 +213,7 @@ impl Definition {
     /// # Errors
     /// A refusal of the mathematics, with its witness: `[y,x]` that is not `-[x,y]`, `[x,x]` that is not zero, matrices
     /// that are dependent or not closed under commutators.
-    pub fn bracket<S: Notation>(&self, reading: &Reading<S>) -> Result<Bracket<S>, InputError> {
+    pub fn bracket<S: Coefficient>(&self, reading: &Reading<S>) -> Result<Bracket<S>, InputError> {
         let bracket = match &self.origin {
             Origin::Brackets(given) => {
                 self.antisymmetric(given)?;
@@ -232,7 +233,10 @@ impl Definition {
     ///
     /// # Errors
     /// As [`bracket`](Self::bracket), and the triple that violates Jacobi.
-    pub fn algebra<S: Notation>(&self, reading: &Reading<S>) -> Result<LieAlgebra<S>, InputError> {
+    pub fn algebra<S: Coefficient>(
+        &self,
+        reading: &Reading<S>,
+    ) -> Result<LieAlgebra<S>, InputError> {
         LieAlgebra::try_from(self.bracket(reading)?).map_err(|error| self.refused(error))
     }
 
@@ -240,7 +244,10 @@ impl Definition {
     ///
     /// # Errors
     /// As [`algebra`](Self::algebra); fields that are dependent everywhere.
-    pub fn ground<S: Notation>(&self, reading: &Reading<S>) -> Result<FrameOrigin<S>, InputError> {
+    pub fn ground<S: Coefficient>(
+        &self,
+        reading: &Reading<S>,
+    ) -> Result<FrameOrigin<S>, InputError> {
         match &self.origin {
             Origin::Chart(chart) => Ok(chart.fields(&self.labels, reading)?.into()),
             _ => Ok(self.algebra(reading)?.into()),
@@ -251,7 +258,7 @@ impl Definition {
     ///
     /// # Errors
     /// A form that is not symmetric, or degenerate; the Killing form over structure functions.
-    pub fn metric<S: Notation>(
+    pub fn metric<S: Coefficient>(
         &self,
         ground: &FrameOrigin<S>,
         reading: &Reading<S>,
@@ -288,7 +295,10 @@ impl Definition {
     ///
     /// # Errors
     /// As [`ground`](Self::ground) and [`metric`](Self::metric).
-    pub fn geometry<S: Notation>(&self, reading: &Reading<S>) -> Result<Geometry<S>, InputError> {
+    pub fn geometry<S: Coefficient>(
+        &self,
+        reading: &Reading<S>,
+    ) -> Result<Geometry<S>, InputError> {
         self.geometry_over(self.ground(reading)?, reading)
     }
 
@@ -296,7 +306,7 @@ impl Definition {
     ///
     /// # Errors
     /// As [`metric`](Self::metric).
-    pub fn geometry_over<S: Notation>(
+    pub fn geometry_over<S: Coefficient>(
         &self,
         ground: FrameOrigin<S>,
         reading: &Reading<S>,
@@ -388,7 +398,7 @@ impl Definition {
         })
     }
 
-    fn matrix_basis<S: Notation>(
+    fn matrix_basis<S: Coefficient>(
         &self,
         reading: &Reading<S>,
     ) -> Result<MatrixBasis<S>, InputError> {

@@ -14,6 +14,7 @@
 
 pub mod ball;
 pub mod certificate;
+mod coefficient;
 pub mod definition;
 mod formula;
 mod page;
@@ -23,3 +24,5 @@ pub mod picture;
 pub mod problem;
 pub mod report;
 pub mod rows;
+
+pub use coefficient::Coefficient;

@@ -33,9 +33,10 @@ mod so3;
 
 pub use finding::{Finding, Outcome};
 
+use crate::Coefficient;
 use crate::report::grouped_in_text;
 use affinor::{Canonical, Error, LieAlgebra};
-use affinor_tensors::{Notation, Rational, Tensor};
+use affinor_tensors::{Rational, Tensor};
 use lab::Lab;
 use std::io::{self, Write};
 
@@ -237,7 +238,7 @@ impl Row {
     }
 
     /// The values of a tensor, a line for those that are equal up to sign.
-    fn components<S: Notation>(self, symbol: &str, tensor: &Tensor<S>) -> Self {
+    fn components<S: Coefficient>(self, symbol: &str, tensor: &Tensor<S>) -> Self {
         let lines = grouped_in_text(symbol, tensor);
         self.find(lines.iter().map(|line| Finding::value(line)))
     }

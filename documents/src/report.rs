@@ -47,8 +47,9 @@ pub use stored::{Differences, StoredTable};
 pub use text::components_in_text;
 pub(crate) use text::grouped_in_text;
 
+use crate::Coefficient;
 use affinor::{Error, Geometry};
-use affinor_tensors::{Kind, Notation, Tensor, Tolerance};
+use affinor_tensors::{Kind, Tensor, Tolerance};
 use std::borrow::Cow;
 use std::io::{self, BufWriter, Write};
 
@@ -123,7 +124,7 @@ pub struct TableEntry<S> {
     pub tensor: Tensor<S>,
 }
 
-impl<S: Notation> Table<S> {
+impl<S: Coefficient> Table<S> {
     /// The table of a geometry in its frame, with the quantities that apply.
     ///
     /// # Errors
@@ -216,7 +217,7 @@ pub trait Report {
     fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()>;
 }
 
-impl<S: Notation> Report for Table<S> {
+impl<S: Coefficient> Report for Table<S> {
     fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
         let mut out = BufWriter::with_capacity(1 << 16, out);
         match format {

@@ -9,11 +9,12 @@ use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::geometry::properties::Property;
 use affinor::group::transport::ParallelTranslation;
 use affinor::{BasisChange, Connection, Error, Frame, Geometry};
+use affinor_documents::Coefficient;
 use affinor_documents::definition::InputError;
 use affinor_documents::report::{
     ComparedSide, Comparison, EquationReport, Quantity, Report, Table,
 };
-use affinor_tensors::{Kind, Notation, Rational, Symbolic, Tensor, Tracked};
+use affinor_tensors::{Kind, Rational, Symbolic, Tensor, Tracked};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::any::Any;
@@ -38,7 +39,7 @@ macro_rules! each {
 
 impl Values {
     /// The geometry over one of the three scalars that spaces are computed in.
-    pub fn wrap<S: Notation>(geometry: Geometry<S>) -> Result<Self, InputError> {
+    pub fn wrap<S: Coefficient>(geometry: Geometry<S>) -> Result<Self, InputError> {
         let any: Box<dyn Any> = Box::new(geometry);
         let any = match any.downcast() {
             Ok(geometry) => return Ok(Values::Exact(*geometry)),
@@ -78,7 +79,7 @@ pub fn quantities() -> Vec<Description> {
 /// A property that holds, with its value, or the witness of its failure.
 type Tested = (bool, Option<String>, Option<(String, Vec<usize>, String)>);
 
-fn tested<S: Notation, T>(
+fn tested<S: Coefficient, T>(
     property: Property<S, T>,
     value: impl FnOnce(T) -> Option<String>,
 ) -> Tested {
@@ -179,7 +180,7 @@ impl PyGeometry {
 
     /// Equations of motion: euler-poincare, autoparallel or transport.
     fn equations(&self, py: Python<'_>, kind: &str, format: &str) -> PyResult<String> {
-        fn report<S: Notation>(
+        fn report<S: Coefficient>(
             geometry: &Geometry<S>,
             kind: &str,
         ) -> Result<Box<dyn Report>, InputError> {
@@ -251,7 +252,7 @@ impl PyGeometry {
 
     /// A property by its name: whether it holds, its value, or its witness.
     fn property(&self, py: Python<'_>, name: &str) -> PyResult<Tested> {
-        fn test<S: Notation>(geometry: &Geometry<S>, name: &str) -> Result<Tested, InputError> {
+        fn test<S: Coefficient>(geometry: &Geometry<S>, name: &str) -> Result<Tested, InputError> {
             let connection = geometry.connection();
             let metric = || geometry.metric().ok_or(Error::NoMetric);
             Ok(match name {
@@ -278,11 +279,13 @@ impl PyGeometry {
 
     /// The connection on a group of its algebra.
     fn transport(&self, py: Python<'_>, group: &PyGroup) -> PyResult<PyTransport> {
-        fn floats<S: Notation>(tensor: &Tensor<S>) -> Result<Tensor<f64>, InputError> {
+        fn floats<S: Coefficient>(tensor: &Tensor<S>) -> Result<Tensor<f64>, InputError> {
             tensor.nonzero().try_for_each(|value| float(value).map(|_| ()))?;
             Ok(tensor.map(|value| value.to_f64().unwrap_or(f64::NAN)))
         }
-        fn connection<S: Notation>(geometry: &Geometry<S>) -> Result<Connection<f64>, InputError> {
+        fn connection<S: Coefficient>(
+            geometry: &Geometry<S>,
+        ) -> Result<Connection<f64>, InputError> {
             geometry.frame_origin().algebra_for("parallel transport on a group")?;
             let frame = geometry.frame();
             let frame = Frame::invariant(frame.labels(), floats(frame.structure())?)?;

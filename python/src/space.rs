@@ -7,12 +7,13 @@ use crate::report::written;
 use crate::run::run;
 use crate::tensor::{PyTensor, Values};
 use affinor::{Canonical, Connection, ConnectionKind, Error, Geometry};
+use affinor_documents::Coefficient;
 use affinor_documents::certificate::Check;
 use affinor_documents::definition::{
     Definition, Files, InputError, Reading, Request, ScalarChoice, Space, Work,
 };
 use affinor_documents::report::{Computation, certificate};
-use affinor_tensors::{Down, Notation, Rational, Ring, Symbolic, Tensor, Tolerance, Tracked};
+use affinor_tensors::{Down, Notation, Rational, Scalar, Symbolic, Tensor, Tolerance, Tracked};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
@@ -45,8 +46,8 @@ impl Given<'_> {
 }
 
 /// The tensor over the scalar of a reading.
-fn read<S: Notation>(values: &Values, reading: &Reading<S>) -> Result<Tensor<S>, InputError> {
-    fn convert<S: Notation, T: Ring>(
+fn read<S: Coefficient>(values: &Values, reading: &Reading<S>) -> Result<Tensor<S>, InputError> {
+    fn convert<S: Coefficient, T: Scalar>(
         tensor: &Tensor<T>,
         reading: &Reading<S>,
         exact: impl Fn(&T) -> Option<Symbolic>,
@@ -74,7 +75,7 @@ fn read<S: Notation>(values: &Values, reading: &Reading<S>) -> Result<Tensor<S>,
 impl Work for Given<'_> {
     type Output = Geometries;
 
-    fn run<S: Notation>(
+    fn run<S: Coefficient>(
         self,
         definition: &Definition,
         reading: &Reading<S>,

@@ -4,6 +4,7 @@ use crate::arrays::fresh;
 use crate::errors::{refused, wrong};
 use crate::run::run;
 use crate::values;
+use affinor_documents::Coefficient;
 use affinor_documents::definition::InputError;
 use affinor_documents::report::{components_in_latex, components_in_text};
 use affinor_tensors::{
@@ -38,7 +39,7 @@ macro_rules! each {
 type Coordinates<'py> = (Bound<'py, PyArrayDyn<i64>>, Bound<'py, PyArrayDyn<f64>>);
 
 /// A component as a float.
-pub fn float<S: Notation>(value: &S) -> Result<f64, InputError> {
+pub fn float<S: Coefficient>(value: &S) -> Result<f64, InputError> {
     let refused = |what: &str, help: &str| {
         let text = value.to_string();
         let shown: String = text.chars().take(40).collect();
@@ -59,7 +60,7 @@ pub fn float<S: Notation>(value: &S) -> Result<f64, InputError> {
 }
 
 /// The nonzero components as floats.
-fn write_floats<S: Notation>(tensor: &Tensor<S>, list: &mut [f64]) -> Result<(), InputError> {
+fn write_floats<S: Coefficient>(tensor: &Tensor<S>, list: &mut [f64]) -> Result<(), InputError> {
     for (value, out) in tensor.nonzero().zip(list) {
         *out = float(value)?;
     }
@@ -67,14 +68,14 @@ fn write_floats<S: Notation>(tensor: &Tensor<S>, list: &mut [f64]) -> Result<(),
 }
 
 /// A scalar of tensors.
-pub trait Scalar: Notation + Sized {
+pub trait Scalar: Coefficient + Sized {
     fn wrap(tensor: Tensor<Self>) -> Values;
     /// The tensor over this scalar, if its values exist here.
     fn of(values: &Values) -> Option<Arc<Tensor<Self>>>;
 }
 
 /// A tensor over another scalar; `None` if a value does not exist there.
-fn over<S: Notation, T: Notation>(
+fn over<S: Coefficient, T: Coefficient>(
     tensor: &Tensor<S>,
     convert: impl Fn(&S) -> Option<T>,
 ) -> Option<Arc<Tensor<T>>> {
@@ -477,7 +478,7 @@ impl PyTensor {
 }
 
 /// The tensor of the first components.
-fn first<S: Notation>(tensor: &Tensor<S>, limit: usize) -> Tensor<S> {
+fn first<S: Coefficient>(tensor: &Tensor<S>, limit: usize) -> Tensor<S> {
     if tensor.len() <= limit {
         return tensor.clone();
     }

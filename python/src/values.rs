@@ -1,7 +1,8 @@
 //! Numbers between Rust and Python: fractions, floats, and expressions as text.
 
+use affinor_documents::Coefficient;
+use affinor_tensors::Rational;
 use affinor_tensors::expression::{Expression, Meaning};
-use affinor_tensors::{Notation, Rational};
 use num_rational::{BigRational, Ratio};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -31,7 +32,7 @@ pub fn fraction<'py>(py: Python<'py>, value: &Rational) -> PyResult<Bound<'py, P
 }
 
 /// A number or an expression in the notation of definitions.
-pub fn read<S: Notation>(text: &str) -> PyResult<S> {
+pub fn read<S: Coefficient>(text: &str) -> PyResult<S> {
     let names = |name: &str| S::parameter(name).ok_or_else(|| format!("`{name}` is no number"));
     let scalars = affinor_tensors::expression::Scalars(names, S::call);
     let value = Expression::parse(text).and_then(|expression| expression.evaluate(&scalars));

@@ -4,7 +4,7 @@ use crate::Error;
 use crate::algebra::frame::{expect_numbers, expect_slots, formula};
 use affinor_tensors::contraction;
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{Down, Field, Ring, Tensor, Up};
+use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 use std::collections::BTreeMap;
 
 /// A change of basis `e'_a = A^i_a e_i` with invertible `A`: constants, or functions over a chart.
@@ -14,7 +14,7 @@ pub struct BasisChange<S> {
     inverse: Tensor<S>,
 }
 
-impl<S: Field> BasisChange<S> {
+impl<S: Field + Scalar> BasisChange<S> {
     /// The change with the matrix `A^i_a`, slots `[Up, Down]`: column `a` is the new `e'_a`.
     ///
     /// # Errors
@@ -71,13 +71,13 @@ impl<S: Field> BasisChange<S> {
 type Symmetry = (usize, usize, i64);
 
 /// The pairs of slots in which a tensor is symmetric or antisymmetric.
-fn symmetries<S: Ring>(tensor: &Tensor<S>) -> Vec<Symmetry> {
+fn symmetries<S: Scalar>(tensor: &Tensor<S>) -> Vec<Symmetry> {
     let pairs = (0..tensor.rank()).flat_map(|a| (a + 1..tensor.rank()).map(move |b| (a, b)));
     pairs.filter_map(|(a, b)| Some((a, b, tensor.pair_symmetry(a, b)?))).collect()
 }
 
 /// The tensor with the symmetries, taken from its components with ordered indices.
-fn with_symmetries<S: Ring>(symmetries: &[Symmetry], tensor: Tensor<S>) -> Tensor<S> {
+fn with_symmetries<S: Scalar>(symmetries: &[Symmetry], tensor: Tensor<S>) -> Tensor<S> {
     if symmetries.is_empty() {
         return tensor;
     }
@@ -115,18 +115,18 @@ fn with_symmetries<S: Ring>(symmetries: &[Symmetry], tensor: Tensor<S>) -> Tenso
 pub(crate) const LETTERS: &str = "abcdefgh";
 
 /// One letter a slot, as the notation of contractions writes them.
-pub(crate) fn indices<S: Ring>(letters: &str, tensor: &Tensor<S>) -> String {
+pub(crate) fn indices<S: Scalar>(letters: &str, tensor: &Tensor<S>) -> String {
     contraction::indices(letters.chars().zip(tensor.slots().iter().copied()))
 }
 
 /// The entries of the inverse of a tensor of rank 2 read as a matrix.
-pub(crate) fn inverse<S: Field>(tensor: &Tensor<S>) -> Option<Vec<([usize; 2], S)>> {
+pub(crate) fn inverse<S: Field + Scalar>(tensor: &Tensor<S>) -> Option<Vec<([usize; 2], S)>> {
     let inverse = to_matrix(tensor).inverse()?;
     Some(inverse.entries().map(|(i, j, v)| ([i, j], v.clone())).collect())
 }
 
 /// A tensor of rank 2 as a matrix: the first index is the row.
-pub(crate) fn to_matrix<S: Ring>(tensor: &Tensor<S>) -> Matrix<S> {
+pub(crate) fn to_matrix<S: Scalar>(tensor: &Tensor<S>) -> Matrix<S> {
     let n = tensor.dimension();
     let mut rows = vec![Vec::new(); n];
     for (at, value) in tensor.components() {

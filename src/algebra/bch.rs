@@ -2,9 +2,9 @@
 
 use super::LieAlgebra;
 use crate::Error;
-use affinor_tensors::{Field, Ring, TensorError};
+use affinor_tensors::{Field, Scalar, TensorError};
 
-impl<S: Field> LieAlgebra<S> {
+impl<S: Field + Scalar> LieAlgebra<S> {
     /// The homogeneous parts `Z_1 .. Z_order` of `log(exp(x) exp(y)) = Z_1 + Z_2 + ..`, where `Z_n` is a
     /// combination of brackets of `n` factors:
     ///
@@ -93,7 +93,7 @@ impl<S: Field> LieAlgebra<S> {
 
 /// `B_2p/(2p)!` for `p = 1..=count`, by Euler's `(2p + 1) b_p = -sum b_k b_{p-k}`, whose terms have one
 /// sign: floats lose nothing.
-fn bernoulli<S: Field>(count: usize) -> Result<Vec<S>, Error> {
+fn bernoulli<S: Field + Scalar>(count: usize) -> Result<Vec<S>, Error> {
     let mut numbers: Vec<S> = Vec::new();
     for p in 1..=count {
         let products = (0..p - 1).map(|k| numbers[k].clone() * &numbers[p - 2 - k]);
@@ -106,16 +106,16 @@ fn bernoulli<S: Field>(count: usize) -> Result<Vec<S>, Error> {
     Ok(numbers)
 }
 
-fn inverse<S: Field>(n: i64) -> Result<S, Error> {
+fn inverse<S: Field + Scalar>(n: i64) -> Result<S, Error> {
     Ok(S::from_i64(n).recip().ok_or(TensorError::NotInvertible(n))?)
 }
 
-fn scaled<S: Ring>(x: &[S], by: &S) -> Vec<S> {
+fn scaled<S: Scalar>(x: &[S], by: &S) -> Vec<S> {
     x.iter().map(|x| x.clone() * by).collect()
 }
 
 /// `x + sign y`.
-fn combined<S: Ring>(x: &[S], y: &[S], sign: i64) -> Vec<S> {
+fn combined<S: Scalar>(x: &[S], y: &[S], sign: i64) -> Vec<S> {
     let sign = S::from_i64(sign);
     x.iter().zip(y).map(|(x, y)| x.clone() + &(y.clone() * &sign)).collect()
 }

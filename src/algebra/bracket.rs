@@ -4,7 +4,7 @@ use crate::Error;
 use crate::algebra::frame::{Frame, expect_numbers, formula};
 use crate::algebra::generators::{are_dense_derivations, matrices_of_generators};
 use affinor_tensors::text::combination;
-use affinor_tensors::{Down, Ring, Sum, Tensor, TensorError, Tolerance, Up};
+use affinor_tensors::{Down, Scalar, Sum, Tensor, TensorError, Tolerance, Up};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::fmt;
@@ -16,7 +16,7 @@ pub struct Bracket<S> {
     frame: Frame<S>,
 }
 
-impl<S: Ring> Bracket<S> {
+impl<S: Scalar> Bracket<S> {
     /// The bracket with the structure constants `c^i_jk`, slots `[Up, Down, Down]`.
     ///
     /// # Errors
@@ -159,7 +159,7 @@ impl<S: Ring> Bracket<S> {
 }
 
 /// The nonzero brackets `[x, y] = z`, one a line.
-impl<S: Ring> fmt::Display for Bracket<S> {
+impl<S: Scalar> fmt::Display for Bracket<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.frame.write_products(f, self.structure(), "[", "]", |j, k| j < k)
     }
@@ -173,7 +173,7 @@ fn owned(labels: impl IntoIterator<Item: AsRef<str>>) -> Vec<String> {
 }
 
 /// The constants sorted by pair and component, after the check that each is a number given once.
-fn sorted<S: Ring>(
+fn sorted<S: Scalar>(
     labels: &[String],
     mut given: Vec<Constant<S>>,
 ) -> Result<Vec<Constant<S>>, Error> {
@@ -201,7 +201,7 @@ fn sorted<S: Ring>(
 }
 
 /// Checks `[e_j, e_k] + [e_k, e_j] = 0`.
-fn expect_opposite<S: Ring>(
+fn expect_opposite<S: Scalar>(
     labels: &[String],
     forward: &[Constant<S>],
     backward: &[Constant<S>],

@@ -34,7 +34,7 @@ pub use error::CatalogueError;
 
 use crate::Error;
 use crate::algebra::{Bracket, Complex, LieAlgebra, MatrixBasis};
-use affinor_tensors::{Notation, Rational, Ring, Symbolic, Tolerance};
+use affinor_tensors::{Notation, Rational, Ring, Scalar, Symbolic, Tolerance};
 use name::Argument;
 
 /// The largest dimension of an algebra of the catalogue.
@@ -53,7 +53,7 @@ pub const MAX_DIMENSION: usize = crate::algebra::roots::MAX_DIMENSION;
 /// # Errors
 /// [`CatalogueError`] as [`find`]; [`CatalogueError::Parameter`] where a structure constant is no
 /// value of `S`: it depends on a parameter, or is out of range.
-pub fn algebra<S: Notation>(name: &str) -> Result<LieAlgebra<S>, Error> {
+pub fn algebra<S: Notation + Scalar>(name: &str) -> Result<LieAlgebra<S>, Error> {
     let entry = find(name)?;
     let value = |value: &Symbolic| {
         let refused =
@@ -64,7 +64,7 @@ pub fn algebra<S: Notation>(name: &str) -> Result<LieAlgebra<S>, Error> {
 }
 
 /// A polynomial in the parameters over another scalar; `None` where `S` lacks one of them.
-fn polynomial<S: Notation>(value: &Symbolic) -> Option<S> {
+fn polynomial<S: Notation + Scalar>(value: &Symbolic) -> Option<S> {
     value.terms().into_iter().try_fold(S::zero(), |sum, (powers, coefficient)| {
         let mut powers = powers.into_iter();
         let term = powers.try_fold(S::from_rational(&coefficient)?, |term, (variable, power)| {
@@ -183,7 +183,7 @@ impl Entry {
     ///
     /// # Errors
     /// The first error of `value_of`.
-    pub fn bracket<S: Ring, E: From<Error>>(
+    pub fn bracket<S: Scalar, E: From<Error>>(
         &self,
         value_of: impl Fn(&Symbolic) -> Result<S, E>,
     ) -> Result<Bracket<S>, E> {

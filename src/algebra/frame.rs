@@ -2,7 +2,7 @@
 
 use crate::Error;
 use affinor_tensors::text::combination;
-use affinor_tensors::{Down, Ring, Sum, Symbolic, Tensor, Tolerance, Up, Variance, contract};
+use affinor_tensors::{Down, Scalar, Sum, Symbolic, Tensor, Tolerance, Up, Variance, contract};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::Arc;
@@ -25,7 +25,7 @@ pub struct Frame<S> {
 /// `f -> e_k(f)`, with `k` from 0.
 pub type Derivations<S> = Arc<dyn Fn(usize, &S) -> S + Send + Sync>;
 
-impl<S: Ring> Frame<S> {
+impl<S: Scalar> Frame<S> {
     /// An invariant frame: constant structure `c^i_jk`, components without derivatives.
     ///
     /// # Errors
@@ -248,7 +248,7 @@ impl<S: fmt::Debug> fmt::Debug for Frame<S> {
 }
 
 /// Checks dimension and slots.
-pub(crate) fn expect_slots<S: Ring>(
+pub(crate) fn expect_slots<S: Scalar>(
     what: &'static str,
     tensor: &Tensor<S>,
     dimension: usize,
@@ -283,7 +283,7 @@ fn expect_names(what: &'static str, names: &[String]) -> Result<(), Error> {
 ///
 /// # Errors
 /// [`Error::NotFinite`] with the first such component; `what` is the name of the tensor.
-pub fn expect_numbers<S: Ring>(what: &'static str, tensor: &Tensor<S>) -> Result<(), Error> {
+pub fn expect_numbers<S: Scalar>(what: &'static str, tensor: &Tensor<S>) -> Result<(), Error> {
     match tensor.components().find(|(_, value)| !value.is_number()) {
         None => Ok(()),
         Some((at, value)) => {
@@ -294,7 +294,7 @@ pub fn expect_numbers<S: Ring>(what: &'static str, tensor: &Tensor<S>) -> Result
 }
 
 /// Checks that two slots are symmetric (`sign` 1) or antisymmetric (-1), and hold numbers.
-pub(crate) fn expect_symmetry<S: Ring>(
+pub(crate) fn expect_symmetry<S: Scalar>(
     what: &'static str,
     tensor: &Tensor<S>,
     [a, b]: [usize; 2],
@@ -321,6 +321,6 @@ pub(crate) fn expect_symmetry<S: Ring>(
 
 /// Evaluates a contraction formula of this package. It cannot fail: the formula is well formed, and
 /// constructors have checked the slots of the operands.
-pub(crate) fn formula<S: Ring>(text: &str, operands: &[(&str, &Tensor<S>)]) -> Tensor<S> {
+pub(crate) fn formula<S: Scalar>(text: &str, operands: &[(&str, &Tensor<S>)]) -> Tensor<S> {
     contract(text, operands).expect("a formula over tensors of one frame")
 }

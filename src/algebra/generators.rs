@@ -6,7 +6,7 @@
 
 use crate::algebra::structure::reduction::{Draw, Reduction};
 use affinor_tensors::linear::modular::PRIMES;
-use affinor_tensors::{Down, Ring, Tensor, Up};
+use affinor_tensors::{Down, Scalar, Tensor, Up};
 use nalgebra::{DMatrix, Dyn};
 use std::collections::BTreeMap;
 
@@ -23,7 +23,7 @@ const COMBINATIONS: [usize; 3] = [2, 3, 5];
 
 /// The matrices `a^i_jk` of `[x_j, .]` for fewer generators `x_j` than basis vectors: `[x_j, e_k] = a^i_jk e_i`. `None`
 /// where the constants are not short rational numbers, or such generators were not found.
-pub(super) fn matrices_of_generators<S: Ring>(structure: &Tensor<S>) -> Option<Tensor<S>> {
+pub(super) fn matrices_of_generators<S: Scalar>(structure: &Tensor<S>) -> Option<Tensor<S>> {
     let n = structure.dimension();
     let values: Vec<&S> = structure.components().map(|(_, value)| value).collect();
     let (integers, denominator) = S::clear_denominators(values.into_iter())?;
@@ -57,7 +57,7 @@ pub(super) fn matrices_of_generators<S: Ring>(structure: &Tensor<S>) -> Option<T
 /// few constants are not zero, or where the numbers are no short rational ones.
 ///
 /// Products of matrices of integers are exact in floats as long as no sum exceeds 2^53.
-pub(super) fn are_dense_derivations<S: Ring>(
+pub(super) fn are_dense_derivations<S: Scalar>(
     structure: &Tensor<S>,
     matrices: &Tensor<S>,
 ) -> Option<bool> {

@@ -4,7 +4,7 @@ use crate::Error;
 use crate::algebra::LieAlgebra;
 use crate::algebra::lie_derivative::act;
 use affinor_tensors::linear::{Matrix, Row};
-use affinor_tensors::{Field, Tensor, Tolerance, Variance};
+use affinor_tensors::{Field, Scalar, Tensor, Tolerance, Variance};
 
 /// The most unknowns of a search for invariants.
 ///
@@ -27,7 +27,7 @@ pub const MAX_UNKNOWNS: usize = 1 << 16;
 ///
 /// # Errors
 /// [`Error::Shape`]; [`Error::Size`] when there are more than [`MAX_UNKNOWNS`] components.
-pub fn invariant_tensors<S: Field>(
+pub fn invariant_tensors<S: Field + Scalar>(
     dimension: usize,
     slots: &[Variance],
     endomorphisms: &[Tensor<S>],
@@ -50,7 +50,7 @@ pub fn invariant_tensors<S: Field>(
 ///
 /// Each map is applied to the kernel of those before it, so few vectors remain for the last maps. No
 /// map is written as a matrix.
-pub(crate) fn common_kernel<S: Field, M: Copy>(
+pub(crate) fn common_kernel<S: Field + Scalar, M: Copy>(
     what: &'static str,
     unknowns: usize,
     tolerance: Tolerance,
@@ -70,7 +70,7 @@ pub(crate) fn common_kernel<S: Field, M: Copy>(
     Ok(kernel.row_space()?)
 }
 
-impl<S: Field> LieAlgebra<S> {
+impl<S: Field + Scalar> LieAlgebra<S> {
     /// A basis of the tensors with `slots` that satisfy `L_x T = 0` for all `directions`: the tensors
     /// invariant under the subalgebra that the directions generate.
     ///

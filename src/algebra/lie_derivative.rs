@@ -3,11 +3,11 @@
 use crate::Error;
 use crate::algebra::frame::{Frame, expect_slots, formula};
 use crate::algebra::{LETTERS, indices};
-use affinor_tensors::{Down, Ring, Tensor, Up, Variance, contract};
+use affinor_tensors::{Down, Scalar, Tensor, Up, Variance, contract};
 
 /// The derivation `e_k -> L^i_{direction}k e_i` of `T` in the notation of contractions: a term
 /// `+ L^a_p T^p..` for each upper slot, and `- L^p_a T_p..` for each lower one.
-pub(crate) fn derivation<S: Ring>(direction: &str, tensor: &Tensor<S>) -> String {
+pub(crate) fn derivation<S: Scalar>(direction: &str, tensor: &Tensor<S>) -> String {
     let letters = &LETTERS[..tensor.rank()];
     let slots = letters.chars().zip(tensor.slots());
     let term = |(letter, slot): (char, &Variance)| {
@@ -25,7 +25,7 @@ pub(crate) fn derivation<S: Ring>(direction: &str, tensor: &Tensor<S>) -> String
 ///
 /// # Errors
 /// [`Error::Shape`] unless `A` has the slots `^i_j` in the dimension of the tensor.
-pub fn act<S: Ring>(endomorphism: &Tensor<S>, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
+pub fn act<S: Scalar>(endomorphism: &Tensor<S>, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
     expect_slots("the endomorphism", endomorphism, tensor.dimension(), &[Up, Down])?;
     if tensor.rank() == 0 {
         return Ok(Tensor::zero(tensor.dimension(), &[])?);
@@ -35,7 +35,7 @@ pub fn act<S: Ring>(endomorphism: &Tensor<S>, tensor: &Tensor<S>) -> Result<Tens
     Ok(contract(&format!("{sum} -> {result}"), &[("L", endomorphism), ("T", tensor)])?)
 }
 
-impl<S: Ring> Frame<S> {
+impl<S: Scalar> Frame<S> {
     /// The bracket of two fields, given like the result by components in this frame:
     /// `[X, Y]^i = X^j e_j(Y^i) - Y^j e_j(X^i) + c^i_jk X^j Y^k` (32), (A6).
     ///

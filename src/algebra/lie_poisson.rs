@@ -12,7 +12,7 @@ use crate::Error;
 use crate::algebra::LieAlgebra;
 use crate::algebra::frame::{expect_slots, formula};
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{Down, Field, Ring, Symbolic, Tensor, Up};
+use affinor_tensors::{Down, Field, Ring, Scalar, Symbolic, Tensor, Up};
 
 /// The dual of a Lie algebra with its Poisson bracket.
 ///
@@ -106,7 +106,7 @@ impl LiePoisson {
     }
 }
 
-impl<S: Field> LieAlgebra<S> {
+impl<S: Field + Scalar> LieAlgebra<S> {
     /// The dimension of the coadjoint orbit through `mu`, the rank of `c^k_ij mu_k`: always even.
     /// Near a generic `mu` the number of independent Casimir functions is `n` minus this dimension.
     ///
@@ -126,6 +126,6 @@ impl<S: Field> LieAlgebra<S> {
 }
 
 /// `<mu, [e_i, e_j]>`.
-fn paired<S: Ring>(algebra: &LieAlgebra<S>, mu: &Tensor<S>) -> Tensor<S> {
+fn paired<S: Scalar>(algebra: &LieAlgebra<S>, mu: &Tensor<S>) -> Tensor<S> {
     formula("c^k_ij u_k -> _[ij]", &[("c", algebra.structure()), ("u", mu)])
 }

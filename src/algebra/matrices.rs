@@ -4,7 +4,7 @@ use super::Bracket;
 use crate::Error;
 use affinor_tensors::linear::{Echelon, Matrix};
 use affinor_tensors::text::{combination, written};
-use affinor_tensors::{Down, Field, Tensor, Tolerance};
+use affinor_tensors::{Down, Field, Scalar, Tensor, Tolerance};
 use nalgebra::DMatrix;
 
 /// A complex number over a real scalar.
@@ -16,7 +16,7 @@ pub struct Complex<S> {
     pub im: S,
 }
 
-impl<S: Field> Complex<S> {
+impl<S: Field + Scalar> Complex<S> {
     /// A real number.
     pub fn real(re: S) -> Self {
         Complex { re, im: S::zero() }
@@ -40,7 +40,7 @@ pub struct MatrixBasis<S> {
     span: Echelon<S>,
 }
 
-impl<S: Field> MatrixBasis<S> {
+impl<S: Field + Scalar> MatrixBasis<S> {
     /// The basis of `size` x `size` matrices given by their nonzero entries (row, column, value),
     /// from 0.
     ///
@@ -220,7 +220,7 @@ impl<S: Field> MatrixBasis<S> {
     }
 }
 
-fn real_form<S: Field>(
+fn real_form<S: Field + Scalar>(
     size: usize,
     entries: Vec<(usize, usize, Complex<S>)>,
     complex: bool,
@@ -248,13 +248,13 @@ fn real_form<S: Field>(
 }
 
 /// The entries of a matrix, row behind row.
-fn flat<S: Field>(matrix: &Matrix<S>) -> impl Iterator<Item = (usize, S)> {
+fn flat<S: Field + Scalar>(matrix: &Matrix<S>) -> impl Iterator<Item = (usize, S)> {
     let columns = matrix.columns();
     matrix.entries().map(move |(i, j, v)| (i * columns + j, v.clone()))
 }
 
 /// The entry of the greatest weight, which for floats is the largest; zero if there is none.
-fn largest<S: Field>(matrix: &Matrix<S>) -> S {
+fn largest<S: Field + Scalar>(matrix: &Matrix<S>) -> S {
     let entries = matrix.entries().map(|(_, _, value)| value);
     let largest = entries.max_by(|a, b| a.pivot_weight().total_cmp(&b.pivot_weight()));
     largest.cloned().unwrap_or_else(S::zero)

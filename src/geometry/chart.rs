@@ -23,7 +23,7 @@ use crate::algebra::frame::{Frame, expect_slots};
 use crate::algebra::{BasisChange, to_matrix};
 use affinor_tensors::expression::is_name;
 use affinor_tensors::text::combination;
-use affinor_tensors::{Down, Notation, Tensor, Up};
+use affinor_tensors::{Down, Notation, Scalar, Tensor, Up};
 use std::sync::Arc;
 
 /// Named coordinates. Functions of them are scalars with the coordinates as parameters;
@@ -84,7 +84,7 @@ impl Chart {
     ///
     /// # Errors
     /// [`Error::Tensor`] if the dimension is too large for the indices of a tensor, 64 bits.
-    pub fn coordinate_frame<S: Notation>(&self) -> Result<Frame<S>, Error> {
+    pub fn coordinate_frame<S: Notation + Scalar>(&self) -> Result<Frame<S>, Error> {
         let names = self.coordinates.clone();
         Frame::holonomic(&self.labels(), Arc::new(move |k, f: &S| f.derivative(&names[k])))
     }
@@ -94,7 +94,7 @@ impl Chart {
     ///
     /// # Errors
     /// [`Error::Shape`]; [`Error::DegenerateFrame`] for fields that are dependent everywhere.
-    pub fn fields<S: Notation>(
+    pub fn fields<S: Notation + Scalar>(
         &self,
         labels: impl IntoIterator<Item: AsRef<str>>,
         components: Tensor<S>,

@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::algebra::frame::{expect_numbers, formula};
 use crate::geometry::Geometry;
-use affinor_tensors::{Notation, Tensor};
+use affinor_tensors::{Notation, Scalar, Tensor};
 
 /// A statement of the paper about a geometry; [`verdict`](Claim::verdict) tests it on any geometry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,7 +118,7 @@ impl Claim {
     ///
     /// # Errors
     /// [`Error::NotConstant`]: the claims are about structure constants. [`Error::NotFinite`] where floats leave their range.
-    pub fn verdict<S: Notation>(self, geometry: &Geometry<S>) -> Result<Verdict, Error> {
+    pub fn verdict<S: Notation + Scalar>(self, geometry: &Geometry<S>) -> Result<Verdict, Error> {
         let connection = geometry.connection();
         let algebra = geometry.frame_origin().algebra_for("a claim of the paper")?;
         let c = algebra.structure();
@@ -166,13 +166,13 @@ impl Claim {
 }
 
 /// `1/n`; zero in a field without this fraction.
-fn share<S: Notation>(n: i64) -> S {
+fn share<S: Notation + Scalar>(n: i64) -> S {
     S::from_quotient(1, n).unwrap_or_else(S::zero)
 }
 
 /// Whether the generator of parallel transport along the autoparallel of each basis vector `n` is
 /// `-share ad_n`.
-fn transport<S: Notation>(
+fn transport<S: Notation + Scalar>(
     geometry: &Geometry<S>,
     share: &S,
     sum: &'static str,
@@ -201,7 +201,7 @@ fn transport<S: Notation>(
 
 /// Whether a tensor is zero; if not, its first nonzero component. `sum` is the formula of the tensor,
 /// and `letters` are the index letters of its slots.
-fn vanishes<S: Notation>(
+fn vanishes<S: Notation + Scalar>(
     tensor: &Tensor<S>,
     sum: &'static str,
     letters: &str,

@@ -2,7 +2,7 @@
 
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::scalar::Variable;
-use affinor_tensors::{Notation, Rational, Tensor};
+use affinor_tensors::{Notation, Rational, Scalar, Tensor};
 use std::collections::BTreeMap;
 
 /// The polynomials in the parameters whose common zeros make all components of the tensor vanish.
@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 /// They are a basis of the linear span of the numerators, reduced over their monomials. For the
 /// nonmetricity of M(3) they say that `J` is a multiple of the identity. For a tensor of numbers the
 /// result is empty or the constant 1.
-pub fn conditions<S: Notation>(tensor: &Tensor<S>) -> Vec<S> {
+pub fn conditions<S: Notation + Scalar>(tensor: &Tensor<S>) -> Vec<S> {
     let polynomials: Vec<_> = tensor.components().map(|(_, v)| v.numerator_terms()).collect();
     let key = |powers: &[(Variable, u32)]| -> Vec<(&str, u32)> {
         powers.iter().map(|(variable, power)| (variable.text(), *power)).collect()

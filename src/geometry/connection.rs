@@ -9,7 +9,7 @@ use crate::Error;
 use crate::algebra::frame::{Frame, expect_numbers, expect_slots};
 use crate::algebra::lie_derivative::derivation;
 use crate::algebra::{LETTERS, indices};
-use affinor_tensors::{Down, Ring, Tensor, Up};
+use affinor_tensors::{Down, Scalar, Tensor, Up};
 use std::fmt;
 use std::sync::{Arc, OnceLock};
 
@@ -35,13 +35,13 @@ impl<S: PartialEq> PartialEq for Connection<S> {
 }
 
 /// The nonzero covariant derivatives `nabla[x, y] = z` of the frame vectors, one a line.
-impl<S: Ring> fmt::Display for Connection<S> {
+impl<S: Scalar> fmt::Display for Connection<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.frame.write_products(f, &self.gamma, "nabla[", "]", |_, _| true)
     }
 }
 
-impl<S: Ring> Connection<S> {
+impl<S: Scalar> Connection<S> {
     /// The connection with the affinities `Lambda^i_jk`, slots `[Up, Down, Down]`.
     ///
     /// # Errors

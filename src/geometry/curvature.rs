@@ -7,13 +7,13 @@ mod ricci;
 
 use crate::algebra::frame::formula;
 use crate::geometry::connection::Connection;
-use affinor_tensors::{Ring, Tensor};
+use affinor_tensors::{Scalar, Tensor};
 
 /// The components `R^i_jkl` of the curvature.
 const CURVATURE: &str =
     "d_k^i_lj - d_l^i_kj + L^i_km L^m_lj - L^i_lm L^m_kj - c^m_kl L^i_mj - h^i_jkl";
 
-impl<S: Ring> Connection<S> {
+impl<S: Scalar> Connection<S> {
     /// The torsion (B10), slots `^i_jk`: `tau^i_jk = Lambda^i_jk - Lambda^i_kj - c^i_jk`.
     pub fn torsion(&self) -> Tensor<S> {
         formula(

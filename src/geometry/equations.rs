@@ -8,7 +8,7 @@ use crate::algebra::frame::{expect_slots, formula};
 use crate::algebra::to_matrix;
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
-use affinor_tensors::{Down, Field, Ring, Tensor, Up};
+use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 
 /// The kind of equations of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,7 +79,7 @@ pub struct Equations<S> {
     force: Option<Tensor<S>>,
 }
 
-impl<S: Field> Equations<S> {
+impl<S: Field + Scalar> Equations<S> {
     /// The equations of a kind.
     ///
     /// # Errors
@@ -224,7 +224,10 @@ impl<S: Field> Equations<S> {
 }
 
 /// The quadratic part of (104), `q_ikm = Lambda^j_ki g_jm`: the inertial forces are `q_ikm Omega^k Omega^m`.
-pub(crate) fn inertial<S: Field>(connection: &Connection<S>, metric: &Metric<S>) -> Tensor<S> {
+pub(crate) fn inertial<S: Field + Scalar>(
+    connection: &Connection<S>,
+    metric: &Metric<S>,
+) -> Tensor<S> {
     formula("L^j_ki g_jm -> _ikm", &[("L", connection.gamma()), ("g", metric.components())])
 }
 
@@ -248,7 +251,7 @@ pub struct Row<S> {
     pub right: Vec<(S, Vec<Variable>)>,
 }
 
-impl<S: Ring> Equations<S> {
+impl<S: Scalar> Equations<S> {
     /// The kind of the equations.
     pub fn kind(&self) -> EquationKind {
         self.kind
@@ -285,7 +288,7 @@ impl<S: Ring> Equations<S> {
 }
 
 /// `q_ijk x^j x^k` with each product once: `q_ijk + q_ikj` for `j < k`, `q_ijj` for squares.
-fn collect<S: Ring>(quadratic: &Tensor<S>) -> Tensor<S> {
+fn collect<S: Scalar>(quadratic: &Tensor<S>) -> Tensor<S> {
     let first = if quadratic.slots()[0] == Up { "^i" } else { "_i" };
     let both = formula(&format!("q{first}_jk + q{first}_kj -> {first}_jk"), &[("q", quadratic)]);
     let products = both.filter_map(|at, value| (at[1] < at[2]).then(|| value.clone()));

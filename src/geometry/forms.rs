@@ -9,13 +9,13 @@ use crate::Error;
 use crate::algebra::LETTERS;
 use crate::algebra::frame::{Frame, expect_numbers, expect_slots, expect_symmetry};
 use crate::geometry::connection::Connection;
-use affinor_tensors::{Down, Indices, Ring, Tensor, TensorError, Up, contract};
+use affinor_tensors::{Down, Indices, Scalar, Tensor, TensorError, Up, contract};
 
 /// A differential form: antisymmetric components with lower slots.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Form<S>(Tensor<S>);
 
-impl<S: Ring> Form<S> {
+impl<S: Scalar> Form<S> {
     /// The form with these components, all slots lower. Of degree 0: a function.
     ///
     /// # Errors
@@ -90,7 +90,7 @@ impl<S: Ring> Form<S> {
     }
 }
 
-impl<S: Ring> Frame<S> {
+impl<S: Scalar> Frame<S> {
     /// The dual forms `e^1 .. e^n`, `e^i(e_j) = delta^i_j`: for an algebra its Maurer-Cartan forms,
     /// with `de^i = -1/2 c^i_jk e^j ^ e^k`.
     pub fn coframe(&self) -> Vec<Form<S>> {
@@ -133,7 +133,7 @@ impl<S: Ring> Frame<S> {
     }
 }
 
-impl<S: Ring> Connection<S> {
+impl<S: Scalar> Connection<S> {
     /// The connection forms `w^i_j = Lambda^i_kj e^k`, by `i` and then `j`: `nabla e_j = w^i_j e_i`.
     pub fn connection_forms(&self) -> Vec<Vec<Form<S>>> {
         let n = self.frame().dimension();
@@ -183,7 +183,7 @@ impl<S: Ring> Connection<S> {
 }
 
 /// The sum of 2-forms.
-fn total<S: Ring>(
+fn total<S: Scalar>(
     first: Form<S>,
     others: impl Iterator<Item = Result<Form<S>, Error>>,
 ) -> Result<Form<S>, Error> {

@@ -4,7 +4,7 @@ use crate::Error;
 use crate::algebra::frame::formula;
 use crate::geometry::connection::Connection;
 use affinor_tensors::linear::{Echelon, Row};
-use affinor_tensors::{Down, Field, Indices, Ring, Tensor, Up};
+use affinor_tensors::{Down, Field, Indices, Scalar, Tensor, Up};
 
 /// The Lie algebra of the holonomy group: a subalgebra of gl(n) with a reduced basis.
 #[derive(Clone, Debug)]
@@ -14,7 +14,7 @@ pub struct Holonomy<S> {
     span: Echelon<S>,
 }
 
-impl<S: Field> Connection<S> {
+impl<S: Field + Scalar> Connection<S> {
     /// The holonomy algebra of a connection with constant components in an invariant frame: the
     /// smallest space of matrices `A^i_j` that contains all `R(e_k, e_l)` and with `A` also the
     /// `[Lambda_m, A]`, where `(Lambda_m)^i_j = Lambda^i_mj`.
@@ -60,7 +60,7 @@ impl<S: Field> Connection<S> {
     }
 }
 
-impl<S: Field> Holonomy<S> {
+impl<S: Field + Scalar> Holonomy<S> {
     /// The dimension of the algebra.
     pub fn rank(&self) -> usize {
         self.span.rank()
@@ -84,7 +84,7 @@ impl<S: Field> Holonomy<S> {
 }
 
 /// The nonzero matrices in the two slots `of`, one for each value of the other slots.
-fn matrices<S: Ring>(
+fn matrices<S: Scalar>(
     tensor: &Tensor<S>,
     of: [usize; 2],
     apart: &[usize],

@@ -4,7 +4,7 @@ use crate::Error;
 use crate::algebra::frame::{expect_numbers, expect_slots, formula};
 use crate::algebra::{LieAlgebra, inverse, to_matrix};
 use affinor_tensors::text::{combination, written};
-use affinor_tensors::{Down, Field, Tensor, Up};
+use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 use std::fmt;
 
 /// A metric `g_ij` with its inverse `g^ij`; of any signature.
@@ -15,7 +15,7 @@ pub struct Metric<S> {
 }
 
 /// As definitions write it: `diag(1, 2, 3)`, or rows `[[2, 1], [1, 2]]`.
-impl<S: Field> fmt::Display for Metric<S> {
+impl<S: Field + Scalar> fmt::Display for Metric<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (g, n) = (&self.components, self.components.dimension());
         let list = |values: Vec<String>| values.join(", ");
@@ -31,7 +31,7 @@ impl<S: Field> fmt::Display for Metric<S> {
     }
 }
 
-impl<S: Field> Metric<S> {
+impl<S: Field + Scalar> Metric<S> {
     /// The metric with these components, slots `[Down, Down]`.
     ///
     /// # Errors

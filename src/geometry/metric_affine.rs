@@ -8,9 +8,9 @@ use crate::Error;
 use crate::algebra::frame::{Frame, expect_slots, expect_symmetry, formula};
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
-use affinor_tensors::{Down, Field, Ring, Tensor, TensorError, Up, contract};
+use affinor_tensors::{Down, Field, Scalar, Tensor, TensorError, Up, contract};
 
-impl<S: Field> Connection<S> {
+impl<S: Field + Scalar> Connection<S> {
     /// The nonmetricity `Q_kij = (nabla_k g)_ij`; zero when the metric is compatible.
     ///
     /// # Errors
@@ -121,14 +121,17 @@ impl<S: Field> Connection<S> {
 ///
 /// # Errors
 /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::Symmetry`] unless the torsion is antisymmetric.
-pub fn contorsion<S: Field>(metric: &Metric<S>, torsion: &Tensor<S>) -> Result<Tensor<S>, Error> {
+pub fn contorsion<S: Field + Scalar>(
+    metric: &Metric<S>,
+    torsion: &Tensor<S>,
+) -> Result<Tensor<S>, Error> {
     let n = metric.components().dimension();
     expect_torsion(torsion, n)?;
     koszul(metric, &Tensor::zero(n, &[Down; 3])?, torsion)
 }
 
 /// Checks the slots and the antisymmetry of a torsion.
-fn expect_torsion<S: Field>(torsion: &Tensor<S>, n: usize) -> Result<(), Error> {
+fn expect_torsion<S: Field + Scalar>(torsion: &Tensor<S>, n: usize) -> Result<(), Error> {
     expect_slots("the torsion", torsion, n, &[Up, Down, Down])?;
     expect_symmetry("the torsion", torsion, [1, 2], -1)
 }
@@ -144,7 +147,7 @@ fn expect_torsion<S: Field>(torsion: &Tensor<S>, n: usize) -> Result<(), Error> 
 ///
 /// # Errors
 /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::Symmetry`] unless `Q_kij = Q_kji`.
-pub fn disformation<S: Field>(
+pub fn disformation<S: Field + Scalar>(
     metric: &Metric<S>,
     nonmetricity: &Tensor<S>,
 ) -> Result<Tensor<S>, Error> {
@@ -154,7 +157,7 @@ pub fn disformation<S: Field>(
     koszul(metric, &nonmetricity.scale(&S::from_i64(-1)), &zero)
 }
 
-fn expect_nonmetricity<S: Ring>(nonmetricity: &Tensor<S>, n: usize) -> Result<(), Error> {
+fn expect_nonmetricity<S: Scalar>(nonmetricity: &Tensor<S>, n: usize) -> Result<(), Error> {
     expect_slots("the nonmetricity", nonmetricity, n, &[Down; 3])?;
     expect_symmetry("the nonmetricity", nonmetricity, [1, 2], 1)
 }
@@ -168,7 +171,11 @@ fn expect_nonmetricity<S: Ring>(nonmetricity: &Tensor<S>, n: usize) -> Result<()
 ///
 /// It is linear in `d` and `b`. `d = e(g) - Q` and `b = c + tau` give the affinities; each summand
 /// alone gives its contribution.
-fn koszul<S: Field>(metric: &Metric<S>, d: &Tensor<S>, b: &Tensor<S>) -> Result<Tensor<S>, Error> {
+fn koszul<S: Field + Scalar>(
+    metric: &Metric<S>,
+    d: &Tensor<S>,
+    b: &Tensor<S>,
+) -> Result<Tensor<S>, Error> {
     let half = S::from_i64(2).recip().ok_or(TensorError::NotInvertible(2))?;
     let lowered = formula("g_im b^m_jk -> _ijk", &[("g", metric.components()), ("b", b)]);
     // All terms but b_ijk are symmetric in j and k, and b_ijk raised is b itself. So in floats, too,

@@ -4,7 +4,7 @@
 
 use crate::algebra::catalogue::{self, Entry};
 use crate::{Canonical, ConnectionKind, Error, Geometry, LieAlgebra, Metric};
-use affinor_tensors::{Down, Notation, Rational, Symbolic, Tensor};
+use affinor_tensors::{Down, Notation, Rational, Scalar, Symbolic, Tensor};
 
 /// M(3): the connection `plus` (29), and as its metric (99) the inertia with the symbolic entries `J11`, `J12`, ..,
 /// `J33`; equations (41)-(61) and section 5.
@@ -29,7 +29,7 @@ pub fn so3() -> Result<Geometry<Rational>, Error> {
     rotations("SO(3)", Canonical::Zero, product, constant)
 }
 
-fn rotations<S: Notation>(
+fn rotations<S: Notation + Scalar>(
     name: &str,
     connection: Canonical,
     metric: impl FnOnce(&Entry) -> Tensor<S>,

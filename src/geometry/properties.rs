@@ -13,7 +13,7 @@ pub use soliton::Soliton;
 use crate::Error;
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
-use affinor_tensors::{Field, Ring, Tensor};
+use affinor_tensors::{Field, Scalar, Tensor};
 use std::fmt;
 
 /// Whether a property holds.
@@ -92,7 +92,7 @@ impl<S: fmt::Display> fmt::Display for Witness<S> {
     }
 }
 
-impl<S: Ring> Connection<S> {
+impl<S: Scalar> Connection<S> {
     /// Whether the torsion vanishes, `tau = 0`.
     pub fn torsion_free(&self) -> Property<S> {
         vanishing(&self.torsion(), "tau^i_jk".into(), "ijk")
@@ -109,7 +109,7 @@ impl<S: Ring> Connection<S> {
     /// [`Error::Shape`] when the dimensions differ.
     pub fn metric_compatible(&self, metric: &Metric<S>) -> Result<Property<S>, Error>
     where
-        S: Field,
+        S: Field + Scalar,
     {
         metric.expect_dimension(self.frame().dimension())?;
         Ok(vanishing(&self.nabla(metric.components())?, "(nabla_k g)_ij".into(), "kij"))
@@ -139,7 +139,11 @@ impl<S: Ring> Connection<S> {
 
 /// Whether a tensor is zero. `equation` is its formula, and `letters` are the index letters of its
 /// slots.
-fn vanishing<S: Ring>(tensor: &Tensor<S>, equation: String, letters: &'static str) -> Property<S> {
+fn vanishing<S: Scalar>(
+    tensor: &Tensor<S>,
+    equation: String,
+    letters: &'static str,
+) -> Property<S> {
     match tensor.components().next() {
         None => Property::Holds(()),
         Some((at, residual)) => Property::Fails(Witness {

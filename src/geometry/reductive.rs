@@ -8,7 +8,7 @@ use crate::algebra::{BasisChange, LieAlgebra};
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{Down, Field, Ring, Tensor, TensorError, Up, Variance};
+use affinor_tensors::{Down, Field, Scalar, Tensor, TensorError, Up, Variance};
 
 /// An algebra `g = m + h` with a subalgebra `h` and a complement `[h, m]` within `m`: the
 /// homogeneous space G/H seen from its origin, where `m` is the tangent space.
@@ -44,7 +44,7 @@ pub struct ReductivePair<S> {
     isotropy: Vec<Tensor<S>>,
 }
 
-impl<S: Field> ReductivePair<S> {
+impl<S: Field + Scalar> ReductivePair<S> {
     /// The pair with these bases of `h` and `m`, by their components in the basis of `algebra`.
     ///
     /// # Errors
@@ -193,7 +193,7 @@ impl<S: Field> ReductivePair<S> {
     }
 }
 
-impl<S: Ring> ReductivePair<S> {
+impl<S: Scalar> ReductivePair<S> {
     /// The Lie algebra in the adapted basis: first the basis of `m`, then that of `h`.
     pub fn algebra(&self) -> &LieAlgebra<S> {
         &self.algebra
@@ -222,7 +222,7 @@ impl<S: Ring> ReductivePair<S> {
 }
 
 /// The components with all indices below `r`, as a tensor in that dimension.
-fn restricted<S: Ring>(tensor: &Tensor<S>, r: usize) -> Result<Tensor<S>, Error> {
+fn restricted<S: Scalar>(tensor: &Tensor<S>, r: usize) -> Result<Tensor<S>, Error> {
     let inside = tensor.components().filter(|(at, _)| at.iter().all(|index| *index < r));
     let inside = inside.map(|(at, value)| (at, value.clone()));
     let result = Tensor::from_components(r, tensor.slots(), inside)?;

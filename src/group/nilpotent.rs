@@ -4,8 +4,8 @@ use super::series::exp;
 use super::written::{Generator, Partial, Written, checked, column, replace};
 use super::{Embedded, LieGroup};
 use crate::{Error, LieAlgebra};
-use affinor_tensors::Field;
 use affinor_tensors::linear::{Echelon, Matrix};
+use affinor_tensors::{Field, Scalar};
 use nalgebra::{DMatrix, DVector};
 
 /// The simply connected group of a nilpotent algebra, in canonical coordinates of the first kind:
@@ -36,7 +36,7 @@ pub struct Nilpotent<S> {
     class: usize,
 }
 
-impl<S: Field> Nilpotent<S> {
+impl<S: Field + Scalar> Nilpotent<S> {
     /// The group of the algebra.
     ///
     /// # Errors
@@ -69,7 +69,7 @@ impl<S: Field> Nilpotent<S> {
 }
 
 /// The index of the first term of the lower central series that is zero.
-fn class<S: Field>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
+fn class<S: Field + Scalar>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
     let mut term: Vec<_> = algebra.basis().collect();
     let mut class = 0;
     while !term.is_empty() {

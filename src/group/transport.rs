@@ -9,10 +9,10 @@ use super::written::expect_shape;
 use super::{Coordinates, LieGroup, expect_left_frame, ode, series};
 use crate::algebra::frame::{expect_slots, formula};
 use crate::{Connection, Error};
-use affinor_tensors::{Ring, Tensor, Up};
+use affinor_tensors::{Scalar, Tensor, Up};
 use nalgebra::{DMatrix, DVector};
 
-impl<S: Ring> Connection<S> {
+impl<S: Scalar> Connection<S> {
     /// The generator of parallel translation along a curve with the tangent `w`, slots `^i_k`:
     /// `du/dt = G u` with `G^i_k = -Lambda^i_jk w^j`, from (42), (B5).
     ///

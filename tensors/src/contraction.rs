@@ -41,9 +41,10 @@ mod notation;
 mod paths;
 mod positions;
 mod rows;
+mod scalar;
 mod shape;
 
-use crate::{Ring, Tensor, TensorError, Up, Variance};
+use crate::{Tensor, TensorError, Up, Variance};
 use arithmetic::{Factor, InRing, Term};
 use integers::{Cleared, OnIntegers};
 use notation::Expression;
@@ -51,6 +52,7 @@ use num_rational::Ratio;
 use paths::MAX_PLACES;
 #[doc(hidden)]
 pub use paths::Paths;
+pub use scalar::Scalar;
 use std::borrow::Cow;
 
 /// The tensor that `expression` describes, with operands found by name.
@@ -61,7 +63,7 @@ use std::borrow::Cow;
 /// [`TensorError::TooLarge`] for a result whose keys exceed 64 bits, or whose last two indices take
 /// more than 2^24 values together, or for an operand of more than 2^32 - 1 components. The same
 /// limits hold for the contracted pairs of a longer term.
-pub fn contract<S: Ring>(
+pub fn contract<S: Scalar>(
     expression: &str,
     operands: &[(&str, &Tensor<S>)],
 ) -> Result<Tensor<S>, TensorError> {
@@ -74,7 +76,7 @@ pub fn contract<S: Ring>(
 /// # Errors
 /// As [`contract`], with [`Paths::places`] in place of 2^24.
 #[doc(hidden)]
-pub fn contract_by<S: Ring>(
+pub fn contract_by<S: Scalar>(
     paths: &Paths,
     expression: &str,
     operands: &[(&str, &Tensor<S>)],
@@ -82,8 +84,8 @@ pub fn contract_by<S: Ring>(
     S::contracted(paths, expression, operands)
 }
 
-/// [`Ring::contracted`].
-pub(crate) fn over<S: Ring>(
+/// [`Scalar::contracted`].
+pub(crate) fn over<S: Scalar>(
     paths: &Paths,
     expression: &str,
     operands: &[(&str, &Tensor<S>)],
@@ -173,7 +175,7 @@ fn fold_mirrors<S: Clone>(terms: Vec<Product<S>>, pair: Option<(usize, usize)>) 
     kept
 }
 
-impl<'a, S: Ring> Product<'a, S> {
+impl<'a, S: Scalar> Product<'a, S> {
     /// The product with two factors. A single factor is multiplied by `one`. While there are more
     /// than two, the pair that leaves the fewest indices is contracted.
     fn in_pairs(mut self, paths: &Paths, one: &'a Tensor<S>) -> Result<Self, TensorError> {
@@ -218,7 +220,7 @@ impl<'a, S: Ring> Product<'a, S> {
 }
 
 /// The slots of a factor: their roles and variances.
-fn slots<S: Ring>((roles, tensor): &(Vec<Role>, Cow<Tensor<S>>)) -> Vec<(Role, Variance)> {
+fn slots<S: Scalar>((roles, tensor): &(Vec<Role>, Cow<Tensor<S>>)) -> Vec<(Role, Variance)> {
     roles.iter().copied().zip(tensor.slots().iter().copied()).collect()
 }
 

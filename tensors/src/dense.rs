@@ -1,13 +1,13 @@
 //! Conversions between tensors and dense matrices or arrays of other crates.
 
-use crate::{Ring, Tensor, TensorError, Variance};
+use crate::{Summable, Tensor, TensorError, Variance};
 
 /// The most components of an array.
 #[cfg(feature = "ndarray")]
 const MAX_ARRAY: u64 = 1 << 24;
 
 #[cfg(feature = "nalgebra")]
-impl<S: Ring> Tensor<S> {
+impl<S: Summable> Tensor<S> {
     /// The tensor of rank 2 as a matrix of nalgebra: the first index is the row, as in `(ad_n)^i_k`.
     ///
     /// ```
@@ -44,7 +44,7 @@ impl<S: Ring> Tensor<S> {
 }
 
 #[cfg(feature = "ndarray")]
-impl<S: Ring> Tensor<S> {
+impl<S: Summable> Tensor<S> {
     /// All components as an array of ndarray, one axis for each slot, zeros included.
     ///
     /// ```

@@ -330,7 +330,7 @@ where
     }
     /// The factors of a formula are found in the base, and not in the power.
     fn divide(&self, a: S, n: u64) -> Result<S, String> {
-        if S::GROWS {
+        if S::KIND == crate::Kind::Symbolic {
             power(self, self.reciprocal(a)?, n)
         } else {
             self.reciprocal(power(self, a, n)?)

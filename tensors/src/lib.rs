@@ -1,7 +1,7 @@
 //! Sparse tensors, contraction by index letters and exact linear algebra, over any scalar.
 //!
 //! This package knows no geometry. In reading order:
-//! - [`scalar`]: the traits [`Ring`] and [`Field`], their laws, and the scalars: exact
+//! - [`scalar`]: the traits [`Ring`], [`Field`] and [`Summable`], their laws, and the scalars: exact
 //!   [`Rational`]s, `f64`, [`Tracked`] floats with a rounding error estimate, [`Symbolic`] rational
 //!   functions of parameters, [`Jet`]s, floats with first and second derivatives, and [`Recorded`]
 //!   values, which are programs;
@@ -31,10 +31,10 @@ mod tensor;
 pub mod text;
 mod threads;
 
-pub use contraction::contract;
+pub use contraction::{Scalar, contract};
 pub use error::{NotationError, TensorError};
 pub use scalar::{
     CommonFactors, Effort, EffortExceeded, Field, Jet, Kind, Notation, Rational, Recorded, Ring,
-    Sum, Symbolic, Tolerance, Tracked,
+    Sum, Summable, Symbolic, Tabular, Tolerance, Tracked,
 };
 pub use tensor::{Components, Down, Indices, Tensor, Up, Variance};

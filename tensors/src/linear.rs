@@ -15,7 +15,7 @@ mod elimination;
 pub mod modular;
 mod row;
 
-use crate::{Ring, Sum, Tolerance};
+use crate::{Sum, Summable, Tolerance};
 use std::fmt;
 
 pub use balance::balancing;
@@ -88,7 +88,7 @@ pub enum LinearError {
     },
 }
 
-impl<S: Ring> Matrix<S> {
+impl<S: Summable> Matrix<S> {
     /// The matrix with the given rows of entries `(column, value)`, in any order. Entries in the same
     /// column are added.
     ///
@@ -203,7 +203,7 @@ impl<S: Ring> Matrix<S> {
 
     /// The entries mapped into another ring, with the same tolerance. `f` must map zero to zero; it is
     /// called for nonzero entries only.
-    pub fn map<T: Ring>(&self, f: impl Fn(&S) -> T) -> Matrix<T> {
+    pub fn map<T: Summable>(&self, f: impl Fn(&S) -> T) -> Matrix<T> {
         let mapped = |row: &Row<S>| {
             let values = row.iter().map(|(j, value)| (*j, f(value)));
             values.filter(|(_, value)| !value.vanishes()).collect()
@@ -287,7 +287,7 @@ impl<S: PartialEq> PartialEq for Matrix<S> {
 }
 
 /// One row a line, with all entries: `[1, 0]`.
-impl<S: Ring> fmt::Display for Matrix<S> {
+impl<S: Summable> fmt::Display for Matrix<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, row) in self.to_dense().iter().enumerate() {
             let entries: Vec<_> = row.iter().map(S::to_string).collect();

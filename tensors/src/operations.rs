@@ -3,14 +3,14 @@
 //! Slots count from 0. Each operation is a [`contract`] with its notation written out.
 
 use crate::contraction::indices;
-use crate::{Down, Field, Ring, Tensor, TensorError, Up, Variance, contract};
+use crate::{Down, Field, Scalar, Tensor, TensorError, Up, Variance, contract};
 
 /// The letters of the slots in order.
 const LETTERS: &str = "abcdefgh";
 /// The letter of a summed index.
 const SUMMED: char = 'p';
 
-impl<S: Ring> Tensor<S> {
+impl<S: Scalar> Tensor<S> {
     /// The trace over an upper and a lower slot, `T^p_p`; the other slots keep their order.
     ///
     /// ```
@@ -85,7 +85,7 @@ impl<S: Ring> Tensor<S> {
     }
 }
 
-impl<S: Field> Tensor<S> {
+impl<S: Field + Scalar> Tensor<S> {
     /// The part symmetric in `slots`: the mean over all orders of their indices, as
     /// `T_(ab) = (T_ab + T_ba)/2`.
     ///

@@ -9,7 +9,7 @@
 //!
 //! with indices from 1. Whatever is read passes the checks of the constructors.
 
-use crate::{Rational, Ring, Symbolic, Tensor, Tolerance, Tracked, Variance};
+use crate::{Rational, Summable, Symbolic, Tensor, Tolerance, Tracked, Variance};
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::Error as _;
 use serde::{Serialize, Serializer};
@@ -60,7 +60,7 @@ struct Written<'t, V> {
     components: Vec<(Vec<usize>, V)>,
 }
 
-impl<S: Ring + Serialize> Serialize for Tensor<S> {
+impl<S: Summable + Serialize> Serialize for Tensor<S> {
     /// # Errors
     /// For a component that is infinite or not a number, which JSON does not have.
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
@@ -80,7 +80,7 @@ impl<S: Ring + Serialize> Serialize for Tensor<S> {
     }
 }
 
-impl<'de, S: Ring + Deserialize<'de>> Deserialize<'de> for Tensor<S> {
+impl<'de, S: Summable + Deserialize<'de>> Deserialize<'de> for Tensor<S> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let written = Written::<S>::deserialize(deserializer)?;
         if written.schema != SCHEMA {

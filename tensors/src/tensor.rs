@@ -4,7 +4,7 @@ mod indices;
 mod operators;
 
 use crate::linear::Row;
-use crate::{Ring, Sum, TensorError, Tolerance};
+use crate::{Sum, Summable, TensorError, Tolerance};
 use indices::Reader;
 pub use indices::{Components, Indices};
 use std::sync::Arc;
@@ -51,7 +51,7 @@ pub struct Tensor<S> {
     zero: S,
 }
 
-impl<S: Ring> Tensor<S> {
+impl<S: Summable> Tensor<S> {
     /// The zero tensor.
     ///
     /// # Errors
@@ -193,7 +193,7 @@ impl<S: Ring> Tensor<S> {
 
     /// Whether every component is zero.
     pub fn is_empty(&self) -> bool {
-        self.values.iter().all(Ring::is_small)
+        self.values.iter().all(Summable::is_small)
     }
 
     /// The component with these indices, from 0; zero if it is not stored.
@@ -270,12 +270,12 @@ impl<S: Ring> Tensor<S> {
     }
 
     /// The components mapped into another ring, the tolerance kept.
-    pub fn map<T: Ring>(&self, f: impl Fn(&S) -> T) -> Tensor<T> {
+    pub fn map<T: Summable>(&self, f: impl Fn(&S) -> T) -> Tensor<T> {
         self.filter_map(|_, value| Some(f(value)))
     }
 
     /// The components mapped by `f`, which also takes the indices; `None` is zero.
-    pub fn filter_map<T: Ring>(&self, f: impl Fn(&[usize], &S) -> Option<T>) -> Tensor<T> {
+    pub fn filter_map<T: Summable>(&self, f: impl Fn(&[usize], &S) -> Option<T>) -> Tensor<T> {
         let mut tensor = Tensor::unchecked(self.dimension, &self.slots);
         tensor.tolerance = self.tolerance;
         let stored = self.keys.iter().zip(self.values.iter());
@@ -285,7 +285,7 @@ impl<S: Ring> Tensor<S> {
     }
 
     /// The tensor with one more slot in front: component `k` of it is `f(k, v)` for each component `v`, also for those that
-    /// are not shown ([`Ring::is_small`]).
+    /// are not shown ([`Summable::is_small`]).
     ///
     /// # Errors
     /// [`TensorError::TooLarge`].

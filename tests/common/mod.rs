@@ -10,7 +10,7 @@ pub mod steps;
 
 use affinor::{Connection, LieAlgebra, Metric};
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{Down, Field, Rational, Ring, Tensor, Up, Variance};
+use affinor_tensors::{Down, Field, Rational, Ring, Scalar, Tensor, Up, Variance};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use std::path::Path;
@@ -35,7 +35,7 @@ pub fn labels(n: usize) -> Vec<String> {
 }
 
 /// The components in order, zeros left out.
-pub fn stored<S: Ring>(tensor: &Tensor<S>) -> Vec<(Vec<usize>, S)> {
+pub fn stored<S: Scalar>(tensor: &Tensor<S>) -> Vec<(Vec<usize>, S)> {
     tensor.components().map(|(at, value)| (at.to_vec(), value.clone())).collect()
 }
 
@@ -137,7 +137,7 @@ pub fn spaces(most: usize) -> impl Strategy<Value = Space> {
 }
 
 /// The components in the basis `e'_a = A^i_a e_i` (`inverse` is that of `A`), slot by slot.
-pub fn transform<S: Ring>(tensor: &Tensor<S>, a: &Tensor<S>, inverse: &Tensor<S>) -> Tensor<S> {
+pub fn transform<S: Scalar>(tensor: &Tensor<S>, a: &Tensor<S>, inverse: &Tensor<S>) -> Tensor<S> {
     let n = tensor.dimension();
     let mut result = tensor.clone();
     for (slot, variance) in tensor.slots().iter().enumerate() {
@@ -161,7 +161,7 @@ pub fn transform<S: Ring>(tensor: &Tensor<S>, a: &Tensor<S>, inverse: &Tensor<S>
 }
 
 /// The inverse of a matrix `A^i_a`.
-pub fn inverse<S: Field>(a: &Tensor<S>) -> Tensor<S> {
+pub fn inverse<S: Field + Scalar>(a: &Tensor<S>) -> Tensor<S> {
     let n = a.dimension();
     let rows = (0..n).map(|i| (0..n).map(|j| a.get(&[i, j])).collect()).collect::<Vec<_>>();
     let inverse = Matrix::from_dense(&rows).unwrap().inverse().unwrap();

@@ -1,10 +1,11 @@
 //! Spaces as a person names them: definition files and catalogue names.
 
 use affinor::Geometry;
+use affinor_documents::Coefficient;
 use affinor_documents::definition::{Reading, Request, Space};
 use affinor_tensors::{Rational, Symbolic, Tolerance};
 
-fn open<S: affinor_tensors::Notation>(
+fn open<S: Coefficient>(
     space: String,
     metric: Option<&str>,
     set: Option<&str>,

@@ -6,12 +6,13 @@
 use super::double_double::DoubleDouble;
 use super::printed::{FreeFunction, Point, number};
 use crate::common::root;
+use affinor_documents::Coefficient;
 use affinor_documents::definition::{
     Definition, InputError, Reading, Request, ScalarChoice, Space, Work,
 };
 use affinor_documents::report::{Format, Quantity, Report, StoredTable, Table};
 use affinor_tensors::scalar::StraightLine;
-use affinor_tensors::{Notation, Recorded, Tensor, Tolerance};
+use affinor_tensors::{Recorded, Tensor, Tolerance};
 use rayon::prelude::*;
 use serde_json::Value;
 use std::panic::catch_unwind;
@@ -75,7 +76,7 @@ fn references(row: &Value) -> impl Iterator<Item = (Quantity, Vec<usize>, &str)>
 }
 
 /// The components that differ from the reference. Exact zeros are the text `0`.
-fn differences<S: Notation>(table: &Table<S>, row: &Value) -> Vec<String> {
+fn differences<S: Coefficient>(table: &Table<S>, row: &Value) -> Vec<String> {
     let point = point(row);
     let mut found = vec![];
     for (quantity, indices, expected) in references(row) {
@@ -96,7 +97,7 @@ fn differences<S: Notation>(table: &Table<S>, row: &Value) -> Vec<String> {
 }
 
 /// Derivatives in a table that the relations of the chart replace.
-fn unreduced<S: Notation>(table: &Table<S>, row: &Value) -> Vec<String> {
+fn unreduced<S: Coefficient>(table: &Table<S>, row: &Value) -> Vec<String> {
     let chart = &row["definition"]["chart"];
     let texts = |key: &str| chart[key].as_array().into_iter().flatten();
     let texts = |key: &str| texts(key).map(|text| text.as_str().unwrap().replace(' ', ""));
@@ -139,7 +140,7 @@ struct Compared<'a>(&'a Value);
 impl Work for Compared<'_> {
     type Output = Vec<String>;
 
-    fn run<S: Notation>(
+    fn run<S: Coefficient>(
         self,
         definition: &Definition,
         reading: &Reading<S>,
@@ -172,7 +173,7 @@ struct Evaluated<'a>(&'a Value);
 impl Work for Evaluated<'_> {
     type Output = Vec<String>;
 
-    fn run<S: Notation>(
+    fn run<S: Coefficient>(
         self,
         definition: &Definition,
         reading: &Reading<S>,

@@ -3,11 +3,12 @@
 
 use crate::common::root;
 use affinor::algebra::catalogue;
+use affinor_documents::Coefficient;
 use affinor_documents::definition::{
     Definition, InputError, Reading, Request, ScalarChoice, Space, Work,
 };
 use affinor_documents::report::{Format, Quantity, Report, StoredTable, Table};
-use affinor_tensors::{Notation, Tolerance};
+use affinor_tensors::Tolerance;
 
 /// The largest dimension of the catalogue's algebras that are read back.
 const LARGEST: usize = 30;
@@ -18,7 +19,7 @@ struct ReadBack<'a>(&'a [Quantity]);
 impl Work for ReadBack<'_> {
     type Output = usize;
 
-    fn run<S: Notation>(
+    fn run<S: Coefficient>(
         self,
         definition: &Definition,
         reading: &Reading<S>,

@@ -2,6 +2,7 @@
 
 use crate::common::property::properties;
 use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra, Metric};
+use affinor_documents::Coefficient;
 use affinor_documents::report::{
     Format, GROUPED, Quantity, Report, Table, TableEntry, groups, independent,
 };
@@ -14,7 +15,7 @@ use std::io;
 type Components = BTreeMap<Vec<usize>, String>;
 
 // the rotation algebra, [e1, e2] = e3 and cyclic
-fn rotations<S: Notation>(labels: &[&str]) -> LieAlgebra<S> {
+fn rotations<S: Coefficient>(labels: &[&str]) -> LieAlgebra<S> {
     let bracket = Bracket::from_fn(labels, |j, k| match (j, k) {
         (0, 1) => vec![(2, S::one())],
         (0, 2) => vec![(1, -S::one())],
@@ -23,12 +24,12 @@ fn rotations<S: Notation>(labels: &[&str]) -> LieAlgebra<S> {
     bracket.unwrap().try_into().unwrap()
 }
 
-fn metric<S: Notation>(labels: &[String], f: impl Fn(usize, usize) -> S) -> Metric<S> {
+fn metric<S: Coefficient>(labels: &[String], f: impl Fn(usize, usize) -> S) -> Metric<S> {
     let components = Tensor::from_fn(labels.len(), [Down, Down], |[i, j]| f(i, j));
     Metric::new(labels, components.unwrap()).unwrap()
 }
 
-fn geometry<S: Notation>(
+fn geometry<S: Coefficient>(
     name: &str,
     kind: ConnectionKind<S>,
     g: impl Fn(usize, usize) -> S,
@@ -38,7 +39,7 @@ fn geometry<S: Notation>(
     Geometry::new(name, algebra, kind, Some(metric)).unwrap()
 }
 
-fn so3<S: Notation>() -> Table<S> {
+fn so3<S: Coefficient>() -> Table<S> {
     let zero = ConnectionKind::Canonical(Canonical::Zero);
     let delta = |i, j| if i == j { S::one() } else { S::zero() };
     Table::new(&geometry("SO(3)", zero, delta), &Quantity::ALL).unwrap()
@@ -52,7 +53,7 @@ fn m3(kind: ConnectionKind<Symbolic>) -> Table<Symbolic> {
 }
 
 /// A table of one tensor in the given dimension, with made-up components.
-fn single<S: Notation>(quantity: Quantity, tensor: Tensor<S>) -> Table<S> {
+fn single<S: Coefficient>(quantity: Quantity, tensor: Tensor<S>) -> Table<S> {
     let labels = (1..=tensor.dimension()).map(|i| format!("e{i}")).collect();
     Table {
         name: "test".into(),
@@ -72,7 +73,7 @@ fn single<S: Notation>(quantity: Quantity, tensor: Tensor<S>) -> Table<S> {
     }
 }
 
-fn render<S: Notation>(table: &Table<S>, format: Format) -> String {
+fn render<S: Coefficient>(table: &Table<S>, format: Format) -> String {
     let mut out = Vec::new();
     table.write(format, &mut out).unwrap();
     String::from_utf8(out).unwrap()
@@ -83,7 +84,7 @@ fn unwrapped(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-fn written<S: Notation>(tensor: &Tensor<S>) -> Components {
+fn written<S: Coefficient>(tensor: &Tensor<S>) -> Components {
     let from_one = |at: &[usize]| at.iter().map(|i| i + 1).collect();
     tensor.components().map(|(at, value)| (from_one(&at), value.to_string())).collect()
 }
@@ -121,7 +122,7 @@ fn from_json(json: &str) -> BTreeMap<String, Components> {
 }
 
 /// CSV and JSON read back are the tensors.
-fn round_trip<S: Notation>(table: &Table<S>) {
+fn round_trip<S: Coefficient>(table: &Table<S>) {
     let expected: BTreeMap<String, Components> = table
         .tensors
         .iter()

@@ -4,7 +4,7 @@ use crate::common::cases;
 use crate::common::dual;
 use crate::common::oracle;
 use crate::common::property::properties;
-use affinor_tensors::{Down, Rational, Ring, Symbolic, Tensor, TensorError, Up, contract};
+use affinor_tensors::{Down, Rational, Scalar, Symbolic, Tensor, TensorError, Up, contract};
 use cases::{Case, Values, cases};
 use dual::Dual;
 use oracle::{oracle, stored};
@@ -13,7 +13,7 @@ use proptest::prelude::*;
 type Test = Result<(), TensorError>;
 
 /// The kernel and the oracle agree to the last bit, in order, and no zero is stored.
-fn agrees<S: Ring>(case: &Case<S>) -> Result<Tensor<S>, TestCaseError> {
+fn agrees<S: Scalar>(case: &Case<S>) -> Result<Tensor<S>, TestCaseError> {
     let result = contract(&case.text, &case.operands())?;
     let expected: Vec<_> = oracle(&case.text, &case.operands()).into_iter().collect();
     prop_assert_eq!(stored(&result), expected, "{}", case.text);

@@ -6,7 +6,7 @@ use crate::common::oracle;
 use crate::common::property::properties;
 use affinor_tensors::contraction::{Paths, contract_by};
 use affinor_tensors::{
-    Down, Rational, Ring, Symbolic, Tensor, TensorError, Up, Variance, contract,
+    Down, Rational, Scalar, Symbolic, Tensor, TensorError, Up, Variance, contract,
 };
 use cases::{Case, Values, cases_of_ranks};
 use oracle::{oracle, stored};
@@ -54,7 +54,7 @@ fn paths(dimension: usize) -> impl Iterator<Item = (Paths, &'static ThreadPool)>
 }
 
 /// Every path agrees with the oracle, in order, and no zero is stored.
-fn agrees<S: Ring>(case: &Case<S>) -> Result<(), TestCaseError> {
+fn agrees<S: Scalar>(case: &Case<S>) -> Result<(), TestCaseError> {
     let (text, operands) = (&case.text, case.operands());
     let expected: Vec<_> = oracle(text, &operands).into_iter().collect();
     for (paths, pool) in paths(operands[0].1.dimension()) {

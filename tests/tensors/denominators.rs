@@ -3,7 +3,7 @@
 
 use crate::common::property::properties;
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{Field, Rational, Ring, Sum, Symbolic, Tolerance};
+use affinor_tensors::{Field, Rational, Ring, Sum, Summable, Symbolic, Tolerance};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use polycore::{Monomial, Order, Poly};
@@ -103,7 +103,7 @@ properties! {
     #[test]
     fn sums_at_once_are_sums_in_steps(left in steps(), right in steps()) {
         let (left, right) = (history(&left), history(&right));
-        let mut sum = <Symbolic as Ring>::Sum::default();
+        let mut sum = <Symbolic as Summable>::Sum::default();
         let mut expected = Pair::of("0");
         for (Pair(a, x), Pair(b, y)) in left.into_iter().zip(right) {
             sum.add_product(&a, &b);

@@ -3,23 +3,27 @@
 use crate::common::matrices;
 use crate::common::property::properties;
 use affinor_tensors::linear::{Echelon, Matrix, Row};
-use affinor_tensors::{Field, Notation, Rational, Ring, Symbolic};
+use affinor_tensors::{Field, Notation, Rational, Ring, Scalar, Symbolic};
 use matrices::{dense, from_words, same, square};
 use num_traits::{One, Zero};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
-fn same_vector<S: Notation>(a: &[S], b: &[S]) -> bool {
+fn same_vector<S: Notation + Scalar>(a: &[S], b: &[S]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same(a, b))
 }
 
-fn same_matrix<S: Notation>(a: &Matrix<S>, b: &Matrix<S>) -> bool {
+fn same_matrix<S: Notation + Scalar>(a: &Matrix<S>, b: &Matrix<S>) -> bool {
     let rows = a.to_dense().into_iter().zip(b.to_dense());
     (a.rows(), a.columns()) == (b.rows(), b.columns())
         && rows.into_iter().all(|(a, b)| same_vector(&a, &b))
 }
 
-fn square_laws<S: Notation>(a: &Matrix<S>, b: &Matrix<S>, x: &[S]) -> Result<(), TestCaseError> {
+fn square_laws<S: Notation + Scalar>(
+    a: &Matrix<S>,
+    b: &Matrix<S>,
+    x: &[S],
+) -> Result<(), TestCaseError> {
     let n = a.rows();
     let determinant = a.determinant()?;
     prop_assert!(same(&a.transpose().determinant()?, &determinant));
@@ -43,7 +47,7 @@ fn square_laws<S: Notation>(a: &Matrix<S>, b: &Matrix<S>, x: &[S]) -> Result<(),
     Ok(())
 }
 
-fn rectangle_laws<S: Notation>(a: &Matrix<S>, x: &[S]) -> Result<(), TestCaseError> {
+fn rectangle_laws<S: Notation + Scalar>(a: &Matrix<S>, x: &[S]) -> Result<(), TestCaseError> {
     let (echelon, nullspace) = (a.echelon()?, a.nullspace()?);
     prop_assert_eq!(echelon.rank() + nullspace.rows(), a.columns());
     prop_assert_eq!(nullspace.rank()?, nullspace.rows());
@@ -64,7 +68,7 @@ fn rectangle_laws<S: Notation>(a: &Matrix<S>, x: &[S]) -> Result<(), TestCaseErr
     Ok(())
 }
 
-fn is_reduced<S: Field>(echelon: &Echelon<S>) -> Result<(), TestCaseError> {
+fn is_reduced<S: Field + Scalar>(echelon: &Echelon<S>) -> Result<(), TestCaseError> {
     prop_assert!(echelon.pivots().is_sorted_by(|a, b| a < b));
     let value = |row: &Row<S>, j| row.iter().find(|(k, _)| *k == j).map(|(_, v)| v.clone());
     for (pivot, row) in echelon.pivots().iter().zip(echelon.rows()) {
@@ -97,7 +101,7 @@ fn low_rank() -> impl Strategy<Value = (Matrix<Rational>, Vec<Rational>)> {
     })
 }
 
-fn square_of<S: Ring, T: Strategy<Value = S>>(
+fn square_of<S: Scalar, T: Strategy<Value = S>>(
     n: usize,
     entry: impl Fn() -> T,
 ) -> impl Strategy<Value = (Matrix<S>, Matrix<S>, Vec<S>)> {

@@ -3,7 +3,9 @@
 use crate::common::property::properties;
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::scalar::{Count, Function, Step, StraightLine, derivatives, laws};
-use affinor_tensors::{Field, Jet, Notation, Rational, Recorded, Ring, Symbolic, Tolerance};
+use affinor_tensors::{
+    Field, Jet, Notation, Rational, Recorded, Ring, Scalar, Symbolic, Tolerance,
+};
 use num_traits::{One, Zero};
 use proptest::prelude::*;
 
@@ -22,7 +24,7 @@ enum Formula {
 const NAMES: [&str; 3] = ["a", "b", "c"];
 
 impl Formula {
-    fn value<S: Field>(&self, inputs: &[S; 3]) -> S {
+    fn value<S: Field + Scalar>(&self, inputs: &[S; 3]) -> S {
         let both = |a: &Formula, b: &Formula| (a.value(inputs), b.value(inputs));
         match self {
             Formula::Input(at) => inputs[*at].clone(),

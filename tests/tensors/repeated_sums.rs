@@ -1,7 +1,7 @@
 //! Sums that occur again and again, from values that are dropped and made again.
 
 use crate::common::property::properties;
-use affinor_tensors::{Field, Rational, Ring, Sum, Symbolic, Tolerance};
+use affinor_tensors::{Field, Rational, Ring, Sum, Summable, Symbolic, Tolerance};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 
@@ -32,7 +32,7 @@ fn terms() -> impl Strategy<Value = Vec<Terms>> {
 }
 
 fn sum(terms: &Terms, values: &dyn Fn(usize) -> Symbolic) -> Symbolic {
-    let mut sum = <Symbolic as Ring>::Sum::default();
+    let mut sum = <Symbolic as Summable>::Sum::default();
     terms.iter().for_each(|(a, b)| sum.add_product(&values(*a), &values(*b)));
     sum.finish(Tolerance::default()).unwrap_or_default()
 }
@@ -95,7 +95,7 @@ fn written(shapes: &Shapes, names: [&str; 3]) -> [String; 4] {
     let value = |(at, x, y): (usize, usize, usize)| {
         shape(at, [names[x], names[if y == x { (x + 1) % 3 } else { y }]])
     };
-    let mut sum = <Symbolic as Ring>::Sum::default();
+    let mut sum = <Symbolic as Summable>::Sum::default();
     shapes.iter().for_each(|[a, b]| sum.add_product(&value(*a), &value(*b)));
     let value = sum.finish(Tolerance::default()).unwrap_or_default();
     let negative = -value.clone();

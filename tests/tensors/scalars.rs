@@ -3,7 +3,9 @@
 use crate::common::dual;
 use crate::common::property::properties;
 use affinor_tensors::scalar::laws;
-use affinor_tensors::{Field, Notation, Rational, Ring, Sum, Symbolic, Tolerance};
+use affinor_tensors::{
+    Field, Notation, Rational, Ring, Scalar, Sum, Summable, Symbolic, Tolerance,
+};
 use dual::Dual;
 use num_bigint::BigInt;
 use num_dual::Dual64;
@@ -210,7 +212,7 @@ properties! {
 /// `a + b` and the others by value, by reference and by assignment.
 fn forms<S>(a: &S, b: &S) -> Result<(), TestCaseError>
 where
-    S: Field + Hash + Eq + Default + for<'s> DivAssign<&'s S> + for<'s> SubAssign<&'s S>,
+    S: Field + Scalar + Hash + Eq + Default + for<'s> DivAssign<&'s S> + for<'s> SubAssign<&'s S>,
     for<'s> &'s S: Add<S, Output = S> + Add<Output = S> + Mul<Output = S> + Div<Output = S>,
 {
     let sum = a.clone() + b;
@@ -256,7 +258,7 @@ fn nearest(value: &Rational, exact: &BigRational) -> Result<(), TestCaseError> {
 #[should_panic(expected = "the sum fits this type")]
 fn a_sum_of_word_rationals_panics_rather_than_wraps() {
     let largest = Ratio::from_integer(i64::MAX);
-    let mut sum = <Ratio<i64> as Ring>::Sum::product(&largest, &largest);
+    let mut sum = <Ratio<i64> as Summable>::Sum::product(&largest, &largest);
     sum.add_product(&-largest, &(largest - 1));
     // the products are far beyond 64 bits, their sum is not
     assert_eq!(sum.finish(Tolerance::default()), Some(largest));
@@ -313,7 +315,7 @@ fn floats_without_a_finite_inverse_are_no_units() {
 
 #[test]
 fn a_float_sum_that_overflows_is_not_zero() {
-    type FloatSum = <f64 as Ring>::Sum;
+    type FloatSum = <f64 as Summable>::Sum;
     let finish = |sum: FloatSum| sum.finish(Tolerance::default());
     assert_eq!(finish(FloatSum::product(&1e200, &-1e200)), Some(f64::NEG_INFINITY));
     assert!(finish(FloatSum::term(&f64::NAN)).is_some_and(f64::is_nan));
@@ -341,7 +343,7 @@ fn the_ends_of_the_words() -> Test {
     assert_eq!(Notation::to_f64(&max), Some(2f64.powi(63)));
     // a sum of words at the least number of 128 bits, and one below
     let half = Rational::from(1i64 << 32);
-    let mut sum = <Rational as Ring>::Sum::product(&min, &max);
+    let mut sum = <Rational as Summable>::Sum::product(&min, &max);
     sum.add_product(&min, &max);
     sum.add_product(&-half.clone(), &half);
     let least = sum.finish(Tolerance::default()).ok_or("not zero")?;
@@ -368,7 +370,7 @@ properties! {
     fn long_sums_agree_with_num(
         terms in prop::collection::vec((pair(), pair(), any::<bool>()), 1..12),
     ) {
-        let mut sum = None::<<Rational as Ring>::Sum>;
+        let mut sum = None::<<Rational as Summable>::Sum>;
         let mut expected = BigRational::from_integer(0.into());
         for ((a, x), (b, y), product) in &terms {
             expected += if *product { x * y } else { x.clone() };
@@ -387,7 +389,7 @@ properties! {
     /// Terms that cancel, with their own mirror images in any order.
     #[test]
     fn sums_that_cancel_vanish(terms in prop::collection::vec(pair(), 1..8)) {
-        let mut sum = <Rational as Ring>::Sum::term(&Rational::from(0));
+        let mut sum = <Rational as Summable>::Sum::term(&Rational::from(0));
         terms.iter().for_each(|(a, _)| sum.add_product(a, a));
         terms.iter().rev().for_each(|(a, _)| sum.add_product(&-a.clone(), a));
         prop_assert_eq!(sum.finish(Tolerance::default()), None);

@@ -3,7 +3,7 @@
 
 use crate::common::property::properties;
 use affinor_tensors::scalar::Variable;
-use affinor_tensors::{Field, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance};
+use affinor_tensors::{Field, Kind, Notation, Rational, Ring, Sum, Summable, Symbolic, Tolerance};
 use num_traits::{One, Zero, pow};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -450,7 +450,7 @@ fn traits_speak_for_constants_and_fractions() {
     assert!(pivots.is_sorted_by(|x, y| x.pivot_weight() > y.pivot_weight()));
     assert!(sum.size() > a.size() && pow(a.clone(), 100_000).size() >= 100_000);
 
-    let mut collected = <Symbolic as Ring>::Sum::product(&a, &a);
+    let mut collected = <Symbolic as Summable>::Sum::product(&a, &a);
     collected.add_product(&-a.clone(), &a);
     assert_eq!(collected.finish(Tolerance::default()), None);
     collected.add_term(&a);

@@ -4,7 +4,7 @@ use crate::common::oracle::oracle;
 use crate::common::property::properties;
 use crate::common::tensors;
 use affinor_tensors::{
-    Down, Indices, Rational, Ring, Symbolic, Tensor, TensorError, Tolerance, Up, contract,
+    Down, Indices, Rational, Ring, Scalar, Symbolic, Tensor, TensorError, Tolerance, Up, contract,
 };
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -13,7 +13,7 @@ use tensors::tensors;
 type Test = Result<(), TensorError>;
 
 /// The components as they are stored.
-fn stored<S: Ring>(tensor: &Tensor<S>) -> Vec<(Vec<usize>, S)> {
+fn stored<S: Scalar>(tensor: &Tensor<S>) -> Vec<(Vec<usize>, S)> {
     let components = tensor.components();
     components.map(|(at, value)| (at.to_vec(), value.clone())).collect()
 }

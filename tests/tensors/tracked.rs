@@ -5,7 +5,8 @@ use crate::common::property::properties;
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::scalar::laws;
 use affinor_tensors::{
-    Down, Field, Notation, Rational, Ring, Sum, Tensor, Tolerance, Tracked, Up, contract,
+    Down, Field, Notation, Rational, Ring, Scalar, Sum, Summable, Tensor, Tolerance, Tracked, Up,
+    contract,
 };
 use num_traits::Zero;
 use proptest::collection::vec;
@@ -54,7 +55,7 @@ fn scaled(rows: &[Vec<Rational>], left: &[Rational], right: &[Rational]) -> Matr
     Matrix::from_dense(&rows.iter().zip(left).map(row).collect::<Vec<_>>()).unwrap()
 }
 
-fn places<S: Ring>(matrix: &Matrix<S>) -> Vec<(usize, usize)> {
+fn places<S: Scalar>(matrix: &Matrix<S>) -> Vec<(usize, usize)> {
     matrix.entries().map(|(i, j, _)| (i, j)).collect()
 }
 
@@ -96,8 +97,8 @@ properties! {
         // what brings the sum to the threshold
         let last = -sum * (1.0 + f64::from(near) * f64::EPSILON)
             + tolerance.relative() * size * (1.0 + f64::from(near) * f64::EPSILON);
-        let mut plain = <f64 as Ring>::Sum::term(&last);
-        let mut tracked = <Float as Ring>::Sum::term(&last.into());
+        let mut plain = <f64 as Summable>::Sum::term(&last);
+        let mut tracked = <Float as Summable>::Sum::term(&last.into());
         for (a, b) in products {
             plain.add_product(&a, &b);
             tracked.add_product(&a.into(), &b.into());
@@ -237,14 +238,14 @@ fn what_is_no_number_stays() {
     for wild in [f64::NAN, f64::INFINITY, -f64::INFINITY] {
         let value = Float::from(wild);
         assert!(!value.is_number() && !value.vanishes());
-        let mut sum = <Float as Ring>::Sum::term(&value);
+        let mut sum = <Float as Summable>::Sum::term(&value);
         sum.add_product(&value, &Float::from(-1.0));
         let sum = sum.finish(Tolerance::default()).unwrap();
         assert!(!sum.is_number() && (sum * Float::zero()).value().is_nan());
     }
     // magnitudes that overflow judge nothing
     let large = Float::from(1e308);
-    let mut sum = <Float as Ring>::Sum::term(&large);
+    let mut sum = <Float as Summable>::Sum::term(&large);
     sum.add_term(&large);
     sum.add_term(&Float::from(-1.5e308));
     let infinite = sum.finish(Tolerance::default()).unwrap();
@@ -260,6 +261,6 @@ fn without_a_tolerance_rounding_is_kept() {
     let [tenth, three] = [(1, 10), (3, 1)].map(|(n, d)| float(&Rational::new(n, d).unwrap()));
     let product = tenth * three - float(&Rational::new(3, 10).unwrap());
     let twice = Float::from(2.0) * product;
-    assert!(<Float as Ring>::Sum::term(&twice).finish(exactly).is_some());
-    assert!(<Float as Ring>::Sum::term(&twice).finish(Tolerance::default()).is_none());
+    assert!(<Float as Summable>::Sum::term(&twice).finish(exactly).is_some());
+    assert!(<Float as Summable>::Sum::term(&twice).finish(Tolerance::default()).is_none());
 }

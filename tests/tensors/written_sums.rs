@@ -3,7 +3,7 @@
 
 use crate::common::property::properties;
 use affinor_tensors::scalar::Variable;
-use affinor_tensors::{CommonFactors, Notation, Rational, Symbolic};
+use affinor_tensors::{CommonFactors, Notation, Rational, Symbolic, Tabular};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 

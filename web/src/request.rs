@@ -4,6 +4,7 @@ use super::source::{self, Language};
 use super::{Answer, Refusal, motion, transport};
 use affinor::Canonical;
 use affinor::geometry::equations::EquationKind;
+use affinor_documents::Coefficient;
 use affinor_documents::definition::{
     self, Definition, InputError, Reading, ScalarChoice, Space, Work,
 };
@@ -14,7 +15,7 @@ use affinor_documents::report::{
     ComparedSide, Comparison, Computation, Format, Info, Properties, Quantity, Report, Selection,
     Table, TableEntry, catalogue, certificate, conventions, dynkin_type,
 };
-use affinor_tensors::{Notation, Tolerance};
+use affinor_tensors::Tolerance;
 use serde::Deserialize;
 
 /// Tensors of higher dimension have no heat maps.
@@ -237,7 +238,7 @@ struct HeatMaps(Vec<Quantity>);
 impl Work for HeatMaps {
     type Output = Vec<Picture>;
 
-    fn run<S: Notation>(
+    fn run<S: Coefficient>(
         self,
         definition: &Definition,
         reading: &Reading<S>,

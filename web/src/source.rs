@@ -2,9 +2,10 @@
 
 use super::Refusal;
 use affinor::geometry::ConnectionKind;
+use affinor_documents::Coefficient;
 use affinor_documents::definition::{Definition, InputError, Reading, ScalarChoice, Space, Work};
 use affinor_tensors::text::combination;
-use affinor_tensors::{Notation, Tensor, Tolerance};
+use affinor_tensors::{Tensor, Tolerance};
 use std::fmt::Write;
 
 /// A language of copies.
@@ -63,7 +64,7 @@ struct File {
 impl Work for File {
     type Output = String;
 
-    fn run<S: Notation>(
+    fn run<S: Coefficient>(
         self,
         definition: &Definition,
         reading: &Reading<S>,
@@ -113,7 +114,7 @@ impl Work for File {
 }
 
 /// Statements such as `nabla[x, y] = 1/2*z`.
-fn affinities<S: Notation>(text: &mut String, labels: &[String], gamma: &Tensor<S>) {
+fn affinities<S: Coefficient>(text: &mut String, labels: &[String], gamma: &Tensor<S>) {
     *text += "affinities = \"\"\"\n";
     for (j, first) in labels.iter().enumerate() {
         for (k, second) in labels.iter().enumerate() {

@@ -6,10 +6,11 @@ use super::notation::Names;
 use super::source::{Place, Source};
 use super::written::ChartText;
 use super::{Given, Reading};
+use crate::Coefficient;
 use affinor::geometry::chart::{Chart, Fields};
 use affinor_tensors::expression::{canonical_name, is_abbreviation};
 use affinor_tensors::scalar::FreeFunction;
-use affinor_tensors::{Down, Notation, Symbolic, Tensor, Up};
+use affinor_tensors::{Down, Symbolic, Tensor, Up};
 
 /// Fields by their components in the coordinate frame.
 #[derive(Clone, Debug)]
@@ -22,7 +23,7 @@ pub(super) struct OnChart {
 
 impl OnChart {
     /// The fields over a scalar.
-    pub fn fields<S: Notation>(
+    pub fn fields<S: Coefficient>(
         &self,
         labels: &[String],
         reading: &Reading<S>,

@@ -3,9 +3,10 @@
 use super::input::InputError;
 use super::source::{Place, Source};
 use super::{ConnectionChoice, Definition, Given, MetricChoice, Origin, check_dimension};
+use crate::Coefficient;
 use affinor::algebra::catalogue::{self, Entry};
 use affinor::{ConnectionKind, Geometry};
-use affinor_tensors::{Notation, Symbolic};
+use affinor_tensors::Symbolic;
 use std::collections::BTreeMap;
 
 impl Definition {
@@ -27,7 +28,7 @@ impl Definition {
     ///
     /// # Errors
     /// An algebra that the catalogue does not have.
-    pub fn of_paper<S: Notation>(
+    pub fn of_paper<S: Coefficient>(
         geometry: &Geometry<S>,
         exact: impl Fn(&S) -> Symbolic,
     ) -> Result<Self, InputError> {

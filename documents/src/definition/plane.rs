@@ -4,7 +4,7 @@ use super::input::{InputError, shown};
 use super::notation::Names;
 use super::source::Source;
 use super::{Definition, Reading};
-use affinor_tensors::Notation;
+use crate::Coefficient;
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Definition {
@@ -12,7 +12,7 @@ impl Definition {
     ///
     /// # Errors
     /// Other than two vectors; an expression that cannot be read.
-    pub fn plane<S: Notation>(
+    pub fn plane<S: Coefficient>(
         &self,
         text: &str,
         reading: &Reading<S>,

@@ -7,9 +7,10 @@ use super::setting::settings;
 use super::source::Source;
 use super::written::{MetricText, Text};
 use super::{Definition, MetricChoice, Origin, Reading, add, check_dimension};
+use crate::Coefficient;
 use affinor::algebra::catalogue::CatalogueError;
 use affinor::geometry::paper;
-use affinor_tensors::{Notation, Rational, Recorded, Symbolic, Tolerance, Tracked};
+use affinor_tensors::{Rational, Recorded, Symbolic, Tolerance, Tracked};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -66,7 +67,7 @@ pub trait Work {
     ///
     /// # Errors
     /// Whatever the computation refuses.
-    fn run<S: Notation>(
+    fn run<S: Coefficient>(
         self,
         definition: &Definition,
         reading: &Reading<S>,
@@ -242,7 +243,7 @@ impl Space {
     ///
     /// # Errors
     /// A chart, whose functions are exact; parameters without values; whatever the work refuses.
-    pub fn in_floats<S: Notation, R>(
+    pub fn in_floats<S: Coefficient, R>(
         &self,
         tolerance: Tolerance,
         work: impl FnOnce(&Definition, &Reading<S>) -> Result<R, InputError>,

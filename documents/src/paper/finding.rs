@@ -1,6 +1,7 @@
 //! What is computed of an equation.
 
-use affinor_tensors::{Notation, Tensor};
+use crate::Coefficient;
+use affinor_tensors::Tensor;
 
 /// A statement with what is computed of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,7 +29,7 @@ pub enum Outcome {
 
 impl Finding {
     /// That a tensor, the left side of a statement minus the right one, is zero. The witness is its first component.
-    pub(super) fn exact<S: Notation>(claim: &str, difference: &Tensor<S>) -> Self {
+    pub(super) fn exact<S: Coefficient>(claim: &str, difference: &Tensor<S>) -> Self {
         let witness = difference.components().next().map(|(at, value)| {
             let indices: Vec<String> = at.iter().map(|index| (index + 1).to_string()).collect();
             match indices.as_slice() {
@@ -41,7 +42,7 @@ impl Finding {
 
     /// That two lists of values are equal. The witness is the first component of the left side minus the right one, which is
     /// that of the computed value minus the stated one.
-    pub(super) fn equal<S: Notation>(claim: &str, left: &[S], right: &[S]) -> Self {
+    pub(super) fn equal<S: Coefficient>(claim: &str, left: &[S], right: &[S]) -> Self {
         let differ = left.iter().zip(right).position(|(a, b)| a != b);
         let outcome = match differ {
             None if left.len() == right.len() => Outcome::Exactly,

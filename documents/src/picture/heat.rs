@@ -1,7 +1,8 @@
 //! Tensors as pictures: slices with a coloured cell for each component.
 
 use super::{Anchor, Font, Ink, Picture, SOLID, Shape, Stroke};
-use affinor_tensors::{Notation, Tensor};
+use crate::Coefficient;
+use affinor_tensors::Tensor;
 
 const CELL: f64 = 14.0;
 const GAP: f64 = 12.0;
@@ -25,7 +26,7 @@ const SYMBOL: [u8; 3] = [0x55, 0x55, 0x55];
 /// assert_eq!(svg(&picture, 400).matches("<circle").count(), 2);
 /// # Ok::<(), affinor::tensors::TensorError>(())
 /// ```
-pub fn heat<S: Notation>(title: &str, symbol: &str, tensor: &Tensor<S>) -> Option<Picture> {
+pub fn heat<S: Coefficient>(title: &str, symbol: &str, tensor: &Tensor<S>) -> Option<Picture> {
     let (n, rank) = (tensor.dimension(), tensor.slots().len());
     let cells = n.checked_pow(u32::try_from(rank).ok()?)?;
     if !(2..=4).contains(&rank) || cells > CELLS || tensor.is_empty() {

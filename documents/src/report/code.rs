@@ -10,16 +10,17 @@ mod rust;
 use super::Quantity;
 use super::equations::{EquationReport, letters};
 use super::head::printable_list;
+use crate::Coefficient;
 use crate::definition::InputError;
 use affinor::geometry::Geometry;
 use affinor::geometry::equations::Variable;
 use affinor_tensors::scalar::derivatives;
-use affinor_tensors::{Notation, Recorded, Symbolic, Up};
+use affinor_tensors::{Recorded, Symbolic, Up};
 use num_traits::Zero;
 use routine::{Array, Routine};
 
 /// A scalar whose values are programs, or become such.
-pub trait Programmed: Notation {
+pub trait Programmed: Coefficient {
     /// The program of a value.
     ///
     /// # Errors

@@ -3,6 +3,7 @@
 use super::components::groups;
 use super::grid::{Cell, Grid, head_of_grid, pretty};
 use super::{Format, Quantity, Report, head, html, latex, text, typeset};
+use crate::Coefficient;
 use crate::formula::lines::chain;
 use crate::formula::mathml::{self, NARROW, escaped};
 use crate::formula::{Row, formula, notation, sum, tex, value};
@@ -12,7 +13,7 @@ use affinor::geometry::conditions::conditions;
 use affinor::{ConnectionKind, Error, Geometry, LieAlgebra};
 use affinor_tensors::contract;
 use affinor_tensors::text::combination;
-use affinor_tensors::{CommonFactors, Kind, Notation, Tensor};
+use affinor_tensors::{CommonFactors, Kind, Tensor};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -43,7 +44,7 @@ impl ComparedSide {
     ///
     /// # Errors
     /// [`Error::NotConstant`]: claims are about structure constants.
-    pub fn new<S: Notation>(geometry: &Geometry<S>) -> Result<Self, Error> {
+    pub fn new<S: Coefficient>(geometry: &Geometry<S>) -> Result<Self, Error> {
         let kind = geometry.kind();
         let algebra = geometry.frame_origin().algebra_for("a comparison")?;
         let basis = basis(algebra.labels());
@@ -214,7 +215,7 @@ fn basis(labels: &[String]) -> String {
 }
 
 /// The components of a tensor in groups, or their number.
-fn listed<S: Notation>(quantity: Quantity, tensor: &Tensor<S>) -> Cell {
+fn listed<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) -> Cell {
     if tensor.is_empty() {
         return "0".into();
     }
@@ -239,7 +240,7 @@ fn listed<S: Notation>(quantity: Quantity, tensor: &Tensor<S>) -> Cell {
 }
 
 /// Whether the connection preserves the metric, or the conditions on the parameters.
-fn compatibility<S: Notation>(geometry: &Geometry<S>) -> Result<Cell, Error> {
+fn compatibility<S: Coefficient>(geometry: &Geometry<S>) -> Result<Cell, Error> {
     let Some(metric) = geometry.metric() else {
         return Ok("no metric".into());
     };
@@ -266,7 +267,7 @@ fn compatibility<S: Notation>(geometry: &Geometry<S>) -> Result<Cell, Error> {
 }
 
 /// The generator of transport along an autoparallel, as a multiple of `ad_n` where it is one.
-fn transport<S: Notation>(geometry: &Geometry<S>, algebra: &LieAlgebra<S>) -> Cell {
+fn transport<S: Coefficient>(geometry: &Geometry<S>, algebra: &LieAlgebra<S>) -> Cell {
     let (c, gamma) = (algebra.structure(), geometry.connection().gamma());
     let generator = |text: &str, parts: Vec<Part>| {
         let law = [Part::Formula(formula("du/dt = G u")), Part::Words(", ")];

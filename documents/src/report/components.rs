@@ -1,6 +1,7 @@
 //! Components grouped by value, and independent components.
 
-use affinor_tensors::{CommonFactors, Kind, Notation, Ring, Tensor, Variance};
+use crate::Coefficient;
+use affinor_tensors::{CommonFactors, Kind, Scalar, Tensor, Variance};
 use std::collections::HashMap;
 use std::fmt::Write;
 
@@ -30,12 +31,12 @@ impl<S> Group<S> {
 /// The members stand in the order of their indices. Where the tensor is antisymmetric in two slots,
 /// a component and its mirror image stand side by side, the positive one first, as in
 /// `R^1_212 = -R^1_221 = ... = R^2_121 = -R^2_112 = ... = 1/4`.
-pub fn groups<S: Notation>(tensor: &Tensor<S>) -> Vec<Group<S>> {
+pub fn groups<S: Coefficient>(tensor: &Tensor<S>) -> Vec<Group<S>> {
     groups_with(tensor, &CommonFactors::default())
 }
 
 /// As [`groups`]; signs are those of the texts with these factors.
-pub(super) fn groups_with<S: Notation>(
+pub(super) fn groups_with<S: Coefficient>(
     tensor: &Tensor<S>,
     factors: &CommonFactors,
 ) -> Vec<Group<S>> {
@@ -67,7 +68,7 @@ pub(super) fn groups_with<S: Notation>(
 ///
 /// Slots are symmetric or antisymmetric as [`Tensor::pair_symmetry`] finds them; of each set the
 /// component with rising indices is kept: `k < l` for a curvature, `i <= j` for a metric.
-pub fn independent<S: Notation>(tensor: &Tensor<S>) -> Tensor<S> {
+pub fn independent<S: Coefficient>(tensor: &Tensor<S>) -> Tensor<S> {
     let classes = classes(tensor);
     let rising =
         |at: &[usize]| classes.iter().all(|class| class.iter().is_sorted_by_key(|&slot| at[slot]));
@@ -75,7 +76,7 @@ pub fn independent<S: Notation>(tensor: &Tensor<S>) -> Tensor<S> {
 }
 
 /// A statement about the components that are not printed, if there are any.
-pub(super) fn others<S: Ring>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<&'static str> {
+pub(super) fn others<S: Scalar>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<&'static str> {
     let all = (tensor.dimension() as u64).pow(tensor.rank() as u32);
     match (tensor.len() as u64 == all, shown.len() == tensor.len()) {
         (true, true) => None,
@@ -86,7 +87,7 @@ pub(super) fn others<S: Ring>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<&
 }
 
 /// `12 nonzero components, 6 shown`; nothing for a tensor of rank 0.
-pub(super) fn count<S: Ring>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<String> {
+pub(super) fn count<S: Scalar>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<String> {
     let components = if tensor.len() == 1 { "component" } else { "components" };
     let all = format!("{} nonzero {components}", tensor.len());
     let less = shown.len() < tensor.len();
@@ -95,7 +96,7 @@ pub(super) fn count<S: Ring>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<St
 }
 
 /// [`count`] and [`others`] as a sentence.
-pub(super) fn summary<S: Ring>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<String> {
+pub(super) fn summary<S: Scalar>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<String> {
     let count = count(tensor, shown)?;
     Some(match others(tensor, shown) {
         Some(others) => format!("{count}; {others}."),
@@ -123,7 +124,7 @@ pub(super) fn scripts(
 }
 
 /// Appends the value in plain text; very small and very large floats have an exponent.
-pub(super) fn append<S: Notation>(text: &mut String, value: &S) {
+pub(super) fn append<S: Coefficient>(text: &mut String, value: &S) {
     let extreme = |x: &f64| S::KIND == Kind::Float && !(1e-5..1e16).contains(&x.abs());
     let written = match value.to_f64().filter(extreme) {
         Some(x) if x != 0.0 && x.is_finite() => write!(text, "{x:e}"),
@@ -133,14 +134,14 @@ pub(super) fn append<S: Notation>(text: &mut String, value: &S) {
 }
 
 /// The value in plain text.
-pub(super) fn plain<S: Notation>(value: &S) -> String {
+pub(super) fn plain<S: Coefficient>(value: &S) -> String {
     let mut text = String::new();
     append(&mut text, value);
     text
 }
 
 /// The value in plain text with the names of these factors.
-pub(super) fn with_names<S: Notation>(value: &S, factors: &CommonFactors) -> String {
+pub(super) fn with_names<S: Coefficient>(value: &S, factors: &CommonFactors) -> String {
     if factors.is_empty() && S::KIND == Kind::Float {
         return plain(value);
     }
@@ -148,7 +149,7 @@ pub(super) fn with_names<S: Notation>(value: &S, factors: &CommonFactors) -> Str
 }
 
 /// The components in order, but mirror images in an antisymmetric pair of slots side by side.
-fn mirrored<S: Notation>(
+fn mirrored<S: Coefficient>(
     tensor: &Tensor<S>,
     negative: &impl Fn(&S) -> bool,
 ) -> Vec<(Vec<usize>, S)> {
@@ -173,7 +174,7 @@ fn mirrored<S: Notation>(
 }
 
 /// The slots in classes that are symmetric, or antisymmetric, pair by pair.
-fn classes<S: Ring>(tensor: &Tensor<S>) -> Vec<Vec<usize>> {
+fn classes<S: Scalar>(tensor: &Tensor<S>) -> Vec<Vec<usize>> {
     let mut classes: Vec<Vec<usize>> = Vec::new();
     for slot in 0..tensor.rank() {
         let joins = |class: &Vec<usize>| {

@@ -7,11 +7,12 @@ use super::{
     ComparedSide, Differences, EquationReport, Language, Program, Programmed, Quantity, Report,
     StoredTable, Table, tensors_as_code,
 };
+use crate::Coefficient;
 use crate::certificate::{Check, certify};
 use crate::definition::{Definition, InputError, Reading, ScalarChoice, Space, Work};
 use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::{Error, Geometry};
-use affinor_tensors::{Effort, Notation, Symbolic, Tolerance};
+use affinor_tensors::{Effort, Symbolic, Tolerance};
 
 /// A space to be computed with, and how.
 ///
@@ -188,7 +189,7 @@ impl<'a> Computation<'a> {
 }
 
 /// The geometry of a definition, in the frame selected.
-fn geometry<S: Notation>(
+fn geometry<S: Coefficient>(
     definition: &Definition,
     reading: &Reading<S>,
     selection: &Selection,
@@ -202,7 +203,7 @@ fn geometry<S: Notation>(
 }
 
 /// The table of a definition.
-fn table<S: Notation>(
+fn table<S: Coefficient>(
     definition: &Definition,
     reading: &Reading<S>,
     selection: &Selection,
@@ -217,7 +218,7 @@ fn table<S: Notation>(
 }
 
 /// The equations of a definition.
-fn equations<S: Notation>(
+fn equations<S: Coefficient>(
     definition: &Definition,
     reading: &Reading<S>,
     kind: EquationKind,
@@ -247,7 +248,7 @@ struct Tabulate<'a> {
 impl Work for Tabulate<'_> {
     type Output = Tabulated;
 
-    fn run<S: Notation>(
+    fn run<S: Coefficient>(
         self,
         definition: &Definition,
         reading: &Reading<S>,
@@ -264,7 +265,7 @@ struct Export(Program);
 impl Work for Export {
     type Output = String;
 
-    fn run<S: Notation>(
+    fn run<S: Coefficient>(
         self,
         definition: &Definition,
         reading: &Reading<S>,
@@ -281,7 +282,7 @@ struct Certify<'a> {
 impl Work for Certify<'_> {
     type Output = Vec<Check>;
 
-    fn run<S: Notation>(
+    fn run<S: Coefficient>(
         self,
         definition: &Definition,
         reading: &Reading<S>,
@@ -299,7 +300,7 @@ struct Move<'a> {
 impl Work for Move<'_> {
     type Output = Box<dyn Report>;
 
-    fn run<S: Notation>(
+    fn run<S: Coefficient>(
         self,
         definition: &Definition,
         reading: &Reading<S>,
@@ -313,7 +314,7 @@ struct Compare;
 impl Work for Compare {
     type Output = ComparedSide;
 
-    fn run<S: Notation>(
+    fn run<S: Coefficient>(
         self,
         definition: &Definition,
         reading: &Reading<S>,
@@ -331,7 +332,7 @@ struct Verify<'a> {
 impl Work for Verify<'_> {
     type Output = (Differences, Vec<String>);
 
-    fn run<S: Notation>(
+    fn run<S: Coefficient>(
         self,
         definition: &Definition,
         reading: &Reading<S>,

@@ -2,13 +2,14 @@
 
 use super::Table;
 use super::components::append;
-use affinor_tensors::{Components, Notation};
+use crate::Coefficient;
+use affinor_tensors::Components;
 use std::io::{self, Write};
 
 /// The index columns, as many as the highest rank shown but at least four.
 const COLUMNS: [&str; 8] = ["i", "j", "k", "l", "m", "n", "o", "p"];
 
-pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
     let rank = table.tensors.iter().map(|entry| entry.tensor.rank()).max().unwrap_or(0);
     let columns = &COLUMNS[..rank.max(4)];
     writeln!(out, "tensor,{},value", columns.join(","))?;

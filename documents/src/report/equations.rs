@@ -6,14 +6,15 @@ use super::head::{kind_name, printable, printable_list};
 use super::latex::{WIDTH, escape};
 use super::text::fill;
 use super::{Format, Report, html};
+use crate::Coefficient;
 use crate::formula::lines::{chain, pieces, width};
 use crate::formula::mathml::{self, WIDE, escaped};
 use crate::formula::{self, Accent, Brackets, Node, Row, sum, tex, value};
 use crate::page::page;
 use affinor::geometry::equations::{self, EquationKind, Equations, Variable};
 use affinor::{Connection, Error, Geometry};
+use affinor_tensors::Tensor;
 use affinor_tensors::text::combination;
-use affinor_tensors::{Notation, Tensor};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -38,7 +39,7 @@ pub struct EquationReport<S> {
     pub genuine: Option<bool>,
 }
 
-impl<S: Notation> EquationReport<S> {
+impl<S: Coefficient> EquationReport<S> {
     /// The equations of a geometry.
     pub fn new(equations: Equations<S>, geometry: &Geometry<S>) -> Self {
         let metric = geometry.metric().filter(|_| equations.kind() == EquationKind::EulerPoincare);
@@ -302,7 +303,7 @@ impl<S: Notation> EquationReport<S> {
     }
 }
 
-impl<S: Notation> Report for EquationReport<S> {
+impl<S: Coefficient> Report for EquationReport<S> {
     fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
         match format {
             Format::Text => self.text(out),
@@ -373,7 +374,7 @@ impl Names {
     }
 
     /// Both sides of an equation.
-    fn row<S: Notation>(&self, row: &equations::Row<S>) -> [String; 2] {
+    fn row<S: Coefficient>(&self, row: &equations::Row<S>) -> [String; 2] {
         let left = row.left.iter().map(|(value, j)| (plain(value), self.rate(*j)));
         let right = row.right.iter().map(|(value, factors)| (plain(value), self.product(factors)));
         [combination(left), combination(right)]

@@ -2,9 +2,10 @@
 
 use super::components::{GROUPED, groups};
 use super::{OnChart, Table};
+use crate::Coefficient;
 use crate::formula::{Row, formula, name};
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{CommonFactors, Kind, Notation, Symbolic, Tensor};
+use affinor_tensors::{CommonFactors, Kind, Symbolic, Tensor};
 
 /// The common factors of a table, and a line for each.
 #[derive(Default)]
@@ -50,7 +51,7 @@ fn list(rows: &[usize]) -> String {
 /// Determinants of larger parts of a metric are not searched for.
 const LARGEST: usize = 8;
 
-impl<S: Notation> Table<S> {
+impl<S: Coefficient> Table<S> {
     /// The factors whose names make the table shorter.
     pub(super) fn factors(&self) -> NamedFactors {
         if S::KIND != Kind::Symbolic || self.parameters.is_empty() {
@@ -84,7 +85,7 @@ impl<S: Notation> Table<S> {
 }
 
 /// The determinants of the blocks of a metric, with the rows of each from 1.
-fn determinants<S: Notation>(metric: &Tensor<S>) -> Vec<(Vec<usize>, String)> {
+fn determinants<S: Coefficient>(metric: &Tensor<S>) -> Vec<(Vec<usize>, String)> {
     let mut blocks: Vec<Vec<usize>> = (0..metric.dimension()).map(|i| vec![i]).collect();
     for (at, _) in metric.components() {
         let [i, j] = [at[0], at[1]].map(|row| blocks.iter().position(|block| block.contains(&row)));

@@ -1,8 +1,9 @@
 //! The head of a table: the space, its connection and its scalar.
 
 use super::{OnChart, Table};
+use crate::Coefficient;
 use affinor::conventions;
-use affinor_tensors::{Kind, Notation, Tolerance};
+use affinor_tensors::{Kind, Tolerance};
 use serde_json::{Value, json};
 
 /// The conventions in brief.
@@ -35,7 +36,7 @@ pub(super) fn conventions_in_json(zero: Option<&str>) -> Value {
     json
 }
 
-impl<S: Notation> Table<S> {
+impl<S: Coefficient> Table<S> {
     /// The lines of the head except the conventions, each with its title; the second is the basis.
     pub(super) fn head(&self) -> Vec<(&'static str, String)> {
         let mut lines = vec![

@@ -6,14 +6,15 @@ use super::head::printable;
 use super::text::component;
 use super::typeset::{brackets, convention_formulas, equation, general};
 use super::{Quantity, Table, TableEntry};
+use crate::Coefficient;
 use crate::formula::lines::chain;
 use crate::formula::mathml::{self, WIDE, escaped};
 use crate::formula::{Row, value};
 use crate::page::page;
-use affinor_tensors::{CommonFactors, Notation};
+use affinor_tensors::CommonFactors;
 use std::io::{self, Write};
 
-pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
     let name = printable(&table.name);
     page(&name, out, |out| {
         writeln!(out, "<main>\n<h1>{}</h1>", escaped(&name))?;
@@ -55,7 +56,7 @@ pub(super) fn list(formulas: &[Row], width: usize) -> String {
     format!("<ul class=\"components\">\n{items}</ul>")
 }
 
-fn tensor<S: Notation>(
+fn tensor<S: Coefficient>(
     table: &Table<S>,
     entry: &TableEntry<S>,
     factors: &CommonFactors,

@@ -10,6 +10,7 @@ pub use roots::dynkin_type;
 use super::grid::{Cell, Grid};
 use super::head::{printable, printable_list};
 use super::{Format, Report};
+use crate::Coefficient;
 use crate::definition::{Definition, InputError, Reading};
 use affinor::algebra::structure::{
     Counted, Ground, Identification, Indecomposable, Killing, MAX_BETTI, MAX_DECOMPOSED,
@@ -17,7 +18,7 @@ use affinor::algebra::structure::{
 };
 use affinor_tensors::linear::Row;
 use affinor_tensors::text::combination;
-use affinor_tensors::{Kind, Notation, Rational, Symbolic, Tolerance};
+use affinor_tensors::{Kind, Rational, Symbolic, Tolerance};
 use basis::InBases;
 use rows::Rows;
 use serde_json::{Map, Value, json};
@@ -156,7 +157,7 @@ impl Info {
     ///
     /// # Errors
     /// None for a Lie algebra.
-    pub fn new<S: Ground + Notation>(
+    pub fn new<S: Ground + Coefficient>(
         name: &str,
         structure: &Structure<S>,
         parameters: &[String],

@@ -4,14 +4,15 @@ use super::components::append;
 use super::factors::{NamedFactor, NamedFactors};
 use super::head::kind_name;
 use super::{OnChart, Quantity, Table, TableEntry};
-use affinor_tensors::{CommonFactors, Kind, Notation, Up, Variance};
+use crate::Coefficient;
+use affinor_tensors::{CommonFactors, Kind, Up, Variance};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// The name of the schema.
 const SCHEMA: &str = "affinor.table/1";
 
-pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
     let algebra = json!({
         "name": table.algebra,
         "dimension": table.labels.len(),
@@ -65,7 +66,7 @@ pub(super) fn variances(slots: &[Variance]) -> Value {
 }
 
 /// Writes one tensor directly, because a tree of a million components takes much memory.
-fn tensor<S: Notation>(
+fn tensor<S: Coefficient>(
     table: &Table<S>,
     entry: &TableEntry<S>,
     factors: &CommonFactors,
@@ -97,7 +98,7 @@ fn tensor<S: Notation>(
 }
 
 /// The formulas of the basic quantities and of all tensors that are shown.
-fn conventions<S: Notation>(table: &Table<S>) -> Vec<(&'static str, String)> {
+fn conventions<S: Coefficient>(table: &Table<S>) -> Vec<(&'static str, String)> {
     let mut conventions = vec![("indices", "from 1".into())];
     conventions.push(("frame", table.frame.into()));
     conventions.extend(table.zero_line().map(|zero| ("zero", zero)));
@@ -114,7 +115,7 @@ fn conventions<S: Notation>(table: &Table<S>) -> Vec<(&'static str, String)> {
 }
 
 /// Appends a value: exact and symbolic ones are strings, floats are numbers; `text` is a buffer.
-fn append_scalar<S: Notation>(
+fn append_scalar<S: Coefficient>(
     json: &mut Vec<u8>,
     text: &mut String,
     value: &S,

@@ -4,15 +4,16 @@ use super::components::{GROUPED, Group, groups, groups_with, summary};
 use super::head::printable;
 use super::typeset::{brackets, convention_formulas, general, sides};
 use super::{Quantity, Table, TableEntry};
+use crate::Coefficient;
 use crate::formula::lines::{chain, width};
 use crate::formula::{Brackets, Node, Row, formula, label, tex, value};
-use affinor_tensors::{CommonFactors, Notation, Tensor};
+use affinor_tensors::{CommonFactors, Tensor};
 use std::io::{self, Write};
 
 /// The approximate number of letters in a line.
 pub(super) const WIDTH: usize = 58;
 
-pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "% A fragment: it needs \\usepackage{{amsmath}}.")?;
     writeln!(out, "% Names beyond ASCII need LuaLaTeX or XeLaTeX and a font that has them.")?;
     writeln!(
@@ -43,7 +44,7 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
     writeln!(out, "\\endgroup")
 }
 
-fn tensor<S: Notation>(
+fn tensor<S: Coefficient>(
     table: &Table<S>,
     entry: &TableEntry<S>,
     factors: &CommonFactors,
@@ -147,7 +148,7 @@ pub(super) fn conventions() -> String {
 }
 
 /// The groups of components of a tensor with a symbol of its own, in LaTeX, as lines of an `align*`.
-pub fn components_in_latex<S: Notation>(symbol: &str, tensor: &Tensor<S>) -> Vec<String> {
+pub fn components_in_latex<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> Vec<String> {
     // the symbol is LaTeX already
     const SYMBOL: char = '\u{FFFC}';
     let none = CommonFactors::default();

@@ -4,10 +4,11 @@ use super::components::{GROUPED, groups_with, plain, summary, with_names};
 use super::head::{conventions, printable};
 use super::text::{brackets, component, general};
 use super::{Quantity, Table, TableEntry};
-use affinor_tensors::{CommonFactors, Notation};
+use crate::Coefficient;
+use affinor_tensors::CommonFactors;
 use std::io::{self, Write};
 
-pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "# {}\n", escape(&printable(&table.name)))?;
     for (title, line) in table.head() {
         writeln!(out, "- {title}: {}", escape(&line))?;
@@ -20,7 +21,7 @@ pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::R
     table.tensors.iter().try_for_each(|entry| tensor(table, entry, &named.factors, out))
 }
 
-fn tensor<S: Notation>(
+fn tensor<S: Coefficient>(
     table: &Table<S>,
     entry: &TableEntry<S>,
     factors: &CommonFactors,

@@ -2,9 +2,10 @@
 
 use super::head::printable;
 use super::identifiers::identifiers;
+use crate::Coefficient;
+use affinor_tensors::Tensor;
 use affinor_tensors::expression::{is_name, is_name_character};
 use affinor_tensors::text::combination;
-use affinor_tensors::{Notation, Tensor};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
@@ -45,7 +46,7 @@ impl Program {
 
     /// The structure constants of an algebra as input of the program. Labels that are no names are replaced by
     /// `e1`, `e2`, ...; parameters with a name that the program uses itself, such as `lambda`, get a mark: `lambda_`.
-    pub fn structure<S: Notation>(
+    pub fn structure<S: Coefficient>(
         self,
         name: &str,
         labels: &[String],
@@ -120,7 +121,7 @@ fn is_in(words: &str, name: &str) -> bool {
 }
 
 /// The roots of numbers in a value, and pi: `sqrt(2)`.
-fn irrational(value: &impl Notation) -> BTreeSet<&'static str> {
+fn irrational(value: &impl Coefficient) -> BTreeSet<&'static str> {
     let terms = value.numerator_terms();
     let powers = terms.iter().flat_map(|(powers, _)| powers);
     powers.filter(|(own, _)| !own.is_parameter()).map(|(own, _)| own.text()).collect()
@@ -164,7 +165,7 @@ impl<'p> Variables<'p> {
     }
 
     /// A value in these variables.
-    fn written(&self, value: &impl Notation) -> String {
+    fn written(&self, value: &impl Coefficient) -> String {
         self.replaced(value.to_string())
     }
 
@@ -190,7 +191,7 @@ impl<'p> Variables<'p> {
     }
 }
 
-fn gap<S: Notation>(
+fn gap<S: Coefficient>(
     text: &mut String,
     name: &str,
     n: usize,
@@ -225,7 +226,7 @@ fn gap<S: Notation>(
     writeln!(text, "L := LieAlgebraByStructureConstants( {field}, T );")
 }
 
-fn sage<S: Notation>(
+fn sage<S: Coefficient>(
     text: &mut String,
     name: &str,
     labels: &[String],
@@ -264,7 +265,7 @@ fn sage<S: Notation>(
     writeln!(text, "}}, names='{}')", labels.join(","))
 }
 
-fn maple<S: Notation>(
+fn maple<S: Coefficient>(
     text: &mut String,
     name: &str,
     labels: &[String],
@@ -285,7 +286,7 @@ fn maple<S: Notation>(
     writeln!(text, "L := LieAlgebraData([\n{lines}\n], [{labels}], Alg):\nDGsetup(L):")
 }
 
-fn sympy<S: Notation>(
+fn sympy<S: Coefficient>(
     text: &mut String,
     name: &str,
     n: usize,

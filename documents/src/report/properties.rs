@@ -3,13 +3,14 @@
 use super::grid::{Cell, Grid};
 use super::head::{kind_name, printable, printable_list};
 use super::{Format, Report};
+use crate::Coefficient;
 use crate::definition::{Definition, InputError, Reading};
 use affinor::algebra::Complex;
 use affinor::algebra::structure::{Ground, Structure};
 use affinor::geometry::properties::{MAX_SEARCHED, Property};
 use affinor::{Connection, ConnectionKind, Geometry, LieAlgebra, MatrixBasis, Metric};
 use affinor_tensors::text::combination;
-use affinor_tensors::{Notation, Rational, Ring, Symbolic, Tensor, Tolerance};
+use affinor_tensors::{Rational, Ring, Symbolic, Tensor, Tolerance};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
@@ -59,11 +60,13 @@ impl Properties {
     ///
     /// # Errors
     /// What the library refuses.
-    pub fn of_geometry<S: Ground + Notation>(geometry: &Geometry<S>) -> Result<Self, InputError> {
+    pub fn of_geometry<S: Ground + Coefficient>(
+        geometry: &Geometry<S>,
+    ) -> Result<Self, InputError> {
         Self::new(geometry, &[])
     }
 
-    fn read<S: Ground + Notation>(
+    fn read<S: Ground + Coefficient>(
         definition: &Definition,
         planes: &[String],
         reading: &Reading<S>,
@@ -75,7 +78,7 @@ impl Properties {
     }
 
     /// The properties of a geometry, and the sectional curvatures of planes.
-    fn new<S: Ground + Notation>(
+    fn new<S: Ground + Coefficient>(
         geometry: &Geometry<S>,
         planes: &[Plane<S>],
     ) -> Result<Self, InputError> {
@@ -143,7 +146,10 @@ impl Properties {
 }
 
 /// What is known of a matrix algebra: its real simple ideals and the dimension of its centre.
-fn name_of<S: Ground + Notation>(size: usize, basis: Vec<Tensor<S>>) -> Result<String, InputError> {
+fn name_of<S: Ground + Coefficient>(
+    size: usize,
+    basis: Vec<Tensor<S>>,
+) -> Result<String, InputError> {
     if basis.is_empty() {
         return Ok(String::new());
     }
@@ -218,11 +224,11 @@ struct List {
 }
 
 impl List {
-    fn plain<S: Notation>(&mut self, name: &str, property: Property<S>) {
+    fn plain<S: Coefficient>(&mut self, name: &str, property: Property<S>) {
         self.valued(name, property, |()| String::new());
     }
 
-    fn valued<S: Notation, T>(
+    fn valued<S: Coefficient, T>(
         &mut self,
         name: &str,
         property: Property<S, T>,
@@ -248,7 +254,7 @@ impl List {
     }
 
     /// The tensors of a vector space, by a basis and with parameters such as `a1, a2, ..`
-    fn family<S: Ground + Notation>(
+    fn family<S: Ground + Coefficient>(
         &mut self,
         name: &str,
         family: &Family,
@@ -288,7 +294,7 @@ impl List {
     }
 
     /// The extremes of the sectional curvature, where connection and metric are rational and fit together.
-    fn extremes<S: Ground + Notation>(
+    fn extremes<S: Ground + Coefficient>(
         &mut self,
         connection: &Connection<S>,
         metric: &Metric<S>,
@@ -335,7 +341,7 @@ impl List {
         Ok(())
     }
 
-    fn finish<S: Notation>(self, geometry: &Geometry<S>) -> Properties {
+    fn finish<S: Coefficient>(self, geometry: &Geometry<S>) -> Properties {
         let json = json!({
             "schema": "affinor.properties/1",
             "name": geometry.name(),
@@ -369,7 +375,7 @@ impl Report for Properties {
 }
 
 /// The names of the basis vectors and of the parameters, which stand for nothing else.
-fn names<S: Notation>(geometry: &Geometry<S>) -> BTreeSet<String> {
+fn names<S: Coefficient>(geometry: &Geometry<S>) -> BTreeSet<String> {
     let tensors = [geometry.connection().gamma(), geometry.frame().structure()];
     let tensors = tensors.into_iter().chain(geometry.metric().map(Metric::components));
     let mut values = tensors.flat_map(|tensor| tensor.components().map(|(_, value)| value));

@@ -1,8 +1,9 @@
 //! The tensors that a table can show: names, symbols, slots, and how each is computed.
 
+use crate::Coefficient;
 use affinor::conventions as is;
 use affinor::{Error, Geometry};
-use affinor_tensors::{Down, Notation, Tensor, Up, Variance};
+use affinor_tensors::{Down, Tensor, Up, Variance};
 
 /// A tensor that a table can show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -217,7 +218,7 @@ impl Quantity {
     ///
     /// # Errors
     /// [`Error::Shape`], which a valid geometry does not cause.
-    pub fn of<S: Notation>(self, geometry: &Geometry<S>) -> Result<Option<Tensor<S>>, Error> {
+    pub fn of<S: Coefficient>(self, geometry: &Geometry<S>) -> Result<Option<Tensor<S>>, Error> {
         let connection = geometry.connection();
         let n = geometry.frame().dimension();
         let scalar = |value: S| Tensor::from_components(n, &[], [([], value)]);

@@ -6,10 +6,11 @@ use super::grid::{Grid, head_of_grid};
 use super::head::conventions_in_json;
 use super::json::variances;
 use super::{Format, Quantity, Report, Table, TableEntry, text};
+use crate::Coefficient;
 use crate::definition::file::{bytes, decode};
 use crate::definition::{InputError, Place, Source};
 use affinor_tensors::expression::{Expression, Scalars, is_name};
-use affinor_tensors::{Kind, Notation, Rational, Sum, Tensor, Variance};
+use affinor_tensors::{Kind, Rational, Sum, Tensor, Variance};
 use serde_json::{Value, json};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -190,7 +191,10 @@ impl StoredTable {
     ///
     /// # Errors
     /// No component, and no tensor that vanishes.
-    pub fn or_vanishing<S: Notation>(&self, table: &Table<S>) -> Result<Cow<'_, Self>, InputError> {
+    pub fn or_vanishing<S: Coefficient>(
+        &self,
+        table: &Table<S>,
+    ) -> Result<Cow<'_, Self>, InputError> {
         if !self.tensors.is_empty() {
             return Ok(Cow::Borrowed(self));
         }
@@ -205,7 +209,7 @@ impl StoredTable {
 
     /// The settings of the stored table that differ from those of the computed one, each with the option that changes it,
     /// if there is one.
-    pub fn remarks<S: Notation>(&self, table: &Table<S>) -> Vec<String> {
+    pub fn remarks<S: Coefficient>(&self, table: &Table<S>) -> Vec<String> {
         let mut remarks = Vec::new();
         if self.tensors.is_empty() {
             remarks
@@ -251,7 +255,7 @@ impl StoredTable {
     ///
     /// # Errors
     /// A stored value that cannot be read, a tensor that only one of the tables has, or none to compare.
-    pub fn differences<S: Notation>(&self, table: &Table<S>) -> Result<Differences, InputError> {
+    pub fn differences<S: Coefficient>(&self, table: &Table<S>) -> Result<Differences, InputError> {
         let (mut found, mut compared) = (vec![], vec![]);
         let names = self.names(table)?;
         let same_names = |named: &NamedFactors| {
@@ -319,7 +323,7 @@ impl StoredTable {
     }
 
     /// The values of the names in stored components.
-    fn names<S: Notation>(&self, table: &Table<S>) -> Result<Vec<(String, S)>, InputError> {
+    fn names<S: Coefficient>(&self, table: &Table<S>) -> Result<Vec<(String, S)>, InputError> {
         let refused = |reason: String| InputError::usage(reason).at(&self.place);
         let mut names = Vec::new();
         for (name, text) in &self.names {
@@ -445,7 +449,7 @@ fn component(item: &Value) -> Option<Component> {
 }
 
 /// A value as any scalar writes it.
-fn read<S: Notation>(value: &str, names: &[(String, S)]) -> Result<S, String> {
+fn read<S: Coefficient>(value: &str, names: &[(String, S)]) -> Result<S, String> {
     if S::KIND == Kind::Float
         && let Ok(x) = value.parse::<f64>()
         && let Some(numerator) = Rational::from_f64(x)
@@ -460,7 +464,7 @@ fn read<S: Notation>(value: &str, names: &[(String, S)]) -> Result<S, String> {
     expression.evaluate(&Scalars(parameter, S::call)).map_err(|error| error.to_string())
 }
 
-fn compare<S: Notation>(
+fn compare<S: Coefficient>(
     quantity: Quantity,
     stored: &Tensor<S>,
     computed: &Tensor<S>,

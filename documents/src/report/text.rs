@@ -3,8 +3,9 @@
 use super::components::{GROUPED, Group, count, groups_with, others, plain, scripts, with_names};
 use super::head::{conventions, printable};
 use super::{Quantity, Table, TableEntry};
+use crate::Coefficient;
 use affinor_tensors::text::combination;
-use affinor_tensors::{CommonFactors, Notation, Tensor, Up, Variance};
+use affinor_tensors::{CommonFactors, Tensor, Up, Variance};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use unicode_width::UnicodeWidthStr;
@@ -14,7 +15,7 @@ const WIDTH: usize = 80;
 /// The columns of the titles in the head.
 const TITLE: usize = 13;
 
-pub(super) fn write<S: Notation>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
     fill(out, "", &[printable(&table.name)])?;
     let labels: Vec<String> = table.labels.iter().map(|label| printable(label)).collect();
     let mut lines = table.head();
@@ -39,7 +40,7 @@ pub(super) fn head_line(title: &str, pieces: &[String], out: &mut dyn Write) -> 
 }
 
 /// `R^1_212`
-pub(super) fn component<S: Notation>(
+pub(super) fn component<S: Coefficient>(
     quantity: Quantity,
     tensor: &Tensor<S>,
     indices: &[usize],
@@ -57,7 +58,7 @@ pub(super) fn component<S: Notation>(
 /// assert_eq!(components_in_text("g", &form), "  g_11 = 1\n  g_22 = 2\n");
 /// assert_eq!(components_in_latex("g", &form), ["g_{11} &= 1", "g_{22} &= 2"]);
 /// ```
-pub fn components_in_text<S: Notation>(symbol: &str, tensor: &Tensor<S>) -> String {
+pub fn components_in_text<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> String {
     let mut text = Vec::new();
     // a vector takes every byte
     let _ = components(symbol, tensor, &CommonFactors::default(), &mut text);
@@ -65,7 +66,7 @@ pub fn components_in_text<S: Notation>(symbol: &str, tensor: &Tensor<S>) -> Stri
 }
 
 /// Groups of components, or one a line for a long tensor.
-fn components<S: Notation>(
+fn components<S: Coefficient>(
     symbol: &str,
     tensor: &Tensor<S>,
     factors: &CommonFactors,
@@ -86,14 +87,14 @@ fn components<S: Notation>(
 }
 
 /// `R^i_jkl`
-pub(super) fn general<S: Notation>(quantity: Quantity, tensor: &Tensor<S>) -> String {
+pub(super) fn general<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) -> String {
     join(
         quantity.symbol(),
         scripts(0, tensor.slots(), quantity.letters().chars().map(String::from)),
     )
 }
 
-fn tensor<S: Notation>(
+fn tensor<S: Coefficient>(
     table: &Table<S>,
     entry: &TableEntry<S>,
     (labels, factors): (&[String], &CommonFactors),
@@ -121,7 +122,7 @@ fn tensor<S: Notation>(
 }
 
 /// The brackets of the basis vectors, `[e1, e2]` and `e3`; `written` writes a value.
-pub(super) fn brackets<S: Notation>(
+pub(super) fn brackets<S: Coefficient>(
     structure: &Tensor<S>,
     labels: &[String],
     written: impl Fn(&S) -> String,
@@ -135,7 +136,7 @@ pub(super) fn brackets<S: Notation>(
 }
 
 /// The components of a tensor with a symbol of its own, a line for those that are equal up to sign.
-pub(crate) fn grouped_in_text<S: Notation>(symbol: &str, tensor: &Tensor<S>) -> Vec<String> {
+pub(crate) fn grouped_in_text<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> Vec<String> {
     let name = |at: &[usize]| {
         let numbers = at.iter().map(|index| (index + 1).to_string());
         join(symbol, scripts(tensor.dimension(), tensor.slots(), numbers))
@@ -146,7 +147,7 @@ pub(crate) fn grouped_in_text<S: Notation>(symbol: &str, tensor: &Tensor<S>) -> 
 }
 
 /// The pieces `R^1_212`, `= -R^1_221`, ..., `= 1/4`; a line may break between them.
-pub(super) fn equation<S: Notation>(
+pub(super) fn equation<S: Coefficient>(
     group: &Group<S>,
     factors: &CommonFactors,
     name: impl Fn(&[usize]) -> String,

@@ -3,9 +3,10 @@
 use super::Quantity;
 use super::components::{Group, plain, scripts, with_names};
 use super::head::conventions;
+use crate::Coefficient;
 use crate::formula::lines::chain;
 use crate::formula::{Node, Row, formula, label, sum, value};
-use affinor_tensors::{CommonFactors, Notation, Tensor, Up};
+use affinor_tensors::{CommonFactors, Tensor, Up};
 use std::collections::BTreeMap;
 
 /// The conventions in brief.
@@ -14,13 +15,13 @@ pub(super) fn convention_formulas() -> Vec<Row> {
 }
 
 /// `R^i_jkl`.
-pub(super) fn general<S: Notation>(quantity: Quantity, tensor: &Tensor<S>) -> Row {
+pub(super) fn general<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) -> Row {
     let letters = quantity.letters();
     with_scripts(&formula(quantity.symbol()), 0, tensor, letters.chars().map(String::from))
 }
 
 /// The sides of `R^1_212 = -R^1_221 = ... = 1/4`.
-pub(super) fn sides<S: Notation>(
+pub(super) fn sides<S: Coefficient>(
     symbol: &[Node],
     tensor: &Tensor<S>,
     group: &Group<S>,
@@ -38,7 +39,7 @@ pub(super) fn sides<S: Notation>(
 }
 
 /// `R^1_212 = -R^1_221 = ... = 1/4`.
-pub(super) fn equation<S: Notation>(
+pub(super) fn equation<S: Coefficient>(
     quantity: Quantity,
     tensor: &Tensor<S>,
     group: &Group<S>,
@@ -48,7 +49,7 @@ pub(super) fn equation<S: Notation>(
 }
 
 /// The brackets of the basis vectors, `[e1, e2] = e3`.
-pub(super) fn brackets<S: Notation>(structure: &Tensor<S>, labels: &[String]) -> Vec<Row> {
+pub(super) fn brackets<S: Coefficient>(structure: &Tensor<S>, labels: &[String]) -> Vec<Row> {
     let mut brackets: BTreeMap<_, Vec<_>> = BTreeMap::new();
     for (at, coefficient) in structure.components().filter(|(at, _)| at[1] < at[2]) {
         let term = (value(&plain(coefficient)), vec![label(&labels[at[0]])]);
@@ -62,7 +63,7 @@ pub(super) fn brackets<S: Notation>(structure: &Tensor<S>, labels: &[String]) ->
 }
 
 /// The symbol with its indices; beyond dimension 9 commas stand between them.
-fn with_scripts<S: Notation>(
+fn with_scripts<S: Coefficient>(
     symbol: &[Node],
     dimension: usize,
     tensor: &Tensor<S>,

@@ -178,7 +178,7 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
             raise _inexact(number)
         if node is sympy.I and imaginary:
             return "i"
-        if node is sympy.pi and floats:
+        if node is sympy.pi:
             return "pi"
         if node.is_Add:
             return "(" + " + ".join(map(write, node.args)) + ")"
@@ -192,6 +192,7 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
                 return f"(sqrt({write(base)}))^{int(exponent.p)}"
             if base is sympy.E:
                 return f"exp({write(exponent)})"
+            return f"({write(base)})^({write(exponent)})"
         elif node is sympy.E and floats:
             return "exp(1)"
         elif node.is_Derivative and isinstance(node.expr, sympy.core.function.AppliedUndef):
@@ -226,10 +227,10 @@ def _undefined(function: Any) -> str:
 
 def _symbol(symbol: Any, symbols: Symbols) -> str:
     name = str(symbol.name)
-    if not re.fullmatch(r"[A-Za-z_][A-Za-z_0-9]{0,63}", name):
-        raise ValueError(
-            f"the symbol {name!r} needs a name of ASCII letters, digits and _, at most 64, not beginning with a digit"
-        )
+    if name == "pi":
+        raise ValueError("pi is the number here: give the symbol pi another name, or write sympy.pi")
+    if not name.isidentifier() or len(name) > 64:
+        raise ValueError(f"the symbol {name!r} needs a name of letters, digits and _, at most 64, not beginning with a digit")
     known = symbols.setdefault(name, symbol)
     if known != symbol:
         raise ValueError(f"two different symbols are called {name!r}: their assumptions differ")
@@ -274,6 +275,8 @@ def to_sympy(text: str, symbols: Mapping[str, Any]) -> Any:
     import sympy
 
     def name(name: str) -> Any:
+        if name == "pi":
+            return sympy.pi
         return symbols[name] if name in symbols else sympy.Symbol(name)
 
     def function(name: str, *arguments: Any) -> Any:

@@ -9,7 +9,7 @@ use crate::Error;
 use crate::algebra::invariants::common_kernel;
 use crate::algebra::structure::denominator;
 use affinor_tensors::linear::{Echelon, Row};
-use affinor_tensors::{Field, Rational, Symbolic, Tolerance};
+use affinor_tensors::{Field, Rational, Scalar, Symbolic, Tolerance};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -150,7 +150,7 @@ type Constant<F> = (usize, usize, F);
 type Polynomial<F> = BTreeMap<Vec<u32>, F>;
 
 /// The fields of coefficients: the rational numbers, and rational functions of parameters.
-trait Coefficient: Field {
+trait Coefficient: Field + Scalar {
     fn of(value: &Symbolic) -> Option<Self>;
     fn symbolic(&self) -> Symbolic;
 }

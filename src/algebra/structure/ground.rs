@@ -2,14 +2,14 @@
 
 use affinor_tensors::linear::modular::Prime;
 use affinor_tensors::scalar::Variable;
-use affinor_tensors::{Field, Rational, Ring, Symbolic};
+use affinor_tensors::{Field, Rational, Ring, Scalar, Symbolic};
 use std::cmp::Ordering;
 
 /// An exact field of characteristic 0 whose elements have residues modulo primes.
 ///
 /// Parameters and transcendental numbers take pseudorandom residues. A rank over rational functions is the rank at generic
 /// values, so ranks of residues are generic ranks. Residues of roots are roots of residues, and satisfy the same equations.
-pub trait Ground: Field {
+pub trait Ground: Field + Scalar {
     /// The residue; `None` if the prime divides the denominator, or if the residues have no root that occurs in the value.
     fn residue(&self, prime: Prime) -> Option<u64>;
 

@@ -2,7 +2,7 @@
 
 use super::subspace::collected;
 use affinor_tensors::linear::Row;
-use affinor_tensors::{Field, Tensor};
+use affinor_tensors::{Field, Scalar, Tensor};
 
 /// The constants `(k, i, c^i_jk)` of each `j`, sorted.
 #[derive(Clone, Debug)]
@@ -13,7 +13,7 @@ pub(super) struct Products<S> {
 /// The matrix of `[x, .]`: the columns that are not zero, sorted.
 pub(super) struct Ad<S>(Vec<(usize, Row<S>)>);
 
-impl<S: Field> Products<S> {
+impl<S: Field + Scalar> Products<S> {
     pub fn new(structure: &Tensor<S>) -> Self {
         let mut by_first = vec![vec![]; structure.dimension()];
         for (at, value) in structure.components() {
@@ -54,7 +54,7 @@ impl<S: Field> Products<S> {
     }
 }
 
-impl<S: Field> Ad<S> {
+impl<S: Field + Scalar> Ad<S> {
     /// `[x, e_k]`
     pub fn column(&self, k: usize) -> &[(usize, S)] {
         match self.0.binary_search_by_key(&k, |(k, _)| *k) {

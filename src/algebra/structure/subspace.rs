@@ -1,7 +1,7 @@
 //! Subspaces of an algebra, by the reduced row echelon form of a basis.
 
 use affinor_tensors::linear::{Echelon, Matrix, Row};
-use affinor_tensors::{Field, Rational};
+use affinor_tensors::{Field, Rational, Scalar};
 use num_rational::BigRational;
 
 /// A subspace of the vectors with `ambient` components. Equal subspaces have equal bases.
@@ -14,7 +14,7 @@ pub struct Subspace<S> {
 /// Elimination over a field finds the inverse of every pivot.
 const FIELD: &str = "every pivot of a field has an inverse";
 
-impl<S: Field> Subspace<S> {
+impl<S: Field + Scalar> Subspace<S> {
     /// The zero subspace.
     pub fn zero(ambient: usize) -> Self {
         Subspace { ambient, echelon: Echelon::new() }
@@ -140,14 +140,17 @@ impl<S: Field> Subspace<S> {
 }
 
 /// Equal subspaces.
-impl<S: Field> PartialEq for Subspace<S> {
+impl<S: Field + Scalar> PartialEq for Subspace<S> {
     fn eq(&self, other: &Self) -> bool {
         self.ambient == other.ambient && self.basis() == other.basis()
     }
 }
 
 /// A linear combination of rows.
-pub(crate) fn combination<S: Field>(rows: &[Row<S>], coefficients: &[(usize, S)]) -> Row<S> {
+pub(crate) fn combination<S: Field + Scalar>(
+    rows: &[Row<S>],
+    coefficients: &[(usize, S)],
+) -> Row<S> {
     let terms = coefficients.iter().flat_map(|(at, factor)| {
         rows[*at].iter().map(move |(i, value)| (*i, value.clone() * factor))
     });
@@ -155,7 +158,7 @@ pub(crate) fn combination<S: Field>(rows: &[Row<S>], coefficients: &[(usize, S)]
 }
 
 /// The sum of terms, sorted and without zeros.
-pub(crate) fn collected<K: Copy + Ord, S: Field>(mut terms: Vec<(K, S)>) -> Vec<(K, S)> {
+pub(crate) fn collected<K: Copy + Ord, S: Field + Scalar>(mut terms: Vec<(K, S)>) -> Vec<(K, S)> {
     terms.sort_by_key(|(at, _)| *at);
     let sum = |run: &[(K, S)]| {
         let total = run[1..].iter().fold(run[0].1.clone(), |total, (_, value)| total + value);

@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::algebra::{ad, to_matrix};
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{Field, Ring, Tensor, Up, Variance};
+use affinor_tensors::{Field, Scalar, Tensor, Up, Variance};
 use std::ops::Range;
 
 /// The translations under which fields are invariant.
@@ -17,7 +17,7 @@ pub enum Side {
 
 impl Side {
     /// `-ad` for the left side, `ad` for the right side.
-    pub(super) fn signed<S: Ring>(self, ad: &Matrix<S>) -> Matrix<S> {
+    pub(super) fn signed<S: Scalar>(self, ad: &Matrix<S>) -> Matrix<S> {
         match self {
             Side::Left => ad.map(|value| -value.clone()),
             Side::Right => ad.clone(),
@@ -48,7 +48,7 @@ pub(super) enum Entire {
 ///
 /// `value(function, ad, at)` is the function of `-ad` (left) or `ad` (right). `ad` depends on the
 /// coordinates in the range `at`.
-pub(super) fn invariant_forms<S: Field>(
+pub(super) fn invariant_forms<S: Field + Scalar>(
     structure: &Tensor<S>,
     x: &[S],
     kind: CanonicalCoordinates,

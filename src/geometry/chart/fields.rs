@@ -4,7 +4,7 @@ use super::Chart;
 use crate::algebra::BasisChange;
 use crate::algebra::frame::Frame;
 use affinor_tensors::text::combination;
-use affinor_tensors::{Field, Tensor};
+use affinor_tensors::{Field, Scalar, Tensor};
 
 /// Vector fields `e_i = e_i^a d/dx^a` and the frame that they form. They are linearly independent
 /// where the determinant of `e^a_i` is not zero.
@@ -15,7 +15,7 @@ pub struct Fields<S> {
     frame: Frame<S>,
 }
 
-impl<S: Field> Fields<S> {
+impl<S: Field + Scalar> Fields<S> {
     pub(super) fn new(chart: Chart, change: BasisChange<S>, frame: Frame<S>) -> Self {
         Fields { chart, change, frame }
     }

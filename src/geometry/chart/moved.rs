@@ -4,10 +4,10 @@ use crate::Error;
 use crate::algebra::BasisChange;
 use crate::algebra::frame::{Frame, formula};
 use crate::geometry::connection::Connection;
-use affinor_tensors::{Field, Tensor};
+use affinor_tensors::{Field, Scalar, Tensor};
 use std::sync::Arc;
 
-impl<S: Field> Frame<S> {
+impl<S: Field + Scalar> Frame<S> {
     /// The frame `e'_a = A^i_a e_i`, with derivatives `e'_a(f) = A^j_a e_j(f)` and
     /// `[e'_a, e'_b] = (A^j_a e_j(A^i_b) - A^j_b e_j(A^i_a) + c^i_jk A^j_a A^k_b) e_i` (A6). On a
     /// homogeneous space `A` must be constant, and the isotropy transforms as a tensor.
@@ -40,7 +40,7 @@ impl<S: Field> Frame<S> {
     }
 }
 
-impl<S: Field> Connection<S> {
+impl<S: Field + Scalar> Connection<S> {
     /// The same connection in the frame `e'_a = A^i_a e_i`: with `B` the inverse of `A`,
     /// `Lambda'^c_ab = B^c_i (Lambda^i_jk A^j_a A^k_b + A^j_a e_j(A^i_b))`.
     ///
@@ -60,7 +60,10 @@ impl<S: Field> Connection<S> {
 }
 
 /// `h^c_ab = B^c_i A^j_a e_j(A^i_b)`.
-fn inhomogeneous<S: Field>(frame: &Frame<S>, change: &BasisChange<S>) -> Result<Tensor<S>, Error> {
+fn inhomogeneous<S: Field + Scalar>(
+    frame: &Frame<S>,
+    change: &BasisChange<S>,
+) -> Result<Tensor<S>, Error> {
     let derivative = frame.derivative(change.matrix())?;
     let along = formula("A^j_a d_j^i_b -> ^i_ab", &[("A", change.matrix()), ("d", &derivative)]);
     Ok(formula("B^c_i h^i_ab -> ^c_ab", &[("B", change.inverse()), ("h", &along)]))

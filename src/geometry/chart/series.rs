@@ -3,7 +3,7 @@
 use super::canonical::Entire;
 use crate::Error;
 use affinor_tensors::linear::{Matrix, balancing};
-use affinor_tensors::{Field, Tolerance};
+use affinor_tensors::{Field, Scalar, Tolerance};
 
 /// The number of terms of the series for a norm of at most 1/2; it suffices for the second
 /// derivatives.
@@ -61,7 +61,7 @@ impl Scaling {
 }
 
 /// The entries `m_ik 2^(e_k - e_i)`.
-fn conjugated<S: Field>(m: &Matrix<S>, exponents: &[i32]) -> Matrix<S> {
+fn conjugated<S: Field + Scalar>(m: &Matrix<S>, exponents: &[i32]) -> Matrix<S> {
     let two = S::from_i64(2);
     let half = two.recip().expect("a field of characteristic 0");
     let power = |k: i32| {
@@ -81,7 +81,7 @@ fn conjugated<S: Field>(m: &Matrix<S>, exponents: &[i32]) -> Matrix<S> {
 
 /// The function of a matrix: its series for `M/2^h`, doubled by `exp(2M) = exp(M)^2` and
 /// `T(2M) = T(M) (1 + exp(M))/2`, where `T = sum M^k/(k+1)!` is the integral.
-pub(super) fn series<S: Field>(
+pub(super) fn series<S: Field + Scalar>(
     function: Entire,
     m: &Matrix<S>,
     scaling: &Scaling,

@@ -3,7 +3,7 @@
 use super::Connection;
 use crate::algebra::LieAlgebra;
 use crate::algebra::frame::Frame;
-use affinor_tensors::{Field, Ring};
+use affinor_tensors::{Field, Scalar};
 
 /// The three canonical (Cartan-Schouten) connections.
 ///
@@ -21,7 +21,7 @@ pub enum Canonical {
     Minus,
 }
 
-impl<S: Ring> Connection<S> {
+impl<S: Scalar> Connection<S> {
     /// The connection `nabla_X Y = lambda [X, Y]` on left-invariant fields: `Lambda = lambda c`.
     pub fn family(algebra: &LieAlgebra<S>, lambda: &S) -> Self {
         Self::over(algebra.left_frame(), lambda)
@@ -33,7 +33,7 @@ impl<S: Ring> Connection<S> {
     }
 }
 
-impl<S: Field> Connection<S> {
+impl<S: Field + Scalar> Connection<S> {
     /// The canonical connection `Lambda^i_jk = lambda c^i_jk` in the left-invariant frame, with `lambda = 1` (`Plus`), `1/2` (`Zero`)
     /// or `0` (`Minus`).
     ///
@@ -49,7 +49,7 @@ impl Canonical {
     ///
     /// # Panics
     /// As [`Connection::canonical`].
-    pub fn lambda<S: Field>(self) -> S {
+    pub fn lambda<S: Field + Scalar>(self) -> S {
         match self {
             Canonical::Plus => S::one(),
             Canonical::Zero => S::from_i64(2).recip().expect("2 is a unit"),

@@ -3,9 +3,9 @@
 use super::Connection;
 use crate::Error;
 use crate::algebra::LieAlgebra;
-use affinor_tensors::{Down, Field, Ring, Tensor, Up, contract};
+use affinor_tensors::{Down, Field, Scalar, Tensor, Up, contract};
 
-impl<S: Ring> Connection<S> {
+impl<S: Scalar> Connection<S> {
     /// The action of `ad_{e_m}` on the affinities, slots `^i_mjk`:
     /// `(L_m Lambda)^i_jk = c^i_mp Lambda^p_jk - c^p_mj Lambda^i_pk - c^p_mk Lambda^i_jp`. It is the
     /// covariant derivative by `plus`.
@@ -50,7 +50,7 @@ impl<S: Ring> Connection<S> {
     }
 }
 
-impl<S: Field> Connection<S> {
+impl<S: Field + Scalar> Connection<S> {
     /// A basis of the bi-invariant connections of an algebra, as affinities `Lambda^i_jk` in the
     /// left-invariant frame: the solutions of `L_x Lambda = 0` for all `x`. Those for some `x` alone are
     /// [`LieAlgebra::invariant_tensors`].

@@ -9,9 +9,9 @@ use crate::Error;
 use crate::algebra::frame::formula;
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
-use affinor_tensors::{Field, Tensor, TensorError};
+use affinor_tensors::{Field, Scalar, Tensor, TensorError};
 
-impl<S: Field> Connection<S> {
+impl<S: Field + Scalar> Connection<S> {
     /// The Schouten tensor, slots `_jl`, in dimension 3 and more:
     /// `P_jl = (Ric_jl - S/(2(n-1)) g_jl) / (n-2)`.
     ///

@@ -4,9 +4,9 @@ use crate::Error;
 use crate::algebra::frame::{expect_slots, formula};
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
-use affinor_tensors::{Field, Tensor, TensorError, Up};
+use affinor_tensors::{Field, Scalar, Tensor, TensorError, Up};
 
-impl<S: Field> Connection<S> {
+impl<S: Field + Scalar> Connection<S> {
     /// The symmetric part, slots `_jl`: `(Ric_jl + Ric_lj)/2`. It alone enters the scalar curvature.
     ///
     /// # Errors

@@ -5,9 +5,9 @@ use crate::Error;
 use crate::algebra::frame::formula;
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
-use affinor_tensors::{Field, Tensor, contraction};
+use affinor_tensors::{Field, Scalar, Tensor, contraction};
 
-impl<S: Field> Connection<S> {
+impl<S: Field + Scalar> Connection<S> {
     /// Whether the Ricci tensor is a constant multiple of the metric, `Ric = c g`, and the
     /// constant. Of a Levi-Civita connection: whether the metric is Einstein.
     ///
@@ -52,7 +52,7 @@ impl<S: Field> Connection<S> {
 }
 
 /// Whether `a = c b`, and the factor `c`; 0 if both vanish.
-pub(super) fn ratio<S: Field>(
+pub(super) fn ratio<S: Field + Scalar>(
     a: &Tensor<S>,
     b: &Tensor<S>,
     equation: impl Fn(&S) -> String,

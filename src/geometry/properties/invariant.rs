@@ -6,9 +6,9 @@ use crate::algebra::invariants::invariant_tensors;
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
 use affinor_tensors::linear::Echelon;
-use affinor_tensors::{Down, Field, Tensor, Up};
+use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 
-impl<S: Field> Metric<S> {
+impl<S: Field + Scalar> Metric<S> {
     /// A basis of the bi-invariant symmetric forms `g_ij`, the solutions of `g_mj c^m_ki + g_im c^m_kj = 0`. The
     /// bi-invariant metrics are those that are not degenerate.
     ///
@@ -29,7 +29,7 @@ impl<S: Field> Metric<S> {
     }
 }
 
-impl<S: Field> Connection<S> {
+impl<S: Field + Scalar> Connection<S> {
     /// A basis of the parallel symmetric forms with constant components, `(nabla_k g)_ij = 0`. The left-invariant
     /// metrics of which this is a metric connection are those that are not degenerate.
     ///
@@ -53,7 +53,7 @@ impl<S: Field> Connection<S> {
 }
 
 /// A basis of the symmetric forms on which all endomorphisms act as zero: with a form its transpose is invariant.
-fn symmetric_invariants<S: Field>(
+fn symmetric_invariants<S: Field + Scalar>(
     n: usize,
     endomorphisms: &[Tensor<S>],
 ) -> Result<Vec<Tensor<S>>, Error> {

@@ -7,9 +7,9 @@ use crate::algebra::LieAlgebra;
 use crate::algebra::frame::formula;
 use crate::geometry::metric::Metric;
 use affinor_tensors::linear::{Echelon, Matrix};
-use affinor_tensors::{Down, Field, Tensor, Up};
+use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 
-impl<S: Field> Metric<S> {
+impl<S: Field + Scalar> Metric<S> {
     /// The left-invariant fields `x^k e_k` whose flows, right translations, are isometries: a
     /// reduced basis of the solutions of `x^k (g_mj c^m_ki + g_im c^m_kj) = 0`, so that `ad_x` is
     /// skew. They form a subalgebra, all of the algebra for a bi-invariant metric. (The
@@ -121,7 +121,7 @@ struct LinearSystem<S> {
     span: Echelon<S>,
 }
 
-impl<S: Field> LinearSystem<S> {
+impl<S: Field + Scalar> LinearSystem<S> {
     fn new(unknowns: usize, tolerance: affinor_tensors::Tolerance) -> Self {
         LinearSystem { unknowns, span: Echelon::new().with_tolerance(tolerance) }
     }

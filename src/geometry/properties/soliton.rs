@@ -7,7 +7,7 @@ use crate::algebra::LieAlgebra;
 use crate::algebra::frame::formula;
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
-use affinor_tensors::{Field, Tensor, contract};
+use affinor_tensors::{Field, Scalar, Tensor, contract};
 
 /// The decomposition `Ric = constant Id + derivation` of an algebraic Ricci soliton.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +18,7 @@ pub struct Soliton<S> {
     pub derivation: Tensor<S>,
 }
 
-impl<S: Field> Metric<S> {
+impl<S: Field + Scalar> Metric<S> {
     /// Whether the left-invariant metric is an algebraic Ricci soliton: whether the Ricci
     /// endomorphism `Ric^i_j = g^im Ric_mj` is `c Id + D` with a derivation `D` of the algebra.
     ///

@@ -1,7 +1,7 @@
 //! The arithmetic of sums of products, and that of the ring itself.
 
 use super::{Product, Role};
-use crate::{Ring, Sum, Tolerance};
+use crate::{Scalar, Sum, Tolerance};
 use std::borrow::Cow;
 use std::ops::Neg;
 
@@ -38,7 +38,7 @@ pub(super) struct InRing(pub Tolerance);
 
 impl InRing {
     /// The terms with the coefficient multiplied into the first factor.
-    pub fn terms<'t, S: Ring>(products: &'t [Product<S>]) -> Vec<Term<'t, S>> {
+    pub fn terms<'t, S: Scalar>(products: &'t [Product<S>]) -> Vec<Term<'t, S>> {
         let term = |product: &'t Product<S>| {
             let (n, d) = (*product.coefficient.numer(), *product.coefficient.denom());
             // the notation admits no other denominators
@@ -54,7 +54,7 @@ impl InRing {
     }
 }
 
-impl<S: Ring> Arithmetic<S> for InRing {
+impl<S: Scalar> Arithmetic<S> for InRing {
     type Value = S;
     type Sum = S::Sum;
     fn add_product(&self, sum: &mut S::Sum, a: &S, b: &S, negative: bool) {

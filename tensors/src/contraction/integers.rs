@@ -2,7 +2,7 @@
 
 use super::arithmetic::{Arithmetic, Term};
 use super::{Paths, Product, Role};
-use crate::{Ring, Tensor};
+use crate::{Scalar, Tensor};
 use std::borrow::Cow;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
@@ -15,7 +15,7 @@ pub(super) struct Cleared {
 
 impl Cleared {
     /// `None` if the scalar has no denominators, or one exceeds 64 bits.
-    pub fn new<'t, S: Ring>(products: &'t [Product<S>]) -> Option<Self> {
+    pub fn new<'t, S: Scalar>(products: &'t [Product<S>]) -> Option<Self> {
         let (mut tensors, mut lists): (Vec<&'t Tensor<S>>, Vec<_>) = (vec![], vec![]);
         let mut number = |tensor: &'t Tensor<S>| {
             let known = tensors.iter().position(|&other| std::ptr::eq(other, tensor));
@@ -36,7 +36,7 @@ impl Cleared {
     }
 
     /// All terms over a common denominator, and this denominator. `None` if a sum may exceed 64 bits.
-    pub fn terms<'t, S: Ring>(
+    pub fn terms<'t, S: Scalar>(
         &'t self,
         products: &'t [Product<S>],
         dimension: usize,
@@ -99,7 +99,7 @@ pub(super) struct OnIntegers<S> {
     failed: AtomicBool,
 }
 
-impl<S: Ring> OnIntegers<S> {
+impl<S: Scalar> OnIntegers<S> {
     pub fn new(denominator: i64, paths: &Paths) -> Self {
         let kept = i64::from(paths.kept_quotients);
         let frequent = (-kept..=kept).map(|sum| S::from_quotient(sum, denominator)).collect();
@@ -112,7 +112,7 @@ impl<S: Ring> OnIntegers<S> {
     }
 }
 
-impl<S: Ring> Arithmetic<S> for OnIntegers<S> {
+impl<S: Scalar> Arithmetic<S> for OnIntegers<S> {
     type Value = i64;
     type Sum = i64;
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! The index notation of a contraction: parsing it, and binding its names to tensors.
 
 use super::{Product, Role};
-use crate::{Down, NotationError, Rational, Ring, Tensor, TensorError, Up, Variance};
+use crate::{Down, NotationError, Rational, Scalar, Tensor, TensorError, Up, Variance};
 use num_rational::Ratio;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -59,7 +59,7 @@ impl<'e> Expression<'e> {
     }
 
     /// Looks every name up, each of one operand, checks ranks and variances, and gives each letter its role.
-    pub fn bind<'a, S: Ring>(
+    pub fn bind<'a, S: Scalar>(
         &self,
         operands: &[(&str, &'a Tensor<S>)],
     ) -> Result<Vec<Product<'a, S>>, TensorError> {

@@ -2,7 +2,7 @@
 
 use super::row::{add_multiple, at, collect, finish, open};
 use super::{LinearError, Row};
-use crate::{Field, Ring, Tolerance};
+use crate::{Field, Summable, Tolerance};
 
 /// A subspace, represented by its reduced row echelon basis: the first nonzero component of every
 /// basis vector is a 1 (its pivot), and the other basis vectors are zero in this column.
@@ -27,7 +27,7 @@ pub struct Echelon<S> {
     tolerance: Tolerance,
 }
 
-impl<S: Field> Echelon<S> {
+impl<S: Field + Summable> Echelon<S> {
     /// The zero subspace, with the default tolerance.
     pub fn new() -> Self {
         Self::default()
@@ -175,13 +175,13 @@ impl<S> Default for Echelon<S> {
 }
 
 /// The row times the inverse of its entry at the pivot.
-pub(super) fn normalised<S: Ring>(unit: &S, pivot: usize, row: Row<S>) -> Row<S> {
+pub(super) fn normalised<S: Summable>(unit: &S, pivot: usize, row: Row<S>) -> Row<S> {
     let scale = |(j, value): (usize, S)| (j, if j == pivot { S::one() } else { value * unit });
     row.into_iter().map(scale).filter(|(_, value)| !value.vanishes()).collect()
 }
 
 /// The component of the greatest [`Field::pivot_weight`]; the first of equals.
-fn heaviest<'r, S: Field>(
+fn heaviest<'r, S: Field + Summable>(
     components: impl Iterator<Item = &'r (usize, S)>,
 ) -> Option<&'r (usize, S)> {
     let weigh = |component: &'r (usize, S)| (component, component.1.pivot_weight());

@@ -3,10 +3,10 @@
 use super::echelon::normalised;
 use super::row::{add_multiple, finish, open};
 use super::{Echelon, LinearError, Matrix, Row};
-use crate::{Field, Ring, Sum, Tolerance};
+use crate::{Field, Sum, Summable, Tolerance};
 use std::collections::BTreeMap;
 
-impl<S: Field> Matrix<S> {
+impl<S: Field + Summable> Matrix<S> {
     /// The reduced row echelon form.
     ///
     /// # Errors
@@ -194,7 +194,7 @@ struct Pivot<S> {
 }
 
 /// A row under elimination: its leading entry and the sums behind it.
-struct Candidate<S: Ring> {
+struct Candidate<S: Summable> {
     lead: S,
     weight: f64,
     rest: Row<S::Sum>,
@@ -202,14 +202,14 @@ struct Candidate<S: Ring> {
 }
 
 /// The rows that wait for a pivot, by their leading column.
-struct Waiting<'s, S: Ring> {
+struct Waiting<'s, S: Summable> {
     candidates: BTreeMap<usize, Vec<Candidate<S>>>,
     /// A factor for the weights of each row; none if weights are compared as they are.
     scales: &'s [f64],
     tolerance: Tolerance,
 }
 
-impl<S: Field> Waiting<'_, S> {
+impl<S: Field + Summable> Waiting<'_, S> {
     fn push(&mut self, sums: Row<S::Sum>, origin: usize) {
         let value = |(j, sum): (usize, S::Sum)| Some((j, sum.finish(self.tolerance)?, sum));
         let mut entries = sums.into_iter().filter_map(value);
@@ -223,7 +223,7 @@ impl<S: Field> Waiting<'_, S> {
 }
 
 /// Elimination without back substitution: the pivots by column, every row zero before its own.
-fn eliminate<S: Field>(
+fn eliminate<S: Field + Summable>(
     rows: impl Iterator<Item = Row<S>>,
     scales: &[f64],
     tolerance: Tolerance,
@@ -248,7 +248,7 @@ fn eliminate<S: Field>(
 ///
 /// First on the diagonal, for scalars with [`Field::DIAGONAL_PIVOTS`]; then by [`Field::pivot_weight`] (floats: partial
 /// pivoting, scaled), then the sparsest.
-fn choose<S: Field>(
+fn choose<S: Field + Summable>(
     column: usize,
     mut candidates: Vec<Candidate<S>>,
     tolerance: Tolerance,
@@ -272,7 +272,7 @@ fn choose<S: Field>(
 }
 
 /// Back substitution, from the last pivot upwards, so that every row is reduced once.
-fn reduced<S: Field>(pivots: Vec<Pivot<S>>, tolerance: Tolerance) -> Echelon<S> {
+fn reduced<S: Field + Summable>(pivots: Vec<Pivot<S>>, tolerance: Tolerance) -> Echelon<S> {
     let mut echelon = Echelon::new().with_tolerance(tolerance);
     for pivot in pivots.into_iter().rev() {
         let row = echelon.reduce(pivot.row);

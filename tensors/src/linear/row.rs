@@ -1,6 +1,6 @@
 //! Sparse vectors, and sums of multiples of them.
 
-use crate::{Ring, Sum, Tolerance};
+use crate::{Sum, Summable, Tolerance};
 
 /// A sparse vector: the nonzero components `(index, value)`, indices from 0 and increasing.
 pub type Row<S> = Vec<(usize, S)>;
@@ -12,7 +12,7 @@ pub(super) fn at<S>(row: &[(usize, S)], index: usize) -> Option<&S> {
 }
 
 /// The sparse vector of components in any order, equal indices added up.
-pub(super) fn collect<S: Ring>(
+pub(super) fn collect<S: Summable>(
     entries: impl IntoIterator<Item = (usize, S)>,
     tolerance: Tolerance,
 ) -> Row<S> {
@@ -20,7 +20,7 @@ pub(super) fn collect<S: Ring>(
 }
 
 /// The same for a list: compiled once a scalar, not once an iterator.
-fn added<S: Ring>(mut entries: Row<S>, tolerance: Tolerance) -> Row<S> {
+fn added<S: Summable>(mut entries: Row<S>, tolerance: Tolerance) -> Row<S> {
     entries.sort_by_key(|(j, _)| *j);
     let sums = entries.chunk_by(|a, b| a.0 == b.0).map(|run| {
         let mut sum = S::Sum::term(&run[0].1);
@@ -31,18 +31,18 @@ fn added<S: Ring>(mut entries: Row<S>, tolerance: Tolerance) -> Row<S> {
 }
 
 /// The components of a sparse vector as sums that more can be added to.
-pub(super) fn open<S: Ring>(row: &[(usize, S)]) -> Row<S::Sum> {
+pub(super) fn open<S: Summable>(row: &[(usize, S)]) -> Row<S::Sum> {
     row.iter().map(|(j, value)| (*j, S::Sum::term(value))).collect()
 }
 
 /// The values of a vector of sums, without those that count as zero.
-pub(super) fn finish<S: Ring>(sums: Row<S::Sum>, tolerance: Tolerance) -> Row<S> {
+pub(super) fn finish<S: Summable>(sums: Row<S::Sum>, tolerance: Tolerance) -> Row<S> {
     let value = |(j, sum): (usize, S::Sum)| Some((j, sum.finish(tolerance)?));
     sums.into_iter().filter_map(value).collect()
 }
 
 /// `sums + factor * row`.
-pub(super) fn add_multiple<S: Ring>(
+pub(super) fn add_multiple<S: Summable>(
     sums: Row<S::Sum>,
     factor: &S,
     row: &[(usize, S)],

@@ -1,7 +1,7 @@
 //! The dual numbers of the crate num-dual as a scalar: `a + b eps` with `eps^2 = 0`.
 
 use super::float::FloatSum;
-use super::{Field, Ring, Sum, Tolerance};
+use super::{Field, Ring, Sum, Summable, Tolerance};
 use num_dual::{Dual64, DualNum};
 
 /// The sums of the real parts and of the coefficients of `eps`.
@@ -26,19 +26,21 @@ impl Sum<Dual64> for DualSum {
 
 /// Zero means that both parts are zero. `==` is num-dual's own and compares real parts only.
 impl Ring for Dual64 {
-    type Sum = DualSum;
-
     fn from_i64(n: i64) -> Self {
         Dual64::new(n as f64, 0.0)
     }
     fn vanishes(&self) -> bool {
         self.re == 0.0 && self.eps == 0.0
     }
-    fn is_number(&self) -> bool {
-        self.re.is_finite() && self.eps.is_finite()
-    }
     fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
         f64::from_quotient(numerator, denominator).map(|re| Dual64::new(re, 0.0))
+    }
+}
+
+impl Summable for Dual64 {
+    type Sum = DualSum;
+    fn is_number(&self) -> bool {
+        self.re.is_finite() && self.eps.is_finite()
     }
 }
 

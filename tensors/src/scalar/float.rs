@@ -3,7 +3,7 @@
 //! A remainder above the tolerance counts as exact in all later sums. The scalar
 //! [`Tracked`](super::Tracked) follows rounding errors through all stages.
 
-use super::{Field, Kind, Notation, Rational, Ring, Sum, Tolerance};
+use super::{Field, Kind, Notation, Rational, Ring, Sum, Summable, Tabular, Tolerance};
 use num_traits::One;
 
 /// A sum of floats, and the sum of the magnitudes of its terms.
@@ -30,24 +30,24 @@ impl Sum<f64> for FloatSum {
 }
 
 impl Ring for f64 {
-    type Sum = FloatSum;
-
-    super::contracted_here!();
-
     fn from_i64(n: i64) -> Self {
         n as f64
     }
     fn vanishes(&self) -> bool {
         *self == 0.0
     }
+    fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
+        (denominator != 0).then(|| numerator as f64 / denominator as f64)
+    }
+}
+
+impl Summable for f64 {
+    type Sum = FloatSum;
     fn is_number(&self) -> bool {
         self.is_finite()
     }
     fn negligible(&self, beside: &Self, tolerance: Tolerance) -> bool {
         tolerance.covers(*self, beside.abs())
-    }
-    fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
-        (denominator != 0).then(|| numerator as f64 / denominator as f64)
     }
 }
 
@@ -64,7 +64,6 @@ impl Field for f64 {
 
 impl Notation for f64 {
     const KIND: Kind = Kind::Float;
-
     fn from_rational(value: &Rational) -> Option<Self> {
         let x = value.to_f64();
         let kept = if x.is_normal() { true } else { x.is_finite() && shortest(x) == *value };
@@ -84,6 +83,8 @@ impl Notation for f64 {
         1
     }
 }
+
+impl Tabular for f64 {}
 
 /// The shortest decimal that reads as a finite float. A subnormal float stands for this decimal
 /// only, because it has too few digits for others.

@@ -1,7 +1,7 @@
 //! 2-jets: the value, gradient and Hessian of a function at a point.
 
 use super::operators::forward_operators;
-use super::{ExactSum, Field, Ring};
+use super::{ExactSum, Field, Ring, Summable};
 use num_traits::One;
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg};
@@ -189,14 +189,19 @@ forward_operators!(Jet: Add add AddAssign add_assign, Sub sub SubAssign sub_assi
     Mul mul MulAssign mul_assign, Div div DivAssign div_assign);
 
 impl Ring for Jet {
-    type Sum = ExactSum<Self>;
-
     fn from_i64(n: i64) -> Self {
         Jet::constant(n as f64)
     }
     fn vanishes(&self) -> bool {
         self.value == 0.0 && self.known().all(|derivative| *derivative == 0.0)
     }
+    fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
+        f64::from_quotient(numerator, denominator).map(Jet::constant)
+    }
+}
+
+impl Summable for Jet {
+    type Sum = ExactSum<Self>;
     /// Zero as far as is known; later derivatives are not.
     fn is_small(&self) -> bool {
         let is_unknown = self.gradient.is_none() || self.hessian.is_none();
@@ -204,9 +209,6 @@ impl Ring for Jet {
     }
     fn is_number(&self) -> bool {
         self.is_finite()
-    }
-    fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
-        f64::from_quotient(numerator, denominator).map(Jet::constant)
     }
 }
 

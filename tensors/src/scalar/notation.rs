@@ -1,9 +1,8 @@
 //! Scalars with a written form: conversion from numbers and parameters, to text and LaTeX.
 
-use super::{CommonFactors, Field, Rational, Variable};
+use super::{Field, Rational, Variable};
 use crate::expression::{POWER, no_function, several_arguments};
 use std::collections::BTreeSet;
-use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// The three kinds of scalars that tables are computed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,37 +92,6 @@ pub trait Notation: Field {
 
     /// The value in LaTeX's mathematics mode.
     fn latex(&self) -> String;
-
-    /// Sums that occur so often in the denominators of these values that names for them make the whole
-    /// shorter; `taken` are names in use. There are none for scalars without parameters.
-    fn common_factors(values: &mut dyn Iterator<Item = &Self>, taken: &[String]) -> CommonFactors {
-        let _ = (values, taken);
-        CommonFactors::default()
-    }
-
-    /// The plain text with the names of these factors.
-    fn text_with(&self, factors: &CommonFactors) -> String {
-        let _ = factors;
-        self.to_string()
-    }
-
-    /// Whether the text with the names of these factors begins with a minus sign.
-    fn is_negative_with(&self, factors: &CommonFactors) -> bool {
-        self.text_with(factors).starts_with('-')
-    }
-
-    /// A number that equal values share, and different values seldom.
-    fn fingerprint(&self) -> u64 {
-        let mut hasher = DefaultHasher::new();
-        self.to_string().hash(&mut hasher);
-        hasher.finish()
-    }
-
-    /// The value in LaTeX with the names of these factors.
-    fn latex_with(&self, factors: &CommonFactors) -> String {
-        let _ = factors;
-        self.latex()
-    }
 
     /// Whether the plain text begins with a minus sign. It decides whether a table prints `x` or `-x`.
     fn is_negative(&self) -> bool {

@@ -7,7 +7,7 @@
 //! words panics in a sum of products. Its own operators, as in `a * b`, overflow like those
 //! of `i64`. Use [`Rational`] where numbers may grow.
 
-use super::{Field, Rational, RationalSum, Ring, Sum, Tolerance};
+use super::{Field, Rational, RationalSum, Ring, Sum, Summable, Tolerance};
 use num_rational::{BigRational, Ratio};
 use num_traits::Zero;
 
@@ -33,22 +33,24 @@ macro_rules! ratio_scalar {
         }
 
         impl Ring for $ratio {
-            type Sum = RatioSum;
-
             fn from_i64(n: i64) -> Self {
                 Self::from_integer(n.into())
             }
             fn vanishes(&self) -> bool {
                 self.is_zero()
             }
+            fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
+                Self::try_from(&Rational::new(numerator, denominator)?).ok()
+            }
+        }
+
+        impl Summable for $ratio {
+            type Sum = RatioSum;
             fn clear_denominators<'a>(
                 values: impl Iterator<Item = &'a Self> + Clone,
             ) -> Option<(Vec<i64>, i64)> {
                 let values: Vec<Rational> = values.map(|value| value.clone().into()).collect();
                 Rational::clear_denominators(values.iter())
-            }
-            fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
-                Self::try_from(&Rational::new(numerator, denominator)?).ok()
             }
         }
 

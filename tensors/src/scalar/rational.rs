@@ -7,7 +7,7 @@
 mod sum;
 
 use super::operators::forward_operators;
-use super::{Field, Kind, Notation, Ring, Variable};
+use super::{Field, Kind, Notation, Ring, Summable, Tabular, Variable};
 use crate::expression::{Expression, ExpressionError};
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
@@ -401,16 +401,19 @@ impl fmt::Debug for Rational {
 }
 
 impl Ring for Rational {
-    type Sum = RationalSum;
-
-    super::contracted_here!();
-
     fn from_i64(n: i64) -> Self {
         Rational(Small { numerator: n, denominator: UNIT })
     }
     fn vanishes(&self) -> bool {
         matches!(self.0, Small { numerator: 0, .. })
     }
+    fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
+        Self::new(numerator, denominator)
+    }
+}
+
+impl Summable for Rational {
+    type Sum = RationalSum;
     fn clear_denominators<'a>(
         values: impl Iterator<Item = &'a Self> + Clone,
     ) -> Option<(Vec<i64>, i64)> {
@@ -427,9 +430,6 @@ impl Ring for Rational {
         };
         let integers = values.map(scale).collect::<Option<_>>()?;
         Some((integers, denominator))
-    }
-    fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
-        Self::new(numerator, denominator)
     }
 }
 
@@ -448,7 +448,6 @@ impl Field for Rational {
 
 impl Notation for Rational {
     const KIND: Kind = Kind::Exact;
-
     fn from_rational(value: &Rational) -> Option<Self> {
         Some(value.clone())
     }
@@ -480,3 +479,5 @@ impl Notation for Rational {
         }
     }
 }
+
+impl Tabular for Rational {}

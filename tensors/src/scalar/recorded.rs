@@ -9,7 +9,9 @@ mod operators;
 mod straight_line;
 
 use super::function::{Function, is_elementary};
-use super::{Field, Kind, Notation, Rational, Ring, Sum, Symbolic, Tolerance, Variable};
+use super::{
+    Field, Kind, Notation, Rational, Ring, Sum, Summable, Symbolic, Tabular, Tolerance, Variable,
+};
 use crate::expression::is_name;
 use image::Image;
 use num_traits::{One, Zero};
@@ -259,23 +261,25 @@ impl Recorded {
 }
 
 impl Ring for Recorded {
-    type Sum = RecordedSum;
-
     fn from_i64(n: i64) -> Self {
         Self::constant(n.into())
     }
     fn vanishes(&self) -> bool {
         self.factor.vanishes()
     }
+    fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
+        Rational::new(numerator, denominator).map(Self::constant)
+    }
+}
+
+impl Summable for Recorded {
+    type Sum = RecordedSum;
     fn clear_denominators<'a>(
         values: impl Iterator<Item = &'a Self> + Clone,
     ) -> Option<(Vec<i64>, i64)> {
         let constant = |value: &'a Self| value.node.is_none().then_some(&value.factor);
         let constants: Vec<_> = values.map(constant).collect::<Option<_>>()?;
         Rational::clear_denominators(constants.into_iter())
-    }
-    fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
-        Rational::new(numerator, denominator).map(Self::constant)
     }
 }
 
@@ -340,7 +344,6 @@ impl Sum<Recorded> for RecordedSum {
 
 impl Notation for Recorded {
     const KIND: Kind = Kind::Symbolic;
-
     fn from_rational(value: &Rational) -> Option<Self> {
         Some(Self::constant(value.clone()))
     }
@@ -400,6 +403,8 @@ impl Notation for Recorded {
         if self.node.is_none() { self.factor.size() } else { 1 }
     }
 }
+
+impl Tabular for Recorded {}
 
 impl TryFrom<&Symbolic> for Recorded {
     type Error = String;

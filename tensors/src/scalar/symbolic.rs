@@ -34,7 +34,7 @@ mod sum;
 mod variable;
 mod writing;
 
-use super::{Field, Kind, Notation, Rational, Ring};
+use super::{Field, Kind, Notation, Rational, Ring, Summable, Tabular};
 use crate::expression::is_name;
 use fraction::Fraction;
 use polynomial::Polynomial;
@@ -201,25 +201,25 @@ impl Symbolic {
 }
 
 impl Ring for Symbolic {
-    type Sum = sum::SymbolicSum;
-    const GROWS: bool = true;
-
-    super::contracted_here!();
-
     fn from_i64(n: i64) -> Self {
         Self::constant(n.into())
     }
     fn vanishes(&self) -> bool {
         self.as_constant().is_some_and(Rational::vanishes)
     }
+    fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
+        Rational::new(numerator, denominator).map(Self::constant)
+    }
+}
+
+impl Summable for Symbolic {
+    type Sum = sum::SymbolicSum;
+    const GROWS: bool = true;
     fn clear_denominators<'a>(
         values: impl Iterator<Item = &'a Self> + Clone,
     ) -> Option<(Vec<i64>, i64)> {
         let constants: Vec<_> = values.map(Self::as_constant).collect::<Option<_>>()?;
         Rational::clear_denominators(constants.into_iter())
-    }
-    fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
-        Rational::new(numerator, denominator).map(Self::constant)
     }
 }
 
@@ -241,7 +241,6 @@ impl Field for Symbolic {
 
 impl Notation for Symbolic {
     const KIND: Kind = Kind::Symbolic;
-
     fn from_rational(value: &Rational) -> Option<Self> {
         Some(Self::constant(value.clone()))
     }
@@ -265,28 +264,8 @@ impl Notation for Symbolic {
     fn latex(&self) -> String {
         self.to_latex()
     }
-    fn common_factors(values: &mut dyn Iterator<Item = &Self>, taken: &[String]) -> CommonFactors {
-        CommonFactors::of(values, taken)
-    }
-    fn text_with(&self, factors: &CommonFactors) -> String {
-        self.written(Markup::Text, factors)
-    }
-    fn latex_with(&self, factors: &CommonFactors) -> String {
-        self.written(Markup::Latex, factors)
-    }
     fn is_negative(&self) -> bool {
         self.is_negative_with(&CommonFactors::default())
-    }
-    fn is_negative_with(&self, factors: &CommonFactors) -> bool {
-        match &factors.written(self).0 {
-            Form::Constant(c) => c.is_negative(),
-            Form::Fraction(f) => shape::leads_negative(&f.numerator),
-        }
-    }
-    fn fingerprint(&self) -> u64 {
-        let mut hasher = DefaultHasher::new();
-        self.hash(&mut hasher);
-        hasher.finish()
     }
     /// `sin`, `cos`, `tan`, `cot`, `exp`, `sinh`, `cosh` and `tanh` of combinations of products of
     /// parameters, like `2*x - a*y/2`; `sqrt` and `log` of numbers and irreducible polynomials, and of what else
@@ -338,6 +317,29 @@ impl Notation for Symbolic {
     fn size(&self) -> usize {
         let [(above, _), (below, _)] = self.parts();
         if self.as_constant().is_some() { above } else { above.saturating_add(below) }
+    }
+}
+
+impl Tabular for Symbolic {
+    fn common_factors(values: &mut dyn Iterator<Item = &Self>, taken: &[String]) -> CommonFactors {
+        CommonFactors::of(values, taken)
+    }
+    fn text_with(&self, factors: &CommonFactors) -> String {
+        self.written(Markup::Text, factors)
+    }
+    fn latex_with(&self, factors: &CommonFactors) -> String {
+        self.written(Markup::Latex, factors)
+    }
+    fn is_negative_with(&self, factors: &CommonFactors) -> bool {
+        match &factors.written(self).0 {
+            Form::Constant(c) => c.is_negative(),
+            Form::Fraction(f) => shape::leads_negative(&f.numerator),
+        }
+    }
+    fn fingerprint(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.hash(&mut hasher);
+        hasher.finish()
     }
 }
 

@@ -1,7 +1,7 @@
 //! Floating point with a running estimate of the rounding error.
 
 use super::operators::forward_operators;
-use super::{Field, Kind, Notation, Rational, Ring, Sum, Tolerance};
+use super::{Field, Kind, Notation, Rational, Ring, Sum, Summable, Tabular, Tolerance};
 use std::fmt;
 use std::ops::{Add, Mul, Neg};
 
@@ -252,10 +252,6 @@ forward_operators!(Tracked: Add add AddAssign add_assign, Sub sub SubAssign sub_
     Mul mul MulAssign mul_assign);
 
 impl Ring for Tracked {
-    type Sum = TrackedSum;
-
-    super::contracted_here!();
-
     fn from_i64(n: i64) -> Self {
         // of 64 digits a float has 53
         let value = n as f64;
@@ -265,6 +261,17 @@ impl Ring for Tracked {
     fn vanishes(&self) -> bool {
         self.value == 0.0
     }
+    fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
+        let value = f64::from_quotient(numerator, denominator)?;
+        let (n, d) = (Self::from_i64(numerator), Self::from_i64(denominator));
+        let (product, rounding) = multiplied(value, d.value);
+        let residual = (product - n.value) - rounding + n.error() - value * d.error();
+        Some(Tracked::with_error(value, residual / (d.value - d.error())))
+    }
+}
+
+impl Summable for Tracked {
+    type Sum = TrackedSum;
     fn is_small(&self) -> bool {
         self.counts_as_zero()
     }
@@ -274,13 +281,6 @@ impl Ring for Tracked {
     fn negligible(&self, beside: &Self, tolerance: Tolerance) -> bool {
         let sum = TrackedSum { magnitude: beside.value.abs(), ..TrackedSum::term(self) };
         sum.finish(tolerance).is_none()
-    }
-    fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
-        let value = f64::from_quotient(numerator, denominator)?;
-        let (n, d) = (Self::from_i64(numerator), Self::from_i64(denominator));
-        let (product, rounding) = multiplied(value, d.value);
-        let residual = (product - n.value) - rounding + n.error() - value * d.error();
-        Some(Tracked::with_error(value, residual / (d.value - d.error())))
     }
 }
 
@@ -300,7 +300,6 @@ impl Field for Tracked {
 
 impl Notation for Tracked {
     const KIND: Kind = Kind::Float;
-
     /// The nearest float, with its rounding error.
     fn from_rational(exact: &Rational) -> Option<Self> {
         let value = f64::from_rational(exact)?;
@@ -317,6 +316,8 @@ impl Notation for Tracked {
         1
     }
 }
+
+impl Tabular for Tracked {}
 
 /// The corrected value.
 impl fmt::Display for Tracked {

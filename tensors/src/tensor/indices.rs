@@ -1,7 +1,7 @@
 //! The indices of a component, and the iteration over all nonzero components.
 
 use super::Tensor;
-use crate::{Ring, threads};
+use crate::{Summable, threads};
 use std::ops::{Deref, Range};
 
 /// Up to so many components are written on one thread.
@@ -83,13 +83,13 @@ pub struct Components<'t, S> {
     reader: Reader,
 }
 
-impl<'t, S: Ring> Components<'t, S> {
+impl<'t, S: Summable> Components<'t, S> {
     fn new(tensor: &'t Tensor<S>, rest: Range<usize>) -> Self {
         Components { tensor, rest, reader: Reader::new(tensor) }
     }
 }
 
-impl<'t, S: Ring> Iterator for Components<'t, S> {
+impl<'t, S: Summable> Iterator for Components<'t, S> {
     type Item = (Indices, &'t S);
 
     fn next(&mut self) -> Option<Self::Item> {
@@ -108,7 +108,7 @@ const PIECE: usize = 1 << 14;
 /// Each thread takes so many pieces before the results are handed on.
 const ROUND: usize = 8;
 
-impl<'t, S: Ring> IntoIterator for &'t Tensor<S> {
+impl<'t, S: Summable> IntoIterator for &'t Tensor<S> {
     type Item = (Indices, &'t S);
     type IntoIter = Components<'t, S>;
 
@@ -117,7 +117,7 @@ impl<'t, S: Ring> IntoIterator for &'t Tensor<S> {
     }
 }
 
-impl<S: Ring> Tensor<S> {
+impl<S: Summable> Tensor<S> {
     /// Divides the nonzero components into pieces, in their order, and hands the result of `work` for each piece to
     /// `take`, in that order. All threads work at once.
     ///

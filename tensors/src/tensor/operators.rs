@@ -1,7 +1,7 @@
 //! Equality, indexing, text and arithmetic of tensors.
 
 use super::{Tensor, Up};
-use crate::Ring;
+use crate::{Scalar, Summable};
 use std::fmt;
 use std::ops::{Add, Index, Mul, Neg, Sub};
 
@@ -18,7 +18,7 @@ impl<S: PartialEq> PartialEq for Tensor<S> {
 /// `tensor[&[i, j, k][..]]`, indices from 0; zero if the component is not stored.
 ///
 /// Panics on an index out of range or a wrong number of indices.
-impl<S: Ring> Index<&[usize]> for Tensor<S> {
+impl<S: Summable> Index<&[usize]> for Tensor<S> {
     type Output = S;
     fn index(&self, indices: &[usize]) -> &S {
         self.try_get(indices).expect("indices of this tensor")
@@ -28,7 +28,7 @@ impl<S: Ring> Index<&[usize]> for Tensor<S> {
 /// `tensor[[i, j, k]]`, indices from 0; zero if the component is not stored.
 ///
 /// Panics on an index out of range or a wrong number of indices.
-impl<S: Ring, const RANK: usize> Index<[usize; RANK]> for Tensor<S> {
+impl<S: Summable, const RANK: usize> Index<[usize; RANK]> for Tensor<S> {
     type Output = S;
     fn index(&self, indices: [usize; RANK]) -> &S {
         &self[&indices[..]]
@@ -37,7 +37,7 @@ impl<S: Ring, const RANK: usize> Index<[usize; RANK]> for Tensor<S> {
 
 /// One nonzero component a line, indices from 1: `^1_23 = -1/2`. From dimension 10 on, commas
 /// separate the indices: `^1_2,13 = 1`. The zero tensor is `0`.
-impl<S: Ring> fmt::Display for Tensor<S> {
+impl<S: Summable> fmt::Display for Tensor<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.is_empty() {
             return f.write_str("0");
@@ -72,19 +72,19 @@ macro_rules! sum {
     ($operator:ident $method:ident $sign:literal) => {
         /// # Panics
         /// When the tensors differ in dimension or slots.
-        impl<S: Ring> $operator for &Tensor<S> {
+        impl<S: Scalar> $operator for &Tensor<S> {
             type Output = Tensor<S>;
             fn $method(self, other: &Tensor<S>) -> Tensor<S> {
                 self.combined($sign, other).expect("two tensors of one shape")
             }
         }
-        impl<S: Ring> $operator<&Tensor<S>> for Tensor<S> {
+        impl<S: Scalar> $operator<&Tensor<S>> for Tensor<S> {
             type Output = Tensor<S>;
             fn $method(self, other: &Tensor<S>) -> Tensor<S> {
                 $operator::$method(&self, other)
             }
         }
-        impl<S: Ring> $operator for Tensor<S> {
+        impl<S: Scalar> $operator for Tensor<S> {
             type Output = Tensor<S>;
             fn $method(self, other: Tensor<S>) -> Tensor<S> {
                 $operator::$method(&self, &other)
@@ -95,28 +95,28 @@ macro_rules! sum {
 sum!(Add add '+');
 sum!(Sub sub '-');
 
-impl<S: Ring> Mul<&S> for &Tensor<S> {
+impl<S: Scalar> Mul<&S> for &Tensor<S> {
     type Output = Tensor<S>;
     fn mul(self, factor: &S) -> Tensor<S> {
         self.scale(factor)
     }
 }
 
-impl<S: Ring> Mul<&S> for Tensor<S> {
+impl<S: Scalar> Mul<&S> for Tensor<S> {
     type Output = Tensor<S>;
     fn mul(self, factor: &S) -> Tensor<S> {
         self.scale(factor)
     }
 }
 
-impl<S: Ring> Neg for &Tensor<S> {
+impl<S: Scalar> Neg for &Tensor<S> {
     type Output = Tensor<S>;
     fn neg(self) -> Tensor<S> {
         self.map(|value| -value.clone())
     }
 }
 
-impl<S: Ring> Neg for Tensor<S> {
+impl<S: Scalar> Neg for Tensor<S> {
     type Output = Tensor<S>;
     fn neg(self) -> Tensor<S> {
         -&self

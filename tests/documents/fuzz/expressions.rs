@@ -2,8 +2,9 @@
 
 use crate::common::property::properties;
 use crate::fuzz::mutation::{mutants, sentences, texts};
+use affinor_documents::Coefficient;
 use affinor_tensors::expression::{Expression, ExpressionError, Scalars};
-use affinor_tensors::{Notation, Rational, Symbolic};
+use affinor_tensors::{Rational, Symbolic};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -87,7 +88,7 @@ const SEEDS: &[&str] = &[
 ];
 
 fn evaluate(text: &str) -> Vec<Result<(), ExpressionError>> {
-    fn over<S: Notation>(text: &str) -> Result<(), ExpressionError> {
+    fn over<S: Coefficient>(text: &str) -> Result<(), ExpressionError> {
         let name = |name: &str| S::parameter(name).or_else(|| S::from_quotient(1, 3));
         let names = |text: &str| name(text).ok_or("no value".to_string());
         let meaning = Scalars(names, S::call);

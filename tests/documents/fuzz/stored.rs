@@ -3,9 +3,10 @@
 use crate::common::property::properties;
 use crate::fuzz::mutation::{mutants, texts};
 use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra};
+use affinor_documents::Coefficient;
 use affinor_documents::definition::Definition;
 use affinor_documents::report::{Quantity, StoredTable, Table};
-use affinor_tensors::{Notation, Rational, Symbolic};
+use affinor_tensors::{Rational, Symbolic};
 use std::sync::LazyLock;
 
 const JSON: &[&str] = &[
@@ -63,7 +64,7 @@ const WORDS: &[&str] = &[
     "\u{0}",
 ];
 
-fn rotations<S: Notation>() -> Table<S> {
+fn rotations<S: Coefficient>() -> Table<S> {
     let unit = |sign: i64| S::from_i64(sign);
     let bracket = Bracket::from_fn(&["x", "y", "z"], |j, k| match (j, k) {
         (0, 1) => vec![(2, unit(1))],

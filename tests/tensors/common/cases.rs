@@ -1,7 +1,7 @@
 //! Random contractions: a text in index letters and the tensors that it names.
 
 use crate::common::dual::Dual;
-use affinor_tensors::{Down, Indices, Rational, Ring, Tensor, Up, Variance};
+use affinor_tensors::{Down, Indices, Rational, Scalar, Tensor, Up, Variance};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use std::ops::Range;
@@ -23,7 +23,7 @@ impl<S> Case<S> {
 
 impl Case {
     /// The case with its operands mapped into another ring.
-    pub fn mapped<S: Ring>(&self, f: impl Fn(&[usize], &Rational) -> S) -> Case<S> {
+    pub fn mapped<S: Scalar>(&self, f: impl Fn(&[usize], &Rational) -> S) -> Case<S> {
         let operand = |t: &Tensor<Rational>| t.filter_map(|at, value| Some(f(at, value)));
         let operands = self.operands.iter().map(|(name, t)| (name.clone(), operand(t)));
         Case { text: self.text.clone(), slots: self.slots.clone(), operands: operands.collect() }

@@ -1,6 +1,6 @@
 //! Dual numbers as a scalar: a ring with non-units that are not zero.
 
-use affinor_tensors::{Field, Ring, Sum, Tolerance};
+use affinor_tensors::{Field, Ring, Scalar, Sum, Summable, Tolerance};
 use num_dual::Dual64;
 use num_traits::{One, Zero};
 use std::fmt;
@@ -71,7 +71,7 @@ impl<const W: bool> One for Dual<W> {
 
 /// The sum of the wrapped numbers.
 #[derive(Clone, Default)]
-pub struct DualSum(<Dual64 as Ring>::Sum);
+pub struct DualSum(<Dual64 as Summable>::Sum);
 
 impl<const W: bool> Sum<Dual<W>> for DualSum {
     fn add_term(&mut self, a: &Dual<W>) {
@@ -86,7 +86,6 @@ impl<const W: bool> Sum<Dual<W>> for DualSum {
 }
 
 impl<const W: bool> Ring for Dual<W> {
-    type Sum = DualSum;
     fn from_i64(n: i64) -> Self {
         Self::new(n as f64, 0.0)
     }
@@ -94,6 +93,12 @@ impl<const W: bool> Ring for Dual<W> {
         if W { self.0.vanishes() } else { self.0.re == 0.0 }
     }
 }
+
+impl<const W: bool> Summable for Dual<W> {
+    type Sum = DualSum;
+}
+
+impl<const W: bool> Scalar for Dual<W> {}
 
 impl<const W: bool> Field for Dual<W> {
     fn recip(&self) -> Option<Self> {

@@ -1,17 +1,17 @@
 //! Matrices for tests, and what counts as equal.
 
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::{Kind, Notation, Ring};
+use affinor_tensors::{Kind, Notation, Scalar};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
 /// The matrix with the entries `f(i, j)`.
-pub fn dense<S: Ring>(rows: usize, columns: usize, f: impl Fn(usize, usize) -> S) -> Matrix<S> {
+pub fn dense<S: Scalar>(rows: usize, columns: usize, f: impl Fn(usize, usize) -> S) -> Matrix<S> {
     let row = |i| (0..columns).map(|j| f(i, j)).enumerate().collect::<Vec<_>>();
     Matrix::from_rows(columns, (0..rows).map(row)).unwrap()
 }
 
-pub fn from_words<S: Ring>(rows: &[Vec<i64>]) -> Matrix<S> {
+pub fn from_words<S: Scalar>(rows: &[Vec<i64>]) -> Matrix<S> {
     let row = |row: &Vec<i64>| row.iter().map(|n| S::from_i64(*n)).collect();
     Matrix::from_dense(&rows.iter().map(row).collect::<Vec<_>>()).unwrap()
 }
@@ -22,7 +22,7 @@ pub fn square(n: usize) -> impl Strategy<Value = Vec<Vec<i64>>> {
 }
 
 /// Exactly equal, or for floats up to rounding.
-pub fn same<S: Notation>(a: &S, b: &S) -> bool {
+pub fn same<S: Notation + Scalar>(a: &S, b: &S) -> bool {
     match (S::KIND, a.to_f64(), b.to_f64()) {
         (Kind::Float, Some(a), Some(b)) => (a - b).abs() <= 1e-9 * (1.0 + a.abs() + b.abs()),
         _ => a == b,

@@ -1,18 +1,18 @@
 //! Contraction by hand: every pair of components tried, every letter looked up.
 
-use affinor_tensors::{Ring, Tensor};
+use affinor_tensors::{Scalar, Tensor};
 use std::collections::BTreeMap;
 
 /// Components by their indices, none of them zero.
 pub type Components<S> = BTreeMap<Vec<usize>, S>;
 
 /// The components of a tensor as they are stored.
-pub fn stored<S: Ring>(tensor: &Tensor<S>) -> Vec<(Vec<usize>, S)> {
+pub fn stored<S: Scalar>(tensor: &Tensor<S>) -> Vec<(Vec<usize>, S)> {
     tensor.components().map(|(at, value)| (at.to_vec(), value.clone())).collect()
 }
 
 /// What `text` means, evaluated without the kernel; brackets are not looked at.
-pub fn oracle<S: Ring>(text: &str, operands: &[(&str, &Tensor<S>)]) -> Components<S> {
+pub fn oracle<S: Scalar>(text: &str, operands: &[(&str, &Tensor<S>)]) -> Components<S> {
     let (sum, result) = text.split_once("->").unwrap();
     let result = letters(result);
     let mut total = Components::new();
@@ -40,7 +40,7 @@ fn letters(text: &str) -> Vec<char> {
 }
 
 /// Adds one term: a value for each way to choose a component of every factor whose indices agree.
-fn add_term<S: Ring>(
+fn add_term<S: Scalar>(
     total: &mut Components<S>,
     sign: i64,
     words: &[&str],

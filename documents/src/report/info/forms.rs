@@ -1,10 +1,11 @@
 //! Closed forms of low degree, symplectic and contact forms, Casimir functions.
 
 use super::{Notes, SHOWN};
+use crate::Coefficient;
 use affinor::algebra::structure::{Existence, Ground, MAX_DECOMPOSED, Structure};
 use affinor_tensors::linear::Row;
 use affinor_tensors::text::combination;
-use affinor_tensors::{Kind, Notation, Rational, Symbolic};
+use affinor_tensors::{Kind, Rational, Symbolic};
 use serde_json::{Value, json};
 
 /// The highest degree of Casimir functions, the largest number of monomials of that degree, and the largest product of that
@@ -148,7 +149,7 @@ impl Notes {
     }
 
     /// Polynomial Casimir functions up to a degree, in the basis of the algebra.
-    pub(super) fn casimirs<S: Ground + Notation>(&mut self, structure: &Structure<S>) {
+    pub(super) fn casimirs<S: Ground + Coefficient>(&mut self, structure: &Structure<S>) {
         let constants = structure.algebra().structure();
         let parameters = S::parameters_of(&mut constants.components().map(|(_, value)| value));
         if let Some(name) = parameters.iter().find(|name| is_coordinate(name)) {
@@ -178,7 +179,7 @@ impl Notes {
 }
 
 /// Generators of the Casimir functions, and the degree up to which they were sought.
-fn casimirs<S: Ground + Notation>(structure: &Structure<S>) -> Option<(u32, Vec<Symbolic>)> {
+fn casimirs<S: Ground + Coefficient>(structure: &Structure<S>) -> Option<(u32, Vec<Symbolic>)> {
     let n = structure.dimension();
     let constants = structure.algebra().structure().len();
     let terms = match S::KIND {

@@ -1,6 +1,6 @@
 //! Dense matrices of a report, stored by their nonzero entries until they are written.
 
-use affinor_tensors::Ring;
+use affinor_tensors::Scalar;
 use serde_json::Value;
 use std::io::{self, Write};
 
@@ -14,7 +14,7 @@ pub(super) struct Rows {
 
 impl Rows {
     /// Sparse rows of a matrix with `columns` columns.
-    pub fn new<'a, S: Ring + 'a>(
+    pub fn new<'a, S: Scalar + 'a>(
         key: &'static str,
         columns: usize,
         rows: impl Iterator<Item = &'a [(usize, S)]>,

@@ -84,7 +84,7 @@ fn rate<'k>(
 }
 
 fn total(terms: impl Iterator<Item = Recorded>) -> Recorded {
-    let mut sum = <Recorded as crate::Ring>::Sum::default();
+    let mut sum = <Recorded as crate::Summable>::Sum::default();
     terms.for_each(|term| sum.add_term(&term));
     sum.finish(Tolerance::default()).unwrap_or_default()
 }

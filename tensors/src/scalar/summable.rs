@@ -1,0 +1,148 @@
+//! Sums of products: what the engine asks of a scalar beyond arithmetic.
+
+use super::Ring;
+
+/// A ring whose sums of products decide whether they are zero.
+///
+/// A scalar of your own names its accumulator, [`ExactSum`] if it is exact. All else has a default.
+pub trait Summable: Ring {
+    /// The accumulator for sums of products.
+    type Sum: Sum<Self>;
+
+    /// Whether values become longer with every operation, as formulas do. A long sum is then computed
+    /// at once and not in stages, so that terms which cancel are never stored.
+    const GROWS: bool = false;
+
+    /// Whether the value is a finite number. Exact values always are; a float may be infinite or NaN.
+    fn is_number(&self) -> bool {
+        true
+    }
+
+    /// Whether the value counts as zero beside the terms of its own sum, although later sums still
+    /// need it ([`Sum::kept`]). Tensors do not show such a component; only contractions use it.
+    fn is_small(&self) -> bool {
+        false
+    }
+
+    /// Whether the value counts as zero relative to another one. An exact value must vanish; a float
+    /// may be as large as the tolerance allows.
+    fn negligible(&self, beside: &Self, tolerance: Tolerance) -> bool {
+        let _ = (beside, tolerance);
+        self.vanishes()
+    }
+
+    /// The values as machine integers over one positive common denominator, if they have this form.
+    ///
+    /// This serves speed: sums of products are then computed in machine integers and converted back
+    /// by [`from_quotient`](Ring::from_quotient). With `None`, the default, they are computed in the
+    /// ring.
+    fn clear_denominators<'a>(
+        values: impl Iterator<Item = &'a Self> + Clone,
+    ) -> Option<(Vec<i64>, i64)> {
+        let _ = values;
+        None
+    }
+}
+
+/// A sum of terms and products that decides at its end whether it is zero. The default is the
+/// empty sum.
+///
+/// For exact scalars it is the value itself ([`ExactSum`]). For floats it also contains the sum of
+/// the magnitudes of the terms, to which the [`Tolerance`] is relative. A sum of [`Tracked`](super::Tracked) floats
+/// passes its rounding error on to its result.
+pub trait Sum<S>: Clone + Default + Send {
+    /// Adds one term.
+    fn add_term(&mut self, a: &S);
+    /// Adds one product.
+    fn add_product(&mut self, a: &S, b: &S);
+    /// The value, or `None` when it counts as zero.
+    fn finish(&self, tolerance: Tolerance) -> Option<S>;
+
+    /// The value for later sums: also one that counts as zero, where the scalar knows its error
+    /// ([`Summable::is_small`]). `None` when nothing is known beyond zero.
+    fn kept(&self, tolerance: Tolerance) -> Option<S> {
+        self.finish(tolerance)
+    }
+
+    /// The sum of one term.
+    fn term(a: &S) -> Self {
+        let mut sum = Self::default();
+        sum.add_term(a);
+        sum
+    }
+
+    /// The sum of one product.
+    fn product(a: &S, b: &S) -> Self {
+        let mut sum = Self::default();
+        sum.add_product(a, b);
+        sum
+    }
+}
+
+/// The sum of an exact scalar: the value itself.
+#[derive(Clone, Debug)]
+pub struct ExactSum<S>(pub S);
+
+impl<S: Ring> Default for ExactSum<S> {
+    fn default() -> Self {
+        ExactSum(S::zero())
+    }
+}
+
+impl<S: Summable> Sum<S> for ExactSum<S> {
+    fn add_term(&mut self, a: &S) {
+        self.0 = std::mem::replace(&mut self.0, S::zero()) + a;
+    }
+    fn add_product(&mut self, a: &S, b: &S) {
+        self.0 = std::mem::replace(&mut self.0, S::zero()) + &(a.clone() * b);
+    }
+    fn finish(&self, _: Tolerance) -> Option<S> {
+        (!self.0.vanishes()).then(|| self.0.clone())
+    }
+    fn kept(&self, _: Tolerance) -> Option<S> {
+        (!self.0.vanishes() || self.0.is_small()).then(|| self.0.clone())
+    }
+}
+
+/// The relative tolerance for zero: a sum of float products counts as zero if
+/// `|sum| <= tolerance * (sum of the |terms|)`.
+///
+/// A [`Tracked`](super::Tracked) also counts as zero if it consists of the rounding errors of earlier sums. Exact
+/// scalars ignore the tolerance.
+///
+/// ```
+/// use affinor_tensors::Tolerance;
+/// assert_eq!(Tolerance::default().relative(), 64.0 * f64::EPSILON);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Tolerance(f64);
+
+impl Tolerance {
+    /// A relative tolerance; `None` unless `0 <= relative < 1`.
+    pub fn new(relative: f64) -> Option<Self> {
+        (0.0..1.0).contains(&relative).then_some(Tolerance(relative))
+    }
+
+    /// The factor in front of the sum of magnitudes.
+    pub fn relative(self) -> f64 {
+        self.0
+    }
+
+    /// Whether a float counts as zero beside terms whose magnitudes add up to `magnitude`. A NaN
+    /// never does, and magnitudes that overflow give no bound.
+    pub(crate) fn covers(self, value: f64, magnitude: f64) -> bool {
+        let bound = self.0 * magnitude;
+        value == 0.0 || (value.abs() <= bound && bound.is_finite())
+    }
+
+    /// The weaker of two tolerances.
+    pub fn weaker(self, other: Self) -> Self {
+        Tolerance(self.0.max(other.0))
+    }
+}
+
+impl Default for Tolerance {
+    fn default() -> Self {
+        Tolerance(64.0 * f64::EPSILON)
+    }
+}

@@ -1,0 +1,38 @@
+//! The layout of values in tables: names for common factors, and equal values.
+
+use super::{CommonFactors, Notation};
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+/// A scalar whose values stand in tables, where names for common factors make the whole shorter.
+pub trait Tabular: Notation {
+    /// Sums that occur so often in the denominators of these values that names for them make the whole
+    /// shorter; `taken` are names in use. There are none for scalars without parameters.
+    fn common_factors(values: &mut dyn Iterator<Item = &Self>, taken: &[String]) -> CommonFactors {
+        let _ = (values, taken);
+        CommonFactors::default()
+    }
+
+    /// The plain text with the names of these factors.
+    fn text_with(&self, factors: &CommonFactors) -> String {
+        let _ = factors;
+        self.to_string()
+    }
+
+    /// Whether the text with the names of these factors begins with a minus sign.
+    fn is_negative_with(&self, factors: &CommonFactors) -> bool {
+        self.text_with(factors).starts_with('-')
+    }
+
+    /// A number that equal values share, and different values seldom.
+    fn fingerprint(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.to_string().hash(&mut hasher);
+        hasher.finish()
+    }
+
+    /// The value in LaTeX with the names of these factors.
+    fn latex_with(&self, factors: &CommonFactors) -> String {
+        let _ = factors;
+        self.latex()
+    }
+}
