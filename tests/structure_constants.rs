@@ -3,8 +3,8 @@
 use crate::common::algebras::algebras;
 use crate::common::{integer, labels, property::properties};
 use affinor::{Bracket, Error};
-use affinor_documents::definition::{Definition, InputError, Reading, Request, Space};
-use affinor_tensors::{Down, Rational, Ring, Scalar, Symbolic, Tensor, Tolerance, Up};
+use affinor_documents::definition::{Definition, InputError, Request, Space};
+use affinor_tensors::{Down, Rational, Ring, Scalar, Tensor, Tolerance, Up};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::fmt::Display;
@@ -20,8 +20,7 @@ fn of_bracket<S: Scalar>(bracket: Result<Bracket<S>, Error>) -> Read<S> {
 }
 
 fn exact(definition: &Definition) -> Result<Bracket<Rational>, InputError> {
-    let convert = |value: &Symbolic| value.as_constant().cloned();
-    definition.bracket(&Reading { convert: &convert, tolerance: Tolerance::default() })
+    definition.bracket(Tolerance::default())
 }
 
 fn of_definition(definition: Result<Definition, InputError>) -> Read<Rational> {

@@ -3,14 +3,13 @@
 
 use crate::program::{definition, run};
 use affinor::Geometry;
-use affinor_documents::definition::{Definition, Reading};
+use affinor_documents::definition::Definition;
 use affinor_tensors::expression::{Expression, Scalars};
 use affinor_tensors::{Notation, Symbolic, Tensor, Tolerance, contract};
 use tempfile::TempDir;
 
 fn of(definition: &Definition) -> Geometry<Symbolic> {
-    let convert = |value: &Symbolic| Some(value.clone());
-    definition.geometry(&Reading { convert: &convert, tolerance: Tolerance::default() }).unwrap()
+    definition.geometry(Tolerance::default()).unwrap()
 }
 
 fn geometry(file: &str) -> Geometry<Symbolic> {

@@ -5,29 +5,17 @@ use crate::program::{root, stdout};
 use affinor::Geometry;
 use affinor::geometry::claims::{Claim, Verdict};
 use affinor::geometry::paper;
-use affinor_documents::Coefficient;
-use affinor_documents::definition::{
-    Definition, InputError, Reading, Request, ScalarChoice, Space, Work,
-};
+use affinor_documents::definition::{Request, ScalarChoice, Space};
+use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::Tolerance;
 use serde_json::Value;
 
 /// The verdicts on a geometry, each with what loops over its components say.
-struct Verdicts;
-
-impl Work for Verdicts {
-    type Output = Vec<(Claim, Verdict, Option<String>)>;
-
-    fn run<S: Coefficient>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<Self::Output, InputError> {
-        let geometry = definition.geometry(reading)?;
-        let both =
-            |claim: Claim| (claim, claim.verdict(&geometry).unwrap(), by_loops(claim, &geometry));
-        Ok(Claim::ALL.into_iter().map(both).collect())
-    }
+fn verdicts_over<S: Coefficient>(space: &Space) -> Vec<(Claim, Verdict, Option<String>)> {
+    let geometry = space.definition.geometry::<S>(Tolerance::default()).unwrap();
+    let both =
+        |claim: Claim| (claim, claim.verdict(&geometry).unwrap(), by_loops(claim, &geometry));
+    Claim::ALL.into_iter().map(both).collect()
 }
 
 fn verdicts(space: &str) -> Vec<(Claim, Verdict, Option<String>)> {
@@ -36,7 +24,7 @@ fn verdicts(space: &str) -> Vec<(Claim, Verdict, Option<String>)> {
 
 fn of_request(request: &Request) -> Vec<(Claim, Verdict, Option<String>)> {
     let space = Space::open(request).unwrap();
-    space.run(ScalarChoice::Exact, Tolerance::default(), Verdicts).unwrap()
+    over_kind!(space.kind(ScalarChoice::Exact).unwrap(), S => verdicts_over::<S>(&space))
 }
 
 /// The text of a failing verdict.

@@ -1,8 +1,8 @@
 //! E8 from end to end: by name, and from a definition file made from GAP's table.
 
 use affinor::{Bracket, LieAlgebra};
-use affinor_documents::definition::{Reading, Request, Space};
-use affinor_tensors::{Rational, Symbolic, Tolerance};
+use affinor_documents::definition::{Request, Space};
+use affinor_tensors::{Rational, Tolerance};
 use std::fs;
 use std::process::Command;
 
@@ -22,9 +22,7 @@ fn definition() -> String {
 fn bracket(space: &str) -> Bracket<Rational> {
     let request = Request { space: Some(space.into()), ..Request::default() };
     let definition = Space::open(&request).expect("E8 is understood").definition;
-    let convert = |value: &Symbolic| value.as_constant().cloned();
-    let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
-    definition.bracket(&reading).expect("E8 is a bracket")
+    definition.bracket(Tolerance::default()).expect("E8 is a bracket")
 }
 
 /// `[e_i, f_i] = h_i` for the simple roots in both tables, so `e_i` and `f_i` may differ by one

@@ -1,10 +1,8 @@
 //! The examples run, and every definition beside them passes `affinor check`.
 
 use crate::program::{definition, root, stdout};
-use affinor_documents::Coefficient;
-use affinor_documents::definition::{
-    Definition, InputError, Reading, Request, ScalarChoice, Space, Work,
-};
+use affinor_documents::definition::{InputError, Request, ScalarChoice, Space};
+use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::Tolerance;
 
 #[path = "../../examples/01_so3_two_geometries.rs"]
@@ -101,20 +99,10 @@ fn own_scalar() -> Outcome {
     own_scalar::main()
 }
 
-struct Dimension;
-
-impl Work for Dimension {
-    type Output = (usize, usize);
-
-    /// The dimension, and the number of structure constants; Jacobi is checked on the way.
-    fn run<S: Coefficient>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<(usize, usize), InputError> {
-        let algebra = definition.algebra(reading)?;
-        Ok((algebra.dimension(), algebra.structure().len()))
-    }
+/// The dimension, and the number of structure constants; Jacobi is checked on the way.
+fn dimension<S: Coefficient>(space: &Space) -> Result<(usize, usize), InputError> {
+    let algebra = space.definition.algebra::<S>(Tolerance::default())?;
+    Ok((algebra.dimension(), algebra.structure().len()))
 }
 
 #[test]
@@ -124,7 +112,7 @@ fn a_table_of_gap_becomes_a_definition() -> Outcome {
     std::fs::write(file.path(), text)?;
     let space = file.path().to_str().ok_or("a path that is no text")?.to_string();
     let space = Space::open(&Request { space: Some(space), ..Request::default() })?;
-    let found = space.run(ScalarChoice::Exact, Tolerance::default(), Dimension)?;
+    let found = over_kind!(space.kind(ScalarChoice::Exact)?, S => dimension::<S>(&space))?;
     assert_eq!(found, (248, 2 * 8347));
     assert!(definition_from_gap::definition("short", 2, "1 2 1").is_err());
     Ok(())

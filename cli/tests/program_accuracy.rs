@@ -5,7 +5,7 @@
 
 use crate::common::root;
 use crate::compiled::{self, RUN};
-use affinor_documents::definition::{Reading, Request, Space};
+use affinor_documents::definition::{Request, Space};
 use affinor_documents::report::{Computation, Quantity, Selection};
 use affinor_tensors::scalar::{Function, Step, StraightLine};
 use affinor_tensors::{Notation, Rational, Recorded, Symbolic, Tolerance};
@@ -51,10 +51,8 @@ impl Chart {
 
     /// The programs of the components with references.
     fn program(&self) -> StraightLine {
-        let convert = |value: &Symbolic| Some(value.clone());
-        let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
         let space = self.space();
-        let geometry = space.definition.geometry::<Symbolic>(&reading).unwrap();
+        let geometry = space.definition.geometry::<Symbolic>(Tolerance::default()).unwrap();
         let mut last = None;
         let mut values = Vec::new();
         for component in &self.components {

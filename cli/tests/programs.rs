@@ -4,7 +4,7 @@ use crate::common::root;
 use crate::compiled::{self, RUN, run_numpy};
 use crate::program::{self, definition, stdout};
 use affinor_documents::Coefficient;
-use affinor_documents::definition::{Reading, Request, Space};
+use affinor_documents::definition::{Request, Space};
 use affinor_documents::report::{Language, Quantity};
 use affinor_tensors::{Notation, Rational, Symbolic, Tensor, Tolerance};
 use std::collections::BTreeMap;
@@ -96,9 +96,7 @@ fn tensors_as_programs_give_the_exact_values() {
                 parameters.iter().map(|name| format!("{name}={}", number(name, draw))).collect();
             let set = Some(set.join(",")).filter(|set| !set.is_empty());
             let exact = open(&space, options, set);
-            let convert = |value: &Symbolic| value.as_constant().cloned();
-            let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
-            let geometry = exact.definition.geometry::<Rational>(&reading).unwrap();
+            let geometry = exact.definition.geometry::<Rational>(Tolerance::default()).unwrap();
             let n = geometry.frame().dimension();
             let (mut expected, mut shapes) = (vec![], vec![]);
             for key in show.split(',') {
@@ -132,9 +130,7 @@ fn greek_parameters_as_programs() {
     let show = "ricci,scalar_curvature";
     let set = "\u{3b8}=2,theta=3,\u{3c9}_1=5,\u{e9}=7/2";
     let exact = open("so(3)", options, Some(set.into()));
-    let convert = |value: &Symbolic| value.as_constant().cloned();
-    let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
-    let geometry = exact.definition.geometry::<Rational>(&reading).unwrap();
+    let geometry = exact.definition.geometry::<Rational>(Tolerance::default()).unwrap();
     let (mut expected, mut shapes) = (vec![], vec![]);
     for quantity in [Quantity::Ricci, Quantity::ScalarCurvature] {
         let tensor = quantity.of(&geometry).unwrap().unwrap();
@@ -175,9 +171,7 @@ fn charts_as_programs() {
         (products.to_str().unwrap().into(), &[0.7, 0.4]),
     ] {
         let opened = open(&space, ["", ""], None);
-        let convert = |value: &Symbolic| Some(value.clone());
-        let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
-        let geometry = opened.definition.geometry::<Symbolic>(&reading).unwrap();
+        let geometry = opened.definition.geometry::<Symbolic>(Tolerance::default()).unwrap();
         let coordinates = opened.definition.coordinates().to_vec();
         let parameter = |_: &str| 1.25;
         let lookup = |name: &str| {
@@ -219,10 +213,8 @@ fn charts_as_programs() {
 fn derivatives_are_those_of_the_formulas() {
     let folder = tempfile::tempdir().unwrap();
     let metric = full(3);
-    let convert = |value: &Symbolic| Some(value.clone());
-    let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
     let space = open("so(3)", ["", &metric], None);
-    let geometry = space.definition.geometry::<Symbolic>(&reading).unwrap();
+    let geometry = space.definition.geometry::<Symbolic>(Tolerance::default()).unwrap();
     let ricci = Quantity::Ricci.of(&geometry).unwrap().unwrap();
     let set: BTreeMap<String, Symbolic> = (space.definition.parameters().into_iter())
         .map(|name| (name.clone(), Symbolic::constant(number(&name, 5))))

@@ -26,8 +26,7 @@ pub fn connected(
         metric: metric.map(Into::into),
         ..Request::default()
     })?;
-    let geometry = space
-        .in_floats(Tolerance::default(), |definition, reading| definition.geometry(reading))?;
+    let geometry = space.in_floats()?.geometry(Tolerance::default())?;
     let of_paper = match geometry.kind().name() {
         "plus" => "M(3): ",
         "zero" => "SO(3): ",

@@ -1,12 +1,12 @@
 //! Certificates: checks of a definition, each with a witness if it fails.
 
 use crate::Coefficient;
-use crate::definition::{Definition, InputError, Reading, Refusal};
+use crate::definition::{Definition, InputError, Refusal};
 use affinor::algebra::frame::expect_numbers;
 use affinor::geometry::conditions::conditions;
 use affinor::{ConnectionKind, Error, FrameOrigin, LieAlgebra};
 use affinor_tensors::text::written;
-use affinor_tensors::{Indices, Tensor};
+use affinor_tensors::{Indices, Tensor, Tolerance};
 
 /// One check of a certificate.
 #[derive(Clone, Debug)]
@@ -44,12 +44,14 @@ pub struct Witness {
 /// errors.
 pub fn certify<S: Coefficient>(
     definition: &Definition,
-    reading: &Reading<S>,
+    tolerance: Tolerance,
     stage: &dyn Fn(&str),
 ) -> Result<Vec<Check>, InputError> {
     let mut checks = Vec::new();
-    let Some(ground) = ground(definition, reading, stage, &mut checks)? else { return Ok(checks) };
-    let metric = definition.metric(&ground, reading);
+    let Some(ground) = ground::<S>(definition, tolerance, stage, &mut checks)? else {
+        return Ok(checks);
+    };
+    let metric = definition.metric(&ground, tolerance);
     let witness = metric.as_ref().err().and_then(|error| of_metric(error, &definition.labels));
     match passed("metric", metric, &mut checks)? {
         None => {
@@ -59,7 +61,7 @@ pub fn certify<S: Coefficient>(
         Some(None) => {}
         Some(Some(_)) => checks.push(held("metric", "symmetric and non-degenerate")),
     }
-    let geometry = definition.geometry_over(ground, reading);
+    let geometry = definition.geometry_over(ground, tolerance);
     let Some(geometry) = passed("connection", geometry, &mut checks)? else { return Ok(checks) };
     let connection = geometry.connection();
     if definition.connection_is_default()
@@ -91,13 +93,13 @@ pub fn certify<S: Coefficient>(
 /// Checks the algebra or the fields of a geometry; `None` if a check fails.
 fn ground<S: Coefficient>(
     definition: &Definition,
-    reading: &Reading<S>,
+    tolerance: Tolerance,
     stage: &dyn Fn(&str),
     checks: &mut Vec<Check>,
 ) -> Result<Option<FrameOrigin<S>>, InputError> {
     if definition.is_on_chart() {
         stage("frame");
-        let ground = passed("frame", definition.ground(reading), checks)?;
+        let ground = passed("frame", definition.ground(tolerance), checks)?;
         let Some(ground) = ground else { return Ok(None) };
         checks.push(held("frame", "the fields are independent: their determinant is not zero"));
         let residual = ground.frame().jacobi();
@@ -106,7 +108,7 @@ fn ground<S: Coefficient>(
     }
     stage("antisymmetry");
     let name = if definition.is_by_matrices() { "closure" } else { "antisymmetry" };
-    let Some(bracket) = passed(name, definition.bracket(reading), checks)? else {
+    let Some(bracket) = passed(name, definition.bracket(tolerance), checks)? else {
         if let Some(check) = checks.last_mut() {
             check.witness = definition.antisymmetry_witness().map(|((j, k), sum)| Witness {
                 indices: vec![j + 1, k + 1],

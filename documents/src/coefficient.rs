@@ -1,8 +1,76 @@
 //! The scalars that spaces of documents and their reports are computed in.
 
-use affinor::tensors::{Scalar, Tabular};
+use crate::definition::InputError;
+use crate::definition::input::shown;
+use affinor::tensors::{Notation, Rational, Recorded, Scalar, Symbolic, Tabular, Tracked};
 
-/// A scalar whose tensors can be contracted and written in tables.
-pub trait Coefficient: Tabular + Scalar {}
+/// A scalar whose tensors can be contracted and written in tables, with the values of a definition.
+pub trait Coefficient: Tabular + Scalar {
+    /// The value in this scalar; `None` if it cannot represent it.
+    fn from_symbolic(value: &Symbolic) -> Option<Self>;
 
-impl<S: Tabular + Scalar> Coefficient for S {}
+    /// [`from_symbolic`](Self::from_symbolic), or the refusal.
+    ///
+    /// # Errors
+    /// A value without a counterpart.
+    fn read(value: &Symbolic) -> Result<Self, InputError> {
+        Self::from_symbolic(value).ok_or_else(|| {
+            let shown = shown(&value.to_string());
+            InputError::usage(format!("the value {shown} has no counterpart in this scalar"))
+                .help("set every parameter with --set, and keep floats within 1e308, and at 1e-307 or more unless 0")
+        })
+    }
+}
+
+impl Coefficient for Rational {
+    fn from_symbolic(value: &Symbolic) -> Option<Self> {
+        value.as_constant().cloned()
+    }
+}
+
+impl Coefficient for Symbolic {
+    fn from_symbolic(value: &Symbolic) -> Option<Self> {
+        Some(value.clone())
+    }
+}
+
+/// Programs: the parameters and coordinates are their inputs.
+impl Coefficient for Recorded {
+    fn from_symbolic(value: &Symbolic) -> Option<Self> {
+        Recorded::try_from(value).ok()
+    }
+}
+
+/// Roots of numbers and pi have rational approximations beyond floats, so that rounding errors are known.
+impl Coefficient for Tracked {
+    fn from_symbolic(value: &Symbolic) -> Option<Self> {
+        Self::from_rational(&value.approximation()?)
+    }
+}
+
+impl Coefficient for f64 {
+    fn from_symbolic(value: &Symbolic) -> Option<Self> {
+        Self::from_rational(&value.approximation()?)
+    }
+}
+
+/// Evaluates the same expression over the scalar of a [`Kind`](affinor::tensors::Kind): `over_kind!(kind, S => f::<S>(x))`.
+#[macro_export]
+macro_rules! over_kind {
+    ($kind:expr, $S:ident => $body:expr) => {
+        match $kind {
+            $crate::scalars::Kind::Exact => {
+                type $S = $crate::scalars::Rational;
+                $body
+            }
+            $crate::scalars::Kind::Symbolic => {
+                type $S = $crate::scalars::Symbolic;
+                $body
+            }
+            $crate::scalars::Kind::Float => {
+                type $S = $crate::scalars::Tracked;
+                $body
+            }
+        }
+    };
+}

@@ -2,7 +2,7 @@
 //!
 //! A SPACE is a geometry of the paper, a catalogue name, a sum of names, a file, or brackets given inline ([`Space`]).
 //! Each becomes a [`Definition`], exact and symbolic, which is then converted to the scalar of the computation
-//! ([`Reading`]). Files are TOML or JSON with the same keys.
+//! ([`Coefficient`]). Files are TOML or JSON with the same keys.
 //!
 //! In reading order: `source` and `input` have places and errors; `file` parses a file, `written` its values;
 //! `document` has the keys of a definition, `notation` its expressions; `space` has the SPACE of a command.
@@ -34,7 +34,7 @@ pub use input::{InputError, Refusal};
 pub use mesh::{mesh, read_mesh};
 pub use numbers::numbers;
 pub use source::{Place, Source};
-pub use space::{Request, ScalarChoice, Space, Work};
+pub use space::{Request, ScalarChoice, Space};
 
 use crate::Coefficient;
 use affinor::algebra::Complex;
@@ -111,34 +111,14 @@ enum ConnectionChoice {
     Affinities(Pairs),
 }
 
-/// The conversion of values to the scalar of a computation.
-pub struct Reading<'r, S> {
-    /// Converts a value; `None` if the scalar cannot represent it.
-    pub convert: &'r dyn Fn(&Symbolic) -> Option<S>,
-    /// The tolerance below which a float counts as zero.
-    pub tolerance: Tolerance,
-}
-
-impl<S: Coefficient> Reading<'_, S> {
-    fn value(&self, value: &Symbolic) -> Result<S, InputError> {
-        (self.convert)(value).ok_or_else(|| {
-            let shown = input::shown(&value.to_string());
-            InputError::usage(format!("the value {shown} has no counterpart in this scalar"))
-                .help("set every parameter with --set, and keep floats within 1e308, and at 1e-307 or more unless 0")
+/// The components `[i, j, k]` of right sides `v^i` of the pairs `j, k`.
+fn components<S: Coefficient>(pairs: &Pairs) -> Result<Vec<([usize; 3], S)>, InputError> {
+    let each = pairs.iter().flat_map(|(&(j, k), Given { value, place })| {
+        value.iter().map(move |(&i, value)| {
+            Ok(([i, j, k], S::read(value).map_err(|error| error.or_at(place))?))
         })
-    }
-
-    fn value_at(&self, value: &Symbolic, place: &Place) -> Result<S, InputError> {
-        self.value(value).map_err(|error| error.or_at(place))
-    }
-
-    /// The components `[i, j, k]` of right sides `v^i` of the pairs `j, k`.
-    fn components(&self, pairs: &Pairs) -> Result<Vec<([usize; 3], S)>, InputError> {
-        let each = pairs.iter().flat_map(|(&(j, k), Given { value, place })| {
-            value.iter().map(move |(&i, value)| Ok(([i, j, k], self.value_at(value, place)?)))
-        });
-        each.collect()
-    }
+    });
+    each.collect()
 }
 
 impl Definition {
@@ -213,16 +193,16 @@ impl Definition {
     /// # Errors
     /// A refusal of the mathematics, with its witness: `[y,x]` that is not `-[x,y]`, `[x,x]` that is not zero, matrices
     /// that are dependent or not closed under commutators.
-    pub fn bracket<S: Coefficient>(&self, reading: &Reading<S>) -> Result<Bracket<S>, InputError> {
+    pub fn bracket<S: Coefficient>(&self, tolerance: Tolerance) -> Result<Bracket<S>, InputError> {
         let bracket = match &self.origin {
             Origin::Brackets(given) => {
                 self.antisymmetric(given)?;
-                let constants = reading.components(given)?;
+                let constants = components(given)?;
                 let constants = constants.into_iter().map(|([i, j, k], value)| (j, k, i, value));
-                Bracket::from_constants(&self.labels, constants)?.with_tolerance(reading.tolerance)
+                Bracket::from_constants(&self.labels, constants)?.with_tolerance(tolerance)
             }
             Origin::Matrices(..) => {
-                self.matrix_basis(reading)?.bracket().map_err(|error| self.refused(error))?
+                self.matrix_basis(tolerance)?.bracket().map_err(|error| self.refused(error))?
             }
             Origin::Chart(_) => return Err(InputError::usage("a chart has no table of brackets")),
         };
@@ -235,9 +215,9 @@ impl Definition {
     /// As [`bracket`](Self::bracket), and the triple that violates Jacobi.
     pub fn algebra<S: Coefficient>(
         &self,
-        reading: &Reading<S>,
+        tolerance: Tolerance,
     ) -> Result<LieAlgebra<S>, InputError> {
-        LieAlgebra::try_from(self.bracket(reading)?).map_err(|error| self.refused(error))
+        LieAlgebra::try_from(self.bracket(tolerance)?).map_err(|error| self.refused(error))
     }
 
     /// The [`algebra`](Self::algebra), or the fields on a chart.
@@ -246,11 +226,11 @@ impl Definition {
     /// As [`algebra`](Self::algebra); fields that are dependent everywhere.
     pub fn ground<S: Coefficient>(
         &self,
-        reading: &Reading<S>,
+        tolerance: Tolerance,
     ) -> Result<FrameOrigin<S>, InputError> {
         match &self.origin {
-            Origin::Chart(chart) => Ok(chart.fields(&self.labels, reading)?.into()),
-            _ => Ok(self.algebra(reading)?.into()),
+            Origin::Chart(chart) => Ok(chart.fields(&self.labels)?.into()),
+            _ => Ok(self.algebra(tolerance)?.into()),
         }
     }
 
@@ -261,7 +241,7 @@ impl Definition {
     pub fn metric<S: Coefficient>(
         &self,
         ground: &FrameOrigin<S>,
-        reading: &Reading<S>,
+        tolerance: Tolerance,
     ) -> Result<Option<Metric<S>>, InputError> {
         let n = self.dimension();
         let slots = [Down, Down];
@@ -279,13 +259,13 @@ impl Definition {
             Some(MetricChoice::Components(entries, place)) => {
                 let mut values = Vec::new();
                 for (at, value) in entries {
-                    let value = reading.value(value);
+                    let value = S::read(value);
                     values.push((*at, value.map_err(|error| error.or_at(place.as_ref()))?));
                 }
                 (Tensor::from_components(n, &slots, values)?, place.as_ref())
             }
         };
-        let components = components.with_tolerance(reading.tolerance);
+        let components = components.with_tolerance(tolerance);
         let metric = Metric::new(ground.frame().labels(), components);
         metric.map(Some).map_err(|error| InputError::from(error).or_at(place))
     }
@@ -297,9 +277,9 @@ impl Definition {
     /// As [`ground`](Self::ground) and [`metric`](Self::metric).
     pub fn geometry<S: Coefficient>(
         &self,
-        reading: &Reading<S>,
+        tolerance: Tolerance,
     ) -> Result<Geometry<S>, InputError> {
-        self.geometry_over(self.ground(reading)?, reading)
+        self.geometry_over(self.ground(tolerance)?, tolerance)
     }
 
     /// The geometry over an algebra or fields that are already computed ([`ground`](Self::ground)).
@@ -309,9 +289,9 @@ impl Definition {
     pub fn geometry_over<S: Coefficient>(
         &self,
         ground: FrameOrigin<S>,
-        reading: &Reading<S>,
+        tolerance: Tolerance,
     ) -> Result<Geometry<S>, InputError> {
-        let metric = self.metric(&ground, reading)?;
+        let metric = self.metric(&ground, tolerance)?;
         let (choice, place) =
             self.connection.as_ref().map(|(choice, place)| (choice, place)).unzip();
         let kind = match choice {
@@ -319,15 +299,14 @@ impl Definition {
             None => ConnectionKind::Canonical(Canonical::Zero),
             Some(ConnectionChoice::Canonical(which)) => ConnectionKind::Canonical(*which),
             Some(ConnectionChoice::Family(lambda)) => {
-                let value = reading.value(lambda);
+                let value = S::read(lambda);
                 ConnectionKind::Family(value.map_err(|error| error.or_at(place))?)
             }
             Some(ConnectionChoice::LeviCivita) => ConnectionKind::LeviCivita,
             Some(ConnectionChoice::Affinities(given)) => {
                 let slots = [Up, Down, Down];
-                let gamma =
-                    Tensor::from_components(self.dimension(), &slots, reading.components(given)?)?;
-                ConnectionKind::Affinities(gamma.with_tolerance(reading.tolerance))
+                let gamma = Tensor::from_components(self.dimension(), &slots, components(given)?)?;
+                ConnectionKind::Affinities(gamma.with_tolerance(tolerance))
             }
         };
         let geometry = Geometry::new(self.name.clone(), ground, kind, metric)
@@ -400,19 +379,18 @@ impl Definition {
 
     fn matrix_basis<S: Coefficient>(
         &self,
-        reading: &Reading<S>,
+        tolerance: Tolerance,
     ) -> Result<MatrixBasis<S>, InputError> {
         let Origin::Matrices(size, matrices) = &self.origin else {
             return Err(InputError::usage("this algebra is not given by matrices"));
         };
         let entry = |(row, column, value): &(usize, usize, Complex<Symbolic>)| {
-            let (re, im) = (reading.value(&value.re)?, reading.value(&value.im)?);
+            let (re, im) = (S::read(&value.re)?, S::read(&value.im)?);
             Ok((*row, *column, Complex { re, im }))
         };
         let read = matrices.iter().map(|entries| entries.iter().map(entry).collect());
         let read = read.collect::<Result<Vec<Vec<_>>, InputError>>()?;
-        MatrixBasis::new(&self.labels, *size, read, reading.tolerance)
-            .map_err(|error| self.refused(error))
+        MatrixBasis::new(&self.labels, *size, read, tolerance).map_err(|error| self.refused(error))
     }
 
     /// A refusal of the mathematics, at the first given bracket that it names, or else in the whole source.

@@ -26,3 +26,9 @@ pub mod report;
 pub mod rows;
 
 pub use coefficient::Coefficient;
+
+/// The scalars of [`over_kind`].
+#[doc(hidden)]
+pub mod scalars {
+    pub use affinor::tensors::{Kind, Rational, Symbolic, Tracked};
+}

@@ -4,7 +4,7 @@ use crate::errors::raise;
 use crate::group::{PyGroup, PyTransport};
 use crate::report::{format, written};
 use crate::run::run;
-use crate::tensor::{PyTensor, Scalar, float, of};
+use crate::tensor::{Held, PyTensor, float, of};
 use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::geometry::properties::Property;
 use affinor::group::transport::ParallelTranslation;
@@ -17,7 +17,6 @@ use affinor_documents::report::{
 use affinor_tensors::{Kind, Rational, Symbolic, Tensor, Tracked};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use std::any::Any;
 
 /// A geometry over one of the scalars.
 #[derive(Clone, Debug)]
@@ -35,23 +34,6 @@ macro_rules! each {
             Values::Float($geometry) => $body,
         }
     };
-}
-
-impl Values {
-    /// The geometry over one of the three scalars that spaces are computed in.
-    pub fn wrap<S: Coefficient>(geometry: Geometry<S>) -> Result<Self, InputError> {
-        let any: Box<dyn Any> = Box::new(geometry);
-        let any = match any.downcast() {
-            Ok(geometry) => return Ok(Values::Exact(*geometry)),
-            Err(other) => other,
-        };
-        let any = match any.downcast() {
-            Ok(geometry) => return Ok(Values::Symbolic(*geometry)),
-            Err(other) => other,
-        };
-        let float = any.downcast().map(|geometry| Values::Float(*geometry));
-        float.map_err(|_| InputError::usage("a scalar other than the three of a space"))
-    }
 }
 
 /// A geometry: a frame, a connection and perhaps a metric.
@@ -144,7 +126,7 @@ impl PyGeometry {
     fn quantity(&self, py: Python<'_>, key: &str) -> PyResult<Option<PyTensor>> {
         let quantity = quantity(key)?;
         let tensor =
-            run(py, || Ok(each!(&self.0, geometry => quantity.of(geometry)?.map(Scalar::wrap))))?;
+            run(py, || Ok(each!(&self.0, geometry => quantity.of(geometry)?.map(Held::wrap))))?;
         Ok(tensor.map(PyTensor))
     }
 
@@ -201,14 +183,14 @@ impl PyGeometry {
     /// The same geometry in the right-invariant frame.
     fn in_right_frame(&self, py: Python<'_>) -> PyResult<PyGeometry> {
         run(py, || {
-            let right = each!(&self.0, geometry => Values::wrap(geometry.in_right_frame()?));
-            right.map(PyGeometry)
+            let right = each!(&self.0, geometry => Held::wrap_geometry(geometry.in_right_frame()?));
+            Ok(PyGeometry(right))
         })
     }
 
     /// The labels and the structure constants of the direct sum with another algebra.
     fn direct_sum(&self, py: Python<'_>, other: &PyGeometry) -> PyResult<(Vec<String>, PyTensor)> {
-        fn sum<S: Scalar>(
+        fn sum<S: Held>(
             first: &Geometry<S>,
             second: &Geometry<S>,
         ) -> Result<(Vec<String>, PyTensor), InputError> {
@@ -227,7 +209,7 @@ impl PyGeometry {
 
     /// The structure constants in the basis `e'_a = A^i_a e_i`.
     fn change_basis(&self, py: Python<'_>, matrix: &PyTensor) -> PyResult<PyTensor> {
-        fn changed<S: Scalar>(
+        fn changed<S: Held>(
             geometry: &Geometry<S>,
             matrix: &PyTensor,
         ) -> Result<PyTensor, InputError> {
@@ -299,7 +281,7 @@ impl PyGeometry {
 
     /// A basis of the holonomy algebra: matrices.
     fn holonomy(&self, py: Python<'_>) -> PyResult<Vec<PyTensor>> {
-        fn basis<S: Scalar>(geometry: &Geometry<S>) -> Result<Vec<PyTensor>, InputError> {
+        fn basis<S: Held>(geometry: &Geometry<S>) -> Result<Vec<PyTensor>, InputError> {
             let holonomy = geometry.connection().holonomy()?;
             let basis = holonomy.basis()?;
             Ok(basis.into_iter().map(|matrix| PyTensor(S::wrap(matrix))).collect())

@@ -5,15 +5,15 @@ use crate::geometry::{PyGeometry, Values as Geometries};
 use crate::group::PyGroup;
 use crate::report::written;
 use crate::run::run;
-use crate::tensor::{PyTensor, Values};
+use crate::tensor::{Held, PyTensor, Values};
 use affinor::{Canonical, Connection, ConnectionKind, Error, Geometry};
-use affinor_documents::Coefficient;
 use affinor_documents::certificate::Check;
-use affinor_documents::definition::{
-    Definition, Files, InputError, Reading, Request, ScalarChoice, Space, Work,
-};
+use affinor_documents::definition::{Definition, Files, InputError, Request, ScalarChoice, Space};
 use affinor_documents::report::{Computation, certificate};
-use affinor_tensors::{Down, Notation, Rational, Scalar, Symbolic, Tensor, Tolerance, Tracked};
+use affinor_documents::{Coefficient, over_kind};
+use affinor_tensors::{
+    Down, Kind, Notation, Rational, Scalar, Symbolic, Tensor, Tolerance, Tracked,
+};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
@@ -45,65 +45,63 @@ impl Given<'_> {
     }
 }
 
-/// The tensor over the scalar of a reading.
-fn read<S: Coefficient>(values: &Values, reading: &Reading<S>) -> Result<Tensor<S>, InputError> {
+/// The tensor over another scalar.
+fn read<S: Coefficient>(values: &Values, tolerance: Tolerance) -> Result<Tensor<S>, InputError> {
     fn convert<S: Coefficient, T: Scalar>(
         tensor: &Tensor<T>,
-        reading: &Reading<S>,
+        tolerance: Tolerance,
         exact: impl Fn(&T) -> Option<Symbolic>,
     ) -> Result<Tensor<S>, InputError> {
         let mut components = Vec::new();
         for (at, value) in tensor.components() {
-            let converted = exact(value).and_then(|value| (reading.convert)(&value));
+            let converted = exact(value).and_then(|value| S::from_symbolic(&value));
             let refused = || InputError::usage(format!("{value} is no value of this scalar"));
             components.push((at, converted.ok_or_else(refused)?));
         }
         let tensor = Tensor::from_components(tensor.dimension(), tensor.slots(), components)?;
-        Ok(tensor.with_tolerance(reading.tolerance))
+        Ok(tensor.with_tolerance(tolerance))
     }
     match values {
         Values::Exact(tensor) => {
-            convert(tensor, reading, |value| Some(Symbolic::constant(value.clone())))
+            convert(tensor, tolerance, |value| Some(Symbolic::constant(value.clone())))
         }
-        Values::Symbolic(tensor) => convert(tensor, reading, |value| Some(value.clone())),
-        Values::Float(tensor) => convert(tensor, reading, |value: &Tracked| {
+        Values::Symbolic(tensor) => convert(tensor, tolerance, |value| Some(value.clone())),
+        Values::Float(tensor) => convert(tensor, tolerance, |value: &Tracked| {
             Rational::from_f64(value.to_f64()?).map(Symbolic::constant)
         }),
     }
 }
 
-impl Work for Given<'_> {
-    type Output = Geometries;
-
-    fn run<S: Coefficient>(
+impl Given<'_> {
+    fn geometry<S: Held>(
         self,
         definition: &Definition,
-        reading: &Reading<S>,
+        tolerance: Tolerance,
     ) -> Result<Geometries, InputError> {
-        let ground = definition.ground(reading)?;
+        let ground = definition.ground(tolerance)?;
         let name = definition.name.clone();
         let geometry = match self {
-            Given::Definition => definition.geometry_over(ground, reading)?,
+            Given::Definition => definition.geometry_over(ground, tolerance)?,
             Given::None => {
                 Geometry::new(name, ground, ConnectionKind::Canonical(Canonical::Zero), None)?
             }
             Given::Affinities(gamma) => {
-                let metric = definition.metric(&ground, reading)?;
-                let kind = ConnectionKind::Affinities(read(gamma, reading)?);
+                let metric = definition.metric(&ground, tolerance)?;
+                let kind = ConnectionKind::Affinities(read(gamma, tolerance)?);
                 Geometry::new(name, ground, kind, metric)?
             }
             Given::TorsionAndNonmetricity(torsion, nonmetricity) => {
-                let metric = definition.metric(&ground, reading)?.ok_or(Error::NoMetric)?;
+                let metric = definition.metric(&ground, tolerance)?.ok_or(Error::NoMetric)?;
                 let (frame, n) = (ground.frame(), ground.frame().dimension());
                 let connection = match (torsion, nonmetricity) {
                     (Some(torsion), None) => {
-                        Connection::with_torsion(frame, &metric, &read(torsion, reading)?)?
+                        Connection::with_torsion(frame, &metric, &read(torsion, tolerance)?)?
                     }
                     (torsion, nonmetricity) => {
                         let zero = |slots: &[_]| Tensor::zero(n, slots).map_err(InputError::from);
                         let up = [affinor_tensors::Up, Down, Down];
-                        let torsion = torsion.map_or_else(|| zero(&up), |t| read(t, reading))?;
-                        let given = nonmetricity.map(|values| read(values, reading));
+                        let torsion = torsion.map_or_else(|| zero(&up), |t| read(t, tolerance))?;
+                        let given = nonmetricity.map(|values| read(values, tolerance));
                         let nonmetricity = given.unwrap_or_else(|| zero(&[Down; 3]))?;
                         Connection::with_torsion_and_nonmetricity(
                             frame,
@@ -117,7 +115,7 @@ impl Work for Given<'_> {
                 Geometry::new(name, ground, kind, Some(metric))?
             }
         };
-        Geometries::wrap(geometry)
+        Ok(S::wrap_geometry(geometry))
     }
 }
 
@@ -149,13 +147,13 @@ impl PySpace {
         given: Given<'_>,
     ) -> PyResult<PyGeometry> {
         let (choice, tolerance, space) = (choice(scalar)?, tolerance(relative)?, &self.0);
-        let geometry = run(py, || match choice {
-            // parameters of a tensor that the definition does not have
-            ScalarChoice::Exact if given.has_parameters() => {
-                let convert = |value: &Symbolic| Some(value.clone());
-                given.run::<Symbolic>(&space.definition, &Reading { convert: &convert, tolerance })
-            }
-            _ => space.run(choice, tolerance, given),
+        let geometry = run(py, || {
+            let kind = match choice {
+                // parameters of a tensor that the definition does not have
+                ScalarChoice::Exact if given.has_parameters() => Kind::Symbolic,
+                _ => space.kind(choice)?,
+            };
+            over_kind!(kind, S => given.geometry::<S>(&space.definition, tolerance))
         })?;
         Ok(PyGeometry(geometry))
     }
@@ -292,9 +290,7 @@ impl PySpace {
     /// The group of the algebra.
     fn group(&self, py: Python<'_>) -> PyResult<PyGroup> {
         let space = &self.0;
-        let group = run(py, || {
-            space.in_floats(Tolerance::default(), |definition, reading| definition.group(reading))
-        })?;
+        let group = run(py, || space.in_floats()?.group(Tolerance::default()))?;
         Ok(PyGroup::new(space.definition.name.clone(), group))
     }
 }

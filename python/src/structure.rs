@@ -5,7 +5,7 @@ use crate::geometry::{PyGeometry, Values as Geometries};
 use crate::report::written;
 use crate::run::run;
 use crate::space::PySpace;
-use crate::tensor::{PyTensor, Scalar, Values, of};
+use crate::tensor::{Held, PyTensor, Values, of};
 use affinor::algebra::structure::{Ground, Structure, Subspace};
 use affinor::{BasisChange, Bracket, LieAlgebra};
 use affinor_documents::definition::InputError;
@@ -72,13 +72,13 @@ pub fn program(py: Python<'_>, algebra: &PyGeometry, program: &str) -> PyResult<
 /// The labels and the structure constants of a new algebra.
 type Made = (Vec<String>, PyTensor);
 
-fn made<S: Scalar>(algebra: &LieAlgebra<S>) -> Made {
+fn made<S: Held>(algebra: &LieAlgebra<S>) -> Made {
     (algebra.labels().to_vec(), PyTensor(S::wrap(algebra.structure().clone())))
 }
 
 /// A construction over the scalar of an algebra and of the tensors beside it.
 trait Construct {
-    fn run<S: Scalar + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError>;
+    fn run<S: Held + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError>;
 
     /// Whether a part other than the algebra has parameters.
     fn has_parameters(&self) -> bool {
@@ -108,7 +108,7 @@ trait Construct {
 }
 
 /// The components of vectors.
-fn rows<S: Scalar>(vectors: &[Values]) -> Result<Vec<Row<S>>, InputError> {
+fn rows<S: Held>(vectors: &[Values]) -> Result<Vec<Row<S>>, InputError> {
     let row = |vector: &Values| -> Result<Row<S>, InputError> {
         let vector = of::<S>(vector)?;
         Ok(vector.components().map(|(at, value)| (at[0], value.clone())).collect())
@@ -135,7 +135,7 @@ enum Way {
 struct Subalgebra(Way, Vec<Values>);
 
 impl Construct for Subalgebra {
-    fn run<S: Scalar + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
+    fn run<S: Held + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
         let (n, vectors) = (structure.dimension(), rows::<S>(&self.1)?);
         let subspace = match self.0 {
             Way::Spanned => Subspace::span(n, vectors.clone()),
@@ -188,7 +188,7 @@ pub fn subalgebra(
 struct Quotient(Vec<Values>);
 
 impl Construct for Quotient {
-    fn run<S: Scalar + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
+    fn run<S: Held + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
         let ideal = Subspace::span(structure.dimension(), rows::<S>(&self.0)?);
         if ideal.dimension() == structure.dimension() {
             return Err(InputError::usage("the quotient by the whole algebra is zero"));
@@ -214,7 +214,7 @@ pub fn quotient(
 struct Extension(Vec<String>, [Values; 1]);
 
 impl Construct for Extension {
-    fn run<S: Scalar + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
+    fn run<S: Held + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
         let (n, cocycle) = (structure.dimension(), of::<S>(&self.1[0])?);
         let mut constants = vec![];
         for (at, value) in cocycle.components() {
@@ -251,7 +251,7 @@ struct Semidirect {
 }
 
 impl Construct for Semidirect {
-    fn run<S: Scalar + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
+    fn run<S: Held + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
         let all = self.tensors.iter().map(of::<S>).collect::<Result<Vec<_>, _>>()?;
         let Some((constants, matrices)) = all.split_first() else {
             return Err(InputError::usage("the algebra acted on is missing"));
@@ -284,8 +284,8 @@ pub fn semidirect(
     by: Vec<Py<PyTensor>>,
 ) -> PyResult<Made> {
     let structure = match &on.0 {
-        Geometries::Exact(on) => Scalar::wrap(on.frame().structure().clone()),
-        Geometries::Symbolic(on) => Scalar::wrap(on.frame().structure().clone()),
+        Geometries::Exact(on) => Held::wrap(on.frame().structure().clone()),
+        Geometries::Symbolic(on) => Held::wrap(on.frame().structure().clone()),
         Geometries::Float(_) => return Err(raise(py, &in_floats(WHAT))),
     };
     let tensors = [structure].into_iter().chain(values(&by)).collect();
@@ -295,7 +295,7 @@ pub fn semidirect(
 struct Contraction(Vec<i64>);
 
 impl Construct for Contraction {
-    fn run<S: Scalar + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
+    fn run<S: Held + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
         Ok(made(&structure.contraction(&self.0)?))
     }
 }
@@ -309,7 +309,7 @@ pub fn contraction(py: Python<'_>, algebra: &PyGeometry, weights: Vec<i64>) -> P
 struct TensorProduct(Vec<String>, [Values; 1]);
 
 impl Construct for TensorProduct {
-    fn run<S: Scalar + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
+    fn run<S: Held + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
         Ok(made(&structure.tensor_product(&self.0, &*of::<S>(&self.1[0])?)?))
     }
 
@@ -337,7 +337,7 @@ enum Plain {
 }
 
 impl Construct for Plain {
-    fn run<S: Scalar + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
+    fn run<S: Held + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
         Ok(made(&match self {
             Plain::Complexification => structure.complexified()?,
             Plain::WithDual => structure.with_dual()?,

@@ -2,11 +2,13 @@
 
 use crate::arrays::fresh;
 use crate::errors::{refused, wrong};
+use crate::geometry::Values as Geometries;
 use crate::run::run;
 use crate::values;
-use affinor_documents::Coefficient;
+use affinor::Geometry;
 use affinor_documents::definition::InputError;
 use affinor_documents::report::{components_in_latex, components_in_text};
+use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::{
     Down, Kind, Notation, Rational, Symbolic, Tensor, TensorError, Tracked, Up, Variance, contract,
 };
@@ -67,9 +69,10 @@ fn write_floats<S: Coefficient>(tensor: &Tensor<S>, list: &mut [f64]) -> Result<
     Ok(())
 }
 
-/// A scalar of tensors.
-pub trait Scalar: Coefficient + Sized {
+/// A scalar of the tensors and geometries that Python holds.
+pub trait Held: Coefficient {
     fn wrap(tensor: Tensor<Self>) -> Values;
+    fn wrap_geometry(geometry: Geometry<Self>) -> Geometries;
     /// The tensor over this scalar, if its values exist here.
     fn of(values: &Values) -> Option<Arc<Tensor<Self>>>;
 }
@@ -85,9 +88,12 @@ fn over<S: Coefficient, T: Coefficient>(
         .then(|| Arc::new(tensor.map(|value| convert(value).unwrap_or_else(T::zero))))
 }
 
-impl Scalar for Rational {
+impl Held for Rational {
     fn wrap(tensor: Tensor<Self>) -> Values {
         Values::Exact(tensor.into())
+    }
+    fn wrap_geometry(geometry: Geometry<Self>) -> Geometries {
+        Geometries::Exact(geometry)
     }
     fn of(values: &Values) -> Option<Arc<Tensor<Self>>> {
         match values {
@@ -98,9 +104,12 @@ impl Scalar for Rational {
     }
 }
 
-impl Scalar for Symbolic {
+impl Held for Symbolic {
     fn wrap(tensor: Tensor<Self>) -> Values {
         Values::Symbolic(tensor.into())
+    }
+    fn wrap_geometry(geometry: Geometry<Self>) -> Geometries {
+        Geometries::Symbolic(geometry)
     }
     fn of(values: &Values) -> Option<Arc<Tensor<Self>>> {
         match values {
@@ -111,9 +120,12 @@ impl Scalar for Symbolic {
     }
 }
 
-impl Scalar for Tracked {
+impl Held for Tracked {
     fn wrap(tensor: Tensor<Self>) -> Values {
         Values::Float(tensor.into())
+    }
+    fn wrap_geometry(geometry: Geometry<Self>) -> Geometries {
+        Geometries::Float(geometry)
     }
     fn of(values: &Values) -> Option<Arc<Tensor<Self>>> {
         match values {
@@ -146,28 +158,8 @@ pub fn widest<'v>(all: impl IntoIterator<Item = &'v Values>) -> Kind {
     all.into_iter().map(Values::kind).max_by_key(rank).unwrap_or(Kind::Exact)
 }
 
-/// Runs the same expression over the widest scalar of several values.
-macro_rules! over_widest {
-    ($all:expr, $S:ident => $body:expr) => {
-        match widest($all) {
-            Kind::Exact => {
-                type $S = Rational;
-                $body
-            }
-            Kind::Symbolic => {
-                type $S = Symbolic;
-                $body
-            }
-            Kind::Float => {
-                type $S = Tracked;
-                $body
-            }
-        }
-    };
-}
-
 /// The tensor over a scalar, or the reason why a component is not in it.
-pub fn of<S: Scalar>(values: &Values) -> Result<Arc<Tensor<S>>, InputError> {
+pub fn of<S: Held>(values: &Values) -> Result<Arc<Tensor<S>>, InputError> {
     S::of(values).ok_or_else(|| {
         if values.kind() == Kind::Float {
             let error = InputError::usage("the components are floats, and exact ones are needed");
@@ -227,7 +219,7 @@ impl PyTensor {
                 pyo3::exceptions::PyIndexError::new_err(reason)
             })?);
         }
-        fn make<S: Scalar>(
+        fn make<S: Held>(
             dimension: usize,
             slots: &[Variance],
             keys: Vec<Vec<usize>>,
@@ -392,7 +384,7 @@ impl PyTensor {
     ) -> PyResult<Self> {
         let all: Vec<&Values> = operands.iter().map(|(_, tensor)| &tensor.get().0).collect();
         run(py, || {
-            over_widest!(all.iter().copied(), S => {
+            over_kind!(widest(all.iter().copied()), S => {
                 let tensors = all.iter().map(|values| of::<S>(values));
                 let tensors = tensors.collect::<Result<Vec<_>, _>>()?;
                 let names = operands.iter().map(|(name, _)| name.as_str());
@@ -417,25 +409,25 @@ impl PyTensor {
 
     /// The slots in another order.
     fn permute(&self, py: Python<'_>, order: Vec<usize>) -> PyResult<Self> {
-        let permuted = each!(&self.0, tensor => tensor.permute(&order).map(Scalar::wrap));
+        let permuted = each!(&self.0, tensor => tensor.permute(&order).map(Held::wrap));
         permuted.map(PyTensor).map_err(|error| refused(py, error))
     }
 
     /// The tensor with the index of one slot fixed.
     fn slice(&self, py: Python<'_>, slot: usize, index: usize) -> PyResult<Self> {
-        let slice = each!(&self.0, tensor => tensor.slice(slot, index).map(Scalar::wrap));
+        let slice = each!(&self.0, tensor => tensor.slice(slot, index).map(Held::wrap));
         slice.map(PyTensor).map_err(|error| refused(py, error))
     }
 
     /// The sum over an upper and a lower slot.
     fn trace(&self, py: Python<'_>, a: usize, b: usize) -> PyResult<Self> {
-        let trace = each!(&self.0, tensor => tensor.trace(a, b).map(Scalar::wrap));
+        let trace = each!(&self.0, tensor => tensor.trace(a, b).map(Held::wrap));
         trace.map(PyTensor).map_err(|error| refused(py, error))
     }
 
     /// The components multiplied by a number or an expression.
     fn scale(&self, py: Python<'_>, factor: &str) -> PyResult<Self> {
-        fn scaled<S: Scalar>(tensor: &Tensor<S>, factor: &str) -> PyResult<Values> {
+        fn scaled<S: Held>(tensor: &Tensor<S>, factor: &str) -> PyResult<Values> {
             Ok(S::wrap(tensor.scale(&values::read(factor)?)))
         }
         let symbolic: Symbolic = values::read(factor)?;
@@ -453,7 +445,7 @@ impl PyTensor {
     fn equals(&self, other: &PyTensor) -> bool {
         let floats = [&self.0, &other.0].map(|values| values.kind() == Kind::Float);
         floats[0] == floats[1]
-            && over_widest!([&self.0, &other.0], S => {
+            && over_kind!(widest([&self.0, &other.0]), S => {
                 S::of(&self.0).zip(S::of(&other.0)).is_some_and(|(a, b)| a == b)
             })
     }

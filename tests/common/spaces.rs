@@ -2,20 +2,14 @@
 
 use affinor::Geometry;
 use affinor_documents::Coefficient;
-use affinor_documents::definition::{Reading, Request, Space};
+use affinor_documents::definition::{Request, Space};
 use affinor_tensors::{Rational, Symbolic, Tolerance};
 
-fn open<S: Coefficient>(
-    space: String,
-    metric: Option<&str>,
-    set: Option<&str>,
-    convert: &dyn Fn(&Symbolic) -> Option<S>,
-) -> Geometry<S> {
+fn open<S: Coefficient>(space: String, metric: Option<&str>, set: Option<&str>) -> Geometry<S> {
     let [metric, set] = [metric, set].map(|text| text.map(str::to_string));
     let request = Request { space: Some(space), metric, set, ..Request::default() };
     let space = Space::open(&request).unwrap();
-    let tolerance = Tolerance::default();
-    space.definition.geometry(&Reading { convert, tolerance }).unwrap()
+    space.definition.geometry(Tolerance::default()).unwrap()
 }
 
 /// The path of a definition in `examples/definitions`.
@@ -26,16 +20,16 @@ fn path(file: &str) -> String {
 
 /// A file of `examples/definitions`, its parameters left as they are.
 pub fn symbolic(file: &str) -> Geometry<Symbolic> {
-    open(path(file), None, None, &|value| Some(value.clone()))
+    open(path(file), None, None)
 }
 
 /// A file of `examples/definitions` with values for its parameters.
 pub fn rational(file: &str, set: &str) -> Geometry<Rational> {
     let set = Some(set).filter(|set| !set.is_empty());
-    open(path(file), None, set, &|value| value.as_constant().cloned())
+    open(path(file), None, set)
 }
 
 /// A catalogue name with a metric and its Levi-Civita connection.
 pub fn named(name: &str, metric: &str) -> Geometry<Rational> {
-    open(name.to_string(), Some(metric), None, &|value| value.as_constant().cloned())
+    open(name.to_string(), Some(metric), None)
 }

@@ -6,7 +6,7 @@
 
 use crate::common::root;
 use affinor::Geometry;
-use affinor_documents::definition::{Definition, InputError, Reading};
+use affinor_documents::definition::{Definition, InputError};
 use affinor_documents::report::{Quantity, Table};
 use affinor_tensors::{Symbolic, Tensor, Tolerance};
 use num_traits::Zero;
@@ -22,9 +22,7 @@ pub struct LineElement {
 }
 
 fn geometry(keys: &Value) -> Result<Geometry<Symbolic>, InputError> {
-    let convert = |value: &Symbolic| Some(value.clone());
-    let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
-    Definition::parse("line_element.json", &keys.to_string())?.geometry(&reading)
+    Definition::parse("line_element.json", &keys.to_string())?.geometry(Tolerance::default())
 }
 
 impl LineElement {

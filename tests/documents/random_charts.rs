@@ -6,11 +6,9 @@
 use super::double_double::DoubleDouble;
 use super::printed::{FreeFunction, Point, number};
 use crate::common::root;
-use affinor_documents::Coefficient;
-use affinor_documents::definition::{
-    Definition, InputError, Reading, Request, ScalarChoice, Space, Work,
-};
+use affinor_documents::definition::{InputError, Request, ScalarChoice, Space};
 use affinor_documents::report::{Format, Quantity, Report, StoredTable, Table};
+use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::scalar::StraightLine;
 use affinor_tensors::{Recorded, Tensor, Tolerance};
 use rayon::prelude::*;
@@ -135,52 +133,30 @@ fn unreduced<S: Coefficient>(table: &Table<S>, row: &Value) -> Vec<String> {
 }
 
 /// Compares a table with the reference, and with its own texts.
-struct Compared<'a>(&'a Value);
-
-impl Work for Compared<'_> {
-    type Output = Vec<String>;
-
-    fn run<S: Coefficient>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<Vec<String>, InputError> {
-        let table = Table::new(&definition.geometry(reading)?, &QUANTITIES)?;
-        let mut found = differences(&table, self.0);
-        found.extend(unreduced(&table, self.0));
-        for format in Format::ALL {
-            let mut text = vec![];
-            table.write(format, &mut text).unwrap();
-            let text = String::from_utf8(text).unwrap();
-            assert!(text.len() > 20, "{format:?}");
-            if !matches!(format, Format::Csv | Format::Json) {
-                continue;
-            }
-            let mut stored = StoredTable::parse("stored", &text)?;
-            stored.select(&QUANTITIES);
-            let differences = stored.differences(&table)?;
-            if !differences.is_empty() {
-                found.push(format!("{format:?} is read back otherwise: {differences:?}"));
-            }
+fn compared<S: Coefficient>(space: &Space, row: &Value) -> Result<Vec<String>, InputError> {
+    let table = table::<S>(space)?;
+    let mut found = differences(&table, row);
+    found.extend(unreduced(&table, row));
+    for format in Format::ALL {
+        let mut text = vec![];
+        table.write(format, &mut text).unwrap();
+        let text = String::from_utf8(text).unwrap();
+        assert!(text.len() > 20, "{format:?}");
+        if !matches!(format, Format::Csv | Format::Json) {
+            continue;
         }
-        Ok(found)
+        let mut stored = StoredTable::parse("stored", &text)?;
+        stored.select(&QUANTITIES);
+        let differences = stored.differences(&table)?;
+        if !differences.is_empty() {
+            found.push(format!("{format:?} is read back otherwise: {differences:?}"));
+        }
     }
+    Ok(found)
 }
 
-/// Compares a table with the reference.
-struct Evaluated<'a>(&'a Value);
-
-impl Work for Evaluated<'_> {
-    type Output = Vec<String>;
-
-    fn run<S: Coefficient>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<Vec<String>, InputError> {
-        let table = Table::new(&definition.geometry(reading)?, &QUANTITIES)?;
-        Ok(differences(&table, self.0))
-    }
+fn table<S: Coefficient>(space: &Space) -> Result<Table<S>, InputError> {
+    Ok(Table::new(&space.definition.geometry(Tolerance::default())?, &QUANTITIES)?)
 }
 
 fn messages(result: Result<Vec<String>, InputError>) -> Vec<String> {
@@ -202,7 +178,7 @@ fn all_tables_have_the_values_of_an_independent_program() {
 
 fn tables(row: &Value) -> Vec<String> {
     let space = space(row, None);
-    let run = |space: Space| space.run(ScalarChoice::Exact, Tolerance::default(), Compared(row));
+    let run = |space: Space| over_kind!(space.kind(ScalarChoice::Exact)?, S => compared::<S>(&space, row));
     messages(space.and_then(run))
 }
 
@@ -226,8 +202,10 @@ fn values_set_before_are_values_set_after() {
             return vec![];
         }
         let space = space(row, Some(set.join(",")));
-        let run =
-            |space: Space| space.run(ScalarChoice::Exact, Tolerance::default(), Evaluated(row));
+        let run = |space: Space| {
+            let kind = space.kind(ScalarChoice::Exact)?;
+            over_kind!(kind, S => Ok(differences(&table::<S>(&space)?, row)))
+        };
         messages(space.and_then(run))
     });
 }
@@ -236,19 +214,13 @@ fn values_set_before_are_values_set_after() {
 #[test]
 fn programs_have_the_same_values() {
     for_each(&charts(), |row| {
-        let evaluated = space(row, None).and_then(|space| {
-            space.record(|definition, reading| in_floats(row, definition, reading))
-        });
+        let evaluated = space(row, None).and_then(|space| in_floats(row, &space));
         messages(evaluated)
     });
 }
 
-fn in_floats(
-    row: &Value,
-    definition: &Definition,
-    reading: &Reading<Recorded>,
-) -> Result<Vec<String>, InputError> {
-    let table = Table::new(&definition.geometry(reading)?, &QUANTITIES)?;
+fn in_floats(row: &Value, space: &Space) -> Result<Vec<String>, InputError> {
+    let table = table::<Recorded>(space)?;
     let point = point(row);
     let mut found = vec![];
     for entry in &table.tensors {

@@ -3,59 +3,51 @@
 
 use crate::common::root;
 use affinor::algebra::catalogue;
-use affinor_documents::Coefficient;
-use affinor_documents::definition::{
-    Definition, InputError, Reading, Request, ScalarChoice, Space, Work,
-};
+use affinor_documents::definition::{Definition, InputError, Request, ScalarChoice, Space};
 use affinor_documents::report::{Format, Quantity, Report, StoredTable, Table};
+use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::Tolerance;
 
 /// The largest dimension of the catalogue's algebras that are read back.
 const LARGEST: usize = 30;
 
 /// Stores and reads a table of each tensor alone, and of all together; the number of tables read.
-struct ReadBack<'a>(&'a [Quantity]);
-
-impl Work for ReadBack<'_> {
-    type Output = usize;
-
-    fn run<S: Coefficient>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<usize, InputError> {
-        let geometry = definition.geometry(reading)?;
-        let alone = self.0.iter().map(std::slice::from_ref);
-        let mut read = 0;
-        for quantities in alone.chain([self.0]) {
-            let table = Table::new(&geometry, quantities)?;
-            for format in [Format::Csv, Format::Json] {
-                let mut text = vec![];
-                table.write(format, &mut text).unwrap();
-                let text = String::from_utf8(text).unwrap();
-                if table.tensors.is_empty() {
-                    continue;
-                }
-                let mut stored = StoredTable::parse("stored", &text)?;
-                let shown: Vec<_> = table.tensors.iter().map(|entry| entry.quantity).collect();
-                // a tensor without rows in CSV is zero
-                stored.select(&shown);
-                stored.expect_basis(&table.labels)?;
-                assert_eq!(stored.remarks(&table), [""; 0]);
-                let differences = stored.differences(&table)?;
-                assert!(differences.is_empty(), "{quantities:?}: {differences:?}");
-                read += 1;
+fn read_tables<S: Coefficient>(
+    definition: &Definition,
+    all: &[Quantity],
+) -> Result<usize, InputError> {
+    let geometry = definition.geometry::<S>(Tolerance::default())?;
+    let alone = all.iter().map(std::slice::from_ref);
+    let mut read = 0;
+    for quantities in alone.chain([all]) {
+        let table = Table::new(&geometry, quantities)?;
+        for format in [Format::Csv, Format::Json] {
+            let mut text = vec![];
+            table.write(format, &mut text).unwrap();
+            let text = String::from_utf8(text).unwrap();
+            if table.tensors.is_empty() {
+                continue;
             }
+            let mut stored = StoredTable::parse("stored", &text)?;
+            let shown: Vec<_> = table.tensors.iter().map(|entry| entry.quantity).collect();
+            // a tensor without rows in CSV is zero
+            stored.select(&shown);
+            stored.expect_basis(&table.labels)?;
+            assert_eq!(stored.remarks(&table), [""; 0]);
+            let differences = stored.differences(&table)?;
+            assert!(differences.is_empty(), "{quantities:?}: {differences:?}");
+            read += 1;
         }
-        Ok(read)
     }
+    Ok(read)
 }
 
 /// Reads back the tables of a space; the number of tables.
 #[track_caller]
 fn read_back(request: &Request, quantities: &[Quantity]) -> usize {
     let space = Space::open(request).unwrap();
-    let read = space.run(ScalarChoice::Exact, Tolerance::default(), ReadBack(quantities));
+    let kind = space.kind(ScalarChoice::Exact).unwrap();
+    let read = over_kind!(kind, S => read_tables::<S>(&space.definition, quantities));
     read.unwrap_or_else(|error| panic!("{request:?}: {error:?}"))
 }
 

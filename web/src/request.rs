@@ -4,10 +4,8 @@ use super::source::{self, Language};
 use super::{Answer, Refusal, motion, transport};
 use affinor::Canonical;
 use affinor::geometry::equations::EquationKind;
-use affinor_documents::Coefficient;
-use affinor_documents::definition::{
-    self, Definition, InputError, Reading, ScalarChoice, Space, Work,
-};
+use affinor_documents::definition::{self, InputError, ScalarChoice, Space};
+use affinor_documents::over_kind;
 use affinor_documents::paper::{Paper, PaperFormat};
 use affinor_documents::picture::{self, Picture};
 use affinor_documents::problem::Problem;
@@ -116,10 +114,7 @@ impl Request {
     fn pictures(&self) -> Vec<Picture> {
         let drawn = || -> Result<Vec<Picture>, Refusal> {
             match self.report.as_str() {
-                "table" => {
-                    let work = HeatMaps(self.quantities()?);
-                    Ok(self.open()?.run(ScalarChoice::Exact, Tolerance::default(), work)?)
-                }
+                "table" => Ok(heat_maps(&self.open()?, &self.quantities()?)?),
                 "info" => {
                     let definition = self.open()?.definition;
                     let types = dynkin_type(&definition)?;
@@ -233,23 +228,17 @@ fn notes(space: &Space) -> Vec<String> {
 }
 
 /// Heat maps of tensors.
-struct HeatMaps(Vec<Quantity>);
-
-impl Work for HeatMaps {
-    type Output = Vec<Picture>;
-
-    fn run<S: Coefficient>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<Self::Output, InputError> {
-        if definition.dimension() > HEAT {
-            return Ok(vec![]);
-        }
-        let table = Table::new(&definition.geometry(reading)?, &self.0)?;
+fn heat_maps(space: &Space, quantities: &[Quantity]) -> Result<Vec<Picture>, InputError> {
+    let definition = &space.definition;
+    if definition.dimension() > HEAT {
+        return Ok(vec![]);
+    }
+    over_kind!(space.kind(ScalarChoice::Exact)?, S => {
+        let geometry = definition.geometry::<S>(Tolerance::default())?;
+        let table = Table::new(&geometry, quantities)?;
         let drawn = |entry: &TableEntry<S>| {
             picture::heat(entry.quantity.title(), entry.quantity.symbol(), &entry.tensor)
         };
         Ok(table.tensors.iter().filter_map(drawn).collect())
-    }
+    })
 }

@@ -2,8 +2,8 @@
 
 use super::Refusal;
 use affinor::geometry::ConnectionKind;
-use affinor_documents::Coefficient;
-use affinor_documents::definition::{Definition, InputError, Reading, ScalarChoice, Space, Work};
+use affinor_documents::definition::{Definition, InputError, ScalarChoice, Space};
+use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::text::combination;
 use affinor_tensors::{Tensor, Tolerance};
 use std::fmt::Write;
@@ -54,63 +54,53 @@ pub(super) fn definition(space: &Space, with_connection: bool) -> Result<String,
     if space.definition.is_on_chart() {
         return Err(Refusal::new("a chart is copied from its own definition"));
     }
-    Ok(space.run(ScalarChoice::Exact, Tolerance::default(), File { with_connection })?)
+    let (definition, kind) = (&space.definition, space.kind(ScalarChoice::Exact)?);
+    Ok(over_kind!(kind, S => file::<S>(definition, with_connection))?)
 }
 
-struct File {
+fn file<S: Coefficient>(
+    definition: &Definition,
     with_connection: bool,
-}
-
-impl Work for File {
-    type Output = String;
-
-    fn run<S: Coefficient>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<String, InputError> {
-        let algebra = definition.algebra(reading)?;
-        let quoted = |text: &str| toml_string(text);
-        let list =
-            |words: &[String]| words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(", ");
-        let mut text =
-            format!("name  = {}\nbasis = [{}]\n", quoted(&definition.name), list(algebra.labels()));
-        let parameters = definition.parameters();
-        if !parameters.is_empty() {
-            let _ = writeln!(text, "parameters = [{}]", list(&parameters));
-        }
-        text += "# [i, j, k, v]: [e_i, e_j] = v e_k + ..\nstructure_constants = [\n";
-        for (at, value) in algebra.structure().components().filter(|(at, _)| at[1] < at[2]) {
-            let value = quoted(&value.to_string());
-            let _ = writeln!(text, "  [{}, {}, {}, {value}],", at[1] + 1, at[2] + 1, at[0] + 1);
+) -> Result<String, InputError> {
+    let algebra = definition.algebra::<S>(Tolerance::default())?;
+    let quoted = |text: &str| toml_string(text);
+    let list =
+        |words: &[String]| words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(", ");
+    let mut text =
+        format!("name  = {}\nbasis = [{}]\n", quoted(&definition.name), list(algebra.labels()));
+    let parameters = definition.parameters();
+    if !parameters.is_empty() {
+        let _ = writeln!(text, "parameters = [{}]", list(&parameters));
+    }
+    text += "# [i, j, k, v]: [e_i, e_j] = v e_k + ..\nstructure_constants = [\n";
+    for (at, value) in algebra.structure().components().filter(|(at, _)| at[1] < at[2]) {
+        let value = quoted(&value.to_string());
+        let _ = writeln!(text, "  [{}, {}, {}, {value}],", at[1] + 1, at[2] + 1, at[0] + 1);
+    }
+    text += "]\n";
+    if !with_connection {
+        return Ok(text);
+    }
+    let geometry = definition.geometry::<S>(Tolerance::default())?;
+    if let Some(metric) = geometry.metric() {
+        text += "metric = [\n";
+        let n = algebra.labels().len();
+        for i in 0..n {
+            let row: Vec<String> =
+                (0..n).map(|j| quoted(&metric.components().get(&[i, j]).to_string())).collect();
+            let _ = writeln!(text, "  [{}],", row.join(", "));
         }
         text += "]\n";
-        if !self.with_connection {
-            return Ok(text);
-        }
-        let geometry = definition.geometry(reading)?;
-        if let Some(metric) = geometry.metric() {
-            text += "metric = [\n";
-            let n = algebra.labels().len();
-            for i in 0..n {
-                let row: Vec<String> =
-                    (0..n).map(|j| quoted(&metric.components().get(&[i, j]).to_string())).collect();
-                let _ = writeln!(text, "  [{}],", row.join(", "));
-            }
-            text += "]\n";
-        }
-        match geometry.kind() {
-            ConnectionKind::Canonical(which) => {
-                text += &format!("connection = \"{}\"\n", which.name())
-            }
-            ConnectionKind::LeviCivita => text += "connection = \"levi-civita\"\n",
-            ConnectionKind::Family(lambda) => {
-                text += &format!("connection = {}\n", quoted(&format!("lambda = {lambda}")))
-            }
-            _ => affinities(&mut text, algebra.labels(), geometry.connection().gamma()),
-        }
-        Ok(text)
     }
+    match geometry.kind() {
+        ConnectionKind::Canonical(which) => text += &format!("connection = \"{}\"\n", which.name()),
+        ConnectionKind::LeviCivita => text += "connection = \"levi-civita\"\n",
+        ConnectionKind::Family(lambda) => {
+            text += &format!("connection = {}\n", quoted(&format!("lambda = {lambda}")))
+        }
+        _ => affinities(&mut text, algebra.labels(), geometry.connection().gamma()),
+    }
+    Ok(text)
 }
 
 /// Statements such as `nabla[x, y] = 1/2*z`.

@@ -85,8 +85,7 @@ impl Arguments {
     fn open(&self) -> Result<AnyGroup, Failure> {
         self.settings.start_threads()?;
         let space = self.settings.open(Some(&self.space), &SpaceOptions::default())?;
-        let tolerance = self.settings.tolerance()?;
-        Ok(space.in_floats(tolerance, |definition, reading| definition.group(reading))?)
+        Ok(space.in_floats()?.group(self.settings.tolerance()?)?)
     }
 }
 

@@ -38,11 +38,9 @@ impl Arguments {
         let options = SpaceOptions { geometry: self.geometry.clone(), ..SpaceOptions::default() };
         let space = self.settings.open(Some(&self.space), &options)?;
         note_default_connection(&space.definition);
-        let (group, connection) =
-            space.in_floats(self.settings.tolerance()?, |definition, reading| {
-                let geometry = definition.geometry(reading)?;
-                Ok((definition.group(reading)?, geometry.connection().clone()))
-            })?;
+        let (definition, tolerance) = (space.in_floats()?, self.settings.tolerance()?);
+        let connection = definition.geometry(tolerance)?.connection().clone();
+        let group = definition.group(tolerance)?;
         let n = group.dimension();
         let what = format!("a vector of this algebra of dimension {n}");
         let expected = Expected { numbers: n, what };

@@ -1,11 +1,11 @@
 //! Charts in definitions: coordinates, and fields whose components are functions of them.
 
+use super::Given;
 use super::functions::{Functions, Positive};
 use super::input::{InputError, shown};
 use super::notation::Names;
 use super::source::{Place, Source};
 use super::written::ChartText;
-use super::{Given, Reading};
 use crate::Coefficient;
 use affinor::geometry::chart::{Chart, Fields};
 use affinor_tensors::expression::{canonical_name, is_abbreviation};
@@ -23,15 +23,11 @@ pub(super) struct OnChart {
 
 impl OnChart {
     /// The fields over a scalar.
-    pub fn fields<S: Coefficient>(
-        &self,
-        labels: &[String],
-        reading: &Reading<S>,
-    ) -> Result<Fields<S>, InputError> {
+    pub fn fields<S: Coefficient>(&self, labels: &[String]) -> Result<Fields<S>, InputError> {
         let mut entries = Vec::new();
         for (i, Given { value, place }) in self.fields.iter().enumerate() {
             for (a, value) in value {
-                entries.push(([*a, i], reading.value_at(value, place)?));
+                entries.push(([*a, i], S::read(value).map_err(|error| error.or_at(place))?));
             }
         }
         let components = Tensor::from_components(labels.len(), &[Up, Down], entries)?;

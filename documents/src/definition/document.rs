@@ -16,7 +16,7 @@ use super::written::{
     Text, canonical_names, optional_names,
 };
 use super::{
-    ConnectionChoice, Definition, Given, MatrixEntries, MetricChoice, Origin, Pairs, Reading, add,
+    ConnectionChoice, Definition, Given, MatrixEntries, MetricChoice, Origin, Pairs, add,
     check_dimension, space,
 };
 use affinor::LieAlgebra;
@@ -182,9 +182,7 @@ impl Document {
                 Part::Name(text) => (space::part(&source.excerpt(text))?, source.at(text)),
                 Part::Nested(document) => (document.define(&source.table(key))?, source.key(key)),
             };
-            let convert = |value: &Symbolic| Some(value.clone());
-            let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
-            let algebra = definition.algebra_alone().algebra(&reading);
+            let algebra = definition.algebra_alone().algebra(Tolerance::default());
             algebra.map_err(|error| error.or_at(&place))
         };
         let (place, declared) = (source.key(key), self.parameter_names());

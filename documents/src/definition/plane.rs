@@ -1,9 +1,9 @@
 //! Planes of tangent vectors, written in the basis of a definition.
 
+use super::Definition;
 use super::input::{InputError, shown};
 use super::notation::Names;
 use super::source::Source;
-use super::{Definition, Reading};
 use crate::Coefficient;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,11 +12,7 @@ impl Definition {
     ///
     /// # Errors
     /// Other than two vectors; an expression that cannot be read.
-    pub fn plane<S: Coefficient>(
-        &self,
-        text: &str,
-        reading: &Reading<S>,
-    ) -> Result<[Vec<S>; 2], InputError> {
+    pub fn plane<S: Coefficient>(&self, text: &str) -> Result<[Vec<S>; 2], InputError> {
         let labels: BTreeMap<String, usize> = self.labels.iter().cloned().zip(0..).collect();
         let parameters: BTreeSet<String> = self.parameters().into_iter().collect();
         let names =
@@ -26,7 +22,7 @@ impl Definition {
             let terms = names.vector(text, &Source::new("--plane", text));
             // an unknown name was meant as a basis vector: parameters are those of the space
             for (at, value) in terms.map_err(|error| error.help(names.basis()))? {
-                vector[at] = reading.value(&value)?;
+                vector[at] = S::read(&value)?;
             }
             Ok(vector)
         };

@@ -6,11 +6,10 @@ use super::notation::{self, Names, basis, lines, metric, statement};
 use super::setting::settings;
 use super::source::Source;
 use super::written::{MetricText, Text};
-use super::{Definition, MetricChoice, Origin, Reading, add, check_dimension};
-use crate::Coefficient;
+use super::{Definition, MetricChoice, Origin, add, check_dimension};
 use affinor::algebra::catalogue::CatalogueError;
 use affinor::geometry::paper;
-use affinor_tensors::{Rational, Recorded, Symbolic, Tolerance, Tracked};
+use affinor_tensors::{Kind, Rational, Symbolic};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -57,21 +56,6 @@ pub struct Space {
     pub introduced: Vec<String>,
     /// The file it was read from.
     pub file: Option<PathBuf>,
-}
-
-/// A computation over the scalar that a space needs.
-pub trait Work {
-    /// The result.
-    type Output;
-    /// Runs the computation.
-    ///
-    /// # Errors
-    /// Whatever the computation refuses.
-    fn run<S: Coefficient>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<Self::Output, InputError>;
 }
 
 impl Space {
@@ -196,58 +180,27 @@ impl Space {
         self.introduced.extend(now.into_iter().filter(|name| !before.contains(name)));
     }
 
-    /// Runs `work` over rationals if the definition has no parameters, over rational functions if it has, and over floats
-    /// on request.
+    /// The scalars of its values: rationals if the definition has no parameters, rational functions if it has, and floats on
+    /// request. See [`over_kind`](crate::over_kind).
     ///
     /// # Errors
-    /// Floats with parameters that have no value; whatever the work refuses.
-    pub fn run<W: Work>(
-        &self,
-        choice: ScalarChoice,
-        tolerance: Tolerance,
-        work: W,
-    ) -> Result<W::Output, InputError> {
+    /// Floats on a chart; floats with parameters that have no value.
+    pub fn kind(&self, choice: ScalarChoice) -> Result<Kind, InputError> {
         match choice {
             ScalarChoice::Float if self.definition.is_on_chart() => {
                 Err(on_chart().help("leave --scalar float away"))
             }
-            ScalarChoice::Float => self
-                .in_floats::<Tracked, _>(tolerance, |definition, reading| {
-                    work.run(definition, reading)
-                }),
-            ScalarChoice::Exact if self.definition.is_rational() => {
-                let convert = |value: &Symbolic| value.as_constant().cloned();
-                work.run::<Rational>(&self.definition, &Reading { convert: &convert, tolerance })
-            }
-            ScalarChoice::Exact => {
-                let convert = |value: &Symbolic| Some(value.clone());
-                work.run::<Symbolic>(&self.definition, &Reading { convert: &convert, tolerance })
-            }
+            ScalarChoice::Float => self.in_floats().map(|_| Kind::Float),
+            ScalarChoice::Exact if self.definition.is_rational() => Ok(Kind::Exact),
+            ScalarChoice::Exact => Ok(Kind::Symbolic),
         }
     }
 
-    /// Runs `work` over recorded values, whose results are programs. The parameters and coordinates are their inputs.
+    /// The definition, whose values are numbers.
     ///
     /// # Errors
-    /// Whatever the work refuses.
-    pub fn record<R>(
-        &self,
-        work: impl FnOnce(&Definition, &Reading<Recorded>) -> Result<R, InputError>,
-    ) -> Result<R, InputError> {
-        let convert = |value: &Symbolic| Recorded::try_from(value).ok();
-        let tolerance = Tolerance::default();
-        work(&self.definition, &Reading { convert: &convert, tolerance })
-    }
-
-    /// Runs `work` in floats: `f64`, or [`Tracked`], which bounds the rounding error of every value.
-    ///
-    /// # Errors
-    /// A chart, whose functions are exact; parameters without values; whatever the work refuses.
-    pub fn in_floats<S: Coefficient, R>(
-        &self,
-        tolerance: Tolerance,
-        work: impl FnOnce(&Definition, &Reading<S>) -> Result<R, InputError>,
-    ) -> Result<R, InputError> {
+    /// A chart, whose functions are exact; parameters without values.
+    pub fn in_floats(&self) -> Result<&Definition, InputError> {
         if self.definition.is_on_chart() {
             return Err(on_chart().help("give a Lie algebra: this command computes in floats"));
         }
@@ -257,9 +210,7 @@ impl Space {
             let help = "set them, as in --set \"J1=1/2,h=-1\"";
             return Err(InputError::usage(message).help(help));
         }
-        // roots of numbers and pi have rational approximations beyond floats, so that rounding errors are known
-        let convert = |value: &Symbolic| S::from_rational(&value.approximation()?);
-        work(&self.definition, &Reading { convert: &convert, tolerance })
+        Ok(&self.definition)
     }
 }
 

@@ -15,6 +15,7 @@ use affinor::mechanics::motions::chosen::on_group;
 use affinor::mechanics::motions::{
     ForceFunction, Forces, Setup, Side, SimulationGroup, Table, is_plus, share_of_plus,
 };
+use affinor::tensors::Tolerance;
 use affinor::{Canonical, Connection, Error, Metric};
 use affinor_tensors::Symbolic;
 use nalgebra::{DMatrix, DVector};
@@ -107,14 +108,15 @@ impl Dynamics {
 
     fn energy(&self, start: &Start) -> Result<KineticEnergy, InputError> {
         let group = start.group;
-        let ground = start.definition.ground(start.reading)?;
+        let tolerance = Tolerance::default();
+        let ground = start.definition.ground(tolerance)?;
         let (metric, of_body) = match &self.body {
             Some(body) => {
                 let labels = group.algebra()?.labels().to_vec();
                 let (metric, names) = body.metric(group, &labels, &start.member.values())?;
                 (Some(metric), names)
             }
-            None => (start.definition.metric(&ground, start.reading)?, vec![]),
+            None => (start.definition.metric(&ground, tolerance)?, vec![]),
         };
         let metric = metric.ok_or_else(|| {
             let error = InputError::mathematics("a motion needs the metric of its kinetic energy");
@@ -126,7 +128,7 @@ impl Dynamics {
             let message = "right-invariant equations have the connection plus of their own frame";
             return Err(InputError::usage(message).help("name no connection"));
         } else {
-            start.definition.geometry_over(ground, start.reading)?.connection().clone()
+            start.definition.geometry_over(ground, tolerance)?.connection().clone()
         };
         Ok(KineticEnergy { metric, connection, of_body })
     }

@@ -37,17 +37,16 @@ impl GroupClass {
 
     /// The motion of a member on the group of the problem.
     pub fn motion(&self, on_group: &OnGroup, member: &Member) -> Result<Ready, InputError> {
-        on_group.valued(member)?.in_floats(Tolerance::default(), |definition, reading| {
-            let group = definition.group(reading)?;
-            let is_right = on_group.is_right();
-            let group = if is_right { AnyGroup::new(Opposite(group)) } else { group };
-            let start = Start { on_group, group: &group, member, definition, reading };
-            match self {
-                Self::EulerPoincare(class) => class.motion(&start),
-                Self::Constrained(class) => class.motion(&start),
-                Self::LiePoisson(class) => class.motion(&start),
-                Self::GivenVelocity(class) => class.motion(&start),
-            }
-        })
+        let space = on_group.valued(member)?;
+        let definition = space.in_floats()?;
+        let group = definition.group(Tolerance::default())?;
+        let group = if on_group.is_right() { AnyGroup::new(Opposite(group)) } else { group };
+        let start = Start { on_group, group: &group, member, definition };
+        match self {
+            Self::EulerPoincare(class) => class.motion(&start),
+            Self::Constrained(class) => class.motion(&start),
+            Self::LiePoisson(class) => class.motion(&start),
+            Self::GivenVelocity(class) => class.motion(&start),
+        }
     }
 }

@@ -7,7 +7,7 @@ use super::reader::Reader;
 use crate::definition::input::{InputError, shown};
 use crate::definition::source::Place;
 use crate::definition::written::MetricText;
-use crate::definition::{Definition, Reading, Request, Space};
+use crate::definition::{Definition, Request, Space};
 use affinor::group::AnyGroup;
 use affinor::mechanics::motions::quantities::Names;
 use affinor::{LieAlgebra, LiePoisson as Dual};
@@ -36,7 +36,6 @@ pub(super) struct Start<'s> {
     pub member: &'s Member<'s>,
     /// The definition of the space, its parameters replaced by their values.
     pub definition: &'s Definition,
-    pub reading: &'s Reading<'s, f64>,
 }
 
 impl OnGroup {
@@ -123,9 +122,8 @@ impl OnGroup {
         if self.definition().dimension() > CASIMIRS || self.definition().is_on_chart() {
             return vec![];
         }
-        let convert = |value: &Symbolic| Some(value.clone());
-        let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
-        let algebra: Result<LieAlgebra<Symbolic>, _> = self.definition().algebra(&reading);
+        let algebra: Result<LieAlgebra<Symbolic>, _> =
+            self.definition().algebra(Tolerance::default());
         let dual = algebra.ok().and_then(|algebra| Dual::left(&algebra).ok());
         dual.and_then(|dual| dual.casimir_generators(2).ok()).unwrap_or_default()
     }

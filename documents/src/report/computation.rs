@@ -7,12 +7,12 @@ use super::{
     ComparedSide, Differences, EquationReport, Language, Program, Programmed, Quantity, Report,
     StoredTable, Table, tensors_as_code,
 };
-use crate::Coefficient;
 use crate::certificate::{Check, certify};
-use crate::definition::{Definition, InputError, Reading, ScalarChoice, Space, Work};
+use crate::definition::{InputError, ScalarChoice, Space};
+use crate::{Coefficient, over_kind};
 use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::{Error, Geometry};
-use affinor_tensors::{Effort, Symbolic, Tolerance};
+use affinor_tensors::{Effort, Kind, Recorded, Symbolic, Tolerance};
 
 /// A space to be computed with, and how.
 ///
@@ -75,16 +75,17 @@ impl<'a> Computation<'a> {
         }
     }
 
-    fn run<W: Work>(&self, work: W) -> Result<W::Output, InputError> {
-        self.space.run(self.scalar, self.tolerance, work)
-    }
-
     /// The table of tensors.
     ///
     /// # Errors
     /// A space that is refused; floats beyond their range.
     pub fn table(&self, selection: &Selection) -> Result<Tabulated, InputError> {
-        self.run(Tabulate { selection, stage: self.stage })
+        over_kind!(self.kind()?, S => {
+            let table = self.tensors::<S>(selection)?;
+            let shown = |q: &Quantity| table.tensors.iter().any(|entry| entry.quantity == *q);
+            let absent = selection.quantities.iter().filter(|q| !shown(q)).copied().collect();
+            Ok(Tabulated { report: Box::new(table), absent })
+        })
     }
 
     /// The components of tensors as source code, with their partial derivatives by these parameters or coordinates.
@@ -99,27 +100,22 @@ impl<'a> Computation<'a> {
     ) -> Result<String, InputError> {
         // on a chart the components are simplified first, so that terms that cancel are not computed
         if self.space.definition.is_on_chart() {
-            let convert = |value: &Symbolic| Some(value.clone());
-            let reading = Reading { convert: &convert, tolerance: self.tolerance };
-            let simplified = Effort::new(SIMPLIFIED)
-                .bound(|| self.code(&self.space.definition, &reading, selection, language, by));
+            let simplified =
+                Effort::new(SIMPLIFIED).bound(|| self.code::<Symbolic>(selection, language, by));
             if let Ok(code) = simplified {
                 return code;
             }
         }
-        self.space
-            .record(|definition, reading| self.code(definition, reading, selection, language, by))
+        self.code::<Recorded>(selection, language, by)
     }
 
     fn code<S: Programmed>(
         &self,
-        definition: &Definition,
-        reading: &Reading<S>,
         selection: &Selection,
         language: Language,
         by: &[String],
     ) -> Result<String, InputError> {
-        let geometry = geometry(definition, reading, selection, self.stage)?;
+        let geometry = self.geometry::<S>(selection)?;
         (self.stage)("program");
         tensors_as_code(&geometry, &selection.quantities, language, by)
     }
@@ -129,7 +125,11 @@ impl<'a> Computation<'a> {
     /// # Errors
     /// A space that is refused.
     pub fn structure(&self, program: Program) -> Result<String, InputError> {
-        self.run(Export(program))
+        let definition = &self.space.definition;
+        over_kind!(self.kind()?, S => {
+            let algebra = definition.algebra::<S>(self.tolerance)?;
+            Ok(program.structure(&definition.name, algebra.labels(), algebra.structure()))
+        })
     }
 
     /// The checks of a certificate, as [`certify`] makes them.
@@ -137,7 +137,7 @@ impl<'a> Computation<'a> {
     /// # Errors
     /// As [`certify`].
     pub fn checks(&self) -> Result<Vec<Check>, InputError> {
-        self.run(Certify { stage: self.stage })
+        over_kind!(self.kind()?, S => certify::<S>(&self.space.definition, self.tolerance, self.stage))
     }
 
     /// Equations of motion; `solved` for the time derivatives.
@@ -149,7 +149,7 @@ impl<'a> Computation<'a> {
         kind: EquationKind,
         solved: bool,
     ) -> Result<Box<dyn Report>, InputError> {
-        self.run(Move { kind, solved, stage: self.stage })
+        over_kind!(self.kind()?, S => Ok(Box::new(self.motion::<S>(kind, solved)?)))
     }
 
     /// Equations of motion as source code, with partial derivatives by these parameters or coordinates.
@@ -162,9 +162,7 @@ impl<'a> Computation<'a> {
         language: Language,
         by: &[String],
     ) -> Result<String, InputError> {
-        self.space.record(|definition, reading| {
-            equations(definition, reading, kind, false, self.stage)?.code(language, by)
-        })
+        self.motion::<Recorded>(kind, false)?.code(language, by)
     }
 
     /// One side of a comparison.
@@ -172,7 +170,9 @@ impl<'a> Computation<'a> {
     /// # Errors
     /// A space that is refused.
     pub fn side(&self) -> Result<ComparedSide, InputError> {
-        self.run(Compare)
+        over_kind!(self.kind()?, S => {
+            Ok(ComparedSide::new(&self.space.definition.geometry::<S>(self.tolerance)?)?)
+        })
     }
 
     /// The differences between a stored table and the space, and remarks on what is compared.
@@ -184,162 +184,56 @@ impl<'a> Computation<'a> {
         stored: &StoredTable,
         selection: &Selection,
     ) -> Result<(Differences, Vec<String>), InputError> {
-        self.run(Verify { stored, selection, stage: self.stage })
+        over_kind!(self.kind()?, S => {
+            let table = self.tensors::<S>(selection)?;
+            let remarks = stored.remarks(&table);
+            (self.stage)("comparison");
+            Ok((stored.or_vanishing(&table)?.differences(&table)?, remarks))
+        })
     }
-}
 
-/// The geometry of a definition, in the frame selected.
-fn geometry<S: Coefficient>(
-    definition: &Definition,
-    reading: &Reading<S>,
-    selection: &Selection,
-    stage: &dyn Fn(&str),
-) -> Result<Geometry<S>, InputError> {
-    stage("jacobi");
-    let ground = definition.ground(reading)?;
-    stage("connection");
-    let geometry = definition.geometry_over(ground, reading)?;
-    Ok(if selection.right_frame { geometry.in_right_frame()? } else { geometry })
-}
-
-/// The table of a definition.
-fn table<S: Coefficient>(
-    definition: &Definition,
-    reading: &Reading<S>,
-    selection: &Selection,
-    stage: &dyn Fn(&str),
-) -> Result<Table<S>, InputError> {
-    let geometry = geometry(definition, reading, selection, stage)?;
-    let mut table = Table::in_stages(&geometry, &selection.quantities, stage)?;
-    table.independent = selection.independent;
-    table.common_factors = selection.common_factors;
-    table.finite()?;
-    Ok(table)
-}
-
-/// The equations of a definition.
-fn equations<S: Coefficient>(
-    definition: &Definition,
-    reading: &Reading<S>,
-    kind: EquationKind,
-    solved: bool,
-    stage: &dyn Fn(&str),
-) -> Result<EquationReport<S>, InputError> {
-    stage("geometry");
-    let geometry = definition.geometry(reading)?;
-    stage("equations");
-    let equations = Equations::new(kind, geometry.connection(), geometry.metric());
-    let equations = equations.map_err(|error| match error {
-        Error::NoMetric => InputError::usage("Euler-Poincare equations need a metric")
-            .help("give one, as in --metric \"diag(J1,J2,J3)\", or choose another --motion"),
-        other => other.into(),
-    })?;
-    let equations = if solved { equations.solved() } else { equations };
-    let report = EquationReport::new(equations, &geometry);
-    report.finite()?;
-    Ok(report)
-}
-
-struct Tabulate<'a> {
-    selection: &'a Selection,
-    stage: &'a dyn Fn(&str),
-}
-
-impl Work for Tabulate<'_> {
-    type Output = Tabulated;
-
-    fn run<S: Coefficient>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<Tabulated, InputError> {
-        let table = table(definition, reading, self.selection, self.stage)?;
-        let absent = |quantity: &&Quantity| table.tensors.iter().all(|e| e.quantity != **quantity);
-        let absent = self.selection.quantities.iter().filter(absent).copied().collect();
-        Ok(Tabulated { report: Box::new(table), absent })
+    fn kind(&self) -> Result<Kind, InputError> {
+        self.space.kind(self.scalar)
     }
-}
 
-struct Export(Program);
-
-impl Work for Export {
-    type Output = String;
-
-    fn run<S: Coefficient>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<String, InputError> {
-        let algebra = definition.algebra(reading)?;
-        Ok(self.0.structure(&definition.name, algebra.labels(), algebra.structure()))
+    /// The geometry, in the frame selected.
+    fn geometry<S: Coefficient>(&self, selection: &Selection) -> Result<Geometry<S>, InputError> {
+        let definition = &self.space.definition;
+        (self.stage)("jacobi");
+        let ground = definition.ground(self.tolerance)?;
+        (self.stage)("connection");
+        let geometry = definition.geometry_over(ground, self.tolerance)?;
+        Ok(if selection.right_frame { geometry.in_right_frame()? } else { geometry })
     }
-}
 
-struct Certify<'a> {
-    stage: &'a dyn Fn(&str),
-}
-
-impl Work for Certify<'_> {
-    type Output = Vec<Check>;
-
-    fn run<S: Coefficient>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<Vec<Check>, InputError> {
-        certify(definition, reading, self.stage)
+    /// The table over a scalar.
+    fn tensors<S: Coefficient>(&self, selection: &Selection) -> Result<Table<S>, InputError> {
+        let geometry = self.geometry(selection)?;
+        let mut table = Table::in_stages(&geometry, &selection.quantities, self.stage)?;
+        table.independent = selection.independent;
+        table.common_factors = selection.common_factors;
+        table.finite()?;
+        Ok(table)
     }
-}
 
-struct Move<'a> {
-    kind: EquationKind,
-    solved: bool,
-    stage: &'a dyn Fn(&str),
-}
-
-impl Work for Move<'_> {
-    type Output = Box<dyn Report>;
-
-    fn run<S: Coefficient>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<Self::Output, InputError> {
-        Ok(Box::new(equations(definition, reading, self.kind, self.solved, self.stage)?))
-    }
-}
-
-struct Compare;
-
-impl Work for Compare {
-    type Output = ComparedSide;
-
-    fn run<S: Coefficient>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<ComparedSide, InputError> {
-        Ok(ComparedSide::new(&definition.geometry(reading)?)?)
-    }
-}
-
-struct Verify<'a> {
-    stored: &'a StoredTable,
-    selection: &'a Selection,
-    stage: &'a dyn Fn(&str),
-}
-
-impl Work for Verify<'_> {
-    type Output = (Differences, Vec<String>);
-
-    fn run<S: Coefficient>(
-        self,
-        definition: &Definition,
-        reading: &Reading<S>,
-    ) -> Result<Self::Output, InputError> {
-        let table = table(definition, reading, self.selection, self.stage)?;
-        let remarks = self.stored.remarks(&table);
-        (self.stage)("comparison");
-        Ok((self.stored.or_vanishing(&table)?.differences(&table)?, remarks))
+    /// The equations over a scalar.
+    fn motion<S: Coefficient>(
+        &self,
+        kind: EquationKind,
+        solved: bool,
+    ) -> Result<EquationReport<S>, InputError> {
+        (self.stage)("geometry");
+        let geometry = self.space.definition.geometry(self.tolerance)?;
+        (self.stage)("equations");
+        let equations = Equations::new(kind, geometry.connection(), geometry.metric());
+        let equations = equations.map_err(|error| match error {
+            Error::NoMetric => InputError::usage("Euler-Poincare equations need a metric")
+                .help("give one, as in --metric \"diag(J1,J2,J3)\", or choose another --motion"),
+            other => other.into(),
+        })?;
+        let equations = if solved { equations.solved() } else { equations };
+        let report = EquationReport::new(equations, &geometry);
+        report.finite()?;
+        Ok(report)
     }
 }

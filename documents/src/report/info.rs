@@ -11,7 +11,7 @@ use super::grid::{Cell, Grid};
 use super::head::{printable, printable_list};
 use super::{Format, Report};
 use crate::Coefficient;
-use crate::definition::{Definition, InputError, Reading};
+use crate::definition::{Definition, InputError};
 use affinor::algebra::structure::{
     Counted, Ground, Identification, Indecomposable, Killing, MAX_BETTI, MAX_DECOMPOSED,
     MAX_DERIVATIONS, RealIdeal, Structure, Subspace,
@@ -98,9 +98,7 @@ impl Info {
         let tolerance = Tolerance::default();
         stage("jacobi");
         if definition.is_rational() {
-            let convert = |value: &Symbolic| value.as_constant().cloned();
-            let algebra =
-                definition.algebra::<Rational>(&Reading { convert: &convert, tolerance })?;
+            let algebra = definition.algebra::<Rational>(tolerance)?;
             return Self::new(&definition.name, &Structure::new(algebra), &[], stage);
         }
         let (bases, parameters) = (InBases::of(&definition)?, definition.parameters());

@@ -4,7 +4,7 @@ use super::grid::{Cell, Grid};
 use super::head::{kind_name, printable, printable_list};
 use super::{Format, Report};
 use crate::Coefficient;
-use crate::definition::{Definition, InputError, Reading};
+use crate::definition::{Definition, InputError};
 use affinor::algebra::Complex;
 use affinor::algebra::structure::{Ground, Structure};
 use affinor::geometry::properties::{MAX_SEARCHED, Property};
@@ -43,17 +43,10 @@ impl Properties {
     /// # Errors
     /// As [`Definition::geometry`] and [`Definition::plane`]; planes without a metric.
     pub fn with_planes(definition: &Definition, planes: &[String]) -> Result<Self, InputError> {
-        let tolerance = Tolerance::default();
         if definition.is_rational() {
-            let convert = |value: &Symbolic| value.as_constant().cloned();
-            return Self::read(
-                definition,
-                planes,
-                &Reading::<Rational> { convert: &convert, tolerance },
-            );
+            return Self::read::<Rational>(definition, planes);
         }
-        let convert = |value: &Symbolic| Some(value.clone());
-        Self::read(definition, planes, &Reading::<Symbolic> { convert: &convert, tolerance })
+        Self::read::<Symbolic>(definition, planes)
     }
 
     /// The properties of a geometry.
@@ -69,10 +62,9 @@ impl Properties {
     fn read<S: Ground + Coefficient>(
         definition: &Definition,
         planes: &[String],
-        reading: &Reading<S>,
     ) -> Result<Self, InputError> {
-        let geometry = definition.geometry(reading)?;
-        let plane = |text: &String| Ok((text.clone(), definition.plane(text, reading)?));
+        let geometry = definition.geometry::<S>(Tolerance::default())?;
+        let plane = |text: &String| Ok((text.clone(), definition.plane(text)?));
         let planes = planes.iter().map(plane).collect::<Result<Vec<_>, InputError>>()?;
         Self::new(&geometry, &planes)
     }

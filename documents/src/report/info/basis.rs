@@ -1,7 +1,7 @@
 //! Structure constants with square roots: a basis in which they are rational, and its row.
 
 use super::{Cell, Info, SHOWN, printable};
-use crate::definition::{Definition, InputError, Reading};
+use crate::definition::{Definition, InputError};
 use affinor::LieAlgebra;
 use affinor::algebra::RationalBasis;
 use affinor_tensors::{Symbolic, Tolerance};
@@ -19,9 +19,7 @@ impl InBases {
     /// Brackets that define no Lie algebra; a chart; structure constants that no division of basis vectors by square
     /// roots makes rational.
     pub fn of(definition: &Definition) -> Result<Self, InputError> {
-        let convert = |value: &Symbolic| Some(value.clone());
-        let reading = Reading { convert: &convert, tolerance: Tolerance::default() };
-        let given = definition.algebra::<Symbolic>(&reading)?;
+        let given = definition.algebra::<Symbolic>(Tolerance::default())?;
         let rational = RationalBasis::of(&given).map_err(|error| definition.refused(error))?;
         Ok(InBases { given, rational })
     }

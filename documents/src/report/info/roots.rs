@@ -3,11 +3,11 @@
 use super::super::grid::Cell;
 use super::Notes;
 use super::basis::InBases;
-use crate::definition::{Definition, InputError, Reading};
+use crate::definition::{Definition, InputError};
 use affinor::algebra::roots::CartanType;
 use affinor::algebra::structure::dynkin::diagram;
 use affinor::algebra::structure::{RootSpaces, Structure, Subspace};
-use affinor_tensors::{Rational, Symbolic, Tolerance};
+use affinor_tensors::{Rational, Tolerance};
 use serde_json::{Value, json};
 
 /// Cartan matrices of higher rank are written in JSON only.
@@ -20,10 +20,8 @@ const SHOWN_RANK: usize = 8;
 /// roots makes rational; a type that is not found.
 pub fn dynkin_type(definition: &Definition) -> Result<Vec<CartanType>, InputError> {
     let definition = definition.algebra_alone();
-    let tolerance = Tolerance::default();
     let types = if definition.is_rational() {
-        let convert = |value: &Symbolic| value.as_constant().cloned();
-        let algebra = definition.algebra::<Rational>(&Reading { convert: &convert, tolerance })?;
+        let algebra = definition.algebra::<Rational>(Tolerance::default())?;
         Structure::new(algebra).dynkin_type()
     } else {
         let basis = InBases::of(&definition)?.rational;
