@@ -48,13 +48,13 @@ fn quantity(key: &str) -> PyResult<Quantity> {
     })
 }
 
-/// A quantity: its name, its symbol, its LaTeX symbol, its title and its definition.
-type Description = (&'static str, &'static str, String, &'static str, String);
+/// A quantity: its name, its symbol, its LaTeX symbol, its title, and the letters of its indices.
+type Description = (&'static str, &'static str, &'static str, &'static str, String);
 
 /// The quantities of a table, in its order.
 #[pyfunction]
 pub fn quantities() -> Vec<Description> {
-    let describe = |q: Quantity| (q.key(), q.symbol(), q.latex(), q.title(), q.definition());
+    let describe = |q: Quantity| (q.key(), q.symbol(), q.latex(), q.title(), q.letters());
     Quantity::ALL.into_iter().map(describe).collect()
 }
 

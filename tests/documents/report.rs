@@ -546,3 +546,11 @@ properties! {
         round_trip(&single(Quantity::Curvature, half));
     }
 }
+
+#[test]
+fn the_schema_of_tables_names_every_quantity() {
+    let text = std::fs::read_to_string(crate::common::root().join("docs/table.schema.json"));
+    let schema: serde_json::Value = serde_json::from_str(&text.unwrap()).unwrap();
+    let names = &schema["properties"]["tensors"]["propertyNames"]["enum"];
+    assert_eq!(*names, serde_json::json!(Quantity::ALL.map(Quantity::key)));
+}

@@ -29,11 +29,7 @@ pub struct Arguments {
 /// The tensors shown, and their components.
 #[derive(Args)]
 pub struct Choice {
-    /// Tensors to show, separated by commas: structure, affinities, torsion, curvature, ricci,
-    /// scalar_curvature, metric, inverse_metric, nonmetricity, killing, or all for these;
-    /// nabla_torsion, nabla_curvature, ricci_symmetric, ricci_antisymmetric, einstein, schouten,
-    /// weyl, cotton, kretschmann, or derived for these
-    #[arg(long, value_name = "TENSORS", value_parser = quantities)]
+    #[arg(long, value_name = "TENSORS", value_parser = quantities, help = tensors_to_show())]
     pub show: Option<Quantities>,
     /// Show one component of each set that is equal by symmetry
     #[arg(long)]
@@ -108,6 +104,13 @@ impl Choice {
         let right_frame = self.frame == Frame::Right;
         Selection { quantities, right_frame, independent: self.independent, ..Selection::default() }
     }
+}
+
+fn tensors_to_show() -> String {
+    let [basic, derived] = Quantity::names();
+    format!(
+        "Tensors to show, separated by commas: {basic}, or all for these; {derived}, or derived for these"
+    )
 }
 
 fn quantities(text: &str) -> Result<Quantities, String> {

@@ -5,111 +5,104 @@ use affinor::conventions as is;
 use affinor::{Error, Geometry};
 use affinor_tensors::{Down, Tensor, Up, Variance};
 
-/// A tensor that a table can show.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// Structure constants `c^i_jk`.
-    Structure,
-    /// Affinities `Lambda^i_jk`.
-    Affinities,
-    /// Torsion `tau^i_jk` (B10).
-    Torsion,
-    /// Curvature `R^i_jkl` (B14).
-    Curvature,
-    /// Ricci tensor `Ric_jl`.
-    Ricci,
-    /// Scalar curvature `S`.
-    ScalarCurvature,
-    /// Metric `g_ij`.
-    Metric,
-    /// Inverse metric `g^ij`.
-    InverseMetric,
-    /// Nonmetricity `Q_kij`.
-    Nonmetricity,
-    /// Killing form `K_ij`.
-    Killing,
-    /// Derivative of the torsion `(nabla_m tau)^i_jk`, slots `^i_mjk`.
-    NablaTorsion,
-    /// Derivative of the curvature `(nabla_m R)^i_jkl`, slots `^i_mjkl`.
-    NablaCurvature,
-    /// Symmetric part of the Ricci tensor.
-    RicciSymmetric,
-    /// Antisymmetric part of the Ricci tensor.
-    RicciAntisymmetric,
-    /// Einstein tensor `G_jl`.
-    Einstein,
-    /// Schouten tensor `P_jl` of a Levi-Civita connection.
-    Schouten,
-    /// Weyl tensor `W^i_jkl` of a Levi-Civita connection.
-    Weyl,
-    /// Cotton tensor `C_jkl` of a Levi-Civita connection.
-    Cotton,
-    /// Kretschmann scalar `R_ijkl R^ijkl`.
-    Kretschmann,
+/// What a table says of a quantity.
+struct Description {
+    /// The name in options, JSON and CSV.
+    key: &'static str,
+    title: &'static str,
+    /// The symbol in text and JSON.
+    symbol: &'static str,
+    latex: &'static str,
+    /// The slots, with the letters of the definition.
+    slots: &'static str,
+    /// The formula, in the conventions of the paper.
+    definition: &'static str,
 }
 
-/// Name, heading, symbol, slots with the letters of the definition, and definition.
-type Description = (&'static str, &'static str, &'static str, &'static str, &'static str);
+/// The quantities as an enum, and their descriptions, in the order of a table.
+macro_rules! quantities {
+    ($($(#[$doc:meta])* $name:ident, $key:literal, $title:literal, $symbol:literal, $latex:literal, $slots:literal,
+        $definition:expr;)*) => {
+        /// A tensor that a table can show.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Quantity {
+            $($(#[$doc])* $name,)*
+        }
 
-/// The quantities, in the order of a table.
-const DESCRIPTIONS: [Description; 19] = [
-    ("structure", "Structure constants", "c", "^i_jk", is::BRACKET),
-    ("affinities", "Affinities", "Lambda", "^i_jk", is::AFFINITIES),
-    ("torsion", "Torsion (B10)", "tau", "^i_jk", is::TORSION),
-    ("curvature", "Curvature (B14)", "R", "^i_jkl", is::CURVATURE),
-    ("ricci", "Ricci tensor", "Ric", "_jl", is::RICCI),
-    ("scalar_curvature", "Scalar curvature", "S", "", is::SCALAR_CURVATURE),
-    ("metric", "Metric", "g", "_ij", is::METRIC),
-    ("inverse_metric", "Inverse metric", "g", "^ij", is::INVERSE_METRIC),
-    ("nonmetricity", "Nonmetricity", "Q", "_kij", is::NONMETRICITY),
-    ("killing", "Killing form", "K", "_ij", is::KILLING),
-    ("nabla_torsion", "Derivative of the torsion", "(nabla tau)", "^i_mjk", is::NABLA_TORSION),
-    ("nabla_curvature", "Derivative of the curvature", "(nabla R)", "^i_mjkl", is::NABLA_CURVATURE),
-    ("ricci_symmetric", "Ricci tensor, symmetric part", "symRic", "_jl", is::RICCI_SYMMETRIC),
-    (
-        "ricci_antisymmetric",
-        "Ricci tensor, antisymmetric part",
-        "altRic",
-        "_jl",
-        is::RICCI_ANTISYMMETRIC,
-    ),
-    ("einstein", "Einstein tensor", "G", "_jl", is::EINSTEIN),
-    ("schouten", "Schouten tensor", "P", "_jl", is::SCHOUTEN),
-    ("weyl", "Weyl tensor", "W", "^i_jkl", is::WEYL),
-    ("cotton", "Cotton tensor", "C", "_jkl", is::COTTON),
-    ("kretschmann", "Kretschmann scalar", "Kr", "", is::KRETSCHMANN),
-];
+        impl Quantity {
+            /// All quantities, in the order of a table: ten basic ones, and those derived from them.
+            pub const ALL: [Quantity; [$($key),*].len()] = [$(Quantity::$name),*];
+
+            fn description(self) -> Description {
+                match self {
+                    $(Quantity::$name => Description {
+                        key: $key,
+                        title: $title,
+                        symbol: $symbol,
+                        latex: $latex,
+                        slots: $slots,
+                        definition: $definition,
+                    },)*
+                }
+            }
+        }
+    };
+}
+
+quantities! {
+    /// Structure constants `c^i_jk`.
+    Structure, "structure", "Structure constants", "c", "c", "^i_jk", is::BRACKET;
+    /// Affinities `Lambda^i_jk`.
+    Affinities, "affinities", "Affinities", "Lambda", "\\Lambda", "^i_jk", is::AFFINITIES;
+    /// Torsion `tau^i_jk` (B10).
+    Torsion, "torsion", "Torsion (B10)", "tau", "\\tau", "^i_jk", is::TORSION;
+    /// Curvature `R^i_jkl` (B14).
+    Curvature, "curvature", "Curvature (B14)", "R", "R", "^i_jkl", is::CURVATURE;
+    /// Ricci tensor `Ric_jl`.
+    Ricci, "ricci", "Ricci tensor", "Ric", "\\mathrm{Ric}", "_jl", is::RICCI;
+    /// Scalar curvature `S`.
+    ScalarCurvature, "scalar_curvature", "Scalar curvature", "S", "S", "", is::SCALAR_CURVATURE;
+    /// Metric `g_ij`.
+    Metric, "metric", "Metric", "g", "g", "_ij", is::METRIC;
+    /// Inverse metric `g^ij`.
+    InverseMetric, "inverse_metric", "Inverse metric", "g", "g", "^ij", is::INVERSE_METRIC;
+    /// Nonmetricity `Q_kij`.
+    Nonmetricity, "nonmetricity", "Nonmetricity", "Q", "Q", "_kij", is::NONMETRICITY;
+    /// Killing form `K_ij`.
+    Killing, "killing", "Killing form", "K", "K", "_ij", is::KILLING;
+    /// Derivative of the torsion `(nabla_m tau)^i_jk`, slots `^i_mjk`.
+    NablaTorsion, "nabla_torsion", "Derivative of the torsion", "(nabla tau)", "(\\nabla\\tau)", "^i_mjk", is::NABLA_TORSION;
+    /// Derivative of the curvature `(nabla_m R)^i_jkl`, slots `^i_mjkl`.
+    NablaCurvature, "nabla_curvature", "Derivative of the curvature", "(nabla R)", "(\\nabla R)", "^i_mjkl", is::NABLA_CURVATURE;
+    /// Symmetric part of the Ricci tensor.
+    RicciSymmetric, "ricci_symmetric", "Ricci tensor, symmetric part", "symRic", "\\mathrm{symRic}", "_jl", is::RICCI_SYMMETRIC;
+    /// Antisymmetric part of the Ricci tensor.
+    RicciAntisymmetric, "ricci_antisymmetric", "Ricci tensor, antisymmetric part", "altRic", "\\mathrm{altRic}", "_jl", is::RICCI_ANTISYMMETRIC;
+    /// Einstein tensor `G_jl`.
+    Einstein, "einstein", "Einstein tensor", "G", "G", "_jl", is::EINSTEIN;
+    /// Schouten tensor `P_jl` of a Levi-Civita connection.
+    Schouten, "schouten", "Schouten tensor", "P", "P", "_jl", is::SCHOUTEN;
+    /// Weyl tensor `W^i_jkl` of a Levi-Civita connection.
+    Weyl, "weyl", "Weyl tensor", "W", "W", "^i_jkl", is::WEYL;
+    /// Cotton tensor `C_jkl` of a Levi-Civita connection.
+    Cotton, "cotton", "Cotton tensor", "C", "C", "_jkl", is::COTTON;
+    /// Kretschmann scalar `R_ijkl R^ijkl`.
+    Kretschmann, "kretschmann", "Kretschmann scalar", "Kr", "\\mathrm{Kr}", "", is::KRETSCHMANN;
+}
 
 impl Quantity {
-    /// All quantities, in the order of a table.
-    pub const ALL: [Quantity; 19] = {
-        use Quantity::*;
-        [
-            Structure,
-            Affinities,
-            Torsion,
-            Curvature,
-            Ricci,
-            ScalarCurvature,
-            Metric,
-            InverseMetric,
-            Nonmetricity,
-            Killing,
-            NablaTorsion,
-            NablaCurvature,
-            RicciSymmetric,
-            RicciAntisymmetric,
-            Einstein,
-            Schouten,
-            Weyl,
-            Cotton,
-            Kretschmann,
-        ]
-    };
     /// The basic quantities.
     pub const BASIC: &[Quantity] = Self::ALL.split_at(10).0;
     /// The quantities derived from these, which are shown on request.
     pub const DERIVED: &[Quantity] = Self::ALL.split_at(10).1;
+
+    /// The names of the basic and of the derived quantities, separated by commas.
+    pub fn names() -> [String; 2] {
+        [Self::BASIC, Self::DERIVED].map(|list| {
+            let keys: Vec<&str> = list.iter().map(|quantity| quantity.key()).collect();
+            keys.join(", ")
+        })
+    }
 
     /// The quantities that a table shows unless others are chosen: the basic ones but the inverse metric and the Killing form.
     pub fn shown() -> Vec<Self> {
@@ -135,9 +128,9 @@ impl Quantity {
                 ("derived", _) => chosen.extend(Self::DERIVED),
                 (_, Some(quantity)) => chosen.push(quantity),
                 (_, None) => {
-                    let keys: Vec<&str> = Self::ALL.into_iter().map(Self::key).collect();
-                    let known = format!("{}, all, derived", keys.join(", "));
-                    return Err(format!("`{}` is not one of {known}", key.escape_debug()));
+                    let [basic, derived] = Self::names();
+                    let key = key.escape_debug();
+                    return Err(format!("`{key}` is not one of {basic}, {derived}, all, derived"));
                 }
             }
         }
@@ -150,13 +143,9 @@ impl Quantity {
         Ok(distinct)
     }
 
-    fn description(self) -> Description {
-        DESCRIPTIONS[self as usize]
-    }
-
     /// The name in options, JSON and CSV.
     pub fn key(self) -> &'static str {
-        self.description().0
+        self.description().key
     }
 
     /// The quantity of that name.
@@ -166,28 +155,22 @@ impl Quantity {
 
     /// The heading in text.
     pub fn title(self) -> &'static str {
-        self.description().1
+        self.description().title
     }
 
     /// The symbol in text and JSON.
     pub fn symbol(self) -> &'static str {
-        self.description().2
+        self.description().symbol
     }
 
     /// The symbol in LaTeX.
-    pub fn latex(self) -> String {
-        match self.symbol() {
-            "(nabla tau)" => "(\\nabla\\tau)".into(),
-            "(nabla R)" => "(\\nabla R)".into(),
-            greek @ ("Lambda" | "tau") => format!("\\{greek}"),
-            word if word.len() > 1 => format!("\\mathrm{{{word}}}"),
-            letter => letter.into(),
-        }
+    pub fn latex(self) -> &'static str {
+        self.description().latex
     }
 
     /// The defining formula, in the conventions of the paper.
     pub fn definition(self) -> String {
-        let definition = self.description().4;
+        let definition = self.description().definition;
         match self {
             Quantity::Curvature => format!("{definition}, {}", is::CURVATURE_COMPONENTS),
             _ => definition.into(),
@@ -196,14 +179,14 @@ impl Quantity {
 
     /// The letters of the indices in the definition, slot by slot.
     pub fn letters(self) -> String {
-        self.description().3.replace(['^', '_'], "")
+        self.description().slots.replace(['^', '_'], "")
     }
 
     /// The slots.
     pub fn slots(self) -> Vec<Variance> {
         let mut slots = Vec::new();
         let mut level = Down;
-        for mark in self.description().3.chars() {
+        for mark in self.description().slots.chars() {
             match mark {
                 '^' => level = Up,
                 '_' => level = Down,

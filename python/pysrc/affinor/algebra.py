@@ -430,8 +430,8 @@ def settings(values: Mapping[Any, Scalar], source: Source) -> tuple[str, Symbols
     return ",".join(settled), symbols
 
 
-DESCRIPTIONS: dict[str, tuple[str, str, str, str | None]] = {
-    key: (symbol, latex, title, None) for key, symbol, latex, title, _ in _engine.quantities()
+DESCRIPTIONS: dict[str, tuple[str, str, str, str]] = {
+    key: (symbol, latex, title, letters) for key, symbol, latex, title, letters in _engine.quantities()
 }
 """Symbol, LaTeX symbol, title and letters of each quantity."""
 

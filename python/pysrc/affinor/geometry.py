@@ -31,13 +31,7 @@ from affinor.tensor import Tensor
 
 __all__ = ["Geodesic", "Geometry", "Property", "check", "compare", "conventions"]
 
-QUANTITIES = [key for key, *_ in _engine.quantities()]
-_LETTERS = {
-    "structure": "ijk", "affinities": "ijk", "torsion": "ijk", "curvature": "ijkl", "ricci": "jl", "metric": "ij",
-    "inverse_metric": "ij", "nonmetricity": "kij", "killing": "ij", "nabla_torsion": "imjk",
-    "nabla_curvature": "imjkl", "ricci_symmetric": "jl", "ricci_antisymmetric": "jl", "einstein": "jl",
-    "schouten": "jl", "weyl": "ijkl", "cotton": "jkl", "scalar_curvature": "", "kretschmann": "",
-}  # fmt: skip
+QUANTITIES = list(DESCRIPTIONS)
 
 
 def metric_text(metric: Any, symbols: Symbols, *, floats: bool) -> str:
@@ -271,8 +265,8 @@ class Geometry:
         found = self._engine.quantity(key)
         if found is None:
             return None
-        symbol, latex, title, _ = DESCRIPTIONS[key]
-        return Tensor._of(found, self._symbols, symbol, latex, title, _LETTERS[key])
+        symbol, latex, title, letters = DESCRIPTIONS[key]
+        return Tensor._of(found, self._symbols, symbol, latex, title, letters)
 
     def _tensor(self, key: str) -> Tensor:
         found = self.quantity(key)
