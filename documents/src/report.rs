@@ -38,14 +38,12 @@ pub use computation::{Computation, Selection, Tabulated};
 pub use equations::EquationReport;
 pub use info::{Info, dynkin_type};
 pub use latex::components_in_latex;
-pub(crate) use latex::escape as latex_escaped;
 pub use lists::{catalogue, catalogue_where, certificate, conventions, listing};
 pub use program::Program;
 pub use properties::Properties;
 pub use quantity::Quantity;
 pub use stored::{Differences, StoredTable};
-pub use text::components_in_text;
-pub(crate) use text::grouped_in_text;
+pub use text::{components_in_text, grouped_in_text};
 
 use affinor::{Error, Geometry};
 use affinor_tensors::{Kind, Notation, Tensor, Tolerance};

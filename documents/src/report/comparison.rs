@@ -316,7 +316,7 @@ fn typeset(lines: &[Vec<Part>]) -> Cell {
         Some(lines.iter().map(|line| line.iter().map(part).collect()).collect())
     };
     Cell {
-        latex: of(&|row| format!("${}$", tex::breakable(row)), &latex::escape),
+        latex: of(&|row| format!("${}$", tex::breakable(row)), &tex::escaped),
         html: of(&mathml::inline, &escaped),
         ..Cell::default()
     }
