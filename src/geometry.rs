@@ -6,11 +6,10 @@
 //! - [`properties`]: parallel curvature, Einstein, bi-invariance, with witnesses; [`holonomy`];
 //! - [`chart`]: coordinates and moving frames; [`forms`]: differential forms;
 //! - [`reductive`]: homogeneous spaces G/H; [`equations`]: equations of motion;
-//! - [`Geometry`]: all of it together; [`claims`]: the statements of the paper about a geometry;
+//! - [`Geometry`]: all of it together;
 //! - [`conditions`]: the conditions on parameters under which a tensor vanishes.
 
 pub mod chart;
-pub mod claims;
 pub mod conditions;
 pub mod connection;
 pub mod curvature;
@@ -19,7 +18,6 @@ pub mod forms;
 pub mod holonomy;
 pub mod metric;
 pub mod metric_affine;
-pub mod paper;
 pub mod properties;
 pub mod reductive;
 
@@ -34,8 +32,7 @@ use std::fmt;
 
 /// A frame with a connection and, optionally, a metric, all components given in that frame.
 ///
-/// Connection and metric are independent. M(3) and SO(3) have the same Lie algebra and differ in
-/// both ([`paper`]).
+/// Connection and metric are independent: M(3) and SO(3) have the same Lie algebra and differ in both.
 ///
 /// ```
 /// use affinor::algebra::catalogue;

@@ -1,16 +1,12 @@
 //! Invariant fields of any algebra in canonical coordinates: their brackets are the constants.
 
-use crate::common::algebras::{by_table, catalogued, seeds};
+use crate::common::algebras::{by_table, catalogued, seeds, symbolic};
 use crate::common::integer;
 use crate::common::{charts::value, property::properties};
 use affinor::geometry::chart::{CanonicalCoordinates, Chart, Fields, Side};
 use affinor::{BasisChange, Connection, Error, LieAlgebra, Metric};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up};
 use proptest::prelude::*;
-
-fn symbolic(algebra: &LieAlgebra<Rational>) -> LieAlgebra<Symbolic> {
-    algebra.map(|v| Symbolic::constant(v.clone())).unwrap()
-}
 
 fn chart(n: usize) -> Chart {
     Chart::new((1..=n).map(|a| format!("x{a}"))).unwrap()

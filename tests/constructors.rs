@@ -68,6 +68,18 @@ fn matrices_of_nalgebra() {
     assert!(matches!(MatrixBasis::from_dmatrices(["x"], [&x, &y]), Err(Error::Shape { .. })));
 }
 
+/// `tr(A^T B)` of matrices that are not symmetric: `tr(E^T E) = 1`, although `tr(E E) = 0`.
+#[test]
+fn the_frobenius_product_transposes() {
+    let [zero, one] = [0, 1].map(Rational::from);
+    let h = dmatrix![one.clone(), zero.clone(); zero.clone(), -one.clone()];
+    let e = dmatrix![zero.clone(), one.clone(); zero.clone(), zero.clone()];
+    let f = dmatrix![zero.clone(), zero.clone(); one, zero];
+    let basis = MatrixBasis::from_dmatrices(["H", "E", "F"], [&h, &e, &f]).unwrap();
+    let product = Metric::new(["H", "E", "F"], basis.frobenius()).unwrap();
+    assert_eq!(product, Metric::diagonal([2, 1, 1].map(Rational::from)).unwrap());
+}
+
 #[test]
 fn a_tolerance_is_inherited() {
     let weak = Tolerance::new(1e-3).unwrap();

@@ -1,6 +1,7 @@
 //! Parallel translation and autoparallels on groups, against closed forms and conservation laws.
 
 use crate::common::property::properties;
+use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::group::transport::{ParallelTranslation, TangentVector};
 use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So2, So3};
 use affinor::{Bracket, Canonical, Connection, Error, LieAlgebra, Metric};
@@ -290,6 +291,61 @@ fn geodesics_are_free_bodies() {
     let TangentVector { base: g, left: w } = &motion[2];
     let back = on_group.autoparallel(g, &-w, &[10.0], 1e-12).unwrap();
     assert!(So3.log(&So3.compose(&So3.inverse(&g0), &back[0].base)).unwrap().norm() < 1e-8);
+}
+
+/// On the motions of a plane the geodesics of a metric obey the Euler-Poincare equations of `plus`, and the spatial momentum
+/// `Ad*_{g^-1} H` is constant.
+#[test]
+fn geodesics_of_the_motions_of_a_plane_are_free_bodies() {
+    let algebra = Se2.algebra().unwrap();
+    let j = Matrix3::new(2.0, 0.4, -0.3, 0.4, 1.5, 0.2, -0.3, 0.2, 3.0);
+    let metric = Tensor::from_fn(3, [Down, Down], |[i, k]| j[(i, k)]).unwrap();
+    let metric = Metric::new(algebra.labels(), metric).unwrap();
+    let body = Connection::levi_civita(algebra.left_frame(), &metric).unwrap();
+    let plus = Connection::canonical(&algebra, Canonical::Plus);
+    let euler = Equations::euler_poincare(&plus, &metric).unwrap();
+    let geodesic = Equations::new(EquationKind::Autoparallel, &body, None).unwrap();
+    let omega = Vector3::new(0.7, -1.0, 0.5);
+    // (106) without torque: dH_i/dt = H_k [Omega, e_i]^k
+    let h = j * omega;
+    let terms = Se2.basis().into_iter().map(|e| h.dot(&Se2.bracket(&omega, &e)));
+    let expected = j.try_inverse().unwrap() * Vector3::from_iterator(terms);
+    assert!(expected.amax() > 0.1);
+    let by_euler = euler.rate(omega.as_slice(), &[0.0; 3]).unwrap();
+    let by_geodesic = geodesic.rate(omega.as_slice(), &[]).unwrap();
+    for found in [by_euler, by_geodesic] {
+        assert!((Vector3::from_vec(found) - expected).amax() < 1e-13);
+    }
+    let start = Se2.exp(&Vector3::new(0.8, -0.5, 1.2));
+    let momentum = |g: &<Se2 as LieGroup>::Element, w: &Vector3<f64>| {
+        let back = Se2.inverse(g);
+        Se2.operator(|v| Se2.adjoint(&back, v)).transpose() * (j * w)
+    };
+    let on_group = ParallelTranslation::new(Se2, body).unwrap();
+    let end = on_group.autoparallel(&start, &omega, &[2.0], 1e-12).unwrap().remove(0);
+    assert!((momentum(&end.base, &end.left) - momentum(&start, &omega)).amax() < 1e-10);
+    assert!((end.left - omega).norm() > 0.05);
+}
+
+/// The covariant derivative along a curve, `vdot + Lambda(w, v)`, is the derivative of the vectors carried back in parallel.
+#[test]
+fn covariant_derivatives_are_rates_of_vectors_carried_back() {
+    let (x, y, t) = (Vector3::new(0.3, -0.8, 0.5), Vector3::new(-0.6, 0.2, 0.9), 0.8_f64);
+    let v = |t: f64| x * t.cos() + y * t;
+    let vdot = y - x * t.sin();
+    for (which, lambda) in [(Canonical::Plus, 1.0), (Canonical::Zero, 0.5), (Canonical::Minus, 0.0)]
+    {
+        let on_group = canonical(which);
+        let back = |s: f64| {
+            let there = on_group.along_curve(velocity, &[t, s], 1e-13).unwrap().remove(1);
+            there.try_inverse().unwrap() * v(s)
+        };
+        let slope = |h: f64| (back(t + h) - back(t - h)) / (2.0 * h);
+        let found = (slope(5e-3) * 4.0 - slope(1e-2)) / 3.0;
+        let expected = vdot + So3.bracket(&velocity(t), &v(t)) * lambda;
+        let off = (found - expected).amax();
+        assert!(off < 1e-7, "{which:?}: {off:e}");
+    }
 }
 
 /// Autoparallels of the three canonical connections are the same curves `g exp(t n)` (43), (B8).

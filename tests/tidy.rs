@@ -66,7 +66,8 @@ fn sources(folders: &[&str]) -> Vec<File> {
 }
 
 /// The packages, from the bottom up.
-const PACKAGES: [&str; 5] = ["tensors/src", "src", "documents/src", "cli/src", "python/src"];
+const PACKAGES: [&str; 6] =
+    ["tensors/src", "src", "documents/src", "paper/src", "cli/src", "python/src"];
 /// The rooms of the library, from the bottom up: each may use those before it.
 const ROOMS: [&str; 4] = ["algebra", "geometry", "group", "mechanics"];
 
@@ -103,7 +104,7 @@ fn rooms_know_only_those_below() {
 
 #[test]
 fn libraries_neither_panic_nor_print() {
-    for file in sources(&["tensors/src", "src", "documents/src"]) {
+    for file in sources(&["tensors/src", "src", "documents/src", "paper/src"]) {
         file.forbid(&["unwrap()", "panic!", "todo!", "unimplemented!", "dbg!"]);
         file.forbid(&["println!", "eprintln!", "print!", "eprint!"]);
         if !file.path.starts_with("documents/") {
@@ -115,7 +116,9 @@ fn libraries_neither_panic_nor_print() {
 /// Properties are drawn from the fixed seed, and leave no file behind.
 #[test]
 fn every_property_has_the_shared_configuration() {
-    for file in sources(&["src", "tests", "tensors", "documents", "cli", "benches", "examples"]) {
+    for file in
+        sources(&["src", "tests", "tensors", "documents", "paper", "cli", "benches", "examples"])
+    {
         if !file.path.ends_with("tests/common/property.rs") {
             // in pieces, so that this test does not find itself
             let macros = [concat!("proptest", "!"), concat!("Proptest", "Config")];
@@ -154,7 +157,9 @@ fn the_page_on_architecture_is_true() {
 #[test]
 fn every_dependency_is_justified() {
     let (page, root) = (architecture(), root());
-    for manifest in ["", "tensors/", "documents/", "cli/", "tests/", "benches/", "python/"] {
+    for manifest in
+        ["", "tensors/", "documents/", "paper/", "cli/", "tests/", "benches/", "python/"]
+    {
         let manifest = format!("{manifest}Cargo.toml");
         let text = fs::read_to_string(root.join(&manifest)).expect("a manifest");
         let table: toml::Table = text.parse().expect("a manifest is TOML");

@@ -24,7 +24,7 @@ mod heads;
 mod info;
 mod limits;
 mod notations;
-mod paper_page;
+mod paper;
 #[cfg(feature = "plot")]
 mod plot;
 #[cfg(feature = "plot")]

@@ -22,6 +22,7 @@ mod literal;
 mod mesh;
 pub(crate) mod notation;
 pub(crate) mod numbers;
+pub mod paper;
 mod plane;
 pub(crate) mod setting;
 pub(crate) mod source;

@@ -1,8 +1,14 @@
 //! Mathematical formulas: one tree, read from text and written as text, LaTeX and MathML.
 //!
-//! A [`Row`] is a list of [`Node`]s. [`value`] makes it from a value that the engine computed, by the grammar of
-//! [expressions](affinor_tensors::expression); [`notation`] reads statements written by hand. [`text`], [`tex`] and [`mathml`]
-//! are the three writers, [`lines`] measures rows and breaks them into lines.
+//! A [`Row`] is a list of [`Node`]s. [`formula()`] reads statements written by hand; values that the engine computed are read by
+//! the grammar of [expressions](affinor_tensors::expression). [`tex`] and [`mathml`] are the writers.
+//!
+//! ```
+//! use affinor_documents::formula::{formula, mathml, tex};
+//! let equation = formula("Lambda^i_jk = 1/2 c^i_jk");
+//! assert_eq!(tex::formula(&equation), r"\Lambda^{i}{}_{jk} = \frac{1}{2} c^{i}{}_{jk}");
+//! assert!(mathml::inline(&equation).starts_with("<math"));
+//! ```
 //!
 //! # Grammar of the notation
 //!
@@ -28,22 +34,23 @@
 //! - Anything else is an error.
 
 pub(crate) mod lines;
-pub(crate) mod mathml;
+pub mod mathml;
 mod notation;
-pub(crate) mod tex;
+pub mod tex;
 mod text;
 mod value;
 
-pub(crate) use notation::{formula, notation};
+pub use notation::formula;
+pub(crate) use notation::notation;
 pub(crate) use text::text;
 pub(crate) use value::{label, name, sum, value};
 
 /// Formulas side by side.
-pub(crate) type Row = Vec<Node>;
+pub type Row = Vec<Node>;
 
 /// A piece of a formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Node {
+pub enum Node {
     /// A letter, as a character of Unicode.
     Letter(char),
     /// The name of a quantity, of several letters: `mass`, `Ric`.
@@ -75,7 +82,7 @@ pub(crate) enum Node {
 
 /// A kind of brackets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Brackets {
+pub enum Brackets {
     /// `(a)`.
     Round,
     /// `[a]`.
@@ -97,7 +104,7 @@ impl Brackets {
 
 /// An accent of a letter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Accent {
+pub enum Accent {
     /// `Omega~`: the matrix `spin(Omega)`.
     Tilde,
     /// `Hdot`: the derivative by time.

@@ -5,7 +5,7 @@
 //! - [`problem`]: problems of motion in such files, and the motions that they start;
 //! - [`certificate`]: checks of a definition, each with its witness;
 //! - [`report`]: tables of tensors, comparisons and equations in every format;
-//! - [`paper`]: the paper, equation by equation, computed;
+//! - [`formula`]: formulas as trees, written as text, LaTeX and MathML; [`page`]: pages of HTML;
 //! - [`ball`]: rotations as points of the ball of rotation vectors;
 //! - `picture` (feature `plot`): shapes on a plane as SVG, Dynkin diagrams;
 //! - [`rows`]: the rows of trajectories as CSV, JSON and, with the feature `parquet`, Parquet.
@@ -16,9 +16,8 @@ pub mod ball;
 pub mod certificate;
 mod coefficient;
 pub mod definition;
-mod formula;
-mod page;
-pub mod paper;
+pub mod formula;
+pub mod page;
 #[cfg(feature = "plot")]
 pub mod picture;
 pub mod problem;

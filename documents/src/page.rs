@@ -6,8 +6,19 @@ use std::io::{self, Write};
 /// Light and dark, from narrow screens to paper.
 const STYLE: &str = include_str!("page.css");
 
-/// Writes a page: its title, as text, and what `body` writes into it.
-pub(crate) fn page(
+/// Writes a page: its title, as text, and the elements that `body` writes.
+///
+/// # Errors
+/// An error of `out` or `body`.
+///
+/// ```
+/// use affinor_documents::page::page;
+/// let mut html = Vec::new();
+/// page("a & b", &mut html, |out| writeln!(out, "<p>c</p>"))?;
+/// assert!(String::from_utf8_lossy(&html).contains("<title>a &amp; b</title>"));
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn page(
     title: &str,
     out: &mut dyn Write,
     body: impl FnOnce(&mut dyn Write) -> io::Result<()>,

@@ -1,13 +1,14 @@
 //! Tables of tensors, comparisons and equations, written in several formats.
 //!
 //! In reading order: [`Quantity`] names the tensors, [`Table`] computes them, and one module for each format writes them;
-//! [`tensors_as_code`] writes them as a program; [`Comparison`] sets two geometries side by side; [`EquationReport`] writes
+//! [`tensors_as_code`] writes them as a program; [`Comparison`] sets two geometries side by side, with the [`Claim`]s of the paper about them; [`EquationReport`] writes
 //! equations of motion, also as source code;
 //! [`StoredTable`] compares a table with a stored one; [`Info`] is the structure of an algebra,
 //! [`Properties`] those of a geometry. Each is a [`Report`]; short lists are [`conventions`], the
 //! [`catalogue`], a [`certificate`] and any other [`listing`]. A [`Computation`] makes those of a space, over the scalar
 //! that it needs.
 
+mod claims;
 mod code;
 mod comparison;
 mod components;
@@ -31,6 +32,7 @@ mod stored;
 mod text;
 mod typeset;
 
+pub use claims::Claim;
 pub use code::{Language, Programmed, tensors_as_code};
 pub use comparison::{ComparedSide, Comparison};
 pub use components::{GROUPED, Group, groups, independent};
@@ -38,14 +40,12 @@ pub use computation::{Computation, Selection, Tabulated};
 pub use equations::EquationReport;
 pub use info::{Info, dynkin_type};
 pub use latex::components_in_latex;
-pub(crate) use latex::escape as latex_escaped;
 pub use lists::{catalogue, catalogue_where, certificate, conventions, listing};
 pub use program::Program;
 pub use properties::Properties;
 pub use quantity::Quantity;
 pub use stored::{Differences, StoredTable};
-pub use text::components_in_text;
-pub(crate) use text::grouped_in_text;
+pub use text::{components_in_text, grouped_in_text};
 
 use crate::Coefficient;
 use affinor::{Error, Geometry};

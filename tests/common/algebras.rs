@@ -3,7 +3,7 @@
 use super::{integer, invertible, labels, rationals, tensors};
 use affinor::algebra::catalogue;
 use affinor::{BasisChange, Bracket, Error, LieAlgebra};
-use affinor_tensors::{Down, Rational, Tensor, Up};
+use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -24,6 +24,11 @@ pub fn catalogued(name: &str) -> Algebra {
     };
     let summands = name.split('+').map(summand);
     summands.reduce(|sum, summand| sum.direct_sum(&summand).unwrap()).unwrap()
+}
+
+/// The algebra over rational functions.
+pub fn symbolic(algebra: &Algebra) -> LieAlgebra<Symbolic> {
+    algebra.map(|value| Symbolic::constant(value.clone())).unwrap()
 }
 
 /// Algebras of every kind, with their names.

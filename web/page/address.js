@@ -3,7 +3,7 @@
 
 /** @typedef {Record<string, string>} State */
 
-export const REPORTS = ["compare", "table", "check", "info", "properties", "equations", "transport", "motion", "list", "conventions", "paper"];
+export const REPORTS = ["compare", "table", "check", "info", "properties", "equations", "transport", "motion", "list", "conventions"];
 export const FIELDS = ["space", "other", "connection", "metric", "set", "show", "motion", "path", "vector", "problem", "methods", "definition"];
 /** What the page begins with: the two geometries of the paper. */
 export const START = { report: "compare" };
@@ -37,7 +37,7 @@ export function long(state) {
 /** The fields that a report uses. @param {string} report @returns {string[]} */
 export function used(report) {
   const all = {
-    compare: ["space", "other"], list: ["space"], conventions: [], paper: [],
+    compare: ["space", "other"], list: ["space"], conventions: [],
     table: ["space", "connection", "metric", "set", "show", "definition"],
     equations: ["space", "connection", "metric", "set", "motion", "definition"],
     transport: ["path", "vector", "metric"], motion: ["problem", "methods"],

@@ -6,7 +6,6 @@ use affinor::Canonical;
 use affinor::geometry::equations::EquationKind;
 use affinor_documents::definition::{self, InputError, ScalarChoice, Space};
 use affinor_documents::over_kind;
-use affinor_documents::paper::{Paper, PaperFormat};
 use affinor_documents::picture::{self, Picture};
 use affinor_documents::problem::Problem;
 use affinor_documents::report::{
@@ -23,8 +22,8 @@ const HEAT: usize = 32;
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Request {
-    /// `compare`, `table`, `check`, `info`, `properties`, `equations`, `transport`, `motion`, `list`,
-    /// `conventions` or `paper`.
+    /// `compare`, `table`, `check`, `info`, `properties`, `equations`, `transport`, `motion`, `list` or
+    /// `conventions`.
     pub report: String,
     /// A SPACE.
     pub space: String,
@@ -71,7 +70,6 @@ impl Request {
                 None => return Err(Refusal::new("no name of the catalogue contains this text")),
             },
             "conventions" => (Box::new(conventions()), vec![]),
-            "paper" => return self.paper(),
             "transport" => (transport::transport(&self.path, &self.vector, &self.metric)?, vec![]),
             "motion" => (motion::motion(&self.problem, &self.methods)?, vec![]),
             "table" => {
@@ -197,20 +195,6 @@ impl Request {
             Ok(computation(&Space::open(&request)?).side()?)
         };
         Ok(Comparison::new(side(&self.space, "M(3)")?, side(&self.other, "SO(3)")?))
-    }
-
-    fn paper(&self) -> Result<Answer, Refusal> {
-        let format = match self.format.as_str() {
-            "" | "html" => PaperFormat::Html,
-            "markdown" => PaperFormat::Markdown,
-            "latex" => PaperFormat::Latex,
-            name => return Err(Refusal::new(format!("the paper is not written as {name}"))),
-        };
-        let paper = Paper::read()?;
-        Answer::written(vec![], |out| match format {
-            PaperFormat::Html => paper.write_live(out),
-            _ => paper.write(format, &[], out),
-        })
     }
 }
 

@@ -141,28 +141,3 @@ fn reports_have_pictures() {
         pictures(json!({ "report": "table", "space": "so3@zero", "format": "json" })).is_empty()
     );
 }
-
-/// Every link of the paper in the page is a state whose report can be made, of the space whose values the paper prints.
-#[test]
-fn equations_of_the_paper_are_live() {
-    let paper = answer(json!({ "report": "paper" }));
-    let states: Vec<&str> = paper
-        .split("href=\"#report=")
-        .skip(1)
-        .map(|rest| rest.split('"').next().unwrap())
-        .collect();
-    assert!(states.len() >= 12, "{states:?}");
-    for state in states {
-        let state = format!("report={}", state.replace("&amp;", "&"));
-        let fields = state.split('&').map(|field| field.split_once('=').unwrap());
-        let request: Value = fields
-            .map(|(key, value)| (key.to_string(), json!(value)))
-            .collect::<serde_json::Map<_, _>>()
-            .into();
-        assert!(answer(request).len() > 500, "{state}");
-    }
-    // the report of (46) has the twelve affinities as the paper prints them
-    let m3 =
-        answer(json!({ "report": "table", "space": "M3", "show": "affinities", "format": "text" }));
-    assert!(m3.contains("= 1"), "{m3}");
-}

@@ -75,7 +75,6 @@ fn refusals_have_a_message() {
         r#"{"report": "equations", "space": "so3"}"#,
         r#"{"report": "equations", "space": "M3", "motion": "sideways"}"#,
         r#"{"report": "list", "space": "no such thing"}"#,
-        r#"{"report": "paper", "format": "csv"}"#,
         r#"{"report": "table", "space": "E8", "metric": "identity", "show": "curvature", "format": "json"}"#,
     ] {
         let refusal = refused(request);

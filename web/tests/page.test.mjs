@@ -221,7 +221,7 @@ test("an address that is not understood leaves a message", async () => {
 test("no violation of accessibility, no sideways scroll", async () => {
   const body = "space=so3&connection=levi-civita&metric=diag(1,2,3)";
   const states = ["", "#report=table&space=so3@zero", "#report=info&space=se(3)", "#report=info&space=E6", "#report=table&space=nothing", `#report=table&${body}`, `#report=check&${body}`,
-    `#report=properties&${body}`, `#report=equations&${body}`, "#report=list", "#report=conventions", "#report=transport", "#report=motion", "#report=paper"];
+    `#report=properties&${body}`, `#report=equations&${body}`, "#report=list", "#report=conventions", "#report=transport", "#report=motion"];
   for (const [width, colorScheme] of [[360, "light"], [360, "dark"], [800, "dark"], [1600, "light"], [3840, "dark"]]) {
     const page = await open("", { viewport: { width, height: 900 }, colorScheme });
     for (const hash of states) {

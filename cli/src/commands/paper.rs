@@ -3,7 +3,7 @@
 use super::color::ColorOption;
 use super::failure::Failure;
 use super::output::deliver;
-use affinor_documents::paper::{Paper, PaperFigure, PaperFormat};
+use affinor_paper::{Paper, PaperFigure, PaperFormat};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 

@@ -23,8 +23,8 @@ impl Definition {
         Definition::new(entry.name, entry.labels, Origin::Brackets(given))
     }
 
-    /// A geometry of the paper, [`paper::m3`](affinor::geometry::paper::m3) or
-    /// [`paper::so3`](affinor::geometry::paper::so3); `exact` writes its values.
+    /// A geometry of the paper, [`paper::m3`](super::paper::m3) or
+    /// [`paper::so3`](super::paper::so3); `exact` writes its values.
     ///
     /// # Errors
     /// An algebra that the catalogue does not have.

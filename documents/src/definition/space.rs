@@ -3,12 +3,12 @@
 use super::files::Files;
 use super::input::InputError;
 use super::notation::{self, Names, basis, lines, metric, statement};
+use super::paper;
 use super::setting::settings;
 use super::source::Source;
 use super::written::{MetricText, Text};
 use super::{Definition, MetricChoice, Origin, add, check_dimension};
 use affinor::algebra::catalogue::CatalogueError;
-use affinor::geometry::paper;
 use affinor_tensors::{Kind, Rational, Symbolic};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

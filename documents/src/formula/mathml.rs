@@ -7,22 +7,22 @@ use std::fmt::Write;
 /// The letters of a line within text.
 const INLINE: usize = 44;
 /// The letters of a line on its own.
-pub(crate) const WIDE: usize = 64;
+pub const WIDE: usize = 64;
 /// The letters of a line in a cell of a table.
 pub(crate) const NARROW: usize = 26;
 
 /// A formula within a line of text: an element `math` for each piece between which the line may be broken.
-pub(crate) fn inline(formula: &[Node]) -> String {
+pub fn inline(formula: &[Node]) -> String {
     math(formula, INLINE, "").join("<wbr/>")
 }
 
 /// A formula that stands alone behind a mark: as within text, in display style.
-pub(crate) fn alone(formula: &[Node]) -> String {
+pub fn alone(formula: &[Node]) -> String {
     math(formula, INLINE, " displaystyle=\"true\"").join("<wbr/>")
 }
 
 /// A formula on lines of its own, each an element `math` in display style.
-pub(crate) fn block(formula: &[Node], most: usize) -> String {
+pub fn block(formula: &[Node], most: usize) -> String {
     math(formula, most, " display=\"block\"").concat()
 }
 
@@ -165,6 +165,6 @@ fn scripts(base: &Node, scripts: &[(bool, Vec<Node>)]) -> String {
 }
 
 /// Text as it stands in an element or an attribute.
-pub(crate) fn escaped(text: &str) -> String {
+pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -22,7 +22,13 @@ pub(crate) fn notation(text: &str) -> Result<Row, String> {
 }
 
 /// The tree of a formula. A formula outside the grammar becomes words.
-pub(crate) fn formula(text: &str) -> Row {
+///
+/// ```
+/// use affinor_documents::formula::{Node, formula};
+/// assert_eq!(formula("theta = 0")[1], Node::Sign("="));
+/// assert_eq!(formula("(a"), [Node::Text("(a".into())]);
+/// ```
+pub fn formula(text: &str) -> Row {
     notation(text).unwrap_or_else(|_| vec![Node::Text(text.into())])
 }
 

@@ -1,15 +1,14 @@
 //! The writer of formulas in LaTeX's mathematics mode.
 
 use super::{Accent, Brackets, DIFFERENTIALS, LETTERS, Node, is_prefix};
-use crate::report::latex_escaped;
 
 /// The row, with brackets that grow.
-pub(crate) fn formula(row: &[Node]) -> String {
+pub fn formula(row: &[Node]) -> String {
     Writer { grows: true }.row(row, " ")
 }
 
 /// The row with plain brackets, between which TeX breaks lines.
-pub(crate) fn breakable(row: &[Node]) -> String {
+pub fn breakable(row: &[Node]) -> String {
     Writer { grows: false }.row(row, " ")
 }
 
@@ -69,7 +68,7 @@ impl Writer {
             Node::Function(name) => format!("\\operatorname{{{name}}}"),
             Node::Number(text) | Node::Indices(text) => text.clone(),
             Node::Sign(sign) => in_tex(sign).into(),
-            Node::Text(text) => format!("\\text{{{}}}", latex_escaped(text)),
+            Node::Text(text) => format!("\\text{{{}}}", escaped(text)),
             Node::Group(brackets, row) => {
                 let sum = row.iter().any(|node| node.is_sign_of_term());
                 let grows = self.grows && sum && *brackets == Brackets::Round;
@@ -173,4 +172,27 @@ fn in_tex(sign: &'static str) -> &'static str {
         "′" => "'",
         sign => sign,
     }
+}
+
+/// Text in which no character is a command of LaTeX.
+///
+/// ```
+/// use affinor_documents::formula::tex::escaped;
+/// assert_eq!(escaped("x_1 & 50 %"), r"x\_1 \& 50 \%");
+/// ```
+pub fn escaped(text: &str) -> String {
+    let mut plain = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '\\' => plain.push_str("\\textbackslash{}"),
+            '^' => plain.push_str("\\textasciicircum{}"),
+            '~' => plain.push_str("\\textasciitilde{}"),
+            '<' => plain.push_str("\\textless{}"),
+            '>' => plain.push_str("\\textgreater{}"),
+            '|' => plain.push_str("\\textbar{}"),
+            '{' | '}' | '#' | '$' | '%' | '&' | '_' => plain.extend(['\\', c]),
+            _ => plain.push(c),
+        }
+    }
+    plain
 }

@@ -1,5 +1,6 @@
 //! Two geometries side by side.
 
+use super::claims::Claim;
 use super::components::groups;
 use super::grid::{Cell, Grid, head_of_grid, pretty};
 use super::{Format, Quantity, Report, head, html, latex, text, typeset};
@@ -8,8 +9,8 @@ use crate::formula::lines::chain;
 use crate::formula::mathml::{self, NARROW, escaped};
 use crate::formula::{Row, formula, notation, sum, tex, value};
 use crate::page::page;
-use affinor::geometry::claims::{Claim, Residual, Verdict};
 use affinor::geometry::conditions::conditions;
+use affinor::geometry::properties::Property;
 use affinor::{ConnectionKind, Error, Geometry, LieAlgebra};
 use affinor_tensors::contract;
 use affinor_tensors::text::combination;
@@ -21,6 +22,11 @@ use std::io::{self, Write};
 const LISTED: usize = 24;
 /// A basis with more vectors than this is shown by its first and its last vector.
 const LABELLED: usize = 12;
+
+/// Whether a claim holds; `None` if it is about a metric and there is none.
+type Verdict = Option<Property<String>>;
+/// Why a claim does not apply.
+const NO_METRIC: &str = "no metric";
 
 /// One side of a comparison: a geometry, ready to be printed.
 #[derive(Clone, Debug)]
@@ -62,7 +68,7 @@ impl ComparedSide {
         }
         rows.push(("compatibility", compatibility(geometry)?));
         rows.push(("transport along n", transport(geometry, algebra)));
-        let verdict = |claim: Claim| Ok((claim, claim.verdict(geometry)?));
+        let verdict = |claim: Claim| Ok((claim, claim.holds(geometry)?));
         let verdicts = Claim::ALL.into_iter().map(verdict).collect::<Result<_, Error>>()?;
         let connection = match kind {
             ConnectionKind::Family(lambda) => format!("lambda={lambda}"),
@@ -133,9 +139,11 @@ impl Comparison {
             .zip(&right.rows)
             .map(|((title, a), (_, b))| json!({ "title": title, "cells": [a.text, b.text] }));
         let verdict = |verdict: &Verdict| match verdict {
-            Verdict::Holds => json!({ "holds": true }),
-            Verdict::Fails(residual) => json!({ "holds": false, "residual": residual.text }),
-            Verdict::NotApplicable(reason) => json!({ "holds": null, "reason": reason }),
+            Some(Property::Holds(())) => json!({ "holds": true }),
+            Some(Property::Fails(witness)) => {
+                json!({ "holds": false, "residual": witness.to_string() })
+            }
+            None => json!({ "holds": null, "reason": NO_METRIC }),
         };
         let claims = left.verdicts.iter().zip(&right.verdicts).map(|((claim, a), (_, b))| {
             json!({
@@ -181,27 +189,23 @@ impl Report for Comparison {
 }
 
 fn written(verdict: &Verdict) -> Cell {
-    match verdict {
-        Verdict::Holds => "yes".into(),
-        Verdict::Fails(Residual { text, .. }) => {
-            let (equation, n) = text.split_once(" for n = ").unwrap_or((text, ""));
-            let sides = equation.rsplit_once(" = ");
-            // a witness that is not an equation stays text
-            match sides.and_then(|(left, right)| Some((notation(left).ok()?, right))) {
-                Some((left, right)) => {
-                    let equation = Part::Formula(chain([left, value(right)]));
-                    let mut line = vec![Part::Words("no: "), equation];
-                    if !n.is_empty() {
-                        let n = Part::Formula(chain([formula("n"), value(n)]));
-                        line.extend([Part::Words(" for "), n]);
-                    }
-                    Cell { text: vec![format!("no: {text}")], ..typeset(&[line]) }
-                }
-                None => format!("no: {text}").into(),
-            }
-        }
-        Verdict::NotApplicable(reason) => format!("({reason})").into(),
+    let witness = match verdict {
+        None => return format!("({NO_METRIC})").into(),
+        Some(Property::Holds(())) => return "yes".into(),
+        Some(Property::Fails(witness)) => witness,
+    };
+    let text = format!("no: {witness}");
+    // a witness that is not an equation stays text
+    let Ok(left) = notation(&witness.equation) else { return text.into() };
+    let (right, n) = match witness.residual.split_once(" for n = ") {
+        Some((right, n)) => (right, Some(n)),
+        None => (witness.residual.as_str(), None),
+    };
+    let mut line = vec![Part::Words("no: "), Part::Formula(chain([left, value(right)]))];
+    if let Some(n) = n {
+        line.extend([Part::Words(" for "), Part::Formula(chain([formula("n"), value(n)]))]);
     }
+    Cell { text: vec![text], ..typeset(&[line]) }
 }
 
 /// The names of the basis vectors, or the first, the last and their number.
@@ -317,7 +321,7 @@ fn typeset(lines: &[Vec<Part>]) -> Cell {
         Some(lines.iter().map(|line| line.iter().map(part).collect()).collect())
     };
     Cell {
-        latex: of(&|row| format!("${}$", tex::breakable(row)), &latex::escape),
+        latex: of(&|row| format!("${}$", tex::breakable(row)), &tex::escaped),
         html: of(&mathml::inline, &escaped),
         ..Cell::default()
     }

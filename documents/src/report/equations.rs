@@ -3,7 +3,7 @@
 use super::components::plain;
 use super::grid::{Cell, Grid, pretty};
 use super::head::{kind_name, printable, printable_list};
-use super::latex::{WIDTH, escape};
+use super::latex::WIDTH;
 use super::text::fill;
 use super::{Format, Report, html};
 use crate::Coefficient;
@@ -163,7 +163,7 @@ impl<S: Coefficient> EquationReport<S> {
 
     fn latex(&self, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "% A fragment: it needs \\usepackage{{amsmath}}.")?;
-        writeln!(out, "\\subsection*{{{}}}", escape(&self.title()))?;
+        writeln!(out, "\\subsection*{{{}}}", tex::escaped(&self.title()))?;
         writeln!(out, "{{\\allowdisplaybreaks\n\\begin{{align*}}\n{}", self.aligned())?;
         writeln!(out, "\\end{{align*}}}}")
     }

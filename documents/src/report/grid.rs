@@ -1,10 +1,11 @@
 //! Grids of short cells, for reports that are not tables of tensors.
 
 use super::head::{conventions, float};
-use super::latex::{self, escape, verbatim};
-use super::markdown::escaped;
+use super::latex::{self, verbatim};
+use super::markdown;
 use super::text::head_line;
 use super::{Format, Report, html};
+use crate::formula::tex;
 use crate::rows::failed;
 use comfy_table::presets::UTF8_BORDERS_ONLY;
 use comfy_table::{ContentArrangement, Table};
@@ -64,7 +65,7 @@ impl Cell {
         if self.is_drawn {
             return self.lines(verbatim);
         }
-        self.latex.clone().unwrap_or_else(|| self.lines(escape))
+        self.latex.clone().unwrap_or_else(|| self.lines(tex::escaped))
     }
 
     /// The lines of plain text, escaped for a format.
@@ -133,7 +134,7 @@ impl Grid {
     }
 
     fn markdown(&self, out: &mut dyn Write) -> io::Result<()> {
-        let escape = |text: &str| escaped(text, r"|*_`<>[]\^");
+        let escape = |text: &str| markdown::escaped(text, r"|*_`<>[]\^");
         writeln!(out, "## {}\n", escape(&self.title))?;
         for (title, cell) in &self.head {
             writeln!(out, "- {title}: {}", cell.lines(escape).join(" "))?;
@@ -156,12 +157,12 @@ impl Grid {
         let share = 0.92 / columns as f64;
         let column = format!(">{{\\raggedright\\arraybackslash}}p{{{share:.2}\\textwidth}}");
         writeln!(out, "% A fragment: it needs \\usepackage{{amsmath,array,longtable}}.")?;
-        writeln!(out, "\\section*{{{}}}", escape(&self.title))?;
+        writeln!(out, "\\section*{{{}}}", tex::escaped(&self.title))?;
         for (title, cell) in &self.head {
             writeln!(out, "{title}: {}\\par", cell.in_latex().join(" "))?;
         }
         writeln!(out, "\\begin{{longtable}}{{@{{}}{}@{{}}}}", column.repeat(columns))?;
-        let header: Vec<_> = self.header.iter().map(|text| escape(text)).collect();
+        let header: Vec<_> = self.header.iter().map(|text| tex::escaped(text)).collect();
         writeln!(out, "\\hline\n{} \\\\\n\\hline\\endhead", header.join(" & "))?;
         for row in &self.rows {
             let cell = |cell: &Cell| cell.in_latex().join(" \\newline ");

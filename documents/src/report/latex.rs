@@ -20,14 +20,14 @@ pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io
         out,
         "\\begingroup\\allowdisplaybreaks\\raggedright\\setlength{{\\parindent}}{{0pt}}"
     )?;
-    writeln!(out, "\\section*{{{}}}", escape(&printable(&table.name)))?;
+    writeln!(out, "\\section*{{{}}}", tex::escaped(&printable(&table.name)))?;
     let label = |text: &String| match label(&printable(text)) {
-        Node::Text(words) => escape(&words),
+        Node::Text(words) => tex::escaped(&words),
         name => format!("${}$", tex::formula(&[name])),
     };
     let labels: Vec<String> = table.labels.iter().map(label).collect();
     let mut lines: Vec<_> =
-        table.head().into_iter().map(|(title, line)| (title, escape(&line))).collect();
+        table.head().into_iter().map(|(title, line)| (title, tex::escaped(&line))).collect();
     lines[1].1 = labels.join(", ");
     lines.push(("conventions", conventions()));
     for (title, line) in lines {
@@ -161,23 +161,5 @@ pub fn components_in_latex<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> 
 
 /// A line in which every space counts: a box, at whose start TeX drops none.
 pub(super) fn verbatim(line: &str) -> String {
-    format!("\\mbox{{\\footnotesize\\ttfamily {}}}", escape(line).replace(' ', "~"))
-}
-
-/// Text in which no character is a command.
-pub(crate) fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '\\' => escaped.push_str("\\textbackslash{}"),
-            '^' => escaped.push_str("\\textasciicircum{}"),
-            '~' => escaped.push_str("\\textasciitilde{}"),
-            '<' => escaped.push_str("\\textless{}"),
-            '>' => escaped.push_str("\\textgreater{}"),
-            '|' => escaped.push_str("\\textbar{}"),
-            '{' | '}' | '#' | '$' | '%' | '&' | '_' => escaped.extend(['\\', c]),
-            _ => escaped.push(c),
-        }
-    }
-    escaped
+    format!("\\mbox{{\\footnotesize\\ttfamily {}}}", tex::escaped(line).replace(' ', "~"))
 }

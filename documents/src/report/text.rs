@@ -135,8 +135,8 @@ pub(super) fn brackets<S: Coefficient>(
     brackets.into_iter().map(|(at, terms)| (pair(at), combination(terms))).collect()
 }
 
-/// The components of a tensor with a symbol of its own, a line for those that are equal up to sign.
-pub(crate) fn grouped_in_text<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> Vec<String> {
+/// The components of a tensor with a symbol of its own, a line for those that are equal up to sign: `tau^1_23 = -tau^1_32 = 1`.
+pub fn grouped_in_text<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> Vec<String> {
     let name = |at: &[usize]| {
         let numbers = at.iter().map(|index| (index + 1).to_string());
         join(symbol, scripts(tensor.dimension(), tensor.slots(), numbers))

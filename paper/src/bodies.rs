@@ -1,7 +1,7 @@
 //! Section 2: rotating bodies as in a course of mechanics, (1)-(16).
 
-use super::lab::{Lab, cross, rate, rotation, spin, symbols};
-use super::{Finding, Row, Section};
+use crate::lab::{Lab, cross, rate, rotation, spin, symbols};
+use crate::{Finding, Row, Section};
 use affinor::geometry::equations::Equations;
 use affinor::group::{LieGroup, So3, Velocity};
 use affinor::mechanics::MassProperties;
@@ -19,7 +19,7 @@ const MASSES: [(f64, [f64; 3]); 4] = [
     (1.5, [0.1, -0.7, -0.9]),
 ];
 
-pub(super) fn section(lab: &Lab) -> Result<Section, Error> {
+pub(crate) fn section(lab: &Lab) -> Result<Section, Error> {
     Ok(Section {
         title: "Section 2: rotating bodies",
         about: "A motion `R(t)` without symmetry, and a body of four masses without a principal axis among its coordinate axes.",

@@ -1,15 +1,15 @@
 //! The objects that the rows compute with.
 
 use affinor::algebra::catalogue;
-use affinor::geometry::paper;
 use affinor::group::transport::ParallelTranslation;
 use affinor::group::{AnyGroup, LieGroup, So3, Velocity};
 use affinor::{Canonical, Connection, Error, Geometry, LieAlgebra, Metric};
+use affinor_documents::definition::paper;
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 /// The two geometries, the algebra of rotations, and groups on which general statements are computed.
-pub(super) struct Lab {
+pub(crate) struct Lab {
     /// M(3): `plus`, with the inertia as its metric.
     pub m3: Geometry<Symbolic>,
     /// "SO(3)": `zero`, with the bi-invariant metric (102).
@@ -69,14 +69,14 @@ impl Lab {
 }
 
 /// Three vectors without a pattern, of length about 1.
-pub(super) fn vectors(group: &AnyGroup) -> [DVector<f64>; 3] {
+pub(crate) fn vectors(group: &AnyGroup) -> [DVector<f64>; 3] {
     let n = group.dimension();
     [0.0, 1.0, 2.0]
         .map(|a| DVector::from_fn(n, |i, _| 0.9 * (1.3 + 2.1 * i as f64 + 1.7 * a).sin()))
 }
 
 /// A motion that is no one-parameter group, with all components of its velocity.
-pub(super) fn motion(group: &AnyGroup) -> impl Fn(f64) -> DVector<f64> {
+pub(crate) fn motion(group: &AnyGroup) -> impl Fn(f64) -> DVector<f64> {
     let [x, y, z] = vectors(group);
     move |t| {
         let factors = [&z * 0.4, &x * t.sin(), &y * (t * t)];
@@ -85,7 +85,7 @@ pub(super) fn motion(group: &AnyGroup) -> impl Fn(f64) -> DVector<f64> {
 }
 
 /// A motion of the rotation group.
-pub(super) fn rotation(t: f64) -> nalgebra::UnitQuaternion<f64> {
+pub(crate) fn rotation(t: f64) -> nalgebra::UnitQuaternion<f64> {
     let factors = [
         Vector3::new(0.3, -0.1, 0.2),
         Vector3::new(0.9, -0.4, 0.5) * t.sin(),
@@ -95,12 +95,12 @@ pub(super) fn rotation(t: f64) -> nalgebra::UnitQuaternion<f64> {
 }
 
 /// The velocity of a motion by central differences of its elements.
-pub(super) fn velocity(group: &AnyGroup, t: f64) -> Result<Velocity<DVector<f64>>, Error> {
+pub(crate) fn velocity(group: &AnyGroup, t: f64) -> Result<Velocity<DVector<f64>>, Error> {
     Velocity::of_path(group, motion(group), t, 0.02)
 }
 
 /// Parallel translation by a canonical connection.
-pub(super) fn translation<G: LieGroup + Clone>(
+pub(crate) fn translation<G: LieGroup + Clone>(
     group: &G,
     which: Canonical,
 ) -> Result<ParallelTranslation<G>, Error> {
@@ -108,7 +108,7 @@ pub(super) fn translation<G: LieGroup + Clone>(
 }
 
 /// The derivative at `t` by central differences, extrapolated to order 6.
-pub(super) fn rate(curve: impl Fn(f64) -> DMatrix<f64>, t: f64) -> DMatrix<f64> {
+pub(crate) fn rate(curve: impl Fn(f64) -> DMatrix<f64>, t: f64) -> DMatrix<f64> {
     let difference = |h: f64| (curve(t + h) - curve(t - h)) / (2.0 * h);
     let [coarse, half, quarter] = [0.02, 0.01, 0.005].map(difference);
     let (first, second) = ((&half * 4.0 - coarse) / 3.0, (quarter * 4.0 - half) / 3.0);
@@ -116,43 +116,43 @@ pub(super) fn rate(curve: impl Fn(f64) -> DMatrix<f64>, t: f64) -> DMatrix<f64> 
 }
 
 /// The matrix of a vector of the algebra: the derivative of its one-parameter group at the identity.
-pub(super) fn hat(group: &AnyGroup, x: &DVector<f64>) -> DMatrix<f64> {
+pub(crate) fn hat(group: &AnyGroup, x: &DVector<f64>) -> DMatrix<f64> {
     rate(|t| group.matrix(&group.exp(&(x * t))), 0.0)
 }
 
 /// How far two matrices are apart, beside their size.
-pub(super) fn distance(found: &DMatrix<f64>, expected: &DMatrix<f64>) -> f64 {
+pub(crate) fn distance(found: &DMatrix<f64>, expected: &DMatrix<f64>) -> f64 {
     (found - expected).amax() / (1.0 + expected.amax())
 }
 
 /// How far two vectors are apart, beside their size.
-pub(super) fn apart(found: &DVector<f64>, expected: &DVector<f64>) -> f64 {
+pub(crate) fn apart(found: &DVector<f64>, expected: &DVector<f64>) -> f64 {
     (found - expected).amax() / (1.0 + expected.amax())
 }
 
 /// `ad_x` of a group, the upper index as the row.
-pub(super) fn ad(group: &AnyGroup, x: &DVector<f64>) -> DMatrix<f64> {
+pub(crate) fn ad(group: &AnyGroup, x: &DVector<f64>) -> DMatrix<f64> {
     group.operator(|v| group.bracket(x, v))
 }
 
 /// Rows `[0, -w3, w2], [w3, 0, -w1], [-w2, w1, 0]`, (6).
-pub(super) fn spin(w: &Vector3<f64>) -> Matrix3<f64> {
+pub(crate) fn spin(w: &Vector3<f64>) -> Matrix3<f64> {
     w.cross_matrix()
 }
 
 /// Symbols `w1`, `w2`, ...
-pub(super) fn symbols(name: &str, n: usize) -> Vec<Symbolic> {
+pub(crate) fn symbols(name: &str, n: usize) -> Vec<Symbolic> {
     (1..=n).map(|i| Symbolic::parameter(&format!("{name}{i}"))).collect()
 }
 
 /// `a x b`, each component written out.
-pub(super) fn cross(a: &[Symbolic], b: &[Symbolic]) -> Vec<Symbolic> {
+pub(crate) fn cross(a: &[Symbolic], b: &[Symbolic]) -> Vec<Symbolic> {
     let term = |i: usize, j: usize| a[i].clone() * &b[j] - &(a[j].clone() * &b[i]);
     vec![term(1, 2), term(2, 0), term(0, 1)]
 }
 
 /// The alternating tensor with the slots of structure constants.
-pub(super) fn epsilon() -> Result<Tensor<Rational>, Error> {
+pub(crate) fn epsilon() -> Result<Tensor<Rational>, Error> {
     let sign = |at: [usize; 3]| match at {
         [0, 1, 2] | [1, 2, 0] | [2, 0, 1] => 1,
         [0, 2, 1] | [2, 1, 0] | [1, 0, 2] => -1,

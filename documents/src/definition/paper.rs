@@ -2,8 +2,8 @@
 //!
 //! I. Paraskevopoulos and S. Natsiavas, *Int. J. Solids and Structures* 50 (2013) 57-72.
 
-use crate::algebra::catalogue::{self, Entry};
-use crate::{Canonical, ConnectionKind, Error, Geometry, LieAlgebra, Metric};
+use affinor::algebra::catalogue::{self, Entry};
+use affinor::{Canonical, ConnectionKind, Error, Geometry, LieAlgebra, Metric};
 use affinor_tensors::{Down, Notation, Rational, Scalar, Symbolic, Tensor};
 
 /// M(3): the connection `plus` (29), and as its metric (99) the inertia with the symbolic entries `J11`, `J12`, ..,

@@ -1,11 +1,13 @@
 //! The statements of the paper about its two geometries, as predicates on any geometry.
 
-use crate::Error;
-use crate::algebra::frame::{expect_numbers, formula};
-use crate::geometry::Geometry;
-use affinor_tensors::{Notation, Scalar, Tensor};
+use crate::Coefficient;
+use affinor::algebra::frame::expect_numbers;
+use affinor::geometry::properties::{Property, Witness};
+use affinor::{Error, Geometry};
+use affinor_tensors::text::written;
+use affinor_tensors::{Notation, Tensor, contract};
 
-/// A statement of the paper about a geometry; [`verdict`](Claim::verdict) tests it on any geometry.
+/// A statement of the paper about a geometry; [`holds`](Claim::holds) tests it on any geometry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Claim {
     /// (38): `Lambda^i_jk = c^i_jk`.
@@ -32,26 +34,6 @@ pub enum Claim {
     Compatible,
     /// (102): the metric is bi-invariant, `g([z,x],y) + g(x,[z,y]) = 0`.
     BiInvariant,
-}
-
-/// Whether a claim holds.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// It holds.
-    Holds,
-    /// It fails, with a nonzero component as witness.
-    Fails(Residual),
-    /// It does not apply, because the geometry lacks this object.
-    NotApplicable(&'static str),
-}
-
-/// The first component by which a claim fails: `Lambda^1_23 - c^1_23 = -1/2`.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Residual {
-    /// In plain text.
-    pub text: String,
-    /// In LaTeX, if it differs from the text.
-    pub latex: Option<String>,
 }
 
 impl Claim {
@@ -114,21 +96,34 @@ impl Claim {
         }
     }
 
-    /// Whether the claim holds for a geometry.
+    /// Whether the claim holds for a geometry; `None` if it is about the metric and the geometry has none.
+    ///
+    /// The witness of a failure is the first nonzero component, with the indices in its equation. Where a claim is about
+    /// transport along a basis vector, the residual ends with that vector.
+    ///
+    /// ```
+    /// use affinor_documents::definition::paper;
+    /// use affinor_documents::report::Claim;
+    /// let witness = Claim::Flat.holds(&paper::so3()?)?.and_then(|property| property.witness());
+    /// assert_eq!(witness.map(|witness| witness.to_string()).as_deref(), Some("R^1_212 = 1/4"));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::NotConstant`]: the claims are about structure constants. [`Error::NotFinite`] where floats leave their range.
-    pub fn verdict<S: Notation + Scalar>(self, geometry: &Geometry<S>) -> Result<Verdict, Error> {
+    pub fn holds<S: Coefficient>(
+        self,
+        geometry: &Geometry<S>,
+    ) -> Result<Option<Property<String>>, Error> {
         let connection = geometry.connection();
         let algebra = geometry.frame_origin().algebra_for("a claim of the paper")?;
         let c = algebra.structure();
-        let none = Ok(Verdict::NotApplicable("no metric"));
         let vanish = |sum: &'static str| {
             let torsion = connection.torsion();
             let operands = [("Lambda", connection.gamma()), ("c", c), ("tau", &torsion)];
-            vanishes(&formula(&format!("{sum} -> ^i_jk"), &operands), sum, "ijk")
+            vanishes(&contract(&format!("{sum} -> ^i_jk"), &operands)?, sum, "ijk")
         };
-        match (self, geometry.metric()) {
+        let property = match (self, geometry.metric()) {
             (Claim::AffinitiesAreStructure, _) => vanish("Lambda^i_jk - c^i_jk"),
             (Claim::TorsionIsStructure, _) => vanish("tau^i_jk - c^i_jk"),
             (Claim::Antisymmetric, _) => vanish("Lambda^i_jk + Lambda^i_kj"),
@@ -139,29 +134,31 @@ impl Claim {
                 let curvature = connection.curvature();
                 let quarter = c.scale(&share(4));
                 let operands = [("R", curvature), ("q", &quarter), ("c", c)];
-                let residual = formula("R^i_jkl + q^m_kl c^i_mj -> ^i_jkl", &operands);
+                let residual = contract("R^i_jkl + q^m_kl c^i_mj -> ^i_jkl", &operands)?;
                 match vanishes(&residual, "R^i_jkl + 1/4 c^m_kl c^i_mj", "ijkl")? {
-                    Verdict::Holds if curvature.is_empty() => Ok(zero("R^i_jkl")),
-                    verdict => Ok(verdict),
+                    Property::Holds(()) if curvature.is_empty() => Ok(fails("R^i_jkl", "0")),
+                    property => Ok(property),
                 }
             }
             (Claim::TransportByAd, _) => transport(geometry, &S::one(), "G^i_k + ad^i_k"),
             (Claim::TransportByHalfAd, _) => transport(geometry, &share(2), "G^i_k + 1/2 ad^i_k"),
-            (Claim::Compatible | Claim::Incompatible | Claim::BiInvariant, None) => none,
+            (Claim::Compatible | Claim::Incompatible | Claim::BiInvariant, None) => {
+                return Ok(None);
+            }
             (Claim::Compatible, Some(metric)) => {
                 vanishes(&connection.nonmetricity(metric)?, "(nabla_k g)_ij", "kij")
             }
             (Claim::Incompatible, Some(metric)) => {
                 Ok(match connection.nonmetricity(metric)?.is_empty() {
-                    true => zero("(nabla_k g)_ij"),
-                    false => Verdict::Holds,
+                    true => fails("(nabla_k g)_ij", "0"),
+                    false => Property::Holds(()),
                 })
             }
             (Claim::BiInvariant, Some(metric)) => {
-                let variation = metric.ad_variation(algebra)?;
-                vanishes(&variation, "g_mj c^m_ki + g_im c^m_kj", "kij")
+                vanishes(&metric.ad_variation(algebra)?, "g_mj c^m_ki + g_im c^m_kj", "kij")
             }
-        }
+        };
+        property.map(Some)
     }
 }
 
@@ -176,27 +173,26 @@ fn transport<S: Notation + Scalar>(
     geometry: &Geometry<S>,
     share: &S,
     sum: &'static str,
-) -> Result<Verdict, Error> {
+) -> Result<Property<String>, Error> {
     let algebra = geometry.frame_origin().algebra_for("transport by ad")?;
-    for (j, n) in algebra.basis().enumerate() {
+    for (j, label) in algebra.labels().iter().enumerate() {
+        let unit = |i| if i == j { S::one() } else { S::zero() };
+        let n: Vec<S> = (0..algebra.dimension()).map(unit).collect();
         let generator = match geometry.connection().transport_generator(&n) {
             Ok(generator) => generator,
             Err(Error::NotAutoparallel { n, residual }) => {
-                let text = format!("nabla_n n = {residual} for n = {n}");
-                return Ok(Verdict::Fails(Residual { text, latex: None }));
+                return Ok(fails("nabla_n n", format!("{residual} for n = {n}")));
             }
             Err(error) => return Err(error),
         };
         let ad = algebra.ad(&n)?.scale(share);
-        let residual = formula("G^i_k + a^i_k -> ^i_k", &[("G", &generator), ("a", &ad)]);
-        if let Verdict::Fails(mut residual) = vanishes(&residual, sum, "ik")? {
-            residual.text += &format!(" for n = {}", algebra.labels()[j]);
-            let latex = residual.latex.map(|latex| format!("{latex} for $n = e_{{{}}}$", j + 1));
-            residual.latex = latex;
-            return Ok(Verdict::Fails(residual));
+        let residual = contract("G^i_k + a^i_k -> ^i_k", &[("G", &generator), ("a", &ad)])?;
+        if let Property::Fails(mut witness) = vanishes(&residual, sum, "ik")? {
+            witness.residual += &format!(" for n = {label}");
+            return Ok(Property::Fails(witness));
         }
     }
-    Ok(Verdict::Holds)
+    Ok(Property::Holds(()))
 }
 
 /// Whether a tensor is zero; if not, its first nonzero component. `sum` is the formula of the tensor,
@@ -205,10 +201,10 @@ fn vanishes<S: Notation + Scalar>(
     tensor: &Tensor<S>,
     sum: &'static str,
     letters: &str,
-) -> Result<Verdict, Error> {
+) -> Result<Property<String>, Error> {
     expect_numbers(sum, tensor)?;
     let Some((at, value)) = tensor.components().next() else {
-        return Ok(Verdict::Holds);
+        return Ok(Property::Holds(()));
     };
     let index = |letter: char| match letters.find(letter) {
         Some(slot) => (at[slot] + 1).to_string(),
@@ -216,43 +212,24 @@ fn vanishes<S: Notation + Scalar>(
     };
     // beyond dimension 9 an index can have two digits
     let comma = if tensor.dimension() > 9 { "," } else { "" };
-    let values = [affinor_tensors::text::written(value), value.latex()];
-    Ok(Verdict::Fails(equation(sum, values, |letters| {
-        letters.chars().map(index).collect::<Vec<_>>().join(comma)
-    })))
+    let indices = |letters: &str| letters.chars().map(index).collect::<Vec<_>>().join(comma);
+    Ok(fails(with_indices(sum, indices), written(value)))
 }
 
-/// The failure of a claim that a tensor is not zero.
-fn zero(sum: &str) -> Verdict {
-    Verdict::Fails(equation(sum, ["0", "0"].map(String::from), str::to_string))
+fn fails(equation: impl Into<String>, residual: impl Into<String>) -> Property<String> {
+    let (equation, residual) = (equation.into(), residual.into());
+    Property::Fails(Witness { equation, letters: "", indices: vec![], residual })
 }
 
-/// `sum = value`, with the indices written by `indices`; the value in text and in LaTeX.
-fn equation(
-    sum: &str,
-    [value, value_latex]: [String; 2],
-    indices: impl Fn(&str) -> String,
-) -> Residual {
-    let (mut text, mut latex, mut rest) = (String::new(), String::new(), sum);
+/// The formula with the letters of its scripts replaced.
+fn with_indices(sum: &str, indices: impl Fn(&str) -> String) -> String {
+    let (mut text, mut rest) = (String::new(), sum);
     while let Some(place) = rest.find(['^', '_']) {
-        let (name, script) = rest.split_at(place);
-        let (mark, script) = script.split_at(1);
-        let end = script.find(|c: char| !c.is_alphanumeric());
-        let (letters, behind) = script.split_at(end.unwrap_or(script.len()));
-        let indices = indices(letters);
-        text += &format!("{name}{mark}{indices}");
-        // lower indices stand behind the upper ones, not below them
-        let gap = if name.is_empty() { "{}" } else { "" };
-        latex += &format!("{name}{gap}{mark}{{{indices}}}");
-        rest = behind;
+        let (name, script) = rest.split_at(place + 1);
+        let end = script.find(|c: char| !c.is_alphanumeric()).unwrap_or(script.len());
+        text += name;
+        text += &indices(&script[..end]);
+        rest = &script[end..];
     }
-    for (name, command) in
-        [("Lambda", "\\Lambda"), ("tau", "\\tau"), ("nabla", "\\nabla"), ("ad^", "\\mathrm{ad}^")]
-    {
-        latex = latex.replace(name, command);
-    }
-    Residual {
-        text: format!("{text}{rest} = {value}"),
-        latex: Some(format!("${latex}{rest} = {value_latex}$")),
-    }
+    text + rest
 }

@@ -1,21 +1,16 @@
 //! The document as one file of HTML: no script, nothing from elsewhere, formulas in MathML.
 
-use super::{ABOUT, Finding, Outcome, Paper, PaperFigure, Part, Row, TITLE, parts};
-use crate::formula::formula;
-use crate::formula::mathml::{self, WIDE, escaped};
-use crate::page::page;
+use crate::{ABOUT, Finding, Outcome, Paper, PaperFigure, Part, Row, TITLE, parts};
+use affinor_documents::formula::formula;
+use affinor_documents::formula::mathml::{self, WIDE, escaped};
+use affinor_documents::page::page;
 use std::io::{self, Write};
 
-pub(super) fn write(
-    paper: &Paper,
-    figures: &[PaperFigure],
-    live: bool,
-    out: &mut dyn Write,
-) -> io::Result<()> {
-    page(TITLE, out, |out| body(paper, figures, live, out))
+pub(crate) fn write(paper: &Paper, figures: &[PaperFigure], out: &mut dyn Write) -> io::Result<()> {
+    page(TITLE, out, |out| body(paper, figures, out))
 }
 
-fn body(paper: &Paper, figures: &[PaperFigure], live: bool, out: &mut dyn Write) -> io::Result<()> {
+fn body(paper: &Paper, figures: &[PaperFigure], out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "<header>\n<h1>{TITLE}</h1>\n<p>{}</p>\n<p>{}</p>\n</header>\n<nav aria-label=\"Sections\">\n<ul>",
@@ -38,7 +33,7 @@ fn body(paper: &Paper, figures: &[PaperFigure], live: bool, out: &mut dyn Write)
             text(section.about)
         )?;
         for (place, row) in section.rows.iter().enumerate() {
-            equation(row, &format!("eq-{number}-{}", place + 1), live, out)?;
+            equation(row, &format!("eq-{number}-{}", place + 1), out)?;
         }
         writeln!(out, "</section>")?;
     }
@@ -61,8 +56,8 @@ fn body(paper: &Paper, figures: &[PaperFigure], live: bool, out: &mut dyn Write)
     writeln!(out, "</main>")
 }
 
-fn equation(row: &Row, id: &str, live: bool, out: &mut dyn Write) -> io::Result<()> {
-    let word = row.standing.word();
+fn equation(row: &Row, id: &str, out: &mut dyn Write) -> io::Result<()> {
+    let word = row.status.word();
     let class = word.replace(' ', "-");
     writeln!(
         out,
@@ -77,32 +72,16 @@ fn equation(row: &Row, id: &str, live: bool, out: &mut dyn Write) -> io::Result<
         )?;
     }
     writeln!(out, "<p>{}</p>", text(row.says))?;
-    if let Some(remark) = row.standing.remark() {
+    if let Some(remark) = row.status.remark() {
         writeln!(out, "<p class=\"remark\">{}</p>", text(remark))?;
     }
     writeln!(out, "<ul class=\"findings\">")?;
     for finding in &row.findings {
         writeln!(out, "<li class=\"{}\">{}</li>", class_of(finding), line(finding))?;
     }
-    let code = |name: &str| format!("<code>{}</code>", escaped(name));
-    // the page has no files of the repository beside it
-    let link = |file: Option<&str>, name: &str| match file.filter(|_| !live) {
-        Some(file) => format!("<a href=\"{file}\">{}</a>", code(name)),
-        None => code(name),
-    };
-    let functions: Vec<String> = row.sources().map(|(name, file)| link(file, name)).collect();
-    let tests: Vec<String> = row.tests().map(|file| link(Some(file), file)).collect();
-    let tested =
-        if tests.is_empty() { String::new() } else { format!(" Tested in {}.", tests.join(", ")) };
-    writeln!(
-        out,
-        "</ul>\n<p class=\"functions\">Computed by {}.{tested}</p>",
-        functions.join(", ")
-    )?;
-    if let Some(state) = row.state.filter(|_| live) {
-        let words = format!("The values of {} in the page", escaped(row.equation));
-        writeln!(out, "<p><a href=\"#{}\">{words}</a></p>", escaped(state))?;
-    }
+    let code = |name: &&str| format!("<code>{}</code>", escaped(name));
+    let functions: Vec<String> = row.functions.iter().map(code).collect();
+    writeln!(out, "</ul>\n<p class=\"functions\">Computed by {}.</p>", functions.join(", "))?;
     writeln!(out, "</article>")
 }
 

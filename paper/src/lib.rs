@@ -6,7 +6,7 @@
 //! `markdown`, `latex` write the document.
 //!
 //! ```
-//! use affinor_documents::paper::{Paper, PaperFormat};
+//! use affinor_paper::{Paper, PaperFormat};
 //! let paper = Paper::read()?;
 //! let rows: Vec<_> = paper.sections.iter().flat_map(|section| &section.rows).collect();
 //! let affinities = rows.iter().find(|row| row.equation == "(38)").unwrap();
@@ -26,16 +26,14 @@ mod groups;
 mod html;
 mod lab;
 mod latex;
-mod links;
 mod m3;
 mod markdown;
 mod so3;
 
 pub use finding::{Finding, Outcome};
 
-use crate::Coefficient;
-use crate::report::grouped_in_text;
 use affinor::{Canonical, Error, LieAlgebra};
+use affinor_documents::report::grouped_in_text;
 use affinor_tensors::{Rational, Tensor};
 use lab::Lab;
 use std::io::{self, Write};
@@ -68,18 +66,16 @@ pub struct Row {
     /// What it says. Formulas stand between backticks.
     pub says: &'static str,
     /// How the paper states it.
-    pub standing: Standing,
+    pub status: Status,
     /// The functions of the library that compute it.
     pub functions: Vec<&'static str>,
     /// What is computed now.
     pub findings: Vec<Finding>,
-    /// The state of the page that shows the values, as in its address: `report=table&space=M3`.
-    pub state: Option<&'static str>,
 }
 
 /// How the paper states an equation. Formulas stand between backticks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Standing {
+pub enum Status {
     /// Right as printed.
     Right,
     /// Right under a convention that the paper leaves open.
@@ -90,24 +86,24 @@ pub enum Standing {
     TooStrong(&'static str),
 }
 
-impl Standing {
+impl Status {
     /// In one or two words.
     pub fn word(self) -> &'static str {
         match self {
-            Standing::Right => "right",
-            Standing::Convention(_) => "by convention",
-            Standing::Misprint(_) => "corrected",
-            Standing::TooStrong(_) => "too strong",
+            Status::Right => "right",
+            Status::Convention(_) => "by convention",
+            Status::Misprint(_) => "corrected",
+            Status::TooStrong(_) => "too strong",
         }
     }
 
     /// The convention, the correction or the limits.
     pub fn remark(self) -> Option<&'static str> {
         match self {
-            Standing::Right => None,
-            Standing::Convention(remark)
-            | Standing::Misprint(remark)
-            | Standing::TooStrong(remark) => Some(remark),
+            Status::Right => None,
+            Status::Convention(remark) | Status::Misprint(remark) | Status::TooStrong(remark) => {
+                Some(remark)
+            }
         }
     }
 }
@@ -166,16 +162,7 @@ impl Paper {
         )
     }
 
-    /// Writes the document as HTML for the page: values have links to the states that show them.
-    ///
-    /// # Errors
-    /// An error of `out`.
-    pub fn write_live(&self, out: &mut dyn Write) -> io::Result<()> {
-        html::write(self, &[], true, out)
-    }
-
-    /// Writes the document. Figures are part of HTML only. Links to functions and tests are relative to the repository; those
-    /// of Markdown to its folder `docs`.
+    /// Writes the document. Figures are part of HTML only.
     ///
     /// # Errors
     /// An error of `out`.
@@ -186,7 +173,7 @@ impl Paper {
         out: &mut dyn Write,
     ) -> io::Result<()> {
         match format {
-            PaperFormat::Html => html::write(self, figures, false, out),
+            PaperFormat::Html => html::write(self, figures, out),
             PaperFormat::Markdown => markdown::write(self, out),
             PaperFormat::Latex => latex::write(self, out),
         }
@@ -196,15 +183,7 @@ impl Paper {
 impl Row {
     /// A row that is right as printed, without findings.
     fn new(equation: &'static str, formula: &'static str, says: &'static str) -> Self {
-        Row {
-            equation,
-            formula,
-            says,
-            standing: Standing::Right,
-            functions: vec![],
-            findings: vec![],
-            state: None,
-        }
+        Row { equation, formula, says, status: Status::Right, functions: vec![], findings: vec![] }
     }
 
     fn by(mut self, functions: &[&'static str]) -> Self {
@@ -212,24 +191,9 @@ impl Row {
         self
     }
 
-    fn standing(mut self, standing: Standing) -> Self {
-        self.standing = standing;
+    fn status(mut self, status: Status) -> Self {
+        self.status = status;
         self
-    }
-
-    fn shown_by(mut self, state: &'static str) -> Self {
-        self.state = Some(state);
-        self
-    }
-
-    /// The files with the functions that compute it, by their names.
-    pub fn sources(&self) -> impl Iterator<Item = (&'static str, Option<&'static str>)> {
-        self.functions.iter().map(|name| (*name, links::function(name)))
-    }
-
-    /// The files with its tests.
-    pub fn tests(&self) -> impl Iterator<Item = &'static str> {
-        links::tests(self.equation)
     }
 
     fn find(mut self, finding: impl IntoIterator<Item = Finding>) -> Self {

@@ -1,10 +1,10 @@
 //! Section 4.1: kinematics on M(3), (41)-(61). Much of it holds for `plus` on every group, with `A = Ad_p`.
 
-use super::lab::{
+use crate::lab::{
     Lab, ad, apart, distance, epsilon, hat, motion, rate, rotation, spin, symbols, translation,
     vectors, velocity,
 };
-use super::{Finding, Row, Section, Standing};
+use crate::{Finding, Row, Section, Status};
 use affinor::group::fields::{InvariantField, Side};
 use affinor::group::{AnyGroup, LieGroup, So3, Velocity};
 use affinor::{Canonical, Error};
@@ -12,7 +12,7 @@ use affinor_tensors::{Tensor, Up, contract};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use std::f64::consts::{PI, TAU};
 
-pub(super) fn section(lab: &Lab) -> Result<Section, Error> {
+pub(crate) fn section(lab: &Lab) -> Result<Section, Error> {
     Ok(Section {
         title: "Section 4.1: kinematics on M(3)",
         about: "M(3) is the rotation group with the connection `plus` and, as its metric, the inertia `J`. It has torsion and no curvature.",
@@ -126,7 +126,6 @@ fn generator(lab: &Lab) -> Result<Row, Error> {
         "udot = -n~ u, n~^i_k = Lambda^i_jk n^j",
         "Parallel transport along an autoparallel. The upper index is the row, so on the rotations the array is `spin(n)`; on every group it is `ad_n`.",
     )
-    .shown_by("report=equations&space=M3&motion=transport")
     .by(&["Connection::transport_generator"])
     .components("n~", &array)
     .find(Finding::within("`udot = -ad_n u`", off, 1e-13)))
@@ -141,7 +140,6 @@ fn twenty_seven(lab: &Lab) -> Result<Row, Error> {
         "Lambda^1_23 = Lambda^2_31 = Lambda^3_12 = 1",
         "The 27 affinities of M(3): the alternating symbol.",
     )
-    .shown_by("report=table&space=M3&show=affinities")
     .by(&["paper::m3"])
     .components("Lambda", gamma)
     .find(Finding::exact("`Lambda^i_jk = eps^i_jk`, all 27", &off)))
@@ -240,7 +238,7 @@ fn equal_images() -> Result<Row, Error> {
         "Omega = omega",
         "The paper concludes that both are parallel to `n`.",
     )
-    .standing(Standing::TooStrong(
+    .status(Status::TooStrong(
         "This needs `R != I`. At the identity, and after whole turns, the two images of every velocity are equal.",
     ))
     .by(&["Velocity::from_body"])
@@ -256,7 +254,7 @@ fn one_parameter() -> Result<Row, Error> {
     let body = Velocity::of_path(&So3, rotation, 0.9, 0.02)?.body;
     let around = psi - psi.normalize() * TAU;
     Ok(Row::new("(60)", "Q(s, n) = exp(s n~), Q(t, n(t)) = R(t)", "A motion by its rays.")
-        .standing(Standing::TooStrong(
+        .status(Status::TooStrong(
             "`n(t) = Psi(t)/t` is not a velocity, it is undefined at `t = 0`, and beyond half a turn it is not unique. The library uses `Psi`.",
         ))
         .by(&["So3::exp", "LieGroup::log"])

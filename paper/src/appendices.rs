@@ -1,7 +1,7 @@
 //! Appendices A and B: derivatives along frames, torsion and curvature, (A1)-(B14).
 
-use super::lab::Lab;
-use super::{Finding, Row, Section, Standing};
+use crate::lab::Lab;
+use crate::{Finding, Row, Section, Status};
 use affinor::algebra::catalogue;
 use affinor::geometry::chart::{CanonicalCoordinates, Chart, Side};
 use affinor::{Connection, Error, Frame, Metric};
@@ -70,7 +70,7 @@ fn difference(a: &[Symbolic], b: &[Symbolic]) -> Vec<Symbolic> {
     a.iter().zip(b).map(|(a, b)| a.clone() - b).collect()
 }
 
-pub(super) fn section(lab: &Lab) -> Result<Section, Error> {
+pub(crate) fn section(lab: &Lab) -> Result<Section, Error> {
     let line = Line::new()?;
     Ok(Section {
         title: "Appendices",
@@ -98,7 +98,7 @@ fn derivatives(line: &Line) -> Result<Row, Error> {
         .map(|i| (0..2).fold(integer(0), |sum, a| sum + &(line.fields.get(&[a, i]) * &partials[a])))
         .collect();
     Ok(Row::new("(A1), (A2)", "X(f) = X^i e_i(f), e_i(f) = e^a_i df/dtheta^a", "Derivatives of functions along the frame.")
-        .standing(Standing::Misprint(
+        .status(Status::Misprint(
             "(A2) writes `partial_i f`, which holds in a basis of coordinates only. In (32), (37), (A6) and (B2) the frame is another one, and the derivative is `e_i(f)`.",
         ))
         .by(&["Frame::derivative"])
@@ -115,7 +115,7 @@ fn bracket(line: &Line) -> Result<Row, Error> {
     let part = |x: &[Symbolic], y: &Symbolic| line.along(x, y);
     let without: Vec<_> = (0..2).map(|i| part(&x, &y[i]) - &part(&y, &x[i])).collect();
     Ok(Row::new("(A3)-(A8)", "L_X Y = [X, Y] = X Y - Y X", "The bracket of fields is the commutator of derivations; in the frame it has the components (32).")
-        .standing(Standing::Convention("The structure \"constants\" are constant in invariant frames only; in others they are functions."))
+        .status(Status::Convention("The structure \"constants\" are constant in invariant frames only; in others they are functions."))
         .by(&["Frame::bracket", "Frame::structure"])
         .find(Finding::equal("`[X,Y] f = X(Y f) - Y(X f)`", &[found], std::slice::from_ref(&commutator)))
         .find(Finding::equal("without the term in `c^i_jk`", &[line.along(&without, &f[0])], &[commutator]).refuted()))
@@ -178,7 +178,6 @@ fn parallel(line: &Line) -> Result<Row, Error> {
         "nabla_w v = 0, vdot^i + Lambda^i_jk w^j v^k = 0",
         "Parallel fields.",
     )
-    .shown_by("report=transport")
     .by(&["Connection::nabla", "Connection::transport_along"]);
     for i in 0..2 {
         let column: Vec<_> = (0..2).map(|a| right.components().get(&[a, i])).collect();
@@ -204,7 +203,7 @@ fn symmetric_part(line: &Line) -> Result<Row, Error> {
     let off = contract("a^i - b^i -> ^i", &[("a", &all), ("b", &symmetric)])?;
     let antisymmetric = turned("L^i_jk n^j n^k - L^i_kj n^j n^k -> ^i")?;
     Ok(Row::new("(B6)-(B8)", "nabla_n n = 0, ndot^i + Lambda^i_jk n^j n^k = 0", "Autoparallels. Where the affinities are antisymmetric, `ndot = 0`.")
-        .standing(Standing::TooStrong(
+        .status(Status::TooStrong(
             "Geodesics are autoparallels if the connection is metric and has no torsion. This is sufficient, not necessary: a totally antisymmetric torsion does no harm.",
         ))
         .by(&["Connection::transport_generator"])
@@ -274,7 +273,7 @@ fn curvature(line: &Line) -> Result<Row, Error> {
         "R(X,Y) v = nabla_X nabla_Y v - nabla_Y nabla_X v - nabla_{[X,Y]} v",
         "The curvature: `R^i_jkl = e_k(Lambda^i_lj) - e_l(Lambda^i_kj) + Lambda^i_km Lambda^m_lj - Lambda^i_lm Lambda^m_kj - c^m_kl Lambda^i_mj`.",
     )
-    .standing(Standing::Convention("The order of the indices is `i` (covector), `j` (`v`), `k` (`X`), `l` (`Y`). The commas are derivatives along the frame."))
+    .status(Status::Convention("The order of the indices is `i` (covector), `j` (`v`), `k` (`X`), `l` (`Y`). The commas are derivatives along the frame."))
     .by(&["Connection::curvature"])
     .find(Finding::equal("(B14) gives (B13) for fields and affinities that are functions", &found, &expected))
     .find(Finding::exact("the products of (B14) alone are the curvature", &missing).refuted()))

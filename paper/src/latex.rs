@@ -1,11 +1,10 @@
 //! The document for pdfLaTeX.
 
-use super::{ABOUT, Paper, Part, Row, TITLE, parts};
-use crate::formula::{Node, formula, tex};
-use crate::report::latex_escaped;
+use crate::{ABOUT, Paper, Part, Row, TITLE, parts};
+use affinor_documents::formula::{Node, formula, tex};
 use std::io::{self, Write};
 
-pub(super) fn write(paper: &Paper, out: &mut dyn Write) -> io::Result<()> {
+pub(crate) fn write(paper: &Paper, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "\\documentclass[11pt]{{article}}\n\\usepackage[T1]{{fontenc}}\\usepackage{{lmodern}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,geometry}}\n\
@@ -18,7 +17,7 @@ pub(super) fn write(paper: &Paper, out: &mut dyn Write) -> io::Result<()> {
         writeln!(
             out,
             "\n\\section*{{{0}}}\\addcontentsline{{toc}}{{section}}{{{0}}}\n{1}",
-            latex_escaped(section.title),
+            tex::escaped(section.title),
             text(section.about)
         )?;
         section.rows.iter().try_for_each(|row| equation(row, out))?;
@@ -30,14 +29,14 @@ fn equation(row: &Row, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "\n\\paragraph{{{}}} \\textit{{{}}}.",
-        latex_escaped(row.equation),
-        row.standing.word()
+        tex::escaped(row.equation),
+        row.status.word()
     )?;
     if !row.formula.is_empty() {
         writeln!(out, "{}.", display(row.formula))?;
     }
     writeln!(out, "{}", text(row.says))?;
-    if let Some(remark) = row.standing.remark() {
+    if let Some(remark) = row.status.remark() {
         writeln!(out, "\\textbf{{{}}}", text(remark))?;
     }
     writeln!(out, "\\begin{{itemize}}\\setlength{{\\itemsep}}{{0pt}}")?;
@@ -53,7 +52,7 @@ fn equation(row: &Row, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "\\item{mark} {claim}{words}")?;
     }
     let functions: Vec<String> =
-        row.functions.iter().map(|name| format!("\\texttt{{{}}}", latex_escaped(name))).collect();
+        row.functions.iter().map(|name| format!("\\texttt{{{}}}", tex::escaped(name))).collect();
     writeln!(out, "\\end{{itemize}}\nComputed by {}.", functions.join(", "))
 }
 
@@ -68,7 +67,7 @@ fn display(text: &str) -> String {
 /// Words, with formulas in the mathematics mode.
 fn text(text: &str) -> String {
     let part = |part| match part {
-        Part::Words(words) => latex_escaped(words),
+        Part::Words(words) => tex::escaped(words),
         Part::Formula(text) => format!("${}$", tex::breakable(&formula(text))),
         Part::Name(name) => format!("\\texttt{{{name}}}"),
     };

@@ -1,12 +1,17 @@
-//! Section 5, what follows (109) and its closing claim: forces alone do work, though `plus` does not keep the metric.
+//! The power of a connection: with the canonical connections torques alone do work, though `plus` does not preserve the metric;
+//! after (109) of the paper and its closing claim.
 
-use crate::common::algebras::{algebras as random, catalogued, seeds};
+use crate::common::algebras::{algebras as random, catalogued, seeds, symbolic};
 use crate::common::{fraction, integer, labels, property::properties, tensors};
-use crate::paper::{parameters, so3, symbolic};
 use affinor::geometry::conditions::conditions;
-use affinor::{Bracket, Canonical, Connection, LieAlgebra};
+use affinor::{Bracket, Canonical, Connection, LieAlgebra, Metric};
 use affinor_tensors::{Down, Indices, Rational, Symbolic, Tensor, Up, contract};
 use proptest::prelude::*;
+
+/// The parameters `x1 .. xn` of a letter.
+fn parameters(letter: &str, n: usize) -> Vec<Symbolic> {
+    (1..=n).map(|i| Symbolic::parameter(&format!("{letter}{i}"))).collect()
+}
 
 /// `J_ij`, every entry a symbol.
 fn inertia(n: usize) -> Tensor<Symbolic> {
@@ -66,7 +71,7 @@ fn no_work(algebra: &LieAlgebra<Rational>) {
 }
 
 #[test]
-fn after_109_forces_alone_do_work_on_any_algebra() {
+fn torques_alone_do_work_on_any_algebra() {
     for (_, algebra) in seeds() {
         no_work(&algebra);
     }
@@ -99,7 +104,7 @@ fn only_the_symmetric_part_does_work(
 
 /// A basis of so(3) with large constants, and no affinities at all.
 #[test]
-fn after_109_no_affinities_do_no_work_in_a_crooked_basis() {
+fn no_affinities_do_no_work_in_a_skew_basis() {
     let constants = [
         (0, 1, 0, (-13667, 27)),
         (0, 2, 0, (-18599, 54)),
@@ -120,13 +125,13 @@ fn after_109_no_affinities_do_no_work_in_a_crooked_basis() {
 properties! {
     #![cases(16)]
     #[test]
-    fn after_109_forces_alone_do_work_in_any_basis(algebra in random(6)) {
+    fn torques_alone_do_work_in_any_basis(algebra in random(6)) {
         no_work(&algebra);
     }
 
     /// Of any connection.
     #[test]
-    fn after_109_affinities_with_a_symmetric_part_do_work(
+    fn affinities_with_a_symmetric_part_do_work(
         (algebra, affinities) in random(4).prop_flat_map(|algebra| {
             let n = algebra.dimension();
             (Just(algebra), tensors(n, [Up, Down, Down]))
@@ -139,9 +144,10 @@ properties! {
 
 /// A symmetric part may still do no work for one `J`: that of its Levi-Civita connection.
 #[test]
-fn after_109_levi_civita_does_no_work_for_its_own_metric() {
-    let own = crate::paper::metric(&[&["J1", "0", "0"], &["0", "J2", "0"], &["0", "0", "J3"]]);
-    let body = Connection::levi_civita(symbolic(&so3()).left_frame(), &own).unwrap();
+fn levi_civita_does_no_work_for_its_own_metric() {
+    let own = Metric::diagonal(parameters("J", 3)).unwrap();
+    let so3 = symbolic(&catalogued("so(3)"));
+    let body = Connection::levi_civita(so3.left_frame(), &own).unwrap();
     assert_eq!(unexplained(&body, own.components()), zero());
     assert_ne!(unexplained(&body, &inertia(3)), zero());
 }
@@ -150,7 +156,7 @@ fn after_109_levi_civita_does_no_work_for_its_own_metric() {
 /// ad-invariant symmetric forms, found by hand: multiples of the Killing form on simple algebras, all forms on `g/[g,g]` on
 /// the solvable ones here, and `w.w` and `w.v` on se(3). Only where they are not degenerate is one an inertia.
 #[test]
-fn closing_claim_plus_keeps_ad_invariant_inertias_only() {
+fn plus_preserves_ad_invariant_inertias_only() {
     let cases = [
         ("so(3)", 1),
         ("sl(2)", 1),
@@ -174,7 +180,7 @@ fn closing_claim_plus_keeps_ad_invariant_inertias_only() {
                 (0..n).map(|m| c(m, i) * &form.get(&[m, j]) + &(c(m, j) * &form.get(&[i, m])));
             terms.fold(zero(), |sum, term| sum + &term)
         });
-        crate::paper::assert_tensors(&q, &loops.unwrap(), name);
+        assert_eq!(q, loops.unwrap(), "{name}");
         assert!(!q.is_empty(), "{name}");
         // equations for the n (n + 1)/2 symbols
         assert_eq!(n * (n + 1) / 2 - conditions(&q).len(), invariant, "{name}");

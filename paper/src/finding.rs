@@ -29,7 +29,7 @@ pub enum Outcome {
 
 impl Finding {
     /// That a tensor, the left side of a statement minus the right one, is zero. The witness is its first component.
-    pub(super) fn exact<S: Coefficient>(claim: &str, difference: &Tensor<S>) -> Self {
+    pub(crate) fn exact<S: Coefficient>(claim: &str, difference: &Tensor<S>) -> Self {
         let witness = difference.components().next().map(|(at, value)| {
             let indices: Vec<String> = at.iter().map(|index| (index + 1).to_string()).collect();
             match indices.as_slice() {
@@ -42,7 +42,7 @@ impl Finding {
 
     /// That two lists of values are equal. The witness is the first component of the left side minus the right one, which is
     /// that of the computed value minus the stated one.
-    pub(super) fn equal<S: Coefficient>(claim: &str, left: &[S], right: &[S]) -> Self {
+    pub(crate) fn equal<S: Coefficient>(claim: &str, left: &[S], right: &[S]) -> Self {
         let differ = left.iter().zip(right).position(|(a, b)| a != b);
         let outcome = match differ {
             None if left.len() == right.len() => Outcome::Exactly,
@@ -57,7 +57,7 @@ impl Finding {
     }
 
     /// That a difference in floats is below a bound.
-    pub(super) fn within(claim: &str, difference: f64, bound: f64) -> Self {
+    pub(crate) fn within(claim: &str, difference: f64, bound: f64) -> Self {
         let small = difference < bound;
         let outcome = if small {
             Outcome::Within(bound)
@@ -68,7 +68,7 @@ impl Finding {
     }
 
     /// One finding for several algebras: the first that is not expected, or else the last.
-    pub(super) fn everywhere<'a>(
+    pub(crate) fn everywhere<'a>(
         claim: &str,
         findings: impl IntoIterator<Item = (&'a str, Finding)>,
     ) -> Option<Self> {
@@ -85,17 +85,17 @@ impl Finding {
     }
 
     /// A formula with computed values.
-    pub(super) fn value(formula: &str) -> Self {
+    pub(crate) fn value(formula: &str) -> Self {
         Self::statement(&format!("`{formula}`"))
     }
 
     /// A sentence with computed values.
-    pub(super) fn statement(text: &str) -> Self {
+    pub(crate) fn statement(text: &str) -> Self {
         Self::of(text, Outcome::Value)
     }
 
     /// Marks a false statement that the paper prints or suggests.
-    pub(super) fn refuted(mut self) -> Self {
+    pub(crate) fn refuted(mut self) -> Self {
         self.refuted = true;
         self
     }

@@ -1,13 +1,13 @@
 //! Section 5: momenta and Euler's equations, (91)-(109).
 
-use super::lab::{Lab, cross, symbols};
-use super::{Finding, Row, Section, Standing};
+use crate::lab::{Lab, cross, symbols};
+use crate::{Finding, Row, Section, Status};
 use affinor::geometry::conditions::conditions;
 use affinor::geometry::equations::Equations;
 use affinor::{BasisChange, Canonical, Connection, Error, Metric};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up, contract};
 
-pub(super) fn section(lab: &Lab) -> Result<Section, Error> {
+pub(crate) fn section(lab: &Lab) -> Result<Section, Error> {
     Ok(Section {
         title: "Section 5: dynamics",
         about: "`Omega`, `H`, `M` and the inertia `J` are symbols here, so that the statements hold for all bodies, velocities and torques.",
@@ -47,14 +47,12 @@ fn covectors(lab: &Lab) -> Result<Row, Error> {
         "v^*(u) = v_i u^i = g_ij v^i u^j, v_i = g_ij v^j, e^i(e_j) = delta^i_j",
         "Covectors, and the metric that lowers indices.",
     )
-    .shown_by("report=table&space=M3&show=metric")
     .by(&["Metric::lower", "Form::interior", "Frame::coframe"])
     .find(Finding::exact("`v_i u^i = g_ij v^i u^j`", &off)))
 }
 
 fn inertia(lab: &Lab) -> Result<Row, Error> {
     Ok(Row::new("(99)", "g_ij = J_ij", "The metric of M(3) is the inertia.")
-        .shown_by("report=table&space=M3&show=metric")
         .by(&["Metric", "paper::m3"])
         .components("g", lab.inertia()?.components()))
 }
@@ -81,7 +79,7 @@ fn bases(lab: &Lab) -> Result<Row, Error> {
     };
     let invariance = lab.m3.frame().derivative(lab.inertia()?.components())?;
     Ok(Row::new("(100), (101)", "<e_i(p), e_j(p)> = J_ij", "The metric is left-invariant.")
-        .standing(Standing::TooStrong(
+        .status(Status::TooStrong(
             "The text chooses the basis by (100). The basis is fixed by (46) and (88) already, and only the metric is chosen: `c` and `J` change together, \
              and only rotations keep `c = eps`.",
         ))
@@ -99,7 +97,6 @@ fn bi_invariant(lab: &Lab) -> Result<Row, Error> {
         "ghat_ij = 2 delta_ij",
         "The bi-invariant metric `tr(A^T B)` of the matrices.",
     )
-    .shown_by("report=table&space=SO3&show=metric")
     .by(&["MatrixBasis::frobenius", "Metric::ad_variation"])
     .components("ghat", metric.components())
     .find(Finding::exact("`g([z,x], y) + g(x, [z,y]) = 0`", &metric.ad_variation(algebra)?)))
@@ -155,7 +152,7 @@ fn balance(lab: &Lab) -> Result<Row, Error> {
     let vector = contract("D^i_k O^k -> ^i", &[("D", &nabla), ("O", &Tensor::vector(&omega, Up))])?;
     let zero = vec![constant(0); 3];
     Ok(Row::new("(104)", "DH/Dt = M", "The law of motion.")
-        .standing(Standing::Convention(
+        .status(Status::Convention(
             "It must be written for the covector `H`. `plus` does not preserve the metric `J`, so lowering an index does not commute with `D/Dt`.",
         ))
         .by(&["Equations::euler_poincare"])
@@ -166,7 +163,7 @@ fn balance(lab: &Lab) -> Result<Row, Error> {
 
 fn dual_frame(lab: &Lab) -> Result<Row, Error> {
     Row::new("(105)", "nabla_{e_k} e^j = -Lambda^j_ki e^i", "The derivative of the dual frame.")
-        .standing(Standing::Convention(
+        .status(Status::Convention(
             "`Theta^k` are quasi-coordinates: `dTheta^k = Omega^k dt` cannot be integrated. Only the covariant derivative is meant.",
         ))
         .by(&["Connection::nabla"])
@@ -220,8 +217,7 @@ fn array(lab: &Lab) -> Result<Row, Error> {
     let below = contract("a_i^j - b_i^j -> _i^j", &[("a", &below), ("b", &with([Down, Up])?)])?;
     let above = contract("a^j_i - b^j_i -> ^j_i", &[("a", &above), ("b", &with([Up, Down])?)])?;
     Ok(Row::new("(107)", "-Lambda^j_ki Omega^k = Omega~_i^j", "The array of the gyroscopic term.")
-    .shown_by("report=equations&space=M3&motion=transport")
-        .standing(Standing::Misprint(
+        .status(Status::Misprint(
             "Its lower index is the row, unlike in (44). With the index order of (44) the array is `-spin(Omega)`.",
         ))
         .by(&["Connection::gamma"])
@@ -245,8 +241,7 @@ fn euler(lab: &Lab) -> Result<Row, Error> {
         "J_ij dOmega^j/dt + Omega~_i^j J_jk Omega^k = M_i",
         "Euler's equations. In principal axes:",
     )
-    .shown_by("report=equations&space=M3")
-    .standing(Standing::Misprint("Read `Omega~_i^j` with the lower index as the row, as in (107)."))
+    .status(Status::Misprint("Read `Omega~_i^j` with the lower index as the row, as in (107)."))
     .by(&["Equations::euler_poincare"]);
     Ok(lines.fold(row, Row::find))
 }
@@ -309,7 +304,7 @@ fn index(lab: &Lab) -> Result<Row, Error> {
         "Omega^i Omega~_i^j J_jk Omega^k = 0",
         "The gyroscopic term does no work.",
     )
-    .standing(Standing::Misprint(
+    .status(Status::Misprint(
         "The paper prints `Omega~^j_k J_jk Omega^k`, with one index three times.",
     ))
     .by(&["Connection::gamma"])
@@ -324,7 +319,7 @@ fn incompatible(lab: &Lab) -> Result<Row, Error> {
     let ball = Metric::diagonal(vec![Symbolic::parameter("J"); 3])?;
     let of_ball = lab.m3.connection().nonmetricity(&ball)?;
     let mut row = Row::new("after (109)", "nabla_k J_ij != 0", "`plus` is not compatible with the inertia.")
-        .standing(Standing::TooStrong("It is compatible exactly with the ad-invariant inertias; on so(3) these are the multiples of the identity."))
+        .status(Status::TooStrong("It is compatible exactly with the ad-invariant inertias; on so(3) these are the multiples of the identity."))
         .by(&["Connection::nonmetricity"])
         .find(Finding::exact("`nabla_k J_ij = 0`", &q).refuted())
         .find(Finding::exact("`nabla_k J_ij = 0` for `J_ij = J delta_ij`", &of_ball));

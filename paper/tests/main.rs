@@ -1,66 +1,32 @@
-//! The document about the paper keeps its word: all equations are there, each is shown by a test that names it, what is
-//! computed comes out as it must, and `docs/paper.md` is this document.
+//! The rows of the document are the tests of the equations: all equations have one, what is computed of each comes out as it must,
+//! and `docs/paper.md` is this document.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::program::root;
-use affinor_documents::paper::{Paper, PaperFormat, Standing};
+use affinor_paper::{Paper, PaperFormat, Row, Status};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
-/// The names of all tests.
-fn tests(folder: &Path, found: &mut BTreeSet<String>) {
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            tests(&path, found);
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            let text = fs::read_to_string(&path).unwrap();
-            for rest in text.split("#[test]").skip(1) {
-                let name = rest.split_once("fn ").and_then(|(_, rest)| rest.split_once('('));
-                found.insert(name.unwrap().0.to_string());
-            }
-        }
-    }
-}
+/// An equation such as (57) or (A8): its letter and its number.
+type Equation = (String, usize);
 
-/// A row such as `57` or `a8`: its letter and its number.
-type Row = (String, usize);
-
-fn row(text: &str) -> Option<Row> {
+fn equation(text: &str) -> Option<Equation> {
     let digits = text.find(|c: char| c.is_ascii_digit())?;
     let letter = text[..digits].to_lowercase();
     (letter.len() < 2).then_some((letter, text[digits..].parse().ok()?))
 }
 
-fn through(first: &Row, last: &Row) -> impl Iterator<Item = Row> {
+fn through(first: &Equation, last: &Equation) -> impl Iterator<Item = Equation> {
     assert!(first.0 == last.0 && first.1 < last.1, "{first:?} to {last:?}");
     let letter = first.0.clone();
     (first.1..=last.1).map(move |number| (letter.clone(), number))
 }
 
-/// The rows of a name: `eq_52_to_56_and_59_..`.
-fn rows_of_test(name: &str) -> Vec<Row> {
-    let words: Vec<&str> = name.split('_').collect();
-    let mut rows: Vec<Row> = vec![];
-    if words[0] != "eq" {
-        return rows;
-    }
-    rows.extend(words.get(1).and_then(|word| row(word)));
-    for pair in words[2.min(words.len())..].chunks(2) {
-        match (pair, pair.get(1).and_then(|word| row(word)), rows.last().cloned()) {
-            (["and", _], Some(next), _) => rows.push(next),
-            (["to", _], Some(next), Some(last)) => rows.extend(through(&last, &next).skip(1)),
-            _ => break,
-        }
-    }
-    rows
-}
-
-/// The rows of a cell: `(17), (18)` or `(19)-(24)`.
-fn rows_of_cell(cell: &str) -> Vec<Row> {
-    let inside = |text: &str| row(text.trim_matches(|c| c == '(' || c == ')'));
-    let ranges = cell.split(", ").map(|part| match part.split_once('-') {
+/// The equations of a row: `(17), (18)` or `(19)-(24)`.
+fn equations(numbers: &str) -> Vec<Equation> {
+    let inside = |text: &str| equation(text.trim_matches(|c| c == '(' || c == ')'));
+    let ranges = numbers.split(", ").map(|part| match part.split_once('-') {
         Some((first, last)) => {
             through(&inside(first).unwrap(), &inside(last).unwrap()).collect::<Vec<_>>()
         }
@@ -69,53 +35,59 @@ fn rows_of_cell(cell: &str) -> Vec<Row> {
     ranges.flatten().collect()
 }
 
-fn expected() -> BTreeSet<Row> {
-    let rows = |letter: &str, last: usize| {
+fn expected() -> BTreeSet<Equation> {
+    let all = |letter: &str, last: usize| {
         let letter = letter.to_string();
         (1..=last).map(move |number| (letter.clone(), number))
     };
-    rows("", 109).chain(rows("a", 10)).chain(rows("b", 14)).collect()
+    all("", 109).chain(all("a", 10)).chain(all("b", 14)).collect()
+}
+
+/// The root of the project.
+fn root() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
 static PAPER: LazyLock<Paper> = LazyLock::new(|| Paper::read().unwrap());
 
+fn rows() -> impl Iterator<Item = &'static Row> {
+    PAPER.sections.iter().flat_map(|section| &section.rows)
+}
+
 #[test]
-fn every_row_is_shown_by_a_test() {
-    let mut names = BTreeSet::new();
-    tests(&root().join("tests"), &mut names);
-    let tested: BTreeSet<Row> = names.iter().flat_map(|name| rows_of_test(name)).collect();
-    let (mut claimed, mut remarks) = (BTreeSet::new(), 0);
-    for entry in PAPER.sections.iter().flat_map(|section| &section.rows) {
-        let cell = entry.equation;
-        if cell.starts_with('(') {
-            for row in rows_of_cell(cell) {
-                assert!(tested.contains(&row), "no test shows {row:?}");
-                assert!(claimed.insert(row.clone()), "{row:?} stands twice");
+fn every_equation_has_one_row() {
+    let (mut found, mut remarks) = (BTreeSet::new(), 0);
+    for row in rows() {
+        if row.equation.starts_with('(') {
+            for equation in equations(row.equation) {
+                assert!(found.insert(equation.clone()), "{equation:?} has two rows");
             }
-        } else if cell.ends_with(')') {
-            // `after (71)`: a test `after_71_..`
-            let name = cell.replace(['(', ')'], "").replace(' ', "_");
-            let shown = names.iter().any(|test| test.contains(&format!("{name}_")));
-            assert!(shown, "no test `{name}_..`");
+        } else {
             remarks += 1;
         }
-        assert!(!entry.findings.is_empty(), "{cell}: nothing is computed");
+        assert!(!row.findings.is_empty(), "{}: nothing is computed", row.equation);
     }
-    assert_eq!(claimed, expected());
+    assert_eq!(found, expected());
     assert!(remarks > 10, "{remarks}");
 }
 
 #[test]
-fn whatever_is_computed_comes_out_as_it_must() {
-    for entry in PAPER.sections.iter().flat_map(|section| &section.rows) {
-        for finding in &entry.findings {
-            let words = finding.words();
-            assert!(finding.is_expected(), "{}: {}: {words}", entry.equation, finding.claim);
-        }
-        // what is too strong, or a misprint of a formula, has its witness
-        let refuted = entry.findings.iter().any(|finding| finding.refuted);
-        if let Standing::TooStrong(remark) = entry.standing {
-            assert!(refuted || remark.contains("sufficient"), "{}", entry.equation);
+fn every_finding_has_its_expected_outcome() {
+    let findings = rows().flat_map(|row| row.findings.iter().map(move |finding| (row, finding)));
+    let unexpected = findings.filter(|(_, finding)| !finding.is_expected());
+    let unexpected: Vec<String> = unexpected
+        .map(|(row, finding)| format!("{}: {}: {}", row.equation, finding.claim, finding.words()))
+        .collect();
+    assert!(unexpected.is_empty(), "{}", unexpected.join("\n"));
+}
+
+/// A statement that is too strong has a finding that refutes it.
+#[test]
+fn what_is_too_strong_is_refuted() {
+    for row in rows() {
+        let refuted = row.findings.iter().any(|finding| finding.refuted);
+        if let Status::TooStrong(remark) = row.status {
+            assert!(refuted || remark.contains("sufficient"), "{}", row.equation);
         }
     }
 }
@@ -124,8 +96,7 @@ fn whatever_is_computed_comes_out_as_it_must() {
 #[test]
 fn the_numbers_of_the_paper() {
     let claims = |equation: &str| -> Vec<String> {
-        let rows = PAPER.sections.iter().flat_map(|section| &section.rows);
-        let rows = rows.filter(|row| row.equation == equation);
+        let rows = rows().filter(|row| row.equation == equation);
         rows.flat_map(|row| &row.findings).map(|finding| finding.claim.replace('`', "")).collect()
     };
     let has = |equation: &str, line: &str| {
@@ -201,36 +172,6 @@ fn the_latex_document_is_closed() {
         }
     }
     assert!(environments.is_empty(), "{environments:?}");
-}
-
-/// It is well-formed, its links lead to its own elements, and nothing is fetched from elsewhere.
-#[test]
-fn html_stands_alone() {
-    let text = crate::program::stdout(root(), &["paper"]);
-    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
-    let document = roxmltree::Document::parse_with_options(&text, options).unwrap();
-    let elements = || document.descendants().filter(|node| node.is_element());
-    let mut ids = BTreeSet::new();
-    for id in elements().filter_map(|node| node.attribute("id")) {
-        assert!(ids.insert(id), "{id} stands twice");
-    }
-    for node in elements() {
-        let name = node.tag_name().name();
-        assert!(!["script", "link", "iframe", "img"].contains(&name), "{name}");
-        assert!(node.attribute("src").is_none(), "{name}");
-        if let Some(link) = node.attribute("href") {
-            match link.strip_prefix('#') {
-                Some(id) => assert!(ids.contains(id), "{link} leads nowhere"),
-                // relative to the repository
-                None => assert!(root().join(link).is_file(), "{link} leads nowhere"),
-            }
-        }
-    }
-    assert!(!text.contains("@import") && !text.contains("url("));
-    let count = |name: &str| elements().filter(|node| node.tag_name().name() == name).count();
-    assert_eq!((count("h1"), count("main")), (1, 1));
-    assert_eq!(count("figure"), if cfg!(feature = "plot") { 5 } else { 0 });
-    assert!(count("math") > 300);
 }
 
 /// The text of an element, with bars as slashes.
@@ -313,58 +254,12 @@ fn closing(text: &str) -> usize {
     text.char_indices().find(closes).unwrap().0
 }
 
-/// A function is a link to the file that defines it, a test one to a file with a test of the equation.
-#[test]
-fn links_lead_to_functions_and_tests() {
-    let read = |file: &str| {
-        assert!(!file.contains('#'), "{file}: lines move");
-        fs::read_to_string(root().join(file)).unwrap_or_else(|error| panic!("{file}: {error}"))
-    };
-    let (mut functions, mut tests) = (0, 0);
-    for row in PAPER.sections.iter().flat_map(|section| &section.rows) {
-        for (name, file) in row.sources() {
-            let file = file.unwrap_or_else(|| panic!("`{name}` is no link"));
-            let (text, last) = (read(file), name.rsplit("::").next().unwrap());
-            let kinds = ["fn ", "struct ", "trait ", "enum "];
-            let defined = kinds.iter().any(|kind| {
-                text.match_indices(&format!("{kind}{last}")).any(|(at, found)| {
-                    text[at + found.len()..].starts_with(['(', '<', ' ', ';', '{'])
-                })
-            });
-            assert!(defined, "{file} does not define `{name}`");
-            functions += 1;
-        }
-        for file in row.tests() {
-            let mut names = BTreeSet::new();
-            for rest in read(file).split("#[test]").skip(1) {
-                let name = rest.split_once("fn ").and_then(|(_, rest)| rest.split_once('('));
-                names.insert(name.unwrap().0.to_string());
-            }
-            let tested: BTreeSet<Row> = names.iter().flat_map(|name| rows_of_test(name)).collect();
-            let plain = row.equation.replace(['(', ')'], "");
-            let shown = match row.equation.starts_with('(') {
-                true => rows_of_cell(row.equation).iter().any(|row| tested.contains(row)),
-                // `after (71)` by its own test, `at (72)` by that of the equation
-                false => {
-                    let words: Vec<&str> = plain.split(' ').collect();
-                    let number = words.last().and_then(|word| super::paper_page::row(word));
-                    names.iter().any(|name| name.contains(&format!("{}_", words.join("_"))))
-                        || number.is_some_and(|number| tested.contains(&number))
-                }
-            };
-            assert!(shown, "{file} has no test of {}", row.equation);
-            tests += 1;
-        }
-    }
-    assert!(functions > 80 && tests > 80, "{functions} {tests}");
-}
-
 /// `Type::function` and modules are words of the source.
 #[test]
 fn every_function_exists() {
     let root = root();
     let mut source = String::new();
-    let mut open = vec![root.join("src"), root.join("documents/src"), root.join("cli/src")];
+    let mut open = vec![root.join("src"), root.join("documents/src")];
     while let Some(folder) = open.pop() {
         for entry in fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
@@ -375,9 +270,8 @@ fn every_function_exists() {
             }
         }
     }
-    let rows = PAPER.sections.iter().flat_map(|section| &section.rows);
     let mut found = 0;
-    for code in rows.flat_map(|row| &row.functions) {
+    for code in rows().flat_map(|row| &row.functions) {
         for word in code.split("::") {
             let kinds = ["fn ", "struct ", "trait ", "mod ", "pub "];
             let known = kinds.iter().any(|kind| {
@@ -394,14 +288,9 @@ fn every_function_exists() {
 }
 
 #[test]
-fn names_are_read() {
+fn numbers_of_equations_are_read() {
     let plain = |numbers: &[usize]| numbers.iter().map(|n| (String::new(), *n)).collect::<Vec<_>>();
-    assert_eq!(rows_of_test("eq_41_and_52_to_54_the_velocity"), plain(&[41, 52, 53, 54]));
-    assert_eq!(
-        rows_of_test("eq_a3_to_a5"),
-        ["a"; 3].into_iter().map(String::from).zip(3..).collect::<Vec<_>>()
-    );
-    assert_eq!(rows_of_test("after_71_holonomy"), []);
-    assert_eq!(rows_of_cell("(9), (10)"), plain(&[9, 10]));
-    assert_eq!(rows_of_cell("(1)-(4)"), plain(&[1, 2, 3, 4]));
+    assert_eq!(equations("(9), (10)"), plain(&[9, 10]));
+    assert_eq!(equations("(1)-(4)"), plain(&[1, 2, 3, 4]));
+    assert_eq!(equations("(A3)-(A8)").len(), 6);
 }

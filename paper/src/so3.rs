@@ -1,10 +1,10 @@
 //! Section 4.2: the group SO(3) with the connection `zero` and the bi-invariant metric, (62)-(71).
 
-use super::lab::{
+use crate::lab::{
     Lab, ad, apart, cross, distance, epsilon, motion, rate, rotation, spin, symbols, translation,
     vectors, velocity,
 };
-use super::{Finding, Row, Section, Standing};
+use crate::{Finding, Row, Section, Status};
 use affinor::geometry::equations::Equations;
 use affinor::group::{LieGroup, So3, Velocity};
 use affinor::{Canonical, Connection, Error, Metric};
@@ -12,7 +12,7 @@ use affinor_tensors::{Rational, Symbolic, contract};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use std::f64::consts::TAU;
 
-pub(super) fn section(lab: &Lab) -> Result<Section, Error> {
+pub(crate) fn section(lab: &Lab) -> Result<Section, Error> {
     Ok(Section {
         title: "Section 4.2: kinematics on SO(3)",
         about: "\"SO(3)\" is the rotation group with the connection `zero` and the bi-invariant metric `tr(A^T B)`. It has curvature and no torsion.",
@@ -57,7 +57,6 @@ fn structure(lab: &Lab) -> Result<Row, Error> {
         "c~^i_jk = eps^i_jk",
         "The structure constants, from commutators of the matrices.",
     )
-    .shown_by("report=table&space=SO3&show=structure")
     .by(&["MatrixBasis::bracket"])
     .components("c", c)
     .find(Finding::exact("`c^i_jk = eps^i_jk`", &off)))
@@ -71,7 +70,6 @@ fn affinities(lab: &Lab) -> Result<Row, Error> {
         "Lambda^i_jk = 1/2 eps^i_jk",
         "The affinities of `zero` in the left-invariant frame.",
     )
-    .shown_by("report=table&space=SO3&show=affinities")
     .by(&["paper::so3"])
     .components("Lambda", gamma)
     .find(Finding::exact("`Lambda^i_jk = 1/2 eps^i_jk`", &off)))
@@ -95,8 +93,7 @@ fn curvature(lab: &Lab) -> Result<Row, Error> {
         "R^i_jkl = Lambda^i_km Lambda^m_lj - Lambda^i_lm Lambda^m_kj - c~^m_kl Lambda^i_mj",
         "The curvature: twelve components, the other 69 vanish.",
     )
-    .shown_by("report=table&space=SO3&show=curvature,ricci,scalar_curvature")
-    .standing(Standing::Misprint("The text refers to (B4). It must be (B14)."))
+    .status(Status::Misprint("The text refers to (B4). It must be (B14)."))
     .by(&["Connection::curvature", "Connection::ricci", "Metric::trace"])
     .components("R", connection.curvature())
     .find(Finding::exact("`R^i_jkl = 1/4 (delta^i_k delta_jl - delta^i_l delta_jk)`", &off))
@@ -233,7 +230,7 @@ fn unsuitable(lab: &Lab) -> Result<Row, Error> {
         "",
         "The paper concludes that SO(3) cannot describe the motion of a rigid body.",
     )
-    .standing(Standing::TooStrong(
+    .status(Status::TooStrong(
         "A group has no connection and no metric of its own. With `plus`, or with the Levi-Civita connection of `J`, the same SO(3) gives (10) and \
          (108). Only the pair of `zero` and the bi-invariant metric does not. M(3) is SO(3) with another structure.",
     ))

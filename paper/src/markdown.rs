@@ -1,9 +1,9 @@
 //! The document in Markdown.
 
-use super::{ABOUT, Paper, Row, TITLE};
+use crate::{ABOUT, Paper, Row, TITLE};
 use std::io::{self, Write};
 
-pub(super) fn write(paper: &Paper, out: &mut dyn Write) -> io::Result<()> {
+pub(crate) fn write(paper: &Paper, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "# {TITLE}\n\n{ABOUT}\n\n{}", paper.summary())?;
     for section in &paper.sections {
         writeln!(out, "\n## {}\n\n{}\n", section.title, section.about)?;
@@ -26,7 +26,7 @@ fn says(row: &Row) -> String {
     let formula =
         if row.formula.is_empty() { String::new() } else { format!("`{}`<br>", row.formula) };
     let remark =
-        row.standing.remark().map(|remark| format!("<br>**{}:** {remark}", row.standing.word()));
+        row.status.remark().map(|remark| format!("<br>**{}:** {remark}", row.status.word()));
     cell(&format!("{formula}{}{}", row.says, remark.unwrap_or_default()))
 }
 
@@ -41,22 +41,11 @@ fn findings(row: &Row) -> String {
 }
 
 fn functions(row: &Row) -> String {
-    // the document stands in docs/
-    let link = |name: &str, file: &str| format!("[`{name}`](../{file})");
-    let code = |(name, file): (&str, Option<&str>)| {
-        file.map_or(format!("`{name}`"), |file| link(name, file))
-    };
-    let functions: Vec<String> = row.sources().map(code).collect();
-    let tests: Vec<String> = row.tests().map(|file| link(file, file)).collect();
-    let tested = if tests.is_empty() {
-        String::new()
-    } else {
-        format!("<br>tested in {}", tests.join(", "))
-    };
-    format!("{}{tested}", functions.join(", "))
+    let functions: Vec<String> = row.functions.iter().map(|name| format!("`{name}`")).collect();
+    functions.join(", ")
 }
 
-/// A bar would end the cell.
+/// Escapes a bar, which would end the cell.
 fn cell(text: &str) -> String {
     text.replace('|', "\\|")
 }

@@ -1,7 +1,7 @@
 //! Section 3: groups, brackets and canonical connections, (17)-(40).
 
-use super::lab::{Lab, apart, distance, hat, motion, rate, translation, vectors, velocity};
-use super::{Finding, GROUPS, Row, Section, Standing};
+use crate::lab::{Lab, apart, distance, hat, motion, rate, translation, vectors, velocity};
+use crate::{Finding, GROUPS, Row, Section, Status};
 use affinor::algebra::catalogue;
 use affinor::group::LieGroup;
 use affinor::group::fields::{InvariantField, Side, right_translate};
@@ -9,7 +9,7 @@ use affinor::{Canonical, Connection, Error, LieAlgebra};
 use affinor_tensors::{Rational, contract};
 use nalgebra::DVector;
 
-pub(super) fn section(lab: &Lab) -> Result<Section, Error> {
+pub(crate) fn section(lab: &Lab) -> Result<Section, Error> {
     Ok(Section {
         title: "Section 3: groups and canonical connections",
         about: GROUPS,
@@ -46,7 +46,7 @@ fn neutral(lab: &Lab) -> Result<Row, Error> {
         Ok(apart(&group.compose(&group.identity(), &p), &group.identity()))
     })?;
     Ok(Row::new("in 3.1", "e p = p e = p", "The axiom of the neutral element.")
-        .standing(Standing::Misprint("The paper prints `e p = p e = e`."))
+        .status(Status::Misprint("The paper prints `e p = p e = e`."))
         .by(&["LieGroup::compose", "LieGroup::identity"])
         .find(Finding::within("`e p = p e = p`", off, 1e-12))
         .find(Finding::within("as printed, `e p = e`", printed, 1e-12).refuted()))
@@ -126,7 +126,7 @@ fn bracket(lab: &Lab) -> Result<Row, Error> {
         Ok(apart(&found, &-group.bracket(&x, &y)))
     })?;
     Ok(Row::new("(28)", "[X_e, Y_e] = [X^L, Y^L]_e", "The bracket of the algebra, by left-invariant extensions.")
-        .standing(Standing::Convention(
+        .status(Status::Convention(
             "With left-invariant extensions it is the commutator of matrices. Right-invariant extensions change the sign.",
         ))
         .by(&["LieGroup::bracket", "MatrixBasis::bracket"])
@@ -163,7 +163,7 @@ fn connections(lab: &Lab) -> Result<Row, Error> {
         "nabla^R_X Y = [X^L, Y], nabla^L_X Y = [X^R, Y], nabla^S_X Y = 1/2 [X^L + X^R, Y]",
         "The three canonical connections: here `plus`, `minus` and `zero`, the connections (+), (-) and (0) of Cartan and Schouten.",
     )
-    .standing(Standing::Convention(
+    .status(Status::Convention(
         "`X^L` and `X^R` are the invariant fields through `X(p)`, not through `X(e)`. The superscript R and the words \
          \"left invariant\" name the same connection. All three are invariant on both sides, so these words do not describe them.",
     ))
@@ -179,7 +179,7 @@ fn bracket_of_fields(lab: &Lab) -> Result<Row, Error> {
         "[X, Y]^i = X^j e_j(Y^i) - Y^j e_j(X^i) + c^i_jk X^j Y^k",
         "The bracket of fields in a frame. Of left-invariant fields only the last term remains.",
     )
-    .standing(Standing::Convention(
+    .status(Status::Convention(
         "The paper writes `partial_j` for the derivative `e_j` along the frame. The sign of the last term belongs to the left-invariant \
          frame: in the right-invariant frame of the same basis it is `-c`.",
     ))
@@ -239,7 +239,7 @@ fn affinities(lab: &Lab) -> Result<Row, Error> {
         "Lambda^i_jk = c^i_jk",
         "The affinities of `plus` in the left-invariant frame.",
     )
-    .standing(Standing::Convention(
+    .status(Status::Convention(
         "In the right-invariant frame the same connection has `Lambda = 0`.",
     ))
     .by(&["Connection::gamma", "Geometry::in_right_frame"])
@@ -257,7 +257,6 @@ fn torsion(lab: &Lab) -> Result<Row, Error> {
         &[("t", &m3.torsion()), ("c", m3.frame().structure())],
     )?;
     Ok(Row::new("after (38)", "tau^i_jk = c^i_jk", "The torsion of `plus`, by (B10).")
-        .shown_by("report=table&space=M3&show=torsion")
         .by(&["Connection::torsion"])
         .find(Finding::exact("`tau^i_jk = c^i_jk` of M(3)", &off))
         .components("tau", &m3.torsion()))
@@ -288,7 +287,7 @@ fn halves() -> Result<Row, Error> {
         "nabla^S_{e_j} e_k = 1/2 [e_j^L, e_k^L] + 1/2 [e_j^R, e_k^L]",
         "The connection `zero` on the left-invariant frame.",
     )
-    .standing(Standing::Misprint(
+    .status(Status::Misprint(
         "`e_j^R` must be the right-invariant field through `e_j(p)`. The paper takes the right translation of `e_j(e)`, and then \
          `1/2 (e_j^L + e_j^R)` is not `e_j` at `p`. The result (39) does not change, because the second bracket vanishes.",
     ))

@@ -1,7 +1,7 @@
 //! Section 4.3: the representation `Phi` and canonical coordinates, (72)-(90).
 
-use super::lab::{Lab, apart, distance, epsilon, hat, rate, rotation, spin, vectors};
-use super::{Finding, Row, Section, Standing};
+use crate::lab::{Lab, apart, distance, epsilon, hat, rate, rotation, spin, vectors};
+use crate::{Finding, Row, Section, Status};
 use affinor::geometry::chart::{CanonicalCoordinates, Side};
 use affinor::group::{LieGroup, So3, Velocity};
 use affinor::{BasisChange, Canonical, Connection, Error, Frame, LieAlgebra};
@@ -9,7 +9,7 @@ use affinor_tensors::{Jet, Tensor, contract};
 use nalgebra::{DVector, Matrix3, Vector3};
 use std::f64::consts::{PI, TAU};
 
-pub(super) fn section(lab: &Lab) -> Result<Section, Error> {
+pub(crate) fn section(lab: &Lab) -> Result<Section, Error> {
     Ok(Section {
         title: "Section 4.3: canonical coordinates",
         about: "`Phi` takes canonical coordinates, on the rotations the rotation vector, to matrices: the exponential.",
@@ -48,7 +48,7 @@ fn one_to_one() -> Result<Row, Error> {
     let antipodes = So3.exp(&(n * PI)).angle_to(&So3.exp(&(n * -PI)));
     let across = So3.tangent_left(&(n * TAU), &Vector3::new(2.0, 1.0, 0.0)).norm();
     Ok(Row::new("at (72)", "", "The paper calls `Phi` one to one and onto.")
-        .standing(Standing::TooStrong(
+        .status(Status::TooStrong(
             "This is true of the points of the group. In rotation vectors it is true for lengths below `pi`: at length `pi` antipodes are the \
              same rotation, and at `2 pi` the coordinates are singular.",
         ))
@@ -71,7 +71,7 @@ fn product(lab: &Lab) -> Result<Row, Error> {
         Ok(apart(&group.log(&group.compose(&group.exp(&x), &group.exp(&y)))?, &sum))
     })?;
     Ok(Row::new("(73)", "p q = Phi^{-1}(Phi(p) Phi(q))", "The product in canonical coordinates.")
-        .standing(Standing::Convention(
+        .status(Status::Convention(
             "It needs a branch of the logarithm. The principal branch has lengths up to `pi`; at length `pi` the first component that is not zero is positive.",
         ))
         .by(&["LieGroup::compose", "LieAlgebra::bch"])
@@ -117,8 +117,7 @@ fn pole(lab: &Lab) -> Result<Row, Error> {
         "Gamma^i_(jk)(e) = 0",
         "The pole condition: in canonical coordinates the symmetric part of the affinities vanishes at the identity. Elsewhere only its contraction `Gamma^i_jk q^j q^k` along the ray vanishes.",
     )
-    .shown_by("report=transport")
-    .standing(Standing::Convention(
+    .status(Status::Convention(
         "These are affinities of the coordinates, not those of the left-invariant frame in (46). Their antisymmetric part is half the torsion.",
     ))
     .by(&["Frame::canonical_at_point", "Connection::moved"]);
@@ -186,7 +185,7 @@ fn brackets(lab: &Lab) -> Result<Row, Error> {
         "[X_1, X_2] = vect([Y_1, Y_2]) = X_1 x X_2",
         "`Phi_*` takes brackets to commutators.",
     )
-    .standing(Standing::Convention(
+    .status(Status::Convention(
         "Brackets of vectors at `e` are those of their left-invariant extensions, (28).",
     ))
     .by(&["LieGroup::bracket"])
@@ -214,7 +213,7 @@ fn left_components(lab: &Lab) -> Result<Row, Error> {
     );
     let determinant = operator.determinant() - 2.0 * (1.0 - theta.cos()) / theta.powi(2);
     Ok(Row::new("(86)", "Y(Q) = Q X~(e)", "A vector at `q` has the same left components in both pictures.")
-        .standing(Standing::Convention(
+        .status(Status::Convention(
             "`X(e)` are components in the left-invariant frame, not rates of the coordinates. For those, `Q^T dQ = spin(T dq)` with an operator \
              `T` that the paper does not write down: `T = I - (1 - cos theta)/theta^2 q~ + (theta - sin theta)/theta^3 q~^2` on the rotations.",
         ))
@@ -232,7 +231,7 @@ fn derivative() -> Result<Row, Error> {
     let dq = (q(t + 1e-5) - q(t - 1e-5)) / 2e-5;
     let right = (So3.tangent_left(&q(t), &dq) - body).norm();
     Ok(Row::new("after (86)", "Phi(q)_* = L_{Q*} Phi(e)_* L_{q^{-1}*}", "The derivative of `Phi` anywhere.")
-        .standing(Standing::Misprint(
+        .status(Status::Misprint(
             "The paper prints `Phi(q)_* = Phi(q) Phi(e)_*`, whose domains do not fit: `Phi(e)_*` takes vectors at `e`.",
         ))
         .by(&["LieGroup::tangent_left"])
