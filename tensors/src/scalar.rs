@@ -24,6 +24,7 @@ mod symbolic;
 mod tracked;
 
 use crate::contraction::{self, Paths};
+use crate::linear::Matrix;
 use crate::{Tensor, TensorError};
 use num_traits::{One, Zero};
 use std::fmt::{Debug, Display};
@@ -144,6 +145,13 @@ pub trait Field: Ring {
 
     /// The multiplicative inverse; `None` exactly for non-units.
     fn recip(&self) -> Option<Self>;
+
+    /// The solution `X` of `A X = B` for a square matrix `A`, by a method of this scalar. Returns `None`, the default, for the
+    /// elimination that serves all scalars.
+    fn solved(matrix: &Matrix<Self>, right: &Matrix<Self>) -> Option<Matrix<Self>> {
+        let _ = (matrix, right);
+        None
+    }
 
     /// The quality of the value as a pivot of an elimination; larger is better. Floats return the
     /// magnitude, which is compared relative to rows and columns. Exact scalars prefer short values, so that numbers stay
