@@ -59,6 +59,8 @@ def broadcast_shapes(*shapes):
     return ()
 def moveaxis(array, source, to):
     return array
+def where(condition, x, y):
+    return x if condition else y
 def ravel(array):
     return array.values()
 ";
@@ -84,6 +86,18 @@ pub fn run(
     parameter: &dyn Fn(&str) -> f64,
     shapes: &[Vec<usize>],
 ) -> Option<Vec<f64>> {
+    run_at(folder, language, source, vectors, &[parameter], shapes)
+}
+
+/// As [`run`], for several values of the parameters, one after another.
+pub fn run_at(
+    folder: &Path,
+    language: Language,
+    source: &str,
+    vectors: &[&[f64]],
+    points: &[&dyn Fn(&str) -> f64],
+    shapes: &[Vec<usize>],
+) -> Option<Vec<f64>> {
     let file = |name: &str| folder.join(name);
     let (function, parameters) = signature(source);
     let [open, close] = match language {
@@ -92,14 +106,17 @@ pub fn run(
         Language::Python | Language::Julia => ["[", "]"],
     };
     let list = |v: &[f64]| v.iter().map(|x| format!("{x:?}")).collect::<Vec<_>>().join(", ");
-    let vectors = vectors.iter().map(|v| format!("{open}{}{close}", list(v)));
-    let numbers = parameters.iter().map(|name| format!("{:?}", parameter(name)));
-    let mut arguments: Vec<String> = vectors.chain(numbers).collect();
     let names: Vec<String> = (0..shapes.len()).map(|at| format!("a{at}")).collect();
-    if language == Language::C {
-        arguments.extend(names.clone());
-    }
-    let call = format!("{function}({})", arguments.join(", "));
+    let call = |parameter: &&dyn Fn(&str) -> f64| {
+        let vectors = vectors.iter().map(|v| format!("{open}{}{close}", list(v)));
+        let numbers = parameters.iter().map(|name| format!("{:?}", parameter(name)));
+        let mut arguments: Vec<String> = vectors.chain(numbers).collect();
+        if language == Language::C {
+            arguments.extend(names.clone());
+        }
+        format!("{function}({})", arguments.join(", "))
+    };
+    let calls = points.iter().map(call);
     let tuple = if names.len() == 1 { names[0].clone() } else { format!("({})", names.join(", ")) };
     let mut command = match language {
         Language::Rust => {
@@ -111,7 +128,9 @@ pub fn run(
                 format!("for x in {flat} {{ println!(\"{{x:e}}\"); }} ")
             };
             let prints: String = names.iter().zip(shapes).map(print).collect();
-            let main = format!("{source}\nfn main() {{ let {tuple} = {call}; {prints} }}\n");
+            let body: String =
+                calls.map(|call| format!("{{ let {tuple} = {call}; {prints} }}\n")).collect();
+            let main = format!("{source}\nfn main() {{ {body} }}\n");
             std::fs::write(file("main.rs"), main).unwrap();
             let mut rustc = Command::new("rustc");
             rustc.arg("main.rs").args(["-o", "rust", "-D", "warnings"]).current_dir(folder);
@@ -132,9 +151,10 @@ pub fn run(
                     "for (int i = 0; i < {size}; i++) printf(\"%.17e\\n\", ((double *){name})[i]); "
                 );
             }
-            let main = format!(
-                "#include <stdio.h>\n{source}\nint main(void) {{ {declared} {call}; {prints} return 0; }}\n"
-            );
+            let body: String =
+                calls.map(|call| format!("{{ {declared} {call}; {prints} }}\n")).collect();
+            let main =
+                format!("#include <stdio.h>\n{source}\nint main(void) {{ {body} return 0; }}\n");
             std::fs::write(file("main.c"), main).unwrap();
             let mut cc = Command::new("cc");
             cc.args(["-std=c99", "-Wall", "-Werror", "main.c", "-o", "c", "-lm"]);
@@ -145,11 +165,14 @@ pub fn run(
             if !has_numpy() {
                 std::fs::write(file("numpy.py"), NUMPY).unwrap();
             }
-            let main = format!(
-                "{source}\n{tuple} = {call}\nfor a in ({},):\n    for x in np.ravel(a):\n        \
-                 print(repr(float(x)))\n",
-                names.join(", ")
-            );
+            let body = calls.map(|call| {
+                let names = names.join(", ");
+                format!(
+                    "{tuple} = {call}\nfor a in ({names},):\n    for x in np.ravel(a):\n        \
+                     print(repr(float(x)))\n"
+                )
+            });
+            let main = format!("{source}\n{}", body.collect::<String>());
             std::fs::write(file("main.py"), main).unwrap();
             let mut python = Command::new("python3");
             python.arg("main.py");

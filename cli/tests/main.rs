@@ -30,6 +30,7 @@ mod plot;
 #[cfg(feature = "plot")]
 mod plot_motions;
 mod program_accuracy;
+mod program_pivots;
 mod programs;
 mod range_of_floats;
 mod roots;

@@ -75,10 +75,6 @@ pub trait Ring:
 
 /// A ring in which units can be inverted.
 pub trait Field: Ring {
-    /// Whether an elimination takes a pivot on the diagonal wherever it does not vanish, before any weight. For a symmetric
-    /// matrix this is `L D L^T` without exchanges. It serves values that are not known as numbers.
-    const DIAGONAL_PIVOTS: bool = false;
-
     /// The multiplicative inverse; `None` exactly for non-units.
     fn recip(&self) -> Option<Self>;
 

@@ -20,6 +20,7 @@ mod linear_laws;
 mod operations;
 mod positive;
 mod recorded;
+mod recorded_solutions;
 mod repeated_sums;
 mod scalars;
 mod symbolic;

@@ -55,7 +55,12 @@ impl<S: Field + Summable> Matrix<S> {
             true => vec![],
             false => vec![(0, value.clone())],
         });
-        let pivots = match eliminate(self.beside(column), &self.row_scales(), self.tolerance) {
+        let right = Matrix { columns: 1, rows: column.collect(), tolerance: self.tolerance };
+        let square = self.rows() == self.columns;
+        if let Some(x) = square.then(|| S::solved(self, &right)).flatten() {
+            return Ok(Some(x.to_dense().concat()));
+        }
+        let pivots = match eliminate(self.beside(right.rows), &self.row_scales(), self.tolerance) {
             // a row `0 = b` with b not zero
             Err(LinearError::NotInvertible { column }) if column == self.columns => {
                 return Ok(None);
@@ -82,7 +87,11 @@ impl<S: Field + Summable> Matrix<S> {
         if self.rows() != self.columns {
             return None;
         }
-        let rows = self.beside(Self::identity(self.columns).rows);
+        let right = Self::identity(self.columns);
+        if let Some(inverse) = S::solved(self, &right) {
+            return Some(inverse.with_tolerance(self.tolerance));
+        }
+        let rows = self.beside(right.rows);
         let pivots = eliminate(rows, &self.row_scales(), self.tolerance).ok()?;
         if pivots.last().is_some_and(|pivot| pivot.column >= self.columns) {
             return None;
@@ -246,7 +255,7 @@ fn eliminate<S: Field + Summable>(
 
 /// The best candidate for the pivot, normalised, and the other candidates.
 ///
-/// First on the diagonal, for scalars with [`Field::DIAGONAL_PIVOTS`]; then by [`Field::pivot_weight`] (floats: partial
+/// First on the diagonal, for scalars with [`Summable::DIAGONAL_PIVOTS`]; then by [`Field::pivot_weight`] (floats: partial
 /// pivoting, scaled), then the sparsest.
 fn choose<S: Field + Summable>(
     column: usize,

@@ -6,6 +6,7 @@
 mod derivative;
 mod image;
 mod operators;
+mod solution;
 mod straight_line;
 
 use super::function::{Function, is_elementary};
@@ -13,8 +14,10 @@ use super::{
     Field, Kind, Notation, Rational, Ring, Sum, Summable, Symbolic, Tabular, Tolerance, Variable,
 };
 use crate::expression::is_name;
+use crate::linear::Matrix;
 use image::Image;
 use num_traits::{One, Zero};
+use solution::Solution;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::fmt;
@@ -31,6 +34,8 @@ pub use straight_line::{Count, Output, Step, StraightLine};
 /// differ: two of degree `d` that differ share an image with a probability below `d^2 / 2^122`. So sums that
 /// cancel are zero, as in [`Symbolic`], whose denominators and gcds it does without. Logarithms and roots are known by their
 /// whole argument: `log(x) + log(1/x)` does not cancel.
+///
+/// A program chooses the pivots of inverses and linear systems by comparisons ([`Step::Select`]), in blocks of more than two rows.
 ///
 /// ```
 /// use affinor_tensors::{Field, Notation, Rational, Recorded, scalar::StraightLine};
@@ -62,15 +67,30 @@ enum Operation {
     Sum(Rational, Vec<(Rational, Arc<Node>)>),
     Product(Arc<Node>, Arc<Node>),
     Reciprocal(Arc<Node>),
+    /// The third value if the size of the first one is at least the size of the second one, else the fourth value.
+    Select(Box<[Recorded; 4]>),
+    /// A component of the solution of a linear system: the value by elimination, with the image of the exact solution.
+    Solution(Arc<Solution>, usize),
 }
 
 impl Operation {
+    /// The nodes from which a program computes the value.
     fn operands(&self) -> Vec<&Arc<Node>> {
         match self {
             Operation::Input(_) => vec![],
             Operation::Sum(_, terms) => terms.iter().map(|(_, node)| node).collect(),
             Operation::Product(a, b) => vec![a, b],
             Operation::Reciprocal(a) | Operation::Function(_, a) => vec![a],
+            Operation::Select(values) => values.iter().filter_map(|v| v.node.as_ref()).collect(),
+            Operation::Solution(solution, i) => solution.eliminated(*i).node.iter().collect(),
+        }
+    }
+
+    /// The nodes on which the value depends as a function.
+    fn arguments(&self) -> Vec<&Arc<Node>> {
+        match self {
+            Operation::Solution(solution, _) => solution.arguments().collect(),
+            _ => self.operands(),
         }
     }
 }
@@ -85,6 +105,9 @@ impl Drop for Node {
                 Operation::Sum(_, terms) => terms.into_iter().map(|(_, node)| node).collect(),
                 Operation::Product(a, b) => vec![a, b],
                 Operation::Reciprocal(a) | Operation::Function(_, a) => vec![a],
+                Operation::Select(values) => values.into_iter().filter_map(|v| v.node).collect(),
+                // one recursion for each system within a system
+                Operation::Solution(..) => vec![],
             }
         };
         let mut open = taken(&mut self.operation);
@@ -120,8 +143,11 @@ impl Node {
     }
 }
 
-/// All nodes below the given ones, each once and after its operands.
-fn post_order<'n>(roots: impl IntoIterator<Item = &'n Arc<Node>>) -> Vec<&'n Arc<Node>> {
+/// All nodes below the given ones, each once and after those `below` it.
+fn post_order<'n>(
+    roots: impl IntoIterator<Item = &'n Arc<Node>>,
+    below: impl Fn(&'n Operation) -> Vec<&'n Arc<Node>>,
+) -> Vec<&'n Arc<Node>> {
     let mut seen = std::collections::HashSet::new();
     let mut order = vec![];
     for root in roots {
@@ -131,7 +157,7 @@ fn post_order<'n>(roots: impl IntoIterator<Item = &'n Arc<Node>>) -> Vec<&'n Arc
                 order.push(node);
             } else if seen.insert(Arc::as_ptr(node)) {
                 open.push((node, true));
-                open.extend(node.operation.operands().into_iter().rev().map(|node| (node, false)));
+                open.extend(below(&node.operation).into_iter().rev().map(|node| (node, false)));
             }
         }
     }
@@ -202,6 +228,37 @@ impl Recorded {
         sum.scaled(&content)
     }
 
+    /// The image of the factor times the image of the node.
+    fn image(&self) -> Option<Image> {
+        let own = self.node.as_ref().map_or(Some(Image::ONE), |node| node.image);
+        Image::rational(&self.factor).zip(own).map(|(factor, own)| factor.mul(own))
+    }
+
+    /// `x` if the size of `a` is at least the size of `b`, else `y`. Its image is independent of all other images, except
+    /// those of equal choices.
+    fn select([a, b, x, y]: [&Self; 4]) -> Self {
+        let same = |x: &Self, y: &Self| match (&x.node, &y.node) {
+            (None, None) => x.factor == y.factor,
+            (Some(p), Some(q)) => x.factor == y.factor && Arc::ptr_eq(p, q),
+            _ => false,
+        };
+        if b.vanishes() || same(x, y) {
+            return x.clone();
+        }
+        if a.vanishes() {
+            return y.clone();
+        }
+        if a.node.is_none() && b.node.is_none() {
+            let first = a.factor.clone().abs() >= b.factor.clone().abs();
+            return if first { x.clone() } else { y.clone() };
+        }
+        let image = a.image().zip(b.image()).zip(x.image().zip(y.image()));
+        let image = image.map(|((a, b), (x, y))| {
+            Image::named("select", &[a.up_to_sign(), b.up_to_sign(), x, y])
+        });
+        Self::of(Operation::Select(Box::new([a, b, x, y].map(Self::clone))), image)
+    }
+
     /// A function of a value.
     fn of_function(function: Function, argument: &Self) -> Self {
         let (zero, one) = (Rational::zero(), Rational::one());
@@ -212,9 +269,7 @@ impl Recorded {
                     None => (argument.factor.clone(), vec![]),
                     Some(node) => (Rational::zero(), vec![(argument.factor.clone(), node.clone())]),
                 };
-                let image = Image::rational(&argument.factor);
-                let own = node.as_ref().map_or(Some(Image::ONE), |node| node.image);
-                let image = image.zip(own).map(|(factor, own)| factor.mul(own));
+                let image = argument.image();
                 Arc::new(Node { operation: Operation::Sum(constant, terms), image })
             }
         };
@@ -233,7 +288,7 @@ impl Recorded {
         let constant = (!constant.vanishes()).then(|| Some((constant.clone(), Image::ONE)));
         let multiples: Option<Vec<_>> = multiples.chain(constant).collect();
         let image = multiples.and_then(|multiples| match function {
-            Function::Log | Function::Sqrt => Some(Image::named(function.name(), node.image?)),
+            Function::Log | Function::Sqrt => Some(Image::named(function.name(), &[node.image?])),
             _ => Image::function(function, &multiples),
         });
         Self::of(Operation::Function(function, node), image)
@@ -274,6 +329,12 @@ impl Ring for Recorded {
 
 impl Summable for Recorded {
     type Sum = RecordedSum;
+    /// A small matrix of inputs is inverted without exchanges of rows where its leading minors do not vanish.
+    const DIAGONAL_PIVOTS: bool = true;
+
+    fn solved(matrix: &Matrix<Self>, right: &Matrix<Self>) -> Option<Matrix<Self>> {
+        solution::solved(matrix, right)
+    }
     fn clear_denominators<'a>(
         values: impl Iterator<Item = &'a Self> + Clone,
     ) -> Option<(Vec<i64>, i64)> {
@@ -284,10 +345,6 @@ impl Summable for Recorded {
 }
 
 impl Field for Recorded {
-    /// A matrix of inputs is inverted without exchanges of rows where its leading minors do not vanish,
-    /// as those of a definite metric.
-    const DIAGONAL_PIVOTS: bool = true;
-
     fn recip(&self) -> Option<Self> {
         let factor = self.factor.recip()?;
         Some(match &self.node {
@@ -355,7 +412,8 @@ impl Notation for Recorded {
             Operation::Input(variable) => Some(variable.to_string()),
             _ => None,
         };
-        let mut names: Vec<_> = post_order(&self.node).into_iter().filter_map(name).collect();
+        let mut names: Vec<_> =
+            post_order(&self.node, Operation::arguments).into_iter().filter_map(name).collect();
         names.sort();
         names.dedup();
         names

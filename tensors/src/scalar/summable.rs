@@ -1,6 +1,7 @@
 //! Sums of products: what the engine asks of a scalar beyond arithmetic.
 
 use super::Ring;
+use crate::linear::Matrix;
 
 /// A ring whose sums of products decide whether they are zero.
 ///
@@ -12,6 +13,10 @@ pub trait Summable: Ring {
     /// Whether values become longer with every operation, as formulas do. A long sum is then computed
     /// at once and not in stages, so that terms which cancel are never stored.
     const GROWS: bool = false;
+
+    /// Whether an elimination takes a pivot on the diagonal wherever it does not vanish, before any weight. For a symmetric
+    /// matrix this is `L D L^T` without exchanges. It serves values that are not known as numbers.
+    const DIAGONAL_PIVOTS: bool = false;
 
     /// Whether the value is a finite number. Exact values always are; a float may be infinite or NaN.
     fn is_number(&self) -> bool {
@@ -40,6 +45,13 @@ pub trait Summable: Ring {
         values: impl Iterator<Item = &'a Self> + Clone,
     ) -> Option<(Vec<i64>, i64)> {
         let _ = values;
+        None
+    }
+
+    /// The solution `X` of `A X = B` for a square matrix `A`, by a method of this scalar. Returns `None`, the default, for the
+    /// elimination that serves all scalars.
+    fn solved(matrix: &Matrix<Self>, right: &Matrix<Self>) -> Option<Matrix<Self>> {
+        let _ = (matrix, right);
         None
     }
 }

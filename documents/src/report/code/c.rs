@@ -19,6 +19,10 @@ impl Dialect for C {
     fn call(&self, function: Elementary, argument: &str) -> String {
         format!("{}({argument})", function.name())
     }
+    fn select(&self, values: [String; 4]) -> String {
+        let [a, b, x, y] = values;
+        format!("fabs({a}) >= fabs({b}) ? {x} : {y}")
+    }
     fn definition(&self, name: &str, value: &str) -> String {
         format!("const double {name} = {value};")
     }

@@ -13,6 +13,10 @@ impl Dialect for Julia {
     fn call(&self, function: Function, argument: &str) -> String {
         format!("{}({argument})", function.name())
     }
+    fn select(&self, values: [String; 4]) -> String {
+        let [a, b, x, y] = values;
+        format!("abs({a}) >= abs({b}) ? {x} : {y}")
+    }
     fn definition(&self, name: &str, value: &str) -> String {
         format!("{name} = {value}")
     }

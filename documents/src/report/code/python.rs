@@ -13,6 +13,10 @@ impl Dialect for Python {
     fn call(&self, function: Function, argument: &str) -> String {
         format!("np.{}({argument})", function.name())
     }
+    fn select(&self, values: [String; 4]) -> String {
+        let [a, b, x, y] = values;
+        format!("np.where(abs({a}) >= abs({b}), {x}, {y})")
+    }
     fn definition(&self, name: &str, value: &str) -> String {
         format!("{name} = {value}")
     }

@@ -48,6 +48,8 @@ pub trait Dialect {
     fn component(&self, vector: &str, at: usize) -> String;
     /// A function of a value.
     fn call(&self, function: Function, argument: &str) -> String;
+    /// `x` if the size of `a` is at least the size of `b`, else `y`.
+    fn select(&self, values: [String; 4]) -> String;
     /// The definition of a temporary value.
     fn definition(&self, name: &str, value: &str) -> String;
     /// The assignment to a component of an array.
@@ -100,9 +102,9 @@ impl Routine {
         self.parameters.iter().map(|(_, name)| name.clone()).collect()
     }
 
-    /// Whether functions like the sine are called.
+    /// Whether functions like the sine are called, or absolute values compared.
     pub fn calls(&self) -> bool {
-        self.program.count().functions > 0
+        self.program.count().functions + self.program.count().comparisons > 0
     }
 
     /// The statements: temporary values, then the components of all arrays.
@@ -122,6 +124,10 @@ impl Routine {
                 Step::Reciprocal(a) => {
                     let text = format!("1.0/{}", texts[*a].within(Binds::Atom));
                     Text { text, binds: Binds::Product }
+                }
+                Step::Select(values) => {
+                    let [a, b, x, y] = values.each_ref().map(|value| written(value, &texts));
+                    Text { text: dialect.select([a?, b?, x?, y?]), binds: Binds::Sum }
                 }
             };
             let inline = match step {
@@ -165,7 +171,7 @@ impl Routine {
 
 /// The number of operations, and the condition of divisions.
 fn remarks(count: Count) -> Vec<String> {
-    let Count { additions, multiplications, divisions, functions } = count;
+    let Count { additions, multiplications, divisions, functions, comparisons } = count;
     let counted = |n: usize, name: &str| match n {
         0 => None,
         1 => Some(format!("1 {name}")),
@@ -176,6 +182,7 @@ fn remarks(count: Count) -> Vec<String> {
         counted(multiplications, "multiplication"),
         counted(divisions, "division"),
         counted(functions, "call"),
+        counted(comparisons, "comparison"),
     ];
     let counts: Vec<String> = counts.into_iter().flatten().collect();
     let mut lines = Vec::new();
@@ -186,11 +193,18 @@ fn remarks(count: Count) -> Vec<String> {
         lines.push(
             "Divisors are not checked: where one is 0, results are infinite or not numbers.".into(),
         );
+    }
+    if divisions > 0 && comparisons == 0 {
         lines.push(
             "A metric is eliminated in the order of its rows, if its leading principal minors"
                 .into(),
         );
         lines.push("do not vanish identically; then they must not be 0. Those of a definite metric are not.".into());
+    }
+    if comparisons > 0 {
+        lines.push(
+            "A metric is eliminated with exchanges of rows, which comparisons choose.".into(),
+        );
     }
     lines
 }

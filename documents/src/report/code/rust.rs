@@ -14,6 +14,10 @@ impl Dialect for Rust {
         let name = if function == Function::Log { "ln" } else { function.name() };
         format!("f64::{name}({argument})")
     }
+    fn select(&self, values: [String; 4]) -> String {
+        let [a, b, x, y] = values;
+        format!("if f64::abs({a}) >= f64::abs({b}) {{ {x} }} else {{ {y} }}")
+    }
     fn definition(&self, name: &str, value: &str) -> String {
         format!("let {name} = {value};")
     }

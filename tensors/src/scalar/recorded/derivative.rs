@@ -1,6 +1,6 @@
 //! Partial derivatives of recorded values, in forward mode.
 
-use super::{Function, Node, Operation, Recorded, post_order};
+use super::{Function, Node, Operation, Recorded, Solution, post_order};
 use crate::scalar::{Field, Sum, Symbolic, Tolerance};
 use num_traits::{One, Zero};
 use std::collections::HashMap;
@@ -19,24 +19,30 @@ use std::sync::Arc;
 pub fn derivatives(values: &[Recorded], name: &str) -> Vec<Recorded> {
     let roots = values.iter().filter_map(|value| value.node.as_ref());
     let mut known: HashMap<*const Node, Recorded> = HashMap::new();
-    for node in post_order(roots) {
-        let rate = rate(node, name, &|node| known.get(&Arc::as_ptr(node)));
+    let mut solutions: HashMap<*const Solution, Vec<Recorded>> = HashMap::new();
+    for node in post_order(roots, Operation::arguments) {
+        let rate = rate(node, name, &|node| known.get(&Arc::as_ptr(node)), &mut solutions);
         if !rate.factor.is_zero() {
             known.insert(Arc::as_ptr(node), rate);
         }
     }
-    let rate = |value: &Recorded| {
-        let rate = known.get(&Arc::as_ptr(value.node.as_ref()?))?;
-        Some(rate.clone().scaled(&value.factor))
-    };
-    values.iter().map(|value| rate(value).unwrap_or_default()).collect()
+    let of = |node: &Arc<Node>| known.get(&Arc::as_ptr(node));
+    values.iter().map(|value| of_value(value, &of)).collect()
 }
 
-/// The derivative of a node; `of` returns those of its operands, unless they vanish.
+/// The derivative of a value; `of` returns the derivatives of nodes, unless they vanish.
+fn of_value<'k>(value: &Recorded, of: &dyn Fn(&Arc<Node>) -> Option<&'k Recorded>) -> Recorded {
+    let rate = value.node.as_ref().and_then(of);
+    rate.map_or_else(Recorded::zero, |rate| rate.clone().scaled(&value.factor))
+}
+
+/// The derivative of a node; `of` returns the derivatives of its arguments, unless they vanish. `solutions` stores the derivatives
+/// of the components of a solution, which are computed together.
 fn rate<'k>(
     node: &Arc<Node>,
     name: &str,
     of: &dyn Fn(&Arc<Node>) -> Option<&'k Recorded>,
+    solutions: &mut HashMap<*const Solution, Vec<Recorded>>,
 ) -> Recorded {
     let value = |node: &Arc<Node>| Recorded { factor: One::one(), node: Some(node.clone()) };
     match &node.operation {
@@ -80,6 +86,14 @@ fn rate<'k>(
             None => Recorded::zero(),
             Some(rate) => -(rate.clone() * &(value(node) * &value(node))),
         },
+        Operation::Select(values) => {
+            let [a, b, x, y] = &**values;
+            Recorded::select([a, b, &of_value(x, of), &of_value(y, of)])
+        }
+        Operation::Solution(solution, i) => {
+            let rates = || solution.rates(|value| of_value(value, of));
+            solutions.entry(Arc::as_ptr(solution)).or_insert_with(rates)[*i].clone()
+        }
     }
 }
 

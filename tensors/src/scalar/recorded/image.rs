@@ -59,6 +59,11 @@ impl Image {
         Some(Self::each(inverse))
     }
 
+    /// The image of the value or of its negative, the same for both.
+    pub fn up_to_sign(self) -> Self {
+        self.min(self.negated())
+    }
+
     /// The image of a number; `None` if a prime divides its denominator.
     pub fn rational(value: &Rational) -> Option<Self> {
         let modulo = |n: i64, p: u64| i128::from(n).rem_euclid(i128::from(p)) as u64;
@@ -80,9 +85,9 @@ impl Image {
         Self::coordinate(name.bytes())
     }
 
-    /// The coordinate of the point that belongs to a function of a value with this image.
-    pub fn named(function: &str, argument: Image) -> Self {
-        let residues = argument.0.into_iter().flat_map(u64::to_le_bytes);
+    /// The coordinate of the point that belongs to a function of values with these images.
+    pub fn named(function: &str, arguments: &[Image]) -> Self {
+        let residues = arguments.iter().flat_map(|own| own.0).flat_map(u64::to_le_bytes);
         // no name has parentheses
         Self::coordinate(function.bytes().chain([b'(']).chain(residues))
     }
@@ -113,7 +118,7 @@ impl Image {
         let multiples: Vec<(i64, Image)> = multiples.collect::<Option<_>>()?;
         if let Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh = function {
             let e = multiples.into_iter().try_fold(Self::ONE, |product, (n, value)| {
-                let e = Self::named("exp", value);
+                let e = Self::named("exp", &[value]);
                 let e = if n < 0 { e.recip()? } else { e };
                 Some(product.mul(power(e, Self::ONE, n.unsigned_abs(), Self::mul)))
             })?;
@@ -133,7 +138,7 @@ impl Image {
         };
         let one = [Self::ONE, Self::ZERO];
         let [p, q] = multiples.into_iter().fold(one, |product, (n, value)| {
-            let t = Self::named("tan", value);
+            let t = Self::named("tan", &[value]);
             let t = if n < 0 { t.negated() } else { t };
             times(product, power([Self::ONE, t], one, n.unsigned_abs(), times))
         });

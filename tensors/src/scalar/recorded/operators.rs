@@ -160,6 +160,12 @@ fn operation(node: &Arc<Node>, levels: usize) -> String {
         }
         Operation::Product(a, b) => format!("{}*{}", enclosed(below(a)), enclosed(below(b))),
         Operation::Reciprocal(a) => format!("1/({})", below(a)),
+        Operation::Select(_) | Operation::Solution(..) if levels == 0 => "...".into(),
+        Operation::Select(values) => {
+            let [a, b, x, y] = values.each_ref().map(|value| written(value, levels - 1));
+            format!("select({a}, {b}, {x}, {y})")
+        }
+        Operation::Solution(solution, i) => written(solution.eliminated(*i), levels - 1),
     }
 }
 

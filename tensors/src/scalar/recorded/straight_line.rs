@@ -28,6 +28,8 @@ pub enum Step {
     Product(usize, usize),
     /// One divided by a step.
     Reciprocal(usize),
+    /// The third value if the size of the first one is at least the size of the second one, else the fourth value.
+    Select(Box<[Output; 4]>),
 }
 
 impl Step {
@@ -38,6 +40,7 @@ impl Step {
             Step::Sum(_, terms) => terms.iter().map(|(_, at)| *at).collect(),
             Step::Product(a, b) => vec![*a, *b],
             Step::Reciprocal(a) | Step::Function(_, a) => vec![*a],
+            Step::Select(values) => values.iter().filter_map(|value| value.step).collect(),
         }
     }
 
@@ -47,6 +50,9 @@ impl Step {
             Step::Sum(_, terms) => terms.iter_mut().for_each(|(_, at)| *at = f(*at)),
             Step::Product(a, b) => (*a, *b) = (f(*a), f(*b)),
             Step::Reciprocal(a) | Step::Function(_, a) => *a = f(*a),
+            Step::Select(values) => {
+                values.iter_mut().for_each(|value| value.step = value.step.map(&f));
+            }
         }
     }
 }
@@ -71,16 +77,29 @@ pub struct Count {
     pub divisions: usize,
     /// Calls of elementary functions.
     pub functions: usize,
+    /// Comparisons of sizes.
+    pub comparisons: usize,
+}
+
+/// The step of each value, and whether it is negated.
+type Known = HashMap<Key, (usize, bool)>;
+
+/// A value as a multiple of a step.
+fn output(value: &Recorded, known: &Known) -> Output {
+    let factor = value.factor.clone();
+    let Some(node) = &value.node else { return Output { factor, step: None } };
+    let (key, negative) = node.key();
+    let (at, other) = known[&key];
+    Output { factor: if negative != other { -factor } else { factor }, step: Some(at) }
 }
 
 impl StraightLine {
     /// The program that computes these values.
     pub fn new(values: &[Recorded]) -> Self {
-        // where each value stands, and whether negated
-        let mut known: HashMap<Key, (usize, bool)> = HashMap::new();
+        let mut known = Known::new();
         let mut steps: Vec<Step> = vec![];
         let roots = values.iter().filter_map(|value| value.node.as_ref());
-        for node in post_order(roots) {
+        for node in post_order(roots, Operation::operands) {
             let (key, negative) = node.key();
             if known.contains_key(&key) {
                 continue;
@@ -115,20 +134,29 @@ impl StraightLine {
                     let (a, minus) = place(a);
                     (Step::Reciprocal(a), minus)
                 }
+                Operation::Select(values) => {
+                    let mut values = values.each_ref().map(|value| output(value, &known));
+                    for size in &mut values[..2] {
+                        size.factor = size.factor.clone().abs();
+                    }
+                    (Step::Select(Box::new(values)), false)
+                }
+                Operation::Solution(solution, i) => {
+                    let value = output(solution.eliminated(*i), &known);
+                    match value.step {
+                        Some(at) if value.factor.clone().abs().is_one() => {
+                            known.insert(key, (at, negative != value.factor.is_negative()));
+                            continue;
+                        }
+                        Some(at) => (Step::Sum(Rational::zero(), vec![(value.factor, at)]), false),
+                        None => (Step::Sum(value.factor, vec![]), false),
+                    }
+                }
             };
             known.insert(key, (steps.len(), negative != negated));
             steps.push(step);
         }
-        let outputs = values.iter().map(|value| match &value.node {
-            None => Output { factor: value.factor.clone(), step: None },
-            Some(node) => {
-                let (key, negative) = node.key();
-                let (at, other) = known[&key];
-                let factor = value.factor.clone();
-                Output { factor: if negative != other { -factor } else { factor }, step: Some(at) }
-            }
-        });
-        let outputs = outputs.collect();
+        let outputs = values.iter().map(|value| output(value, &known)).collect();
         StraightLine { steps, outputs }.without_dead_steps()
     }
 
@@ -188,6 +216,7 @@ impl StraightLine {
     pub fn count(&self) -> Count {
         let mut count = Count::default();
         let plain = |factor: &Rational| factor.clone().abs().is_one();
+        let scaled = |output: &Output| output.step.is_some() && !plain(&output.factor);
         for step in &self.steps {
             match step {
                 Step::Input(_) => {}
@@ -200,14 +229,18 @@ impl StraightLine {
                 }
                 Step::Product(..) => count.multiplications += 1,
                 Step::Reciprocal(_) => count.divisions += 1,
+                Step::Select(values) => {
+                    count.comparisons += 1;
+                    count.multiplications += values.iter().filter(|v| scaled(v)).count();
+                }
             }
         }
-        let scaled = self.outputs.iter().filter(|o| o.step.is_some() && !plain(&o.factor));
-        count.multiplications += scaled.count();
+        count.multiplications += self.outputs.iter().filter(|output| scaled(output)).count();
         count
     }
 
-    /// The outputs for inputs of any field; `function` returns the values of functions.
+    /// The outputs for inputs of any field; `function` returns the values of functions. Sizes are compared by
+    /// [`pivot_weight`](Field::pivot_weight), and zero is the smallest.
     ///
     /// `None` if a divisor is no unit, or a constant does not exist in the field.
     pub fn evaluate<S: Field>(
@@ -216,6 +249,13 @@ impl StraightLine {
         function: impl Fn(Function, &S) -> S,
     ) -> Option<Vec<S>> {
         let mut values: Vec<S> = Vec::with_capacity(self.steps.len());
+        let output = |output: &Output, values: &[S]| {
+            let factor = constant_in::<S>(&output.factor)?;
+            Some(match output.step {
+                None => factor,
+                Some(at) => factor * &values[at],
+            })
+        };
         for step in &self.steps {
             let value = match step {
                 Step::Input(variable) => input(variable.text()),
@@ -230,17 +270,16 @@ impl StraightLine {
                 }
                 Step::Product(a, b) => values[*a].clone() * &values[*b],
                 Step::Reciprocal(a) => values[*a].recip()?,
+                Step::Select(choice) => {
+                    let [a, b, x, y] = &**choice;
+                    let [a, b] = [output(a, &values)?, output(b, &values)?];
+                    let second = a.vanishes() || a.pivot_weight() < b.pivot_weight();
+                    output(if second && !b.vanishes() { y } else { x }, &values)?
+                }
             };
             values.push(value);
         }
-        let output = |output: &Output| {
-            let factor = constant_in::<S>(&output.factor)?;
-            Some(match output.step {
-                None => factor,
-                Some(at) => factor * &values[at],
-            })
-        };
-        self.outputs.iter().map(output).collect()
+        self.outputs.iter().map(|own| output(own, &values)).collect()
     }
 }
 
