@@ -6,19 +6,18 @@
 //! - [`certificate`]: checks of a definition, each with its witness;
 //! - [`report`]: tables of tensors, comparisons and equations in every format;
 //! - [`paper`]: the paper, equation by equation, computed;
-//! - [`ball`]: rotations as points of the ball of rotation vectors;
-//! - `picture` (feature `plot`): shapes on a plane as SVG, Dynkin diagrams;
+//! - [`figures`]: figures of the paper and of trajectories, with rotations as points of a ball;
+//! - [`picture`]: shapes on a plane as SVG, and drawings of figures, diagrams, tensors and roots;
 //! - [`rows`]: the rows of trajectories as CSV, JSON and, with the feature `parquet`, Parquet.
 //!
 //! The program `affinor` is built on this package.
 
-pub mod ball;
 pub mod certificate;
 pub mod definition;
+pub mod figures;
 mod formula;
 mod page;
 pub mod paper;
-#[cfg(feature = "plot")]
 pub mod picture;
 pub mod problem;
 pub mod report;
