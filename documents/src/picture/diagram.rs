@@ -185,16 +185,14 @@ impl Frame {
             Drawn::Directed => {
                 shapes.extend(heads(&points, stroke.ink));
                 shapes.extend(ends(&points, stroke.ink));
-                for (at, text) in [(points.first(), "start"), (points.last(), "end")] {
-                    if let Some([x, y]) = at {
-                        let font =
-                            Font { anchor: Anchor::Start, ..Font::symbol(WORDS, style::BLACK) };
-                        shapes.push(Shape::Text {
-                            at: [x + 8.0, y - 6.0],
-                            text: text.into(),
-                            font,
-                        });
-                    }
+                // on both sides, for a closed curve ends where it starts
+                let start = (points.first(), Anchor::End, [-8.0, 14.0], "start");
+                let end = (points.last(), Anchor::Start, [8.0, -6.0], "end");
+                for (at, anchor, aside, text) in [start, end] {
+                    let Some(at) = at else { continue };
+                    let font = Font { anchor, ..Font::symbol(WORDS + 2.0, style::BLACK) };
+                    let at = [at[0] + aside[0], at[1] + aside[1]];
+                    shapes.push(Shape::Text { at, text: text.into(), font });
                 }
             }
         }
