@@ -1,10 +1,9 @@
 //! Rotations: affinor beside nalgebra, glam and the formulas of Sophus and manif, in one run.
 //!
 //! `cargo bench -p affinor-benches --bench rotations`: nanoseconds per 1000 independent operations, arguments and results in
-//! memory; then batches of a million on all cores. The ratios of one run count, not the absolute times.
+//! memory; then batches of a million. The ratios of one run count, not the absolute times.
 
 use affinor::group::batch;
-use affinor::group::batch::{Quaternions, Vectors};
 use affinor::group::{LieGroup, So3};
 use criterion::{
     BenchmarkGroup, Criterion, criterion_group, criterion_main, measurement::WallTime,
@@ -107,16 +106,15 @@ fn batches(criterion: &mut Criterion) {
     let x = vectors(BATCH, 3);
     let mut q: Vec<UnitQuaternion<f64>> = x.iter().map(|x| So3.exp(x)).collect();
     let mut back = x.clone();
-    let vectors: Vectors = x.iter().copied().collect();
-    let mut quaternions = Quaternions::zeros(BATCH);
-    batch::exp(&vectors, &mut quaternions);
-    let (mut product, mut logarithms) = (quaternions.clone(), vectors.clone());
-    let other = quaternions.clone();
+    let rows: Vec<[f64; 3]> = x.iter().map(|x| (*x).into()).collect();
+    let mut rotations = vec![[0.0; 4]; BATCH];
+    batch::exp_rows(&rows, &mut rotations);
+    let (other, mut product, mut logarithms) = (rotations.clone(), rotations.clone(), rows.clone());
 
     let mut group = criterion.benchmark_group("a million");
     group.sample_size(20).measurement_time(Duration::from_secs(2));
-    group.bench_function("exp/affinor, columns", |b| {
-        b.iter(|| batch::exp(black_box(&vectors), &mut quaternions));
+    group.bench_function("exp/affinor, rows", |b| {
+        b.iter(|| batch::exp_rows(black_box(&rows), &mut rotations));
     });
     group.bench_function("exp/affinor, one by one", |b| {
         b.iter(|| q.iter_mut().zip(&x).for_each(|(q, x)| *q = So3.exp(x)));
@@ -126,14 +124,14 @@ fn batches(criterion: &mut Criterion) {
             q.iter_mut().zip(&x).for_each(|(q, x)| *q = UnitQuaternion::from_scaled_axis(*x))
         });
     });
-    group.bench_function("log/affinor, columns", |b| {
-        b.iter(|| batch::log(black_box(&quaternions), &mut logarithms));
+    group.bench_function("log/affinor, rows", |b| {
+        b.iter(|| batch::log_rows(black_box(&rotations), &mut logarithms));
     });
     group.bench_function("log/nalgebra, one by one", |b| {
         b.iter(|| back.iter_mut().zip(&q).for_each(|(x, q)| *x = q.scaled_axis()));
     });
-    group.bench_function("compose/affinor, columns", |b| {
-        b.iter(|| batch::compose(black_box(&quaternions), &other, &mut product));
+    group.bench_function("compose/affinor, rows", |b| {
+        b.iter(|| batch::compose_rows(black_box(&rotations), &other, &mut product));
     });
     group.bench_function("compose/nalgebra, one by one", |b| {
         let mut product = q.clone();
@@ -141,7 +139,7 @@ fn batches(criterion: &mut Criterion) {
             product.iter_mut().zip(&q).zip(q.iter().rev()).for_each(|((r, p), q)| *r = p * q)
         });
     });
-    group.bench_function("copy of four columns", |b| {
+    group.bench_function("copy of the rows", |b| {
         b.iter(|| product.clone_from(black_box(&other)));
     });
     group.finish();

@@ -457,9 +457,9 @@ def cell(name, kind, rows, tensor):
 def symbols():
     tensors = ["affinities", "curvature", "ricci"]
     python, ginac = [options.python], os.path.join(FOLDER, "ginac")
-    peers = {"Maxima": ("symbols_maxima.py", python, []), "python-flint": ("symbols_fractions.py", python, ["flint"]),
-             "GiNaC": (ginac, [], []), "SymEngine": ("symbols_fractions.py", python, ["symengine"]),
-             "SymPy, field": ("symbols_sympy.py", python, ["field"]), "SymPy, cancel": ("symbols_sympy.py", python, ["cancel"])}
+    peers = {"Maxima": ("symbols_maxima.py", python, []), "python-flint": ("symbols_python.py", python, ["flint"]),
+             "GiNaC": (ginac, [], []), "SymEngine": ("symbols_python.py", python, ["symengine"]),
+             "SymPy, field": ("symbols_python.py", python, ["field"]), "SymPy, cancel": ("symbols_python.py", python, ["cancel"])}
     subprocess.run(["g++", "-O2", "-std=c++17", os.path.join(HERE, "symbols_ginac.cpp"), "-o", ginac, "-lginac", "-lcln"], check=True)
     about()
     spaces = []

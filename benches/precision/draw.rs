@@ -1,7 +1,7 @@
 //! Work over precision, as a diagram.
 
-use affinor_cli::figures::diagram::{Diagram, Drawn, Graph, Line, Scale};
-use affinor_cli::plot::{diagram, svg};
+use affinor_documents::figures::diagram::{Diagram, Drawn, Graph, Line, Scale};
+use affinor_documents::picture::{diagram, svg};
 
 /// Reads rows and writes SVG: a panel for each problem, a line for each method.
 pub fn draw() {

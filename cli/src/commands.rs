@@ -17,7 +17,6 @@ mod on_group;
 mod options;
 mod output;
 mod paper;
-#[cfg(feature = "plot")]
 mod plot;
 mod properties;
 mod rows;
@@ -78,7 +77,6 @@ enum Command {
     /// Integrate a problem of mechanics, or an ensemble of problems
     Simulate(simulate::Arguments),
     /// Draw the figures of the paper, and trajectories
-    #[cfg(feature = "plot")]
     Plot(plot::Arguments),
     /// Write the paper equation by equation, with what is computed of each
     Paper(paper::Arguments),
@@ -109,7 +107,6 @@ pub fn main() -> ExitCode {
         Command::Transport(arguments) => arguments.run(),
         Command::Convert(arguments) => arguments.run(),
         Command::Simulate(arguments) => arguments.run(),
-        #[cfg(feature = "plot")]
         Command::Plot(arguments) => arguments.run(),
         Command::Paper(arguments) => arguments.run(),
         Command::List(arguments) => arguments.run(),

@@ -95,12 +95,10 @@ fn help_and_version_are_results() {
                     simulate list conventions completions";
     let mut all = vec![vec!["--help"], vec!["--version"], vec!["help", "check"]];
     all.extend(commands.split_whitespace().map(|command| vec![command, "--help"]));
-    if cfg!(feature = "plot") {
-        let figures = "images transport autoparallels motion frames attitude momentum animation series phase \
-             section drift convergence";
-        all.push(vec!["plot", "--help"]);
-        all.extend(figures.split_whitespace().map(|figure| vec!["plot", figure, "--help"]));
-    }
+    let figures = "images transport autoparallels motion frames attitude momentum animation series phase section drift \
+                   dynkin convergence";
+    all.push(vec!["plot", "--help"]);
+    all.extend(figures.split_whitespace().map(|figure| vec!["plot", figure, "--help"]));
     for arguments in &all {
         let outcome = affinor(arguments);
         assert_eq!((outcome.status, outcome.err.as_str()), (0, ""), "{arguments:?}");

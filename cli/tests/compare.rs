@@ -16,8 +16,7 @@ type Verdict = Option<Property<String>>;
 /// The verdicts on a geometry, each with what loops over its components say.
 fn verdicts_over<S: Coefficient>(space: &Space) -> Vec<(Claim, Verdict, Option<String>)> {
     let geometry = space.definition.geometry::<S>(Tolerance::default()).unwrap();
-    let both =
-        |claim: Claim| (claim, claim.holds(&geometry).unwrap(), by_loops(claim, &geometry));
+    let both = |claim: Claim| (claim, claim.holds(&geometry).unwrap(), by_loops(claim, &geometry));
     Claim::ALL.into_iter().map(both).collect()
 }
 

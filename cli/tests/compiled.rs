@@ -4,9 +4,6 @@ use affinor_documents::report::Language;
 use std::path::Path;
 use std::process::Command;
 
-/// The languages that are run; there is no test machine with Julia.
-pub const RUN: [Language; 3] = [Language::Rust, Language::C, Language::Python];
-
 /// What a program prints. `None` where the machine lacks the program, which fails where `CI` is set.
 fn output(command: &mut Command) -> Option<String> {
     let output = match command.output() {
@@ -67,7 +64,7 @@ def ravel(array):
 
 /// The name of the function that the source code defines, and its parameters without `p_`.
 pub fn signature(source: &str) -> (String, Vec<String>) {
-    let starts = ["pub fn ", "void ", "def ", "function "];
+    let starts = ["pub fn ", "void ", "def "];
     let line = |line: &&str| starts.iter().any(|start| line.starts_with(start));
     let line = source.lines().find(line).unwrap();
     let (name, rest) = line.split_once('(').unwrap();
@@ -103,7 +100,7 @@ pub fn run_at(
     let [open, close] = match language {
         Language::Rust => ["&[", "]"],
         Language::C => ["(const double[]){", "}"],
-        Language::Python | Language::Julia => ["[", "]"],
+        Language::Python => ["[", "]"],
     };
     let list = |v: &[f64]| v.iter().map(|x| format!("{x:?}")).collect::<Vec<_>>().join(", ");
     let names: Vec<String> = (0..shapes.len()).map(|at| format!("a{at}")).collect();
@@ -178,7 +175,6 @@ pub fn run_at(
             python.arg("main.py");
             python
         }
-        Language::Julia => return None,
     };
     let lines = output(command.current_dir(folder))?;
     Some(lines.lines().map(|line| line.parse().unwrap()).collect())

@@ -8,7 +8,7 @@ use crate::program::{self, definition, root, stdout};
 use affinor::geometry::equations::{EquationKind, Equations, Variable};
 use affinor::{Canonical, Connection, ConnectionKind, Geometry, LieAlgebra, Metric};
 use affinor_documents::Coefficient;
-use affinor_documents::report::{EquationReport, Format, Report};
+use affinor_documents::report::{EquationReport, Format, Language, Report};
 use affinor_tensors::{Down, Notation, Rational, Recorded, Symbolic, Tensor};
 use proptest::prelude::*;
 
@@ -209,7 +209,7 @@ fn generated_code_gives_the_same_numbers() {
             .collect();
         let equations = Equations::new(motion, recorded.connection(), recorded.metric()).unwrap();
         let system = EquationReport::new(equations, &recorded);
-        for language in compiled::RUN {
+        for language in Language::ALL {
             let code = system.code(language, &by).unwrap();
             let vectors = [&state[..], beside];
             let vectors = if beside.is_empty() { &vectors[..1] } else { &vectors };
@@ -242,7 +242,7 @@ fn geodesics_of_the_sphere_in_coordinates() {
     let expected =
         [v[0], v[1], theta.sin() * theta.cos() * v[1] * v[1], -2.0 / theta.tan() * v[0] * v[1]];
     let vectors: [&[f64]; 2] = [&[theta, 0.3], &v];
-    for language in compiled::RUN {
+    for language in Language::ALL {
         let code = printed(&[sphere, "--motion", "autoparallel", "--code", language.name()]);
         let no_parameter = |name: &str| panic!("{name}: the radius cancels");
         let Some(rates) =

@@ -14,20 +14,15 @@ mod documents;
 mod e8;
 mod equations;
 mod examples;
-#[cfg(feature = "plot")]
-mod figures;
 mod float_tables;
 mod group_commands;
-#[cfg(feature = "plot")]
 mod guide;
 mod heads;
 mod info;
 mod limits;
 mod notations;
 mod paper;
-#[cfg(feature = "plot")]
 mod plot;
-#[cfg(feature = "plot")]
 mod plot_motions;
 mod program_accuracy;
 mod program_pivots;

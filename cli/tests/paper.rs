@@ -26,6 +26,6 @@ fn html_stands_alone() {
     assert!(!text.contains("@import") && !text.contains("url("));
     let count = |name: &str| elements().filter(|node| node.tag_name().name() == name).count();
     assert_eq!((count("h1"), count("main")), (1, 1));
-    assert_eq!(count("figure"), if cfg!(feature = "plot") { 5 } else { 0 });
+    assert_eq!(count("figure"), 5);
     assert!(count("math") > 300);
 }

@@ -1,5 +1,4 @@
 //! Pictures: well-formed SVG with every label, PNG of the size asked for, and what is refused.
-#![cfg(feature = "plot")]
 
 use crate::program::{Outcome, run};
 use roxmltree::Document;
@@ -64,11 +63,34 @@ fn a_png_has_its_width_and_is_no_empty_sheet() {
         let [found, height] = size(&png);
         assert_eq!(found.to_string(), width);
         assert!(height > found / 2 && height < 2 * found);
-        let pixels = tiny_skia::Pixmap::decode_png(&png).unwrap();
+        let pixels = resvg::tiny_skia::Pixmap::decode_png(&png).unwrap();
         let colors: BTreeSet<[u8; 4]> =
             pixels.pixels().iter().map(|p| [p.red(), p.green(), p.blue(), p.alpha()]).collect();
         assert!(colors.len() > 100, "{}", colors.len());
     }
+}
+
+#[cfg(not(feature = "png"))]
+#[test]
+fn a_png_without_the_feature_is_refused_by_its_name() {
+    let folder = TempDir::new().unwrap();
+    let outcome = affinor(&folder, &["images", "-o", "x.PNG"]);
+    assert_eq!((outcome.status, outcome.out.as_str()), (2, ""));
+    assert!(outcome.err.contains("without the feature `png`"), "{}", outcome.err);
+    assert!(outcome.err.contains("--features png"), "{}", outcome.err);
+}
+
+/// Names of files become texts of XML, whatever characters they have.
+#[test]
+fn texts_are_escaped() {
+    let folder = TempDir::new().unwrap();
+    let brackets = "basis = [\"x\", \"y\", \"z\"]\nbrackets = \"[x,y]=z; [y,z]=x; [z,x]=y\"\n";
+    let brackets = brackets.replace("; ", "\\n");
+    fs::write(folder.path().join("x.toml"), format!("name = \"a<b> & \\\"c\\u0001\"\n{brackets}"))
+        .unwrap();
+    let outcome = affinor(&folder, &["dynkin", "x.toml"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.err);
+    assert!(texts(&outcome.out).contains("a<b> & \"c"), "{}", outcome.out);
 }
 
 #[test]

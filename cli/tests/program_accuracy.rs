@@ -4,9 +4,9 @@
 //! machine precision times the sum of `|F|` and `|x dF/dx|` over all arguments `x`.
 
 use crate::common::root;
-use crate::compiled::{self, RUN};
+use crate::compiled;
 use affinor_documents::definition::{Request, Space};
-use affinor_documents::report::{Computation, Quantity, Selection};
+use affinor_documents::report::{Computation, Language, Quantity, Selection};
 use affinor_tensors::scalar::{Function, Step, StraightLine};
 use affinor_tensors::{Notation, Rational, Recorded, Symbolic, Tolerance};
 use serde::Deserialize;
@@ -168,7 +168,7 @@ fn compiled_programs_on_charts_are_accurate() {
         let places: Vec<usize> = chart.components.iter().map(place).collect();
         let space = chart.space();
         let selection = Selection { quantities, ..Selection::default() };
-        for language in RUN {
+        for language in Language::ALL {
             let source = Computation::of(&space).table_as_code(&selection, language, &[]).unwrap();
             // rustc is slow
             for point in chart.points.iter().step_by(3).take(2) {

@@ -1,7 +1,7 @@
 //! Tensors as programs: compiled, run, and compared with the exact tensors at rational points.
 
 use crate::common::root;
-use crate::compiled::{self, RUN, run_numpy};
+use crate::compiled::{self, run_numpy};
 use crate::program::{self, definition, stdout};
 use affinor_documents::Coefficient;
 use affinor_documents::definition::{Request, Space};
@@ -106,7 +106,7 @@ fn tensors_as_programs_give_the_exact_values() {
                     shapes.push(vec![n; quantity.slots().len()]);
                 }
             }
-            for language in RUN {
+            for language in Language::ALL {
                 // a large function takes rustc long
                 if language == Language::Rust && (n > 3 || draw > 0) {
                     continue;
@@ -144,7 +144,7 @@ fn greek_parameters_as_programs() {
         "uE9" => 3.5,
         other => panic!("{other}"),
     };
-    for language in RUN {
+    for language in Language::ALL {
         let source = code("so(3)", options, show, language, &[]);
         assert!(source.contains("p_theta_2 is \u{3b8}"), "{source}");
         if let Some(found) = compiled::run(folder.path(), language, &source, &[], &value, &shapes) {
@@ -188,7 +188,7 @@ fn charts_as_programs() {
         let by = coordinates.iter().find(|name| ["theta", "r"].contains(&name.as_str())).unwrap();
         let kretschmann = Quantity::Kretschmann.of(&geometry).unwrap().unwrap();
         let rate = kretschmann.to_scalar().unwrap().derivative(by);
-        for language in RUN {
+        for language in Language::ALL {
             let show = "affinities,curvature,kretschmann";
             let source = code(&space, ["", ""], show, language, &[]);
             let found =
@@ -224,7 +224,7 @@ fn derivatives_are_those_of_the_formulas() {
     for name in ["J23", "J11"] {
         expected.extend(dense(&ricci.map(|v| v.derivative(name)), 3, value));
     }
-    for language in RUN {
+    for language in Language::ALL {
         let more = ["--derivatives", "J23,J11"];
         let source = code("so(3)", ["", &metric], "ricci", language, &more);
         let value = |name: &str| number(name, 5).to_f64();
@@ -281,7 +281,7 @@ fn python_broadcasts() {
     }
 }
 
-/// The text in every language, Julia too, which no test machine runs.
+/// The text in every language.
 #[test]
 fn programs_in_every_language() {
     let mut settings = insta::Settings::clone_current();
@@ -306,7 +306,7 @@ fn programs_in_every_language() {
 fn refusals_of_programs() {
     let so3 = ["table", "so3", "--metric", "diag(J1,1,1)"];
     for (arguments, status, message) in [
-        (&["--code", "fortran"][..], 2, "the languages are rust, c, python, julia"),
+        (&["--code", "fortran"][..], 2, "the languages are rust, c, python"),
         (&["--code", "c", "--format", "csv"], 2, "cannot be used with"),
         (&["--code", "c", "--independent"], 2, "leave --independent away"),
         (&["--code", "c", "--scalar", "float"], 2, "leave --scalar float away"),

@@ -6,19 +6,18 @@
 //! - [`certificate`]: checks of a definition, each with its witness;
 //! - [`report`]: tables of tensors, comparisons and equations in every format;
 //! - [`formula`]: formulas as trees, written as text, LaTeX and MathML; [`page`]: pages of HTML;
-//! - [`ball`]: rotations as points of the ball of rotation vectors;
-//! - `picture` (feature `plot`): shapes on a plane as SVG, Dynkin diagrams;
+//! - [`figures`]: figures of the paper and of trajectories, with rotations as points of a ball;
+//! - [`picture`]: shapes on a plane as SVG, and drawings of figures, diagrams, tensors and roots;
 //! - [`rows`]: the rows of trajectories as CSV, JSON and, with the feature `parquet`, Parquet.
 //!
 //! The program `affinor` is built on this package.
 
-pub mod ball;
 pub mod certificate;
 mod coefficient;
 pub mod definition;
+pub mod figures;
 pub mod formula;
 pub mod page;
-#[cfg(feature = "plot")]
 pub mod picture;
 pub mod problem;
 pub mod report;

@@ -1,26 +1,39 @@
 //! Pictures: shapes on a plane, written as SVG.
 //!
-//! A [`Picture`] is a list of [`Shape`]s. [`dynkin()`] and [`roots()`] make one of Cartan types, [`heat()`] of a tensor, the program `affinor` those of figures and
-//! diagrams. [`svg()`] writes it.
+//! A [`Picture`] is a list of [`Shape`]s. [`draw()`] makes one of a [`Figure`](crate::figures::Figure), [`diagram()`] of a
+//! [`Diagram`](crate::figures::diagram::Diagram), [`dynkin()`] and [`roots()`] of Cartan types, and [`heat()`] of a tensor. [`svg()`]
+//! writes it.
 
+mod arrow;
+mod axis;
+mod diagram;
+mod draw;
 mod dynkin;
+mod film;
 mod heat;
+mod label;
+mod legend;
 mod roots;
+mod style;
 mod svg;
+mod view;
 
+pub use diagram::diagram;
+pub use draw::draw;
 pub use dynkin::dynkin;
 pub use heat::heat;
 pub use roots::roots;
 pub use svg::svg;
+pub use view::View;
 
 /// The ink of lines and words.
-pub const BLACK: Ink = Ink::opaque(0x111111);
+const BLACK: Ink = Ink::opaque(0x111111);
 /// The ground.
-pub const WHITE: Ink = Ink::opaque(0xffffff);
+const WHITE: Ink = Ink::opaque(0xffffff);
 /// The width of the white edge around symbols.
-pub const EDGE: f64 = 3.0;
+const EDGE: f64 = 3.0;
 /// A line without gaps.
-pub const SOLID: &[f64] = &[];
+const SOLID: &[f64] = &[];
 
 /// Shapes on a plane: `x` points right, `y` down, both in the unit of [`Picture::width`].
 #[derive(Clone, Debug, PartialEq)]
@@ -68,7 +81,7 @@ pub enum Shape {
         /// Its colour.
         ink: Ink,
     },
-    /// A closed polygon in motion, which repeats from the start; as PNG the first frame.
+    /// A closed polygon in motion, which repeats from the start; the first frame where pictures do not move.
     Film {
         /// Its vertices at equal intervals of time.
         frames: Vec<Vec<Point>>,
@@ -90,6 +103,11 @@ pub enum Shape {
         /// The font.
         font: Font,
     },
+}
+
+/// An estimate of the width of a text.
+fn width(text: &str, size: f64) -> f64 {
+    0.6 * size * text.chars().count() as f64
 }
 
 /// A point of the plane: right and down.

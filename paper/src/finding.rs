@@ -1,6 +1,6 @@
 //! What is computed of an equation.
 
-use crate::Coefficient;
+use affinor_documents::Coefficient;
 use affinor_tensors::Tensor;
 
 /// A statement with what is computed of it.

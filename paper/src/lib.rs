@@ -33,6 +33,7 @@ mod so3;
 pub use finding::{Finding, Outcome};
 
 use affinor::{Canonical, Error, LieAlgebra};
+use affinor_documents::Coefficient;
 use affinor_documents::report::grouped_in_text;
 use affinor_tensors::{Rational, Tensor};
 use lab::Lab;

@@ -7,6 +7,7 @@ mod common;
 mod claims;
 mod double_double;
 mod equal_functions;
+mod figures;
 mod formula_names;
 mod fuzz;
 mod line_elements;

@@ -8,9 +8,9 @@ import { Problem } from "./problem.js";
 /** @param {string} id @returns {any} */
 const by = (id) => document.getElementById(id);
 const engine = new Engine();
-const COPIES = ["latex", "markdown", "csv", "json", "text", "toml", "python", "rust"];
+const COPIES = ["latex", "markdown", "csv", "json", "text", "toml", "command", "python"];
 /** Copies of reports of a space or a problem alone. */
-const FILES = { formats: ["toml", "python", "rust"], reports: ["table", "check", "info", "properties", "equations", "motion"] };
+const FILES = { formats: ["toml", "command", "python"], reports: ["table", "check", "info", "properties", "equations", "motion"] };
 /** Reports that are drawn, each by a module that is loaded on demand; it makes a view. */
 const DRAWN = {
   transport: async () => {
@@ -363,7 +363,7 @@ async function copy(format) {
   by("status").textContent = `copying as ${format}…`;
   try {
     const { answer } = await engine.ask({ ...shown, format });
-    const endings = /** @type {Record<string, string>} */ ({ latex: "tex", markdown: "md", text: "txt", python: "py", rust: "rs" });
+    const endings = /** @type {Record<string, string>} */ ({ latex: "tex", markdown: "md", text: "txt", command: "sh", python: "py" });
     URL.revokeObjectURL(by("download").href);
     const name = shown.report === "motion" && format === "toml" ? "problem" : shown.report;
     Object.assign(by("download"), { href: URL.createObjectURL(new Blob([answer.text])), download: `${name}.${endings[format] ?? format}`, hidden: false });

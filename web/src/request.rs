@@ -1,6 +1,6 @@
 //! What the page asks for, in the words of the command line.
 
-use super::source::{self, Language};
+use super::source::{self, Copy};
 use super::{Answer, Refusal, motion, transport};
 use affinor::Canonical;
 use affinor::geometry::equations::EquationKind;
@@ -49,7 +49,7 @@ pub struct Request {
     pub problem: String,
     /// Methods that are compared with that of the problem.
     pub methods: String,
-    /// The format, by default `html`; or `toml`, `python`, `rust`.
+    /// The format, by default `html`; or `toml`, `command`, `python`.
     pub format: String,
 }
 
@@ -59,8 +59,8 @@ impl Request {
     /// # Errors
     /// Whatever is refused.
     pub fn answer(&self) -> Result<Answer, Refusal> {
-        if let Some(language) = Language::from_name(&self.format) {
-            return self.copied(language);
+        if let Some(copy) = Copy::from_name(&self.format) {
+            return self.copied(copy);
         }
         let format = self.format()?;
         let (report, notes): (Box<dyn Report>, Vec<String>) = match self.report.as_str() {
@@ -127,20 +127,23 @@ impl Request {
         drawn().unwrap_or_default()
     }
 
-    /// The file or the program of the report.
-    fn copied(&self, language: Language) -> Result<Answer, Refusal> {
-        let kind = if self.motion.is_empty() { "euler-poincare" } else { &self.motion };
-        let (text, notes) = match self.report.as_str() {
+    /// The file of the report, or the lines that load it.
+    fn copied(&self, copy: Copy) -> Result<Answer, Refusal> {
+        let (toml, notes) = match self.report.as_str() {
             "motion" => {
                 Problem::parse("problem.toml", &self.problem)?;
                 (self.problem.clone(), vec![])
             }
-            report => {
+            report @ ("table" | "check" | "info" | "properties" | "equations") => {
+                // both are quoted in the copy
+                self.quantities()?;
+                self.kind()?;
                 let space = self.open()?;
                 (source::definition(&space, report != "info")?, notes(&space))
             }
+            other => return Err(Refusal::new(format!("`{other}` cannot be copied as a file"))),
         };
-        let text = language.write(&self.report, &text, &self.show, kind)?;
+        let text = copy.write(&self.report, toml, self.show.trim(), self.kind()?.name());
         Answer::written(notes, |out| out.write_all(text.as_bytes()))
     }
 
@@ -178,13 +181,18 @@ impl Request {
     }
 
     fn equations(&self) -> Result<(Box<dyn Report>, Vec<String>), Refusal> {
-        let kind = match self.motion.as_str() {
-            "" => EquationKind::EulerPoincare,
-            name => EquationKind::from_name(name)
-                .ok_or_else(|| Refusal::new(format!("`{name}` is no motion")))?,
-        };
+        let kind = self.kind()?;
         let space = self.open()?;
         Ok((computation(&space).equations(kind, false)?, notes(&space)))
+    }
+
+    /// The kind of equations.
+    fn kind(&self) -> Result<EquationKind, Refusal> {
+        match self.motion.as_str() {
+            "" => Ok(EquationKind::EulerPoincare),
+            name => EquationKind::from_name(name)
+                .ok_or_else(|| Refusal::new(format!("`{name}` is no motion"))),
+        }
     }
 
     fn comparison(&self) -> Result<Comparison, Refusal> {

@@ -1,4 +1,4 @@
-//! The space of a report as a definition file, and programs in Python and Rust that print the report anew.
+//! Copies that compute a report anew: the space as a definition file, and the lines that load the file.
 
 use super::Refusal;
 use affinor::geometry::ConnectionKind;
@@ -8,44 +8,55 @@ use affinor_tensors::text::combination;
 use affinor_tensors::{Tensor, Tolerance};
 use std::fmt::Write;
 
-/// A language of copies.
+/// A kind of copy that computes the report anew.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Language {
-    /// A file for the program `affinor`.
+pub(super) enum Copy {
+    /// The definition, or the problem of a motion, as a file.
     Toml,
+    /// The command of the program `affinor` on the file.
+    Command,
+    /// Two lines of Python that load the file and print the report.
     Python,
-    Rust,
 }
 
-impl Language {
+impl Copy {
     pub fn from_name(name: &str) -> Option<Self> {
         match name {
-            "toml" => Some(Language::Toml),
-            "python" => Some(Language::Python),
-            "rust" => Some(Language::Rust),
+            "toml" => Some(Copy::Toml),
+            "command" => Some(Copy::Command),
+            "python" => Some(Copy::Python),
             _ => None,
         }
     }
 
-    /// The report of a file: a problem for `motion`, else a definition.
-    pub fn write(
-        self,
-        report: &str,
-        text: &str,
-        show: &str,
-        kind: &str,
-    ) -> Result<String, Refusal> {
-        let known = ["table", "check", "info", "properties", "equations", "motion"];
-        if !known.contains(&report) {
-            return Err(Refusal::new(format!(
-                "`{report}` is copied as text, not as a file or program"
-            )));
+    /// The copy of a report; `toml` is the text of the file, `show` a list of tensors, and `kind` a kind of equations.
+    pub fn write(self, report: &str, toml: String, show: &str, kind: &str) -> String {
+        match self {
+            Copy::Toml => toml,
+            Copy::Command => match (report, show) {
+                ("motion", _) => "affinor simulate problem.toml\n".into(),
+                ("equations", _) => format!("affinor equations equations.toml --motion {kind}\n"),
+                ("table", show) if !show.is_empty() => {
+                    format!("affinor table table.toml --show \"{show}\"\n")
+                }
+                _ => format!("affinor {report} {report}.toml\n"),
+            },
+            Copy::Python => {
+                let geometry = format!("affinor.Geometry(\"{report}.toml\")");
+                let line = match (report, show) {
+                    ("motion", _) => "motion = affinor.simulate(\"problem.toml\"); \
+                                      print({name: float(motion[name][-1]) for name in motion})"
+                        .into(),
+                    ("check", _) => format!("print(*{geometry}.check(), sep=\"\\n\")"),
+                    ("info", _) => "print(affinor.LieAlgebra(\"info.toml\").info())".into(),
+                    ("properties", _) => format!("print({geometry}.properties())"),
+                    ("equations", _) => format!("print({geometry}.equations(\"{kind}\"))"),
+                    (_, "") => format!("print({geometry}.table())"),
+                    (_, show) => format!("print({geometry}.table(\"{show}\"))"),
+                };
+                format!("import affinor\n{line}\n")
+            }
         }
-        Ok(match self {
-            Language::Toml => text.into(),
-            Language::Python => python(report, text, show, kind),
-            Language::Rust => rust(report, text, show, kind),
-        })
     }
 }
 
@@ -124,74 +135,4 @@ fn affinities<S: Coefficient>(text: &mut String, labels: &[String], gamma: &Tens
 fn toml_string(text: &str) -> String {
     // JSON escapes a part of what TOML does, in the same way, but not the last control character
     serde_json::Value::from(text).to_string().replace('\u{7f}', "\\u007f")
-}
-
-fn python(report: &str, text: &str, show: &str, kind: &str) -> String {
-    let print = match report {
-        "motion" => "motion = affinor.simulate(tomllib.loads(TEXT))\nfor name in motion:\n    print(name, motion[name][-1])".into(),
-        "check" => "for check in affinor.Geometry(tomllib.loads(TEXT)).check():\n    print(check)".into(),
-        "info" => "print(affinor.LieAlgebra(tomllib.loads(TEXT)).info())".into(),
-        "properties" => "print(affinor.Geometry(tomllib.loads(TEXT)).properties())".into(),
-        "equations" => format!("print(affinor.Geometry(tomllib.loads(TEXT)).equations({kind:?}))"),
-        _ if show.trim().is_empty() => "print(affinor.Geometry(tomllib.loads(TEXT)).table())".into(),
-        _ => format!("print(affinor.Geometry(tomllib.loads(TEXT)).table({show:?}))"),
-    };
-    let literal = match text.contains("'''") || text.ends_with(['\'', '\\']) {
-        true => serde_json::Value::from(text).to_string(),
-        false => format!("r'''\n{text}'''"),
-    };
-    format!("import tomllib\n\nimport affinor\n\nTEXT = {literal}\n\n{print}\n")
-}
-
-fn rust(report: &str, text: &str, show: &str, kind: &str) -> String {
-    // more signs than any run of them in the text
-    let fence = "#".repeat(
-        1 + text
-            .split('"')
-            .map(|part| part.len() - part.trim_start_matches('#').len())
-            .max()
-            .unwrap_or(0),
-    );
-    let head = format!("const TEXT: &str = r{fence}\"\n{text}\"{fence};\n");
-    if report == "motion" {
-        return format!(
-            "use affinor_documents::problem::Problem;\n\n{head}\nfn main() -> Result<(), Box<dyn std::error::Error>> {{\n    \
-             let problem = Problem::parse(\"problem.toml\", TEXT)?;\n    let ready = problem.motion(0)?;\n    \
-             let columns = ready.columns.clone();\n    let (mut walk, mut last) = (problem.walk(ready), vec![]);\n    \
-             loop {{\n        let step = walk.step()?;\n        last = step.rows.last().cloned().unwrap_or(last);\n        \
-             if step.done {{\n            break;\n        }}\n    }}\n    \
-             for (column, value) in columns.iter().zip(last) {{\n        println!(\"{{}} {{value}}\", column.name);\n    }}\n    Ok(())\n}}\n"
-        );
-    }
-    let (names, work) = match report {
-        "check" => ("certificate", "let checks = affinor_documents::certificate::certify(&definition, &reading, &|_| ())?;\n    let report = certificate(&definition.name, &checks, None);".to_string()),
-        "info" => ("Info", "let report = Info::of(&definition, &|_| ())?;".into()),
-        "properties" => ("Properties", "let report = Properties::of(&definition)?;".into()),
-        "equations" => ("EquationReport", format!(
-            "let geometry = definition.geometry(&reading)?;\n    let kind = EquationKind::from_name({kind:?}).ok_or(\"no such equations\")?;\n    \
-             let equations = Equations::new(kind, geometry.connection(), geometry.metric())?;\n    let report = EquationReport::new(equations, &geometry);")),
-        _ => ("Quantity, Table", {
-            let shown = if show.trim().is_empty() { "Quantity::shown()".to_string() } else { format!("Quantity::list({show:?})?") };
-            format!("let report = Table::new(&definition.geometry(&reading)?, &{shown})?;")
-        }),
-    };
-    let (reading, imports) = match report {
-        "info" | "properties" => (String::new(), "use affinor_documents::definition::Definition;\n".to_string()),
-        _ => (
-            "    let exact = |value: &Symbolic| Some(value.clone());\n    let reading = Reading { convert: &exact, tolerance: Tolerance::default() };\n".into(),
-            "use affinor_documents::definition::{Definition, Reading};\n".into(),
-        ),
-    };
-    let tensors =
-        if reading.is_empty() { "" } else { "use affinor_tensors::{Symbolic, Tolerance};\n" };
-    let equations = if report == "equations" {
-        "use affinor::geometry::equations::{EquationKind, Equations};\n"
-    } else {
-        ""
-    };
-    format!(
-        "{equations}{imports}use affinor_documents::report::{{Format, Report, {names}}};\n{tensors}\n{head}\n\
-         fn main() -> Result<(), Box<dyn std::error::Error>> {{\n    let definition = Definition::parse(\"space.toml\", TEXT)?;\n{reading}    {work}\n    \
-         report.write(Format::Text, &mut std::io::stdout())?;\n    Ok(())\n}}\n"
-    )
 }

@@ -10,8 +10,8 @@ use clap::Args;
 
 #[derive(Args)]
 pub struct CodeOptions {
-    /// Print a function that computes the components in double precision: rust, c, python (NumPy),
-    /// or julia
+    /// Print a function that computes the components in double precision: rust, c, or python
+    /// (NumPy)
     #[arg(long, value_name = "LANGUAGE", value_parser = language, conflicts_with = "format")]
     pub code: Option<Language>,
     /// With --code, also the partial derivatives by these parameters or coordinates, separated by

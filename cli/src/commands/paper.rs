@@ -3,6 +3,9 @@
 use super::color::ColorOption;
 use super::failure::Failure;
 use super::output::deliver;
+use super::plot::{FIGURE_AT, connected, precession};
+use affinor_documents::figures::{self, Figure};
+use affinor_documents::picture::{View, draw, svg};
 use affinor_paper::{Paper, PaperFigure, PaperFormat};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -41,17 +44,8 @@ impl Arguments {
     }
 }
 
-#[cfg(not(feature = "plot"))]
-fn figures() -> Result<Vec<PaperFigure>, Failure> {
-    Ok(vec![])
-}
-
 /// The figures 2 to 6 of the paper.
-#[cfg(feature = "plot")]
 fn figures() -> Result<Vec<PaperFigure>, Failure> {
-    use super::plot::{FIGURE_AT, connected, precession};
-    use affinor_cli::figures::{self, Figure};
-    use affinor_cli::plot::{View, draw, svg};
     let (path, both) = (precession(), connected(&["plus", "zero"], None)?);
     let axis = nalgebra::Vector3::new(0.9, 1.9, 1.3);
     let all: [(&str, &str, Figure); 5] = [
@@ -81,7 +75,7 @@ fn figures() -> Result<Vec<PaperFigure>, Failure> {
             figures::frames(&both, &path, FIGURE_AT)?,
         ),
     ];
-    let view = View { azimuth: 28.0, elevation: 20.0 };
+    let view = View::default();
     let drawn = all.map(|(title, about, figure)| PaperFigure {
         title: title.into(),
         about: about.into(),
@@ -91,7 +85,6 @@ fn figures() -> Result<Vec<PaperFigure>, Failure> {
 }
 
 /// The element of a picture, without the head of a file.
-#[cfg(feature = "plot")]
 fn element(svg: &str) -> String {
     svg.find("<svg").map_or(svg, |start| &svg[start..]).trim_end().into()
 }

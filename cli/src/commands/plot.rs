@@ -1,8 +1,10 @@
-//! `affinor plot`: figures of the paper and of trajectories, as SVG or PNG.
+//! `affinor plot`: figures of the paper and of trajectories, as SVG, and with the feature `png` as PNG.
 
 mod convergence;
 mod curve;
 mod drift;
+#[cfg(feature = "png")]
+mod png;
 mod run;
 
 use super::color::ColorOption;
@@ -12,12 +14,11 @@ use super::options::{Settings, SpaceOptions};
 use super::output::deliver;
 use super::rows::{Expected, read};
 use affinor::Error;
-use affinor_cli::figures;
-use affinor_cli::figures::diagram::Diagram;
-use affinor_cli::figures::{Connected, Figure, Path};
-use affinor_cli::plot;
-use affinor_cli::plot::{MAX_WIDTH, Picture, View};
 use affinor_documents::definition::InputError;
+use affinor_documents::figures;
+use affinor_documents::figures::diagram::Diagram;
+use affinor_documents::figures::{Connected, Figure, Path};
+use affinor_documents::picture::{self, Picture, View};
 use affinor_documents::report::dynkin_type;
 use clap::{Args, Subcommand};
 use convergence::Comparison;
@@ -25,12 +26,14 @@ use nalgebra::Vector3;
 use run::{Columns, Trajectory};
 use std::path::PathBuf;
 
-/// The shortest and the longest film.
 /// The time of the velocity in the figures of the paper.
 pub const FIGURE_AT: f64 = 0.7;
+/// The largest width of a picture, in pixels.
+const MAX_WIDTH: u32 = 8000;
+/// The shortest and the longest animation, in seconds.
 const LEAST_SECONDS: f64 = 0.1;
 const MOST_SECONDS: f64 = 90.0;
-/// The largest rotation between frames of a clear film, in radians.
+/// The largest rotation between frames of a clear animation, in radians.
 const MOST_TURN: f64 = 0.5;
 
 #[derive(Args)]
@@ -236,7 +239,7 @@ impl Arguments {
                     let message = format!("{} is solvable: it has no roots", space.definition.name);
                     return Err(InputError::mathematics(message).into());
                 }
-                image.print(&plot::dynkin(&space.definition.name, &types))
+                image.print(&picture::dynkin(&space.definition.name, &types))
             }
             Kind::Drift { comparison, image } => image.print_diagram(&comparison.drift()?),
             Kind::Convergence { comparison, image } => {
@@ -297,7 +300,7 @@ impl Scene {
         let [azimuth, elevation] = read("--view", &self.view, &expected)?[..] else {
             return Err(InputError::usage("--view: azimuth and elevation are two numbers").into());
         };
-        self.image.print(&plot::draw(figure, &View { azimuth, elevation }))
+        self.image.print(&picture::draw(figure, &View { azimuth, elevation }))
     }
 }
 
@@ -307,7 +310,7 @@ impl Image {
             let message = format!("{axis} reaches {value:e}, which is too large to be drawn");
             return Err(InputError::mathematics(message).into());
         }
-        self.print(&plot::diagram(diagram))
+        self.print(&picture::diagram(diagram))
     }
 
     fn print(&self, picture: &Picture) -> Result<(), Failure> {
@@ -321,18 +324,20 @@ impl Image {
             let message = format!("--width {} is not between 1 and {MAX_WIDTH}", self.width);
             return Err(InputError::usage(message).into());
         }
-        let svg = || Ok(plot::svg(picture, self.width).into_bytes());
-        let Some(file) = &self.file else { return svg() };
+        let svg = picture::svg(picture, self.width);
+        let Some(file) = &self.file else { return Ok(svg.into_bytes()) };
         let ending = file.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         match ending.as_deref() {
-            Some("svg") => svg(),
+            Some("svg") => Ok(svg.into_bytes()),
             #[cfg(feature = "png")]
-            Some("png") => plot::png(picture, self.width)
-                .map_err(|error| InputError::usage(error.to_string()).into()),
+            Some("png") => {
+                Ok(png::png(&svg).map_err(|reason| InputError::usage(reason.to_string()))?)
+            }
             #[cfg(not(feature = "png"))]
             Some("png") => {
+                let message = "this program was built without the feature `png`";
                 let help = "write .svg, or build it with `cargo install --path cli --features png`";
-                Err(InputError::usage("this program was built without PNG").help(help).into())
+                Err(InputError::usage(message).help(help).into())
             }
             _ => {
                 let message = format!("{} ends in neither .svg nor .png", file.display());

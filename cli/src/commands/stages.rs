@@ -59,8 +59,8 @@ impl Stages {
             let stage = self.current.borrow().as_ref().map(|(stage, _)| stage.clone());
             let message = format!("{exceeded}, in the stage `{}`", stage.unwrap_or_default());
             let help = format!(
-                "--max-terms {} allows more (150 bytes each); --set gives symbols values; affinor table SPACE --code c (or rust, python, \
-                 julia) writes a program instead of formulas",
+                "--max-terms {} allows more (150 bytes each); --set gives symbols values; affinor table SPACE --code c (or rust, python) \
+                 writes a program instead of formulas",
                 exceeded.limit.saturating_mul(4)
             );
             InputError::mathematics(message).help(help)

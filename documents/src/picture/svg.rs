@@ -1,122 +1,123 @@
 //! Pictures as SVG.
 
-use super::{Anchor, EDGE, Ink, Picture, Point, Shape, WHITE};
-use std::fmt::Write;
-use svg::node::element::{Animate, Circle, Polygon, Polyline, Rectangle, Text, Title};
-use svg::{Document, Node};
+use super::{Anchor, EDGE, Ink, Picture, Point, Shape, Stroke, WHITE};
 
-/// The picture as SVG, `width` pixels wide. Text stays text; the viewer needs the DejaVu fonts for exact widths.
+/// The picture as SVG, `width` pixels wide. Texts stay texts, in the fonts `sans-serif` and `serif` of the viewer.
 pub fn svg(picture: &Picture, width: u32) -> String {
-    let document = Document::new()
-        .set("viewBox", (0, 0, short(picture.width), short(picture.height)))
-        .set("width", width)
-        .set("height", picture.pixel_height(width))
-        .set("role", "img")
-        .add(Title::new(&picture.title))
-        .add(Rectangle::new().set("width", "100%").set("height", "100%").set("fill", hex(WHITE)));
-    let document = picture.shapes.iter().fold(document, add);
-    format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{document}\n")
+    let (right, down) = (short(picture.width), short(picture.height));
+    let elements: String = picture.shapes.iter().map(element).collect();
+    format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+         <svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{width}\" height=\"{}\" \
+         viewBox=\"0 0 {right} {down}\" font-family=\"sans-serif\">\n<title>{}</title>\n\
+         <rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n{elements}</svg>\n",
+        picture.pixel_height(width),
+        escaped(&picture.title),
+        hex(WHITE)
+    )
 }
 
-fn add(document: Document, shape: &Shape) -> Document {
+fn element(shape: &Shape) -> String {
     match shape {
         Shape::Line { points, stroke } => {
-            let mut line = Polyline::new()
-                .set("points", written(points))
-                .set("fill", "none")
-                .set("stroke-width", stroke.width)
-                .set("stroke-linejoin", "round");
-            if !stroke.dash.is_empty() {
-                let dash: Vec<String> = stroke.dash.iter().map(f64::to_string).collect();
-                line = line.set("stroke-dasharray", dash.join(" "));
-            }
-            document.add(painted(line, "stroke", stroke.ink))
+            let points = written(points);
+            format!("<polyline points=\"{points}\" fill=\"none\"{}/>\n", stroked(stroke))
         }
         Shape::Area { points, ink } => {
-            document.add(painted(Polygon::new().set("points", written(points)), "fill", *ink))
+            format!("<polygon points=\"{}\"{}/>\n", written(points), painted("fill", *ink))
         }
-        Shape::Disc { at, radius, ink } => {
-            let circle = Circle::new().set("cx", short(at[0])).set("cy", short(at[1]));
-            document.add(painted(circle.set("r", *radius), "fill", *ink))
+        Shape::Disc { at: [x, y], radius, ink } => {
+            let (x, y, fill) = (short(*x), short(*y), painted("fill", *ink));
+            format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\"{fill}/>\n")
         }
         Shape::Film { frames, shown, fill, stroke, seconds } => {
+            let fill = fill.map_or(" fill=\"none\"".into(), |ink| painted("fill", ink));
             let first = frames.first().map(|points| written(points)).unwrap_or_default();
-            let mut polygon = Polygon::new()
-                .set("points", first)
-                .set("stroke-width", stroke.width)
-                .set("stroke-linejoin", "round")
-                .add(
-                    animated("points", *seconds)
-                        .set("values", joined(frames.iter().map(|points| written(points)))),
-                );
-            let visibility = |shown: bool| if shown { "visible" } else { "hidden" };
-            polygon.assign("visibility", visibility(shown.first().is_none_or(|first| *first)));
-            // the frames at which it appears or disappears
-            let turns = (0..shown.len()).filter(|k| *k == 0 || shown[*k] != shown[k - 1]);
-            let turns: Vec<usize> = turns.collect();
-            if turns.len() > 1 {
-                let last = (shown.len() - 1) as f64;
-                // a change in the last frame would be at the end of the film
-                let inside = || turns.iter().filter(|k| (**k as f64) < last);
-                let times = inside().map(|k| format!("{:.6}", *k as f64 / last));
-                let values = inside().map(|k| visibility(shown[*k]).to_string());
-                let node = animated("visibility", *seconds).set("calcMode", "discrete");
-                let node = node.set("keyTimes", joined(times)).set("values", joined(values));
-                polygon = polygon.add(node);
-            }
-            match fill {
-                Some(ink) => polygon = painted(polygon, "fill", *ink),
-                None => polygon.assign("fill", "none"),
-            }
-            document.add(painted(polygon, "stroke", stroke.ink))
+            let visibility = visible(shown.first().is_none_or(|first| *first));
+            let frames: Vec<String> = frames.iter().map(|points| written(points)).collect();
+            let motion = animated("points", *seconds, "", &frames);
+            let appearance = appearance(shown, *seconds);
+            format!(
+                "<polygon points=\"{first}\" visibility=\"{visibility}\"{fill}{}>\n{motion}{appearance}</polygon>\n",
+                stroked(stroke)
+            )
         }
         Shape::Text { at: [x, y], text, font } => {
             let (x, y) = (short(*x), short(*y));
-            let mut node = Text::new(text.as_str()).set("x", x).set("y", y);
-            node.assign("font-size", short(font.size));
-            if font.symbol {
-                node = node
-                    .set("font-family", "DejaVu Serif, DejaVu Sans, Georgia, serif")
-                    .set("font-style", "italic")
-                    .set("stroke", hex(WHITE))
-                    .set("stroke-width", EDGE)
-                    .set("stroke-linejoin", "round")
-                    .set("paint-order", "stroke");
+            let symbol = if font.symbol {
+                let white = hex(WHITE);
+                format!(
+                    " font-family=\"serif\" font-style=\"italic\" stroke=\"{white}\" stroke-width=\"{EDGE}\" \
+                     stroke-linejoin=\"round\" paint-order=\"stroke\""
+                )
             } else {
-                node = node.set("font-family", "DejaVu Sans, Verdana, sans-serif");
-            }
-            match font.anchor {
-                Anchor::Start => {}
-                Anchor::Middle => node.assign("text-anchor", "middle"),
-                Anchor::End => node.assign("text-anchor", "end"),
-            }
-            if font.turned {
-                node.assign("transform", format!("rotate(-90 {x} {y})"));
-            }
-            document.add(painted(node, "fill", font.ink))
+                String::new()
+            };
+            let anchor = match font.anchor {
+                Anchor::Start => "",
+                Anchor::Middle => " text-anchor=\"middle\"",
+                Anchor::End => " text-anchor=\"end\"",
+            };
+            let turned = if font.turned {
+                format!(" transform=\"rotate(-90 {x} {y})\"")
+            } else {
+                String::new()
+            };
+            let (size, fill) = (short(font.size), painted("fill", font.ink));
+            format!(
+                "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\"{symbol}{anchor}{turned}{fill}>{}</text>\n",
+                escaped(text)
+            )
         }
     }
 }
 
 /// The animation of an attribute, repeated without end.
-fn animated(attribute: &str, seconds: f64) -> Animate {
-    Animate::new()
-        .set("attributeName", attribute)
-        .set("dur", format!("{seconds}s"))
-        .set("repeatCount", "indefinite")
+fn animated(attribute: &str, seconds: f64, timing: &str, values: &[String]) -> String {
+    let values = values.join(";");
+    format!(
+        "<animate attributeName=\"{attribute}\" dur=\"{seconds}s\" repeatCount=\"indefinite\"{timing} values=\"{values}\"/>\n"
+    )
 }
 
-fn joined(values: impl Iterator<Item = String>) -> String {
-    values.collect::<Vec<_>>().join(";")
-}
-
-/// The node with its `fill` or `stroke` in a colour.
-fn painted<N: Node>(mut node: N, what: &str, ink: Ink) -> N {
-    node.assign(what, hex(ink));
-    if ink.opacity < 1.0 {
-        node.assign(format!("{what}-opacity"), ink.opacity);
+/// The animation of the visibility, from the frames at which the polygon appears or disappears; empty if it never does.
+fn appearance(shown: &[bool], seconds: f64) -> String {
+    let last = shown.len().saturating_sub(1);
+    // a change in the last frame would be at the end of the film
+    let turns: Vec<usize> = (0..last).filter(|k| *k == 0 || shown[*k] != shown[k - 1]).collect();
+    if turns.len() < 2 {
+        return String::new();
     }
-    node
+    let times: Vec<String> =
+        turns.iter().map(|k| format!("{:.6}", *k as f64 / last as f64)).collect();
+    let values: Vec<String> = turns.iter().map(|k| visible(shown[*k]).into()).collect();
+    let timing = format!(" calcMode=\"discrete\" keyTimes=\"{}\"", times.join(";"));
+    animated("visibility", seconds, &timing, &values)
+}
+
+fn visible(shown: bool) -> &'static str {
+    if shown { "visible" } else { "hidden" }
+}
+
+fn stroked(stroke: &Stroke) -> String {
+    let dash: Vec<String> = stroke.dash.iter().map(f64::to_string).collect();
+    let dash = match dash.join(" ") {
+        none if none.is_empty() => none,
+        dash => format!(" stroke-dasharray=\"{dash}\""),
+    };
+    let ink = painted("stroke", stroke.ink);
+    format!("{ink} stroke-width=\"{}\" stroke-linejoin=\"round\"{dash}", stroke.width)
+}
+
+/// The attribute `fill` or `stroke` in a colour.
+fn painted(attribute: &str, ink: Ink) -> String {
+    let color = hex(ink);
+    match ink.opacity {
+        opacity if opacity < 1.0 => {
+            format!(" {attribute}=\"{color}\" {attribute}-opacity=\"{opacity}\"")
+        }
+        _ => format!(" {attribute}=\"{color}\""),
+    }
 }
 
 fn hex(ink: Ink) -> String {
@@ -125,16 +126,29 @@ fn hex(ink: Ink) -> String {
 }
 
 fn written(points: &[Point]) -> String {
-    let mut text = String::new();
-    for point in points {
-        let gap = if text.is_empty() { "" } else { " " };
-        // writing to a string cannot fail
-        let _ = write!(text, "{gap}{},{}", short(point[0]), short(point[1]));
-    }
-    text
+    let pair = |[x, y]: &Point| format!("{},{}", short(*x), short(*y));
+    points.iter().map(pair).collect::<Vec<_>>().join(" ")
 }
 
 /// Rounded to hundredths of the unit of the picture.
 fn short(x: f64) -> f64 {
     (x * 100.0).round() / 100.0 + 0.0
+}
+
+/// Text of an element: without control characters, which XML cannot have.
+fn escaped(text: &str) -> String {
+    let mut escaped = String::new();
+    for c in text.chars() {
+        match c {
+            '&' => escaped += "&amp;",
+            '<' => escaped += "&lt;",
+            '>' => escaped += "&gt;",
+            c => escaped.push(if c.is_control() || c == '\u{fffe}' || c == '\u{ffff}' {
+                ' '
+            } else {
+                c
+            }),
+        }
+    }
+    escaped
 }

@@ -5,7 +5,7 @@ use affinor::algebra::frame::expect_numbers;
 use affinor::geometry::properties::{Property, Witness};
 use affinor::{Error, Geometry};
 use affinor_tensors::text::written;
-use affinor_tensors::{Notation, Tensor, contract};
+use affinor_tensors::{Tensor, contract};
 
 /// A statement of the paper about a geometry; [`holds`](Claim::holds) tests it on any geometry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -163,13 +163,13 @@ impl Claim {
 }
 
 /// `1/n`; zero in a field without this fraction.
-fn share<S: Notation + Scalar>(n: i64) -> S {
+fn share<S: Coefficient>(n: i64) -> S {
     S::from_quotient(1, n).unwrap_or_else(S::zero)
 }
 
 /// Whether the generator of parallel transport along the autoparallel of each basis vector `n` is
 /// `-share ad_n`.
-fn transport<S: Notation + Scalar>(
+fn transport<S: Coefficient>(
     geometry: &Geometry<S>,
     share: &S,
     sum: &'static str,
@@ -197,7 +197,7 @@ fn transport<S: Notation + Scalar>(
 
 /// Whether a tensor is zero; if not, its first nonzero component. `sum` is the formula of the tensor,
 /// and `letters` are the index letters of its slots.
-fn vanishes<S: Notation + Scalar>(
+fn vanishes<S: Coefficient>(
     tensor: &Tensor<S>,
     sum: &'static str,
     letters: &str,

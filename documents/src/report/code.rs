@@ -1,7 +1,6 @@
 //! Tensors and equations of motion as source code: straight-line programs in double precision.
 
 mod c;
-mod julia;
 mod parts;
 mod python;
 mod routine;
@@ -80,13 +79,11 @@ pub enum Language {
     C,
     /// Python 3 with NumPy, vectorised.
     Python,
-    /// Julia, without any package.
-    Julia,
 }
 
 impl Language {
     /// All languages.
-    pub const ALL: [Language; 4] = [Language::Rust, Language::C, Language::Python, Language::Julia];
+    pub const ALL: [Language; 3] = [Language::Rust, Language::C, Language::Python];
 
     /// The name in options.
     pub fn name(self) -> &'static str {
@@ -94,7 +91,6 @@ impl Language {
             Language::Rust => "rust",
             Language::C => "c",
             Language::Python => "python",
-            Language::Julia => "julia",
         }
     }
 
@@ -108,7 +104,6 @@ impl Language {
             Language::Rust => rust::write(routine),
             Language::C => c::write(routine),
             Language::Python => python::write(routine),
-            Language::Julia => julia::write(routine),
         }
     }
 }

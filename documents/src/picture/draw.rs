@@ -25,8 +25,8 @@ const AXES: f64 = 1.12;
 /// Draws a figure as seen from a direction.
 ///
 /// ```
-/// use affinor_cli::figures::{Path, images};
-/// use affinor_cli::plot::{View, draw, svg};
+/// use affinor_documents::figures::{Path, images};
+/// use affinor_documents::picture::{View, draw, svg};
 /// use nalgebra::Vector3;
 /// let path = Path { factors: vec![Vector3::new(0.0, 0.0, 1.5), Vector3::new(1.0, 0.0, 0.0)] };
 /// let picture = draw(&images(&path, 1.0)?, &View::default());
@@ -180,24 +180,24 @@ impl Plane<'_> {
             self.shapes.push(Shape::Disc { at, radius: 6.0, ink: style::WHITE });
             self.shapes.push(Shape::Disc { at, radius: 4.2, ink: style::BLACK });
         }
-        let mut labels = Labels::new(&self.shapes, background);
+        let mut labels = Labels::new(&self.shapes[background..]);
+        let mut symbols = vec![];
         for mark in &panel.marks {
-            labels.put(&mark.label, self.place(&mark.at), [0.0, 0.0], style::BLACK);
+            symbols.extend(labels.put(&mark.label, self.place(&mark.at), [0.0, 0.0], style::BLACK));
         }
         for arrow in panel.arrows.iter().rev() {
             let [from, to] = arrow.ends.map(|x| self.place(&x));
             let along = [to[0] - from[0], to[1] - from[1]];
-            labels.put(&arrow.label, to, along, style::stroke(arrow.role).0.ink);
+            symbols.extend(labels.put(&arrow.label, to, along, style::stroke(arrow.role).0.ink));
         }
         for curve in &panel.curves {
-            if let Some(pair) =
-                curve.points.windows(2).nth(curve.points.len().saturating_sub(1) * 3 / 5)
-            {
-                let at = self.place(&pair[0].lerp(&pair[1], 0.5));
-                labels.put(&curve.label, at, [0.0, 0.0], style::stroke(curve.role).0.ink);
+            let middle = curve.points.len().saturating_sub(1) * 3 / 5;
+            if let Some(pair) = curve.points.windows(2).nth(middle) {
+                let (at, ink) = (pair[0].lerp(&pair[1], 0.5), style::stroke(curve.role).0.ink);
+                symbols.extend(labels.put(&curve.label, self.place(&at), [0.0, 0.0], ink));
             }
         }
-        self.shapes.append(&mut labels.shapes());
+        self.shapes.append(&mut symbols);
         if let Some(body) = &panel.body {
             let place = |x: &Vector3<f64>| self.place(x);
             let shapes = film::body(body, self.view, place);

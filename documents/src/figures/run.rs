@@ -1,9 +1,9 @@
 //! Trajectories of problems: attitude and body momentum.
 
 use super::{Figure, Panel, Role};
+use crate::rows::RunRows;
 use affinor::Error;
 use affinor::mechanics::Inertia;
-pub use affinor_documents::rows::RunRows;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 

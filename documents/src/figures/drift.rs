@@ -1,7 +1,7 @@
 //! Drift of conserved quantities along a motion.
 
 use super::diagram::{Diagram, Drawn, Graph, Line, Scale};
-use super::run::RunRows;
+use crate::rows::RunRows;
 use affinor::Error;
 
 /// The least change drawn; smaller ones, also zero, are drawn here.

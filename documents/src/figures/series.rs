@@ -1,7 +1,7 @@
 //! Columns of a trajectory: over time, and one over the other.
 
 use super::diagram::{Diagram, Drawn, Graph, Line, Scale};
-use super::run::RunRows;
+use crate::rows::RunRows;
 use affinor::Error;
 
 /// The largest ratio of the ranges of two columns on axes of equal units.

@@ -1,10 +1,11 @@
-//! Figures of the paper and of trajectories, as curves, arrows and points in space; `plot` draws them.
+//! Figures of the paper and of trajectories: curves, arrows and points in space, and diagrams. [`picture`](crate::picture) draws them.
 //!
 //! A rotation is drawn at its canonical coordinates (61), (74): its rotation vector, in the ball of radius `pi`.
 //! Opposite points of the sphere are one rotation.
 
 mod animation;
 mod autoparallels;
+pub mod ball;
 pub mod diagram;
 pub mod drift;
 mod frames;
@@ -15,7 +16,6 @@ pub mod run;
 pub mod series;
 mod transport;
 
-pub use affinor_documents::ball;
 pub use animation::animation;
 pub use autoparallels::autoparallels;
 pub use frames::frames;

@@ -1,7 +1,7 @@
 //! A body in motion: a box with its axes of inertia.
 
-use super::run::RunRows;
 use super::{Body, Figure, Panel, Role};
+use crate::rows::RunRows;
 use affinor::Error;
 use affinor::mechanics::Inertia;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};

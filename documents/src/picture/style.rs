@@ -1,8 +1,8 @@
 //! Strokes and colours of figures, distinguishable in greyscale and by their dashes.
 
+pub(super) use super::{BLACK, SOLID, WHITE};
 use super::{Ink, Stroke};
 use crate::figures::Role;
-pub(super) use affinor_documents::picture::{BLACK, EDGE, SOLID, WHITE};
 
 pub(super) const GREY: Ink = Ink::opaque(0x666666);
 pub(super) const DASHED: &[f64] = &[7.0, 4.0];
