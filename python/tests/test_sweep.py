@@ -1,7 +1,7 @@
 """Sweeps: the same rows on every engine, failures as rows, and a killed worker that loses and doubles nothing."""
 
-import functools
 import gc
+import hashlib
 import os
 import signal
 import subprocess
@@ -17,7 +17,6 @@ import numpy as np
 import pytest
 
 import affinor as af
-from affinor._identity import identity
 from affinor._sweep import _partition
 
 pytest.importorskip("pyarrow")
@@ -56,7 +55,7 @@ TASKS = {
 
 
 def hashes(found):
-    return {name: part["sha256"] for name, part in found.manifest["partitions"].items()}
+    return {name: hashlib.sha256((found.folder / name).read_bytes()).hexdigest() for name in found.manifest["partitions"]}
 
 
 @pytest.fixture(scope="module")
@@ -208,103 +207,19 @@ def test_a_killed_worker_loses_and_doubles_nothing(engine, tmp_path, request):
     assert not list(found.folder.glob("*.tmp"))
 
 
-class _Scaled:
-    def __init__(self, factor):
-        self.factor = factor
-
-    def __call__(self, row):
-        return {"y": self.factor * row["x"]}
-
-    def method(self, row):
-        return {"y": self.factor * row["x"]}
-
-
-def _closure(factor):
-    return lambda row: {"y": factor * row["x"]}
-
-
-def _with_default(factor):
-    def task(row, factor=factor):
-        return {"y": factor * row["x"]}
-
-    return task
-
-
-def _partial(factor):
-    return functools.partial(lambda many, row: {"y": many[5] * row["x"]}, np.full(5000, factor))
-
-
-@pytest.mark.parametrize("make", [_closure, _with_default, _partial, _Scaled, lambda factor: _Scaled(factor).method])
-def test_a_folder_belongs_to_one_task(make, tmp_path):
-    rows = af.sweep(make(1), {"x": [1, 2]}, out=tmp_path).to_pandas()
-    assert rows["y"].tolist() == [1, 2]
-    assert af.sweep(make(1), {"x": [1, 2]}, out=tmp_path).computed == 0
-    with pytest.raises(ValueError, match="another task"):
-        af.sweep(make(10), {"x": [1, 2]}, out=tmp_path)
-
-
-def test_tasks_are_told_apart_by_all_that_they_call():
-    def identity_with(number):
-        """Of forty functions that call each other, with a number in the last one."""
-        names = {"number": number}
-        calls = " + ".join(f"f{j}(n - 1)" for j in range(40))
-        for k in range(40):
-            exec(f"def f{k}(n):\n    return {'number' if k == 39 else k} if n == 0 else {calls}", names)
-        return identity(names["f0"])
-
-    assert identity_with(1) == identity_with(1)
-    assert identity_with(1) != identity_with(2)
-    def of_class(number):
-        names = {"__name__": "tasks", "number": number, "functools": functools}
-        body = "\n".join([
-            "class Task:",
-            "    @property",
-            "    def value(self): return self.cached() + self.fixed()",
-            "    @functools.lru_cache",
-            "    def cached(self): return 1",
-            "    @staticmethod",
-            "    def fixed(): return number",
-        ])  # fmt: skip
-        exec(body, names)
-        return identity(names["Task"]())
-
-    assert of_class(1) == of_class(1)
-    assert of_class(1) != of_class(2)
-    shared = [1, 2]
-    assert identity([shared, shared]) == identity([[1, 2], [1, 2]])
-    shared.append(shared)
-    assert identity(shared) == identity(shared)
-    with pytest.raises(TypeError, match="cannot tell"):
-        identity(threading.Lock())
-
-
-def test_problems_are_told_apart_by_their_files(tmp_path):
-    table, out = tmp_path / "forces.csv", tmp_path / "out"
-
-    def motions(rows):
-        keys = {"space": "so3", "metric": [1, 2, 3], "initial": {"velocity": [0, 0, 1]}, "output": {"end": 1}}
-        return af.Motions(**keys, parameters={"k": 1}, forces={"table": rows})
-
-    def of_file(value):
-        table.write_text(f"t,M1,M2,M3\n0,0,0,{value}\n2,0,0,{value}\n")
-        return motions(str(table))
-
-    af.sweep(of_file(1), {"k": [1, 2]}, out=out)
-    assert af.sweep(of_file(1), {"k": [1, 2]}, out=out).computed == 0
-    with pytest.raises(ValueError, match="another task"):
-        af.sweep(of_file(2), {"k": [1, 2]}, out=out)
-    memory = tmp_path / "memory"
-    rows = np.array([[0, 0, 0, 1], [2, 0, 0, 1]])
-    af.sweep(motions(rows), {"k": [1]}, out=memory)
-    assert af.sweep(motions(rows), {"k": [1]}, out=memory).computed == 0
-    with pytest.raises(ValueError, match="another task"):
-        af.sweep(motions(2 * rows), {"k": [1]}, out=memory)
+def test_a_folder_belongs_to_one_version_of_a_task(tmp_path):
+    rows = af.sweep(harmless, {"x": [1, 2]}, out=tmp_path, version="1").to_pandas()
+    assert rows["y"].tolist() == [1, 4]
+    assert af.sweep(harmless, {"x": [1, 2]}, out=tmp_path, version="1").computed == 0
+    for other, options in (("version", {}), ("chunk", {"version": "1", "chunk": 1})):
+        with pytest.raises(ValueError, match=f"another {other}"):
+            af.sweep(harmless, {"x": [1, 2]}, out=tmp_path, **options)
 
 
 def test_names_and_seeds_of_sweeps():
     for grid in ({"row": [1]}, {"error": [1]}, {}):
         with pytest.raises(ValueError, match="rename the parameter|at least one"):
-            af.sweep(_closure(1), grid)
+            af.sweep(harmless, grid)
     for seed in (-1, 2**64):
         with pytest.raises(ValueError, match="a seed is from 0"):
             af.Draw(1, seed=seed, a="uniform(0, 1)")

@@ -10,7 +10,6 @@ import os
 import re
 import tempfile
 import time
-import uuid
 import weakref
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -21,7 +20,6 @@ from typing import Any
 import numpy as np
 
 from affinor import _engine
-from affinor._identity import identity
 from affinor._scalars import index
 from affinor.motion import Problem, components, interrupts
 
@@ -106,10 +104,6 @@ class Motions:
         results = {name: last[:, columns.index(name)].tolist() for name in chosen}
         return results, [_reason(error) if isinstance(error, Exception) else error for error in failed]
 
-    def fingerprint(self) -> str:
-        """What the result depends on."""
-        return repr((self.problem.identity(), self.columns))
-
 
 class Sweep:
     """The rows of a sweep: a Parquet data set in ``folder``, a file for each partition."""
@@ -121,7 +115,7 @@ class Sweep:
 
     @property
     def manifest(self) -> dict[str, Any]:
-        """The partitions with their numbers of rows and hashes."""
+        """What the sweep computes, and its partitions with their numbers of rows."""
         found: dict[str, Any] = json.loads((self.folder / _MANIFEST).read_text(encoding="utf-8"))
         return found
 
@@ -154,6 +148,7 @@ def sweep(
     on: Any = "process",
     out: str | os.PathLike[str] | None = None,
     chunk: int = 1000,
+    version: str = "",
     progress: bool = False,
 ) -> Sweep:
     """Runs a task for every row of a grid, and writes a Parquet data set with a file for each ``chunk`` of rows.
@@ -167,8 +162,8 @@ def sweep(
     floats. A result of another kind than the rows before it in its chunk is an error of its row; a chunk of another kind ends
     the sweep.
 
-    ``out`` is the folder. A sweep that was killed goes on where it was when it is called again. A folder of another task or
-    grid is refused: of other code, other values that it uses, or a problem whose files have changed.
+    ``out`` is the folder. A sweep that was killed goes on where it was when it is called again. A folder of another grid,
+    ``chunk`` or ``version`` is refused. ``version`` names the task: give another one when its code or what it reads changes.
     """
     if not isinstance(task, Motions) and not callable(task):
         raise TypeError(f"a task is a function of a dict or Motions, not {type(task).__name__}")
@@ -182,21 +177,21 @@ def sweep(
     if not names:
         raise ValueError("a grid has at least one parameter")
     with contextlib.ExitStack() as stack:
-        known = out is not None
         if out is None:
             out = stack.enter_context(tempfile.TemporaryDirectory(prefix="affinor-sweep-"))
         folder = Path(out).absolute()
         folder.mkdir(parents=True, exist_ok=True)
-        hashed = _fingerprint(task, source, chunk) if known else uuid.uuid4().hex
-        found = _run(task, source, folder, chunk, on, progress, hashed)
+        found = _run(task, source, folder, chunk, on, progress, version)
         # the rows live as long as the sweep
         weakref.finalize(found, stack.pop_all().close)
     return found
 
 
-def _run(task: Any, source: _Grid, folder: Path, chunk: int, on: Any, progress: bool, hashed: str) -> Sweep:
+def _run(task: Any, source: _Grid, folder: Path, chunk: int, on: Any, progress: bool, version: str) -> Sweep:
     """Computes the partitions that are missing in the folder."""
-    head = {"version": 1, "hash": hashed, "rows": len(source), "chunk": chunk}
+    from affinor import __version__
+
+    head = {"grid": source.digest(), "rows": len(source), "chunk": chunk, "version": version, "affinor": __version__}
     done = _begin(folder, head)
     starts = range(0, len(source), chunk)
     missing = [start for start in starts if _name(start // chunk) not in done]
@@ -216,9 +211,9 @@ def _run(task: Any, source: _Grid, folder: Path, chunk: int, on: Any, progress: 
         _unify(kinds, folder / name)
     engine, close = _engine_of(on)
     try:
-        for name, rows, digest in engine(parts(), hashed):
+        for name, rows in engine(parts()):
             _unify(kinds, folder / name)
-            done[name] = {"rows": rows, "sha256": digest}
+            done[name] = {"rows": rows}
             if bar is not None:
                 bar.update(rows)
     finally:
@@ -240,7 +235,7 @@ class _Grid:
         self.kinds: dict[str, Kind] = {}
         if isinstance(grid, Draw):
             self.kinds = {name: _kind_of(name, [0.0] if isinstance(law, str) else law) for name, law in grid.laws.items()}
-            self.length, self.description = len(grid), repr(("draw", grid.samples, grid.seed, identity(grid.laws)))
+            self.length = len(grid)
             return
         if isinstance(grid, Mapping):
             for name, values in grid.items():
@@ -248,18 +243,23 @@ class _Grid:
                     raise TypeError(f"the values of {name} are a list, not {type(values).__name__}")
             self.values = {str(name): list(values) for name, values in grid.items()}
             self.length = int(np.prod([len(values) for values in self.values.values()], dtype=np.int64))
-            self.description = repr(("product", identity(self.values)))
         elif hasattr(grid, "columns") and hasattr(grid, "to_dict"):
             self.values = {str(name): grid[name].tolist() for name in grid.columns}
             self.length = len(grid)
-            digest = hashlib.sha256(repr(identity(self.values)).encode()).hexdigest()
-            self.description = repr(("table", digest))
         else:
             raise TypeError(f"a grid is a dict of lists, a DataFrame or a Draw, not {type(grid).__name__}")
         self.kinds = {name: _kind_of(name, values) for name, values in self.values.items()}
 
     def __len__(self) -> int:
         return self.length
+
+    def digest(self) -> str:
+        """A hash of the values."""
+        draw = isinstance(self.grid, Draw)
+        values = self.grid.laws if draw else self.values
+        plain = [(name, law if isinstance(law, str) else [_plain(value) for value in law]) for name, law in values.items()]
+        written = repr((type(self.grid).__name__, self.grid.seed if draw else None, plain))
+        return hashlib.sha256(written.encode()).hexdigest()
 
     def rows(self, start: int, stop: int) -> Columns:
         if isinstance(self.grid, Draw):
@@ -283,8 +283,8 @@ def _name(part: int) -> str:
 
 def _partition(
     task: Any, start: int, rows: Columns, kinds: dict[str, Kind], folder: str, name: str, threads: int | None = None
-) -> tuple[str, int, str]:
-    """Computes a partition and writes it: its name, its number of rows, and the hash of the file."""
+) -> tuple[str, int]:
+    """Computes a partition and writes it: its name, and its number of rows."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
@@ -307,17 +307,14 @@ def _partition(
     kinds = {"row": "integer", **kinds, **found, "error": "text"}
     table = pa.table({key: _array(pa, values, kinds[key]) for key, values in columns.items()})
     table = table.replace_schema_metadata({"affinor": json.dumps(found)})
-    sink = pa.BufferOutputStream()
-    pq.write_table(table, sink, compression="zstd")
-    data = sink.getvalue().to_pybytes()
     # an equal run of this partition writes equal bytes in its place
     path = os.path.join(folder, f".{name}.{os.getpid()}.{time.time_ns()}.tmp")
     with open(path, "wb") as file:
-        file.write(data)
+        pq.write_table(table, file, compression="zstd")
         file.flush()
         os.fsync(file.fileno())
     os.replace(path, os.path.join(folder, name))
-    return name, count, hashlib.sha256(data).hexdigest()
+    return name, count
 
 
 def _each(
@@ -434,19 +431,11 @@ def _unify(kinds: dict[str, Kind], path: Path) -> None:
         kinds[key] = _common(key, kinds.get(key), kind)
 
 
-def _fingerprint(task: Any, source: _Grid, chunk: int) -> str:
-    """A hash of the task and the grid."""
-    if isinstance(task, Motions):
-        written = task.fingerprint()
-    else:
-        written = repr(identity(task))
-    from affinor import __version__
-
-    return hashlib.sha256(repr((written, source.description, chunk, __version__)).encode()).hexdigest()
-
-
 def _begin(folder: Path, head: Mapping[str, Any]) -> dict[str, Any]:
     """The partitions that are there; a folder of another sweep is refused."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
     path = folder / _MANIFEST
     if not path.exists():
         foreign = [item.name for item in folder.iterdir() if item.suffix == ".parquet"]
@@ -455,17 +444,14 @@ def _begin(folder: Path, head: Mapping[str, Any]) -> dict[str, Any]:
         _write_json(path, {**head, "partitions": {}})
         return {}
     before = json.loads(path.read_text(encoding="utf-8"))
-    if before.get("hash") != head["hash"]:
-        raise ValueError(f"{folder} has rows of another task, grid, chunk or version: choose another folder")
+    other = [key for key in head if before.get(key) != head[key]]
+    if other:
+        raise ValueError(f"{folder} has rows of another {other[0]}: choose another folder")
     done: dict[str, Any] = {}
     for item in folder.glob("part-*.parquet"):
-        data = item.read_bytes()
-        digest = hashlib.sha256(data).hexdigest()
-        known = before["partitions"].get(item.name)
-        if known is None or known["sha256"] == digest:
-            import pyarrow.parquet as pq
-
-            done[item.name] = {"rows": pq.read_metadata(item).num_rows, "sha256": digest}
+        # a damaged file is computed again
+        with contextlib.suppress(pa.ArrowException, OSError):
+            done[item.name] = {"rows": pq.read_metadata(item).num_rows}
     return done
 
 
@@ -477,7 +463,7 @@ def _write_json(path: Path, value: Any) -> None:
 
 # -- engines ---------------------------------------------------------------------------------------------------------------
 
-Engine = Callable[[Iterator[tuple[Any, ...]], str], Iterator[tuple[str, int, str]]]
+Engine = Callable[[Iterator[tuple[Any, ...]]], Iterator[tuple[str, int]]]
 
 
 def _engine_of(on: Any) -> tuple[Engine, Callable[[], Any]]:
@@ -494,28 +480,25 @@ def _engine_of(on: Any) -> tuple[Engine, Callable[[], Any]]:
             client.close()
             cluster.close()
 
-        return lambda parts, key: _on_dask(client, parts, key), close
+        return lambda parts: _on_dask(client, parts), close
     if hasattr(on, "submit") and hasattr(on, "scheduler_info"):
-        return lambda parts, key: _on_dask(on, parts, key), lambda: None
+        return lambda parts: _on_dask(on, parts), lambda: None
     if on == "ray" or getattr(on, "__name__", None) == "ray":
-        return lambda parts, key: _on_ray(parts), lambda: None
+        return _on_ray, lambda: None
     raise ValueError(f"a sweep runs on 'process', 'dask', a Client of dask.distributed, or 'ray', not {on!r}")
 
 
-def _in_process(parts: Iterator[tuple[Any, ...]], key: str) -> Iterator[tuple[str, int, str]]:
+def _in_process(parts: Iterator[tuple[Any, ...]]) -> Iterator[tuple[str, int]]:
     for part in parts:
         yield _partition(*part)
 
 
-def _on_dask(client: Any, parts: Iterator[tuple[Any, ...]], key: str) -> Iterator[tuple[str, int, str]]:
+def _on_dask(client: Any, parts: Iterator[tuple[Any, ...]]) -> Iterator[tuple[str, int]]:
     """As many partitions in flight as keep all workers busy; each future is released when it is done."""
     from dask.distributed import as_completed
 
-    # another sweep of the same task may write to another folder at the same time
-    tag = uuid.uuid4().hex
-
     def submit(part: tuple[Any, ...]) -> Any:
-        return client.submit(_partition, *part, 1, key=f"affinor-{key[:16]}-{tag}-{part[-1]}", pure=True)
+        return client.submit(_partition, *part, 1, pure=False)
 
     threads = sum(worker["nthreads"] for worker in client.scheduler_info(n_workers=-1)["workers"].values())
     first = [submit(part) for part in itertools.islice(parts, 2 * max(threads, 1) + 2)]
@@ -527,7 +510,7 @@ def _on_dask(client: Any, parts: Iterator[tuple[Any, ...]], key: str) -> Iterato
             flying.add(submit(part))
 
 
-def _on_ray(parts: Iterator[tuple[Any, ...]]) -> Iterator[tuple[str, int, str]]:
+def _on_ray(parts: Iterator[tuple[Any, ...]]) -> Iterator[tuple[str, int]]:
     import ray
 
     if not ray.is_initialized():

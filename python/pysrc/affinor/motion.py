@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from affinor import _engine
-from affinor._identity import identity, of_file, of_files
 from affinor._scalars import Symbols, document, floats, index, text_of
 
 __all__ = ["Problem", "Trajectory", "convergence", "simulate"]
@@ -85,15 +84,8 @@ class Problem:
 
     def _open(self) -> None:
         path, text, options = self._arguments
-        contents = of_file(Path(path)) if path is not None and os.path.isfile(path) else path
-        # the file of a table in memory has another name each time: its content counts
-        self._contents = repr((contents, of_files(None if text is None else json.loads(text), Path())))
         named = None if text is None else ("problem", text)
         self._engine = _engine.Problem(path, named, **options)
-
-    def identity(self) -> Any:
-        """What its motion depends on, with the contents of files as they were read."""
-        return self._contents, identity(self._arguments[2])
 
     def _document(self, keys: Mapping[str, Any], symbols: Symbols) -> Any:
         forces = keys.get("forces")
