@@ -232,8 +232,10 @@ fn after_86_the_derivative_elsewhere_takes_the_tangent_operator() {
 fn eq_86_the_tangent_operator_of_rotations() {
     let q = Vector3::new(0.7, -1.9, 1.1);
     let (angle, spin) = (q.norm(), matrices::so3().combine(q.as_slice()));
-    let [left, right] =
-        [So3.operator(|v| So3.tangent_left(&q, v)), So3.operator(|v| So3.tangent_right(&q, v))];
+    let [left, right] = [
+        So3.operator_matrix(|v| So3.tangent_left(&q, v)),
+        So3.operator_matrix(|v| So3.tangent_right(&q, v)),
+    ];
     // 1 - (1 - cos)/th^2 q~ + (th - sin)/th^3 q~^2
     let closed = DMatrix::identity(3, 3) - &spin * ((1.0 - angle.cos()) / angle.powi(2))
         + &spin * &spin * ((angle - angle.sin()) / angle.powi(3));
@@ -244,7 +246,7 @@ fn eq_86_the_tangent_operator_of_rotations() {
     // det T = 2 (1 - cos)/th^2: zero at 2 pi k alone
     let n = q / angle;
     for angle in [1e-4_f64, 0.5, 3.0, PI, 5.0, 9.0, TAU, 2.0 * TAU] {
-        let t = So3.operator(|v| So3.tangent_left(&(n * angle), v));
+        let t = So3.operator_matrix(|v| So3.tangent_left(&(n * angle), v));
         let expected = (2.0 * (angle / 2.0).sin() / angle).powi(2);
         assert!((t.determinant() - expected).abs() < 1e-14, "{angle}");
     }

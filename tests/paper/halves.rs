@@ -67,7 +67,7 @@ fn eq_71_translation_by_zero_is_by_square_roots() {
         let b = translation(group, Zero).along_subgroup(&x).unwrap();
         // A = exp(ad_x/2)
         let half = group.exp(&(x.clone() * 0.5));
-        same(&matrices::inverse(&b), &group.operator(|v| group.adjoint(&half, v)), name);
+        same(&matrices::inverse(&b), &group.operator_matrix(|v| group.adjoint(&half, v)), name);
         // P hat(B u) = sqrt(P) hat(u) sqrt(P), with the root from the matrices
         let root = (hat(basis, &x) * 0.5).exp();
         let carried = G::Vector::from_components((&b * column(&u)).as_slice());
@@ -126,7 +126,7 @@ fn after_71_around_the_closed_subgroup() {
     assert!(distance(&whole, &DMatrix::identity(4, 4)) < 1e-14, "closed");
     let half = Se3.exp(&(turn * 0.5));
     let zero = translation(&Se3, Zero).along_subgroup(&turn).unwrap();
-    assert!(distance(&zero, &Se3.operator(|v| Se3.adjoint(&half, v))) < 1e-13);
+    assert!(distance(&zero, &Se3.operator_matrix(|v| Se3.adjoint(&half, v))) < 1e-13);
     assert!(distance(&zero, &DMatrix::identity(6, 6)) > 0.1);
     let plus = translation(&Se3, Plus).along_subgroup(&turn).unwrap();
     assert!(distance(&plus, &DMatrix::identity(6, 6)) < 1e-13);
@@ -232,7 +232,7 @@ fn claim_after_71_on_the_motions_of_a_plane() {
     let start = path(&Se2)(0.4);
     let momentum = |g: &<Se2 as LieGroup>::Element, w: &Vector3<f64>| {
         let back = Se2.inverse(g);
-        Se2.operator(|v| Se2.adjoint(&back, v)).transpose() * (&j * column(w))
+        Se2.operator_matrix(|v| Se2.adjoint(&back, v)).transpose() * (&j * column(w))
     };
     let TangentVector { base: g, left: w } =
         &body.autoparallel(&start, &omega, &[2.0], 1e-12).unwrap()[0];

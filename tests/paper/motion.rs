@@ -195,7 +195,7 @@ fn eq_49_to_51_translation_along_a_ray() {
             );
             same(&a, &(&ad * t).exp(), name);
             same(&b, &(&ad * -t).exp(), name);
-            same(&a, &group.operator(|v| group.adjoint(&p, v)), name);
+            same(&a, &group.operator_matrix(|v| group.adjoint(&p, v)), name);
             assert!(distance(&a, &b) > 1e-2, "{name}");
         }
     }
@@ -276,7 +276,7 @@ fn eq_58_omega_translated_along_rays_is_parallel() {
 
 /// The dimension of the vectors that `Ad_g` leaves alone.
 fn fixed(g: &nalgebra::UnitQuaternion<f64>) -> usize {
-    3 - (So3.operator(|v| So3.adjoint(g, v)) - DMatrix::identity(3, 3)).rank(1e-9)
+    3 - (So3.operator_matrix(|v| So3.adjoint(g, v)) - DMatrix::identity(3, 3)).rank(1e-9)
 }
 
 #[test]

@@ -15,7 +15,7 @@ macro_rules! on_every_group {
         $law("SE(2)", &Se2, &matrices::se2());
         $law("SE(3)", &Se3, &matrices::se3());
         $law("SL(2,R)", &Sl2, &on_groups::sl2());
-        $law("Heisenberg", &Heisenberg::<3>, &matrices::heisenberg());
+        $law("Heisenberg", &Heisenberg::<nalgebra::Const<3>>::new(), &matrices::heisenberg());
         $law("Aff(1)", &on_groups::affine(), &matrices::affine());
     }};
 }

@@ -166,8 +166,8 @@ fn rust(report: &str, text: &str, show: &str, kind: &str) -> String {
         return format!(
             "use affinor_documents::problem::Problem;\n\n{head}\nfn main() -> Result<(), Box<dyn std::error::Error>> {{\n    \
              let problem = Problem::parse(\"problem.toml\", TEXT)?;\n    let ready = problem.motion(0)?;\n    \
-             let columns = ready.columns.clone();\n    let (mut walk, mut last) = (problem.walk(ready), vec![]);\n    \
-             loop {{\n        let step = walk.step()?;\n        last = step.rows.last().cloned().unwrap_or(last);\n        \
+             let columns = ready.columns.clone();\n    let (mut integration, mut last) = (problem.integrate(ready), vec![]);\n    \
+             loop {{\n        let step = integration.step()?;\n        last = step.rows.last().cloned().unwrap_or(last);\n        \
              if step.done {{\n            break;\n        }}\n    }}\n    \
              for (column, value) in columns.iter().zip(last) {{\n        println!(\"{{}} {{value}}\", column.name);\n    }}\n    Ok(())\n}}\n"
         );

@@ -11,9 +11,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let problem = Problem::parse("problem.toml", TEXT)?;
     let ready = problem.motion(0)?;
     let columns = ready.columns.clone();
-    let (mut walk, mut last) = (problem.walk(ready), vec![]);
+    let (mut integration, mut last) = (problem.integrate(ready), vec![]);
     loop {
-        let step = walk.step()?;
+        let step = integration.step()?;
         last = step.rows.last().cloned().unwrap_or(last);
         if step.done {
             break;
