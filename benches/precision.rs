@@ -26,16 +26,15 @@ mod satellite;
 #[path = "precision/sweep.rs"]
 mod sweep;
 
-use affinor::group::{Coordinates, Embedded, LieGroup, Se3, So3};
+use affinor::group::{Coordinates, Embedded, Se3, So3, TranslationSplit};
 use affinor::mechanics::integrators::Pair;
 use affinor::mechanics::integrators::kick::{FreeMotion, Order as KickOrder};
 use affinor::mechanics::integrators::moser_veselov::Order;
 use affinor::mechanics::integrators::runge_kutta::LocalCoordinates;
-use affinor::mechanics::integrators::splitting::Composition;
 use affinor::mechanics::systems::euler_poincare::{Free, Torque};
 use affinor::mechanics::{
-    Adaptive, BodyState, CommutatorFree, CrouchGrossman, EulerPoincare, FreeBody, Integrator, Kick,
-    MoserVeselov, MuntheKaas, Projected, SimoWong, Splitting, State,
+    Adaptive, BodyState, CommutatorFree, EulerPoincare, FreeBody, Integrator, Kick, MoserVeselov,
+    MuntheKaas, Projected, SimoWong, State,
 };
 use nalgebra::{UnitQuaternion, Vector3};
 use problem::Problem;
@@ -112,8 +111,6 @@ fn free_body(name: &'static str, motion: &str, time: &str, few: u64) {
     let system = problem.system(So3, Free);
     let case = Case { sweep: &sweep, system: &system, few, seen: body_momentum };
     case.any_group();
-    case.steps("Strang", || Splitting::new(&inertia, Composition::Strang));
-    case.steps("Suzuki", || Splitting::new(&inertia, Composition::Suzuki));
     case.steps("Simo-Wong", || SimoWong::new(&inertia));
     plain::body(&sweep, &problem, few);
 }
@@ -149,20 +146,19 @@ fn satellite(name: &'static str, (problem, mu): &(Problem, f64), few: u64) {
 }
 
 /// A system on a group, the fewest steps, and what is compared with the reference.
-struct Case<'c, G: LieGroup, M> {
+struct Case<'c, G: TranslationSplit, M> {
     sweep: &'c Sweep<'c>,
     system: &'c EulerPoincare<G, M>,
     few: u64,
     seen: fn(&EulerPoincare<G, M>, &State<G>) -> Seen,
 }
 
-impl<G: Embedded, M: Torque<G>> Case<'_, G, M> {
+impl<G: Embedded + TranslationSplit, M: Torque<G>> Case<'_, G, M> {
     /// The methods for all groups.
     fn any_group(&self) {
         self.steps("RKMK4", || MuntheKaas::RK4);
         self.steps("projected RK4", || Projected::RK4);
         self.steps("CF4", || CommutatorFree);
-        self.steps("CG3", || CrouchGrossman);
         let length = self.sweep.reference.length;
         for (name, projected, pair) in
             [("RKMK54", "projected DP54", Pair::Five), ("RKMK853", "projected DP853", Pair::Eight)]
@@ -210,7 +206,7 @@ impl<G: Embedded, M: Torque<G>> Case<'_, G, M> {
     }
 }
 
-fn body_momentum<G: LieGroup, M: Torque<G>>(
+fn body_momentum<G: TranslationSplit, M: Torque<G>>(
     system: &EulerPoincare<G, M>,
     state: &State<G>,
 ) -> Seen {
@@ -231,8 +227,6 @@ fn steps() {
         per_step(&format!("{name}, many at once"), "SO(3)", many);
         one_by_one(name, "SO(3)", &free, &method);
     }
-    one_by_one("Strang", "SO(3)", &free, &Splitting::new(&inertia, Composition::Strang));
-    one_by_one("Suzuki", "SO(3)", &free, &Splitting::new(&inertia, Composition::Suzuki));
     one_by_one("Simo-Wong", "SO(3)", &free, &SimoWong::new(&inertia));
     runge_kutta("SO(3)", &free);
     plain::steps(&body);
@@ -252,7 +246,10 @@ fn steps() {
     runge_kutta("SE(3)", &rigid.system(Se3, Free));
 }
 
-fn runge_kutta<G: Embedded, M: Torque<G>>(place: &str, system: &EulerPoincare<G, M>) {
+fn runge_kutta<G: Embedded + TranslationSplit, M: Torque<G>>(
+    place: &str,
+    system: &EulerPoincare<G, M>,
+) {
     one_by_one("RKMK4", place, system, &MuntheKaas::RK4);
     one_by_one("RKMK5 of RKMK54", place, system, &MuntheKaas::DORMAND_PRINCE);
     one_by_one("RKMK8 of RKMK853", place, system, &MuntheKaas::DORMAND_PRINCE_8);
@@ -260,10 +257,9 @@ fn runge_kutta<G: Embedded, M: Torque<G>>(place: &str, system: &EulerPoincare<G,
     one_by_one("projected DP5", place, system, &Projected::DORMAND_PRINCE);
     one_by_one("projected DP8", place, system, &Projected::DORMAND_PRINCE_8);
     one_by_one("CF4", place, system, &CommutatorFree);
-    one_by_one("CG3", place, system, &CrouchGrossman);
 }
 
-fn one_by_one<G: LieGroup, M: Torque<G>>(
+fn one_by_one<G: TranslationSplit, M: Torque<G>>(
     name: &str,
     place: &str,
     system: &EulerPoincare<G, M>,

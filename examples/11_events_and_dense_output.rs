@@ -4,7 +4,7 @@
 //! any time to the accuracy of the method.
 
 use affinor::group::{LieGroup, So3};
-use affinor::mechanics::events::{Direction, Event, Then};
+use affinor::mechanics::events::{AfterEvent, Direction, Event};
 use affinor::mechanics::{Adaptive, BodyState, EulerPoincare, FreeBody, Inertia, State};
 use affinor::{Canonical, Connection, Metric};
 use nalgebra::Vector3;
@@ -19,8 +19,8 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     // a flip is a sign change of the second component of the velocity; the flip back stops the run
     let omega = |state: &State<So3>| body.velocity(state).y;
     let events = vec![
-        Event::new(omega, Direction::Falling, Then::GoOn),
-        Event::new(omega, Direction::Rising, Then::Stop),
+        Event::new(omega, Direction::Falling, AfterEvent::GoOn),
+        Event::new(omega, Direction::Rising, AfterEvent::Stop),
     ];
     let trajectory = Adaptive::of_order_8(1e-12).run(&body, &start, 100.0, events)?;
     let flips: Vec<f64> = trajectory.events().iter().map(|event| event.state.time).collect();

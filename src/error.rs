@@ -443,12 +443,6 @@ pub enum Error {
         /// Why.
         reason: String,
     },
-    /// A saved state that cannot be written or restored.
-    #[error("the saved state is of no use: {reason}")]
-    Snapshot {
-        /// Why.
-        reason: String,
-    },
     /// A value that left the range of `f64`.
     #[error("{component} = {value}: the computation left the range of f64")]
     Overflow {

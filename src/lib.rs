@@ -9,6 +9,7 @@
 //! - [`algebra`]: frames, brackets, Lie algebras, the catalogue of named algebras;
 //! - [`geometry`]: connections, metrics, torsion, curvature, charts, forms, homogeneous spaces;
 //! - [`group`]: group elements in `f64`: exp, log, adjoint, parallel transport;
+//! - [`numerics`]: matrix exponentials and tableaux, below groups and mechanics;
 //! - [`mechanics`]: rigid bodies, Euler-Poincare and Lie-Poisson systems, integrators.
 //!
 //! Three types carry the geometry. A [`Frame`] has structure functions and derivations. A
@@ -35,6 +36,7 @@ mod error;
 pub mod geometry;
 pub mod group;
 pub mod mechanics;
+pub mod numerics;
 #[cfg(feature = "serde")]
 mod serial;
 

@@ -9,7 +9,7 @@
 //! - [`events`]: sign changes of functions along a trajectory;
 //! - [`bodies`]: [`MassProperties`] of shapes, meshes and points, and the [`FreeBody`], whose attitude and momentum at any time
 //!   are known in closed form;
-//! - [`formula`] and [`motions`]: systems, forces and columns as formulas, chosen at run time.
+//! - [`formula`] and [`simulation`]: systems, forces and columns as formulas, chosen at run time.
 //!
 //! Attitudes map body to spatial components, `Rdot = R spin(Omega)`. Momentum `H = J Omega` and velocity are in body components,
 //! `Hdot = H cross Omega` is (108) without torque, and `R H` is the spatial momentum.
@@ -18,13 +18,16 @@ pub mod bodies;
 pub mod events;
 pub mod formula;
 pub mod integrators;
-pub mod motions;
+pub mod simulation;
+
 pub mod systems;
 
 pub use bodies::{BodyState, FreeBody, Inertia, MassProperties, Mesh};
-pub use integrators::{Adaptive, CommutatorFree, Composed, CrouchGrossman, GeneralisedAlpha};
-pub use integrators::{Integrator, IsospectralMidpoint, Kick, Linear, Magnus, MoserVeselov};
-pub use integrators::{KinematicState, MuntheKaas, Projected, SimoWong, Splitting, Trajectory};
+pub use integrators::{Adaptive, CommutatorFree, Composed, GeneralisedAlpha};
+pub use integrators::{
+    Integrator, IsospectralMidpoint, Kick, Magnus, MoserVeselov, PrescribedVelocity,
+};
+pub use integrators::{KinematicState, MuntheKaas, Projected, SimoWong, Trajectory};
 pub use systems::Zeitlin;
 pub use systems::{Constrained, ConstrainedState, Constraint, CotangentSystem, EulerPoincare};
 pub use systems::{Isospectral, LiePoissonSystem, Manakov, MatrixState, State, System, Toda};

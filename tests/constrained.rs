@@ -1,7 +1,9 @@
 //! Constrained systems: the heavy top on R^3 x SO(3) and on SE(3) against 30 digits, and simpler ones against closed forms.
 
 use crate::common::steps::run;
-use affinor::group::{LieGroup, MatrixGroup, Product, Se2, Se3, So3, Translations};
+use affinor::group::{
+    LieGroup, MatrixGroup, Product, Se2, Se3, So3, TranslationSplit, Translations,
+};
 use affinor::mechanics::bodies::elliptic::Jacobi;
 use affinor::mechanics::systems::euler_poincare::{Free, Torque};
 use affinor::mechanics::{
@@ -11,7 +13,7 @@ use affinor::mechanics::{
 use affinor::{Canonical, Connection, Error, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{
-    DMatrix, DVector, Isometry3, Matrix3, UnitQuaternion, Vector2, Vector3, Vector6, dvector,
+    Const, DMatrix, DVector, Isometry3, Matrix3, UnitQuaternion, Vector2, Vector3, Vector6, dvector,
 };
 
 const MASS: f64 = 15.0;
@@ -21,17 +23,17 @@ const SPIN: Vector3<f64> = Vector3::new(0.0, 150.0, -4.61538);
 /// The centre of mass from the fixed point, in the body.
 const ARM: Vector3<f64> = Vector3::new(0.0, 1.0, 0.0);
 
-type Space = Product<Translations<3>, So3>;
-const SPACE: Space = Product(Translations::<3>, So3);
+type Space = Product<Translations<Const<3>>, So3>;
+const SPACE: Space = Product(Translations(Const::<3>), So3);
 
-fn metric<G: LieGroup>(group: &G, diagonal: &[f64]) -> Metric<f64> {
+fn metric<G: TranslationSplit>(group: &G, diagonal: &[f64]) -> Metric<f64> {
     let entries: Vec<_> = diagonal.iter().enumerate().map(|(i, x)| ([i, i], *x)).collect();
     let tensor = Tensor::from_components(diagonal.len(), &[Down, Down], entries).unwrap();
     Metric::new(group.algebra().unwrap().labels(), tensor).unwrap()
 }
 
 /// With the connection `plus`.
-fn constrained<G: LieGroup, C: Constraint<G>, M: Torque<G>>(
+fn constrained<G: TranslationSplit, C: Constraint<G>, M: Torque<G>>(
     group: G,
     metric: &Metric<f64>,
     force: M,
@@ -77,7 +79,7 @@ impl Constraint<Se3> for Support {
 }
 
 /// What the two descriptions of the top have in common.
-trait Top: LieGroup + Copy {
+trait Top: TranslationSplit + Copy {
     fn forces() -> impl Torque<Self>;
     fn masses() -> [f64; 6];
     fn upright() -> (Self::Element, Self::Vector);
@@ -292,7 +294,7 @@ fn multipliers_have_no_transient() {
 /// No equations at all.
 struct Nothing;
 
-impl<G: LieGroup> Constraint<G> for Nothing {
+impl<G: TranslationSplit> Constraint<G> for Nothing {
     fn value(&self, _: &G::Element) -> DVector<f64> {
         DVector::zeros(0)
     }
@@ -350,7 +352,7 @@ fn a_connection_is_a_choice() {
 /// `(|x|^2 - 1)/2 = 0`.
 struct Rod;
 
-impl Constraint<Translations<2>> for Rod {
+impl Constraint<Translations<Const<2>>> for Rod {
     fn value(&self, x: &Vector2<f64>) -> DVector<f64> {
         dvector![0.5 * (x.norm_squared() - 1.0)]
     }
@@ -360,8 +362,8 @@ impl Constraint<Translations<2>> for Rod {
     }
 }
 
-fn pendulum() -> Constrained<Translations<2>, Rod, impl Torque<Translations<2>>> {
-    let plane = Translations::<2>;
+fn pendulum() -> Constrained<Translations<Const<2>>, Rod, impl Torque<Translations<Const<2>>>> {
+    let plane = Translations(Const::<2>);
     let gravity = |_: f64, _: &Vector2<f64>, _: &Vector2<f64>| Vector2::new(0.0, -1.0);
     constrained(plane, &metric(&plane, &[1.0, 1.0]), gravity, Rod).unwrap()
 }
@@ -398,7 +400,7 @@ fn the_pendulum_is_elliptic() {
 #[derive(Clone)]
 struct Curve;
 
-type Line = Product<MatrixGroup, Translations<1>>;
+type Line = Product<MatrixGroup, Translations<Const<1>>>;
 
 impl Constraint<Line> for Curve {
     fn value(&self, (g, x): &<Line as LieGroup>::Element) -> DVector<f64> {
@@ -415,7 +417,7 @@ impl Constraint<Line> for Curve {
 fn energy_on_the_affine_group() {
     let stretch = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 0.0]);
     let shift = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 0.0, 0.0]);
-    let group = Product(MatrixGroup::new(&[stretch, shift]).unwrap(), Translations::<1>);
+    let group = Product(MatrixGroup::new(&[stretch, shift]).unwrap(), Translations(Const::<1>));
     let mass = |[i, j]: [usize; 2]| f64::from(u8::from(i == j)) + 0.4 / (1.0 + (i + j) as f64);
     let mass = Tensor::from_fn(3, [Down, Down], mass).unwrap();
     let mass = Metric::new(group.algebra().unwrap().labels(), mass).unwrap();
@@ -445,7 +447,7 @@ fn energy_on_the_affine_group() {
 /// A constraint twice.
 struct Twice;
 
-impl Constraint<Translations<2>> for Twice {
+impl Constraint<Translations<Const<2>>> for Twice {
     fn value(&self, x: &Vector2<f64>) -> DVector<f64> {
         dvector![x.x, 2.0 * x.x]
     }
@@ -458,7 +460,7 @@ impl Constraint<Translations<2>> for Twice {
 /// A gradient that is another function's.
 struct Wrong(DMatrix<f64>);
 
-impl Constraint<Translations<2>> for Wrong {
+impl Constraint<Translations<Const<2>>> for Wrong {
     fn value(&self, x: &Vector2<f64>) -> DVector<f64> {
         dvector![x.x]
     }
@@ -470,7 +472,7 @@ impl Constraint<Translations<2>> for Wrong {
 
 #[test]
 fn what_is_no_state_is_refused() {
-    let plane = Translations::<2>;
+    let plane = Translations(Const::<2>);
     let unit = metric(&plane, &[1.0, 1.0]);
     let zero = Vector2::zeros();
     fn reason<T: std::fmt::Debug>(result: Result<T, Error>) -> String {
@@ -518,7 +520,7 @@ fn steps_that_cannot_be_leave_the_state() {
         unchanged(&GeneralisedAlpha { spectral_radius }, 0.1);
     }
     // a force that ends
-    let plane = Translations::<2>;
+    let plane = Translations(Const::<2>);
     let gravity = |t: f64, _: &Vector2<f64>, _: &Vector2<f64>| Vector2::new(0.0, -(1.0 - t).sqrt());
     let system = constrained(plane, &metric(&plane, &[1.0, 1.0]), gravity, Rod).unwrap();
     let mut state = system.state(0.0, Vector2::new(1.0, 0.0), &Vector2::zeros()).unwrap();

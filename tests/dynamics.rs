@@ -2,15 +2,17 @@
 
 use crate::common::steps::run;
 use affinor::geometry::equations::Equations;
-use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So3};
+use affinor::group::{
+    Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So3, TranslationSplit,
+};
 use affinor::mechanics::systems::euler_poincare::{Free, Torque};
 use affinor::mechanics::{Adaptive, CommutatorFree, EulerPoincare, Integrator, MuntheKaas, State};
 use affinor::{Canonical, Connection, Error, Metric};
 use affinor_tensors::{Down, Tensor};
-use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3, Vector6};
+use nalgebra::{Const, DMatrix, DVector, Matrix3, UnitQuaternion, Vector3, Vector6};
 
 /// A positive definite metric that is not diagonal.
-fn full<G: LieGroup>(group: &G) -> Metric<f64> {
+fn full<G: TranslationSplit>(group: &G) -> Metric<f64> {
     let algebra = group.algebra().unwrap();
     let n = group.dimension();
     let entry = |[i, j]: [usize; 2]| match i.abs_diff(j) {
@@ -22,7 +24,7 @@ fn full<G: LieGroup>(group: &G) -> Metric<f64> {
     Metric::new(algebra.labels(), metric).unwrap()
 }
 
-fn system<G: LieGroup, M: Torque<G>>(
+fn system<G: TranslationSplit, M: Torque<G>>(
     group: G,
     which: Canonical,
     metric: &Metric<f64>,
@@ -40,7 +42,7 @@ fn rigid(moments: [f64; 3]) -> Metric<f64> {
 }
 
 /// How far two elements are from each other.
-fn distance<G: LieGroup>(group: &G, a: &State<G>, b: &State<G>) -> f64 {
+fn distance<G: TranslationSplit>(group: &G, a: &State<G>, b: &State<G>) -> f64 {
     let between = group.compose(&group.inverse(&a.element), &b.element);
     let x = group.log(&between).unwrap();
     let spatial = a.spatial.clone() - b.spatial.clone();
@@ -50,7 +52,7 @@ fn distance<G: LieGroup>(group: &G, a: &State<G>, b: &State<G>) -> f64 {
 
 /// The observed order over four halvings is the nominal one within 0.1, with a torque that depends
 /// on time, place and velocity, and a connection that does not conserve `h`.
-fn orders<G: LieGroup + Clone>(group: G, velocity: &G::Vector, steps: usize) {
+fn orders<G: TranslationSplit + Clone>(group: G, velocity: &G::Vector, steps: usize) {
     let n = group.dimension();
     let torque = |time: f64, _: &G::Element, omega: &G::Vector| {
         G::Vector::from_fn(n, |i| 0.1 * (time + i as f64).sin() - 0.1 * omega.components()[i])
@@ -216,7 +218,7 @@ fn kirchhoff() {
 
 /// The velocity changes as [`Equations`] say, on a group where brackets and adjoint action are another piece of
 /// code, for both connections: this sees a wrong side or sign of `Ad*`, which energy and Casimirs do not.
-fn rates<G: LieGroup + Clone>(group: G, velocity: &G::Vector) {
+fn rates<G: TranslationSplit + Clone>(group: G, velocity: &G::Vector) {
     let n = group.dimension();
     let (algebra, metric) = (group.algebra().unwrap(), full(&group));
     let force: Vec<f64> = (0..n).map(|i| 0.3 - 0.2 * i as f64).collect();
@@ -249,7 +251,7 @@ fn rates_are_those_of_the_equations() {
     rates(Se3, &Vector6::new(0.5, -0.3, 0.6, 0.4, 0.2, -0.5));
     rates(Sl2, &Vector3::new(0.3, -0.5, 0.2));
     rates(So3, &Vector3::new(0.9, -0.5, 1.1));
-    rates(Heisenberg::<3>, &Vector3::new(0.9, -0.5, 1.1));
+    rates(Heisenberg::<Const<3>>::new(), &Vector3::new(0.9, -0.5, 1.1));
 }
 
 /// The rates are Euler's equations for an inertia that is not diagonal.

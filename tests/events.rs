@@ -2,7 +2,7 @@
 
 use crate::common::property::properties;
 use affinor::group::{LieGroup, So3};
-use affinor::mechanics::events::{Direction, Event, Then, Watch};
+use affinor::mechanics::events::{AfterEvent, Direction, Event, EventDetector};
 use affinor::mechanics::integrators::dense_output::Step;
 use affinor::mechanics::integrators::moser_veselov::Order;
 use affinor::mechanics::systems::euler_poincare::Free;
@@ -44,26 +44,26 @@ fn events(
     count: usize,
 ) -> (Vec<(usize, f64)>, f64) {
     let mut state = start;
-    let mut watch = Watch::new(watched, &Clock, &state).unwrap();
+    let mut watch = EventDetector::new(watched, &Clock, &state).unwrap();
     let mut found = vec![];
     for _ in 0..count {
         let step = Step { system: &Clock, method: &Tick, start: state, length };
         let crossings = watch.advance(&step, &mut state).unwrap();
         found.extend(crossings.iter().map(|crossing| (crossing.event, crossing.state)));
-        if crossings.iter().any(|crossing| crossing.then == Then::Stop) {
+        if crossings.iter().any(|crossing| crossing.then == AfterEvent::Stop) {
             break;
         }
     }
     (found, state)
 }
 
-fn at<'a>(f: impl Fn(f64) -> f64 + 'a, direction: Direction, then: Then) -> Event<'a, f64> {
+fn at<'a>(f: impl Fn(f64) -> f64 + 'a, direction: Direction, then: AfterEvent) -> Event<'a, f64> {
     Event::new(move |t: &f64| f(*t), direction, then)
 }
 
 #[test]
 fn a_zero_at_the_end_of_a_step_counts_once() {
-    let zero = |direction| vec![at(|t| t - 1.0, direction, Then::GoOn)];
+    let zero = |direction| vec![at(|t| t - 1.0, direction, AfterEvent::GoOn)];
     assert_eq!(events(zero(Direction::Both), 0.0, 0.25, 20).0, [(0, 1.0)]);
     assert_eq!(events(zero(Direction::Rising), 0.0, 0.25, 20).0, [(0, 1.0)]);
     assert_eq!(events(zero(Direction::Falling), 0.0, 0.25, 20).0, []);
@@ -80,28 +80,28 @@ fn a_zero_at_the_end_of_a_step_counts_once() {
 fn directions_and_ends() {
     use std::f64::consts::PI;
     let sine = |direction, then| at(|t: f64| t.sin(), direction, then);
-    let (found, _) = events(vec![sine(Direction::Both, Then::GoOn)], 0.5, 0.1, 200);
+    let (found, _) = events(vec![sine(Direction::Both, AfterEvent::GoOn)], 0.5, 0.1, 200);
     let times: Vec<f64> = (1..=6).map(|k| f64::from(k) * PI).collect();
     assert_eq!(found.len(), times.len());
     for ((_, found), time) in found.iter().zip(&times) {
         assert!((found - time).abs() <= 4e-16 * time, "{found} {time}");
     }
-    let (rising, _) = events(vec![sine(Direction::Rising, Then::GoOn)], 0.5, 0.1, 200);
+    let (rising, _) = events(vec![sine(Direction::Rising, AfterEvent::GoOn)], 0.5, 0.1, 200);
     assert_eq!(rising.len(), 3);
     // the first that stops ends the run; what comes later in the step is left for a run that goes on
     let watched = || {
         vec![
-            at(|t: f64| t - 1.03, Direction::Both, Then::GoOn),
-            at(|t: f64| t - 1.02, Direction::Both, Then::Stop),
-            at(|t: f64| 1.01 - t, Direction::Both, Then::GoOn),
-            at(|t: f64| t - 1.02, Direction::Both, Then::GoOn),
+            at(|t: f64| t - 1.03, Direction::Both, AfterEvent::GoOn),
+            at(|t: f64| t - 1.02, Direction::Both, AfterEvent::Stop),
+            at(|t: f64| 1.01 - t, Direction::Both, AfterEvent::GoOn),
+            at(|t: f64| t - 1.02, Direction::Both, AfterEvent::GoOn),
         ]
     };
     let (found, end) = events(watched(), 0.0, 0.25, 20);
     let numbers: Vec<usize> = found.iter().map(|(number, _)| *number).collect();
     assert_eq!((numbers, end), (vec![2, 1], 1.02));
     let mut state = 0.75;
-    let mut watch = Watch::new(watched(), &Clock, &state).unwrap();
+    let mut watch = EventDetector::new(watched(), &Clock, &state).unwrap();
     let mut numbers = vec![];
     for _ in 0..2 {
         let step = Step { system: &Clock, method: &Tick, start: state, length: 0.25 };
@@ -121,22 +121,30 @@ fn directions_and_ends() {
 fn poles_are_no_zeros() {
     let pole = |p: f64| move |t: f64| 1.0 / (t - p);
     for p in [0.25, 0.3, 1.0, 1.0 / 3.0, 1.999_999_9, 2.000_000_1] {
-        let found = events(vec![at(pole(p), Direction::Both, Then::Stop)], 0.0, 1.0, 4);
+        let found = events(vec![at(pole(p), Direction::Both, AfterEvent::Stop)], 0.0, 1.0, 4);
         assert_eq!(found, (vec![], 4.0), "{p}");
         let cubic = move |t: f64| (t - p).powi(-3);
-        assert!(events(vec![at(cubic, Direction::Both, Then::GoOn)], 0.0, 1.0, 4).0.is_empty());
+        assert!(
+            events(vec![at(cubic, Direction::Both, AfterEvent::GoOn)], 0.0, 1.0, 4).0.is_empty()
+        );
         let root = move |t: f64| (t - p).cbrt();
-        assert_eq!(events(vec![at(root, Direction::Both, Then::GoOn)], 0.0, 1.0, 4).0.len(), 1);
+        assert_eq!(
+            events(vec![at(root, Direction::Both, AfterEvent::GoOn)], 0.0, 1.0, 4).0.len(),
+            1
+        );
         let jump = move |t: f64| (t - p).signum();
-        assert_eq!(events(vec![at(jump, Direction::Both, Then::GoOn)], 0.0, 1.0, 4).0.len(), 1);
+        assert_eq!(
+            events(vec![at(jump, Direction::Both, AfterEvent::GoOn)], 0.0, 1.0, 4).0.len(),
+            1
+        );
     }
     // zeros at multiples of pi, poles between
-    let found = events(vec![at(f64::tan, Direction::Both, Then::GoOn)], 0.5, 0.25, 80).0;
+    let found = events(vec![at(f64::tan, Direction::Both, AfterEvent::GoOn)], 0.5, 0.25, 80).0;
     let zeros: Vec<f64> = found.iter().map(|(_, t)| t / std::f64::consts::PI).collect();
     assert_eq!(zeros.len(), 6, "{zeros:?}");
     assert!(zeros.iter().enumerate().all(|(k, z)| (z - (k + 1) as f64).abs() < 1e-14));
     let wrapped = |t: f64| t.sin().atan2(t.cos()) - 1.0;
-    let found = events(vec![at(wrapped, Direction::Both, Then::GoOn)], 0.0, 0.25, 80).0;
+    let found = events(vec![at(wrapped, Direction::Both, AfterEvent::GoOn)], 0.0, 0.25, 80).0;
     let turns: Vec<f64> = found.iter().map(|(_, t)| (t - 1.0) / std::f64::consts::TAU).collect();
     assert_eq!(turns.len(), 4, "{turns:?}");
     assert!(turns.iter().enumerate().all(|(k, turn)| (turn - k as f64).abs() < 1e-14));
@@ -153,22 +161,25 @@ fn functions_that_stay_zero() {
         let rises = move |t: f64| -(direction * (start - t)).max(0.0).sqrt();
         let stairs = move |t: f64| (2.0 * direction * (start - t)).ceil().clamp(0.0, 1.0);
         for f in [&falls as &dyn Fn(f64) -> f64, &rises, &stairs] {
-            let event = at(f, Direction::Both, Then::GoOn);
+            let event = at(f, Direction::Both, AfterEvent::GoOn);
             let found = events(vec![event], origin, length, 40).0;
             let [(0, time)] = found[..] else { panic!("{found:?}") };
             assert!((time - start).abs() <= 4e-16 && f(time) == 0.0, "{length}: {time}");
         }
     }
-    let leaves = at(|t| (t - 1.0).max(0.0), Direction::Both, Then::GoOn);
+    let leaves = at(|t| (t - 1.0).max(0.0), Direction::Both, AfterEvent::GoOn);
     assert_eq!(events(vec![leaves], 0.0, 0.3, 10).0, []);
 }
 
 #[test]
 fn what_is_no_number_is_refused() {
-    let event = || vec![at(|t: f64| (1.0 - t).sqrt(), Direction::Both, Then::GoOn)];
-    assert!(matches!(Watch::new(event(), &Clock, &2.0), Err(Error::Integration { t: 2.0, .. })));
+    let event = || vec![at(|t: f64| (1.0 - t).sqrt(), Direction::Both, AfterEvent::GoOn)];
+    assert!(matches!(
+        EventDetector::new(event(), &Clock, &2.0),
+        Err(Error::Integration { t: 2.0, .. })
+    ));
     let mut state = 0.9;
-    let mut watch = Watch::new(event(), &Clock, &state).unwrap();
+    let mut watch = EventDetector::new(event(), &Clock, &state).unwrap();
     let step = Step { system: &Clock, method: &Tick, start: state, length: 0.25 };
     assert!(matches!(watch.advance(&step, &mut state), Err(Error::Integration { .. })));
     assert_eq!(state, 0.9);
@@ -185,7 +196,7 @@ properties! {
             x.powi(2 * power + 1) * 10.0_f64.powi(scale) * (lean * x).exp()
         };
         for length in [0.1, 0.37, 10.0] {
-            let watched = vec![at(function, Direction::Rising, Then::GoOn)];
+            let watched = vec![at(function, Direction::Rising, AfterEvent::GoOn)];
             let (found, _) = events(watched, 0.0, length, (10.0 / length).ceil() as usize);
             prop_assert_eq!(found.len(), 1);
             prop_assert!((found[0].1 - place).abs() < 4e-15, "{} {}", found[0].1, place);
@@ -212,7 +223,7 @@ fn a_section_is_crossed_once_a_period() {
     let exact = FreeBody::new(&inertia, &exact).unwrap();
     let period = exact.period().unwrap();
     let section =
-        || Event::new(|s: &State<So3>| system.momentum(s).y, Direction::Rising, Then::GoOn);
+        || Event::new(|s: &State<So3>| system.momentum(s).y, Direction::Rising, AfterEvent::GoOn);
     let check = |states: &[State<So3>], tolerance: f64| {
         assert_eq!(states.len(), 10);
         for (k, state) in states.iter().enumerate() {
@@ -223,7 +234,7 @@ fn a_section_is_crossed_once_a_period() {
     };
     let method = MoserVeselov::new(&inertia, Order::Ten);
     let (mut state, mut found) = (start.clone(), vec![]);
-    let mut watch = Watch::new(vec![section()], &system, &state).unwrap();
+    let mut watch = EventDetector::new(vec![section()], &system, &state).unwrap();
     while state.time < 10.0 * period {
         let step = Step { system: &system, method: &method, start: state.clone(), length: 0.05 };
         found.extend(watch.advance(&step, &mut state).unwrap().into_iter().map(|c| c.state));
@@ -249,7 +260,8 @@ fn a_section_is_crossed_once_a_period() {
             assert!(matches!(trajectory.at(outside), Err(Error::Integration { .. })));
         }
     }
-    let stop = Event::new(|s: &State<So3>| system.momentum(s).y, Direction::Rising, Then::Stop);
+    let stop =
+        Event::new(|s: &State<So3>| system.momentum(s).y, Direction::Rising, AfterEvent::Stop);
     let stopped = run(10.0 * period, vec![stop]);
     assert_eq!(stopped.end().time, stopped.events()[0].state.time);
     assert!((stopped.end().time - first).abs() < 1e-10);

@@ -351,7 +351,7 @@ fn the_equations_are_those_of_the_plus_connection() {
     use affinor_tensors::{Down, Tensor};
     let algebra = So3.algebra().unwrap();
     let inertia = turned([0.6, 0.8, 1.3], &UnitQuaternion::new(Vector3::new(0.3, -0.2, 1.0)));
-    let matrix = So3.operator(|x| inertia.momentum(x));
+    let matrix = So3.operator_matrix(|x| inertia.momentum(x));
     let components = (0..9).map(|at| [at / 3, at % 3]).map(|[i, j]| {
         ([i, j], 0.5 * (matrix[(i, j)] + matrix[(j, i)])) // symmetric to the last digit
     });

@@ -7,7 +7,7 @@ use affinor::group::{
 };
 use affinor::{Error, LieAlgebra};
 use affinor_tensors::Rational;
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{Const, DMatrix, DVector, Vector3};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -47,9 +47,9 @@ fn regular<G: LieGroup>(group: &G, x: &[f64], v: &[f64]) {
         assert!(off <= bound, "{x:?}: off by {off:e}, more than {bound:e}");
         assert!(norm(image).is_finite());
     };
-    let of = group.operator(|v| group.tangent_left(&x, v));
+    let of = group.operator_matrix(|v| group.tangent_left(&x, v));
     check(&of, &group.tangent_left(&x, &v), &|x, v| group.tangent_left_inverse(x, v));
-    let of = group.operator(|v| group.tangent_right(&x, v));
+    let of = group.operator_matrix(|v| group.tangent_right(&x, v));
     check(&of, &group.tangent_right(&x, &v), &|x, v| group.tangent_right_inverse(x, v));
 }
 
@@ -69,8 +69,8 @@ fn on_each(turn: &Vector3<f64>, rest: &[f64], v: &[f64], at: &dyn Fn(&dyn Check)
     at(&On(Sl2, elliptic.as_slice().to_vec(), v));
     at(&On(Opposite(Se3), of(&[w, rest]), v));
     at(&On(Opposite(Sl2), elliptic.as_slice().to_vec(), v));
-    at(&On(Product(Translations::<2>, So3), of(&[&rest[..2], w]), v));
-    at(&On(Product(Se2, Heisenberg::<3>), of(&[&angle, rest]), v));
+    at(&On(Product(Translations(Const::<2>), So3), of(&[&rest[..2], w]), v));
+    at(&On(Product(Se2, Heisenberg::<Const<3>>::new()), of(&[&angle, rest]), v));
     at(&On(spins, w.to_vec(), v));
     for name in ["so(3)", "se(3)", "so(3)+R^2", "so(3)+aff(1)"] {
         let algebra: LieAlgebra<f64> = catalogued(name).map(Rational::to_f64).unwrap();
@@ -146,9 +146,9 @@ fn what_does_not_turn_is_never_singular() {
     let x = [TAU, -TAU, 2.0 * TAU, TAU, 0.5, -TAU];
     let v = [1.0, -2.0, 0.5, 3.0, 1.0, 0.25];
     regular(&So2, &x, &v);
-    regular(&Translations::<3>, &x, &v);
-    regular(&Heisenberg::<3>, &x, &v);
-    regular(&Heisenberg::<5>, &x, &v);
+    regular(&Translations(Const::<3>), &x, &v);
+    regular(&Heisenberg::<Const<3>>::new(), &x, &v);
+    regular(&Heisenberg::<Const<5>>::new(), &x, &v);
     let filiform = crate::common::algebras::by_table(4, &[(1, 2, 3, 1), (1, 3, 4, 1)]);
     regular(&Nilpotent::new(filiform.map(Rational::to_f64).unwrap()).unwrap(), &x, &v);
     // hyperbolic and parabolic vectors of SL(2)

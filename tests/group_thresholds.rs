@@ -1,12 +1,12 @@
 //! Closed forms and series of the groups on both sides of every threshold between them, against
 //! the series in `ad` in exact fractions.
 
-use affinor::group::series::{exp, phi1};
 use affinor::group::{Coordinates, LieGroup, Opposite, Se2, Se3, Se23, Sl2, So3};
+use affinor::numerics::exponential::{exp, phi1};
 use affinor_tensors::{Rational, Ring};
 use nalgebra::{DMatrix, DVector, Vector3};
 
-/// Squares of angles: where [`Stumpff`](affinor::group::stumpff::Stumpff) and its relatives change
+/// Squares of angles: where [`Stumpff`](affinor::numerics::stumpff::Stumpff) and its relatives change
 /// from eight terms to more, from these to closed forms, and four times these, for half angles.
 const THRESHOLDS: [f64; 7] = [0.4, 1.6, 2.25, 9.0, 10.0, 36.0, 40.0];
 

@@ -208,7 +208,7 @@ fn manakov_is_euler_poincare() {
         let motion = EulerPoincare::free(group.clone(), &plus, &metric).unwrap();
         let body = Manakov::new(masses).unwrap();
         let momentum = antisymmetric(n, start);
-        let velocity = group.coordinates(&body.velocity(&momentum));
+        let velocity = group.components(&body.velocity(&momentum));
         let state = motion.state(0.0, group.identity(), &velocity);
         let end_state = Adaptive::new(1e-11).states(&motion, &state, &[time]).unwrap().remove(0);
         let found = group.generator(&motion.momentum(&end_state));

@@ -1,7 +1,7 @@
 //! Products and logarithms of matrix groups preserve the digits that their input determines, against 60-digit arithmetic and
 //! closed forms.
 
-use affinor::group::{AnyGroup, LieGroup, MatrixGroup, Written};
+use affinor::group::{AnyGroup, LieGroup, MatrixGroup, MatrixNotation};
 use nalgebra::{DMatrix, DVector};
 
 const EPS: f64 = f64::EPSILON;

@@ -1,6 +1,8 @@
 //! Motions against Taylor series in 25 digits (`references/motions.py`): bodies, tops, torques, and other groups.
 
-use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So3};
+use affinor::group::{
+    Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So3, TranslationSplit,
+};
 use affinor::mechanics::systems::euler_poincare::Torque;
 use affinor::mechanics::{
     Adaptive, BodyState, CommutatorFree, EulerPoincare, FreeBody, Inertia, Integrator, MuntheKaas,
@@ -8,7 +10,7 @@ use affinor::mechanics::{
 };
 use affinor::{Canonical, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
-use nalgebra::{DMatrix, UnitQuaternion, Vector3};
+use nalgebra::{Const, DMatrix, UnitQuaternion, Vector3};
 use serde::Deserialize;
 
 #[derive(Deserialize)]
@@ -74,7 +76,7 @@ struct Load<G> {
     moment: Option<Vector3<f64>>,
 }
 
-impl<G: LieGroup> Load<G> {
+impl<G: TranslationSplit> Load<G> {
     fn gamma(&self, element: &G::Element) -> Vector3<f64> {
         Vector3::from_iterator(self.group.matrix(element).row(2).iter().copied())
     }
@@ -84,7 +86,7 @@ impl<G: LieGroup> Load<G> {
     }
 }
 
-impl<G: LieGroup> Torque<G> for Load<G> {
+impl<G: TranslationSplit> Torque<G> for Load<G> {
     fn add(&self, _: f64, element: &G::Element, _: &G::Vector, force: &mut G::Vector) {
         let torque = match (&self.weight, &self.moment) {
             (Some(weight), _) => self.gamma(element).cross(weight),
@@ -101,7 +103,7 @@ fn positive(group: &impl LieGroup, entry: impl Fn([usize; 2]) -> f64) -> Metric<
     Metric::new(&labels, metric).unwrap()
 }
 
-fn system<G: LieGroup, M: Torque<G>>(
+fn system<G: TranslationSplit, M: Torque<G>>(
     group: G,
     metric: &Metric<f64>,
     torque: M,
@@ -111,13 +113,13 @@ fn system<G: LieGroup, M: Torque<G>>(
 }
 
 impl Motion {
-    fn system<G: LieGroup + Clone>(&self, group: &G) -> EulerPoincare<G, Load<G>> {
+    fn system<G: TranslationSplit + Clone>(&self, group: &G) -> EulerPoincare<G, Load<G>> {
         let metric = positive(group, |[i, j]| number(&self.metric[i][j]));
         let (weight, moment) = (three(&self.weight), three(&self.moment));
         system(group.clone(), &metric, Load { group: group.clone(), weight, moment })
     }
 
-    fn start<G: LieGroup + Clone>(&self, system: &EulerPoincare<G, Load<G>>) -> State<G> {
+    fn start<G: TranslationSplit + Clone>(&self, system: &EulerPoincare<G, Load<G>>) -> State<G> {
         let group = system.group();
         let turn = G::Vector::from_fn(group.dimension(), |i| self.start.get(i).map_or(0.0, number));
         let velocity = G::Vector::from_components(&numbers(&self.velocity));
@@ -126,7 +128,7 @@ impl Motion {
 }
 
 /// How far a state is from a reference, relative to its size.
-fn off<G: LieGroup, M: Torque<G>>(
+fn off<G: TranslationSplit, M: Torque<G>>(
     system: &EulerPoincare<G, M>,
     state: &State<G>,
     reference: &Reference,
@@ -139,7 +141,7 @@ fn off<G: LieGroup, M: Torque<G>>(
 }
 
 /// The error at the last time, after a run with step control; energy and what else a motion conserves is looked at, too.
-fn adaptive<G: LieGroup + Clone>(motion: &Motion, group: &G, tolerance: f64) -> f64 {
+fn adaptive<G: TranslationSplit + Clone>(motion: &Motion, group: &G, tolerance: f64) -> f64 {
     let system = motion.system(group);
     let start = motion.start(&system);
     let times: Vec<f64> = motion.states.iter().map(|state| number(&state.time)).collect();
@@ -189,7 +191,7 @@ fn by_group(motion: &Motion, tolerance: f64) -> f64 {
         "SE(3)" => adaptive(motion, &Se3, tolerance),
         "SE(2)" => adaptive(motion, &Se2, tolerance),
         "SL(2)" => adaptive(motion, &Sl2, tolerance),
-        "heisenberg(3)" => adaptive(motion, &Heisenberg::<3>, tolerance),
+        "heisenberg(3)" => adaptive(motion, &Heisenberg::<Const<3>>::new(), tolerance),
         "aff(1)" => adaptive(motion, &stretches(), tolerance),
         "SO(4)" => adaptive(motion, &turns(), tolerance),
         other => panic!("{other}"),
@@ -235,7 +237,7 @@ fn a_free_body_is_exact_at_any_time() {
 /// Steps of one length: the error at the first time falls as the fourth power.
 #[test]
 fn steps_converge_to_the_taylor_series() {
-    fn error<G: LieGroup + Clone>(
+    fn error<G: TranslationSplit + Clone>(
         motion: &Motion,
         group: &G,
         method: &impl Integrator<EulerPoincare<G, Load<G>>>,
@@ -249,7 +251,7 @@ fn steps_converge_to_the_taylor_series() {
         }
         off(&system, &state, reference)
     }
-    fn orders<G: LieGroup + Clone>(motion: &Motion, group: &G) {
+    fn orders<G: TranslationSplit + Clone>(motion: &Motion, group: &G) {
         let check = |name: &str, error: &dyn Fn(usize) -> f64| {
             let order = (error(40) / error(80)).log2();
             assert!((order - 4.0).abs() < 0.3, "{name}, {}: {order}", motion.name);
@@ -312,7 +314,7 @@ fn integrals(name: &str, h: &[f64], gamma: &Vector3<f64>) -> Vec<f64> {
 
 #[test]
 fn integrals_stay() {
-    fn check<G: LieGroup + Clone>(motion: &Motion, group: &G) -> usize {
+    fn check<G: TranslationSplit + Clone>(motion: &Motion, group: &G) -> usize {
         let system = motion.system(group);
         let start = motion.start(&system);
         let time = number(&motion.states.last().unwrap().time);
@@ -340,7 +342,7 @@ fn integrals_stay() {
             "SE(3)" => check(motion, &Se3),
             "SE(2)" => check(motion, &Se2),
             "SL(2)" => check(motion, &Sl2),
-            "heisenberg(3)" => check(motion, &Heisenberg::<3>),
+            "heisenberg(3)" => check(motion, &Heisenberg::<Const<3>>::new()),
             "SO(4)" => check(motion, &turns()),
             _ => 0,
         })

@@ -1,7 +1,7 @@
 //! The matrix of a group's algebra that is nearest to a given one: what is left is orthogonal to every generator.
 
 use crate::common::algebras::catalogued;
-use affinor::group::{LieGroup, MatrixGroup, Written};
+use affinor::group::{LieGroup, MatrixGroup, MatrixNotation};
 use nalgebra::{DMatrix, DVector};
 
 /// Numbers without a pattern between -1 and 1.
@@ -16,9 +16,9 @@ fn nearest(group: &MatrixGroup, name: &str) {
     let sum = generators.iter().zip(x.iter()).map(|(b, x)| b * *x);
     let sum = sum.fold(DMatrix::zeros(size, size), |sum: DMatrix<f64>, term| sum + term);
     assert!((group.generator(&x) - &sum).amax() < 1e-13, "{name}");
-    assert!((group.coordinates(&sum) - &x).amax() < 1e-11, "{name}");
+    assert!((group.components(&sum) - &x).amax() < 1e-11, "{name}");
     let any = DMatrix::from_fn(size, size, |i, j| number(i * size + j));
-    let rest = &any - group.generator(&group.coordinates(&any));
+    let rest = &any - group.generator(&group.components(&any));
     for b in &generators {
         assert!(rest.dot(b).abs() < 1e-10 * b.norm() * any.norm(), "{name}: {}", rest.dot(b));
     }

@@ -1,29 +1,29 @@
 //! A step on a group whose vectors have a fixed size allocates nothing.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use affinor::group::{Coordinates, Embedded, LieGroup, Opposite, Se2, Se3, Sl2, So3};
-use affinor::mechanics::events::{Direction, Event, Then, Watch};
-use affinor::mechanics::formula::Formula;
-use affinor::mechanics::integrators::Pair;
+use affinor::group::{
+    AnyGroup, Coordinates, Embedded, LieGroup, Se2, Se3, Sl2, So3, TranslationSplit,
+};
+use affinor::mechanics::events::{AfterEvent, Direction, Event, EventDetector};
 use affinor::mechanics::integrators::dense_output::Step;
 use affinor::mechanics::integrators::kick::{FreeMotion, Order as KickOrder};
 use affinor::mechanics::integrators::moser_veselov::Order;
-use affinor::mechanics::integrators::splitting::Composition;
-use affinor::mechanics::motions::quantities::{Names, Scope};
-use affinor::mechanics::motions::{
-    Crossings, Forces, GivenVelocity, Hamiltonian, Method, Motion, Observables, Setup, Side,
-    SimulationGroup, Table, on_given, on_group, on_hamiltonian,
+use affinor::mechanics::simulation::quantities::SymbolTable;
+use affinor::mechanics::simulation::{
+    Columns, Crossings, EulerPoincareSpec, Forces, Hamiltonian, Integration, LiePoissonSpec,
+    Method, Motion, Observables, PrescribedVelocitySpec, Side, SimulationGroup, Table,
+    VelocityFormulas,
 };
 use affinor::mechanics::systems::euler_poincare::{Free, Torque};
 use affinor::mechanics::{
-    Adaptive, BodyState, CommutatorFree, CrouchGrossman, EulerPoincare, FreeBody, Inertia,
-    Integrator, Kick, KinematicState, Linear, Magnus, MoserVeselov, MuntheKaas, Projected,
-    SimoWong, Splitting, State, System,
+    Adaptive, BodyState, CommutatorFree, EulerPoincare, FreeBody, Inertia, Integrator, Kick,
+    KinematicState, Magnus, MoserVeselov, MuntheKaas, PrescribedVelocity, Projected, SimoWong,
+    State, System,
 };
 use affinor::{Canonical, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 use allocation_counter::measure;
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::{DVector, UnitQuaternion, Vector3, dvector};
 
 /// Steps one by one, counted.
 fn assert_none<S: System>(name: &str, system: &S, method: &dyn Integrator<S>, start: &S::State) {
@@ -41,14 +41,18 @@ fn inertia([i, j]: [usize; 2]) -> f64 {
     if i == j { 1.0 + 0.5 * i as f64 } else { 0.05 }
 }
 
-fn body<G: LieGroup, M: Torque<G>>(group: G, which: Canonical, torque: M) -> EulerPoincare<G, M> {
+fn body<G: TranslationSplit, M: Torque<G>>(
+    group: G,
+    which: Canonical,
+    torque: M,
+) -> EulerPoincare<G, M> {
     let algebra = group.algebra().unwrap();
     let metric = Tensor::from_fn(group.dimension(), [Down, Down], inertia).unwrap();
     let metric = Metric::new(algebra.labels(), metric).unwrap();
     EulerPoincare::new(group, &Connection::canonical(&algebra, which), &metric, torque).unwrap()
 }
 
-fn any_group<G: Embedded + Clone>(name: &str, group: G) {
+fn any_group<G: Embedded + TranslationSplit + Clone>(name: &str, group: G) {
     let n = group.dimension();
     let torque = move |time: f64, _: &G::Element, omega: &G::Vector| {
         omega.clone() * -0.1 + G::Vector::from_fn(n, |i| (time + i as f64).sin())
@@ -57,13 +61,12 @@ fn any_group<G: Embedded + Clone>(name: &str, group: G) {
         let system = body(group.clone(), which, torque);
         let velocity = G::Vector::from_fn(n, |i| 0.3 - 0.1 * i as f64);
         let start = system.state(0.0, group.exp(&velocity), &velocity);
-        let methods: [&dyn Integrator<EulerPoincare<G, _>>; 6] = [
+        let methods: [&dyn Integrator<EulerPoincare<G, _>>; 5] = [
             &MuntheKaas::RK4,
             &MuntheKaas::DORMAND_PRINCE,
             &Projected::RK4,
             &Projected::DORMAND_PRINCE_8,
             &CommutatorFree,
-            &CrouchGrossman,
         ];
         for method in methods {
             assert_none(name, &system, method, &start);
@@ -78,7 +81,7 @@ fn any_group<G: Embedded + Clone>(name: &str, group: G) {
     }
     let velocity = move |time: f64| G::Vector::from_fn(n, |i| (time + i as f64).sin());
     let start = KinematicState { time: 0.0, element: group.identity() };
-    let system = Linear { group, velocity };
+    let system = PrescribedVelocity { group, velocity };
     assert_none(name, &system, &Magnus::Four, &start);
     assert_none(name, &system, &Magnus::Six, &start);
 }
@@ -102,7 +105,6 @@ fn steps_of_a_body() {
     let heavy = body(So3, Canonical::Plus, weight);
     let ten = FreeMotion::MoserVeselov(Order::Ten);
     assert_none("DMV", &system, &MoserVeselov::new(&inertia, Order::Ten), &start);
-    assert_none("Suzuki", &system, &Splitting::new(&inertia, Composition::Suzuki), &start);
     assert_none("Simo-Wong", &heavy, &SimoWong::new(&inertia), &start);
     assert_none("kicks", &heavy, &Kick::new(&inertia, KickOrder::Four, ten), &start);
     let exact = Kick::new(&inertia, KickOrder::Two, FreeMotion::Exact);
@@ -115,8 +117,8 @@ fn steps_of_a_body() {
     assert_eq!(measure(|| assert!(motion.at(10.0).momentum.norm() > 0.0)).count_total, 0);
 
     // an event that does not happen
-    let never = Event::new(|_: &State<So3>| 1.0, Direction::Both, Then::GoOn);
-    let mut watch = Watch::new(vec![never], &system, &start).unwrap();
+    let never = Event::new(|_: &State<So3>| 1.0, Direction::Both, AfterEvent::GoOn);
+    let mut watch = EventDetector::new(vec![never], &system, &start).unwrap();
     let mut state = start.clone();
     let step = Step { system: &system, method: &method, start, length: 0.01 };
     let counted = measure(|| drop(watch.advance(&step, &mut state).unwrap()));
@@ -125,7 +127,7 @@ fn steps_of_a_body() {
 
 /// Allocations in ten steps of a motion, after the first three, that looks for sign changes of all its columns.
 fn allocations(motion: &mut dyn Motion) -> u64 {
-    let mut crossings = Crossings::new(motion, 0..motion.width());
+    let mut crossings = Crossings::new(motion, 0..motion.column_count());
     let mut steps = |count| {
         for _ in 0..count {
             assert!(crossings.step(motion, 1000.0).unwrap().1.is_empty());
@@ -136,11 +138,12 @@ fn allocations(motion: &mut dyn Motion) -> u64 {
 }
 
 /// What stays positive, of all kinds of quantities.
-fn columns(names: &Names, formulas: &[&str]) -> (Scope, Vec<Formula>) {
-    let mut scope = Scope::default();
-    let formulas = formulas.iter().map(|text| scope.read(text, names, &|_| true).unwrap());
-    let formulas = formulas.collect();
-    (scope, formulas)
+fn columns(names: &SymbolTable, formulas: &[&str]) -> Columns {
+    let mut columns = Columns::default();
+    for text in formulas {
+        columns.formulas.push(columns.scope.read(text, names, &|_| true).unwrap());
+    }
+    columns
 }
 
 const QUANTITIES: [&str; 5] = [
@@ -151,33 +154,39 @@ const QUANTITIES: [&str; 5] = [
     "1",
 ];
 
+fn list(x: &impl Coordinates) -> DVector<f64> {
+    DVector::from_column_slice(x.components())
+}
+
+fn how(method: Method) -> Integration {
+    Integration { method: Some(method), step: Some(0.01), control: Adaptive::new(1e-9) }
+}
+
 fn forced<G: SimulationGroup>(
     group: &G,
     method: Method,
     formulas: &[&str],
-    load: impl Fn(&mut Forces<G>),
+    load: impl Fn(&mut Forces),
 ) -> Box<dyn Motion> {
     let system = body(group.clone(), Canonical::Plus, Free);
     let n = group.dimension();
     let matrix = nalgebra::DMatrix::from_fn(n, n, |i, j| inertia([i, j]));
-    let mut forces = Forces::none(group.clone(), matrix, vec![("a".into(), 0.5)]);
+    let mut forces = Forces::none(group, matrix, vec![("a".into(), 0.5)]);
     load(&mut forces);
     let algebra = group.algebra().unwrap();
     let metric = Tensor::from_fn(n, [Down, Down], inertia).unwrap();
     let momentum = G::Vector::from_fn(n, |i| 0.3 - 0.1 * i as f64);
-    let setup = Setup {
+    let spec = EulerPoincareSpec {
         connection: &Connection::canonical(&algebra, Canonical::Plus),
         metric: &Metric::new(algebra.labels(), metric).unwrap(),
         columns: columns(forces.names(), formulas),
         forces,
         time: 0.0,
-        element: system.group().exp(&momentum),
-        momentum,
-        method: Some(method),
-        step: Some(0.01),
-        control: Adaptive::new(1e-9),
+        element: list(&group.coordinates(&system.group().exp(&momentum))),
+        momentum: list(&momentum),
+        integration: how(method),
     };
-    on_group(group.clone(), setup).unwrap().0
+    spec.start(&AnyGroup::new(group.clone())).unwrap().motion
 }
 
 /// Methods of all groups, with events, forces and potentials as formulas.
@@ -185,17 +194,17 @@ fn forced<G: SimulationGroup>(
 fn steps_of_motions() {
     fn any_group<G: SimulationGroup>(name: &str, group: G, methods: &[Method]) {
         for &method in methods {
-            let none: &dyn Fn(&mut Forces<G>) = &|_| ();
-            let force: &dyn Fn(&mut Forces<G>) = &|forces| {
+            let none: &dyn Fn(&mut Forces) = &|_| ();
+            let force: &dyn Fn(&mut Forces) = &|forces| {
                 forces.add(Side::Body, 0, "-a*Omega1 + 0.1*sin(t)").unwrap();
-                forces.add(Side::Space, 1, "0.1*g12*omega1").unwrap();
+                forces.add(Side::Spatial, 1, "0.1*g12*omega1").unwrap();
                 let rows = (0..3).map(|i| {
                     let row = (0..=group.dimension()).map(|k| (i * 1000 + k) as f64);
                     row.collect()
                 });
                 forces.set_table(Side::Body, Table::new(rows.collect()).unwrap());
             };
-            let potential: &dyn Fn(&mut Forces<G>) =
+            let potential: &dyn Fn(&mut Forces) =
                 &|forces| forces.set_potential("a*g11^2 + g21*cos(g12)").unwrap();
             for load in [none, force, potential] {
                 let mut motion = forced(&group, method, &QUANTITIES, load);
@@ -203,42 +212,51 @@ fn steps_of_motions() {
             }
         }
     }
-    let fixed = [Method::MuntheKaas, Method::CommutatorFree, Method::CrouchGrossman];
-    let controlled = [Method::Adaptive(Pair::Five), Method::ProjectedAdaptive(Pair::Eight)];
+    let fixed = [Method::MuntheKaas4, Method::CommutatorFree4];
+    let controlled = [Method::MuntheKaas54, Method::Projected853];
     any_group("SO(3)", So3, &[&fixed[..], &controlled, &[Method::SimoWong]].concat());
     any_group("SE(2)", Se2, &[&fixed[..], &controlled].concat());
     any_group("SL(2)", Sl2, &[&fixed[..], &controlled].concat());
-    any_group("SE(3)", Se3, &[&fixed[..], &[Method::Projected]].concat());
-    any_group("SO(3), right", Opposite(So3), &fixed);
+    any_group("SE(3)", Se3, &[&fixed[..], &[Method::Projected4]].concat());
 }
 
 /// Methods of bodies, free and in a potential; motions of a Hamiltonian, and of a velocity over time.
 #[test]
 fn steps_of_other_motions() {
-    let composed = Method::Splitting(Composition::Suzuki);
-    for method in [Method::Exact, Method::MoserVeselov(Order::Ten), composed] {
+    for method in [Method::Exact, Method::MoserVeselov10] {
         let mut motion = forced(&So3, method, &QUANTITIES, |_| ());
         assert_eq!(allocations(motion.as_mut()), 0, "{method}");
     }
-    let top = |forces: &mut Forces<So3>| forces.set_potential("a*g33").unwrap();
-    let mut motion = forced(&So3, Method::Kick(KickOrder::Six), &QUANTITIES, top);
+    let top = |forces: &mut Forces| forces.set_potential("a*g33").unwrap();
+    let mut motion = forced(&So3, Method::Kick4, &QUANTITIES, top);
     assert_eq!(allocations(motion.as_mut()), 0);
 
-    let observables = || Observables::new(So3, None, vec![("a".into(), 0.5)]);
-    let (names, control) = (observables().names().clone(), Adaptive::new(1e-9));
-    let hamiltonian = Hamiltonian::read("H1^2/2 + a*H2^2 + sin(H3)", &observables()).unwrap();
-    let start = (0.0, So3.identity(), Vector3::new(1.0, 0.4, -0.9));
-    let how = (Some(Method::MuntheKaas), Some(0.01), control);
-    let formulas = columns(&names, &["energy + h1 + 100"]);
-    let motion = on_hamiltonian(observables(), hamiltonian, start, how, formulas);
-    assert_eq!(allocations(motion.unwrap().0.as_mut()), 0);
+    let so3 = AnyGroup::new(So3);
+    let observables = || Observables::new(&So3, None, vec![("a".into(), 0.5)]);
+    let (names, element) = (observables().names().clone(), list(&So3.coordinates(&So3.identity())));
+    let spec = LiePoissonSpec {
+        observables: observables(),
+        hamiltonian: Hamiltonian::read("H1^2/2 + a*H2^2 + sin(H3)", &observables()).unwrap(),
+        time: 0.0,
+        element: element.clone(),
+        momentum: dvector![1.0, 0.4, -0.9],
+        integration: how(Method::MuntheKaas4),
+        columns: columns(&names, &["energy + h1 + 100"]),
+    };
+    assert_eq!(allocations(spec.start(&so3).unwrap().motion.as_mut()), 0);
 
-    let mut velocity = GivenVelocity::default();
+    let mut velocity = VelocityFormulas::default();
     ["sin(t)", "a", "t"].into_iter().for_each(|text| velocity.add(text, &names).unwrap());
-    let (start, how) = ((0.0, So3.identity()), (Magnus::Six, 0.01));
-    let formulas = columns(&names, &["omega1 + g11 + 2000"]);
-    let mut motion = on_given(So3, velocity, start, how, formulas, observables());
-    assert_eq!(allocations(motion.as_mut()), 0);
+    let spec = PrescribedVelocitySpec {
+        velocity,
+        observables: observables(),
+        time: 0.0,
+        element,
+        method: Method::Magnus6,
+        step: 0.01,
+        columns: columns(&names, &["omega1 + g11 + 2000"]),
+    };
+    assert_eq!(allocations(spec.start(&so3).unwrap().as_mut()), 0);
 }
 
 /// The counter counts.

@@ -6,7 +6,7 @@ use affinor::group::transport::{ParallelTranslation, TangentVector};
 use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So2, So3};
 use affinor::{Bracket, Canonical, Connection, Error, LieAlgebra, Metric};
 use affinor_tensors::{Down, Tensor};
-use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3};
+use nalgebra::{Const, DMatrix, DVector, Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 
@@ -51,7 +51,7 @@ fn laws<G: LieGroup + Clone>(group: G, numbers: &[f64; 6]) {
     };
     let back = |share: f64| {
         let p = group.exp(&(x.clone() * -share));
-        group.operator(|u| group.adjoint(&p, u))
+        group.operator_matrix(|u| group.adjoint(&p, u))
     };
     let scale = 1.0 + back(1.0).amax() + back(-1.0).amax();
     let cases = [(Canonical::Plus, 1.0), (Canonical::Zero, 0.5), (Canonical::Minus, 0.0)];
@@ -155,7 +155,7 @@ properties! {
         laws(Se2, &numbers);
         laws(Se3, &numbers);
         laws(Sl2, &numbers);
-        laws(Heisenberg::<5>, &numbers);
+        laws(Heisenberg::<Const<5>>::new(), &numbers);
     }
 
     /// Along long arcs and back, what is not refused is right.
@@ -319,7 +319,7 @@ fn geodesics_of_the_motions_of_a_plane_are_free_bodies() {
     let start = Se2.exp(&Vector3::new(0.8, -0.5, 1.2));
     let momentum = |g: &<Se2 as LieGroup>::Element, w: &Vector3<f64>| {
         let back = Se2.inverse(g);
-        Se2.operator(|v| Se2.adjoint(&back, v)).transpose() * (j * w)
+        Se2.operator_matrix(|v| Se2.adjoint(&back, v)).transpose() * (j * w)
     };
     let on_group = ParallelTranslation::new(Se2, body).unwrap();
     let end = on_group.autoparallel(&start, &omega, &[2.0], 1e-12).unwrap().remove(0);

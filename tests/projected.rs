@@ -1,14 +1,19 @@
 //! Projected steps: free motions against the equations of their momentum, and groups without a projection.
 
 use crate::integrators::{affine_line, full};
-use affinor::group::{Coordinates, Embedded, LieGroup, Product, Se2, Se3, Se23, So3};
+use affinor::group::{
+    Coordinates, Embedded, LieGroup, Product, Se2, Se3, Se23, So3, TranslationSplit,
+};
 use affinor::mechanics::systems::euler_poincare::Torque;
 use affinor::mechanics::{Adaptive, EulerPoincare, Integrator, Projected};
 use affinor::{Canonical, Connection};
 use nalgebra::{DMatrix, DVector};
 
 /// A free motion takes its momentum from the displacement in a step; a torque of zeros is integrated with the momentum.
-fn free_as_with_a_torque_of_zeros<G: Embedded + Clone>(group: G, velocity: &[f64]) {
+fn free_as_with_a_torque_of_zeros<G: Embedded + TranslationSplit + Clone>(
+    group: G,
+    velocity: &[f64],
+) {
     let n = group.dimension();
     let plus = Connection::canonical(&group.algebra().unwrap(), Canonical::Plus);
     let zeros = |_: f64, _: &G::Element, _: &G::Vector| G::Vector::zeros(n);
@@ -16,7 +21,7 @@ fn free_as_with_a_torque_of_zeros<G: Embedded + Clone>(group: G, velocity: &[f64
     let forced = EulerPoincare::new(group.clone(), &plus, &full(&group), zeros).unwrap();
     let velocity = G::Vector::from_components(velocity);
     let start = group.exp(&(velocity.clone() * 3.0));
-    fn end<G: Embedded, M: Torque<G>>(
+    fn end<G: Embedded + TranslationSplit, M: Torque<G>>(
         system: &EulerPoincare<G, M>,
         method: &impl Integrator<EulerPoincare<G, M>>,
         (start, velocity): (&G::Element, &G::Vector),

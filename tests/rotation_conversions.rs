@@ -3,8 +3,8 @@
 use crate::common::property::properties;
 use affinor::Error;
 use affinor::group::rotation::{
-    Axis, Lock, Sequence, Turns, from_gibbs, from_matrix, from_modified, from_wxyz, gibbs, matrix,
-    modified, wxyz,
+    AxesFrame, Axis, GimbalLock, Sequence, from_matrix, from_modified_rodrigues, from_rodrigues,
+    from_wxyz, matrix, modified_rodrigues, rodrigues, wxyz,
 };
 use affinor::group::{LieGroup, So3};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
@@ -56,7 +56,7 @@ properties! {
     #[test]
     fn gimbal_lock(a in -3.0..3.0f64, c in -3.0..3.0f64, upper in any::<bool>()) {
         for sequence in Sequence::all() {
-            let proper = sequence.angles(&UnitQuaternion::identity()).lock == Some(Lock::Sum);
+            let proper = sequence.angles(&UnitQuaternion::identity()).lock == Some(GimbalLock::Sum);
             let b = match (proper, upper) {
                 (true, true) => PI,
                 (true, false) => 0.0,
@@ -66,8 +66,8 @@ properties! {
             let g = sequence.rotation([a, b, c]);
             let found = sequence.angles(&g);
             let kept = match found.lock {
-                Some(Lock::Sum) => a + c,
-                Some(Lock::Difference) => a - c,
+                Some(GimbalLock::Sum) => a + c,
+                Some(GimbalLock::Difference) => a - c,
                 None => return Err(TestCaseError::fail(format!("{sequence:?} {found:?}"))),
             };
             let turns = (found.angles[0] - kept) / TAU;
@@ -79,10 +79,10 @@ properties! {
 
     #[test]
     fn rodrigues_parameters_and_back(g in rotations()) {
-        prop_assert!(distance(&from_modified(&modified(&g)), &g) <= 4.0 * EPS);
-        prop_assert!(modified(&g).norm() <= 1.0 + EPS);
-        match gibbs(&g) {
-            Ok(r) => prop_assert!(distance(&from_gibbs(&r), &g) <= 4.0 * EPS),
+        prop_assert!(distance(&from_modified_rodrigues(&modified_rodrigues(&g)), &g) <= 4.0 * EPS);
+        prop_assert!(modified_rodrigues(&g).norm() <= 1.0 + EPS);
+        match rodrigues(&g) {
+            Ok(r) => prop_assert!(distance(&from_rodrigues(&r), &g) <= 4.0 * EPS),
             Err(_) => prop_assert_eq!(g.w, 0.0),
         }
     }
@@ -92,9 +92,9 @@ properties! {
     fn rotation_vectors_agree(x in [-1.8..1.8f64, -1.8..1.8, -1.8..1.8].prop_map(Vector3::from)) {
         let g = So3.exp(&x);
         let angle = x.norm();
-        prop_assert!((gibbs(&g).unwrap() * angle - x * (0.5 * angle).tan()).norm() <= 1e-14 * angle / g.w.abs());
+        prop_assert!((rodrigues(&g).unwrap() * angle - x * (0.5 * angle).tan()).norm() <= 1e-14 * angle / g.w.abs());
         if angle < PI {
-            prop_assert!((modified(&g) * angle - x * (0.25 * angle).tan()).norm() <= 1e-15 * angle);
+            prop_assert!((modified_rodrigues(&g) * angle - x * (0.25 * angle).tan()).norm() <= 1e-15 * angle);
             let back = So3.log(&from_matrix(&matrix(&g), 4.0 * EPS).unwrap()).unwrap();
             prop_assert!((back - x).norm() <= 8.0 * EPS * angle.max(1.0));
         }
@@ -106,7 +106,7 @@ properties! {
         let [a, b, c, d] = bits.map(f64::from_bits);
         prop_assume!([a, b, c, d].iter().all(|a| a.is_finite()));
         let v = Vector3::new(a, b, c);
-        for g in [Some(from_gibbs(&v)), Some(from_modified(&v)), from_wxyz([a, b, c, d]).ok()] {
+        for g in [Some(from_rodrigues(&v)), Some(from_modified_rodrigues(&v)), from_wxyz([a, b, c, d]).ok()] {
             prop_assert!(g.is_none_or(|g| (g.norm() - 1.0).abs() < 4.0 * EPS), "{g:?}");
         }
         prop_assert!(So3.log(&UnitQuaternion::new_unchecked([a, b, c, d].into())).is_ok());
@@ -129,20 +129,20 @@ fn sequences() {
     for text in ["ZZX", "XYx", "XY", "XYZX", "abc", "", "xXy"] {
         assert!(matches!(text.parse::<Sequence>(), Err(Error::Invalid { .. })), "{text}");
     }
-    assert!(Sequence::new([Axis::X, Axis::Y, Axis::Y], Turns::Extrinsic).is_err());
+    assert!(Sequence::new([Axis::X, Axis::Y, Axis::Y], AxesFrame::Extrinsic).is_err());
 }
 
 #[test]
 fn known_values() {
     let third = from_wxyz([1.0, 1.0, 1.0, 1.0]).unwrap(); // permutes the axes
     assert_eq!(matrix(&third), Matrix3::new(0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0));
-    assert_eq!(gibbs(&third).unwrap(), Vector3::repeat(1.0));
-    assert!((modified(&third).norm() - (0.5 * FRAC_PI_3).tan()).abs() < EPS);
+    assert_eq!(rodrigues(&third).unwrap(), Vector3::repeat(1.0));
+    assert!((modified_rodrigues(&third).norm() - (0.5 * FRAC_PI_3).tan()).abs() < EPS);
     let half = from_wxyz([0.0, 0.0, -2.0, 0.0]).unwrap();
     assert_eq!(wxyz(&half), [0.0, 0.0, 1.0, 0.0]);
-    assert_eq!(modified(&half), Vector3::y());
+    assert_eq!(modified_rodrigues(&half), Vector3::y());
     assert_eq!(So3.log(&half).unwrap(), Vector3::y() * PI);
-    let refused = gibbs(&half).unwrap_err().to_string();
+    let refused = rodrigues(&half).unwrap_err().to_string();
     assert_eq!(refused, "no Gibbs vector: the angle is pi");
 }
 
@@ -197,7 +197,7 @@ fn scipy_agrees() {
                 };
                 let difference = So3.log(&g).unwrap() - Vector3::from_row_slice(vector) * sign;
                 assert!(difference.norm() < 8.0 * EPS * PI, "{line}");
-                let difference = modified(&g) - Vector3::from_row_slice(mrp) * sign;
+                let difference = modified_rodrigues(&g) - Vector3::from_row_slice(mrp) * sign;
                 assert!(difference.norm() < 4.0 * EPS, "{line}");
             }
         }

@@ -2,7 +2,7 @@
 
 use crate::common::{Space, property::properties, spaces};
 use affinor::geometry::connection::Canonical;
-use affinor::group::{AnyGroup, Coordinates, LieGroup, Se3, So3};
+use affinor::group::{AnyGroup, Coordinates, Se3, So3, TranslationSplit};
 use affinor::mechanics::State;
 use affinor::{Connection, ConnectionKind, Geometry, LieAlgebra, Metric, Rational};
 use proptest::prelude::*;
@@ -91,7 +91,7 @@ fn other_frames_are_not_written() {
 #[test]
 fn states_of_motions() {
     fn there_and_back<
-        G: LieGroup<Element: PartialEq + serde::Serialize + serde::de::DeserializeOwned>,
+        G: TranslationSplit<Element: PartialEq + serde::Serialize + serde::de::DeserializeOwned>,
     >(
         group: &G,
     ) where

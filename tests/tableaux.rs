@@ -1,12 +1,10 @@
 //! The order conditions of the Runge-Kutta tableaux, for every rooted tree, and order 8 on groups.
 
-use affinor::group::{Coordinates, Embedded, Se3, Sl2, So3};
+use affinor::group::{Coordinates, Embedded, Se3, Sl2, So3, TranslationSplit};
 use affinor::mechanics::integrators::RungeKutta;
 use affinor::mechanics::integrators::runge_kutta::LocalCoordinates;
-use affinor::mechanics::integrators::tableaux::{
-    Classical, DormandPrince, DormandPrince8, Tableau, Tabulated,
-};
 use affinor::mechanics::{Adaptive, EulerPoincare, Integrator, MuntheKaas, Projected, State};
+use affinor::numerics::tableaux::{Classical, DormandPrince, DormandPrince8, Tableau, Tabulated};
 use affinor::{Canonical, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 
@@ -99,7 +97,7 @@ fn conditions_hold() {
 
 /// With a metric that is not diagonal, a connection that does not keep the spatial momentum, and a torque that depends on
 /// time and velocity: a step of half the length has a 2^8th of the error; with step control it is the one of order 5.
-fn order_on<G: Embedded + Clone, C: LocalCoordinates<G>>(
+fn order_on<G: Embedded + TranslationSplit + Clone, C: LocalCoordinates<G>>(
     group: G,
     method: RungeKutta<12, DormandPrince8, C>,
     steps: usize,

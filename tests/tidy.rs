@@ -69,7 +69,7 @@ fn sources(folders: &[&str]) -> Vec<File> {
 const PACKAGES: [&str; 6] =
     ["tensors/src", "src", "documents/src", "paper/src", "cli/src", "python/src"];
 /// The rooms of the library, from the bottom up: each may use those before it.
-const ROOMS: [&str; 4] = ["algebra", "geometry", "group", "mechanics"];
+const ROOMS: [&str; 5] = ["numerics", "algebra", "geometry", "group", "mechanics"];
 
 #[test]
 fn no_source_is_long() {
@@ -83,7 +83,7 @@ fn no_source_is_long() {
 fn the_library_has_few_rooms() {
     let root = root();
     let entries = fs::read_dir(root.join("src")).expect("the sources").count();
-    assert!(entries <= 12, "src has {entries} entries");
+    assert!(entries <= 14, "src has {entries} entries");
 }
 
 #[test]
@@ -100,6 +100,54 @@ fn rooms_know_only_those_below() {
             }
         }
     }
+}
+
+/// The names of the functions of a block that begins with a line.
+fn functions<'t>(file: &'t File, begins: impl Fn(&str) -> bool) -> Vec<&'t str> {
+    let block = file.text.lines().skip_while(|line| !begins(line));
+    let name = |line: &'t str| {
+        let (_, after) =
+            line.trim_start().split_once("fn ").filter(|(before, _)| before.is_empty())?;
+        after.split(['(', '<']).next()
+    };
+    let end = |line: &&str| {
+        !(line.trim() == "}" && (line.starts_with('}') || line.starts_with("        }")))
+    };
+    block.take_while(end).filter_map(name).collect()
+}
+
+/// Groups made of groups forward every closed form of a trait: no method falls back to its default silently.
+#[test]
+fn groups_of_groups_forward_all_closed_forms() {
+    /// Methods whose default is as fast on the opposite group, because it calls methods that are forwarded.
+    const OF_OPPOSITE: [&str; 2] = ["adjoint_exp", "relative_linear_part"];
+    let groups = sources(&["src/group/groups"]);
+    let mut count = 0;
+    for name in ["LieGroup", "TranslationSplit", "Embedded", "MatrixNotation"] {
+        let of_trait =
+            |line: &str| line.contains(&format!(" {name} for ")) && line.contains("impl");
+        let mut closed: Vec<&str> =
+            groups.iter().flat_map(|file| functions(file, of_trait)).collect();
+        closed.sort_unstable();
+        closed.dedup();
+        count += closed.len();
+        let forwarding =
+            ["src/group/any.rs", "src/group/groups/product.rs", "src/group/groups/opposite.rs"];
+        for file in sources(&["src/group"]).iter().filter(|file| forwarding.contains(&&*file.path))
+        {
+            let forwarded = functions(file, of_trait);
+            for method in &closed {
+                let has_default =
+                    file.path.ends_with("opposite.rs") && OF_OPPOSITE.contains(method);
+                assert!(
+                    forwarded.contains(method) || has_default,
+                    "{}: {name}::{method}",
+                    file.path
+                );
+            }
+        }
+    }
+    assert!(count > 35, "only {count} methods were found");
 }
 
 #[test]

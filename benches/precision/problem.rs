@@ -1,7 +1,7 @@
 //! Problems of motion with their states in 25 digits.
 
 use crate::sweep::Seen;
-use affinor::group::{Coordinates, LieGroup, So3};
+use affinor::group::{Coordinates, So3, TranslationSplit};
 use affinor::mechanics::systems::euler_poincare::Torque;
 use affinor::mechanics::{EulerPoincare, Inertia, State};
 use affinor::{Canonical, Connection, Metric};
@@ -85,7 +85,11 @@ impl Problem {
     }
 
     /// The system on a group.
-    pub fn system<G: LieGroup, M: Torque<G>>(&self, group: G, torque: M) -> EulerPoincare<G, M> {
+    pub fn system<G: TranslationSplit, M: Torque<G>>(
+        &self,
+        group: G,
+        torque: M,
+    ) -> EulerPoincare<G, M> {
         let algebra = group.algebra().expect("an algebra");
         let metric = Tensor::from_fn(group.dimension(), [Down, Down], |[i, j]| self.metric[i][j]);
         let metric = Metric::new(algebra.labels(), metric.expect("a matrix")).expect("a metric");
@@ -94,7 +98,10 @@ impl Problem {
     }
 
     /// The start.
-    pub fn start<G: LieGroup, M: Torque<G>>(&self, system: &EulerPoincare<G, M>) -> State<G> {
+    pub fn start<G: TranslationSplit, M: Torque<G>>(
+        &self,
+        system: &EulerPoincare<G, M>,
+    ) -> State<G> {
         let velocity = G::Vector::from_components(&self.velocity);
         let element = if self.place.is_empty() {
             system.group().identity()
@@ -166,7 +173,7 @@ impl Part {
 }
 
 /// The entries of an element, row by row.
-pub fn rows<G: LieGroup>(group: &G, element: &G::Element) -> Vec<f64> {
+pub fn rows<G: TranslationSplit>(group: &G, element: &G::Element) -> Vec<f64> {
     group.matrix(element).transpose().as_slice().to_vec()
 }
 

@@ -180,10 +180,11 @@ fn no_colour_is_used_twice() {
 fn the_drift_of_methods_is_compared() {
     let folder = TempDir::new().unwrap();
     let problem = example("body_in_potential");
-    let methods = ["--method", "rkmk4", "--method", "cf4", "--method", "kick2", "--step", "0.1"];
+    let methods =
+        ["--method", "rkmk4", "--method", "cf4", "--method", "simo-wong", "--step", "0.1"];
     let absolute = drawn(&folder, &[&["drift", &problem][..], &methods].concat());
     let relative = drawn(&folder, &[&["drift", &problem, "--relative"][..], &methods].concat());
-    for method in ["rkmk4", "cf4", "kick2"] {
+    for method in ["rkmk4", "cf4", "simo-wong"] {
         for quantity in ["energy", "vertical"] {
             let caption = format!("{quantity}, {method}");
             assert!(texts(&absolute).contains(&caption) && texts(&relative).contains(&caption));

@@ -1,42 +1,42 @@
 //! Problems of motion: files that are read into motions.
 //!
-//! A problem has a class: Euler-Poincare equations, with or without constraints, Lie-Poisson equations, a given velocity,
+//! A problem has a class: Euler-Poincare equations, with or without constraints, Lie-Poisson equations, a prescribed velocity,
 //! or an isospectral flow of matrices. Around the class are the parameters, the integration, the output and, perhaps, an
 //! ensemble that varies parameters. Every number may be a formula in the parameters.
 //!
 //! In reading order: `keys` of a file are read by a `reader` into one file for each class, and these into a
-//! [`Problem`]. It starts motions ([`Ready`]), which a [`Walk`] integrates.
+//! [`Problem`]. It starts motions ([`Ready`]), which an [`Integration`] integrates.
 
 mod body;
 mod constrained;
-mod dynamics;
 mod ensemble;
-mod given_velocity;
+mod euler_poincare;
+mod forces;
 mod group_class;
 mod initial;
 mod integration;
+mod integrator;
 mod keys;
 mod lie_poisson;
 mod matrix_flow;
 mod on_group;
 mod output;
+mod prescribed_velocity;
 mod reader;
 mod ready;
-mod walk;
 
+pub use integration::{Integration, Progress};
 pub use ready::{Column, Ready};
-pub use walk::{Progress, Walk};
 
 use crate::definition::file;
 use crate::definition::input::InputError;
 use crate::definition::numbers::numbers_in;
 use crate::definition::setting::no_parameter;
 use crate::definition::source::Source;
-use affinor::mechanics::Magnus;
-use affinor::mechanics::motions::{ForceFunction, Method, Side};
+use affinor::mechanics::simulation::{ForceFunction, Method, Side};
 use ensemble::Ensemble;
 use group_class::GroupClass;
-use integration::{Integration, Member, method_of, values_of};
+use integrator::{Integrator, Member, method_of, values_of};
 use keys::Keys;
 use matrix_flow::MatrixFlow;
 use on_group::OnGroup;
@@ -56,7 +56,7 @@ pub struct Problem {
     /// Values that replace those of the file.
     settings: Vec<(String, f64)>,
     class: Class,
-    integration: Integration,
+    integrator: Integrator,
     output: Output,
     ensemble: Option<Ensemble>,
 }
@@ -140,7 +140,7 @@ impl Problem {
             name: keys.name.clone().unwrap_or(stem),
             parameters: parameters.map(|(name, value)| Parameter { name, value }).collect(),
             settings: vec![],
-            integration: Integration::read(&keys.integrator, &reader)?,
+            integrator: Integrator::read(&keys.integrator, &reader)?,
             output: Output::read(&keys, &reader)?,
             class: Class::read(&keys, &reader)?,
             ensemble,
@@ -196,7 +196,7 @@ impl Problem {
         });
         let (step, tolerance) =
             (self.option("--step", step)?, self.option("--tolerance", tolerance)?);
-        self.integration = self.integration.replaced(method.transpose()?, step, tolerance);
+        self.integrator = self.integrator.replaced(method.transpose()?, step, tolerance);
         Ok(())
     }
 
@@ -247,7 +247,7 @@ impl Problem {
 
     /// The method of integration that the file names.
     pub fn method(&self) -> Option<Method> {
-        self.integration.method
+        self.integrator.method
     }
 
     /// The times of the rows of a member of the ensemble, from 0; the first is the initial time.
@@ -262,15 +262,15 @@ impl Problem {
     /// of the file remain, if the method has them.
     #[must_use]
     pub fn with_method(&self, method: Method, step: Option<f64>, tolerance: Option<f64>) -> Self {
-        let integration = self.integration.with_method(method, step, tolerance, &self.source);
-        Problem { integration, ..self.clone() }
+        let integrator = self.integrator.with_method(method, step, tolerance, &self.source);
+        Problem { integrator, ..self.clone() }
     }
 
     /// The same problem with a force as a function, beside the forces of the file. Columns of the power and Casimir functions know
     /// of it; the function is called several times in a step.
     ///
     /// ```
-    /// use affinor::mechanics::motions::{ForceFunction, Side};
+    /// use affinor::mechanics::simulation::{ForceFunction, Side};
     /// use affinor_documents::problem::Problem;
     /// let text = r#"
     /// space = "so3"
@@ -288,7 +288,7 @@ impl Problem {
     /// ```
     ///
     /// # Errors
-    /// A problem without forces: of constraints, a Hamiltonian, a given velocity or a flow of matrices.
+    /// A problem without forces: of constraints, a Hamiltonian, a prescribed velocity or a flow of matrices.
     pub fn with_force(&self, side: Side, function: ForceFunction) -> Result<Self, InputError> {
         let mut problem = self.clone();
         match &mut problem.class {
@@ -318,8 +318,8 @@ impl Problem {
     /// The most accurate method of a class that has no step-size control.
     pub fn own_class(&self) -> Option<Method> {
         match &self.class {
-            Class::MatrixFlow(_) => Some(Method::ComposedIsospectral),
-            Class::OnGroup(_, GroupClass::GivenVelocity(_)) => Some(Method::Magnus(Magnus::Six)),
+            Class::MatrixFlow(_) => Some(Method::Isospectral4),
+            Class::OnGroup(_, GroupClass::PrescribedVelocity(_)) => Some(Method::Magnus6),
             Class::OnGroup(..) => None,
         }
     }
@@ -366,21 +366,21 @@ impl Problem {
     pub fn motion(&self, member: u64) -> Result<Ready, InputError> {
         let parameters = self.values(member)?;
         let times = self.output.times.at(&self.source, &values_of(&parameters))?;
-        let (source, integration, output) = (&self.source, &self.integration, &self.output);
-        let member = Member { source, parameters, times, integration, output };
+        let (source, integrator, output) = (&self.source, &self.integrator, &self.output);
+        let member = Member { source, parameters, times, integrator, output };
         let ready = match &self.class {
             Class::MatrixFlow(flow) => flow.motion(&member),
             Class::OnGroup(on_group, class) => class.motion(on_group, &member),
         }?;
-        integration.expect_no_ignored_keys(ready.method, source)?;
+        integrator.expect_no_ignored_keys(ready.method, source)?;
         let of_ensemble =
             self.ensemble.as_ref().map_or(vec![], |_| [vec!["member"], self.varied()].concat());
         expect_distinct(&ready.columns, &of_ensemble, source)?;
         Ok(ready)
     }
 
-    /// A walk of a motion of this problem through its times and events.
-    pub fn walk(&self, ready: Ready) -> Walk {
-        Walk::new(ready, self.output.stop.clone(), self.output.section.clone())
+    /// The integration of a motion of this problem through its times and events.
+    pub fn integrate(&self, ready: Ready) -> Integration {
+        Integration::new(ready, self.output.stop.clone(), self.output.section.clone())
     }
 }

@@ -132,7 +132,7 @@ pub(crate) fn apart(found: &DVector<f64>, expected: &DVector<f64>) -> f64 {
 
 /// `ad_x` of a group, the upper index as the row.
 pub(crate) fn ad(group: &AnyGroup, x: &DVector<f64>) -> DMatrix<f64> {
-    group.operator(|v| group.bracket(x, v))
+    group.operator_matrix(|v| group.bracket(x, v))
 }
 
 /// Rows `[0, -w3, w2], [w3, 0, -w1], [-w2, w1, 0]`, (6).

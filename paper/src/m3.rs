@@ -173,7 +173,7 @@ fn rays(lab: &Lab) -> Result<Row, Error> {
     let adjoint = lab.on_groups(|group| {
         let (n, b) = along(group)?;
         let p = group.exp(&n);
-        let ad_p = group.operator(|v| group.adjoint(&p, v));
+        let ad_p = group.operator_matrix(|v| group.adjoint(&p, v));
         Ok(distance(&(ad_p * b), &DMatrix::identity(n.len(), n.len())))
     })?;
     let psi = Vector3::new(0.4, -1.2, 0.7);

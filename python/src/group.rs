@@ -7,8 +7,8 @@ use affinor::Error;
 use affinor::group::batch;
 use affinor::group::transport::ParallelTranslation;
 use affinor::group::{
-    AnyGroup, Coordinates, Embedded, LieGroup, Product, Se2, Se3, Se23, Sl2, So2, So3, Written,
-    registry,
+    AnyGroup, Coordinates, Embedded, LieGroup, MatrixNotation, Product, Se2, Se3, Se23, Sl2, So2,
+    So3, registry,
 };
 use affinor_documents::definition::InputError;
 use nalgebra::{DMatrix, DVector};
@@ -77,7 +77,7 @@ fn order(group: &AnyGroup) -> Vec<usize> {
     let quaternion = group.downcast_ref::<So3>().is_some()
         || group.downcast_ref::<Se3>().is_some()
         || group.downcast_ref::<Se23>().is_some();
-    let count = group.number_count();
+    let count = group.embedding_dimension();
     if quaternion {
         [3, 0, 1, 2].into_iter().chain(4..count).collect()
     } else {
@@ -91,23 +91,23 @@ fn element<G: Embedded>(group: &G, order: &[usize], row: &[f64]) -> G::Element {
     let mut sorted = [0.0; 16];
     if order.len() <= sorted.len() {
         order.iter().zip(row).for_each(|(at, value)| sorted[*at] = *value);
-        return group.from_numbers(&G::Numbers::from_components(&sorted[..order.len()]));
+        return group.from_coordinates(&G::Ambient::from_components(&sorted[..order.len()]));
     }
     let mut sorted = vec![0.0; order.len()];
     order.iter().zip(row).for_each(|(at, value)| sorted[*at] = *value);
-    group.from_numbers(&G::Numbers::from_components(&sorted))
+    group.from_coordinates(&G::Ambient::from_components(&sorted))
 }
 
 #[inline]
 fn write_element<G: Embedded>(group: &G, order: &[usize], g: &G::Element, out: &mut [f64]) {
-    let numbers = group.numbers(g);
+    let numbers = group.coordinates(g);
     let numbers = numbers.components();
     order.iter().zip(out).for_each(|(at, value)| *value = numbers[*at]);
 }
 
 /// One operation on one row of each argument.
 #[inline]
-fn apply<G: Written>(
+fn apply<G: MatrixNotation>(
     group: &G,
     order: &[usize],
     operation: Operation,
@@ -123,7 +123,7 @@ fn apply<G: Written>(
         Operation::Compose => Err(group.compose(&element(a), &element(b))),
         Operation::Between => Err(group.between(&element(a), &element(b))),
         Operation::Restore => {
-            let g = group.restored(element(a));
+            let g = group.project(element(a));
             // zero and NaN have no inverse
             let one = group.compose(&g, &group.inverse(&g));
             let off = group.write(&one) - group.write(&group.identity());
@@ -159,7 +159,7 @@ fn apply<G: Written>(
 }
 
 /// One operation on all rows.
-fn apply_all<G: Written + Sync>(
+fn apply_all<G: MatrixNotation + Sync>(
     group: &G,
     order: &[usize],
     operation: Operation,
@@ -313,7 +313,7 @@ impl PyGroup {
 
     /// The number of coordinates of an element.
     #[getter]
-    fn coordinates(&self) -> usize {
+    fn coordinate_count(&self) -> usize {
         self.order.len()
     }
 
@@ -346,7 +346,7 @@ impl PyGroup {
         self.map(py, Operation::Inverse, ("g", Row::Element, &g), None, Row::Element)
     }
 
-    fn restored<'py>(&self, py: Python<'py>, g: Floats<'py>) -> PyResult<Array<'py>> {
+    fn project<'py>(&self, py: Python<'py>, g: Floats<'py>) -> PyResult<Array<'py>> {
         self.map(py, Operation::Restore, ("g", Row::Element, &g), None, Row::Element)
     }
 

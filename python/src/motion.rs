@@ -3,9 +3,9 @@
 use crate::arrays::{Floats, Rows, batch};
 use crate::errors::{raise, wrong};
 use crate::run::{Threads, run};
-use affinor::mechanics::motions::{ForceFunction, Side};
+use affinor::mechanics::simulation::{ForceFunction, Side};
 use affinor_documents::definition::InputError;
-use affinor_documents::problem::{Problem, Walk};
+use affinor_documents::problem::{Integration, Problem};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
@@ -88,7 +88,7 @@ fn force(function: Py<PyAny>) -> ForceFunction {
     })
 }
 
-/// The events of a piece of a walk, and whether it has ended.
+/// The events of a piece of an integration, and whether it has ended.
 #[derive(Default)]
 struct Piece {
     events: Vec<(String, f64)>,
@@ -98,10 +98,14 @@ struct Piece {
 
 impl Piece {
     /// Walks until the end of the motion or of the piece.
-    fn walk(walk: &mut Walk, rows: &mut Vec<f64>, more: impl Fn() -> bool) -> Self {
+    fn integrate(
+        integration: &mut Integration,
+        rows: &mut Vec<f64>,
+        more: impl Fn() -> bool,
+    ) -> Self {
         let mut piece = Piece::default();
         while !piece.done && more() {
-            match checked(walk.step()) {
+            match checked(integration.step()) {
                 Ok(step) => {
                     step.rows.iter().for_each(|row| rows.extend_from_slice(row));
                     piece.events.extend(step.events);
@@ -133,7 +137,7 @@ impl PyProblem {
     /// A problem from a file, or from a text with a name for messages; options replace keys of the file.
     #[new]
     #[allow(clippy::too_many_arguments, reason = "keyword arguments of Python")]
-    #[pyo3(signature = (path=None, text=None, set=None, method=None, step=None, tolerance=None, end=None, every=None, body=None, space=None))]
+    #[pyo3(signature = (path=None, text=None, set=None, method=None, step=None, tolerance=None, end=None, every=None, body=None, spatial=None))]
     fn new(
         py: Python<'_>,
         path: Option<String>,
@@ -145,9 +149,9 @@ impl PyProblem {
         end: Option<String>,
         every: Option<String>,
         body: Option<Py<PyAny>>,
-        space: Option<Py<PyAny>>,
+        spatial: Option<Py<PyAny>>,
     ) -> PyResult<Self> {
-        let given = [(Side::Body, body), (Side::Space, space)];
+        let given = [(Side::Body, body), (Side::Spatial, spatial)];
         let given = given.into_iter().filter_map(|(side, function)| Some((side, force(function?))));
         let functions: Vec<_> = given.collect();
         let of_python = !functions.is_empty();
@@ -223,14 +227,14 @@ impl PyProblem {
         let (method, why) = (ready.method.name(), ready.method.why());
         let notes = ready.notes.clone();
         // values of events at the start may call forces
-        let mut walk =
-            threads.run(py, || Ok(checked(Ok::<_, InputError>(problem.walk(ready)))))??;
+        let mut integration =
+            threads.run(py, || Ok(checked(Ok::<_, InputError>(problem.integrate(ready)))))??;
         let (mut rows, mut events) = (Vec::new(), Vec::new());
         let (mut failed, mut interrupt) = (None, None);
         loop {
             let piece = threads.run(py, || {
                 let until = Instant::now() + PIECE;
-                Ok(Piece::walk(&mut walk, &mut rows, || Instant::now() < until))
+                Ok(Piece::integrate(&mut integration, &mut rows, || Instant::now() < until))
             })?;
             events.extend(piece.events);
             match piece.failed.map(PyErr::from) {
@@ -238,7 +242,7 @@ impl PyProblem {
                 // such as KeyboardInterrupt
                 error => interrupt = error,
             }
-            let told = progress.as_ref().map(|progress| progress.call1((walk.share(),)));
+            let told = progress.as_ref().map(|progress| progress.call1((integration.progress(),)));
             let told = told.transpose().and_then(|_| py.check_signals());
             interrupt = told.err().or(interrupt);
             if piece.done || interrupt.is_some() {
@@ -282,7 +286,7 @@ impl PyProblem {
                 ready.columns.iter().map(|column| column.name.clone()).collect();
             let mut found = Vec::new();
             let more = || !stop.load(Ordering::Relaxed);
-            let failed = Piece::walk(&mut problem.walk(ready), &mut found, more).failed;
+            let failed = Piece::integrate(&mut problem.integrate(ready), &mut found, more).failed;
             let last = found.split_off(found.len().saturating_sub(columns.len()));
             failed.map_or(Ok((columns, last)), Err)
         };

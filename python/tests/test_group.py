@@ -25,7 +25,7 @@ def test_laws(name):
     group = af.Group(name)
     x, y = rng.normal(scale=0.3, size=(2, 4, 5, group.dimension))
     g, h = group.exp(x), group.exp(y)
-    assert g.shape == (4, 5, group.coordinates)
+    assert g.shape == (4, 5, group.coordinate_count)
     one = group.identity()
     np.testing.assert_allclose(group.log(g), x, atol=1e-10)
     np.testing.assert_allclose(group.compose(g, group.inverse(g)), np.broadcast_to(one, g.shape), atol=1e-10)
@@ -40,7 +40,7 @@ def test_laws(name):
     np.testing.assert_allclose(group.bracket(x, y), -group.bracket(y, x), atol=1e-12)
     np.testing.assert_allclose(group.from_matrix(group.matrix(g)), g, atol=1e-7)
     np.testing.assert_allclose(group.interpolate(g, h, 1.0), h, atol=1e-10)
-    np.testing.assert_allclose(group.restored(g), g, atol=1e-10)
+    np.testing.assert_allclose(group.project(g), g, atol=1e-10)
 
 
 def test_every_name_of_the_catalogue_has_its_group():
@@ -279,7 +279,7 @@ def test_matrices_of_one_number_act_on_points():
 def test_what_has_no_direction_is_refused():
     for group, g in ((SO3, [0, 0, 0, 0]), (SO3, [np.nan, 0, 0, 1]), (af.Group("so(4)"), np.zeros(16)), (af.SO2, [0, 0])):
         with pytest.raises(af.MathematicsError, match="no element of the group"):
-            group.restored(g)
+            group.project(g)
     geometry = af.Geometry("so3", metric=[1, 2, 3])
     calls = (
         lambda: geometry.transport([np.nan, 0, 0]),

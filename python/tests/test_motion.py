@@ -91,8 +91,8 @@ def test_a_function_of_python_is_a_force():
     by_formula = af.simulate({**TOP, "forces": {"body": ["cos(t)", "-Omega1/2", "R33"]}})
     np.testing.assert_allclose(by_function.rows, by_formula.rows, atol=1e-13)
     assert set(seen) == {((3, 3), (3,))}
-    in_space = af.simulate({**TOP, "forces": {"space": lambda t, g, omega: [t, 0, 0]}})
-    np.testing.assert_allclose(in_space.rows, af.simulate({**TOP, "forces": {"space": ["t", 0, 0]}}).rows, atol=1e-13)
+    in_space = af.simulate({**TOP, "forces": {"spatial": lambda t, g, omega: [t, 0, 0]}})
+    np.testing.assert_allclose(in_space.rows, af.simulate({**TOP, "forces": {"spatial": ["t", 0, 0]}}).rows, atol=1e-13)
 
     def broken(t, g, omega):
         raise LookupError("no torque")
@@ -122,11 +122,11 @@ def test_plots():
     body = af.simulate(space="se3", metric="identity", initial={"velocity": [1, 2, 3, 4, 5, 6]}, output={"end": 0.1})
     with pytest.raises(ValueError, match="this one has 6"):
         body.plot("momentum")
-    errors = af.convergence(TOP, "Omega1", ["kick2", "rkmk4"], [0.1, 0.05])
-    assert 3 < errors["kick2"][0] / errors["kick2"][1] < 5
+    errors = af.convergence(TOP, "Omega1", ["simo-wong", "rkmk4"], [0.1, 0.05])
+    assert 3 < errors["simo-wong"][0] / errors["simo-wong"][1] < 5
     assert errors["rkmk4"][0] / errors["rkmk4"][1] > 10
     kick, _ = errors.plot().lines
-    np.testing.assert_array_equal(kick.get_xydata(), np.column_stack([[0.1, 0.05], errors["kick2"]]))
+    np.testing.assert_array_equal(kick.get_xydata(), np.column_stack([[0.1, 0.05], errors["simo-wong"]]))
 
 
 def test_events():

@@ -3,8 +3,9 @@
 //! The formulas are those of [`So3`]. Over blocks of rows the compiler emits vector instructions: with the feature `simd` those
 //! that the processor has, chosen at run time. All of them round alike, so a result depends on its argument alone.
 
-use super::stumpff::{NEAR, near};
-use super::{LieGroup, So3, so3};
+use super::groups::so3;
+use super::{LieGroup, So3};
+use crate::numerics::stumpff::{NEAR, near};
 #[cfg(feature = "simd")]
 use multiversion::multiversion;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};

@@ -36,7 +36,7 @@ pub(super) fn mean<G: LieGroup + ?Sized>(
         let size = correction.largest();
         // of elements that are far from 1
         let own = 1e3 * f64::EPSILON * group.matrix(&mean).amax();
-        mean = group.restored(group.compose(&mean, &group.exp(&correction)));
+        mean = group.project(group.compose(&mean, &group.exp(&correction)));
         // roundings of the logarithms stay, however many steps there are
         if size <= ROUNDING * spread || (size <= own.max(1e6 * ROUNDING * spread) && size >= before)
         {

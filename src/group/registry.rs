@@ -4,7 +4,7 @@
 //! [`families`]. Other algebras get a group from their matrices or, near the
 //! identity, from their brackets. A sum of algebras gets the direct product of the groups, with the basis of the sum.
 //!
-//! | algebra | an element as written ([`Written::write`](super::Written::write)) |
+//! | algebra | an element as written ([`MatrixNotation::write`](super::MatrixNotation::write)) |
 //! |---|---|
 //! | in the list | a matrix, or a column for `R^n` |
 //! | given by matrices, as `so(4)` or `gl(2)` | the matrix; of complex matrices `A + iB` the real `[[A, -B], [B, A]]` |
@@ -15,16 +15,15 @@
 //! So an element of `se3+se3` has 32 numbers, two 4 x 4 matrices; one of `so3+R^3` has 9 + 3. In formulas of motions the
 //! names of factor `k` end in `_k`, as in `x_2`, `qw_1` and `g11_2`.
 
-use super::heisenberg::OfPairs;
-use super::matrix_group::MatrixGroup;
-use super::nilpotent::Nilpotent;
-use super::translations::OfDimension;
-use super::{AnyGroup, Product, Se2, Se3, Se23, Sl2, So2, So3};
+use super::{
+    AnyGroup, Heisenberg, MatrixGroup, Nilpotent, Product, Se2, Se3, Se23, Sl2, So2, So3,
+    Translations,
+};
 use crate::algebra::catalogue;
 use crate::{Error, LieAlgebra};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Rational, Symbolic};
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Dyn};
 
 /// A family of groups in closed form.
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +42,7 @@ pub fn families() -> &'static [Family] {
 }
 
 static FAMILIES: &[Family] = &[
-    family("R^n", "columns of n coordinates", |n| AnyGroup::new(OfDimension(n))),
+    family("R^n", "columns of n coordinates", |n| AnyGroup::new(Translations(Dyn(n)))),
     family("so(2)", "rotation matrices of size 2", |_| AnyGroup::new(So2)),
     family("so(3)", "rotation matrices of size 3", |_| AnyGroup::new(So3)),
     family("se(2)", "homogeneous matrices of size 3", |_| AnyGroup::new(Se2)),
@@ -51,7 +50,7 @@ static FAMILIES: &[Family] = &[
     family("se_2(3)", "matrices [[R, v, p], [0, 1]] of size 5", |_| AnyGroup::new(Se23)),
     family("sl(2)", "matrices of size 2 and determinant 1", |_| AnyGroup::new(Sl2)),
     family("heisenberg(n)", "upper triangular matrices of size m + 2, n = 2m + 1", |n| {
-        AnyGroup::new(OfPairs(n / 2))
+        AnyGroup::new(Heisenberg::of_pairs(n / 2))
     }),
 ];
 

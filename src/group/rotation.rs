@@ -10,13 +10,14 @@
 //! | rotation vector | [`LieGroup::log`](super::LieGroup::log), [`exp`](super::LieGroup::exp) | nowhere; at `pi` a rule chooses the sign |
 //! | matrix | [`matrix`], [`from_matrix`] | nowhere |
 //! | Euler angles (second kind) | [`Sequence::angles`], [`Sequence::rotation`] | gimbal lock, reported with a rule |
-//! | Gibbs vector `tan(angle/2) n` | [`gibbs`], [`from_gibbs`] | refused at `pi` |
-//! | modified Rodrigues `tan(angle/4) n` | [`modified`], [`from_modified`] | nowhere up to `pi` |
+//! | Gibbs vector `tan(angle/2) n` | [`rodrigues`], [`from_rodrigues`] | refused at `pi` |
+//! | modified Rodrigues `tan(angle/4) n` | [`modified_rodrigues`], [`from_modified_rodrigues`] | nowhere up to `pi` |
 
 mod conversions;
 pub mod euler;
 
 pub use conversions::{
-    from_gibbs, from_matrix, from_modified, from_wxyz, gibbs, matrix, modified, wxyz,
+    from_matrix, from_modified_rodrigues, from_rodrigues, from_wxyz, matrix, modified_rodrigues,
+    rodrigues, wxyz,
 };
-pub use euler::{Axis, EulerAngles, Lock, Sequence, Turns};
+pub use euler::{AxesFrame, Axis, EulerAngles, GimbalLock, Sequence};

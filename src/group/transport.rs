@@ -4,10 +4,11 @@ mod autoparallel;
 
 pub use autoparallel::TangentVector;
 
-use super::rounding::expect_digits;
-use super::written::expect_shape;
-use super::{Coordinates, LieGroup, expect_left_frame, ode, series};
+use super::matrices::expect_shape;
+use super::{Coordinates, LieGroup, expect_left_frame};
 use crate::algebra::frame::{expect_slots, formula};
+use crate::numerics::rounding::expect_digits;
+use crate::numerics::{exponential, ode};
 use crate::{Connection, Error};
 use affinor_tensors::{Scalar, Tensor, Up};
 use nalgebra::{DMatrix, DVector};
@@ -103,12 +104,12 @@ impl<G: LieGroup> ParallelTranslation<G> {
     /// [`Error::Shape`]; [`Error::Integration`] for so many turns that the rounding of the angle exceeds the last one.
     pub fn along_subgroup(&self, x: &G::Vector) -> Result<DMatrix<f64>, Error> {
         let generator = self.generator(x)?;
-        let carried = series::exp(&generator);
-        if generator.amax() < LARGE || series::balanced(&generator).0.amax() < LARGE {
+        let carried = exponential::exp(&generator);
+        if generator.amax() < LARGE || exponential::balanced(&generator).0.amax() < LARGE {
             return Ok(carried);
         }
         let n = generator.nrows();
-        let noise = (&carried * series::exp(&-generator) - DMatrix::identity(n, n)).amax();
+        let noise = (&carried * exponential::exp(&-generator) - DMatrix::identity(n, n)).amax();
         if noise < NOISE {
             return Ok(carried);
         }

@@ -19,7 +19,7 @@ pub enum Direction {
 
 /// Whether an event ends the run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Then {
+pub enum AfterEvent {
     /// The run goes on.
     #[default]
     GoOn,
@@ -31,12 +31,12 @@ pub enum Then {
 pub struct Event<'a, T> {
     function: Box<dyn Fn(&T) -> f64 + 'a>,
     direction: Direction,
-    then: Then,
+    then: AfterEvent,
 }
 
 impl<'a, T> Event<'a, T> {
     /// The event that a function of the state changes its sign.
-    pub fn new(function: impl Fn(&T) -> f64 + 'a, direction: Direction, then: Then) -> Self {
+    pub fn new(function: impl Fn(&T) -> f64 + 'a, direction: Direction, then: AfterEvent) -> Self {
         Event { function: Box::new(function), direction, then }
     }
 
@@ -61,7 +61,7 @@ pub struct Crossing<T> {
     /// The state at the event: the first, to the rounding of time, after the sign change.
     pub state: T,
     /// Whether the run ends here.
-    pub then: Then,
+    pub then: AfterEvent,
 }
 
 /// Finds events along a run, each once, in the step where the sign changes.
@@ -74,7 +74,7 @@ pub struct Crossing<T> {
 /// within one step are missed, so steps must be shorter than the time between events.
 ///
 /// ```
-/// use affinor::mechanics::events::{Direction, Event, Then, Watch};
+/// use affinor::mechanics::events::{Direction, Event, AfterEvent, EventDetector};
 /// use affinor::mechanics::{Integrator, Linear, Magnus, KinematicState};
 /// use affinor::mechanics::integrators::dense_output::Step;
 /// use affinor::group::{LieGroup, So3};
@@ -83,18 +83,18 @@ pub struct Crossing<T> {
 /// let wheel = Linear { group: So3, velocity: |t: f64| Vector3::x() * t };
 /// let mut place = KinematicState { time: 0.0, element: So3.identity() };
 /// let up = |at: &KinematicState<So3>| (at.element * Vector3::y()).z;
-/// let half = Event::new(up, Direction::Falling, Then::Stop);
-/// let mut watch = Watch::new(vec![half], &wheel, &place)?;
+/// let half = Event::new(up, Direction::Falling, AfterEvent::Stop);
+/// let mut watch = EventDetector::new(vec![half], &wheel, &place)?;
 /// loop {
 ///     let step = Step { system: &wheel, method: &Magnus::Four, start: place.clone(), length: 0.1 };
-///     if watch.advance(&step, &mut place)?.iter().any(|crossing| crossing.then == Then::Stop) {
+///     if watch.advance(&step, &mut place)?.iter().any(|crossing| crossing.then == AfterEvent::Stop) {
 ///         break;
 ///     }
 /// }
 /// assert!((place.time - std::f64::consts::TAU.sqrt()).abs() < 1e-14);
 /// # Ok::<(), affinor::Error>(())
 /// ```
-pub struct Watch<'a, T> {
+pub struct EventDetector<'a, T> {
     events: Vec<Event<'a, T>>,
     /// The values of the functions at the present state.
     values: Vec<f64>,
@@ -102,7 +102,7 @@ pub struct Watch<'a, T> {
     next: Vec<f64>,
 }
 
-impl<'a, T: Clone> Watch<'a, T> {
+impl<'a, T: Clone> EventDetector<'a, T> {
     /// Watches events from a state on.
     ///
     /// # Errors
@@ -113,7 +113,7 @@ impl<'a, T: Clone> Watch<'a, T> {
         start: &T,
     ) -> Result<Self, Error> {
         let [values, next] = [0, 1].map(|_| Vec::with_capacity(events.len()));
-        let mut watch = Watch { events, values, next };
+        let mut watch = EventDetector { events, values, next };
         watch.evaluate(system, start)?;
         std::mem::swap(&mut watch.values, &mut watch.next);
         Ok(watch)
@@ -159,7 +159,7 @@ impl<'a, T: Clone> Watch<'a, T> {
             let last = elapsed == step.length;
             let there = if last { end.clone() } else { step.after(elapsed)? };
             crossings.push(Crossing { event, state: there.clone(), then });
-            if then == Then::Stop {
+            if then == AfterEvent::Stop {
                 self.evaluate(step.system, &there)?;
                 std::mem::swap(&mut self.values, &mut self.next);
                 *state = there;

@@ -6,15 +6,13 @@
 //! | [`Projected`] | 4, 5, 8 | any system on an [embedded](crate::group::Embedded) group | momentum |
 //! | [`Adaptive`] | 5, 8 | any system, to a tolerance | momentum |
 //! | [`CommutatorFree`] | 4 | any system | momentum |
-//! | [`CrouchGrossman`] | 3 | any system | momentum |
 //! | [`Magnus`] | 4, 6 | `g' = g A(t)` | |
 //! | [`SimoWong`] | 2 | a rigid body, with any torque | momentum; energy if free |
-//! | [`Splitting`] | 2, 4 | a free body | momentum, symplectic form |
 //! | [`Kick`] | 2, 4, 6 | a body, torques of time and attitude | momentum of symmetries, symplectic form |
 //! | [`MoserVeselov`] | 2 to 10 | a free body | momentum, energy, symplectic form |
 //!
 //! Momentum means the spatial momentum. It is conserved to the last bit on groups of rotations, where it is a part of the state,
-//! and to rounding on others. In reading order: [`runge_kutta`] with its [`tableaux`], [`munthe_kaas`] and [`projected`] are the
+//! and to rounding on others. In reading order: [`runge_kutta`] with its [`tableaux`](crate::numerics::tableaux), [`munthe_kaas`] and [`projected`] are the
 //! methods for any system; [`dense_output`] gives states within steps, a [`Trajectory`] those of a whole run with events.
 //! [`GeneralisedAlpha`] is for constraints, [`IsospectralMidpoint`] for flows of matrices, [`Composed`] raises the order.
 
@@ -22,7 +20,6 @@ mod adaptive;
 mod commutator_free;
 mod compensated;
 mod composed;
-mod crouch_grossman;
 pub mod dense_output;
 mod generalised_alpha;
 mod isospectral_midpoint;
@@ -34,26 +31,22 @@ mod principal;
 pub mod projected;
 pub mod runge_kutta;
 mod simo_wong;
-pub mod splitting;
 mod step_start;
 mod tolerance;
 mod trajectory;
 
-pub use crate::group::ode::tableaux;
 pub use adaptive::{Adaptive, Pair};
 pub use commutator_free::CommutatorFree;
 pub use composed::Composed;
-pub use crouch_grossman::CrouchGrossman;
 pub use generalised_alpha::GeneralisedAlpha;
 pub use isospectral_midpoint::IsospectralMidpoint;
 pub use kick::Kick;
-pub use magnus::{KinematicState, Linear, Magnus};
+pub use magnus::{KinematicState, Magnus, PrescribedVelocity};
 pub use moser_veselov::MoserVeselov;
 pub use munthe_kaas::MuntheKaas;
 pub use projected::Projected;
 pub use runge_kutta::RungeKutta;
 pub use simo_wong::SimoWong;
-pub use splitting::Splitting;
 pub use trajectory::Trajectory;
 
 use crate::Error;

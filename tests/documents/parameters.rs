@@ -26,10 +26,10 @@ columns = ["t", "H1"]
 "#;
 
 fn rows(problem: &Problem, member: u64) -> Vec<Vec<f64>> {
-    let mut walk = problem.walk(problem.motion(member).unwrap());
+    let mut integration = problem.integrate(problem.motion(member).unwrap());
     let mut rows = vec![];
     loop {
-        let left = walk.step().unwrap();
+        let left = integration.step().unwrap();
         rows.extend(left.rows);
         if left.done {
             return rows;

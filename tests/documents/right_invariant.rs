@@ -1,7 +1,10 @@
 //! Right-invariant systems, as left-invariant ones on the opposite group.
 
 use affinor::geometry::equations::Equations;
-use affinor::group::{Coordinates, LieGroup, MatrixGroup, Opposite, Se2, Se3, Sl2, So3, Written};
+use affinor::group::{
+    Coordinates, LieGroup, MatrixGroup, MatrixNotation, Opposite, Se2, Se3, Sl2, So3,
+    TranslationSplit,
+};
 use affinor::mechanics::systems::euler_poincare::Free;
 use affinor::mechanics::{Adaptive, EulerPoincare, Integrator, MuntheKaas};
 use affinor::{Canonical, Connection, Metric};
@@ -10,7 +13,7 @@ use affinor_tensors::{Down, Tensor};
 use nalgebra::{DMatrix, DVector, Vector3, Vector6};
 
 /// Positive definite, and not diagonal.
-fn full<G: LieGroup>(group: &G) -> Metric<f64> {
+fn full<G: TranslationSplit>(group: &G) -> Metric<f64> {
     let labels = group.algebra().unwrap().labels().to_vec();
     let entry = |[i, j]: [usize; 2]| match i.abs_diff(j) {
         0 => 1.0 + 0.5 * i as f64,
@@ -21,7 +24,7 @@ fn full<G: LieGroup>(group: &G) -> Metric<f64> {
     Metric::new(&labels, metric).unwrap()
 }
 
-fn free<G: LieGroup>(group: G) -> EulerPoincare<G, Free> {
+fn free<G: TranslationSplit>(group: G) -> EulerPoincare<G, Free> {
     let metric = full(&group);
     let plus = Connection::canonical(&group.algebra().unwrap(), Canonical::Plus);
     EulerPoincare::free(group, &plus, &metric).unwrap()
@@ -39,7 +42,7 @@ fn close<V: Coordinates>(x: &V, y: &V, tolerance: f64) {
 }
 
 /// `g -> g^-1` takes left-invariant motions to right-invariant ones with the negative velocity.
-fn inverses<G: LieGroup + Clone>(group: G, turn: &G::Vector, velocity: &G::Vector) {
+fn inverses<G: TranslationSplit + Clone>(group: G, turn: &G::Vector, velocity: &G::Vector) {
     let (left, right) = (free(group.clone()), free(Opposite(group.clone())));
     let g = group.exp(turn);
     let mut on_left = left.state(0.0, g.clone(), velocity);
@@ -58,7 +61,7 @@ fn inverses<G: LieGroup + Clone>(group: G, turn: &G::Vector, velocity: &G::Vecto
 
 /// The velocity is the spatial one, `g' = omega g`; the momentum in the body is constant, and the rates are those of the
 /// negative structure constants.
-fn right_invariant<G: LieGroup + Clone>(group: G, turn: &G::Vector, velocity: &G::Vector) {
+fn right_invariant<G: TranslationSplit + Clone>(group: G, turn: &G::Vector, velocity: &G::Vector) {
     let system = free(Opposite(group.clone()));
     let start = system.state(0.0, group.exp(turn), velocity);
     let end = |t: f64| Adaptive::new(1e-13).states(&system, &start, &[t]).unwrap().remove(0);
@@ -88,7 +91,7 @@ fn right_invariant<G: LieGroup + Clone>(group: G, turn: &G::Vector, velocity: &G
     close(&slope, &G::Vector::from_components(&rate), 1e-5);
 }
 
-fn both<G: LieGroup + Clone>(group: G, turn: &G::Vector, velocity: &G::Vector) {
+fn both<G: TranslationSplit + Clone>(group: G, turn: &G::Vector, velocity: &G::Vector) {
     inverses(group.clone(), turn, velocity);
     right_invariant(group, turn, velocity);
 }

@@ -4,7 +4,7 @@ import { html } from "./picture.js";
 import { PROBLEMS } from "./problems.js";
 
 /** Methods of interest beside that of an example. @type {Record<string, string>} */
-export const COMPARED = { "free body": "rkmk4, projected4, dmv4", "heavy top": "rkmk4, projected4, kick4", "body in a fluid": "projected4, cf4, rkmk853" };
+export const COMPARED = { "free body": "rkmk4, projected4, cf4", "heavy top": "rkmk4, projected4, kick4", "body in a fluid": "projected4, cf4, rkmk853" };
 /** A parameter with a number. */
 const PARAMETER = /^(\s*\w+)(\s*=\s*)([-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)(\s*(?:#.*)?)$/;
 /** The head of the table of parameters. */

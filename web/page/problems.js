@@ -16,7 +16,7 @@ w3 = 0.1
 velocity = ["w1", "w2", "w3"]
 
 [integrator]
-method = "dmv2"
+method = "dmv10"
 step   = 0.05
 
 [output]
@@ -44,7 +44,7 @@ velocity = ["w1", "w2", "w3"]
 potential = "load*R33"
 
 [integrator]
-method = "kick2"
+method = "simo-wong"
 step   = 0.05
 
 [output]

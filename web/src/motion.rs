@@ -3,7 +3,7 @@
 use super::Refusal;
 use super::transport::short;
 use affinor::mechanics::Inertia;
-use affinor::mechanics::motions::Method;
+use affinor::mechanics::simulation::Method;
 use affinor_documents::definition::InputError;
 use affinor_documents::problem::{Problem, Ready};
 use affinor_documents::report::{Report, listing};
@@ -75,10 +75,10 @@ fn run(problem: &Problem, ready: Ready) -> Result<Run, Refusal> {
     let columns: Vec<String> = ready.columns.iter().map(|column| column.name.clone()).collect();
     let watched = ready.columns.iter().filter(|column| column.watched);
     let watched = watched.map(|column| column.name.clone()).collect();
-    let mut walk = problem.walk(ready);
+    let mut integration = problem.integrate(ready);
     let mut rows = vec![];
     loop {
-        let step = walk.step()?;
+        let step = integration.step()?;
         rows.extend(step.rows);
         if step.done {
             break;

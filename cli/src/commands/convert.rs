@@ -5,7 +5,7 @@ use super::note::{counted, note};
 use super::rows::{self, Expected, RowOutput, map_rows};
 use affinor::Error;
 use affinor::group::rotation;
-use affinor::group::rotation::{Lock, Sequence};
+use affinor::group::rotation::{GimbalLock, Sequence};
 use affinor::group::{LieGroup, So3};
 use clap::Args;
 use nalgebra::{DMatrix, Matrix3, UnitQuaternion, Vector3};
@@ -73,8 +73,8 @@ impl Kind {
             Kind::Vector => So3.exp(&(vector() * unit)),
             Kind::Quaternion => rotation::from_wxyz([row[0], row[1], row[2], row[3]])?,
             Kind::Matrix => rotation::from_matrix(&Matrix3::from_row_slice(row), TOLERANCE)?,
-            Kind::Gibbs => rotation::from_gibbs(&vector()),
-            Kind::Modified => rotation::from_modified(&vector()),
+            Kind::Gibbs => rotation::from_rodrigues(&vector()),
+            Kind::Modified => rotation::from_modified_rodrigues(&vector()),
             Kind::Euler(sequence) => sequence.rotation((vector() * unit).into()),
         })
     }
@@ -84,7 +84,7 @@ impl Kind {
         self,
         g: &UnitQuaternion<f64>,
         unit: f64,
-    ) -> Result<(DMatrix<f64>, Option<Lock>), Error> {
+    ) -> Result<(DMatrix<f64>, Option<GimbalLock>), Error> {
         let vector = |x: Vector3<f64>| rows::vector(x.as_slice());
         Ok(match self {
             Kind::Vector => (vector(So3.log(g)? / unit), None),
@@ -93,8 +93,8 @@ impl Kind {
                 let matrix = rotation::matrix(g);
                 (DMatrix::from_fn(3, 3, |i, j| matrix[(i, j)]), None)
             }
-            Kind::Gibbs => (vector(rotation::gibbs(g)?), None),
-            Kind::Modified => (vector(rotation::modified(g)), None),
+            Kind::Gibbs => (vector(rotation::rodrigues(g)?), None),
+            Kind::Modified => (vector(rotation::modified_rodrigues(g)), None),
             Kind::Euler(sequence) => {
                 let found = sequence.angles(g);
                 (vector(Vector3::from(found.angles) / unit), found.lock)

@@ -4,7 +4,7 @@ use super::failure::Failure;
 use super::note::{counted, note};
 use super::options::{Settings, SpaceOptions};
 use super::rows::{Expected, RowOutput, map_rows, vector};
-use affinor::group::{AnyGroup, LieGroup, Written};
+use affinor::group::{AnyGroup, LieGroup, MatrixNotation};
 use clap::Args;
 use nalgebra::{DMatrix, DVector};
 

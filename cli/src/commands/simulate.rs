@@ -12,9 +12,9 @@ use super::note::{counted, line, note};
 use super::options::ProblemOptions;
 use super::output::{deliver, expect_place};
 use affinor_documents::definition::InputError;
-use affinor_documents::problem::{Problem, Progress as Step, Ready, Walk};
+use affinor_documents::problem::{Integration, Problem, Progress as Step, Ready};
 use affinor_documents::rows::{Head, RunFormat};
-use checkpoint::{Checkpoint, Plan, Store};
+use checkpoint::{Plan, Store};
 use clap::Args;
 use progress::Progress;
 use rayon::prelude::*;
@@ -53,8 +53,8 @@ pub struct Arguments {
     /// Write the rows to this file instead of standard output
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     pub file: Option<PathBuf>,
-    /// Save the state of the run to this file at intervals
-    #[arg(long, value_name = "FILE")]
+    /// Save the completed members of an ensemble to this file at intervals
+    #[arg(long, value_name = "FILE", requires = "ensemble")]
     pub checkpoint: Option<PathBuf>,
     /// Resume from the checkpoint, if there is one
     #[arg(long, requires = "checkpoint")]
@@ -208,7 +208,7 @@ impl Arguments {
                 match end {
                     End::Signal(signal) if interrupted.is_none() => {
                         // the members from here on are computed again, though their rows are written
-                        store.save(*member, None)?;
+                        store.save(*member)?;
                         interrupted = Some(signal);
                     }
                     End::Error(error) => {
@@ -226,7 +226,7 @@ impl Arguments {
             done += chunk.len() as u64;
             progress.reach(done as f64 / size as f64);
             if store.is_due() {
-                store.save(done, None)?;
+                store.save(done)?;
             }
             count = if begin.elapsed() < CHUNK_TIME { 2 * count } else { count / 2 };
             count = count.min(CHUNK).max(least);
@@ -253,28 +253,18 @@ fn one(
     store: &mut Store,
     signals: &Signals,
 ) -> Result<End, Failure> {
-    let mut walk = problem.walk(ready);
-    if let Some(Checkpoint { done, snapshot: Some(snapshot), .. }) = store.resumed() {
-        walk.restore(*done as usize, snapshot)?;
-    }
-    let progress = Progress::from(walk.share());
-    let end = follow(&mut walk, signals, |walk, step| {
+    let mut integration = problem.integrate(ready);
+    let progress = Progress::from(integration.progress());
+    follow(&mut integration, signals, |integration, step| {
         for row in &step.rows {
             store.spool.push(row).map_err(spool::failed)?;
         }
         for (event, time) in &step.events {
             progress.beside(|| line(&format!("{event} at t = {time}")));
         }
-        progress.reach(walk.share());
-        if !step.done && store.is_due() {
-            store.save(walk.position() as u64, Some(walk.save()?))?;
-        }
+        progress.reach(integration.progress());
         Ok::<_, Failure>(())
-    })?;
-    if let End::Signal(_) = end {
-        store.save(walk.position() as u64, Some(walk.save()?))?;
-    }
-    Ok(end)
+    })
 }
 
 /// Integrates a member of an ensemble: its rows and its end.
@@ -282,13 +272,13 @@ fn all_rows(problem: &Problem, member: u64, signals: &Signals) -> (Vec<Vec<f64>>
     if let Some(signal) = signals.arrived() {
         return (vec![], End::Signal(signal));
     }
-    let mut walk = match problem.motion(member) {
-        Ok(ready) => problem.walk(ready),
+    let mut integration = match problem.motion(member) {
+        Ok(ready) => problem.integrate(ready),
         Err(error) => return (vec![], End::Error(error)),
     };
     let front = [vec![(member + 1) as f64], problem.variation(member)].concat();
     let mut rows = Vec::new();
-    let end = follow(&mut walk, signals, |_, step| {
+    let end = follow(&mut integration, signals, |_, step| {
         rows.extend(step.rows.iter().map(|row| [&front[..], row].concat()));
         Ok::<_, Infallible>(())
     });
@@ -298,20 +288,20 @@ fn all_rows(problem: &Problem, member: u64, signals: &Signals) -> (Vec<Vec<f64>>
 
 /// Integrates a motion to its end, or up to a signal; `each` is called after every step.
 fn follow<E>(
-    walk: &mut Walk,
+    integration: &mut Integration,
     signals: &Signals,
-    mut each: impl FnMut(&Walk, Step) -> Result<(), E>,
+    mut each: impl FnMut(&Integration, Step) -> Result<(), E>,
 ) -> Result<End, E> {
     loop {
         if let Some(signal) = signals.arrived() {
             return Ok(End::Signal(signal));
         }
-        let step = match walk.step() {
+        let step = match integration.step() {
             Ok(step) => step,
             Err(error) => return Ok(End::Error(error.into())),
         };
         let done = step.done;
-        each(walk, step)?;
+        each(integration, step)?;
         if done {
             return Ok(End::Reached);
         }

@@ -9,7 +9,7 @@ use tempfile::TempDir;
 fn forces() {
     problems("a.toml", with).usage(&[
         ("forces.body = [1, 2]", &["a.toml:5:", "the force has 2 components, the dimension is 3"]),
-        ("forces.space = [1, 2, 3, 4]", &["the force has 4 components"]),
+        ("forces.spatial = [1, 2, 3, 4]", &["the force has 4 components"]),
         ("forces.body = [1, 'cos(wind)', 3]", &["a.toml:5:24", "^^^^", "`wind` is no name here"]),
         ("forces.body = [1, 'power', 3]", &["`power` is no name here"]),
         (
@@ -18,13 +18,13 @@ fn forces() {
         ),
         ("forces.table = 'none.csv'", &["a.toml:5:", "cannot read"]),
         ("forces.table = '.'", &["a.toml:5:", "cannot read"]),
-        ("forces.table_in = 'space'", &["there is no table"]),
+        ("forces.table_in = 'spatial'", &["there is no table"]),
         ("forces.interpolation = 'hold'", &["a.toml:5:", "there is no table"]),
         (
             "forces.table = 'a'\nforces.interpolation = 'cubic'",
             &["a.toml:6:", "`cubic` is neither linear nor hold"],
         ),
-        ("forces.table = 'a'\nforces.table_in = 'mars'", &["`mars` is neither body nor space"]),
+        ("forces.table = 'a'\nforces.table_in = 'mars'", &["`mars` is neither body nor spatial"]),
     ]);
 }
 
@@ -161,31 +161,35 @@ fn flows() {
 #[test]
 fn given_velocities() {
     let given = |lines: &str| format!("space = 'so3'\n{lines}\noutput.end = 1\n");
-    problems("a.toml", given).mathematics(&[("given.velocity = [1, 2, 3]", &["needs a step"])]);
+    problems("a.toml", given)
+        .mathematics(&[("prescribed.velocity = [1, 2, 3]", &["needs a step"])]);
     problems("a.toml", given).usage(&[
         (
-            "integrator.step = 0.1\ngiven.velocity = [1, 2]",
+            "integrator.step = 0.1\nprescribed.velocity = [1, 2]",
             &["a.toml:3:", "2 components, the dimension is 3"],
         ),
-        ("given = { velocity = [1, 2, 3], space_velocity = [1, 2, 3] }", &["give one of velocity"]),
         (
-            "integrator.step = 0.1\ngiven.space_velocity = [1, 2, 3]",
+            "prescribed = { velocity = [1, 2, 3], spatial_velocity = [1, 2, 3] }",
+            &["give one of velocity"],
+        ),
+        (
+            "integrator.step = 0.1\nprescribed.spatial_velocity = [1, 2, 3]",
             &["with invariance = \"right\""],
         ),
         (
-            "integrator.step = 0.1\ngiven.velocity = [1, 'H1', 3]",
+            "integrator.step = 0.1\nprescribed.velocity = [1, 'H1', 3]",
             &["a.toml:3:", "`H1` is no name here"],
         ),
         (
-            "metric = 'identity'\nintegrator.step = 0.1\ngiven.velocity = [1, 2, 3]",
+            "metric = 'identity'\nintegrator.step = 0.1\nprescribed.velocity = [1, 2, 3]",
             &["a velocity given over time has no `metric`"],
         ),
         (
-            "initial.momentum = [1, 2, 3]\nintegrator.step = 0.1\ngiven.velocity = [1, 2, 3]",
+            "initial.momentum = [1, 2, 3]\nintegrator.step = 0.1\nprescribed.velocity = [1, 2, 3]",
             &["has no `momentum`"],
         ),
         (
-            "forces.body = [1, 2, 3]\nintegrator.step = 0.1\ngiven.velocity = [1, 2, 3]",
+            "forces.body = [1, 2, 3]\nintegrator.step = 0.1\nprescribed.velocity = [1, 2, 3]",
             &["has no `forces`"],
         ),
     ]);
@@ -273,7 +277,7 @@ fn files() {
 /// A velocity over time has no inertia.
 #[test]
 fn velocities_over_time_have_no_energy() {
-    let given = "space = 'so3'\nintegrator.step = 0.1\ngiven.velocity = [1, 't', 0]\n";
+    let given = "space = 'so3'\nintegrator.step = 0.1\nprescribed.velocity = [1, 't', 0]\n";
     let says = &["is no name here"];
     problems("a.toml", |output: &str| format!("{given}{output}")).usage(&[
         ("output = { end = 1, columns = ['t', 'H'] }", says),

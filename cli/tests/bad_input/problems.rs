@@ -128,10 +128,28 @@ fn starts() {
     ]);
 }
 
+/// Keys with new names are refused by these.
+#[test]
+fn renamed_keys() {
+    let part = "metric = 'identity'\ninertia.parts = [{ shape = 'ball', radius = 1, mass = 1, ";
+    problems("a.toml", after(OUTPUT)).usage(&[
+        ("initial.space_velocity = [1, 2, 3]", &["`space_velocity` is now `spatial_velocity`"]),
+        ("initial.space_momentum = [1, 2, 3]", &["`space_momentum` is now `spatial_momentum`"]),
+        ("forces.space = [1, 2, 3]", &["`space` is now `spatial`"]),
+        ("forces.table_in = 'space'", &["`space` is now `spatial`", "a.toml:5:"]),
+        ("given.velocity = [1, 2, 3]", &["`given` is now `prescribed`", "a.toml:5:"]),
+        ("prescribed.space_velocity = [1, 2, 3]", &["is now `spatial_velocity`"]),
+        (&format!("{part}at = [0, 0, 1] }}]"), &["`at` is now `position`"]),
+        (&format!("{part}turn = [0, 0, 1] }}]"), &["`turn` is now `rotation`"]),
+    ]);
+}
+
 #[test]
 fn methods() {
     problems("a.toml", after(OUTPUT)).usage(&[
         ("integrator.method = 'rk4'", &["a.toml:5:22", "`rk4` is no method", "rkmk54"]),
+        ("integrator.method = 'cg3'", &["a.toml:5:22", "`cg3` does not exist any more", "use cf4"]),
+        ("integrator.method = 'kick6'", &["use kick4"]),
         ("integrator = { method = 'rkmk4', step = 0 }", &["a.toml:5:", "0 is not above zero"]),
         ("integrator = { method = 'rkmk4', step = -0.1 }", &["-0.1 is not above zero"]),
         ("integrator = { method = 'rkmk4', step = inf }", &["inf"]),
@@ -139,7 +157,7 @@ fn methods() {
     ]);
     problems("a.toml", after(OUTPUT)).mathematics(&[
         ("integrator.method = 'rkmk4'", &["rkmk4", "it needs a step"]),
-        ("integrator = { method = 'dmv6', step = 0.1 }\nforces.body = [0, 0, 1]", &["no forces"]),
+        ("integrator = { method = 'dmv10', step = 0.1 }\nforces.body = [0, 0, 1]", &["no forces"]),
         (
             "integrator = { method = 'kick4', step = 0.1 }\nforces.body = ['-Omega1', 0, 0]",
             &["depend on no velocity"],

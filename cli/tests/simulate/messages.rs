@@ -10,10 +10,10 @@ const BODY: &str = "space = \"so3\"\nmetric = \"diag(1, 2, 3)\"\n\
 #[test]
 fn a_refused_name_is_not_in_the_help() {
     let given =
-        "space = \"so3\"\ngiven.velocity = [1, 2, 3]\nintegrator.step = 0.1\noutput.end = 1\n";
+        "space = \"so3\"\nprescribed.velocity = [1, 2, 3]\nintegrator.step = 0.1\noutput.end = 1\n";
     let cases = [
         (format!("{BODY}forces.body = [0, 0, \"energy\"]"), "energy", "Omega1..Omega3, H1..H3"),
-        (format!("{BODY}forces.space = [0, 0, \"power\"]"), "power", "g11..g33, qw"),
+        (format!("{BODY}forces.spatial = [0, 0, \"power\"]"), "power", "g11..g33, qw"),
         (format!("{given}quantities.k = \"H1\""), "H1", "Omega1..Omega3, omega1..omega3"),
         (format!("{given}events.k = \"kinetic\""), "kinetic", "g11..g33, qw"),
     ];

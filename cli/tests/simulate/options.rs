@@ -57,10 +57,10 @@ fn methods_are_compared_without_editing_the_file() {
         assert!(message.contains(&format!("top: method {method}")), "{message}");
     }
     done(simulate(fixed.path()).args(["--method", "rkmk853"]));
-    done(simulate(controlled.path()).args(["--method", "cg3", "--step", "0.01"]));
+    done(simulate(controlled.path()).args(["--method", "cf4", "--step", "0.01"]));
     done(simulate(controlled.path()).args(["--step", "0.01"]));
-    let message = refused(simulate(controlled.path()).args(["--method", "cg3"]), 1);
-    assert!(message.contains("cg3") && message.contains("it needs a step"), "{message}");
+    let message = refused(simulate(controlled.path()).args(["--method", "cf4"]), 1);
+    assert!(message.contains("cf4") && message.contains("it needs a step"), "{message}");
 }
 
 /// The checks and messages of the file, at the option.
@@ -93,17 +93,19 @@ fn options_are_checked_as_keys_are() {
 /// A checkpoint belongs to the options; the file of an incomplete run goes when the run is complete.
 #[test]
 fn a_checkpoint_is_of_its_options() {
-    let folder = folder(TOP);
+    let folder =
+        folder(&TOP.replace("end = 400", "end = 4").replace("samples = 40", "samples = 600"));
     let folder = folder.path();
-    let options = ["--end", "300", "--checkpoint", "c", "-o", "rows.csv"];
+    let options = ["--ensemble", "--end", "3", "--checkpoint", "c", "-o", "rows.csv"];
     let mut run = simulate(folder);
     run.args(options).args(["--checkpoint-every", "0"]);
     interrupted(&mut run, "INT", || saved_rows(folder) > 3);
     assert!(folder.join("rows.partial.csv").exists());
-    let other = ["--end", "301", "--checkpoint", "c", "--resume"];
+    let other = ["--ensemble", "--end", "3.5", "--checkpoint", "c", "--resume"];
     let message = refused(simulate(folder).args(other), 2);
     assert!(message.contains("a different --end"), "{message}");
-    let message = refused(simulate(folder).args(options).args(["--method", "cg3", "--resume"]), 2);
+    let message =
+        refused(simulate(folder).args(options).args(["--method", "rkmk54", "--resume"]), 2);
     assert!(message.contains("a different --method"), "{message}");
     done(simulate(folder).args(options).arg("--resume"));
     let mut left: Vec<_> =

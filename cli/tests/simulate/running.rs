@@ -9,27 +9,24 @@ use std::thread;
 use std::time::Duration;
 
 /// Kills the run a few times, each time once it has saved something new, then lets it come to its end.
-pub fn killed_and_resumed(folder: &Path, options: &[&str]) -> u32 {
+pub fn killed_and_resumed(folder: &Path) {
     let saved = || fs::read(folder.join("c")).ok();
     let start = |seconds: &str| {
         let mut command = simulate(folder);
-        command.args(options).args(["--checkpoint", "c", "--checkpoint-every", seconds]);
+        command.args(["--ensemble", "--checkpoint", "c", "--checkpoint-every", seconds]);
         command.args(["--resume", "-o", "killed.csv"]).stderr(Stdio::null());
         command.spawn().unwrap()
     };
-    let mut kills = 0;
     for _ in 0..6 {
         let (before, mut child) = (saved(), start("0"));
         if !reaches(&mut child, || saved() != before) {
             assert!(child.wait().unwrap().success());
-            return kills;
+            return;
         }
         kill(child);
-        kills += 1;
     }
     // a checkpoint at every step would wait for the disk
     assert!(start("1").wait().unwrap().success());
-    kills
 }
 
 /// Waits until a run has reached a state, true, or has ended before, false.

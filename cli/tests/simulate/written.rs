@@ -87,8 +87,8 @@ fn places_are_looked_at_first() {
         (&["-o", "top.toml"][..], "top.toml is the input"),
         (&["-o", "none/rows.csv"], "cannot write none/rows.csv"),
         (&["-o", "."], "cannot write ."),
-        (&["-o", "rows.csv", "--checkpoint", "./rows.csv"], "need different files"),
-        (&["-o", "c.rows", "--checkpoint", "c"], "need different files"),
+        (&["--ensemble", "-o", "rows.csv", "--checkpoint", "./rows.csv"], "need different files"),
+        (&["--ensemble", "-o", "c.rows", "--checkpoint", "c"], "need different files"),
     ];
     for (options, expected) in cases {
         let message = refused(simulate(folder).args(options), 2);
@@ -117,7 +117,7 @@ fn an_ensemble_says_its_method_and_notes() {
 #[test]
 fn the_summary_of_a_right_invariant_system() {
     let fluid = fs::read_to_string(root().join("examples/motions/fluid_se2.toml")).unwrap();
-    let left = fluid.replace("\"right\"", "\"left\"").replace("space_velocity", "velocity");
+    let left = fluid.replace("\"right\"", "\"left\"").replace("spatial_velocity", "velocity");
     for (problem, shown, hidden) in [(fluid, "\n H2 ", "\n h2 "), (left, "\n h2 ", "\n H2 ")] {
         let output = done(&mut simulate(folder(&problem).path()));
         let message = String::from_utf8(output.stderr).unwrap();

@@ -240,9 +240,27 @@ fn quote_huge(value: &mut DeValue) {
     }
 }
 
+/// Keys of problem files that have new names.
+const RENAMED: [(&str, &str); 6] = [
+    ("space_velocity", "spatial_velocity"),
+    ("space_momentum", "spatial_momentum"),
+    ("space", "spatial"),
+    ("given", "prescribed"),
+    ("at", "position"),
+    ("turn", "rotation"),
+];
+
 /// An error of the parser in the terms of definition files, without a place.
 fn syntax(message: &str) -> InputError {
     let message = message.split(" at line ").next().unwrap_or(message);
+    if let Some((what, keys)) = message.split_once(", expected ")
+        && let Some(unknown) = what.strip_prefix("unknown field ")
+        && let Some((old, new)) = RENAMED
+            .iter()
+            .find(|(old, new)| unknown == format!("`{old}`") && keys.contains(&format!("`{new}`")))
+    {
+        return InputError::usage(format!("`{old}` is now `{new}`")).help(format!("write `{new}`"));
+    }
     let message = message
         .replace("unknown field", "unknown key")
         .replace("duplicate field", "duplicate key")

@@ -31,7 +31,7 @@ pub fn animation(run: &RunRows, inertia: &Inertia, seconds: f64) -> Result<Figur
     let axes = inertia.axes();
     let turns: Vec<Matrix3<f64>> = run.attitudes()?.iter().map(|r| r * axes).collect();
     let places = run.vectors(["g14", "g24", "g34"]).ok();
-    let moments = inertia.moments();
+    let moments = inertia.principal_moments();
     let size = SIZES[usize::from(places.is_some())];
     let (mut panel, center) = match &places {
         Some(places) => space(places, size),

@@ -38,7 +38,7 @@ pub fn momentum(run: &RunRows, inertia: &Inertia) -> Result<Figure, Error> {
     let start = points.first().copied().unwrap_or_default();
     let longest = points.iter().map(|h| h.norm()).fold(0.0, f64::max);
     let radius = if longest > 0.0 { longest } else { 1.0 };
-    let (axes, moments) = (inertia.axes(), inertia.moments());
+    let (axes, moments) = (inertia.axes(), inertia.principal_moments());
     let mut panel = Panel::new("", radius, ["H₁", "H₂", "H₃"]);
     // semi-axes of H . J^-1 H = 2 E
     let energy = inertia.energy(&start);

@@ -1,17 +1,47 @@
 //! Bodies by their parts: simple shapes, meshes, masses at points, holes.
 
-use super::keys::{InertiaKeys, PartKeys};
 use super::reader::{Reader, Value};
 use crate::definition::input::{InputError, shown};
 use crate::definition::read_mesh;
 use crate::definition::source::Place;
-use crate::definition::written::PointText;
+use crate::definition::written::{Number, PointText, Text};
 use affinor::Metric;
-use affinor::group::{AnyGroup, Written};
-use affinor::mechanics::motions::SimulationGroup;
+use affinor::group::{AnyGroup, MatrixNotation};
+use affinor::mechanics::simulation::SimulationGroup;
 use affinor::mechanics::{Inertia, MassProperties};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{Isometry3, Matrix3, Vector3};
+use serde::Deserialize;
+
+/// The table `[inertia]`: a rigid body.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct InertiaKeys {
+    pub about: Option<PointText>,
+    pub parts: Option<Vec<PartKeys>>,
+    pub moments: Option<Vec<Number>>,
+    pub matrix: Option<Vec<Vec<Number>>>,
+}
+
+/// A part of a body.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct PartKeys {
+    pub shape: Option<Text>,
+    pub mesh: Option<Text>,
+    pub edges: Option<Vec<Number>>,
+    pub half_axes: Option<Vec<Number>>,
+    pub radius: Option<Number>,
+    pub height: Option<Number>,
+    pub length: Option<Number>,
+    pub points: Option<Vec<Vec<Number>>>,
+    pub mass: Option<Number>,
+    pub density: Option<Number>,
+    pub position: Option<Vec<Number>>,
+    pub rotation: Option<Vec<Number>>,
+    #[serde(default)]
+    pub hole: bool,
+}
 
 /// The shapes, with the keys of their sizes.
 const SHAPES: [(&str, &[&str]); 6] = [
@@ -50,8 +80,8 @@ struct Part {
     /// At most one of both is given; points have masses of their own.
     mass: Option<Value>,
     density: Option<Value>,
-    at: Option<Vec<Value>>,
-    turn: Option<Vec<Value>>,
+    position: Option<Vec<Value>>,
+    rotation: Option<Vec<Value>>,
     hole: bool,
     place: Place,
 }
@@ -140,8 +170,9 @@ impl PartKeys {
             let message = "a part has a mass or a density; points have their own";
             return Err(refused(message.into()));
         }
-        let (at, turn) = (reader.optional_values(&self.at)?, reader.optional_values(&self.turn)?);
-        Ok(Part { shape, mass, density, at, turn, hole: self.hole, place })
+        let position = reader.optional_values(&self.position)?;
+        let rotation = reader.optional_values(&self.rotation)?;
+        Ok(Part { shape, mass, density, position, rotation, hole: self.hole, place })
     }
 
     /// The keys of the sizes that are given, and their values.
@@ -200,7 +231,7 @@ impl Body {
                     return refused(&format!("{} rows are no inertia, which has 3", rows.len()));
                 };
                 let matrix = Matrix3::from_columns(&[a, b, c]).transpose();
-                let inertia = Inertia::new(&matrix).and_then(|inertia| inertia.expect_masses());
+                let inertia = Inertia::new(&matrix).and_then(|inertia| inertia.require_physical());
                 inertia.map_err(|error| InputError::from(error).at(&self.place))?;
                 return Ok((on_rotations(&matrix)?, vec![]));
             }
@@ -243,7 +274,7 @@ impl Body {
             return Err(error.at(&self.place));
         };
         for hole in holes {
-            let left = body.without(&hole.masses(values)?);
+            let left = body.subtract(&hole.masses(values)?);
             body = left.map_err(|error| InputError::from(error).at(&hole.place))?;
         }
         Ok(body)
@@ -287,7 +318,10 @@ impl Part {
             Some(list) => three(what, list, values),
             None => Ok(Vector3::zeros()),
         };
-        let motion = Isometry3::new(vector("`at`", &self.at)?, vector("`turn`", &self.turn)?);
+        let motion = Isometry3::new(
+            vector("`position`", &self.position)?,
+            vector("`rotation`", &self.rotation)?,
+        );
         Ok(part.map_err(refused)?.moved(&motion))
     }
 }

@@ -1,20 +1,19 @@
 //! Problems of Euler-Poincare equations with holonomic constraints.
 
-use super::dynamics::{Dynamics, System};
+use super::euler_poincare::{EulerPoincare, System};
 use super::keys::Keys;
 use super::on_group::{OnGroup, Start};
 use super::reader::{Reader, Written};
 use super::ready::{Column, Ready};
 use crate::definition::InputError;
 use affinor::Metric;
-use affinor::mechanics::motions::chosen::on_constraints;
-use affinor::mechanics::motions::{Equations, Method};
+use affinor::mechanics::simulation::{Class, ConstrainedSpec, Constraints, Method, Started};
 use nalgebra::DVector;
 
 /// Equations of motion with Lagrange multipliers.
 #[derive(Clone, Debug)]
 pub(super) struct Constrained {
-    dynamics: Dynamics,
+    dynamics: EulerPoincare,
     /// Formulas of the entries of the element, each of which must vanish.
     constraints: Vec<Written>,
 }
@@ -24,7 +23,7 @@ impl Constrained {
         let constraints: Vec<_> = keys.constraints.iter().flatten().collect();
         reader.refuse_empty("constraints", constraints.is_empty())?;
         let constraints = constraints.into_iter().map(|text| reader.written(text)).collect();
-        let dynamics = Dynamics::read(keys, on_group, reader)?.without_casimirs();
+        let dynamics = EulerPoincare::read(keys, on_group, reader)?.without_casimirs();
         Ok(Constrained { dynamics, constraints })
     }
 
@@ -32,15 +31,17 @@ impl Constrained {
         let (group, member) = (start.group, start.member);
         let System { energy, inertia, forces, rows, element, momentum, notes } =
             self.dynamics.system(start)?;
-        if let Some(method) = member.method().filter(|m| *m != Method::GeneralisedAlpha) {
+        let method = member.method().unwrap_or(Method::GeneralisedAlpha);
+        if method.class() != Class::Constrained {
             let message = format!("the method {method} is not for constraints");
+            let names = Method::names_of(&[Class::Constrained]);
             return Err(InputError::mathematics(message)
-                .help("the method for constraints is generalised-alpha"));
+                .help(format!("the method for constraints is {names}")));
         }
         let step = member.needed_step("a system with constraints")?;
-        let mut equations = Equations::new(group.clone());
+        let mut constraints = Constraints::default();
         for written in &self.constraints {
-            let added = equations.add(written.text(), forces.names());
+            let added = constraints.add(written.text(), forces.names());
             let entries = forces.names().entries();
             let help = format!("a constraint is a formula of the entries {entries} and parameters");
             added.map_err(|error| written.refused(error, help))?;
@@ -51,17 +52,21 @@ impl Constrained {
         columns.extend(multipliers.map(|name| Column::new(name, false)));
         columns.push(Column::new("violation", true));
         let velocity = velocity_of(&energy.metric, &momentum)?;
-        let motion = on_constraints(
-            group,
-            (&energy.connection, &energy.metric),
-            (forces, equations),
-            (member.times[0], element, velocity),
+        let spec = ConstrainedSpec {
+            connection: &energy.connection,
+            metric: &energy.metric,
+            forces,
+            constraints,
+            time: member.times[0],
+            element,
+            velocity,
+            method,
             step,
-            rows.formulas,
+            columns: rows.formulas,
             visible,
-        )?;
-        let motion = (motion, Method::GeneralisedAlpha);
-        let ready = Ready::new(motion, &member.times, columns, rows.events);
+        };
+        let started = Started { motion: spec.start(group)?, method };
+        let ready = Ready::new(started, &member.times, columns, rows.events);
         Ok(Ready { inertia: Some(inertia), notes, ..ready })
     }
 }

@@ -1,13 +1,23 @@
 //! Ensembles: parameters over a grid and at random.
 
-use super::keys::EnsembleKeys;
 use super::reader::{Reader, Written};
 use crate::definition::input::{InputError, shown};
 use crate::definition::numbers::numbers_in;
-use crate::definition::written::Text;
+use crate::definition::written::{Formulas, Text};
 use chacha20::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rand_distr::StandardNormal;
+use serde::Deserialize;
+
+/// The table `[ensemble]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct EnsembleKeys {
+    pub grid: Option<Formulas>,
+    pub random: Option<Formulas>,
+    pub samples: Option<u64>,
+    pub seed: Option<u64>,
+}
 
 /// The largest number of members.
 const MAX_MEMBERS: u64 = 1_000_000_000;

@@ -1,12 +1,12 @@
 //! The classes of problems on a Lie group.
 
 use super::constrained::Constrained;
-use super::dynamics::Dynamics;
-use super::given_velocity::GivenVelocity;
-use super::integration::Member;
+use super::euler_poincare::EulerPoincare;
+use super::integrator::Member;
 use super::keys::Keys;
 use super::lie_poisson::LiePoisson;
 use super::on_group::{OnGroup, Start};
+use super::prescribed_velocity::PrescribedVelocity;
 use super::reader::Reader;
 use super::ready::Ready;
 use crate::definition::input::InputError;
@@ -16,22 +16,22 @@ use affinor_tensors::Tolerance;
 /// The classes of problems on a group.
 #[derive(Clone, Debug)]
 pub(super) enum GroupClass {
-    EulerPoincare(Box<Dynamics>),
+    EulerPoincare(Box<EulerPoincare>),
     Constrained(Box<Constrained>),
     LiePoisson(Box<LiePoisson>),
-    GivenVelocity(Box<GivenVelocity>),
+    PrescribedVelocity(Box<PrescribedVelocity>),
 }
 
 impl GroupClass {
     pub fn read(keys: &Keys, on_group: &OnGroup, reader: &Reader) -> Result<Self, InputError> {
-        Ok(if let Some(given) = &keys.given {
-            Self::GivenVelocity(GivenVelocity::read(given, reader)?.into())
+        Ok(if let Some(prescribed) = &keys.prescribed {
+            Self::PrescribedVelocity(PrescribedVelocity::read(prescribed, reader)?.into())
         } else if let Some(hamiltonian) = &keys.hamiltonian {
             Self::LiePoisson(LiePoisson::read(hamiltonian, keys, on_group, reader)?.into())
         } else if keys.constraints.is_some() {
             Self::Constrained(Constrained::read(keys, on_group, reader)?.into())
         } else {
-            Self::EulerPoincare(Dynamics::read(keys, on_group, reader)?.into())
+            Self::EulerPoincare(EulerPoincare::read(keys, on_group, reader)?.into())
         })
     }
 
@@ -46,7 +46,7 @@ impl GroupClass {
             Self::EulerPoincare(class) => class.motion(&start),
             Self::Constrained(class) => class.motion(&start),
             Self::LiePoisson(class) => class.motion(&start),
-            Self::GivenVelocity(class) => class.motion(&start),
+            Self::PrescribedVelocity(class) => class.motion(&start),
         }
     }
 }

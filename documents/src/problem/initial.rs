@@ -1,12 +1,28 @@
 //! Initial conditions on a group: an element, and a velocity or a momentum.
 
-use super::keys::InitialKeys;
 use super::reader::{Reader, Value};
 use crate::definition::InputError;
 use crate::definition::source::Place;
-use affinor::group::{AnyGroup, LieGroup, Written, rotation};
-use affinor::mechanics::motions::{Observables, Side, SimulationGroup};
+use crate::definition::written::Number;
+use affinor::group::{AnyGroup, LieGroup, MatrixNotation, rotation};
+use affinor::mechanics::simulation::{Observables, Side, SimulationGroup};
 use nalgebra::DVector;
+use serde::Deserialize;
+
+/// The table `[initial]`: the initial condition.
+#[derive(Deserialize, Default)]
+#[serde(deny_unknown_fields)]
+pub(super) struct InitialKeys {
+    pub time: Option<Number>,
+    pub element: Option<Vec<Vec<Number>>>,
+    pub coordinates: Option<Vec<Number>>,
+    pub quaternion: Option<Vec<Number>>,
+    pub position: Option<Vec<Number>>,
+    pub velocity: Option<Vec<Number>>,
+    pub spatial_velocity: Option<Vec<Number>>,
+    pub momentum: Option<Vec<Number>>,
+    pub spatial_momentum: Option<Vec<Number>>,
+}
 
 /// The initial element of the group.
 #[derive(Clone, Debug)]
@@ -99,15 +115,15 @@ impl InitialMomentum {
         let source = reader.source;
         let given = [
             ("velocity", true, Side::Body, &keys.velocity),
-            ("space_velocity", true, Side::Space, &keys.space_velocity),
+            ("spatial_velocity", true, Side::Spatial, &keys.spatial_velocity),
             ("momentum", false, Side::Body, &keys.momentum),
-            ("space_momentum", false, Side::Space, &keys.space_momentum),
+            ("spatial_momentum", false, Side::Spatial, &keys.spatial_momentum),
         ];
         let mut given = given.into_iter().filter_map(|(key, is_velocity, side, list)| {
             Some((key, is_velocity, side, list.as_ref()?))
         });
         let refused = |message: &str| {
-            let help = "give one of velocity, momentum, space_velocity, space_momentum";
+            let help = "give one of velocity, momentum, spatial_velocity, spatial_momentum";
             Err(source.refused("initial", message).help(help))
         };
         match (given.next(), given.next()) {
@@ -130,13 +146,13 @@ impl InitialMomentum {
         &self,
         group: &AnyGroup,
         g: &DVector<f64>,
-        observables: &Observables<AnyGroup>,
+        observables: &Observables,
         values: &[f64],
     ) -> Result<DVector<f64>, InputError> {
         let what = if self.is_velocity { "velocity" } else { "momentum" };
         let list = Value::vector(what, &self.values, group.dimension(), values, &self.place)?;
         let vector = DVector::from_vec(list);
-        let own = self.side == if group.is_right() { Side::Space } else { Side::Body };
+        let own = self.side == if group.is_right() { Side::Spatial } else { Side::Body };
         Ok(match (self.is_velocity, own) {
             (true, true) => observables.momentum(&vector),
             (true, false) => observables.momentum(&group.adjoint(&group.inverse(g), &vector)),

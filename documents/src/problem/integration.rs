@@ -1,196 +1,90 @@
-//! How one motion of a problem is integrated: its method, time step, and step-size control.
+//! The integration of a motion through its times and events.
 
-use super::keys::IntegratorKeys;
-use super::output::Output;
-use super::reader::{Reader, Value};
-use crate::definition::input::{InputError, shown};
-use crate::definition::source::{Place, Source};
-use crate::definition::written::OneOrMore;
-use affinor::mechanics::Adaptive;
-use affinor::mechanics::motions::Method;
+use super::ready::Ready;
+use affinor::Error;
+use affinor::mechanics::simulation::{Crossing, Crossings};
 
-/// The relative tolerance and the largest number of steps, unless the file gives them.
-const TOLERANCE: f64 = 1e-10;
-const MAX_STEPS: usize = 1_000_000;
+/// A motion that is integrated through the times of its problem, with the rows and events on its way.
+pub struct Integration {
+    ready: Ready,
+    /// The terminal event.
+    stop: Option<String>,
+    /// The event that rows are written at, instead of times.
+    section: Option<String>,
+    crossings: Crossings,
+    /// The index of the next time.
+    next: usize,
+}
 
-/// The table `[integrator]`.
-#[derive(Clone, Debug)]
-pub(super) struct Integration {
-    /// The method, unless the problem takes that of its class.
-    pub method: Option<Method>,
-    step: Option<Value>,
-    tolerance: Option<Value>,
-    /// Absolute tolerances of rotations and of translations.
-    absolute: Option<[Value; 2]>,
-    max_step: Option<Value>,
-    max_steps: Option<usize>,
+/// The rows and events of one step of an [`Integration`].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Progress {
+    /// Rows, without the values of events.
+    pub rows: Vec<Vec<f64>>,
+    /// Events by name, with their times.
+    pub events: Vec<(String, f64)>,
+    /// Whether the integration has ended.
+    pub done: bool,
 }
 
 impl Integration {
-    pub fn read(keys: &IntegratorKeys, reader: &Reader) -> Result<Self, InputError> {
-        let source = reader.source;
-        let method = match &keys.method {
-            None => None,
-            Some(name) => Some(method_of(name, &source.at(name))?),
+    /// An integration from the initial condition.
+    pub(super) fn new(ready: Ready, stop: Option<String>, section: Option<String>) -> Self {
+        let crossings = crossings(&ready);
+        Integration { ready, stop, section, crossings, next: 0 }
+    }
+
+    /// The share of the whole time that is passed, from 0 to 1.
+    pub fn progress(&self) -> f64 {
+        let (Some(first), Some(last)) = (self.ready.times.first(), self.ready.times.last()) else {
+            return 1.0;
         };
-        let absolute = keys.absolute_tolerance.as_ref().map(|OneOrMore(numbers)| {
-            match &reader.values(numbers)?[..] {
-                [both] => Ok([both.clone(), both.clone()]),
-                [rotations, translations] => Ok([rotations.clone(), translations.clone()]),
-                others => {
-                    let message = format!("`absolute_tolerance` has {} numbers", others.len());
-                    let help = "give one number, or one for rotations and one for translations";
-                    Err(source.refused("integrator.absolute_tolerance", message).help(help))
-                }
+        let share = (self.ready.motion.time() - first) / (last - first);
+        if share.is_nan() { 1.0 } else { share.clamp(0.0, 1.0) }
+    }
+
+    /// One step of the motion.
+    ///
+    /// # Errors
+    /// The reason why the motion cannot go on. Earlier rows stay valid.
+    pub fn step(&mut self) -> Result<Progress, Error> {
+        let mut progress = Progress::default();
+        let Some(&time) = self.ready.times.get(self.next) else {
+            progress.done = true;
+            return Ok(progress);
+        };
+        let (reached, crossings) = self.crossings.step(self.ready.motion.as_mut(), time)?;
+        for Crossing { event, row, time } in crossings {
+            let name = Some(&self.ready.events[event]);
+            let stops = name == self.stop.as_ref();
+            if stops || name == self.section.as_ref() {
+                progress.rows.push(self.visible(row));
             }
-        });
-        Ok(Integration {
-            method,
-            absolute: absolute.transpose()?,
-            tolerance: reader.optional(&keys.tolerance)?,
-            max_step: reader.optional(&keys.max_step)?,
-            max_steps: keys.max_steps,
-            step: reader.optional(&keys.step)?,
-        })
-    }
-
-    /// The same for another method, with steps of this length, or with this relative tolerance; without them those of the
-    /// file remain, if the method has them.
-    pub fn with_method(
-        &self,
-        method: Method,
-        step: Option<f64>,
-        tolerance: Option<f64>,
-        source: &Source,
-    ) -> Self {
-        let controlled = method.is_controlled();
-        let of = |given: Option<f64>, own: &Option<Value>| {
-            given.map_or(own.clone(), |given| Some(Value::constant(source, given)))
-        };
-        Integration {
-            method: Some(method),
-            step: of(step, &self.step).filter(|_| method.has_steps()),
-            tolerance: of(tolerance, &self.tolerance).filter(|_| controlled),
-            absolute: self.absolute.clone().filter(|_| controlled),
-            max_step: self.max_step.clone().filter(|_| controlled),
-            max_steps: self.max_steps.filter(|_| controlled),
+            progress.events.push((self.ready.events[event].clone(), time));
+            if stops {
+                self.next = self.ready.times.len();
+                progress.done = true;
+                return Ok(progress);
+            }
         }
-    }
-
-    /// The same with another method, step, or tolerance, instead of those of the file. Keys of the file that serve the other way
-    /// to choose steps, fixed or controlled, are left out.
-    pub fn replaced(
-        &self,
-        method: Option<Method>,
-        step: Option<Value>,
-        tolerance: Option<Value>,
-    ) -> Self {
-        let has_steps = method.is_none_or(Method::has_steps);
-        let controlled = method.map_or(step.is_none(), Method::is_controlled);
-        Integration {
-            method: method.or(self.method),
-            step: step.or(self.step.clone().filter(|_| has_steps)),
-            tolerance: tolerance.or(self.tolerance.clone().filter(|_| controlled)),
-            absolute: self.absolute.clone().filter(|_| controlled),
-            max_step: self.max_step.clone().filter(|_| controlled),
-            max_steps: self.max_steps.filter(|_| controlled),
+        if reached {
+            if self.section.is_none() {
+                progress.rows.push(self.visible(self.ready.motion.row()));
+            }
+            self.next += 1;
+            progress.done = self.next == self.ready.times.len();
         }
+        Ok(progress)
     }
 
-    /// Refuses keys that the method ignores.
-    pub fn expect_no_ignored_keys(
-        &self,
-        method: Method,
-        source: &Source,
-    ) -> Result<(), InputError> {
-        let (has_steps, controlled) = (method.has_steps(), method.is_controlled());
-        let place = |value: &Option<Value>| value.as_ref().map(Value::place);
-        let key = |key: &str| source.key(&format!("integrator.{key}"));
-        let keys = [
-            ("step", place(&self.step).filter(|_| !has_steps)),
-            ("tolerance", place(&self.tolerance).filter(|_| !controlled)),
-            (
-                "absolute_tolerance",
-                self.absolute.as_ref().filter(|_| !controlled).map(|_| key("absolute_tolerance")),
-            ),
-            ("max_step", place(&self.max_step).filter(|_| !controlled)),
-            ("max_steps", self.max_steps.filter(|_| !controlled).map(|_| key("max_steps"))),
-        ];
-        let Some((key, place)) = keys.into_iter().find_map(|(key, at)| Some((key, at?))) else {
-            return Ok(());
-        };
-        let error = InputError::usage(format!("the method {method} has no `{key}`"));
-        Err(error.at(&place).help("leave the key out, or name another method"))
+    fn visible(&self, mut row: Vec<f64>) -> Vec<f64> {
+        row.truncate(self.ready.columns.len());
+        row
     }
 }
 
-/// The method of a name.
-pub(super) fn method_of(name: &str, place: &Place) -> Result<Method, InputError> {
-    Method::from_name(name).ok_or_else(|| {
-        let all = Method::ALL.map(Method::name).join(", ");
-        let error = InputError::usage(format!("`{}` is no method", shown(name)));
-        error.at(place).help(format!("the methods are {all}"))
-    })
-}
-
-/// The parameters and times of one motion, and the parts of the problem that do not depend on its class.
-pub(super) struct Member<'p> {
-    pub source: &'p Source,
-    /// The parameters with their values.
-    pub parameters: Vec<(String, f64)>,
-    /// The times of the rows; the first is the initial time.
-    pub times: Vec<f64>,
-    pub integration: &'p Integration,
-    pub output: &'p Output,
-}
-
-impl Member<'_> {
-    /// The values of the parameters.
-    pub fn values(&self) -> Vec<f64> {
-        values_of(&self.parameters)
-    }
-
-    /// The method that the file names.
-    pub fn method(&self) -> Option<Method> {
-        self.integration.method
-    }
-
-    /// The time step, where there is one; it must be positive.
-    pub fn step(&self) -> Result<Option<f64>, InputError> {
-        self.positive(&self.integration.step)
-    }
-
-    /// The time step of a class of problems that needs one; `what` names the class.
-    pub fn needed_step(&self, what: &str) -> Result<f64, InputError> {
-        self.step()?.ok_or_else(|| InputError::mathematics(format!("{what} needs a step")))
-    }
-
-    /// The step-size control through the times of the rows; its tolerances and limits must be positive.
-    pub fn control(&self) -> Result<Adaptive, InputError> {
-        let Integration { tolerance, absolute, max_step, max_steps, .. } = self.integration;
-        let values = self.values();
-        let absolute = absolute.as_ref().map(|[rotations, translations]| {
-            Ok::<_, InputError>([rotations.positive(&values)?, translations.positive(&values)?])
-        });
-        let span = match &self.times[..] {
-            [first, .., last] => (last - first).abs(),
-            _ => f64::INFINITY,
-        };
-        Ok(Adaptive {
-            absolute: absolute.transpose()?,
-            span,
-            max_steps: max_steps.unwrap_or(MAX_STEPS),
-            max_step: self.positive(max_step)?.unwrap_or(f64::INFINITY),
-            ..Adaptive::new(self.positive(tolerance)?.unwrap_or(TOLERANCE))
-        })
-    }
-
-    fn positive(&self, value: &Option<Value>) -> Result<Option<f64>, InputError> {
-        value.as_ref().map(|value| value.positive(&self.values())).transpose()
-    }
-}
-
-/// Values without their names.
-pub(super) fn values_of(parameters: &[(String, f64)]) -> Vec<f64> {
-    parameters.iter().map(|(_, value)| *value).collect()
+/// The events of a motion: their values follow those of the columns.
+fn crossings(ready: &Ready) -> Crossings {
+    let width = ready.columns.len();
+    Crossings::new(ready.motion.as_ref(), width..width + ready.events.len())
 }

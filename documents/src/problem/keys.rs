@@ -1,9 +1,15 @@
-//! The keys of a problem file.
+//! The keys of a problem file; those of its tables are in the files that read them.
 
+use super::body::InertiaKeys;
+use super::ensemble::EnsembleKeys;
+use super::forces::ForceKeys;
+use super::initial::InitialKeys;
+use super::integrator::IntegratorKeys;
+use super::matrix_flow::FlowKeys;
+use super::output::OutputKeys;
+use super::prescribed_velocity::PrescribedKeys;
 use crate::definition::document::Document;
-use crate::definition::written::{
-    Entries, Formulas, MetricText, Number, OneOrMore, PointText, Text,
-};
+use crate::definition::written::{Entries, Formulas, MetricText, Number, Text};
 use serde::Deserialize;
 
 /// The dotted paths of the keys that only problems on a group have.
@@ -11,7 +17,7 @@ pub(super) const OF_GROUPS: [&str; 11] = [
     "space",
     "definition",
     "invariance",
-    "given",
+    "prescribed",
     "initial.element",
     "initial.coordinates",
     "initial.quaternion",
@@ -30,9 +36,9 @@ pub(super) const OF_DYNAMICS: [&str; 10] = [
     "constraints",
     "hamiltonian",
     "initial.velocity",
-    "initial.space_velocity",
+    "initial.spatial_velocity",
     "initial.momentum",
-    "initial.space_momentum",
+    "initial.spatial_momentum",
 ];
 
 /// All keys of a file.
@@ -50,7 +56,7 @@ pub(super) struct Keys {
     pub flow: Option<FlowKeys>,
     #[serde(default)]
     pub initial: InitialKeys,
-    pub given: Option<GivenKeys>,
+    pub prescribed: Option<PrescribedKeys>,
     pub hamiltonian: Option<Text>,
     pub constraints: Option<Vec<Text>>,
     #[serde(default)]
@@ -61,118 +67,4 @@ pub(super) struct Keys {
     pub quantities: Option<Formulas>,
     pub events: Option<Formulas>,
     pub ensemble: Option<EnsembleKeys>,
-}
-
-/// The table `[given]`: a velocity over time.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct GivenKeys {
-    pub velocity: Option<Vec<Number>>,
-    pub space_velocity: Option<Vec<Number>>,
-}
-
-/// The table `[initial]`: the initial condition.
-#[derive(Deserialize, Default)]
-#[serde(deny_unknown_fields)]
-pub(super) struct InitialKeys {
-    pub time: Option<Number>,
-    pub element: Option<Vec<Vec<Number>>>,
-    pub coordinates: Option<Vec<Number>>,
-    pub quaternion: Option<Vec<Number>>,
-    pub position: Option<Vec<Number>>,
-    pub velocity: Option<Vec<Number>>,
-    pub space_velocity: Option<Vec<Number>>,
-    pub momentum: Option<Vec<Number>>,
-    pub space_momentum: Option<Vec<Number>>,
-}
-
-/// The table `[forces]`.
-#[derive(Deserialize, Default)]
-#[serde(deny_unknown_fields)]
-pub(super) struct ForceKeys {
-    pub body: Option<Vec<Number>>,
-    pub space: Option<Vec<Number>>,
-    pub potential: Option<Text>,
-    pub table: Option<Text>,
-    pub table_in: Option<Text>,
-    pub interpolation: Option<Text>,
-}
-
-/// The table `[integrator]`.
-#[derive(Deserialize, Default)]
-#[serde(deny_unknown_fields)]
-pub(super) struct IntegratorKeys {
-    pub method: Option<Text>,
-    pub step: Option<Number>,
-    pub tolerance: Option<Number>,
-    pub absolute_tolerance: Option<OneOrMore>,
-    pub max_step: Option<Number>,
-    pub max_steps: Option<usize>,
-}
-
-/// The table `[output]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct OutputKeys {
-    pub end: Option<Number>,
-    pub every: Option<Number>,
-    pub times: Option<Vec<Number>>,
-    pub columns: Option<Vec<Text>>,
-    pub stop: Option<Text>,
-    pub section: Option<Text>,
-}
-
-/// The table `[ensemble]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct EnsembleKeys {
-    pub grid: Option<Formulas>,
-    pub random: Option<Formulas>,
-    pub samples: Option<u64>,
-    pub seed: Option<u64>,
-}
-
-/// The table `[flow]`: an isospectral flow of matrices.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct FlowKeys {
-    pub kind: Text,
-    pub positions: Option<Vec<Number>>,
-    pub momenta: Option<Vec<Number>>,
-    pub masses: Option<Vec<Number>>,
-    pub momentum: Option<Vec<Vec<Number>>>,
-    pub size: Option<usize>,
-    pub modes: Option<Vec<Vec<Number>>>,
-    pub seed: Option<u64>,
-    pub degree: Option<usize>,
-}
-
-/// The table `[inertia]`: a rigid body.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct InertiaKeys {
-    pub about: Option<PointText>,
-    pub parts: Option<Vec<PartKeys>>,
-    pub moments: Option<Vec<Number>>,
-    pub matrix: Option<Vec<Vec<Number>>>,
-}
-
-/// A part of a body.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct PartKeys {
-    pub shape: Option<Text>,
-    pub mesh: Option<Text>,
-    pub edges: Option<Vec<Number>>,
-    pub half_axes: Option<Vec<Number>>,
-    pub radius: Option<Number>,
-    pub height: Option<Number>,
-    pub length: Option<Number>,
-    pub points: Option<Vec<Vec<Number>>>,
-    pub mass: Option<Number>,
-    pub density: Option<Number>,
-    pub at: Option<Vec<Number>>,
-    pub turn: Option<Vec<Number>>,
-    #[serde(default)]
-    pub hole: bool,
 }

@@ -8,8 +8,7 @@ use super::ready::Ready;
 use crate::definition::InputError;
 use crate::definition::written::Text;
 use affinor::group::LieGroup;
-use affinor::mechanics::motions::chosen::on_hamiltonian;
-use affinor::mechanics::motions::{Hamiltonian, Observables};
+use affinor::mechanics::simulation::{Hamiltonian, LiePoissonSpec, Observables};
 use affinor_tensors::Symbolic;
 
 /// A motion on coadjoint orbits.
@@ -30,7 +29,7 @@ impl LiePoisson {
         let hamiltonian = reader.written(hamiltonian);
         let refused = |message: &str| Err(InputError::usage(message).at(&hamiltonian.place()));
         let forces = &keys.forces;
-        let forced = forces.body.is_some() || forces.space.is_some() || forces.table.is_some();
+        let forced = forces.body.is_some() || forces.spatial.is_some() || forces.table.is_some();
         if forced || forces.potential.is_some() || keys.constraints.is_some() {
             return refused("a Hamiltonian allows no forces and no constraints");
         }
@@ -50,7 +49,7 @@ impl LiePoisson {
     pub fn motion(&self, start: &Start) -> Result<Ready, InputError> {
         let (group, member, values) = (start.group, start.member, start.member.values());
         let n = group.dimension();
-        let observables = Observables::new(group.clone(), None, member.parameters.clone());
+        let observables = Observables::new(group, None, member.parameters.clone());
         let names = observables.names();
         start.expect_new_names(&[])?;
         let hamiltonian =
@@ -63,10 +62,15 @@ impl LiePoisson {
         let rows = member.output.formulas(names, &|_| true, &self.casimirs, member.source)?;
         let element = start.on_group.element().at(group, &values)?;
         let momentum = self.initial.at(group, &element, &observables, &values)?;
-        let integration = (member.method(), member.step()?, member.control()?);
-        let initial = (member.times[0], element, momentum);
-        let system = (observables, hamiltonian);
-        let motion = on_hamiltonian(group, system, initial, integration, rows.formulas)?;
-        Ok(Ready::new(motion, &member.times, rows.columns, rows.events))
+        let spec = LiePoissonSpec {
+            observables,
+            hamiltonian,
+            time: member.times[0],
+            element,
+            momentum,
+            integration: member.integration()?,
+            columns: rows.formulas,
+        };
+        Ok(Ready::new(spec.start(group)?, &member.times, rows.columns, rows.events))
     }
 }

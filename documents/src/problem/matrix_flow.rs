@@ -1,12 +1,29 @@
 //! Problems of isospectral flows: matrices that move by similarity.
 
-use super::integration::Member;
-use super::keys::{FlowKeys, OF_DYNAMICS, OF_GROUPS};
+use super::integrator::Member;
+use super::keys::{OF_DYNAMICS, OF_GROUPS};
 use super::reader::{Reader, Value};
 use super::ready::{Column, Ready};
 use crate::definition::input::{InputError, shown};
 use crate::definition::source::Place;
-use affinor::mechanics::motions::{MatrixFlow as Isospectral, Method, on_matrices};
+use crate::definition::written::{Number, Text};
+use affinor::mechanics::simulation::{Class, MatrixFlow as Isospectral, Method, Started};
+use serde::Deserialize;
+
+/// The table `[flow]`: an isospectral flow of matrices.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct FlowKeys {
+    pub kind: Text,
+    pub positions: Option<Vec<Number>>,
+    pub momenta: Option<Vec<Number>>,
+    pub masses: Option<Vec<Number>>,
+    pub momentum: Option<Vec<Vec<Number>>>,
+    pub size: Option<usize>,
+    pub modes: Option<Vec<Vec<Number>>>,
+    pub seed: Option<u64>,
+    pub degree: Option<usize>,
+}
 
 /// An isospectral flow of matrices.
 #[derive(Clone, Debug)]
@@ -42,20 +59,22 @@ impl MatrixFlow {
     }
 
     pub fn motion(&self, member: &Member) -> Result<Ready, InputError> {
-        let method = member.method().unwrap_or(Method::Isospectral);
-        if !matches!(method, Method::Isospectral | Method::ComposedIsospectral) {
+        let method = member.method().unwrap_or(Method::Isospectral2);
+        if method.class() != Class::MatrixFlow {
             let message = format!("the method {method} is not for flows of matrices");
-            let help = "the methods for flows are isospectral2 and isospectral4";
+            let names = Method::names_of(&[Class::MatrixFlow]);
+            let help = format!("the methods for flows are {}", names.replace(", ", " and "));
             return Err(InputError::mathematics(message).at(&self.place).help(help));
         }
         let step = member.needed_step("a flow of matrices");
         let step = step.map_err(|error| error.or_at(&self.place))?;
-        let fourth = method == Method::ComposedIsospectral;
         let flow = self.isospectral(&member.values())?;
-        let started = on_matrices(&flow, member.times[0], step, fourth);
-        let (motion, names) = started.map_err(|error| InputError::from(error).at(&self.place))?;
-        let columns = names.into_iter().map(|(name, watched)| Column::new(name, watched)).collect();
-        Ok(Ready::new((motion, method), &member.times, columns, vec![]))
+        let started = flow.start(member.times[0], method, step);
+        let started = started.map_err(|error| InputError::from(error).at(&self.place))?;
+        let columns = started.columns.into_iter();
+        let columns = columns.map(|(name, watched)| Column::new(name, watched)).collect();
+        let started = Started { motion: started.motion, method };
+        Ok(Ready::new(started, &member.times, columns, vec![]))
     }
 
     /// The flow at these values of the parameters.

@@ -1,7 +1,7 @@
 //! Problems on a Lie group: the group, its initial element, and the start of a motion on it.
 
 use super::initial::InitialElement;
-use super::integration::Member;
+use super::integrator::Member;
 use super::keys::Keys;
 use super::reader::Reader;
 use crate::definition::input::{InputError, shown};
@@ -9,7 +9,7 @@ use crate::definition::source::Place;
 use crate::definition::written::MetricText;
 use crate::definition::{Definition, Request, Space};
 use affinor::group::AnyGroup;
-use affinor::mechanics::motions::quantities::Names;
+use affinor::mechanics::simulation::quantities::SymbolTable;
 use affinor::{LieAlgebra, LiePoisson as Dual};
 use affinor_tensors::{Rational, Symbolic, Tolerance};
 use std::borrow::Cow;
@@ -132,7 +132,7 @@ impl OnGroup {
 impl Start<'_> {
     /// Checks that no parameter has the name of a quantity of the motion, or of the body.
     pub fn expect_new_names(&self, of_body: &[(String, f64)]) -> Result<(), InputError> {
-        let names = Names::new(self.group, of_body.to_vec());
+        let names = SymbolTable::new(self.group, of_body.to_vec());
         let taken = self.member.parameters.iter().find(|(name, _)| names.find(name).is_some());
         taken.map_or(Ok(()), |(name, _)| {
             let message = format!("`{name}` has a meaning already");

@@ -1,20 +1,33 @@
 //! The rows of a motion: their times, columns and events.
 
-use super::keys::{Keys, OutputKeys};
+use super::keys::Keys;
 use super::reader::{Reader, Value, Written};
 use super::ready::Column;
 use crate::definition::input::{InputError, shown};
 use crate::definition::source::{Place, Source};
-use crate::definition::written::Text;
-use affinor::mechanics::formula::Formula;
-use affinor::mechanics::motions::quantities::{Names, Quantity, Scope};
+use crate::definition::written::{Number, Text};
+use affinor::mechanics::simulation::Columns;
+use affinor::mechanics::simulation::quantities::{FormulaScope, Quantity, SymbolTable};
 use affinor_tensors::Symbolic;
+use serde::Deserialize;
 
 /// The largest number of rows of one motion.
 const MAX_ROWS: f64 = 1e7;
 
-/// The columns of a file that names none; a motion with a given velocity has the first three.
+/// The columns of a file that names none; a motion with a prescribed velocity has the first three.
 const COLUMNS: [&str; 6] = ["t", "element", "Omega", "H", "h", "energy"];
+
+/// The table `[output]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct OutputKeys {
+    pub end: Option<Number>,
+    pub every: Option<Number>,
+    pub times: Option<Vec<Number>>,
+    pub columns: Option<Vec<Text>>,
+    pub stop: Option<Text>,
+    pub section: Option<Text>,
+}
 
 /// The table `[output]`, with the named quantities and events.
 #[derive(Clone, Debug)]
@@ -33,7 +46,7 @@ pub(super) struct Output {
 pub(super) struct RowFormulas {
     pub columns: Vec<Column>,
     pub events: Vec<String>,
-    pub formulas: (Scope, Vec<Formula>),
+    pub formulas: Columns,
 }
 
 impl Output {
@@ -41,7 +54,7 @@ impl Output {
         let source = reader.source;
         let output = &keys.output;
         let times = Times::read(output, reader.optional(&keys.initial.time)?, reader)?;
-        let own = if keys.given.is_some() { &COLUMNS[..3] } else { &COLUMNS[..] };
+        let own = if keys.prescribed.is_some() { &COLUMNS[..3] } else { &COLUMNS[..] };
         let columns = match &output.columns {
             Some(columns) => columns.iter().map(|column| reader.written(column)).collect(),
             None => own.iter().map(|name| Written::beside(source, *name)).collect(),
@@ -73,13 +86,13 @@ impl Output {
     /// polynomials in `mu1`, `mu2`, ..., the components of the momentum.
     pub fn formulas(
         &self,
-        names: &Names,
+        names: &SymbolTable,
         allowed: &dyn Fn(Quantity) -> bool,
         casimirs: &[Symbolic],
         source: &Source,
     ) -> Result<RowFormulas, InputError> {
         let help = || format!("the names here are {}", names.all(allowed));
-        let (mut scope, mut columns, mut formulas) = (Scope::default(), vec![], vec![]);
+        let (mut scope, mut columns, mut formulas) = (FormulaScope::default(), vec![], vec![]);
         let mut add = |text: &str, written: &Written| {
             let formula = scope.read(text, names, allowed);
             formulas.push(formula.map_err(|error| written.refused(error, help()))?);
@@ -118,7 +131,7 @@ impl Output {
             add(written.text(), written)?;
         }
         let events = self.events.iter().map(|(name, _)| name.clone()).collect();
-        Ok(RowFormulas { columns, events, formulas: (scope, formulas) })
+        Ok(RowFormulas { columns, events, formulas: Columns { scope, formulas } })
     }
 }
 

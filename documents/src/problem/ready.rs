@@ -1,6 +1,6 @@
 //! A motion that is ready to start, and the columns of its rows.
 
-use affinor::mechanics::motions::{Method, Motion};
+use affinor::mechanics::simulation::{Method, Motion, Started};
 use nalgebra::DMatrix;
 
 /// A motion that is ready to start.
@@ -24,12 +24,12 @@ pub struct Ready {
 impl Ready {
     /// A motion without a metric and without warnings.
     pub(super) fn new(
-        (motion, method): (Box<dyn Motion>, Method),
+        started: Started,
         times: &[f64],
         columns: Vec<Column>,
         events: Vec<String>,
     ) -> Self {
-        let times = times.to_vec();
+        let (Started { motion, method }, times) = (started, times.to_vec());
         Ready { motion, method, times, columns, events, inertia: None, notes: vec![] }
     }
 }

@@ -57,9 +57,9 @@ class Group:
         return self._engine.dimension
 
     @property
-    def coordinates(self) -> int:
+    def coordinate_count(self) -> int:
         """The number of coordinates of an element."""
-        return self._engine.coordinates
+        return self._engine.coordinate_count
 
     def identity(self) -> Floats:
         """The neutral element."""
@@ -85,9 +85,9 @@ class Group:
         """``g^-1 h``."""
         return self._engine.between(g, h)
 
-    def restored(self, g: ArrayLike) -> Floats:
+    def project(self, g: ArrayLike) -> Floats:
         """Drifted elements projected back onto the group; what has no inverse is refused."""
-        return self._engine.restored(g)
+        return self._engine.project(g)
 
     def adjoint(self, g: ArrayLike, x: ArrayLike) -> Floats:
         """``Ad_g x``."""
@@ -102,15 +102,15 @@ class Group:
     def _elements(self, g: ArrayLike) -> Floats:
         """Elements as an array of floats, of a checked shape."""
         array = floats(g)
-        if array.ndim == 0 or array.shape[-1] != self.coordinates:
-            raise ValueError(f"g should be an array of the shape (..., {self.coordinates}), not of the shape {array.shape}")
+        if array.ndim == 0 or array.shape[-1] != self.coordinate_count:
+            raise ValueError(f"g should be an array of the shape (..., {self.coordinate_count}), not of the shape {array.shape}")
         return array
 
     def _checked(self, what: str, g: ArrayLike, axes: int) -> Floats:
         """Elements, which are checked; their quaternions get the length 1."""
         array = with_axes(what, g, axes)
         self.from_matrix(self.matrix(array))
-        return self.restored(array)
+        return self.project(array)
 
     def coadjoint(self, g: ArrayLike, h: ArrayLike) -> Floats:
         """``Ad*_g h``: spatial to body momentum."""
@@ -181,7 +181,7 @@ class Group:
         return self.exp(generator.normal(scale=scale, size=(*sizes, self.dimension)))
 
     def __repr__(self) -> str:
-        return f"<Group {self.name}, dimension {self.dimension}, {self.coordinates} coordinates>"
+        return f"<Group {self.name}, dimension {self.dimension}, {self.coordinate_count} coordinates>"
 
     def __eq__(self, other: object) -> bool:
         """Whether both are made of the same name or definition."""

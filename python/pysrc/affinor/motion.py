@@ -32,7 +32,7 @@ class Problem:
     ``Problem(space="so3", metric=[2, 2, 1], initial={"velocity": [0, 0, 5]}, forces={"potential": "R33"},
     output={"end": 10, "every": 0.1})``. Formulas are texts or expressions of SymPy. A table of forces is a path, an array
     with a first column of times, or a DataFrame with the columns ``t``, ``M1``, ``M2``, .. Components may be a function of Python, ``{"body": force}`` or
-    ``{"space": force}``: ``force(t, g, omega)`` takes the time, the matrix of the element and the body velocity, and returns
+    ``{"spatial": force}``: ``force(t, g, omega)`` takes the time, the matrix of the element and the body velocity, and returns
     the components of the covector. Such a force is slow: a formula is some hundred times faster.
 
     ``set`` gives parameters other values; ``method``, ``step``, ``tolerance``, ``end`` and ``every`` replace the keys of
@@ -149,8 +149,8 @@ def _functions(keys: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
     if not isinstance(forces, Mapping):
         return keys, {}
     functions = {name: force for name, force in forces.items() if callable(force)}
-    if not set(functions) <= {"body", "space"}:
-        raise TypeError(f"forces.{next(iter(functions))} is no function: body and space may be functions")
+    if not set(functions) <= {"body", "spatial"}:
+        raise TypeError(f"forces.{next(iter(functions))} is no function: body and spatial may be functions")
     rest = {name: force for name, force in forces.items() if name not in functions}
     return {**keys, "forces": rest}, functions
 

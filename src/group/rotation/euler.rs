@@ -18,7 +18,7 @@ pub enum Axis {
 
 /// The axes of the turns: fixed in the body or in space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Turns {
+pub enum AxesFrame {
     /// The axes of the body, as the earlier turns left them: `R = R_1(a) R_2(b) R_3(c)`.
     Intrinsic,
     /// The axes of space: `R = R_3(c) R_2(b) R_1(a)`.
@@ -31,20 +31,20 @@ pub enum Turns {
 /// kind of SO(3). As text, `ZYX` is intrinsic and `zyx` extrinsic.
 ///
 /// ```
-/// use affinor::group::rotation::{Lock, Sequence, from_wxyz};
+/// use affinor::group::rotation::{GimbalLock, Sequence, from_wxyz};
 /// let aerospace: Sequence = "ZYX".parse()?; // yaw, pitch, roll
 /// let found = aerospace.angles(&aerospace.rotation([0.3, -0.2, 0.1]));
 /// assert!((found.angles[1] + 0.2).abs() < 1e-15 && found.lock.is_none());
 ///
 /// let up = from_wxyz([1.0, 0.0, 1.0, 0.0])?; // pitch of a quarter turn: gimbal lock
-/// assert_eq!(aerospace.angles(&up).lock, Some(Lock::Difference));
+/// assert_eq!(aerospace.angles(&up).lock, Some(GimbalLock::Difference));
 /// assert_eq!(aerospace.angles(&up).angles[2], 0.0);
 /// # Ok::<(), affinor::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sequence {
     axes: [Axis; 3],
-    turns: Turns,
+    turns: AxesFrame,
 }
 
 /// Euler angles, and their ambiguity at gimbal lock.
@@ -55,12 +55,12 @@ pub struct EulerAngles {
     pub angles: [f64; 3],
     /// Whether the rotation determines only one combination of the first and the last angle. Then the last
     /// is 0 by rule.
-    pub lock: Option<Lock>,
+    pub lock: Option<GimbalLock>,
 }
 
 /// Gimbal lock, by the combination of the first and last angle that is determined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lock {
+pub enum GimbalLock {
     /// Their sum.
     Sum,
     /// Their difference.
@@ -75,7 +75,7 @@ impl Sequence {
     ///
     /// # Errors
     /// [`Error::Invalid`] if neighbours are equal, because their turns add up.
-    pub fn new(axes: [Axis; 3], turns: Turns) -> Result<Self, Error> {
+    pub fn new(axes: [Axis; 3], turns: AxesFrame) -> Result<Self, Error> {
         if axes[0] == axes[1] || axes[1] == axes[2] {
             let reason = format!("{axes:?} repeats an axis, so two angles act as one");
             return Err(Error::Invalid { what: "Euler angles", reason });
@@ -88,7 +88,7 @@ impl Sequence {
         let axes = [Axis::X, Axis::Y, Axis::Z];
         let triples = (0..27).map(move |n| [axes[n / 9], axes[n / 3 % 3], axes[n % 3]]);
         triples.flat_map(|axes| {
-            [Turns::Intrinsic, Turns::Extrinsic]
+            [AxesFrame::Intrinsic, AxesFrame::Extrinsic]
                 .map(|turns| Sequence::new(axes, turns))
                 .into_iter()
                 .flatten()
@@ -105,8 +105,8 @@ impl Sequence {
             UnitQuaternion::new_unchecked(q)
         };
         match self.turns {
-            Turns::Intrinsic => turn(0) * turn(1) * turn(2),
-            Turns::Extrinsic => turn(2) * turn(1) * turn(0),
+            AxesFrame::Intrinsic => turn(0) * turn(1) * turn(2),
+            AxesFrame::Extrinsic => turn(2) * turn(1) * turn(0),
         }
     }
 
@@ -115,7 +115,7 @@ impl Sequence {
     /// E. Bernardes and S. Viollet, *PLoS ONE* 17 (2022) e0276302: half the sum and half the difference of first and
     /// last angle are arguments of two complex numbers, the middle angle compares their moduli.
     pub fn angles(&self, g: &UnitQuaternion<f64>) -> EulerAngles {
-        let intrinsic = self.turns == Turns::Intrinsic;
+        let intrinsic = self.turns == AxesFrame::Intrinsic;
         // body axes are space axes in the opposite order
         let [first, middle, last] = self.axes.map(|axis| axis as usize);
         let (i, j, end) = if intrinsic { (last, middle, first) } else { (first, middle, last) };
@@ -135,17 +135,17 @@ impl Sequence {
         let mut lock = None;
         if of_difference <= ROUNDING * length {
             difference = if intrinsic { sum } else { -sum };
-            lock = Some(Lock::Sum);
+            lock = Some(GimbalLock::Sum);
         } else if of_sum <= ROUNDING * length {
             sum = if intrinsic { difference } else { -difference };
-            lock = Some(Lock::Difference);
+            lock = Some(GimbalLock::Difference);
         }
         let mut angles = [sum - difference, 2.0 * of_difference.atan2(of_sum), sum + difference];
         if !proper {
             angles[1] -= FRAC_PI_2;
             angles[2] *= sign;
             if sign < 0.0 {
-                lock = lock.map(Lock::other);
+                lock = lock.map(GimbalLock::other);
             }
         }
         if intrinsic {
@@ -158,11 +158,11 @@ impl Sequence {
     }
 }
 
-impl Lock {
+impl GimbalLock {
     fn other(self) -> Self {
         match self {
-            Lock::Sum => Lock::Difference,
-            Lock::Difference => Lock::Sum,
+            GimbalLock::Sum => GimbalLock::Difference,
+            GimbalLock::Difference => GimbalLock::Sum,
         }
     }
 }
@@ -182,9 +182,12 @@ impl FromStr for Sequence {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self, Error> {
-        let turns =
-            if text.starts_with(char::is_uppercase) { Turns::Intrinsic } else { Turns::Extrinsic };
-        let letters = if turns == Turns::Intrinsic { "XYZ" } else { "xyz" };
+        let turns = if text.starts_with(char::is_uppercase) {
+            AxesFrame::Intrinsic
+        } else {
+            AxesFrame::Extrinsic
+        };
+        let letters = if turns == AxesFrame::Intrinsic { "XYZ" } else { "xyz" };
         let axis = |c: char| letters.find(c).map(|at| [Axis::X, Axis::Y, Axis::Z][at]);
         let axes: Option<Vec<Axis>> = text.chars().map(axis).collect();
         let axes = axes.and_then(|axes| <[Axis; 3]>::try_from(axes).ok());

@@ -2,8 +2,8 @@
 
 use super::ParallelTranslation;
 use crate::Error;
-use crate::group::ode;
 use crate::group::{Coordinates, LieGroup};
+use crate::numerics::ode;
 use nalgebra::{DMatrix, DVector};
 
 /// The largest number of charts between two times.
@@ -102,7 +102,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
 
     /// The time at which the chart around the current point ends.
     fn next_chart(&self, t: f64, end: f64, n: &G::Vector) -> Result<f64, Error> {
-        let ad = self.group().operator(|v| self.group().bracket(n, v));
+        let ad = self.group().operator_matrix(|v| self.group().bracket(n, v));
         let reach = 0.5 / ad.norm().max(f64::MIN_POSITIVE);
         if (end - t).abs() <= reach {
             return Ok(end);

@@ -137,7 +137,7 @@ impl FreeBody {
         let scale = if largest > 0.0 { largest } else { 1.0 };
         let length = (momentum / scale).norm() * scale;
         let velocity = inertia.velocity(&momentum);
-        let rate = length / inertia.moments().min();
+        let rate = length / inertia.principal_moments().min();
         for (what, value) in [("|H|/J", rate), ("Omega", velocity.sum())] {
             if !value.is_finite() {
                 let [component, value] = [what.into(), value.to_string()];
@@ -190,7 +190,7 @@ impl FreeBody {
             Motion::Turning { course: Course::Periodic { v, .. }, .. } => 2.0 * v[1].abs(),
             Motion::Turning { course: Course::Separatrix { u, .. }, .. } => u[1].abs(),
         };
-        (energy / self.inertia.moments().min()).sqrt().max(argument)
+        (energy / self.inertia.principal_moments().min()).sqrt().max(argument)
     }
 
     /// The rotation of the attitude in a period; `None` without a [`period`](Self::period).
@@ -204,7 +204,7 @@ impl FreeBody {
 
 /// The motion of a momentum of length 1; `None` for a steady rotation.
 fn turning(inertia: &Inertia, unit: &Vector3<f64>, length: f64) -> Option<Motion> {
-    let moments = inertia.moments();
+    let moments = inertia.principal_moments();
     let mut order = [0, 1, 2];
     order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
     let components = inertia.axes().tr_mul(unit);

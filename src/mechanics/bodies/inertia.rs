@@ -31,11 +31,11 @@ impl BodyState {
 /// use affinor::mechanics::Inertia;
 /// use nalgebra::{Matrix3, Vector3};
 /// let inertia = Inertia::new(&Matrix3::new(2.0, 1.0, 0.0, 1.0, 2.0, 0.0, 0.0, 0.0, 2.5))?;
-/// let mut moments: Vec<f64> = inertia.moments().iter().copied().collect();
+/// let mut moments: Vec<f64> = inertia.principal_moments().iter().copied().collect();
 /// moments.sort_by(f64::total_cmp);
 /// assert!((moments[0] - 1.0).abs() < 1e-15 && (moments[2] - 3.0).abs() < 1e-15);
-/// assert!(inertia.is_of_a_body());
-/// assert!(!Inertia::diagonal(&Vector3::new(1.0, 1.0, 3.0))?.is_of_a_body());
+/// assert!(inertia.is_physical());
+/// assert!(!Inertia::diagonal(&Vector3::new(1.0, 1.0, 3.0))?.is_physical());
 /// # Ok::<(), affinor::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -86,7 +86,7 @@ impl Inertia {
     }
 
     /// The principal moments, in the order of the [`axes`](Self::axes).
-    pub fn moments(&self) -> &Vector3<f64> {
+    pub fn principal_moments(&self) -> &Vector3<f64> {
         &self.moments
     }
 
@@ -107,7 +107,7 @@ impl Inertia {
     /// # Ok::<(), affinor::Error>(())
     /// ```
     pub fn box_edges(&self) -> Vector3<f64> {
-        let moments = self.moments();
+        let moments = self.principal_moments();
         Vector3::from_fn(|i, _| {
             let [j, k] = [(i + 1) % 3, (i + 2) % 3];
             (moments[j] + moments[k] - moments[i]).max(0.0).sqrt()
@@ -126,16 +126,16 @@ impl Inertia {
     }
 
     /// Whether it is that of positive masses: no moment is larger than the sum of the others. Motions do not require this.
-    pub fn is_of_a_body(&self) -> bool {
-        self.expect_masses().is_ok()
+    pub fn is_physical(&self) -> bool {
+        self.require_physical().is_ok()
     }
 
     /// Checks that it is that of positive masses, to 12 digits: `J_1 <= J_2 + J_3` and cyclic.
     ///
     /// # Errors
     /// [`Error::Invalid`] with the moments.
-    pub fn expect_masses(&self) -> Result<(), Error> {
-        expect_masses(&self.moments, self.moments.max())
+    pub fn require_physical(&self) -> Result<(), Error> {
+        require_physical(&self.moments, self.moments.max())
     }
 
     /// The momentum `H = J Omega` (103) of a velocity, in the body frame.
@@ -167,7 +167,7 @@ pub(super) fn asymmetry(matrix: &Matrix3<f64>) -> Option<f64> {
 ///
 /// # Errors
 /// [`Error::Invalid`].
-pub(super) fn expect_masses(moments: &Vector3<f64>, size: f64) -> Result<(), Error> {
+pub(super) fn require_physical(moments: &Vector3<f64>, size: f64) -> Result<(), Error> {
     let mut ordered: [f64; 3] = (*moments).into();
     ordered.sort_by(f64::total_cmp);
     let [a, b, c] = ordered;

@@ -6,7 +6,7 @@ mod shapes;
 pub use mesh::Mesh;
 
 use super::Inertia;
-use super::inertia::{asymmetry, expect_masses};
+use super::inertia::{asymmetry, require_physical};
 use crate::mechanics::invalid_inertia;
 use crate::{Error, Metric};
 use affinor_tensors::{Down, Tensor};
@@ -35,7 +35,7 @@ const ROUNDING: f64 = 1e-14;
 /// let hammer = handle + head.moved(&Isometry3::translation(0.0, 0.0, 0.165));
 /// assert!(hammer.centre().z > 0.12);
 /// let (about_centre, about_end) = (hammer.inertia()?, hammer.inertia_about(&-Vector3::z())?);
-/// assert!(about_centre.is_of_a_body() && about_end.moments().max() > about_centre.moments().max());
+/// assert!(about_centre.is_physical() && about_end.principal_moments().max() > about_centre.principal_moments().max());
 /// # Ok::<(), affinor::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,7 +76,7 @@ impl MassProperties {
 
     /// Checks the triangle inequality of the principal moments, to the rounding of numbers of a size.
     fn checked(self, size: f64) -> Result<Self, Error> {
-        expect_masses(&self.inertia_matrix().symmetric_eigenvalues(), size)?;
+        require_physical(&self.inertia_matrix().symmetric_eigenvalues(), size)?;
         Ok(self)
     }
 
@@ -168,7 +168,7 @@ impl MassProperties {
     ///
     /// # Errors
     /// [`Error::Invalid`] if the rest is not a body of positive masses.
-    pub fn without(&self, part: &Self) -> Result<Self, Error> {
+    pub fn subtract(&self, part: &Self) -> Result<Self, Error> {
         let left = self.joined(part, -1.0);
         positive("the mass left", left.mass)?;
         let about = part.inertia_matrix_about(&self.centre);
@@ -198,7 +198,7 @@ impl Add for MassProperties {
 /// The inertia of a body whose masses are not on a line.
 fn rigid(matrix: &Matrix3<f64>) -> Result<Inertia, Error> {
     let inertia = Inertia::new(matrix)?;
-    let (least, largest) = (inertia.moments().min(), inertia.moments().max());
+    let (least, largest) = (inertia.principal_moments().min(), inertia.principal_moments().max());
     if least > ROUNDING * largest {
         return Ok(inertia);
     }

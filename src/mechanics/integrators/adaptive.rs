@@ -4,12 +4,12 @@ use super::munthe_kaas::Canonical;
 use super::projected::Projection;
 use super::runge_kutta::{LocalCoordinates, RungeKutta, expect_coordinates};
 use super::step_start::StepStart;
-use super::tableaux::{DormandPrince, DormandPrince8, Tabulated};
 use super::tolerance::Allowed;
 use crate::Error;
-use crate::group::ode::LEAST_STEP;
 use crate::mechanics::stopped;
 use crate::mechanics::systems::cotangent::{CotangentSystem, State};
+use crate::numerics::ode::LEAST_STEP;
+use crate::numerics::tableaux::{DormandPrince, DormandPrince8, Tabulated};
 
 /// The embedded pairs of Dormand and Prince.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -34,7 +34,7 @@ impl Pair {
 /// A pair of Dormand and Prince with step-size control.
 ///
 /// A step is accepted if its estimated error is within the tolerance. Rotations and
-/// [translations](crate::group::LieGroup::translation) have separate scales. With the relative tolerance `r`, the error may be the
+/// [translations](crate::group::TranslationSplit::translational_part) have separate scales. With the relative tolerance `r`, the error may be the
 /// larger of the two parts:
 ///
 /// | error of | absolute part | relative part |

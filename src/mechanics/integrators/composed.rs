@@ -22,7 +22,7 @@ impl<I> Composed<I> {
 }
 
 /// The fractions of the five steps.
-pub(super) fn fractions() -> [f64; 5] {
+fn fractions() -> [f64; 5] {
     let outer = 1.0 / (4.0 - 4.0_f64.cbrt());
     [outer, outer, 1.0 - 4.0 * outer, outer, outer]
 }

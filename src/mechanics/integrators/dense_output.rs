@@ -11,10 +11,10 @@ use crate::mechanics::systems::System;
 ///
 /// ```
 /// use affinor::mechanics::integrators::dense_output::Step;
-/// use affinor::mechanics::{Integrator, Linear, Magnus, KinematicState};
+/// use affinor::mechanics::{Integrator, PrescribedVelocity, Magnus, KinematicState};
 /// use affinor::group::{LieGroup, So3};
 /// use nalgebra::Vector3;
-/// let wheel = Linear { group: So3, velocity: |t: f64| Vector3::z() * t };
+/// let wheel = PrescribedVelocity { group: So3, velocity: |t: f64| Vector3::z() * t };
 /// let start = KinematicState { time: 0.0, element: So3.identity() };
 /// let step = Step { system: &wheel, method: &Magnus::Four, start, length: 0.5 };
 /// let turn = So3.log(&step.at(0.2)?.element)?;

@@ -2,7 +2,7 @@
 
 use super::Integrator;
 use crate::Error;
-use crate::group::{Coordinates, LieGroup};
+use crate::group::{Coordinates, LieGroup, TranslationSplit};
 use crate::mechanics::systems::constrained::{Constrained, ConstrainedState, Constraint, column};
 use crate::mechanics::systems::euler_poincare::Torque;
 use crate::mechanics::systems::saddle::{saddle, solve, stacked};
@@ -89,7 +89,7 @@ impl Coefficients {
     }
 
     /// The initial condition with its algorithmic acceleration.
-    fn started<G: LieGroup, C: Constraint<G>, M: Torque<G>>(
+    fn started<G: TranslationSplit, C: Constraint<G>, M: Torque<G>>(
         &self,
         system: &Constrained<G, C, M>,
         state: &ConstrainedState<G>,
@@ -116,7 +116,7 @@ impl Coefficients {
         Some(ConstrainedState { velocity, lead: Some(jerk * self.lead()), ..state.clone() })
     }
 
-    fn end<G: LieGroup, C: Constraint<G>, M: Torque<G>>(
+    fn end<G: TranslationSplit, C: Constraint<G>, M: Torque<G>>(
         &self,
         system: &Constrained<G, C, M>,
         state: &ConstrainedState<G>,
@@ -137,7 +137,7 @@ impl Coefficients {
     }
 }
 
-impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Integrator<Constrained<G, C, M>>
+impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Integrator<Constrained<G, C, M>>
     for GeneralisedAlpha
 {
     fn step(
@@ -181,14 +181,15 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Integrator<Constrained<G, C, M
             let nudge = if speed > 0.0 { 1e-7 * speed } else { 1e-7 } / in_velocity;
             let mut tangent = system.mass().clone();
             for i in 0..n {
-                let other = acceleration.clone() + system.group().unit(i) * nudge;
+                let other = acceleration.clone() + system.group().basis_vector(i) * nudge;
                 let other = method.end(system, &start, &other, h);
                 let slope =
                     (pull(&other, &system.constraint().gradient(&other.element)) - &here) / nudge;
                 let mut column = tangent.column_mut(i);
                 column += slope;
             }
-            let inner = system.group().operator(|x| system.group().tangent_left(&end.increment, x));
+            let inner =
+                system.group().operator_matrix(|x| system.group().tangent_left(&end.increment, x));
             let matrix = saddle(&tangent, &gradient, &(&gradient * inner));
             let change = solve(matrix, &-stacked(&residual, &value)).ok_or_else(singular)?;
             let by = G::Vector::from_components(&change.as_slice()[..n]);

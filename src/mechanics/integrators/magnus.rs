@@ -9,12 +9,12 @@ use crate::mechanics::systems::System;
 ///
 /// ```
 /// use affinor::mechanics::Integrator;
-/// use affinor::mechanics::integrators::{Linear, Magnus, KinematicState};
+/// use affinor::mechanics::integrators::{PrescribedVelocity, Magnus, KinematicState};
 /// use affinor::group::{LieGroup, So3};
 /// use nalgebra::Vector3;
 /// // turns about the x axis in space and the z axis of the body at once
 /// let rate = |t: f64| Vector3::new((2.0 * t).cos(), -(2.0 * t).sin(), 2.0);
-/// let body = Linear { group: So3, velocity: rate };
+/// let body = PrescribedVelocity { group: So3, velocity: rate };
 /// let mut place = KinematicState { time: 0.0, element: So3.identity() };
 /// for _ in 0..20 {
 ///     Magnus::Six.step(&body, &mut place, 0.05)?;
@@ -24,7 +24,7 @@ use crate::mechanics::systems::System;
 /// # Ok::<(), affinor::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Linear<G, F> {
+pub struct PrescribedVelocity<G, F> {
     /// The group.
     pub group: G,
     /// `A(t)`.
@@ -53,7 +53,7 @@ impl<G: LieGroup> Clone for KinematicState<G> {
     }
 }
 
-impl<G: LieGroup, F: Fn(f64) -> G::Vector> System for Linear<G, F> {
+impl<G: LieGroup, F: Fn(f64) -> G::Vector> System for PrescribedVelocity<G, F> {
     type State = KinematicState<G>;
 
     fn time(&self, state: &KinematicState<G>) -> f64 {
@@ -122,17 +122,17 @@ impl Magnus {
     }
 }
 
-impl<G: LieGroup, F: Fn(f64) -> G::Vector> Integrator<Linear<G, F>> for Magnus {
+impl<G: LieGroup, F: Fn(f64) -> G::Vector> Integrator<PrescribedVelocity<G, F>> for Magnus {
     fn step(
         &self,
-        system: &Linear<G, F>,
+        system: &PrescribedVelocity<G, F>,
         state: &mut KinematicState<G>,
         h: f64,
     ) -> Result<(), Error> {
         let group = &system.group;
         let u = self.coordinates(group, &system.velocity, state.time + 0.5 * h, h);
         expect_finite(state.time, &u)?;
-        let element = group.restored(group.compose(&state.element, &group.exp(&u)));
+        let element = group.project(group.compose(&state.element, &group.exp(&u)));
         *state = KinematicState { time: state.time + h, element };
         Ok(())
     }

@@ -78,8 +78,8 @@ const TOO_LONG: &str = "the step is too long";
 impl MoserVeselov {
     /// Steps of a body, of a given order.
     pub fn new(inertia: &Inertia, order: Order) -> Self {
-        let unit = inertia.moments().max();
-        let moments = (inertia.moments() / unit).into();
+        let unit = inertia.principal_moments().max();
+        let moments = (inertia.principal_moments() / unit).into();
         let degrees = order as usize;
         let (inertia, body) = (inertia.clone(), Principal::new(inertia));
         MoserVeselov { inertia, body, unit, moments, series: series(moments), degrees }
@@ -119,7 +119,7 @@ impl MoserVeselov {
         let turn = Quaternion::from(turn.value);
         let turn = Quaternion::from_parts(turn.w, axes * turn.imag());
         Ok(BodyState {
-            attitude: So3.restored(start.attitude * UnitQuaternion::new_unchecked(turn)),
+            attitude: So3.project(start.attitude * UnitQuaternion::new_unchecked(turn)),
             momentum: axes * y.value / scale,
         })
     }

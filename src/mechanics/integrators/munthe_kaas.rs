@@ -2,10 +2,10 @@
 
 use super::runge_kutta::{LocalCoordinates, RungeKutta};
 use crate::Error;
-use crate::group::{Coordinates, LieGroup};
+use crate::group::{Coordinates, TranslationSplit};
 
 /// Runge-Kutta-Munthe-Kaas: with `g = g_0 exp(u)`, the method solves `u' = T_left(u)^-1 Omega` and that of the momentum
-/// together, from `u = 0`. [Translations](LieGroup::translation) `y` are added: `g = g_0 exp(y) exp(u)`,
+/// together, from `u = 0`. [Translations](TranslationSplit::translational_part) `y` are added: `g = g_0 exp(y) exp(u)`,
 /// `y' = Ad_exp(u) P Omega`.
 ///
 /// H. Munthe-Kaas, *BIT* 38 (1998) 92-111. Up to order 4 two brackets stand for the inverse tangent operator, as there;
@@ -19,8 +19,8 @@ pub struct Canonical;
 
 /// The rotational part of a vector, and its translation.
 #[inline(always)]
-fn split<G: LieGroup>(group: &G, x: &G::Vector) -> (G::Vector, Option<G::Vector>) {
-    match group.translation(x) {
+fn split<G: TranslationSplit>(group: &G, x: &G::Vector) -> (G::Vector, Option<G::Vector>) {
+    match group.translational_part(x) {
         Some(translation) => (x.clone() - translation.clone(), Some(translation)),
         None => (x.clone(), None),
     }
@@ -35,7 +35,7 @@ pub struct CanonicalPoint<V, E> {
     translated: Option<(V, E)>,
 }
 
-impl<G: LieGroup> LocalCoordinates<G> for Canonical {
+impl<G: TranslationSplit> LocalCoordinates<G> for Canonical {
     type Numbers = G::Vector;
     type Point = CanonicalPoint<G::Vector, G::Element>;
 
@@ -62,7 +62,7 @@ impl<G: LieGroup> LocalCoordinates<G> for Canonical {
     /// The start is projected onto the group, which a processor does in parallel with the stages.
     #[inline(always)]
     fn end(group: &G, at: &G::Element, x: &G::Vector) -> G::Element {
-        let start = group.restored(at.clone());
+        let start = group.project(at.clone());
         Self::element(group, &start, &Self::point(group, at, x))
     }
 
@@ -77,7 +77,7 @@ impl<G: LieGroup> LocalCoordinates<G> for Canonical {
     #[inline(always)]
     fn carried_back(group: &G, point: &Self::Point, force: &G::Vector) -> G::Vector {
         match &point.translated {
-            Some((_, turn)) => group.coadjoint_back(turn, force),
+            Some((_, turn)) => group.coadjoint_inverse(turn, force),
             None => group.coadjoint_exp(&-point.u.clone(), force),
         }
     }

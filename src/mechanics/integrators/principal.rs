@@ -24,14 +24,14 @@ impl Principal {
         let axes = Rotation3::from_matrix_unchecked(*inertia.axes());
         let axes = UnitQuaternion::from_rotation_matrix(&axes);
         Principal {
-            moments: *inertia.moments(),
+            moments: *inertia.principal_moments(),
             inertia: inertia.matrix(),
-            axes: So3.restored(axes),
+            axes: So3.project(axes),
         }
     }
 
     /// The principal moments.
-    pub(super) fn moments(&self) -> &Vector3<f64> {
+    pub(super) fn principal_moments(&self) -> &Vector3<f64> {
         &self.moments
     }
 
@@ -46,7 +46,7 @@ impl Principal {
         state: &State<So3>,
     ) -> Result<BodyState, Error> {
         system.expect_body(&self.inertia)?;
-        let attitude = So3.restored(state.element * self.axes);
+        let attitude = So3.project(state.element * self.axes);
         Ok(BodyState { attitude, momentum: attitude.inverse_transform_vector(&state.spatial) })
     }
 
@@ -69,7 +69,7 @@ impl Principal {
     /// The attitude of the body from that of its principal axes.
     #[inline]
     pub(super) fn attitude(&self, axes: UnitQuaternion<f64>) -> UnitQuaternion<f64> {
-        So3.restored(axes * self.axes.inverse())
+        So3.project(axes * self.axes.inverse())
     }
 
     /// A torque in space at an attitude of the principal axes.

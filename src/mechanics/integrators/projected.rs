@@ -2,7 +2,7 @@
 
 use super::runge_kutta::{LocalCoordinates, RungeKutta};
 use crate::Error;
-use crate::group::{Coordinates, Embedded};
+use crate::group::{Coordinates, Embedded, TranslationSplit};
 
 /// Runge-Kutta in embedding coordinates, such as the four of a quaternion; each step ends with a projection onto the
 /// group.
@@ -49,8 +49,8 @@ pub struct EmbeddedPoint<E> {
     turn: E,
 }
 
-impl<G: Embedded> LocalCoordinates<G> for Projection {
-    type Numbers = G::Numbers;
+impl<G: Embedded + TranslationSplit> LocalCoordinates<G> for Projection {
+    type Numbers = G::Ambient;
     type Point = EmbeddedPoint<G::Element>;
 
     const HAS_ELEMENT: bool = true;
@@ -61,15 +61,15 @@ impl<G: Embedded> LocalCoordinates<G> for Projection {
     }
 
     #[inline(always)]
-    fn origin(group: &G, at: &G::Element) -> G::Numbers {
-        group.numbers(at)
+    fn origin(group: &G, at: &G::Element) -> G::Ambient {
+        group.coordinates(at)
     }
 
     #[inline(always)]
-    fn point(group: &G, at: &G::Element, y: &G::Numbers) -> Self::Point {
-        let near = group.from_numbers(y);
-        let projected = group.restored(near.clone());
-        let turn = group.turn_between(at, &projected);
+    fn point(group: &G, at: &G::Element, y: &G::Ambient) -> Self::Point {
+        let near = group.from_coordinates(y);
+        let projected = group.project(near.clone());
+        let turn = group.relative_linear_part(at, &projected);
         EmbeddedPoint { near, projected, turn }
     }
 
@@ -79,8 +79,8 @@ impl<G: Embedded> LocalCoordinates<G> for Projection {
     }
 
     #[inline(always)]
-    fn end(group: &G, _: &G::Element, y: &G::Numbers) -> G::Element {
-        group.restored(group.from_numbers(y))
+    fn end(group: &G, _: &G::Element, y: &G::Ambient) -> G::Element {
+        group.project(group.from_coordinates(y))
     }
 
     #[inline(always)]
@@ -90,20 +90,20 @@ impl<G: Embedded> LocalCoordinates<G> for Projection {
 
     #[inline(always)]
     fn carried_back(group: &G, point: &Self::Point, force: &G::Vector) -> G::Vector {
-        group.coadjoint_back(&point.turn, force)
+        group.coadjoint_inverse(&point.turn, force)
     }
 
-    fn sizes(group: &G, y: &G::Numbers) -> [f64; 2] {
+    fn sizes(group: &G, y: &G::Ambient) -> [f64; 2] {
         let mut sizes = [0.0_f64; 2];
         for (at, x) in y.components().iter().enumerate() {
-            let size = &mut sizes[usize::from(group.is_place(at))];
+            let size = &mut sizes[usize::from(group.is_translation_coordinate(at))];
             *size = if x.abs() > *size { x.abs() } else { *size };
         }
         sizes
     }
 
     #[inline(always)]
-    fn first_rate(group: &G, at: &G::Element, velocity: &G::Vector) -> G::Numbers {
+    fn first_rate(group: &G, at: &G::Element, velocity: &G::Vector) -> G::Ambient {
         group.rate(at, velocity)
     }
 
@@ -113,7 +113,7 @@ impl<G: Embedded> LocalCoordinates<G> for Projection {
         point: &Self::Point,
         velocity: &G::Vector,
         _: u32,
-    ) -> Result<G::Numbers, Error> {
-        Ok(group.rate_near(&point.near, &point.projected, velocity))
+    ) -> Result<G::Ambient, Error> {
+        Ok(group.rate_at_projected(&point.near, &point.projected, velocity))
     }
 }

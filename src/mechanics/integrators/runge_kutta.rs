@@ -1,15 +1,15 @@
 //! Runge-Kutta methods in local coordinates of a group.
 
 use super::step_start::{StepStart, parts};
-use super::tableaux::{
-    Classical, DormandPrince, DormandPrince8, Tableau, Tabulated, combined_error,
-};
 use super::tolerance::Allowed;
 use super::{Integrator, expect_finite};
 use crate::Error;
-use crate::group::{Coordinates, LieGroup};
+use crate::group::{Coordinates, LieGroup, TranslationSplit};
 use crate::mechanics::stopped;
 use crate::mechanics::systems::cotangent::{CotangentSystem, Element, State, Vector};
+use crate::numerics::tableaux::{
+    Classical, DormandPrince, DormandPrince8, Tableau, Tabulated, combined_error,
+};
 use std::marker::PhantomData;
 
 /// Coordinates `y` of a group near a base point, in which a step is made.
@@ -42,7 +42,7 @@ pub trait LocalCoordinates<G: LieGroup> {
     /// The element at the end of a step: on the group to rounding, without drift.
     fn end(group: &G, at: &G::Element, y: &Self::Numbers) -> G::Element;
 
-    /// `Ad*_k p` for the rotation `k` ([`turn`](LieGroup::turn)) from the base point to a point.
+    /// `Ad*_k p` for the rotation `k` ([`linear_part`](crate::group::TranslationSplit::linear_part)) from the base point to a point.
     fn carried(group: &G, point: &Self::Point, momentum: &G::Vector) -> G::Vector;
 
     /// `Ad*_(k^-1) F`, the inverse.
@@ -275,7 +275,7 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
             C::element(group, identity, &point)
         });
         let element = match &displacement {
-            Some(by) => group.restored(group.compose(from, by)),
+            Some(by) => group.project(group.compose(from, by)),
             None => C::end(group, from, y),
         };
         let in_body = || match &displacement {

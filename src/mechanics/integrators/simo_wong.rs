@@ -57,7 +57,7 @@ impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for SimoWong {
         if h == 0.0 {
             return Ok(());
         }
-        let moments = self.body.moments();
+        let moments = self.body.principal_moments();
         // in space, over the step
         let impulse = |u: &Vector3<f64>| {
             let middle = attitude * So3.exp(&(u * 0.5));

@@ -1,7 +1,7 @@
 //! The start of a step, to which its stages refer.
 
 use crate::Error;
-use crate::group::{Coordinates, LieGroup};
+use crate::group::{Coordinates, LieGroup, TranslationSplit};
 use crate::mechanics::systems::cotangent::{CotangentSystem, Element, State, Vector, in_axes};
 use std::borrow::Cow;
 
@@ -13,16 +13,16 @@ pub(super) struct Increment<G: LieGroup> {
     place: Option<G::Vector>,
 }
 
-impl<G: LieGroup> Increment<G> {
+impl<G: TranslationSplit> Increment<G> {
     /// No displacement.
     pub(super) fn none(group: &G) -> Self {
-        let place = group.translation(&G::Vector::zeros(group.dimension()));
+        let place = group.translational_part(&G::Vector::zeros(group.dimension()));
         Increment { turn: group.identity(), place }
     }
 
     /// The displacement followed by the rotation of `x`, with the translation of `x` added.
     pub(super) fn moved(&self, group: &G, x: G::Vector) -> Self {
-        let (x, place) = match (&self.place, group.translation(&x)) {
+        let (x, place) = match (&self.place, group.translational_part(&x)) {
             (Some(place), Some(translation)) => {
                 (x - translation.clone(), Some(place.clone() + translation))
             }
@@ -81,7 +81,7 @@ impl<'s, S: CotangentSystem> StepStart<'s, S> {
         let StepStart { system, state, element, momentum } = self;
         let group = system.group();
         let velocity = system.velocity_at_centre(momentum);
-        let turning = match group.translation(&velocity) {
+        let turning = match group.translational_part(&velocity) {
             Some(translation) => (velocity.clone() - translation).largest(),
             None => velocity.largest(),
         };
@@ -156,9 +156,9 @@ impl<'s, S: CotangentSystem> StepStart<'s, S> {
         let change = (!self.is_free()).then(|| {
             let element = || at.element(group, &self.element);
             let push = self.push(self.state.time + elapsed, element, &velocity, &momentum);
-            group.coadjoint_back(&at.turn, &push)
+            group.coadjoint_inverse(&at.turn, &push)
         });
-        let velocity = match group.translation(&velocity) {
+        let velocity = match group.translational_part(&velocity) {
             Some(translation) => {
                 velocity - translation.clone() + group.adjoint(&at.turn, &translation)
             }
@@ -188,12 +188,12 @@ impl<'s, S: CotangentSystem> StepStart<'s, S> {
             return Ok(State::with_momentum(group, state.time + h, element, &momentum));
         }
         let spatial = match momentum {
-            _ if !group.has_bounded_turns() => in_body(),
+            _ if !group.has_bounded_adjoint() => in_body(),
             None if self.system.transfers() => {
                 let reached = in_axes(group, &element, &in_body());
                 let change = reached - state.spatial.clone();
                 // a momentum of translations that does not change is conserved to the last bit
-                match group.along_translations(&change) {
+                match group.translational_momentum(&change) {
                     Some(along) => state.spatial.clone() + (change - along),
                     None => state.spatial.clone() + change,
                 }
@@ -220,15 +220,15 @@ impl<'s, S: CotangentSystem> StepStart<'s, S> {
         momentum: Option<&Vector<S>>,
     ) -> Result<State<S::Group>, Error> {
         let group = self.system.group();
-        let element = group.restored(at.element(group, &self.element));
+        let element = group.project(at.element(group, &self.element));
         let in_body = || group.coadjoint(&at.turn, momentum.unwrap_or(&self.momentum));
         self.end(h, element, momentum, in_body)
     }
 }
 
 /// The largest component of a covector along rotations, and along translations.
-pub(super) fn parts<G: LieGroup>(group: &G, momentum: &G::Vector) -> [f64; 2] {
-    match group.along_translations(momentum) {
+pub(super) fn parts<G: TranslationSplit>(group: &G, momentum: &G::Vector) -> [f64; 2] {
+    match group.translational_momentum(momentum) {
         Some(along) => [(momentum.clone() - along.clone()).largest(), along.largest()],
         None => [momentum.largest(), 0.0],
     }

@@ -4,14 +4,14 @@ use super::dense_output::Step;
 use super::runge_kutta::{LocalCoordinates, RungeKutta};
 use super::{Adaptive, Integrator, Pair};
 use crate::Error;
-use crate::mechanics::events::{Crossing, Event, Then, Watch};
+use crate::mechanics::events::{AfterEvent, Crossing, Event, EventDetector};
 use crate::mechanics::stopped;
 use crate::mechanics::systems::cotangent::{CotangentSystem, State};
 
 /// A trajectory with step-size control: the states at the ends of its steps, states between them, and events.
 ///
 /// ```
-/// use affinor::mechanics::events::{Direction, Event, Then};
+/// use affinor::mechanics::events::{Direction, Event, AfterEvent};
 /// use affinor::mechanics::{Adaptive, EulerPoincare, State};
 /// use affinor::group::{LieGroup, So3};
 /// use affinor::{Canonical, Connection, Metric};
@@ -24,7 +24,7 @@ use crate::mechanics::systems::cotangent::{CotangentSystem, State};
 /// let start = body.state(0.0, So3.identity(), &Vector3::new(0.3, 1.0, 0.1));
 /// // the run ends when the third component of the velocity vanishes
 /// let omega = |state: &State<So3>| body.velocity(state).z;
-/// let event = Event::new(omega, Direction::Falling, Then::Stop);
+/// let event = Event::new(omega, Direction::Falling, AfterEvent::Stop);
 /// let trajectory = Adaptive::new(1e-12).run(&body, &start, 100.0, vec![event])?;
 /// let end = trajectory.end();
 /// assert!(omega(end).abs() < 1e-14 && end.time < 100.0);
@@ -73,7 +73,7 @@ impl<C: Copy> Adaptive<C> {
     {
         let (method, states) = (FixedStep(*self), vec![start.clone()]);
         let mut trajectory = Trajectory { system, method, states, events: vec![] };
-        let mut watch = Watch::new(events, system, start)?;
+        let mut watch = EventDetector::new(events, system, start)?;
         let (mut state, mut next) = (start.clone(), self.first_step());
         let mut ended = false;
         while state.time != end && !ended {
@@ -85,7 +85,7 @@ impl<C: Copy> Adaptive<C> {
             let length = state.time - start.time;
             let step = Step { system, method: &trajectory.method, start, length };
             let found = watch.pass(&step, state.clone(), &mut state)?;
-            ended = found.last().is_some_and(|event| event.then == Then::Stop);
+            ended = found.last().is_some_and(|event| event.then == AfterEvent::Stop);
             trajectory.events.extend(found);
             trajectory.states.push(state.clone());
         }

@@ -3,8 +3,8 @@
 use super::bilinear::{Bilinear, Layers};
 use super::cotangent::Sizes;
 use super::matrix::Matrix;
-use crate::group::least_squares::least_squares;
-use crate::group::{Coordinates, LieGroup};
+use crate::group::{Coordinates, TranslationSplit};
+use crate::numerics::least_squares::least_squares;
 use affinor_tensors::Tensor;
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
@@ -32,7 +32,7 @@ struct AtCentre<V, E> {
 impl<V: Coordinates, E> Centred<V, E> {
     /// The inertia with its inverse and the structure constants of the group.
     pub(in crate::mechanics) fn new(
-        group: &impl LieGroup<Vector = V, Element = E>,
+        group: &impl TranslationSplit<Vector = V, Element = E>,
         metric: &Matrix<V>,
         inverse: &Matrix<V>,
         structure: &Tensor<f64>,
@@ -82,14 +82,14 @@ const SHARED: f64 = 1e-12;
 ///
 /// With `c = exp(r)`, `Ad_c x = x + [r, x]`, so the translation `r` to the centre solves `J([r, x], v) = -J(x, v)` for all
 /// rotations `x` and translations `v`.
-fn at_centre<G: LieGroup>(
+fn at_centre<G: TranslationSplit>(
     group: &G,
     metric: &Matrix<G::Vector>,
 ) -> Option<AtCentre<G::Vector, G::Element>> {
     let n = group.dimension();
     let basis = group.basis();
     let translations: Vec<G::Vector> =
-        basis.iter().map(|e| group.translation(e)).collect::<Option<_>>()?;
+        basis.iter().map(|e| group.translational_part(e)).collect::<Option<_>>()?;
     let turns: Vec<G::Vector> =
         basis.iter().zip(&translations).map(|(e, v)| e.clone() - v.clone()).collect();
     let form = |x: &G::Vector, y: &G::Vector| -> f64 {
@@ -137,14 +137,14 @@ const CANCELLED: f64 = 4.0 * f64::EPSILON;
 
 /// The quadratic form `ad*_(P J^-1 H) H`: the coefficient of `H_a H_b`, `a <= b`, in the component `i` is
 /// `(P J^-1)^vb c^a_vi`, symmetrised.
-fn transfer<G: LieGroup>(
+fn transfer<G: TranslationSplit>(
     group: &G,
     inverse: &Matrix<G::Vector>,
     structure: &Tensor<f64>,
 ) -> Layers<G::Vector> {
     let n = group.dimension();
     let translations: Option<Vec<G::Vector>> =
-        (0..n).map(|b| group.translation(&inverse.apply(&group.unit(b)))).collect();
+        (0..n).map(|b| group.translational_part(&inverse.apply(&group.basis_vector(b)))).collect();
     let Some(translations) = translations else { return Layers::default() };
     // for a <= b the sum of both orders, and the sum of their moduli
     let mut sums: Vec<BTreeMap<[usize; 2], (f64, f64)>> = vec![BTreeMap::new(); n];
@@ -164,14 +164,14 @@ fn transfer<G: LieGroup>(
 }
 
 /// The largest moment of inertia of the basis along rotations, and the largest mass along translations.
-fn sizes<G: LieGroup>(group: &G, metric: &Matrix<G::Vector>) -> Sizes {
+fn sizes<G: TranslationSplit>(group: &G, metric: &Matrix<G::Vector>) -> Sizes {
     let moment = |x: &G::Vector| -> f64 {
         let products = x.components().iter().zip(metric.apply(x).components().to_vec());
         products.map(|(x, p)| x * p).sum::<f64>().abs()
     };
     let mut inertia = [0.0_f64; 2];
     for unit in group.basis() {
-        let translation = group.translation(&unit);
+        let translation = group.translational_part(&unit);
         let turn = translation.as_ref().map_or(unit.clone(), |part| unit - part.clone());
         inertia[0] = inertia[0].max(moment(&turn));
         inertia[1] = inertia[1].max(translation.as_ref().map_or(0.0, &moment));

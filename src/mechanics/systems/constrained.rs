@@ -4,7 +4,7 @@ use super::System;
 use super::bilinear::Bilinear;
 use super::euler_poincare::{Free, Torque, expect_on_group};
 use super::saddle::{saddle, solve, stacked};
-use crate::group::{Coordinates, LieGroup};
+use crate::group::{Coordinates, LieGroup, TranslationSplit};
 use crate::{Connection, Error, Metric};
 use nalgebra::{DMatrix, DVector};
 
@@ -33,10 +33,10 @@ pub trait Constraint<G: LieGroup> {
 /// use affinor::group::{LieGroup, Translations};
 /// use affinor::{Canonical, Connection, Metric};
 /// use affinor::tensors::{Down, Tensor};
-/// use nalgebra::{DMatrix, DVector, Vector2, dvector};
+/// use nalgebra::{Const, DMatrix, DVector, Vector2, dvector};
 /// // a pendulum of length 1 and mass 1 in the plane, gravity 1
 /// struct Rod;
-/// impl Constraint<Translations<2>> for Rod {
+/// impl Constraint<Translations<Const<2>>> for Rod {
 ///     fn value(&self, x: &Vector2<f64>) -> DVector<f64> {
 ///         dvector![0.5 * (x.norm_squared() - 1.0)]
 ///     }
@@ -44,7 +44,7 @@ pub trait Constraint<G: LieGroup> {
 ///         DMatrix::from_row_slice(1, 2, &[x.x, x.y])
 ///     }
 /// }
-/// let plane = Translations::<2>;
+/// let plane = Translations(Const::<2>);
 /// let unit = Tensor::from_components(2, &[Down, Down], [([0, 0], 1.0), ([1, 1], 1.0)])?;
 /// let mass = Metric::new(plane.algebra()?.labels(), unit)?;
 /// let plus = Connection::canonical(&plane.algebra()?, Canonical::Plus);
@@ -125,7 +125,7 @@ const NOISE: f64 = 1e-12;
 /// The most trial steps.
 const STEPS: usize = 60;
 
-impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
+impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
     /// The system of a connection and a metric on the algebra of the group, in its basis, with forces and
     /// constraints.
     ///
@@ -272,7 +272,7 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
 }
 
 /// The checks of an initial condition, in any unit of length, time and mass.
-impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
+impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
     /// Checks that an element and a velocity satisfy a constraint, by its value and its gradient there.
     fn expect_satisfied(
         &self,
@@ -312,7 +312,7 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
     ) -> Result<(), Error> {
         let components = G::Vector::from_components(gradient.as_slice());
         for (i, &given) in gradient.iter().enumerate() {
-            let unit = self.group.unit(i);
+            let unit = self.group.basis_vector(i);
             let step = self.bend(element, &unit, a).unwrap_or(STRAIGHT);
             let value =
                 |s: f64| self.constraint.value(&self.moved(element, &(unit.clone() * s)))[a];
@@ -331,7 +331,7 @@ impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
     /// The largest component of a vector in the unit of one of them, that of rotations or of translations.
     fn largest_like(&self, i: usize, x: &G::Vector) -> f64 {
         let is_place = |i: usize| {
-            let translation = self.group.translation(&self.group.unit(i));
+            let translation = self.group.translational_part(&self.group.basis_vector(i));
             translation.is_some_and(|part| part.largest() > 0.0)
         };
         let like = x.components().iter().enumerate().filter(|(k, _)| is_place(*k) == is_place(i));
@@ -407,7 +407,7 @@ pub(in crate::mechanics) fn column<V: Coordinates>(x: &V) -> DVector<f64> {
     DVector::from_column_slice(x.components())
 }
 
-impl<G: LieGroup, C: Constraint<G>, M: Torque<G>> System for Constrained<G, C, M> {
+impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> System for Constrained<G, C, M> {
     type State = ConstrainedState<G>;
 
     fn time(&self, state: &ConstrainedState<G>) -> f64 {

@@ -1,7 +1,7 @@
 //! Systems of an element and its momentum: motions on the cotangent bundle of a group.
 
 use super::System;
-use crate::group::{Coordinates, LieGroup};
+use crate::group::{Coordinates, LieGroup, TranslationSplit};
 
 /// A state of a motion.
 ///
@@ -25,11 +25,11 @@ pub struct State<G: LieGroup> {
     /// The element: of a body the attitude, or the pose.
     pub element: G::Element,
     /// The momentum about the body in spatial axes: the covector `m` with `H = Ad*_k m`. Here `H` is the momentum in body
-    /// components and `k` the rotation of the element ([`turn`](LieGroup::turn)).
+    /// components and `k` the rotation of the element ([`linear_part`](TranslationSplit::linear_part)).
     ///
     /// On SO(3) it is the spatial momentum `h`. On SE(3) it is the angular momentum about the origin of the body and the
     /// linear momentum, both in spatial axes, and so independent of the origin of space. On a group without
-    /// [bounded turns](LieGroup::has_bounded_turns) it is `H` itself.
+    /// [bounded turns](TranslationSplit::has_bounded_adjoint) it is `H` itself.
     pub spatial: G::Vector,
 }
 
@@ -47,7 +47,7 @@ impl<G: LieGroup> Clone for State<G> {
     }
 }
 
-impl<G: LieGroup> State<G> {
+impl<G: TranslationSplit> State<G> {
     /// The state with a momentum `H` in body components.
     pub fn with_momentum(group: &G, time: f64, element: G::Element, momentum: &G::Vector) -> Self {
         let spatial = in_axes(group, &element, momentum);
@@ -57,10 +57,10 @@ impl<G: LieGroup> State<G> {
     /// `H`, the momentum in body components (103).
     #[inline]
     pub fn momentum(&self, group: &G) -> G::Vector {
-        if !group.has_bounded_turns() {
+        if !group.has_bounded_adjoint() {
             return self.spatial.clone();
         }
-        group.coadjoint(&group.turn(&self.element), &self.spatial)
+        group.coadjoint(&group.linear_part(&self.element), &self.spatial)
     }
 
     /// `h = Ad*_(g^-1) H`, the spatial momentum, which a free system conserves. Far from the origin of space it is a small
@@ -72,15 +72,15 @@ impl<G: LieGroup> State<G> {
 
 /// A covector in body components, in the axes of [`State::spatial`].
 #[inline]
-pub(in crate::mechanics) fn in_axes<G: LieGroup>(
+pub(in crate::mechanics) fn in_axes<G: TranslationSplit>(
     group: &G,
     element: &G::Element,
     momentum: &G::Vector,
 ) -> G::Vector {
-    if !group.has_bounded_turns() {
+    if !group.has_bounded_adjoint() {
         return momentum.clone();
     }
-    group.coadjoint_back(&group.turn(element), momentum)
+    group.coadjoint_inverse(&group.linear_part(element), momentum)
 }
 
 /// Scales of a system, from its inertia.
@@ -96,7 +96,7 @@ pub struct Sizes {
 /// a function of `H` and `(ad*_Omega H)_i = c^j_ki Omega^k H_j`.
 pub trait CotangentSystem: System<State = State<Self::Group>> {
     /// The group.
-    type Group: LieGroup;
+    type Group: TranslationSplit;
 
     /// The group.
     fn group(&self) -> &Self::Group;
@@ -143,15 +143,15 @@ pub trait CotangentSystem: System<State = State<Self::Group>> {
         self.group().has_translations()
     }
 
-    /// `ad*_(P Omega) H`, the change of the momentum about the centre by its [`translation`](LieGroup::translation)
+    /// `ad*_(P Omega) H`, the change of the momentum about the centre by its [`translational_part`](TranslationSplit::translational_part)
     /// `P Omega`, from the velocity and the momentum there: on SE(3) the moment `p cross u` of the linear momentum `p`.
     fn transfer(&self, velocity: &Vector<Self>, momentum: &Vector<Self>) -> Vector<Self> {
         let group = self.group();
-        let Some(translation) = group.translation(velocity) else {
+        let Some(translation) = group.translational_part(velocity) else {
             return Vector::<Self>::zeros(group.dimension());
         };
         Vector::<Self>::from_fn(group.dimension(), |i| {
-            let moved = group.bracket(&translation, &group.unit(i));
+            let moved = group.bracket(&translation, &group.basis_vector(i));
             moved.components().iter().zip(momentum.components()).map(|(x, h)| x * h).sum()
         })
     }

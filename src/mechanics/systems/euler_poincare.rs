@@ -6,7 +6,7 @@ use super::centred::Centred;
 use super::cotangent::{CotangentSystem, Sizes, State};
 use super::matrix::Matrix;
 use crate::algebra::frame::formula;
-use crate::group::{Coordinates, LieGroup, So3, expect_left_frame};
+use crate::group::{Coordinates, LieGroup, So3, TranslationSplit, expect_left_frame};
 use crate::mechanics::invalid_inertia;
 use crate::{Connection, Error, Metric};
 use nalgebra::Matrix3;
@@ -89,7 +89,7 @@ impl<G: LieGroup, F: Fn(f64, &G::Element, &G::Vector) -> G::Vector> Torque<G> fo
     }
 }
 
-impl<G: LieGroup, M: Torque<G>> System for EulerPoincare<G, M> {
+impl<G: TranslationSplit, M: Torque<G>> System for EulerPoincare<G, M> {
     type State = State<G>;
 
     fn time(&self, state: &State<G>) -> f64 {
@@ -97,7 +97,7 @@ impl<G: LieGroup, M: Torque<G>> System for EulerPoincare<G, M> {
     }
 }
 
-impl<G: LieGroup, M: Torque<G>> CotangentSystem for EulerPoincare<G, M> {
+impl<G: TranslationSplit, M: Torque<G>> CotangentSystem for EulerPoincare<G, M> {
     type Group = G;
 
     fn group(&self) -> &G {
@@ -153,7 +153,7 @@ impl<G: LieGroup, M: Torque<G>> CotangentSystem for EulerPoincare<G, M> {
     }
 }
 
-impl<G: LieGroup> EulerPoincare<G, Free> {
+impl<G: TranslationSplit> EulerPoincare<G, Free> {
     /// The system without a torque.
     ///
     /// # Errors
@@ -167,7 +167,7 @@ impl<G: LieGroup> EulerPoincare<G, Free> {
     }
 }
 
-impl<G: LieGroup, M: Torque<G>> EulerPoincare<G, M> {
+impl<G: TranslationSplit, M: Torque<G>> EulerPoincare<G, M> {
     /// The system of a connection and a metric on the algebra of the group, in its basis.
     ///
     /// # Errors

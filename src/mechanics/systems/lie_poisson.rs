@@ -2,7 +2,7 @@
 
 use super::System;
 use super::cotangent::{CotangentSystem, State};
-use crate::group::LieGroup;
+use crate::group::TranslationSplit;
 
 /// The system of a Hamiltonian `E(H)` of the body momentum:
 ///
@@ -36,7 +36,7 @@ pub struct LiePoissonSystem<G, F> {
     pub gradient: F,
 }
 
-impl<G: LieGroup, F: Fn(&G::Vector) -> G::Vector> LiePoissonSystem<G, F> {
+impl<G: TranslationSplit, F: Fn(&G::Vector) -> G::Vector> LiePoissonSystem<G, F> {
     /// The state of an element with a momentum `H` in body components.
     pub fn state(&self, time: f64, element: G::Element, momentum: &G::Vector) -> State<G> {
         State::with_momentum(&self.group, time, element, momentum)
@@ -53,7 +53,7 @@ impl<G: LieGroup, F: Fn(&G::Vector) -> G::Vector> LiePoissonSystem<G, F> {
     }
 }
 
-impl<G: LieGroup, F: Fn(&G::Vector) -> G::Vector> System for LiePoissonSystem<G, F> {
+impl<G: TranslationSplit, F: Fn(&G::Vector) -> G::Vector> System for LiePoissonSystem<G, F> {
     type State = State<G>;
 
     fn time(&self, state: &State<G>) -> f64 {
@@ -61,7 +61,9 @@ impl<G: LieGroup, F: Fn(&G::Vector) -> G::Vector> System for LiePoissonSystem<G,
     }
 }
 
-impl<G: LieGroup, F: Fn(&G::Vector) -> G::Vector> CotangentSystem for LiePoissonSystem<G, F> {
+impl<G: TranslationSplit, F: Fn(&G::Vector) -> G::Vector> CotangentSystem
+    for LiePoissonSystem<G, F>
+{
     type Group = G;
 
     fn group(&self) -> &G {

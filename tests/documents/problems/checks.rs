@@ -165,7 +165,7 @@ pub const CHECKS: &[Check] = &[
     ("fluid_se2", |name| {
         let problem = open(name);
         let text = problem.text().replace("\"right\"", "\"left\"");
-        let text = text.replace("space_velocity = [0.3, 1, -0.5]", "velocity = [-0.3, -1, 0.5]");
+        let text = text.replace("spatial_velocity = [0.3, 1, -0.5]", "velocity = [-0.3, -1, 0.5]");
         let left = Run::new(&Problem::parse("left.toml", &text).unwrap(), 0);
         let right = Run::new(&problem, 0);
         let row = right.rows.len() - 1;
@@ -321,7 +321,7 @@ pub const CHECKS: &[Check] = &[
         let block = MassProperties::cuboid(&Vector3::new(1.0, 2.0, 3.0)).unwrap();
         let bore = MassProperties::cylinder(0.25, 1.0).unwrap();
         let bore = bore.moved(&Isometry3::rotation(Vector3::y() * std::f64::consts::FRAC_PI_2));
-        let body = block.without(&bore).unwrap().of_density(2.0).unwrap();
+        let body = block.subtract(&bore).unwrap().of_density(2.0).unwrap();
         let inertia = problem.motion(0).unwrap().inertia.unwrap();
         let metric = body.metric().unwrap();
         for i in 0..6 {

@@ -2,7 +2,7 @@
 
 use super::super::failure::Failure;
 use super::super::stages::Stages;
-use affinor::mechanics::motions::Method;
+use affinor::mechanics::simulation::Method;
 use affinor_documents::definition::InputError;
 use affinor_documents::figures::diagram::{Diagram, Drawn, Graph, Line, Scale};
 use affinor_documents::problem::{Problem, Ready};
@@ -55,7 +55,7 @@ pub struct Comparison {
     #[arg(value_name = "FILE")]
     problem: String,
     /// The methods to compare, separated by commas
-    #[arg(long, value_name = "NAMES", default_value = "rkmk4,cf4,cg3")]
+    #[arg(long, value_name = "NAMES", default_value = "rkmk4,cf4")]
     methods: String,
     /// The largest step size [default: a sixteenth of the time span]
     #[arg(long, value_name = "H")]
@@ -90,7 +90,7 @@ impl Comparison {
 /// The method of a name that an option gives.
 pub fn method_of(option: &str, name: &str) -> Result<Method, Failure> {
     Method::from_name(name.trim()).ok_or_else(|| {
-        let all = Method::ALL.map(Method::name).join(", ");
+        let all = Method::ALL.iter().map(|method| method.name()).collect::<Vec<_>>().join(", ");
         let message = format!("{option}: there is no method `{}`", name.escape_debug());
         InputError::usage(message).help(format!("the methods are {all}")).into()
     })

@@ -1,7 +1,7 @@
 //! Rows dense enough to be drawn as curves, whatever the spacing of the rows of a problem.
 
 use affinor::Error;
-use affinor::mechanics::motions::Motion;
+use affinor::mechanics::simulation::Motion;
 
 /// The largest distance of a curve from its chords, in widths of the picture.
 const FLAT: f64 = 5e-4;
@@ -56,15 +56,15 @@ impl<'m> Curve<'m> {
     /// One step towards a time, and the rows within it.
     fn step(&mut self, until: f64) -> Result<bool, Error> {
         let from = self.row();
-        self.motion.keep();
-        let reached = self.motion.short_step(until)?;
+        self.motion.store();
+        let reached = self.motion.step_for_events(until)?;
         let to = self.row();
         for (range, value) in self.ranges.iter_mut().zip(&to[1..]) {
             *range = [range[0].min(*value), range[1].max(*value)];
         }
         if self.halve(&from, &to, HALVINGS)? {
-            self.motion.back();
-            self.motion.short_step(until)?;
+            self.motion.roll_back();
+            self.motion.step_for_events(until)?;
         }
         let passed = self.rows.last().map_or(f64::INFINITY, |last| (to[0] - last[0]).abs());
         if passed >= self.least || reached && passed > 0.0 {
@@ -79,7 +79,7 @@ impl<'m> Curve<'m> {
         if halvings == 0 || half.abs() < self.least {
             return Ok(false);
         }
-        self.motion.back();
+        self.motion.roll_back();
         while !self.motion.step(from[0] + half)? {}
         let middle = self.row();
         let bends = (0..self.ranges.len()).any(|k| {

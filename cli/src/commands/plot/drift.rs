@@ -5,7 +5,7 @@ use super::super::stages::Stages;
 use super::convergence::method_of;
 use super::run::rows_of_one;
 use super::run::times;
-use affinor::mechanics::motions::Method;
+use affinor::mechanics::simulation::Method;
 use affinor_documents::definition::InputError;
 use affinor_documents::figures::diagram::Diagram;
 use affinor_documents::figures::drift::{Change, Drift, diagram};

@@ -77,10 +77,10 @@ impl Columns {
         let names = two(names)?;
         let ready = problem.motion(0)?;
         let columns = ready.columns.iter().map(|column| column.name.clone()).collect();
-        let mut walk = problem.walk(ready);
+        let mut integration = problem.integrate(ready);
         let mut rows = vec![];
         loop {
-            let progress = walk.step()?;
+            let progress = integration.step()?;
             rows.extend(progress.rows);
             if progress.done {
                 break;
@@ -145,9 +145,9 @@ pub fn times(problem: &Problem) -> Result<Vec<f64>, Failure> {
     let ready = problem.motion(0)?;
     let mut times = ready.times.clone();
     let Some(stop) = problem.terminal_event() else { return Ok(times) };
-    let mut walk = problem.walk(ready);
+    let mut integration = problem.integrate(ready);
     loop {
-        let progress = walk.step()?;
+        let progress = integration.step()?;
         if let Some((_, end)) = progress.events.iter().find(|(event, _)| event == stop) {
             let forwards = *end >= times[0];
             times.retain(|time| if forwards { time < end } else { time > end });

@@ -1,4 +1,4 @@
-//! Checkpoints: the state of a run, from which a killed run resumes and ends with the same results.
+//! Checkpoints of ensembles: the members that are complete, so that a killed run resumes and ends with the same results.
 //!
 //! The rows are in `FILE.rows`, beside the checkpoint. They are flushed to the disk first; then the new checkpoint,
 //! which counts them, replaces the old one by a rename. So one of the two checkpoints is always complete.
@@ -7,7 +7,6 @@ use super::super::failure::Failure;
 use super::super::note::{counted, note};
 use super::super::output::{deliver, is_same};
 use super::spool::{Spool, failed};
-use affinor::mechanics::motions::Snapshot;
 use affinor_documents::definition::{InputError, fingerprint};
 use affinor_documents::problem::Problem;
 use serde::{Deserialize, Serialize};
@@ -16,9 +15,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-const SCHEMA: &str = "affinor.checkpoint/3";
+const SCHEMA: &str = "affinor.checkpoint/4";
 
-/// The state of a run.
+/// The progress of a run.
 #[derive(Serialize, Deserialize)]
 pub struct Checkpoint {
     schema: String,
@@ -30,11 +29,9 @@ pub struct Checkpoint {
     files: Vec<(String, u64)>,
     /// The options that replace keys of the problem, by name.
     options: Vec<(String, Option<String>)>,
-    ensemble: bool,
     rows: u64,
-    /// The number of output times reached, or of members of an ensemble completed.
+    /// The number of completed members.
     pub done: u64,
-    pub snapshot: Option<Snapshot>,
     /// The error of the first member of an ensemble that failed.
     pub stopped: Option<String>,
 }
@@ -68,10 +65,8 @@ impl Plan {
             problem: problem.text().into(),
             files: vec![],
             options: [arguments.problem.given(), vec![method]].concat(),
-            ensemble: arguments.ensemble,
             rows: 0,
             done: 0,
-            snapshot: None,
             stopped: None,
         };
         let Some(path) = arguments.checkpoint.clone() else {
@@ -158,12 +153,12 @@ impl Store {
     }
 
     /// Writes a checkpoint.
-    pub fn save(&mut self, done: u64, snapshot: Option<Snapshot>) -> Result<(), Failure> {
+    pub fn save(&mut self, done: u64) -> Result<(), Failure> {
         let Some(path) = &self.plan.path else { return Ok(()) };
         self.spool.sync().map_err(failed)?;
         let rows = self.spool.count();
         let checkpoint = &mut self.plan.checkpoint;
-        (checkpoint.rows, checkpoint.done, checkpoint.snapshot) = (rows, done, snapshot);
+        (checkpoint.rows, checkpoint.done) = (rows, done);
         self.plan.write(path)?;
         self.last = Instant::now();
         Ok(())
@@ -204,7 +199,6 @@ fn read(path: &Path, fresh: &Checkpoint) -> Result<Option<Checkpoint>, Failure> 
         ("schema".to_string(), found.schema == fresh.schema),
         ("version of affinor".into(), found.version == fresh.version),
         ("problem".into(), found.problem == fresh.problem),
-        ("--ensemble".into(), found.ensemble == fresh.ensemble),
     ];
     same.extend(fresh.options.iter().enumerate().map(|(at, option)| {
         let before = found.options.get(at);

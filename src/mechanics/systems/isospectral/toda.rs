@@ -2,8 +2,8 @@
 
 use super::{Isospectral, MatrixState, Symmetry, checked, expect_square, spectrum};
 use crate::Error;
-use crate::group::series::exp;
 use crate::mechanics::stopped;
+use crate::numerics::exponential::exp;
 use nalgebra::DMatrix;
 
 /// The Toda lattice `q_k'' = exp(q_(k-1) - q_k) - exp(q_k - q_(k+1))` with free ends, as the flow of a real symmetric

@@ -1,0 +1,180 @@
+//! Equations of motion of a kinetic energy and of forces, with or without constraints.
+
+use super::body::Body;
+use super::forces::ForceFormulas;
+use super::initial::InitialMomentum;
+use super::keys::Keys;
+use super::on_group::{OnGroup, Start};
+use super::output::RowFormulas;
+use super::reader::Reader;
+use super::ready::Ready;
+use crate::definition::InputError;
+use affinor::group::{AnyGroup, LieGroup, So3};
+use affinor::mechanics::simulation::{
+    EulerPoincareSpec, ForceFunction, Forces, Side, SimulationGroup, cartan_schouten_factor,
+    is_plus,
+};
+use affinor::{Canonical, Connection, Error, Metric};
+use affinor_tensors::{Symbolic, Tolerance};
+use nalgebra::{DMatrix, DVector};
+use std::borrow::Cow;
+use std::sync::OnceLock;
+
+/// The metric of a kinetic energy, a connection, forces, and an initial velocity or momentum: equations of motion
+/// `DH/Dt = M`.
+#[derive(Clone, Debug)]
+pub(super) struct EulerPoincare {
+    /// The body that moves, instead of a metric.
+    body: Option<Body>,
+    initial: InitialMomentum,
+    forces: ForceFormulas,
+    casimirs: Vec<Symbolic>,
+    /// The kinetic energy of all members of an ensemble, if it depends on no parameter.
+    shared: OnceLock<KineticEnergy>,
+}
+
+/// The metric of a kinetic energy, and the connection of the equations of motion.
+#[derive(Clone, Debug)]
+pub(super) struct KineticEnergy {
+    pub metric: Metric<f64>,
+    pub connection: Connection<f64>,
+    /// The names that a body adds, with their values.
+    of_body: Vec<(String, f64)>,
+}
+
+/// The equations of one motion, and its initial condition.
+pub(super) struct System<'d> {
+    pub energy: Cow<'d, KineticEnergy>,
+    /// The matrix of the metric.
+    pub inertia: DMatrix<f64>,
+    pub forces: Forces,
+    pub rows: RowFormulas,
+    pub element: DVector<f64>,
+    pub momentum: DVector<f64>,
+    pub notes: Vec<String>,
+}
+
+impl EulerPoincare {
+    pub fn read(keys: &Keys, on_group: &OnGroup, reader: &Reader) -> Result<Self, InputError> {
+        if keys.metric.is_some() && keys.inertia.is_some() {
+            let error = reader.source.refused("inertia", "the metric is given twice");
+            return Err(error.help("give one of metric, inertia"));
+        }
+        let forces = ForceFormulas::read(&keys.forces, reader)?;
+        let body = keys.inertia.as_ref().map(|keys| Body::read(keys, reader)).transpose()?;
+        let initial = InitialMomentum::read(&keys.initial, reader)?;
+        Ok(EulerPoincare {
+            body,
+            initial,
+            forces,
+            casimirs: on_group.casimirs(),
+            shared: OnceLock::new(),
+        })
+    }
+
+    /// Adds a force as a function.
+    pub fn add_force(&mut self, side: Side, function: ForceFunction) {
+        self.forces.add(side, function);
+    }
+
+    /// The same without Casimir functions, which constraint forces change.
+    pub fn without_casimirs(self) -> Self {
+        EulerPoincare { casimirs: Default::default(), ..self }
+    }
+
+    /// The motion without constraints.
+    pub fn motion(&self, start: &Start) -> Result<Ready, InputError> {
+        let member = start.member;
+        let System { energy, inertia, forces, rows, element, momentum, notes } =
+            self.system(start)?;
+        let spec = EulerPoincareSpec {
+            connection: &energy.connection,
+            metric: &energy.metric,
+            forces,
+            time: member.times[0],
+            element,
+            momentum,
+            integration: member.integration()?,
+            columns: rows.formulas,
+        };
+        let started = spec.start(start.group)?;
+        let ready = Ready::new(started, &member.times, rows.columns, rows.events);
+        Ok(Ready { inertia: Some(inertia), notes, ..ready })
+    }
+
+    fn energy(&self, start: &Start) -> Result<KineticEnergy, InputError> {
+        let group = start.group;
+        let tolerance = Tolerance::default();
+        let ground = start.definition.ground(tolerance)?;
+        let (metric, of_body) = match &self.body {
+            Some(body) => {
+                let labels = group.algebra()?.labels().to_vec();
+                let (metric, names) = body.metric(group, &labels, &start.member.values())?;
+                (Some(metric), names)
+            }
+            None => (start.definition.metric(&ground, tolerance)?, vec![]),
+        };
+        let metric = metric.ok_or_else(|| {
+            let error = InputError::mathematics("a motion needs the metric of its kinetic energy");
+            error.help("give metric = \"diag(..)\", or rows; on so(3) and se(3) also [inertia]")
+        })?;
+        let connection = if start.definition.connection_is_default() {
+            Connection::canonical(&group.algebra()?, Canonical::Plus)
+        } else if group.is_right() {
+            let message = "right-invariant equations have the connection plus of their own frame";
+            return Err(InputError::usage(message).help("name no connection"));
+        } else {
+            start.definition.geometry_over(ground, tolerance)?.connection().clone()
+        };
+        Ok(KineticEnergy { metric, connection, of_body })
+    }
+
+    /// The equations and the initial condition of one motion.
+    pub fn system(&self, start: &Start) -> Result<System<'_>, InputError> {
+        let (group, member, values) = (start.group, start.member, start.member.values());
+        let energy = match self.shared.get() {
+            Some(energy) => Cow::Borrowed(energy),
+            None => Cow::Owned(self.energy(start)?),
+        };
+        let is_new = self.shared.get().is_none() && self.body.is_none();
+        if is_new && start.on_group.definition().parameters().is_empty() {
+            // another thread may have set the same value in the meantime
+            let _ = self.shared.set(energy.clone().into_owned());
+        }
+        let inertia = energy.metric.components().to_dmatrix().map_err(affinor::Error::from)?;
+        let mut notes = notes(group, &inertia);
+        if !is_plus(&energy.connection) {
+            let rate = cartan_schouten_factor(&energy.connection).map_or(String::new(), |share| {
+                format!(": without forces, H' is {share} times that of theirs")
+            });
+            let not =
+                "the connection is not plus, so the equations are not those of Euler and Poincare";
+            notes.push(format!("{not}{rate}"));
+        }
+        start.expect_new_names(&energy.of_body)?;
+        let parameters = [&member.parameters[..], &energy.of_body].concat();
+        let mut forces = Forces::none(group, inertia.clone(), parameters);
+        self.forces.apply(&mut forces, start.definition.dimension())?;
+        // forces change the coadjoint orbit
+        let casimirs = if forces.is_empty() { &self.casimirs[..] } else { &[] };
+        let rows = member.output.formulas(forces.names(), &|_| true, casimirs, member.source)?;
+        let element = start.on_group.element().at(group, &values)?;
+        let momentum = self.initial.at(group, &element, forces.observables(), &values)?;
+        Ok(System { energy, inertia, forces, rows, element, momentum, notes })
+    }
+}
+
+/// Warnings about a metric that no rigid body has.
+fn notes(group: &AnyGroup, inertia: &DMatrix<f64>) -> Vec<String> {
+    let eigenvalues = inertia.symmetric_eigenvalues();
+    if eigenvalues.max() < 0.0 {
+        return vec!["the metric is negative: so is the kinetic energy".into()];
+    }
+    if eigenvalues.min() <= 0.0 {
+        return vec!["the metric is indefinite: no energy bounds the velocity".into()];
+    }
+    let Some(Ok(body)) = group.downcast_ref::<So3>().and_then(|so3| so3.body(inertia)) else {
+        return vec![];
+    };
+    body.require_physical().err().iter().map(Error::to_string).collect()
+}

@@ -1,0 +1,101 @@
+//! Problems of kinematics: a velocity that is given over time.
+
+use super::keys::OF_DYNAMICS;
+use super::on_group::Start;
+use super::reader::{Reader, Written};
+use super::ready::Ready;
+use crate::definition::InputError;
+use crate::definition::written::Number;
+use affinor::group::LieGroup;
+use affinor::mechanics::simulation::quantities::Quantity;
+use affinor::mechanics::simulation::{
+    Class, Method, Observables, PrescribedVelocitySpec, Side, SimulationGroup, Started,
+    VelocityFormulas,
+};
+use serde::Deserialize;
+
+/// The table `[prescribed]`: a velocity over time.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct PrescribedKeys {
+    pub velocity: Option<Vec<Number>>,
+    pub spatial_velocity: Option<Vec<Number>>,
+}
+
+/// The element that moves with a prescribed velocity.
+#[derive(Clone, Debug)]
+pub(super) struct PrescribedVelocity {
+    side: Side,
+    /// The components of the velocity, as formulas in `t` and the parameters.
+    velocity: Vec<Written>,
+}
+
+impl PrescribedVelocity {
+    pub fn read(keys: &PrescribedKeys, reader: &Reader) -> Result<Self, InputError> {
+        reader.refuse("a velocity given over time", &OF_DYNAMICS)?;
+        let (side, list) = match (&keys.velocity, &keys.spatial_velocity) {
+            (Some(list), None) => (Side::Body, list),
+            (None, Some(list)) => (Side::Spatial, list),
+            _ => {
+                return Err(reader
+                    .source
+                    .refused("prescribed", "give one of velocity, spatial_velocity"));
+            }
+        };
+        let velocity = list.iter().map(|number| reader.written(&number.0)).collect();
+        Ok(PrescribedVelocity { side, velocity })
+    }
+
+    pub fn motion(&self, start: &Start) -> Result<Ready, InputError> {
+        let (group, member, values) = (start.group, start.member, start.member.values());
+        let n = group.dimension();
+        if (self.side == Side::Spatial) != group.is_right() {
+            let message =
+                "a given velocity is in the body frame; with invariance = \"right\" it is in space";
+            let place = self.velocity.first().map(Written::place);
+            return Err(InputError::usage(message).or_at(place.as_ref()));
+        }
+        if self.velocity.len() != n {
+            let found = self.velocity.len();
+            let message = format!("the velocity has {found} components, the dimension is {n}");
+            return Err(member.source.refused("prescribed", message));
+        }
+        let method = member.method().unwrap_or(Method::Magnus6);
+        if method.class() != Class::PrescribedVelocity {
+            let message = format!("the method {method} is not for a velocity over time");
+            let names = Method::names_of(&[Class::PrescribedVelocity]);
+            return Err(InputError::mathematics(message)
+                .help(format!("the method for a velocity over time is {names}")));
+        }
+        let step = member.needed_step("a velocity over time")?;
+        start.expect_new_names(&[])?;
+        let observables = Observables::new(group, None, member.parameters.clone());
+        let names = observables.names();
+        let mut velocity = VelocityFormulas::default();
+        for formula in &self.velocity {
+            let added = velocity.add(formula.text(), names);
+            let help = "the velocity is a formula of t and the parameters";
+            added.map_err(|error| formula.refused(error, help))?;
+        }
+        // there is no inertia
+        let kinematic = |quantity: Quantity| {
+            use Quantity::{Energy, Kinetic, Momentum, OtherMomentum, Potential, Power};
+            !matches!(
+                quantity,
+                Momentum(_) | OtherMomentum(_) | Kinetic | Potential | Energy | Power
+            )
+        };
+        let rows = member.output.formulas(names, &kinematic, &[], member.source)?;
+        let spec = PrescribedVelocitySpec {
+            velocity,
+            observables,
+            time: member.times[0],
+            element: start.on_group.element().at(group, &values)?,
+            method,
+            step,
+            columns: rows.formulas,
+        };
+        let started = Started { motion: spec.start(group)?, method };
+        Ok(Ready::new(started, &member.times, rows.columns, rows.events))
+    }
+}

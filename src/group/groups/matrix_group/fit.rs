@@ -1,0 +1,84 @@
+//! Logarithms of rounded matrices: the vector of the algebra whose exponential is nearest to a matrix.
+//!
+//! The principal logarithm of a matrix multiplies rounding errors by `|g| |g^-1|`, the square of the largest entry of a boost.
+//! These errors mostly leave the group. The nearest element of the group depends on `g` by `|g|` alone.
+
+use super::span::Span;
+use crate::numerics::double::{exp_less_identity, mapped, rounded};
+use crate::numerics::exponential::{balance, balanced_by, exp};
+use nalgebra::{DMatrix, DVector};
+
+/// The largest number of steps of Gauss and Newton.
+const STEPS: usize = 8;
+
+/// The largest number of operations of a derivative, a multiplication each; larger groups are not fitted.
+const WORK: usize = 10_000_000;
+
+/// The relative length of a step that ends the iteration.
+const SETTLED: f64 = 4.0 * f64::EPSILON;
+
+/// The largest relative distance of the nearest element.
+const OFF: f64 = 1e-9;
+
+/// The coordinates `x` for which `|exp(x^i B_i) - g|` is least, from a first guess. `None` if `g` is farther from the group
+/// than rounding takes it, or the iteration does not converge.
+pub(super) fn nearest(span: &Span, g: &DMatrix<f64>, x: &DVector<f64>) -> Option<DVector<f64>> {
+    let exponents = balance(g);
+    let target = balanced_by(g, &exponents);
+    let less_one = &target - DMatrix::identity(g.nrows(), g.ncols());
+    let mut x = x.clone();
+    let mut before = f64::INFINITY;
+    for _ in 0..STEPS {
+        let generator = balanced_by(&span.combination(&x), &exponents);
+        // cancellation: the difference is of the size of a rounding error
+        let exact = span.double_combination(&x);
+        let exact = exp_less_identity(&mapped(&exact, |m| balanced_by(m, &exponents)));
+        let off = rounded(&(less_one.map(Into::into) - exact));
+        let step = pseudoinverse(&derivative(span, &generator, &exponents)?)?
+            * DVector::from_column_slice(off.as_slice());
+        let length = step.norm();
+        x += step;
+        if length <= SETTLED * x.norm() || length >= 0.5 * before {
+            return (length <= OFF * x.norm() && off.norm() <= OFF * target.norm()).then_some(x);
+        }
+        before = length;
+    }
+    None
+}
+
+/// A bound on the changes of the coordinates `x` of `log(g)`, if each entry of `g` is rounded once. `None` where the exponential
+/// is not a local chart.
+pub(super) fn rounding(span: &Span, g: &DMatrix<f64>, x: &DVector<f64>) -> Option<f64> {
+    let exponents = balance(g);
+    let generator = balanced_by(&span.combination(x), &exponents);
+    let inverse = pseudoinverse(&derivative(span, &generator, &exponents)?)?.abs();
+    let entries = balanced_by(g, &exponents).abs();
+    let changes = inverse * DVector::from_column_slice(entries.as_slice());
+    Some(0.5 * f64::EPSILON * changes.amax())
+}
+
+/// The derivative of `x -> exp(x^i B_i)`, with a column for each `B_i`: the upper right block of
+/// `exp([[X, B_i], [0, X]])`. `None` if it takes more than [`WORK`].
+fn derivative(span: &Span, x: &DMatrix<f64>, exponents: &[i32]) -> Option<DMatrix<f64>> {
+    let n = x.nrows();
+    if span.dimension().saturating_mul((2 * n).saturating_pow(3)) > WORK {
+        return None;
+    }
+    let mut block = DMatrix::zeros(2 * n, 2 * n);
+    [0, n].into_iter().for_each(|at| block.view_mut((at, at), (n, n)).copy_from(x));
+    let mut derivative = DMatrix::zeros(n * n, span.dimension());
+    for (at, mut column) in derivative.column_iter_mut().enumerate() {
+        let along = balanced_by(&span.matrix(at), exponents);
+        block.view_mut((0, n), (n, n)).copy_from(&along);
+        let moved = exp(&block).view((0, n), (n, n)).into_owned();
+        column.copy_from_slice(moved.as_slice());
+    }
+    Some(derivative)
+}
+
+/// `(J^T J)^-1 J^T` by QR; `None` if the columns are dependent or not finite.
+fn pseudoinverse(j: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let (q, r) = j.clone().qr().unpack();
+    let inverse = r.solve_upper_triangular(&q.transpose())?;
+    inverse.iter().all(|value| value.is_finite()).then_some(inverse)
+}

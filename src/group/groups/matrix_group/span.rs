@@ -1,0 +1,178 @@
+//! The span of sparse matrices in floats, and the matrix of it that is nearest to a given one.
+
+use crate::Error;
+use crate::numerics::double::Double;
+use nalgebra::{DMatrix, DVector};
+use std::collections::BTreeMap;
+
+/// The entries `(place, value)` of a matrix that are not zero; the place counts column by column.
+type Entries = Vec<(usize, f64)>;
+
+/// Independent matrices `B_i` of one size, by their nonzero entries.
+#[derive(Clone, Debug)]
+pub(super) struct Span {
+    size: usize,
+    basis: Vec<Entries>,
+    /// For each `i` the form on matrices whose value is the coordinate `x^i` of the nearest `x^j B_j`.
+    nearest: Vec<Entries>,
+}
+
+impl Span {
+    /// The span of square matrices, given by their entries `(row, column, value)`.
+    ///
+    /// # Errors
+    /// [`Error::SingularBasis`] for matrices that are dependent to rounding.
+    pub fn new<I>(size: usize, matrices: impl IntoIterator<Item = I>) -> Result<Self, Error>
+    where
+        I: IntoIterator<Item = (usize, usize, f64)>,
+    {
+        let entries = |matrix: I| {
+            let places = matrix.into_iter().map(|(i, j, value)| (j * size + i, value));
+            let mut entries: Entries = places.filter(|(_, value)| *value != 0.0).collect();
+            entries.sort_unstable_by_key(|(place, _)| *place);
+            entries
+        };
+        let basis: Vec<Entries> = matrices.into_iter().map(entries).collect();
+        let mut nearest = vec![vec![]; basis.len()];
+        for block in blocks(&basis) {
+            nearest_in_block(&basis, &block, &mut nearest)?;
+        }
+        Ok(Span { size, basis, nearest })
+    }
+
+    /// The number of rows of the matrices.
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// The number of matrices.
+    pub fn dimension(&self) -> usize {
+        self.basis.len()
+    }
+
+    /// `x^i B_i`
+    pub fn combination(&self, x: &DVector<f64>) -> DMatrix<f64> {
+        let mut sum = DMatrix::zeros(self.size, self.size);
+        let places = sum.as_mut_slice();
+        for (entries, x) in self.basis.iter().zip(x.iter()) {
+            entries.iter().for_each(|(place, value)| places[*place] += value * x);
+        }
+        sum
+    }
+
+    /// [`combination`](Self::combination) without rounding errors of sums of entries.
+    pub fn double_combination(&self, x: &DVector<f64>) -> DMatrix<Double> {
+        let mut sum = DMatrix::zeros(self.size, self.size);
+        let places = sum.as_mut_slice();
+        for (entries, x) in self.basis.iter().zip(x.iter()) {
+            let x = Double::from(*x);
+            entries.iter().for_each(|(place, value)| places[*place] += Double::from(*value) * x);
+        }
+        sum
+    }
+
+    /// The basis matrix of an index.
+    pub fn matrix(&self, at: usize) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(self.size, self.size);
+        let places = matrix.as_mut_slice();
+        self.basis[at].iter().for_each(|(place, value)| places[*place] = *value);
+        matrix
+    }
+
+    /// The trace of a basis matrix.
+    pub fn trace(&self, at: usize) -> f64 {
+        let diagonal =
+            self.basis[at].iter().filter(|(place, _)| place / self.size == place % self.size);
+        diagonal.map(|(_, value)| value).sum()
+    }
+
+    /// The norm of a basis matrix.
+    pub fn norm(&self, at: usize) -> f64 {
+        self.basis[at].iter().map(|(_, value)| value * value).sum::<f64>().sqrt()
+    }
+
+    /// `g B_i h`
+    pub fn between(&self, g: &DMatrix<f64>, at: usize, h: &DMatrix<f64>) -> DMatrix<f64> {
+        let n = self.size;
+        // the columns of g B_i that are not zero, and the rows of h that they meet
+        let entries = &self.basis[at];
+        let columns: Vec<&[(usize, f64)]> = entries.chunk_by(|a, b| a.0 / n == b.0 / n).collect();
+        let mut left = DMatrix::zeros(n, columns.len());
+        let mut right = DMatrix::zeros(columns.len(), n);
+        for (column, entries) in columns.iter().enumerate() {
+            for (place, value) in *entries {
+                left.column_mut(column).axpy(*value, &g.column(place % n), 1.0);
+            }
+            right.row_mut(column).copy_from(&h.row(entries[0].0 / n));
+        }
+        left * right
+    }
+
+    /// The coordinates of the nearest matrix of the span, entry by entry.
+    pub fn coordinates(&self, m: &DMatrix<f64>) -> DVector<f64> {
+        let places = m.as_slice();
+        let value = |form: &Entries| form.iter().map(|(place, v)| v * places[*place]).sum();
+        DVector::from_iterator(self.dimension(), self.nearest.iter().map(value))
+    }
+}
+
+/// The matrices in groups, ascending; matrices of different groups have no common place.
+fn blocks(basis: &[Entries]) -> Vec<Vec<usize>> {
+    // the groups are trees; the root is the least of a group
+    let mut above: Vec<usize> = (0..basis.len()).collect();
+    fn root(above: &mut [usize], mut at: usize) -> usize {
+        while above[at] != at {
+            above[at] = above[above[at]];
+            at = above[at];
+        }
+        at
+    }
+    let mut owner: BTreeMap<usize, usize> = BTreeMap::new();
+    for (at, entries) in basis.iter().enumerate() {
+        for (place, _) in entries {
+            let (a, b) = (root(&mut above, at), *owner.entry(*place).or_insert(at));
+            let b = root(&mut above, b);
+            above[a.max(b)] = a.min(b);
+        }
+    }
+    let mut blocks: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for at in 0..basis.len() {
+        blocks.entry(root(&mut above, at)).or_default().push(at);
+    }
+    blocks.into_values().collect()
+}
+
+/// The forms of the matrices of a block: the pseudoinverse by QR.
+fn nearest_in_block(
+    basis: &[Entries],
+    block: &[usize],
+    nearest: &mut [Entries],
+) -> Result<(), Error> {
+    let mut places: Vec<usize> =
+        block.iter().flat_map(|&at| basis[at].iter().map(|(place, _)| *place)).collect();
+    places.sort_unstable();
+    places.dedup();
+    let mut columns = DMatrix::zeros(places.len(), block.len());
+    for (column, &at) in block.iter().enumerate() {
+        for (place, value) in &basis[at] {
+            if let Ok(row) = places.binary_search(place) {
+                columns[(row, column)] = *value;
+            }
+        }
+    }
+    if places.len() < block.len() {
+        return Err(Error::SingularBasis);
+    }
+    let (q, r) = columns.clone().qr().unpack();
+    let forms = r.solve_upper_triangular(&q.transpose()).ok_or(Error::SingularBasis)?;
+    // beside translations of kilometres the factors know rotations to the rounding of a kilometre: Newton's step for
+    // forms columns = 1 brings each entry to its own
+    let residual = DMatrix::identity(block.len(), block.len()) - &forms * &columns;
+    let forms = &forms + residual * &forms;
+    for (row, &at) in block.iter().enumerate() {
+        let values =
+            places.iter().enumerate().map(|(column, place)| (*place, forms[(row, column)]));
+        nearest[at] = values.filter(|(_, value)| *value != 0.0).collect();
+    }
+    Ok(())
+}

@@ -1,0 +1,128 @@
+//! The translations of a matrix group, computed from its algebra.
+
+use crate::numerics::least_squares::least_squares;
+use affinor_tensors::Tensor;
+use nalgebra::{DMatrix, DVector};
+
+/// The relative rounding of a sum.
+const ROUNDING: f64 = 1e-10;
+
+/// The largest number of unknowns of a complement.
+const UNKNOWNS: usize = 400;
+
+/// The projection on the kernel `V` of the Killing form along a complementary subalgebra `K`, where `V` is abelian and there
+/// is such a subalgebra: `se(n) = so(n) + R^n`, `iso(p,q)`, `aff(1)`, direct sums of a semisimple algebra and `R^n`. `None`
+/// for others, and where `V = 0`.
+///
+/// With any complement `C` of `V`, `K` is the graph of a map `f: C -> V`. As `V` is abelian,
+/// `[c + f c, d + f d]` lies in the graph if `v + [c, f d] - [d, f c] = f e` for `[c, d] = e + v`: linear equations for `f`.
+pub(super) fn translations(structure: &Tensor<f64>) -> Option<DMatrix<f64>> {
+    let n = structure.dimension();
+    // (k, i, c^i_jk) of each j
+    let mut ad = vec![vec![]; n];
+    structure.components().for_each(|(at, c)| ad[at[1]].push((at[2], at[0], *c)));
+    let size = structure.components().fold(0.0, |size: f64, (_, c)| size.max(c.abs()));
+    let mut killing = DMatrix::zeros(n, n);
+    let mut own = DMatrix::zeros(n, n);
+    for i in 0..n {
+        ad[i].iter().for_each(|&(k, l, c)| own[(l, k)] = c);
+        for j in 0..n {
+            killing[(i, j)] = ad[j].iter().map(|&(k, l, c)| own[(k, l)] * c).sum();
+        }
+        ad[i].iter().for_each(|&(k, l, _)| own[(l, k)] = 0.0);
+    }
+    let (inside, outside) = kernel(killing, size * size * n as f64)?;
+    let bracket = |x: &DVector<f64>, y: &DVector<f64>| -> DVector<f64> {
+        let mut sum = DVector::zeros(n);
+        for (x, ad) in x.iter().zip(&ad) {
+            ad.iter().for_each(|&(k, i, c)| sum[i] += c * y[k] * x);
+        }
+        sum
+    };
+    let is_zero = |x: &DVector<f64>| x.amax() <= ROUNDING * size;
+    let pairs = || inside.iter().flat_map(|x| inside.iter().map(move |y| (x, y)));
+    if !pairs().all(|(x, y)| is_zero(&bracket(x, y))) {
+        return None;
+    }
+    let (p, q) = (outside.len(), inside.len());
+    if p * q > UNKNOWNS {
+        return None;
+    }
+    // both are orthonormal, and orthogonal to each other
+    let on = |basis: &[DVector<f64>], x: &DVector<f64>| -> Vec<f64> {
+        basis.iter().map(|b| b.dot(x)).collect()
+    };
+    let acts: Vec<DMatrix<f64>> = outside
+        .iter()
+        .map(|c| {
+            let images: Vec<f64> =
+                inside.iter().flat_map(|v| on(&inside, &bracket(c, v))).collect();
+            DMatrix::from_vec(q, q, images)
+        })
+        .collect();
+    // the unknown f^v_c is number c q + v
+    let count = p * p.saturating_sub(1) / 2 * q;
+    let (mut matrix, mut right) = (DMatrix::zeros(count, p * q), DVector::zeros(count));
+    let mut row = 0;
+    for c in 0..p {
+        for d in c + 1..p {
+            let image = bracket(&outside[c], &outside[d]);
+            let (e, v) = (on(&outside, &image), on(&inside, &image));
+            for at in 0..q {
+                for other in 0..q {
+                    matrix[(row, d * q + other)] += acts[c][(at, other)];
+                    matrix[(row, c * q + other)] -= acts[d][(at, other)];
+                }
+                for (b, share) in e.iter().enumerate() {
+                    matrix[(row, b * q + at)] -= share;
+                }
+                right[row] = -v[at];
+                row += 1;
+            }
+        }
+    }
+    let f = if right.iter().all(|x| x.abs() <= ROUNDING * size) {
+        DVector::zeros(p * q)
+    } else {
+        let f = least_squares(&matrix, &right);
+        if (&matrix * &f - &right).amax() > ROUNDING * size * (1.0 + f.amax()) {
+            return None;
+        }
+        f
+    };
+    // P (x = c + v) = v - f c
+    let mut projection = DMatrix::zeros(n, n);
+    for (at, v) in inside.iter().enumerate() {
+        projection += v * v.transpose();
+        for (b, c) in outside.iter().enumerate() {
+            projection -= v * c.transpose() * f[b * q + at];
+        }
+    }
+    // entries near 0 or 1 are 0 or 1
+    Some(projection.map(|x| if (x - x.round()).abs() <= ROUNDING { x.round() } else { x }))
+}
+
+/// Orthonormal bases of the kernel of a symmetric matrix and of its complement; vectors of the standard basis where these
+/// span them. `None` if the kernel is 0.
+#[allow(clippy::type_complexity, reason = "two bases")]
+fn kernel(matrix: DMatrix<f64>, size: f64) -> Option<(Vec<DVector<f64>>, Vec<DVector<f64>>)> {
+    let n = matrix.nrows();
+    let unit = |i: usize| DVector::from_fn(n, |k, _| f64::from(i == k));
+    let zeros: Vec<usize> = (0..n).filter(|&i| matrix.row(i).amax() <= ROUNDING * size).collect();
+    let eigen = matrix.symmetric_eigen();
+    let is_kernel = |i: usize| eigen.eigenvalues[i].abs() <= ROUNDING * size;
+    let count = (0..n).filter(|&i| is_kernel(i)).count();
+    if count == 0 {
+        return None;
+    }
+    if count == zeros.len() {
+        let (inside, outside) = (0..n).partition::<Vec<_>, _>(|i| zeros.contains(i));
+        return Some((
+            inside.into_iter().map(unit).collect(),
+            outside.into_iter().map(unit).collect(),
+        ));
+    }
+    let column = |i: usize| eigen.eigenvectors.column(i).into_owned();
+    let (inside, outside) = (0..n).partition::<Vec<_>, _>(|&i| is_kernel(i));
+    Some((inside.into_iter().map(column).collect(), outside.into_iter().map(column).collect()))
+}

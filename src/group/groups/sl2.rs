@@ -1,0 +1,238 @@
+//! SL(2,R), the real matrices of size 2 and determinant 1.
+
+use crate::Error;
+use crate::group::TranslationSplit;
+use crate::group::matrices::{MatrixNotation, TOLERANCE, checked, replace, sparse};
+use crate::group::{Embedded, LieGroup, tangent};
+use crate::numerics::rounding::expect_digits_of_product;
+use crate::numerics::stumpff::Stumpff;
+use nalgebra::{DMatrix, Matrix2, Vector3, Vector4};
+use std::f64::consts::PI;
+
+/// The real matrices of size 2 and determinant 1.
+///
+/// Vectors `(e, f, h)` are the matrices `[[h, e], [f, -h]]`, in the basis of the catalogue's
+/// `sl(2)`: `[E, F] = H`, `[H, E] = 2 E`, `[H, F] = -2 F`. The exponential is not onto: its image is
+/// `-1` and the elements with a trace above -2.
+///
+/// ```
+/// use affinor::group::{LieGroup, Sl2};
+/// use nalgebra::Matrix2;
+/// let refused = Sl2.log(&Matrix2::new(-2.0, 0.0, 0.0, -0.5)).unwrap_err();
+/// let reason = "no logarithm: the trace is -2.5, that of exp(x) is above -2 unless exp(x) = -1";
+/// assert_eq!(refused.to_string(), reason);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sl2;
+
+/// Above this, squares may overflow.
+const LARGE: f64 = 1e150;
+
+/// Terms of a product that are larger than the product by this factor cancel.
+const CANCELLED: f64 = 64.0;
+
+/// Below this square of the sine, near 1, the derivative of the angle over the sine by the square is less than 1.
+const NEAR: f64 = 1e-4;
+
+fn traceless(x: &Vector3<f64>) -> Matrix2<f64> {
+    Matrix2::new(x[2], x[0], x[1], -x[2])
+}
+
+/// The components of the traceless part.
+fn components(m: &Matrix2<f64>) -> Vector3<f64> {
+    Vector3::new(m[(0, 1)], m[(1, 0)], 0.5 * (m[(0, 0)] - m[(1, 1)]))
+}
+
+/// The determinant of `x`, with `x^2 = -det(x)`.
+fn determinant(x: &Vector3<f64>) -> f64 {
+    let largest = x.amax();
+    let product = |x: &Vector3<f64>| -x[2] * x[2] - x[0] * x[1];
+    if largest < LARGE {
+        return product(x);
+    }
+    match product(&(x / largest)) {
+        0.0 => 0.0,
+        small => largest * small * largest,
+    }
+}
+
+/// The logarithm of `cos + part`, where `part = (sin / angle) x`, or cosh and sinh.
+fn logarithm(cos: f64, part: &Vector3<f64>) -> Result<Vector3<f64>, Error> {
+    if (cos + 1.0).abs() <= 4.0 * f64::EPSILON && part.amax() <= 4.0 * f64::EPSILON {
+        return Ok(Vector3::new(-PI, PI, 0.0));
+    }
+    let square = determinant(part);
+    let sine = square.abs().sqrt();
+    if square <= 0.0 && cos < 0.0 {
+        let trace = 2.0 * cos;
+        let reason = match trace > -2.0 {
+            true => format!("the trace is {trace}, so near -2 that rounding hides the angle"),
+            false => {
+                format!("the trace is {trace}, that of exp(x) is above -2 unless exp(x) = -1")
+            }
+        };
+        return Err(Error::Invalid { what: "logarithm", reason });
+    }
+    let angle = if square > 0.0 { sine.atan2(cos) } else { sine.asinh() };
+    Ok(if sine == 0.0 { *part } else { part * (angle / sine) })
+}
+
+impl LieGroup for Sl2 {
+    type Element = Matrix2<f64>;
+    type Vector = Vector3<f64>;
+
+    fn dimension(&self) -> usize {
+        3
+    }
+
+    fn identity(&self) -> Self::Element {
+        Matrix2::identity()
+    }
+
+    fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
+        g * h
+    }
+
+    /// The adjugate, for a determinant of 1.
+    fn inverse(&self, g: &Self::Element) -> Self::Element {
+        Matrix2::new(g[(1, 1)], -g[(0, 1)], -g[(1, 0)], g[(0, 0)])
+    }
+
+    /// `c_0 + c_1 x` with the Stumpff functions of `det x`. A hyperbolic `x`, `det x < 0`, overflows
+    /// where cosh does.
+    fn exp(&self, x: &Self::Vector) -> Self::Element {
+        let z = determinant(x);
+        if z > LARGE {
+            let unit = x / x.amax();
+            let length = determinant(&unit).sqrt();
+            let (sin, cos) = (x.amax() * length).sin_cos();
+            return Matrix2::identity() * cos + traceless(&unit) * (sin / length);
+        }
+        let c = Stumpff::at(z);
+        Matrix2::identity() * c.c0 + traceless(x) * c.c1
+    }
+
+    /// The logarithm with angles of at most `pi`; that of `-1` is the half turn `pi (F - E)`, one of
+    /// its logarithms.
+    fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
+        logarithm(0.5 * g.trace(), &components(g))
+    }
+
+    /// With the digits of small vectors: the part without trace of `(c_0 + c_1 x) (d_0 + d_1 y)` is
+    /// `c_0 d_1 y + d_0 c_1 x + c_1 d_1 [x, y]/2`. Refused if it loses its digits.
+    fn log_product(&self, x: &Self::Vector, y: &Self::Vector) -> Result<Self::Vector, Error> {
+        let [zx, zy] = [x, y].map(determinant);
+        if zx.max(zy) > LARGE {
+            return self.log(&self.compose(&self.exp(x), &self.exp(y)));
+        }
+        let (c, d) = (Stumpff::at(zx), Stumpff::at(zy));
+        let half_trace = x[2] * y[2] + 0.5 * (x[0] * y[1] + x[1] * y[0]);
+        let cos = c.c0 * d.c0 + c.c1 * d.c1 * half_trace;
+        let terms =
+            [x * (d.c0 * c.c1), y * (c.c0 * d.c1), self.bracket(x, y) * (0.5 * c.c1 * d.c1)];
+        let part = terms[0] + terms[1] + terms[2];
+        let vectors: f64 = terms.iter().map(|term| term.abs().sum()).sum();
+        let terms = vectors + (c.c0 * d.c0).abs() + (c.c1 * d.c1 * half_trace).abs();
+        let rounding = f64::EPSILON * terms;
+        let cancelled = terms > CANCELLED * (part.amax() + cos.abs());
+        // a sum of the vectors loses as much
+        let sum = 8.0 * f64::EPSILON * (x.amax() + y.amax());
+        let unknown = |error| expect_digits_of_product(rounding - sum).and(Err(error));
+        let product = logarithm(cos, &part).or_else(unknown)?;
+        if cancelled {
+            // the derivative of (angle / sine) part
+            let (square, size) = (determinant(&part), part.amax());
+            let slope = if square > 0.0 { cos } else { 1.0 / cos };
+            let lost = match product.amax() / size {
+                _ if size == 0.0 => 1.0,
+                factor if cos > 0.0 && square.abs() < NEAR => factor + size * size,
+                factor => factor + (slope - factor).abs() * (size * size / square.abs()),
+            };
+            expect_digits_of_product(rounding * lost - sum)?;
+        }
+        Ok(product)
+    }
+
+    /// `g x g^-1`.
+    fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
+        components(&(g * traceless(x) * self.inverse(g)))
+    }
+
+    fn project(&self, g: Self::Element) -> Self::Element {
+        match g.determinant() {
+            square if square > 0.0 => g / square.sqrt(),
+            _ => g,
+        }
+    }
+
+    fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
+        Vector3::new(
+            2.0 * (x[2] * y[0] - x[0] * y[2]),
+            2.0 * (x[1] * y[2] - x[2] * y[1]),
+            x[0] * y[1] - x[1] * y[0],
+        )
+    }
+
+    fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
+        DMatrix::from_column_slice(2, 2, g.as_slice())
+    }
+
+    /// In closed form, for `ad_x^3 = -4 det(x) ad_x`: the eigenvalues of `ad_x` are twice those of `x`, and 0.
+    fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
+        tangent::cubic(self, |x| 4.0 * determinant(x), x, v)
+    }
+
+    /// In closed form.
+    fn tangent_left_inverse(
+        &self,
+        x: &Self::Vector,
+        v: &Self::Vector,
+    ) -> Result<Self::Vector, Error> {
+        // the sum of the sizes of the terms, to which the rounding error of the determinant is relative
+        let size = 4.0 * (x[2] * x[2] + (x[0] * x[1]).abs());
+        tangent::cubic_inverse(self, [4.0 * determinant(x), size], x, v)
+    }
+}
+
+impl TranslationSplit for Sl2 {}
+
+/// The entries of the matrix.
+impl Embedded for Sl2 {
+    type Ambient = Vector4<f64>;
+
+    fn coordinates(&self, g: &Self::Element) -> Vector4<f64> {
+        Vector4::from_column_slice(g.as_slice())
+    }
+
+    fn from_coordinates(&self, y: &Vector4<f64>) -> Self::Element {
+        Matrix2::from_column_slice(y.as_slice())
+    }
+
+    fn rate(&self, g: &Self::Element, v: &Self::Vector) -> Vector4<f64> {
+        self.coordinates(&(g * traceless(v)))
+    }
+}
+
+/// The matrix.
+impl MatrixNotation for Sl2 {
+    fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
+        checked(self, matrix, |m| {
+            let m: Matrix2<f64> = m.fixed_view::<2, 2>(0, 0).into_owned();
+            let determinant = m.determinant();
+            if (determinant - 1.0).abs() <= TOLERANCE * (1.0 + m.norm_squared()) {
+                return Ok(m);
+            }
+            let reason = format!("its determinant is {determinant}");
+            Err(Error::Invalid { what: "element of the group", reason })
+        })
+    }
+
+    fn entries(&self, g: &Self::Element, entries: &mut Vec<f64>) {
+        replace(entries, g.as_slice());
+    }
+
+    fn generators(&self) -> Vec<DMatrix<f64>> {
+        let diagonal = sparse(2, &[(0, 0, 1.0), (1, 1, -1.0)]);
+        vec![sparse(2, &[(0, 1, 1.0)]), sparse(2, &[(1, 0, 1.0)]), diagonal]
+    }
+}

@@ -1,0 +1,229 @@
+//! The trait of Lie groups.
+
+use super::{Coordinates, mean, tangent};
+use crate::{Bracket, Error, LieAlgebra};
+use nalgebra::DMatrix;
+use std::fmt::Debug;
+
+/// A Lie group with its algebra, in floating point.
+///
+/// ```text
+/// T_left(x)  = sum (-ad_x)^k/(k+1)!     exp(x + dx) = exp(x) exp(T_left(x) dx + ..)
+/// T_right(x) = sum ad_x^k/(k+1)!        exp(x + dx) = exp(T_right(x) dx + ..) exp(x)
+/// ```
+///
+/// Nine methods define a group. The tangent operators are computed from their series unless the group has closed forms.
+/// [`laws`](super::laws) checks the implementation. Equations (17)-(27) and, for the map `Phi = exp`, (77)-(86) of the paper.
+///
+/// ```
+/// use affinor::group::{Coordinates, LieGroup, So3};
+/// use nalgebra::Vector3;
+/// // a quarter turn about z, then one about x (body axes: factors are added on the right)
+/// let quarter = std::f64::consts::FRAC_PI_2;
+/// let g = So3.compose(
+///     &So3.exp(&Vector3::new(0.0, 0.0, quarter)),
+///     &So3.exp(&Vector3::new(quarter, 0.0, 0.0)),
+/// );
+/// let x = So3.log(&g)?; // a third of a turn about (1, 1, 1)
+/// assert!((x - Vector3::repeat(x[0])).norm() < 1e-15);
+/// assert!((x.norm() - std::f64::consts::TAU / 3.0).abs() < 1e-15);
+/// # Ok::<(), affinor::Error>(())
+/// ```
+pub trait LieGroup {
+    /// The type of an element.
+    type Element: Clone + Debug;
+    /// Components in the basis of the algebra.
+    type Vector: Coordinates;
+
+    /// The dimension of the algebra.
+    fn dimension(&self) -> usize;
+    /// The neutral element.
+    fn identity(&self) -> Self::Element;
+    /// `g h`: the left translate (17) of `h`, and the right translate (18) of `g`.
+    fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element;
+    /// `g^-1`.
+    fn inverse(&self, g: &Self::Element) -> Self::Element;
+    /// The exponential (26), the one-parameter group of `x` at time 1.
+    fn exp(&self, x: &Self::Vector) -> Self::Element;
+    /// A logarithm: `exp(log(g)) = g`, near the identity the one near 0.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for an element without a logarithm, or without one that the group can compute.
+    fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error>;
+    /// `Ad_g x`, for matrices `g x g^-1`.
+    fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector;
+    /// `[x, y] = ad_x y`, for matrices the commutator (28).
+    fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector;
+    /// The element as a matrix.
+    fn matrix(&self, g: &Self::Element) -> DMatrix<f64>;
+
+    /// `T_left(x) v`: left components of the derivative of exp at `x` along `v`.
+    fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
+        tangent::by_series(self, x, v)
+    }
+
+    /// `T_left(x)^-1 v`.
+    ///
+    /// # Errors
+    /// [`Error::SingularTangent`] where `exp` is no local chart: an eigenvalue of `ad_x` is
+    /// `2 pi i k`, `k != 0`, to the rounding of `x`. Near it the result is large.
+    fn tangent_left_inverse(
+        &self,
+        x: &Self::Vector,
+        v: &Self::Vector,
+    ) -> Result<Self::Vector, Error> {
+        tangent::inverse_by_series(self, x, v)
+    }
+
+    /// `T_right(x) v = T_left(-x) v = Ad_exp(x) T_left(x) v`.
+    fn tangent_right(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
+        self.tangent_left(&-x.clone(), v)
+    }
+
+    /// `T_right(x)^-1 v`.
+    ///
+    /// # Errors
+    /// As [`LieGroup::tangent_left_inverse`].
+    fn tangent_right_inverse(
+        &self,
+        x: &Self::Vector,
+        v: &Self::Vector,
+    ) -> Result<Self::Vector, Error> {
+        self.tangent_left_inverse(&-x.clone(), v)
+    }
+
+    /// `Ad*_g h`, the covector with `(Ad*_g h)_i = h_j (Ad_g e_i)^j`: spatial to body momentum.
+    ///
+    /// It is the transpose of `Ad_g`, a right action: `Ad*_(gh) = Ad*_h Ad*_g`. Many books write it `Ad*_(g^-1)`.
+    fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
+        Self::Vector::from_fn(self.dimension(), |i| {
+            let image = self.adjoint(g, &self.basis_vector(i));
+            h.components().iter().zip(image.components()).map(|(h, x)| h * x).sum()
+        })
+    }
+
+    /// `Ad_exp(x) = exp(ad_x)` as a matrix: the upper index is the row.
+    fn adjoint_exp(&self, x: &Self::Vector) -> DMatrix<f64> {
+        let g = self.exp(x);
+        let columns: Vec<_> = self.basis().iter().map(|v| self.adjoint(&g, v)).collect();
+        DMatrix::from_fn(columns.len(), columns.len(), |i, k| columns[k].components()[i])
+    }
+
+    /// `log(exp(x) exp(y))`, the product (73) in canonical coordinates.
+    ///
+    /// # Errors
+    /// As [`log`](Self::log).
+    fn log_product(&self, x: &Self::Vector, y: &Self::Vector) -> Result<Self::Vector, Error> {
+        self.log(&self.compose(&self.exp(x), &self.exp(y)))
+    }
+
+    /// `Ad*_exp(x) h`.
+    fn coadjoint_exp(&self, x: &Self::Vector, h: &Self::Vector) -> Self::Vector {
+        self.coadjoint(&self.exp(x), h)
+    }
+
+    /// Projects a drifted element back onto the group: a quaternion gets length 1 again. Groups whose elements are free
+    /// coordinates return it unchanged.
+    fn project(&self, g: Self::Element) -> Self::Element {
+        g
+    }
+
+    /// `g^-1 h`, the element that takes `g` to `h` from the right.
+    fn between(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
+        self.compose(&self.inverse(g), h)
+    }
+
+    /// `g exp(t log(g^-1 h))`, from `g` at `t = 0` to `h` at `t = 1` with a constant body velocity.
+    ///
+    /// ```
+    /// use affinor::group::{LieGroup, Se3};
+    /// use nalgebra::Isometry3;
+    /// // poses are isometries of nalgebra
+    /// let start = Isometry3::translation(1.0, 0.0, 0.0);
+    /// let end = Isometry3::rotation([0.0, 0.0, 1.0].into());
+    /// let middle = Se3.interpolate(&start, &end, 0.5)?;
+    /// assert!((middle.rotation.angle() - 0.5).abs() < 1e-15);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`log`](Self::log).
+    fn interpolate(
+        &self,
+        g: &Self::Element,
+        h: &Self::Element,
+        t: f64,
+    ) -> Result<Self::Element, Error> {
+        Ok(self.compose(g, &self.exp(&(self.log(&self.between(g, h))? * t))))
+    }
+
+    /// The mean of elements: the `m` with `sum log(m^-1 g_i) = 0` that the iteration from the first element finds.
+    ///
+    /// For rotations it is the Karcher mean, the point with the least sum of squared distances; elements should lie within a
+    /// half turn of each other. On other groups it is the group exponential mean, which commutes with left and right
+    /// translations. X. Pennec and V. Arsigny, in *Matrix Information Geometry* (2013) 123-166.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] without elements; those of [`log`](Self::log); [`Error::NoMean`] if the iteration does not converge.
+    fn mean(&self, elements: &[Self::Element]) -> Result<Self::Element, Error> {
+        mean::mean(self, elements)
+    }
+
+    /// The left Jacobian of exp at `x`, the matrix of [`tangent_right`](Self::tangent_right):
+    /// `exp(x + dx) = exp(J dx + ..) exp(x)`. The matrix has a fixed size if vectors have.
+    ///
+    /// The names left and right are those of J. Sola, J. Deray and D. Atchuthan, arXiv 1812.01537: the side on which
+    /// `exp(J dx)` stands. Those of the tangent operators are the frames of the result.
+    ///
+    /// ```
+    /// use affinor::group::{LieGroup, So3};
+    /// use nalgebra::{Matrix3, Vector3};
+    /// let x = Vector3::new(0.3, -0.2, 0.5);
+    /// let left: Matrix3<f64> = So3.jacobian_left(&x);
+    /// assert!((left - So3.jacobian_right(&x).transpose()).norm() < 1e-15);
+    /// ```
+    fn jacobian_left(&self, x: &Self::Vector) -> <Self::Vector as Coordinates>::Matrix {
+        Self::Vector::matrix(self.dimension(), |k| self.tangent_right(x, &self.basis_vector(k)))
+    }
+
+    /// The right Jacobian of exp at `x`, the matrix of [`tangent_left`](Self::tangent_left):
+    /// `exp(x + dx) = exp(x) exp(J dx + ..)`.
+    fn jacobian_right(&self, x: &Self::Vector) -> <Self::Vector as Coordinates>::Matrix {
+        Self::Vector::matrix(self.dimension(), |k| self.tangent_left(x, &self.basis_vector(k)))
+    }
+
+    /// The basis vector of an index, from 0.
+    fn basis_vector(&self, at: usize) -> Self::Vector {
+        Self::Vector::from_fn(self.dimension(), |i| f64::from(i == at))
+    }
+
+    /// The basis of the algebra, in components.
+    fn basis(&self) -> Vec<Self::Vector> {
+        (0..self.dimension()).map(|a| self.basis_vector(a)).collect()
+    }
+
+    /// The algebra, with the basis `e1`, `e2`, ... of the components unless the group has names for it.
+    ///
+    /// # Errors
+    /// [`Error::Jacobi`] for a `bracket` that is none.
+    fn algebra(&self) -> Result<LieAlgebra<f64>, Error> {
+        let basis = self.basis();
+        let labels: Vec<String> = (1..=basis.len()).map(|i| format!("e{i}")).collect();
+        let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
+        let bracket = Bracket::from_fn(&labels, |j, k| {
+            let bracket = self.bracket(&basis[j], &basis[k]);
+            bracket.components().iter().copied().enumerate().collect()
+        })?;
+        LieAlgebra::try_from(bracket)
+    }
+
+    /// The matrix of a linear map of the algebra, such as `|v| group.tangent_left(&x, v)`: the
+    /// upper index is the row.
+    fn operator_matrix(&self, map: impl Fn(&Self::Vector) -> Self::Vector) -> DMatrix<f64>
+    where
+        Self: Sized,
+    {
+        let columns: Vec<_> = self.basis().iter().map(map).collect();
+        DMatrix::from_fn(self.dimension(), self.dimension(), |i, k| columns[k].components()[i])
+    }
+}

@@ -1,0 +1,102 @@
+//! Tangent operators of exp: by their series in `ad` for any group, and in closed form for groups with
+//! `ad_x^3 = -z(x) ad_x`.
+
+use super::{Coordinates, LieGroup};
+use crate::Error;
+use crate::numerics::exponential::phi1;
+use crate::numerics::stumpff::{FAR, Stumpff, inverse_tangent};
+use nalgebra::linalg::{SVD, Schur};
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::TAU;
+
+/// The matrix of `-ad_x`, of which `T_left(x)` is the function [`phi1`].
+fn ad<G: LieGroup + ?Sized>(group: &G, x: &G::Vector) -> DMatrix<f64> {
+    let columns: Vec<_> = group.basis().iter().map(|v| group.bracket(v, x)).collect();
+    DMatrix::from_fn(columns.len(), columns.len(), |i, k| columns[k].components()[i])
+}
+
+/// Whether a matrix has an eigenvalue near `2 pi i k`, `k != 0`; eigenvalues of a Jordan block are known to
+/// a root of the rounding only.
+fn turns(m: &DMatrix<f64>) -> bool {
+    const NEAR: f64 = 1e-3;
+    let steps = 100 * m.nrows();
+    // without eigenvalues nothing is known to be regular
+    let Some(schur) = Schur::try_new(m.clone(), 4.0 * f64::EPSILON, steps) else { return true };
+    schur.complex_eigenvalues().iter().any(|value| {
+        let k = (value.im / TAU).round();
+        k != 0.0 && value.re.hypot(value.im - k * TAU) <= NEAR * value.im.abs()
+    })
+}
+
+/// `T_left(x) v`, by the series.
+pub(super) fn by_series<G: LieGroup + ?Sized>(
+    group: &G,
+    x: &G::Vector,
+    v: &G::Vector,
+) -> G::Vector {
+    let v = DVector::from_column_slice(v.components());
+    G::Vector::from_components((phi1(&ad(group, x)) * v).as_slice())
+}
+
+/// `T_left(x)^-1 v`, by the series. Singular where the operator is so to rounding, for an eigenvalue of `ad_x` near `2 pi i k`.
+pub(super) fn inverse_by_series<G: LieGroup + ?Sized>(
+    group: &G,
+    x: &G::Vector,
+    v: &G::Vector,
+) -> Result<G::Vector, Error> {
+    let v = DVector::from_column_slice(v.components());
+    let singular = || Error::SingularTangent { x: x.components().to_vec() };
+    let ad = ad(group, x);
+    let operator = phi1(&ad);
+    if !operator.iter().all(|entry| entry.is_finite()) {
+        return Err(singular());
+    }
+    if turns(&ad) {
+        // an oscillation of many radians is known to as many roundings
+        let rounding = f64::EPSILON * ad.nrows() as f64 * (1.0 + ad.norm());
+        let steps = 100 * ad.nrows();
+        let svd = SVD::try_new(operator.clone(), false, false, f64::EPSILON, steps);
+        let sizes = svd.ok_or_else(singular)?.singular_values;
+        // not at most: NaN is refused as well
+        let regular = sizes.min() > rounding * sizes.max();
+        if !regular {
+            return Err(singular());
+        }
+    }
+    let solution = operator.lu().solve(&v).filter(|u| u.iter().all(|u| u.is_finite()));
+    let solution = solution.ok_or_else(singular)?;
+    Ok(G::Vector::from_components(solution.as_slice()))
+}
+
+/// `T_left(x) v = v - c_2 [x, v] + c_3 [x, [x, v]]` with the Stumpff functions of `z(x)`, a quadratic form.
+pub(super) fn cubic<G: LieGroup>(
+    group: &G,
+    form: impl Fn(&G::Vector) -> f64,
+    x: &G::Vector,
+    v: &G::Vector,
+) -> G::Vector {
+    let z = form(x);
+    if z > FAR {
+        // the mean over a turn: the part that commutes with x
+        let unit = x.clone() * x.largest().recip();
+        let twice = group.bracket(&unit, &group.bracket(&unit, v));
+        return v.clone() + twice * form(&unit).recip();
+    }
+    let c = Stumpff::at(z);
+    let once = group.bracket(x, v);
+    v.clone() - once.clone() * c.c2 + group.bracket(x, &once) * c.c3
+}
+
+/// `T_left(x)^-1 v = v + [x, v]/2 + d [x, [x, v]]` with `d` of [`inverse_tangent`] at `z(x)`; singular at
+/// `z = (2 pi k)^2`, `k > 0`, to the rounding of `z`, whose terms have sizes that sum to `size`.
+pub(super) fn cubic_inverse<G: LieGroup>(
+    group: &G,
+    [z, size]: [f64; 2],
+    x: &G::Vector,
+    v: &G::Vector,
+) -> Result<G::Vector, Error> {
+    let singular = || Error::SingularTangent { x: x.components().to_vec() };
+    let d = inverse_tangent(z, size).filter(|_| z <= FAR).ok_or_else(singular)?;
+    let once = group.bracket(x, v);
+    Ok(v.clone() + once.clone() * 0.5 + group.bracket(x, &once) * d)
+}

@@ -1,0 +1,39 @@
+//! Motions of systems that are chosen at run time, from formulas.
+//!
+//! A [`Motion`] is a system, its state and a method that advances it. This is all that a program needs that writes rows, shows
+//! progress and can be interrupted. In reading order:
+//!
+//! - `classes`, one file for each class of problems: [`EulerPoincareSpec`], [`ConstrainedSpec`], [`LiePoissonSpec`],
+//!   [`PrescribedVelocitySpec`] and [`MatrixFlow`] start motions on groups chosen at run time;
+//! - [`Method`]: the methods of integration, one row of a table for each; [`Integration`]: how one motion is integrated;
+//! - [`quantities`]: the names that formulas may use; [`Observables`]: their values at a point of a motion;
+//! - [`Forces`] and potentials as formulas, and tables over time ([`Table`]);
+//! - [`Crossings`] finds events along a motion;
+//! - [`SimulationGroup`]: what a group provides for all this.
+
+mod classes;
+mod crossings;
+mod fixed_steps;
+mod forces;
+mod group;
+mod integration;
+mod methods;
+mod motion;
+mod observables;
+pub mod quantities;
+mod stepper;
+mod table;
+
+pub use classes::constrained::{ConstrainedSpec, Constraints};
+pub use classes::euler_poincare::{EulerPoincareSpec, cartan_schouten_factor, is_plus};
+pub use classes::lie_poisson::{Hamiltonian, LiePoissonSpec};
+pub use classes::matrix_flow::{MatrixFlow, StartedFlow};
+pub use classes::prescribed_velocity::{PrescribedVelocitySpec, VelocityFormulas};
+pub use crossings::{Crossing, Crossings};
+pub use forces::{ForceFunction, Forces, Side};
+pub use group::SimulationGroup;
+pub use integration::Integration;
+pub use methods::{Class, Method, Steps};
+pub use motion::{Motion, Started};
+pub use observables::{Columns, Observables};
+pub use table::Table;

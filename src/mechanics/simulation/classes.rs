@@ -1,0 +1,9 @@
+//! The classes of problems: one file for each, with its data, its motion and the values of its columns.
+
+pub mod constrained;
+mod cotangent;
+pub mod euler_poincare;
+pub mod free_body;
+pub mod lie_poisson;
+pub mod matrix_flow;
+pub mod prescribed_velocity;

@@ -1,0 +1,127 @@
+//! Euler-Poincare equations with forces.
+
+use super::cotangent::{CotangentMotion, ObservedSystem, any_system};
+use super::free_body::Body;
+use crate::group::AnyGroup;
+use crate::mechanics::simulation::forces::{Forces, ForcesOn};
+use crate::mechanics::simulation::group::{GroupVisitor, SimulationGroup, element, vector, visit};
+use crate::mechanics::simulation::integration::Integration;
+use crate::mechanics::simulation::methods::{Class, Method};
+use crate::mechanics::simulation::motion::{Started, simulation};
+use crate::mechanics::simulation::observables::{Columns, Observables, ObservationPoint};
+use crate::mechanics::{CotangentSystem, EulerPoincare, State};
+use crate::{Connection, Error, Metric};
+use nalgebra::DVector;
+
+/// The data of a motion of Euler-Poincare equations, beside the group.
+pub struct EulerPoincareSpec<'s> {
+    /// The connection `Lambda` of `DH/Dt = M`.
+    pub connection: &'s Connection<f64>,
+    /// The metric `J`.
+    pub metric: &'s Metric<f64>,
+    /// The forces.
+    pub forces: Forces,
+    /// The initial time.
+    pub time: f64,
+    /// The embedding coordinates of the initial element.
+    pub element: DVector<f64>,
+    /// The initial momentum, in the frame of the equations.
+    pub momentum: DVector<f64>,
+    /// The method; by default the one of this class of problems.
+    pub integration: Integration,
+    /// The columns.
+    pub columns: Columns,
+}
+
+impl EulerPoincareSpec<'_> {
+    /// The motion on a group.
+    ///
+    /// # Errors
+    /// As [`EulerPoincare::new`]; [`Error::NoMethod`] with the reason for a method that does not solve this problem.
+    pub fn start(self, group: &AnyGroup) -> Result<Started, Error> {
+        visit(group, self)
+    }
+
+    /// The method of this class of problems: exact for a free body, and else by the forces and the step.
+    fn default_method(&self, is_body: bool) -> Method {
+        let free = self.forces.is_empty();
+        match (is_body, self.integration.step) {
+            (true, None) if free => Method::Exact,
+            (_, None) => Method::to(self.integration.control.tolerance),
+            (true, Some(_)) if free => Method::MoserVeselov10,
+            (true, Some(_)) if self.forces.are_conservative() => Method::Kick4,
+            (_, Some(_)) => Method::MuntheKaas4,
+        }
+    }
+}
+
+impl GroupVisitor for EulerPoincareSpec<'_> {
+    type Output = Result<Started, Error>;
+
+    fn visit<G: SimulationGroup>(self, group: &G) -> Result<Started, Error> {
+        let inertia = self.metric.components().to_dmatrix()?;
+        let body = group.body(&inertia).filter(|_| is_plus(self.connection));
+        // an indefinite metric is no inertia of a body; it has the methods of all groups
+        let is_body = matches!(body, Some(Ok(_)));
+        let method = self.integration.method.unwrap_or_else(|| self.default_method(is_body));
+        let free = self.forces.is_empty();
+        let lacks = match method.class() {
+            Class::FreeBody if !free => Some("no forces"),
+            Class::BodyInPotential if !self.forces.are_positional() => {
+                Some("forces that depend on no velocity")
+            }
+            _ => None,
+        };
+        let forces = ForcesOn::new(group, self.forces);
+        let system = EulerPoincare::new(group.clone(), self.connection, self.metric, forces)?;
+        let element = element(group, &self.element);
+        let start = system.state_with_momentum(self.time, element, &vector(&self.momentum));
+        let step = self.integration.step_of(method)?;
+        let stepper = match any_system(group, method, step, self.integration.control)? {
+            Some(stepper) => stepper,
+            None => {
+                let inertia =
+                    body.ok_or_else(|| method.refused("it is for a body: so(3), connection plus"))?;
+                if let Some(needed) = lacks {
+                    return Err(method.refused(&format!("it asks for {needed}")));
+                }
+                let stepper = group.body_stepper(method, &inertia?, &system, &start, step);
+                let other = || method.refused("it is not for equations of motion on a group");
+                stepper.ok_or_else(other)??
+            }
+        };
+        let motion = simulation(CotangentMotion::new(system, self.columns), start, stepper);
+        Ok(Started { motion, method })
+    }
+}
+
+/// The factor `s` of a connection `Lambda = s c`, if it is of this family: its equations have `s` times the rate of change of
+/// `H` that those of Euler and Poincare have without forces.
+pub fn cartan_schouten_factor(connection: &Connection<f64>) -> Option<f64> {
+    let (gamma, structure) = (connection.gamma(), connection.frame().structure());
+    let (indices, value) = structure.components().next()?;
+    let share = gamma.get(&indices) / value;
+    (*gamma == structure.scale(&share)).then_some(share)
+}
+
+/// Whether the connection is `plus`, that of the Euler-Poincare equations.
+pub fn is_plus(connection: &Connection<f64>) -> bool {
+    connection.gamma() == connection.frame().structure()
+}
+
+impl<G: SimulationGroup> ObservedSystem for Body<G> {
+    fn observables(&self) -> &Observables {
+        self.torque().forces.observables()
+    }
+
+    fn forces(&self) -> Option<&ForcesOn<G>> {
+        Some(self.torque())
+    }
+
+    fn at<R>(&self, state: &State<G>, look: impl FnOnce(&ObservationPoint<G>) -> R) -> R {
+        let momentum = self.momentum(state);
+        let velocity = self.velocity_of(&momentum);
+        let point = ObservationPoint::new(state.time, &state.element, &velocity);
+        look(&ObservationPoint { momentum: Some(&momentum), ..point })
+    }
+}

@@ -1,0 +1,124 @@
+//! Kinematics: a velocity that is a given function of time, `g' = g Omega(t)`.
+
+use crate::Error;
+use crate::group::{AnyGroup, Coordinates, LieGroup};
+use crate::mechanics::formula::Formula;
+use crate::mechanics::integrators::{KinematicState, PrescribedVelocity};
+use crate::mechanics::simulation::group::{GroupVisitor, SimulationGroup, element, visit};
+use crate::mechanics::simulation::methods::Method;
+use crate::mechanics::simulation::motion::{Motion, Recorded, simulation};
+use crate::mechanics::simulation::observables::{Buffers, Columns, Observables, ObservationPoint};
+use crate::mechanics::simulation::quantities::{FormulaScope, Quantity, SymbolTable};
+use crate::mechanics::simulation::stepper::Stepper;
+use affinor_tensors::expression::ExpressionError;
+use nalgebra::DVector;
+use std::cell::RefCell;
+use std::ops::Range;
+
+/// A velocity over time: formulas of `t` and the parameters for its components.
+#[derive(Clone, Debug, Default)]
+pub struct VelocityFormulas {
+    scope: FormulaScope,
+    formulas: Vec<Formula>,
+    buffers: RefCell<Buffers>,
+}
+
+impl VelocityFormulas {
+    /// Adds the next component.
+    ///
+    /// # Errors
+    /// As [`Formula::parse`], and if the formula uses other names than `t` and parameters.
+    pub fn add(&mut self, text: &str, names: &SymbolTable) -> Result<(), ExpressionError> {
+        let allowed = |quantity| matches!(quantity, Quantity::Time | Quantity::Parameter(_));
+        self.formulas.push(self.scope.read(text, names, &allowed)?);
+        Ok(())
+    }
+
+    fn at<V: Coordinates>(&self, time: f64) -> V {
+        let Buffers { values, workspace, .. } = &mut *self.buffers.borrow_mut();
+        self.scope.evaluate(|_| time, values);
+        V::from_fn(self.formulas.len(), |i| self.formulas[i].value_in(values, workspace))
+    }
+}
+
+/// The data of a motion with a prescribed velocity, beside the group.
+pub struct PrescribedVelocitySpec {
+    /// The velocity, in the frame of the equations.
+    pub velocity: VelocityFormulas,
+    /// The names of quantities.
+    pub observables: Observables,
+    /// The initial time.
+    pub time: f64,
+    /// The embedding coordinates of the initial element.
+    pub element: DVector<f64>,
+    /// A method of [`Class::PrescribedVelocity`](super::super::Class).
+    pub method: Method,
+    /// The largest step.
+    pub step: f64,
+    /// The columns.
+    pub columns: Columns,
+}
+
+impl PrescribedVelocitySpec {
+    /// The motion on a group.
+    ///
+    /// # Errors
+    /// [`Error::NoMethod`] for a method of another class.
+    pub fn start(self, group: &AnyGroup) -> Result<Box<dyn Motion>, Error> {
+        visit(group, self)
+    }
+}
+
+impl GroupVisitor for PrescribedVelocitySpec {
+    type Output = Result<Box<dyn Motion>, Error>;
+
+    fn visit<G: SimulationGroup>(self, group: &G) -> Self::Output {
+        let magnus = self.method.magnus();
+        let magnus = magnus.ok_or_else(|| self.method.refused("it is not for a velocity"))?;
+        let start = KinematicState { time: self.time, element: element(group, &self.element) };
+        let formulas = self.velocity.clone();
+        let velocity: Rate<G> = Box::new(move |time| formulas.at(time));
+        let moving = Moving {
+            system: PrescribedVelocity { group: group.clone(), velocity },
+            velocity: self.velocity,
+            observables: self.observables,
+            columns: self.columns,
+            buffers: RefCell::default(),
+        };
+        Ok(simulation(moving, start, Stepper::fixed(magnus, self.step)))
+    }
+}
+
+type Rate<G> = Box<dyn Fn(f64) -> <G as LieGroup>::Vector + Send>;
+
+/// The motion with its columns.
+struct Moving<G: LieGroup> {
+    system: PrescribedVelocity<G, Rate<G>>,
+    velocity: VelocityFormulas,
+    observables: Observables,
+    columns: Columns,
+    buffers: RefCell<Buffers>,
+}
+
+impl<G: SimulationGroup> Recorded for Moving<G> {
+    type System = PrescribedVelocity<G, Rate<G>>;
+
+    fn system(&self) -> &Self::System {
+        &self.system
+    }
+
+    fn set_time(&self, state: &mut KinematicState<G>, time: f64) {
+        state.time = time;
+    }
+
+    fn column_count(&self) -> usize {
+        self.columns.formulas.len()
+    }
+
+    fn values(&self, state: &KinematicState<G>, range: Range<usize>, list: &mut Vec<f64>) {
+        let velocity: G::Vector = self.velocity.at(state.time);
+        let point = ObservationPoint::new(state.time, &state.element, &velocity);
+        let (group, buffers) = (&self.system.group, &mut *self.buffers.borrow_mut());
+        self.columns.values(range, group, &self.observables, &point, &|_| 0.0, buffers, list);
+    }
+}

@@ -1,0 +1,289 @@
+//! Forces and potentials as formulas, forces as tables over time, and forces as functions of a program.
+
+use super::group::SimulationGroup;
+use super::observables::{Buffers, Observables, ObservationPoint};
+use super::quantities::{FormulaScope, Quantity, SymbolTable};
+use super::table::{Interval, Table};
+use crate::group::{Coordinates, Generator, Partial};
+use crate::mechanics::formula::{Formula, Gradient};
+use crate::mechanics::systems::euler_poincare::Torque;
+use affinor_tensors::expression::ExpressionError;
+use nalgebra::DMatrix;
+use std::cell::{Cell, RefCell};
+use std::fmt;
+use std::sync::Arc;
+
+/// One of the two invariant frames.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// Left-invariant: body components.
+    Body,
+    /// Right-invariant: spatial components.
+    Spatial,
+}
+
+/// A covector as a function of time, of the [written](crate::group::MatrixNotation::write) element and of the body velocity
+/// (for right-invariant equations, the spatial one). Components that are missing count as NaN.
+#[derive(Clone)]
+pub struct ForceFunction(Arc<Covector>);
+
+type Covector = dyn Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64> + Send + Sync;
+
+impl ForceFunction {
+    /// The force with the components `M_i = function(t, element, velocity)_i`.
+    pub fn new(
+        function: impl Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64> + Send + Sync + 'static,
+    ) -> Self {
+        ForceFunction(Arc::new(function))
+    }
+}
+
+impl fmt::Debug for ForceFunction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a function")
+    }
+}
+
+/// The forces on a system: components of covectors as formulas, a potential, and a table over time.
+///
+/// The potential `V` adds `M_i = -e_i(V)`, the derivative along the invariant field `e_i`.
+#[derive(Debug)]
+pub struct Forces {
+    observables: Observables,
+    scope: FormulaScope,
+    /// Formulas of components with their side and index, and their text.
+    terms: Vec<(Side, usize, Formula, String)>,
+    /// The potential, the same with its derivatives, and its text.
+    potential: Option<(Formula, Gradient, String)>,
+    table: Option<(Side, Table)>,
+    functions: Vec<(Side, ForceFunction)>,
+    /// The interval of the table in which the present step began.
+    interval: Cell<Option<Interval>>,
+    buffers: RefCell<(Buffers, Sums)>,
+}
+
+/// Buffers for sums of forces and derivatives of a potential.
+#[derive(Debug, Default)]
+struct Sums {
+    /// Components of the force in the frame of the equations, then in the other frame.
+    sums: Vec<f64>,
+    /// Derivatives of the potential by the entries.
+    partial: Vec<Partial>,
+}
+
+impl Forces {
+    /// No forces yet, on a system with this inertia.
+    pub fn none<G: SimulationGroup>(
+        group: &G,
+        inertia: DMatrix<f64>,
+        parameters: Vec<(String, f64)>,
+    ) -> Self {
+        Forces {
+            observables: Observables::new(group, Some(inertia), parameters),
+            scope: FormulaScope::default(),
+            terms: vec![],
+            potential: None,
+            table: None,
+            functions: vec![],
+            interval: Cell::default(),
+            buffers: RefCell::default(),
+        }
+    }
+
+    /// The quantities that formulas may use.
+    pub fn observables(&self) -> &Observables {
+        &self.observables
+    }
+
+    /// The names that formulas may use.
+    pub fn names(&self) -> &SymbolTable {
+        self.observables.names()
+    }
+
+    /// Whether forces may depend on a quantity: not on energies and on the power.
+    pub fn may_depend_on(quantity: Quantity) -> bool {
+        use Quantity::{Energy, Kinetic, Potential, Power};
+        !matches!(quantity, Kinetic | Potential | Energy | Power)
+    }
+
+    /// Adds a component (from 0) of a covector.
+    ///
+    /// # Errors
+    /// As [`Formula::parse`]; also for quantities that no force [depends on](Self::may_depend_on).
+    pub fn add(&mut self, side: Side, i: usize, text: &str) -> Result<(), ExpressionError> {
+        let formula = self.scope.read(text, self.observables.names(), &Self::may_depend_on)?;
+        self.terms.push((side, i, formula, text.trim().into()));
+        Ok(())
+    }
+
+    /// Sets the potential, a function of time and of the entries of the element.
+    ///
+    /// # Errors
+    /// As [`Formula::parse`]; also for other quantities.
+    pub fn set_potential(&mut self, text: &str) -> Result<(), ExpressionError> {
+        let allowed =
+            |q| matches!(q, Quantity::Time | Quantity::Parameter(_) | Quantity::Entry(..));
+        let formula = self.scope.read(text, self.observables.names(), &allowed)?;
+        let gradient = formula.differentiated();
+        self.potential = Some((formula, gradient, text.trim().into()));
+        Ok(())
+    }
+
+    /// Sets a covector over time.
+    pub fn set_table(&mut self, side: Side, table: Table) {
+        self.table = Some((side, table));
+    }
+
+    /// Adds a covector as a function.
+    pub fn add_function(&mut self, side: Side, function: ForceFunction) {
+        self.functions.push((side, function));
+    }
+
+    /// Begins a step from one time towards another. Returns the time at which it has to end, if its size is controlled: at a corner
+    /// of the table, or at the other time. No step is from a time to the same time.
+    pub(super) fn begin_step(&self, from: f64, until: f64) -> f64 {
+        let table = self.table.as_ref().filter(|_| from != until);
+        self.interval.set(table.map(|(_, table)| table.interval(from, until)));
+        let corner = self.table.as_ref().and_then(|(_, table)| table.corner(from, until));
+        corner.unwrap_or(until)
+    }
+
+    /// Whether there are no forces.
+    pub fn is_empty(&self) -> bool {
+        self.terms.is_empty()
+            && self.potential.is_none()
+            && self.table.is_none()
+            && self.functions.is_empty()
+    }
+
+    /// Whether no force depends on the velocity.
+    pub fn are_positional(&self) -> bool {
+        use Quantity::{Entry, Named, Time};
+        let of_place = |q: &Quantity| matches!(q, Time | Entry(..) | Named(_));
+        self.functions.is_empty() && self.scope.quantities().iter().all(of_place)
+    }
+
+    /// Whether the only force is a potential that does not depend on time, so that the energy is conserved.
+    pub fn are_conservative(&self) -> bool {
+        let timeless = !self.scope.quantities().contains(&Quantity::Time);
+        self.terms.is_empty() && self.table.is_none() && self.functions.is_empty() && timeless
+    }
+}
+
+/// [`Forces`] on a group.
+#[derive(Debug)]
+pub struct ForcesOn<G> {
+    group: G,
+    pub(super) forces: Forces,
+    /// Those of the group, for the derivatives of a potential.
+    generators: Vec<Generator>,
+}
+
+impl<G: SimulationGroup> ForcesOn<G> {
+    pub(super) fn new(group: &G, forces: Forces) -> Self {
+        let generators = if forces.potential.is_some() { Generator::of(group) } else { vec![] };
+        ForcesOn { group: group.clone(), forces, generators }
+    }
+
+    /// The potential `V` at a point.
+    pub(super) fn potential(&self, at: &ObservationPoint<G>) -> f64 {
+        let ForcesOn { group, forces, .. } = self;
+        let Some((formula, ..)) = &forces.potential else { return 0.0 };
+        let (buffers, _) = &mut *forces.buffers.borrow_mut();
+        forces.observables.evaluate(group, &forces.scope, at, buffers);
+        formula.value_in(&buffers.values, &mut buffers.workspace)
+    }
+
+    /// The power `M(Omega)` of all forces.
+    pub(super) fn power(&self, at: &ObservationPoint<G>) -> f64 {
+        let force = self.total(at);
+        force.components().iter().zip(at.velocity.components()).map(|(m, omega)| m * omega).sum()
+    }
+
+    /// The sum of all forces, in the frame of the equations.
+    fn total(&self, at: &ObservationPoint<G>) -> G::Vector {
+        let ForcesOn { group, forces, generators } = self;
+        let (buffers, Sums { sums, partial }) = &mut *forces.buffers.borrow_mut();
+        let n = group.dimension();
+        forces.observables.evaluate(group, &forces.scope, at, buffers);
+        let Buffers { values, entries, workspace } = buffers;
+        let mut total = G::Vector::zeros(n);
+        if !(forces.terms.is_empty() && forces.table.is_none() && forces.functions.is_empty()) {
+            sums.clear();
+            sums.resize(2 * n, 0.0);
+            let (mine, other) = sums.split_at_mut(n);
+            let own = if group.is_right() { Side::Spatial } else { Side::Body };
+            for (side, i, formula, text) in &forces.terms {
+                let value = formula.value_in(values, workspace);
+                if !value.is_finite() {
+                    self.note(&format!("the force {text}"), value, at);
+                }
+                (if *side == own { &mut *mine } else { &mut *other })[*i] += value;
+            }
+            if let Some((side, table)) = &forces.table {
+                table.add(at.time, forces.interval.get(), if *side == own { mine } else { other });
+            }
+            for (side, function) in &forces.functions {
+                let found =
+                    (function.0)(at.time, &group.write(at.element), at.velocity.components());
+                let sums = if *side == own { &mut *mine } else { &mut *other };
+                for (i, sum) in sums.iter_mut().enumerate() {
+                    let value = found.get(i).copied().unwrap_or(f64::NAN);
+                    if !value.is_finite() {
+                        self.note(&format!("component {} of the force", i + 1), value, at);
+                    }
+                    *sum += value;
+                }
+            }
+            total = G::Vector::from_components(mine);
+            if other.iter().any(|component| *component != 0.0) {
+                total = total + group.coadjoint(at.element, &G::Vector::from_components(other));
+            }
+        }
+        if let Some((_, gradient, text)) = &forces.potential {
+            let (value, slopes) = gradient.evaluate(values, workspace);
+            if value.is_finite() {
+                forces.scope.by_entries(slopes, partial);
+                let slopes = group.derivatives(at.element, entries, generators, partial);
+                if let Some(slope) = slopes.components().iter().find(|slope| !slope.is_finite()) {
+                    self.note(&format!("the derivative of the potential {text}"), *slope, at);
+                }
+                total = total - slopes;
+            } else {
+                self.note(&format!("the potential {text}"), value, at);
+                total = total * f64::NAN;
+            }
+        }
+        total
+    }
+
+    /// Records a force that is not finite, with the point.
+    #[cold]
+    fn note(&self, what: &str, value: f64, at: &ObservationPoint<G>) {
+        let list =
+            |numbers: &[f64]| numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
+        let names = self.forces.names();
+        // row by row
+        let element = self.group.write(at.element).transpose();
+        self.forces.observables.record(format!(
+            "{what} is {value} at t = {}, {} = [{}], {} = [{}]",
+            at.time,
+            names.velocity(),
+            list(at.velocity.components()),
+            names.element_stem(),
+            list(element.as_slice())
+        ));
+    }
+}
+
+impl<G: SimulationGroup> Torque<G> for ForcesOn<G> {
+    fn is_absent(&self) -> bool {
+        self.forces.is_empty()
+    }
+
+    fn add(&self, time: f64, element: &G::Element, velocity: &G::Vector, force: &mut G::Vector) {
+        if !self.forces.is_empty() {
+            *force = force.clone() + self.total(&ObservationPoint::new(time, element, velocity));
+        }
+    }
+}

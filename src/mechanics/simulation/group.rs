@@ -1,0 +1,134 @@
+//! Groups as configuration spaces of motions, and the choice of a group's own type.
+
+use super::classes::free_body::{Body, FreeStart};
+use super::methods::Method;
+use super::stepper::Stepper;
+use crate::Error;
+use crate::group::{
+    AnyGroup, Coordinates, MatrixGroup, MatrixNotation, Nilpotent, Opposite, Se2, Se3, Sl2, So2,
+    So3, TranslationSplit,
+};
+use crate::mechanics::{Inertia, State};
+use nalgebra::{DMatrix, DVector};
+use std::fmt::Debug;
+
+/// A group whose elements are the configurations of a motion.
+pub trait SimulationGroup:
+    MatrixNotation<Element: Send + Sync, Vector: Send + Sync>
+    + TranslationSplit
+    + Clone
+    + Debug
+    + Send
+    + Sync
+    + 'static
+{
+    /// Whether its left-invariant frame is the right-invariant frame of the group it is the [`Opposite`] of.
+    fn is_right(&self) -> bool {
+        false
+    }
+
+    /// The inertia of a body with a metric, if the group is that of rotations.
+    fn body(&self, inertia: &DMatrix<f64>) -> Option<Result<Inertia, Error>> {
+        let _ = inertia;
+        None
+    }
+
+    /// The steps of a method for bodies; `None` if the group has no such method.
+    #[doc(hidden)]
+    fn body_stepper(
+        &self,
+        method: Method,
+        inertia: &Inertia,
+        system: &Body<Self>,
+        start: &State<Self>,
+        step: f64,
+    ) -> Option<Result<Stepper<Body<Self>>, Error>> {
+        let _ = (method, inertia, system, start, step);
+        None
+    }
+}
+
+impl SimulationGroup for So2 {}
+impl SimulationGroup for Se2 {}
+impl SimulationGroup for Se3 {}
+impl SimulationGroup for Sl2 {}
+impl SimulationGroup for MatrixGroup {}
+impl SimulationGroup for Nilpotent<f64> {}
+
+impl SimulationGroup for AnyGroup {
+    fn is_right(&self) -> bool {
+        self.downcast_ref::<Opposite<AnyGroup>>().is_some()
+    }
+}
+
+impl<G: SimulationGroup> SimulationGroup for Opposite<G> {
+    fn is_right(&self) -> bool {
+        true
+    }
+}
+
+impl SimulationGroup for So3 {
+    fn body(&self, inertia: &DMatrix<f64>) -> Option<Result<Inertia, Error>> {
+        Some(Inertia::new(&inertia.fixed_view::<3, 3>(0, 0).into_owned()))
+    }
+
+    fn body_stepper(
+        &self,
+        method: Method,
+        inertia: &Inertia,
+        system: &Body<Self>,
+        start: &State<Self>,
+        step: f64,
+    ) -> Option<Result<Stepper<Body<Self>>, Error>> {
+        let (state, momentum) = (start.clone(), system.momentum(start));
+        method.body(&FreeStart { inertia: inertia.clone(), state, momentum }, step)
+    }
+}
+
+/// A problem that is solved on a group in its own type.
+pub(super) trait GroupVisitor {
+    /// The solution.
+    type Output;
+
+    /// Solves the problem.
+    fn visit<G: SimulationGroup>(self, group: &G) -> Self::Output;
+}
+
+/// Solves a problem on a group chosen at run time. Common groups in closed form have their own type, so that their steps
+/// allocate nothing.
+pub(super) fn visit<V: GroupVisitor>(group: &AnyGroup, visitor: V) -> V::Output {
+    if let Some(group) = group.downcast_ref::<So3>() {
+        return visitor.visit(group);
+    }
+    // for a browser the size of the program counts more
+    #[cfg(not(target_family = "wasm"))]
+    {
+        if let Some(group) = group.downcast_ref::<So2>() {
+            return visitor.visit(group);
+        }
+        if let Some(group) = group.downcast_ref::<Se2>() {
+            return visitor.visit(group);
+        }
+        if let Some(group) = group.downcast_ref::<Se3>() {
+            return visitor.visit(group);
+        }
+        if let Some(group) = group.downcast_ref::<Sl2>() {
+            return visitor.visit(group);
+        }
+    }
+    // the equations of a right-invariant system
+    if let Some(group) = group.downcast_ref::<Opposite<AnyGroup>>() {
+        return visitor.visit(group);
+    }
+    visitor.visit(group)
+}
+
+/// The element of a list of embedding coordinates.
+pub(super) fn element<G: SimulationGroup>(group: &G, coordinates: &DVector<f64>) -> G::Element {
+    group.from_coordinates(&G::Ambient::from_components(coordinates.as_slice()))
+}
+
+/// The vector of a list of components.
+pub(super) fn vector<V: Coordinates>(components: &DVector<f64>) -> V {
+    V::from_components(components.as_slice())
+}

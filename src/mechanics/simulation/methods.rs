@@ -1,0 +1,303 @@
+//! The methods of integration: one row of a table for each.
+
+use super::classes::free_body::{self, Body, FreeStart};
+use super::group::SimulationGroup;
+use super::stepper::Stepper;
+use crate::Error;
+use crate::group::{So3, TranslationSplit};
+use crate::mechanics::integrators::kick::{self, FreeMotion};
+use crate::mechanics::integrators::moser_veselov::Order;
+use crate::mechanics::integrators::{Magnus, Pair};
+use crate::mechanics::systems::euler_poincare::Torque;
+use crate::mechanics::{
+    Adaptive, CommutatorFree, Composed, Constrained, Constraint, CotangentSystem, GeneralisedAlpha,
+    Inertia, Isospectral, IsospectralMidpoint, Kick, MoserVeselov, MuntheKaas, Projected, SimoWong,
+};
+use std::fmt;
+
+/// The problems that a method integrates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Class {
+    /// A rigid body on SO(3) without forces.
+    FreeBody,
+    /// A rigid body on SO(3) with forces that do not depend on the velocity.
+    BodyInPotential,
+    /// A rigid body on SO(3) with any forces.
+    Body,
+    /// Any equations of motion of a momentum on a group.
+    AnySystem,
+    /// The same on groups with a projection, left-invariant.
+    Projection,
+    /// Holonomic constraints.
+    Constrained,
+    /// A velocity that is a function of time.
+    PrescribedVelocity,
+    /// Isospectral flows of matrices.
+    MatrixFlow,
+}
+
+/// How a method chooses its steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Steps {
+    /// The state at any time is known.
+    Exact,
+    /// Steps of one length.
+    Fixed,
+    /// Steps by a tolerance.
+    Controlled,
+}
+
+/// A row of the table of methods.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    name: &'static str,
+    /// 0 for exact solutions.
+    order: u32,
+    class: Class,
+    steps: Steps,
+    why: &'static str,
+}
+
+/// Tables of methods: the variant of [`Method`], its name in problem files, its order, the problems that it integrates in
+/// words, its [`Class`], its [`Steps`], and what constructs it.
+macro_rules! methods {
+    ($($Method:ident $name:literal $order:literal $why:literal $Class:ident $Steps:ident $make:expr;)+) => {
+        /// A method of integration.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Method {
+            $(#[doc = concat!("`", $name, "`: ", $why, ".")] $Method,)+
+        }
+
+        static TABLE: &[Row] = &[$(Row {
+            name: $name,
+            order: $order,
+            class: Class::$Class,
+            steps: Steps::$Steps,
+            why: $why,
+        }),+];
+
+        impl Method {
+            /// All methods.
+            pub const ALL: &'static [Method] = &[$(Method::$Method),+];
+
+            /// The steps on any group with any forces, for methods of this class.
+            pub(super) fn any_system<S: CotangentSystem<Group: SimulationGroup> + 'static>(
+                self,
+                step: f64,
+                control: Adaptive,
+            ) -> Option<Stepper<S>> {
+                match self {
+                    $(Method::$Method => construct!(any_system $Class $Steps ($make) step control),)+
+                }
+            }
+
+            /// The steps of a body, for methods of these classes.
+            pub(super) fn body(self, start: &FreeStart, step: f64) -> Option<Result<Stepper<Body<So3>>, Error>> {
+                match self {
+                    $(Method::$Method => construct!(body $Class $Steps ($make) start step),)+
+                }
+            }
+
+            /// The steps of a system with constraints, for methods of this class.
+            pub(super) fn constrained<G: TranslationSplit + 'static, C: Constraint<G> + 'static, M: Torque<G> + 'static>(
+                self,
+                step: f64,
+            ) -> Option<Stepper<Constrained<G, C, M>>> {
+                match self {
+                    $(Method::$Method => construct!(constrained $Class ($make) step),)+
+                }
+            }
+
+            /// The Magnus method for a velocity over time, for methods of this class.
+            pub(super) fn magnus(self) -> Option<Magnus> {
+                match self {
+                    $(Method::$Method => construct!(magnus $Class ($make)),)+
+                }
+            }
+
+            /// The steps of a flow of matrices, for methods of this class.
+            pub(super) fn matrix_flow<F: Isospectral + 'static>(self, step: f64) -> Option<Stepper<F>> {
+                match self {
+                    $(Method::$Method => construct!(matrix_flow $Class ($make) step),)+
+                }
+            }
+        }
+    };
+}
+
+/// The constructor of a row for a class of problems; `None` for rows of other classes.
+macro_rules! construct {
+    (any_system AnySystem Fixed ($make:expr) $step:ident $control:ident) => {
+        Some(Stepper::fixed($make, $step))
+    };
+    (any_system AnySystem Controlled ($make:expr) $step:ident $control:ident) => {
+        Some(Stepper::controlled($make, $control, |control| control))
+    };
+    (any_system Projection Fixed ($make:expr) $step:ident $control:ident) => {
+        Some(Stepper::fixed($make, $step))
+    };
+    (any_system Projection Controlled ($make:expr) $step:ident $control:ident) => {
+        Some(Stepper::controlled($make, $control, Adaptive::projected))
+    };
+    (body FreeBody Exact ($make:expr) $start:ident $step:ident) => {
+        Some(($make)($start))
+    };
+    (body FreeBody Fixed ($make:expr) $start:ident $step:ident) => {
+        Some(Ok(Stepper::fixed(($make)(&$start.inertia), $step)))
+    };
+    (body BodyInPotential Fixed ($make:expr) $start:ident $step:ident) => {
+        Some(Ok(Stepper::fixed(($make)(&$start.inertia), $step)))
+    };
+    (body Body Fixed ($make:expr) $start:ident $step:ident) => {
+        Some(Ok(Stepper::fixed(($make)(&$start.inertia), $step)))
+    };
+    (constrained Constrained ($make:expr) $step:ident) => {
+        Some(Stepper::fixed($make, $step))
+    };
+    (magnus PrescribedVelocity ($make:expr)) => {
+        Some($make)
+    };
+    (matrix_flow MatrixFlow ($make:expr) $step:ident) => {
+        Some(Stepper::fixed($make, $step))
+    };
+    ($($other:tt)+) => {
+        None
+    };
+}
+
+methods! {
+    // method        name                order     problems
+    Exact            "exact"              0     "a free rigid body"
+        FreeBody Exact free_body::exact;
+    MuntheKaas54     "rkmk54"            5  "any group and any forces, to a tolerance"
+        AnySystem Controlled Pair::Five;
+    MuntheKaas853    "rkmk853"           8  "any group and any forces, to a tolerance"
+        AnySystem Controlled Pair::Eight;
+    MuntheKaas4      "rkmk4"             4  "any group and any forces, with a step"
+        AnySystem Fixed MuntheKaas::RK4;
+    Projected4       "projected4"        4  "any group and any forces, with a step"
+        Projection Fixed Projected::RK4;
+    Projected54      "projected54"       5  "any group and any forces, with a step"
+        Projection Controlled Pair::Five;
+    Projected853     "projected853"      8  "any group and any forces, with a step"
+        Projection Controlled Pair::Eight;
+    CommutatorFree4  "cf4"               4  "any group and any forces, with a step"
+        AnySystem Fixed CommutatorFree;
+    MoserVeselov10   "dmv10"             10  "a free rigid body, with a step"
+        FreeBody Fixed |inertia: &Inertia| MoserVeselov::new(inertia, Order::Ten);
+    SimoWong         "simo-wong"         2  "a rigid body, with a step"
+        Body Fixed SimoWong::new;
+    Kick4            "kick4"             4  "a body in a potential, with a step"
+        BodyInPotential Fixed |inertia: &Inertia| {
+            Kick::new(inertia, kick::Order::Four, FreeMotion::MoserVeselov(Order::Ten))
+        };
+    GeneralisedAlpha "generalised-alpha" 2  "a system with constraints"
+        Constrained Fixed GeneralisedAlpha::default();
+    Magnus6          "magnus6"           6  "a velocity given over time"
+        PrescribedVelocity Fixed Magnus::Six;
+    Isospectral2     "isospectral2"      2  "a flow of matrices that keeps their spectrum"
+        MatrixFlow Fixed IsospectralMidpoint;
+    Isospectral4     "isospectral4"      4  "a flow of matrices that keeps their spectrum"
+        MatrixFlow Fixed Composed(IsospectralMidpoint);
+}
+
+/// Names of methods that problem files had once, with the method to use instead.
+const REPLACED: [(&str, Method); 10] = [
+    ("dmv2", Method::MoserVeselov10),
+    ("dmv4", Method::MoserVeselov10),
+    ("dmv6", Method::MoserVeselov10),
+    ("dmv8", Method::MoserVeselov10),
+    ("strang", Method::MoserVeselov10),
+    ("suzuki4", Method::MoserVeselov10),
+    ("kick2", Method::Kick4),
+    ("kick6", Method::Kick4),
+    ("magnus4", Method::Magnus6),
+    ("cg3", Method::CommutatorFree4),
+];
+
+/// The tolerance below which order 8 needs less work than order 5.
+const EIGHT: f64 = 1e-8;
+
+/// The least tolerance that double precision resolves.
+const LEAST: f64 = 1e-15;
+
+impl Method {
+    fn row(self) -> &'static Row {
+        &TABLE[self as usize]
+    }
+
+    /// The name in problem files.
+    pub fn name(self) -> &'static str {
+        self.row().name
+    }
+
+    /// The order of convergence; `None` for exact solutions.
+    pub fn order(self) -> Option<u32> {
+        Some(self.row().order).filter(|order| *order > 0)
+    }
+
+    /// The class of problems that the method integrates.
+    pub fn class(self) -> Class {
+        self.row().class
+    }
+
+    /// The class of problems in words.
+    pub fn why(self) -> &'static str {
+        self.row().why
+    }
+
+    /// The method of a name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Method::ALL.iter().copied().find(|method| method.name() == name)
+    }
+
+    /// The method to use instead of one that problem files had once.
+    pub fn instead_of(name: &str) -> Option<Self> {
+        REPLACED.iter().find(|(old, _)| *old == name).map(|(_, method)| *method)
+    }
+
+    /// The controlled method for a tolerance: of order 8 where that needs less work, else of order 5.
+    pub fn to(tolerance: f64) -> Self {
+        if tolerance <= EIGHT { Method::MuntheKaas853 } else { Method::MuntheKaas54 }
+    }
+
+    /// The names of the methods of some classes, for messages.
+    pub fn names_of(classes: &[Class]) -> String {
+        let methods = Method::ALL.iter().filter(|method| classes.contains(&method.class()));
+        methods.map(|method| method.name()).collect::<Vec<_>>().join(", ")
+    }
+
+    /// Whether the method has a fixed step size.
+    pub fn has_steps(self) -> bool {
+        self.row().steps == Steps::Fixed
+    }
+
+    /// Whether the method has step-size control.
+    pub fn is_controlled(self) -> bool {
+        self.row().steps == Steps::Controlled
+    }
+
+    /// Checks that a method with step-size control can meet the tolerance.
+    ///
+    /// # Errors
+    /// [`Error::NoMethod`] for a tolerance below the resolution of floats.
+    pub fn expect_resolved(self, tolerance: f64) -> Result<(), Error> {
+        if !self.is_controlled() || tolerance >= LEAST {
+            return Ok(());
+        }
+        Err(self.refused(&format!(
+            "floats do not resolve the tolerance {tolerance:e}: the least is {LEAST:e}"
+        )))
+    }
+
+    /// The error of a method that a problem does not have.
+    pub(super) fn refused(self, reason: &str) -> Error {
+        Error::NoMethod { method: self.name(), reason: reason.into() }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}

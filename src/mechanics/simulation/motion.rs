@@ -1,0 +1,212 @@
+//! Motions: a system, its state and a method that advances it, with the values of columns.
+
+use super::methods::Method;
+use super::stepper::Stepper;
+use crate::Error;
+use crate::mechanics::{System, stopped};
+use std::ops::Range;
+
+/// A motion, computed step by step.
+pub trait Motion: Send {
+    /// The time of the present state.
+    fn time(&self) -> f64;
+
+    /// Makes one step towards a time, and returns whether the time is reached.
+    ///
+    /// # Errors
+    /// [`Error::Integration`]; the state is then that of the last good step.
+    fn step(&mut self, until: f64) -> Result<bool, Error>;
+
+    /// The same by a step short enough to check for events: it rotates a body by at most a quarter radian. Fixed steps keep their
+    /// length.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    fn step_for_events(&mut self, until: f64) -> Result<bool, Error>;
+
+    /// The number of columns.
+    fn column_count(&self) -> usize;
+
+    /// Appends the values of some columns to `list`, without allocation once the list is long enough.
+    fn values(&self, columns: Range<usize>, list: &mut Vec<f64>);
+
+    /// The values of all columns.
+    fn row(&self) -> Vec<f64> {
+        let mut row = Vec::with_capacity(self.column_count());
+        self.values(0..self.column_count(), &mut row);
+        row
+    }
+
+    /// The number of steps so far.
+    fn steps(&self) -> u64;
+
+    /// Stores a copy of the state in memory, in place of an earlier copy.
+    fn store(&mut self);
+
+    /// Returns to the state that was stored last, if there is one.
+    fn roll_back(&mut self);
+}
+
+/// A motion that starts, and its method.
+pub struct Started {
+    /// The motion.
+    pub motion: Box<dyn Motion>,
+    /// The method that was asked for, or the default of the class of problems.
+    pub method: Method,
+}
+
+/// A system with the columns of its motion: what each class of problems implements.
+pub(super) trait Recorded: Send + 'static {
+    /// The system.
+    type System: System<State: Send>;
+
+    /// The system.
+    fn system(&self) -> &Self::System;
+
+    /// Replaces the time of a state.
+    fn set_time(&self, state: &mut <Self::System as System>::State, time: f64);
+
+    /// The number of columns.
+    fn column_count(&self) -> usize;
+
+    /// Appends the values of some columns at a state to `list`.
+    fn values(
+        &self,
+        state: &<Self::System as System>::State,
+        columns: Range<usize>,
+        list: &mut Vec<f64>,
+    );
+
+    /// The angular velocity of a state, or a rate like it.
+    fn rate(&self, state: &<Self::System as System>::State) -> f64 {
+        let _ = state;
+        0.0
+    }
+
+    /// Begins a step from one time towards another. Returns the time at which it has to end at the latest, if its size is
+    /// controlled. A step from a time to the same time ends the last step.
+    fn begin_step(&self, from: f64, until: f64) -> f64 {
+        let _ = from;
+        until
+    }
+
+    /// Takes away the reason for which a force was not a number.
+    fn take_trouble(&self) -> Option<String> {
+        None
+    }
+}
+
+/// The one implementation of [`Motion`].
+struct Simulation<R: Recorded> {
+    recorded: R,
+    now: Progress<R::System>,
+    stored: Option<Progress<R::System>>,
+}
+
+/// All that the continuation of a motion depends on.
+struct Progress<S: System> {
+    state: S::State,
+    stepper: Stepper<S>,
+    steps: u64,
+}
+
+// a derived implementation would require `S: Clone`
+impl<S: System> Clone for Progress<S> {
+    fn clone(&self) -> Self {
+        Progress { state: self.state.clone(), stepper: self.stepper.clone(), steps: self.steps }
+    }
+}
+
+/// The motion of a system from a state.
+pub(super) fn simulation<R: Recorded>(
+    recorded: R,
+    state: <R::System as System>::State,
+    stepper: Stepper<R::System>,
+) -> Box<dyn Motion> {
+    let now = Progress { state, stepper, steps: 0 };
+    Box::new(Simulation { recorded, now, stored: None })
+}
+
+impl<R: Recorded> Simulation<R> {
+    /// The longest step between checks for events, by the present angular velocity.
+    fn longest(&self) -> f64 {
+        self.now.stepper.longest(|| self.recorded.rate(&self.now.state))
+    }
+
+    /// A step towards a time; where its length is free, no longer than `longest`.
+    fn advance(&mut self, until: f64, longest: f64) -> Result<bool, Error> {
+        let time = self.time();
+        if time == until {
+            return Ok(true);
+        }
+        if !until.is_finite() {
+            return Err(stopped(time, format!("the end is {until}, no finite time")));
+        }
+        let (recorded, Progress { state, stepper, steps }) = (&self.recorded, &mut self.now);
+        *steps = steps.saturating_add(1);
+        // forget the reason of an earlier step
+        let _ = recorded.take_trouble();
+        let mut end = recorded.begin_step(time, until);
+        if (end - time).abs() > longest {
+            end = time + longest.copysign(until - time);
+        }
+        let reached = stepper.step(recorded.system(), state, until, end);
+        // the step is over
+        recorded.begin_step(until, until);
+        let reached = reached.map_err(|error| match (error, recorded.take_trouble()) {
+            (_, Some(reason)) => stopped(time, reason),
+            (error @ Error::Integration { .. }, None) => error,
+            (error, None) => stopped(time, format!("the step is too long: {error}")),
+        })?;
+        recorded.set_time(state, reached);
+        Ok(reached == until)
+    }
+}
+
+impl<R: Recorded> Motion for Simulation<R> {
+    fn time(&self) -> f64 {
+        self.recorded.system().time(&self.now.state)
+    }
+
+    fn step(&mut self, until: f64) -> Result<bool, Error> {
+        self.advance(until, f64::INFINITY)
+    }
+
+    fn step_for_events(&mut self, until: f64) -> Result<bool, Error> {
+        let from = self.time();
+        let mut reached = self.advance(until, self.longest())?;
+        // a body that began slower, perhaps at rest, may have rotated too far
+        while let (longest, length) = (self.longest(), (self.time() - from).abs())
+            && length > 2.0 * longest
+            && let Some(stored) = &self.stored
+            && self.recorded.system().time(&stored.state) == from
+        {
+            self.roll_back();
+            // if the angular velocity grows linearly, this step rotates the body by exactly the allowed angle
+            reached = self.advance(until, (longest * length).sqrt())?;
+        }
+        Ok(reached)
+    }
+
+    fn column_count(&self) -> usize {
+        self.recorded.column_count()
+    }
+
+    fn values(&self, columns: Range<usize>, list: &mut Vec<f64>) {
+        self.recorded.values(&self.now.state, columns, list);
+    }
+
+    fn steps(&self) -> u64 {
+        self.now.steps
+    }
+
+    fn store(&mut self) {
+        self.stored = Some(self.now.clone());
+    }
+
+    fn roll_back(&mut self) {
+        if let Some(stored) = &self.stored {
+            self.now = stored.clone();
+        }
+    }
+}

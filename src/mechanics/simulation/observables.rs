@@ -1,0 +1,233 @@
+//! Values of quantities at points of a motion.
+
+use super::group::SimulationGroup;
+use super::quantities::{FormulaScope, Quantity, SymbolTable};
+use crate::group::Coordinates;
+use crate::mechanics::formula::{Formula, Workspace};
+use nalgebra::DMatrix;
+use std::cell::RefCell;
+use std::ops::Range;
+
+/// A point of a motion, with the velocity in the frame of the equations.
+pub struct ObservationPoint<'p, G: SimulationGroup> {
+    /// The time.
+    pub time: f64,
+    /// The element.
+    pub element: &'p G::Element,
+    /// The velocity.
+    pub velocity: &'p G::Vector,
+    /// The momentum in the frame of the equations; without it `J Omega`.
+    pub momentum: Option<&'p G::Vector>,
+    /// The energy, where it is not the sum of a kinetic and a potential energy.
+    pub energy: Option<f64>,
+}
+
+impl<'p, G: SimulationGroup> ObservationPoint<'p, G> {
+    /// A point of a system with an inertia.
+    pub fn new(time: f64, element: &'p G::Element, velocity: &'p G::Vector) -> Self {
+        ObservationPoint { time, element, velocity, momentum: None, energy: None }
+    }
+}
+
+/// The quantities of motions on a group: their names, and what their values depend on beside the point.
+#[derive(Clone, Debug)]
+pub struct Observables {
+    names: SymbolTable,
+    /// The number of rows of a written element, which each stage of a step needs.
+    rows: usize,
+    /// `J`, if there is one.
+    inertia: Option<DMatrix<f64>>,
+    /// Why the last force or velocity was not a number.
+    trouble: RefCell<Option<String>>,
+}
+
+/// Buffers for values of quantities and formulas.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Buffers {
+    /// The values of the quantities of a [`FormulaScope`].
+    pub(super) values: Vec<f64>,
+    /// The entries of the element, column by column.
+    pub(super) entries: Vec<f64>,
+    pub(super) workspace: Workspace,
+}
+
+impl Observables {
+    /// The quantities on a group with named parameters; `inertia` is the matrix `J` of `H = J Omega`.
+    pub fn new<G: SimulationGroup>(
+        group: &G,
+        inertia: Option<DMatrix<f64>>,
+        parameters: Vec<(String, f64)>,
+    ) -> Self {
+        let names = SymbolTable::new(group, parameters);
+        let rows = names.rows();
+        Observables { names, rows, inertia, trouble: RefCell::default() }
+    }
+
+    /// The names that formulas may use.
+    pub fn names(&self) -> &SymbolTable {
+        &self.names
+    }
+
+    /// `J Omega`; not a number without an inertia.
+    pub fn momentum<V: Coordinates>(&self, velocity: &V) -> V {
+        let omega = velocity.components();
+        let entry = |i, j| self.inertia.as_ref().map_or(f64::NAN, |inertia| inertia[(i, j)]);
+        let row = |i: usize| (0..omega.len()).map(|j| entry(i, j) * omega[j]).sum();
+        V::from_fn(omega.len(), row)
+    }
+
+    /// Records why a force or a velocity is not a number.
+    pub(super) fn record(&self, trouble: String) {
+        self.trouble.replace(Some(trouble));
+    }
+
+    /// Takes away the last record.
+    pub(super) fn take_trouble(&self) -> Option<String> {
+        self.trouble.take()
+    }
+
+    /// Replaces the values of `buffers` by those of the quantities of a scope, and the entries, if one of these is such.
+    /// `load` gives the potential and the power.
+    pub(super) fn evaluate<G: SimulationGroup>(
+        &self,
+        group: &G,
+        scope: &FormulaScope,
+        at: &ObservationPoint<G>,
+        buffers: &mut Buffers,
+    ) {
+        let mut values = Values::new(group, self, at, &|_| f64::NAN, &mut buffers.entries);
+        scope.evaluate(|quantity| values.of(quantity), &mut buffers.values);
+    }
+}
+
+/// The formulas of the columns of a motion, over their scope.
+#[derive(Clone, Debug, Default)]
+pub struct Columns {
+    /// The quantities of the formulas.
+    pub scope: FormulaScope,
+    /// A formula for each column.
+    pub formulas: Vec<Formula>,
+}
+
+impl Columns {
+    /// Appends the values of some of the columns at a point to `list`; `load` gives the potential and the power.
+    #[allow(clippy::too_many_arguments, reason = "a point and its surroundings")]
+    pub(super) fn values<G: SimulationGroup>(
+        &self,
+        range: Range<usize>,
+        group: &G,
+        observables: &Observables,
+        at: &ObservationPoint<G>,
+        load: &dyn Fn(Quantity) -> f64,
+        buffers: &mut Buffers,
+        list: &mut Vec<f64>,
+    ) {
+        let Buffers { values: found, entries, workspace } = buffers;
+        let mut values = Values::new(group, observables, at, load, entries);
+        found.clear();
+        found.resize(self.scope.quantities().len(), f64::NAN);
+        for formula in &self.formulas[range] {
+            for &k in formula.variables() {
+                // what no formula asks for is not computed, nor anything twice
+                if found[k].is_nan() {
+                    found[k] = values.of(self.scope.quantities()[k]);
+                }
+            }
+            list.push(formula.value_in(found, workspace));
+        }
+    }
+}
+
+/// The values at a point; what several of them need is computed once, when it is asked for.
+struct Values<'v, G: SimulationGroup> {
+    group: &'v G,
+    observables: &'v Observables,
+    at: &'v ObservationPoint<'v, G>,
+    load: &'v dyn Fn(Quantity) -> f64,
+    momentum: Option<G::Vector>,
+    other_momentum: Option<G::Vector>,
+    other_velocity: Option<G::Vector>,
+    /// Those of the element, once `written`.
+    entries: &'v mut Vec<f64>,
+    written: bool,
+}
+
+impl<'v, G: SimulationGroup> Values<'v, G> {
+    fn new(
+        group: &'v G,
+        observables: &'v Observables,
+        at: &'v ObservationPoint<'v, G>,
+        load: &'v dyn Fn(Quantity) -> f64,
+        entries: &'v mut Vec<f64>,
+    ) -> Self {
+        let (momentum, other_momentum, other_velocity) = (None, None, None);
+        let written = false;
+        Values {
+            group,
+            observables,
+            at,
+            load,
+            momentum,
+            other_momentum,
+            other_velocity,
+            entries,
+            written,
+        }
+    }
+
+    /// What a force may read in each stage of a step is at hand.
+    #[inline(always)]
+    fn of(&mut self, quantity: Quantity) -> f64 {
+        match quantity {
+            Quantity::Time => self.at.time,
+            Quantity::Velocity(i) => self.at.velocity.components()[i],
+            Quantity::Entry(row, column) => {
+                if !self.written {
+                    self.group.entries(self.at.element, self.entries);
+                    self.written = true;
+                }
+                self.entries[row + column * self.observables.rows]
+            }
+            _ => self.computed(quantity),
+        }
+    }
+
+    fn computed(&mut self, quantity: Quantity) -> f64 {
+        let Values { group, observables, at, load, .. } = *self;
+        match quantity {
+            Quantity::Time | Quantity::Velocity(_) | Quantity::Entry(..) => self.of(quantity),
+            Quantity::Parameter(k) => observables.names.parameters[k].1,
+            Quantity::Named(k) => group.named(at.element, k),
+            Quantity::Momentum(i) => self.momentum().components()[i],
+            Quantity::OtherVelocity(i) => {
+                let velocity = || group.adjoint(at.element, at.velocity);
+                self.other_velocity.get_or_insert_with(velocity).components()[i]
+            }
+            Quantity::OtherMomentum(i) => {
+                if self.other_momentum.is_none() {
+                    let momentum = group.coadjoint(&group.inverse(at.element), self.momentum());
+                    self.other_momentum = Some(momentum);
+                }
+                self.other_momentum.as_ref().map_or(f64::NAN, |h| h.components()[i])
+            }
+            Quantity::Kinetic => at.energy.unwrap_or_else(|| self.kinetic()),
+            Quantity::Potential | Quantity::Power => load(quantity),
+            Quantity::Energy => {
+                at.energy.unwrap_or_else(|| self.kinetic() + load(Quantity::Potential))
+            }
+        }
+    }
+
+    fn momentum(&mut self) -> &G::Vector {
+        let Values { observables, at, .. } = *self;
+        let computed = || at.momentum.cloned().unwrap_or_else(|| observables.momentum(at.velocity));
+        self.momentum.get_or_insert_with(computed)
+    }
+
+    /// `T = H(Omega)/2` (98).
+    fn kinetic(&mut self) -> f64 {
+        let velocity = self.at.velocity.components();
+        let products = self.momentum().components().iter().zip(velocity);
+        0.5 * products.map(|(h, omega)| h * omega).sum::<f64>()
+    }
+}

@@ -1,0 +1,276 @@
+//! Quantities of a motion and their names in formulas.
+
+use super::group::SimulationGroup;
+use crate::group::{Block, Coordinate, Partial};
+use crate::mechanics::formula::{Formula, Symbol};
+use affinor_tensors::expression::ExpressionError;
+
+/// A number that a motion has at each time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// `t`.
+    Time,
+    /// A parameter of the problem.
+    Parameter(usize),
+    /// An entry of the matrix that the element is written as, by row and column from 0.
+    Entry(usize, usize),
+    /// A coordinate of the element with a name of its own, such as `qw`: its index in
+    /// [`MatrixNotation::named`](crate::group::MatrixNotation::named).
+    Named(usize),
+    /// A component of the velocity, in the frame of the equations.
+    Velocity(usize),
+    /// A component of the momentum, in the frame of the equations.
+    Momentum(usize),
+    /// A component of the velocity in the other invariant frame.
+    OtherVelocity(usize),
+    /// A component of the momentum in the other invariant frame.
+    OtherMomentum(usize),
+    /// `T = H(Omega)/2` (98).
+    Kinetic,
+    /// The potential `V`.
+    Potential,
+    /// `T + V`.
+    Energy,
+    /// `M(Omega)` (109), of all forces.
+    Power,
+}
+
+/// The names that formulas on a group may use.
+#[derive(Clone, Debug)]
+pub struct SymbolTable {
+    /// Parameters of the problem and their values.
+    pub parameters: Vec<(String, f64)>,
+    dimension: usize,
+    /// How the factors of the group are written, a group that is no product being its only factor.
+    blocks: Vec<Block>,
+    /// The names of velocity and momentum: in the frame of the equations, then in the other invariant frame.
+    sides: [[&'static str; 2]; 2],
+}
+
+impl SymbolTable {
+    /// The names on a group, with parameters.
+    pub fn new<G: SimulationGroup>(group: &G, parameters: Vec<(String, f64)>) -> Self {
+        let blocks = group.blocks();
+        let (body, spatial) = (["Omega", "H"], ["omega", "h"]);
+        let sides = if group.is_right() { [spatial, body] } else { [body, spatial] };
+        SymbolTable { parameters, dimension: group.dimension(), blocks, sides }
+    }
+
+    /// The name of the momentum in the frame of the equations.
+    pub fn momentum(&self) -> &'static str {
+        self.sides[0][1]
+    }
+
+    /// The name of the velocity in the frame of the equations.
+    pub(super) fn velocity(&self) -> &'static str {
+        self.sides[0][0]
+    }
+
+    /// How many rows the matrix of an element has.
+    pub(super) fn rows(&self) -> usize {
+        match &*self.blocks {
+            [block] => block.shape.0,
+            factors => factors.iter().map(|block| block.shape.0 * block.shape.1).sum(),
+        }
+    }
+
+    /// The quantity of a name.
+    pub fn find(&self, name: &str) -> Option<Quantity> {
+        if let Some(k) = self.parameters.iter().position(|(known, _)| known == name) {
+            return Some(Quantity::Parameter(k));
+        }
+        match name {
+            "t" => return Some(Quantity::Time),
+            "kinetic" => return Some(Quantity::Kinetic),
+            "potential" => return Some(Quantity::Potential),
+            "energy" => return Some(Quantity::Energy),
+            "power" => return Some(Quantity::Power),
+            _ => {}
+        }
+        if let Some(coordinate) = self.coordinate(name) {
+            return Some(coordinate);
+        }
+        let digits = name.find(|c: char| c.is_ascii_digit())?;
+        let (stem, behind) = name.split_at(digits);
+        let i: usize = behind.parse().ok().filter(|i| (1..=self.dimension).contains(i))?;
+        let [[velocity, momentum], [other_velocity, other_momentum]] = self.sides;
+        match stem {
+            _ if stem == velocity => Some(Quantity::Velocity(i - 1)),
+            _ if stem == momentum => Some(Quantity::Momentum(i - 1)),
+            _ if stem == other_velocity => Some(Quantity::OtherVelocity(i - 1)),
+            _ if stem == other_momentum => Some(Quantity::OtherMomentum(i - 1)),
+            _ => None,
+        }
+    }
+
+    /// A coordinate of the element. The names of factor `k` of a product end in `_k`, and its entries are rows of a column.
+    fn coordinate(&self, name: &str) -> Option<Quantity> {
+        let (factor, name) = self.factor(name)?;
+        let (before, block) = (&self.blocks[..factor], self.blocks.get(factor)?);
+        let product = self.blocks.len() > 1;
+        Some(match block.find(name)? {
+            Coordinate::Named(k) => {
+                Quantity::Named(before.iter().map(|block| block.names.len()).sum::<usize>() + k)
+            }
+            Coordinate::Entry(row, column) if product => {
+                let start: usize = before.iter().map(|block| block.shape.0 * block.shape.1).sum();
+                Quantity::Entry(start + row * block.shape.1 + column, 0)
+            }
+            Coordinate::Entry(row, column) => Quantity::Entry(row, column),
+        })
+    }
+
+    /// The factor, from 0, that a name speaks of, and the name there.
+    fn factor<'n>(&self, name: &'n str) -> Option<(usize, &'n str)> {
+        if self.blocks.len() == 1 {
+            return Some((0, name));
+        }
+        let (name, factor) = name.rsplit_once('_')?;
+        let factor: usize = factor.parse().ok()?;
+        (1..=self.blocks.len()).contains(&factor).then(|| (factor - 1, name))
+    }
+
+    /// SymbolTable in all factors, as they are known outside.
+    fn of_factors(&self, names: impl Fn(&Block) -> Vec<String>) -> Vec<String> {
+        let blocks = self.blocks.iter().enumerate();
+        let outside = |(k, block): (usize, &Block)| {
+            let suffix = if self.blocks.len() > 1 { format!("_{}", k + 1) } else { String::new() };
+            names(block).into_iter().map(|name| name + &suffix).collect::<Vec<_>>()
+        };
+        blocks.flat_map(outside).collect()
+    }
+
+    /// The letter of the entries in messages: `g` for matrices, `x` for columns of coordinates.
+    pub(super) fn element_stem(&self) -> &'static str {
+        if let [block] = &*self.blocks { block.letter() } else { "element" }
+    }
+
+    /// All names with a stem such as `Omega` or `g`; of a quantity such as `energy` its one name.
+    pub fn expand(&self, stem: &str) -> Vec<String> {
+        let numbered = |n: usize| (1..=n).map(|i| format!("{stem}{i}")).collect();
+        let sides = self.sides.as_flattened();
+        if sides.contains(&stem) {
+            return numbered(self.dimension);
+        }
+        let names = self.of_factors(|block| match stem {
+            "element" if !block.names.is_empty() => {
+                block.names.iter().map(|name| name.to_string()).collect()
+            }
+            _ if stem == "element" || stem == block.letter() => block.entries(),
+            // the other letter of matrices, unless it is a parameter
+            "R" if self.find(stem).is_none() && block.letter() == "g" => {
+                block.entries().iter().map(|entry| entry.replace('g', stem)).collect()
+            }
+            _ => vec![],
+        });
+        if !names.is_empty() {
+            return names;
+        }
+        match self.find(stem) {
+            Some(_) => vec![stem.into()],
+            None => vec![],
+        }
+    }
+
+    /// The names of the entries of the element, for messages.
+    pub fn entries(&self) -> String {
+        self.entry_ranges().join(", ")
+    }
+
+    fn entry_ranges(&self) -> Vec<String> {
+        let of_block = |block: &Block| {
+            let entries = block.entries();
+            let mut names = vec![match entries.as_slice() {
+                [first, .., last] => format!("{first}..{last}"),
+                few => few.concat(),
+            }];
+            let positions = block.names.iter().filter(|name| Block::is_position(name));
+            names.extend(positions.map(|name| name.to_string()));
+            names
+        };
+        self.of_factors(of_block)
+    }
+
+    /// All names of quantities that are allowed, for messages.
+    pub fn all(&self, allowed: &dyn Fn(Quantity) -> bool) -> String {
+        let mut names: Vec<String> = vec!["t".into()];
+        let n = self.dimension;
+        names.extend(self.sides.as_flattened().iter().map(|stem| format!("{stem}1..{stem}{n}")));
+        names.extend(self.entry_ranges());
+        let others = |block: &Block| {
+            let others = block.names.iter().filter(|name| !Block::is_position(name));
+            others.map(|name| name.to_string()).collect()
+        };
+        names.extend(self.of_factors(others));
+        names.extend(["kinetic", "potential", "energy", "power"].map(String::from));
+        names.extend(self.parameters.iter().map(|(name, _)| name.clone()));
+        let first = |name: &str| self.find(name.split("..").next().unwrap_or(name));
+        names.retain(|name| first(name).is_none_or(allowed));
+        names.join(", ")
+    }
+}
+
+/// The quantities that some formulas use; their order numbers the variables of the formulas. Parameters are constants.
+#[derive(Clone, Debug, Default)]
+pub struct FormulaScope {
+    quantities: Vec<Quantity>,
+}
+
+impl FormulaScope {
+    /// Reads a formula and adds its quantities.
+    ///
+    /// # Errors
+    /// As [`Formula::parse`]; also for a quantity that is not `allowed`.
+    pub fn read(
+        &mut self,
+        text: &str,
+        names: &SymbolTable,
+        allowed: &dyn Fn(Quantity) -> bool,
+    ) -> Result<Formula, ExpressionError> {
+        Formula::read(text, &mut |name| {
+            Some(match names.find(name).filter(|quantity| allowed(*quantity))? {
+                Quantity::Parameter(k) => Symbol::Number(names.parameters[k].1),
+                quantity => Symbol::Variable(self.index(quantity)),
+            })
+        })
+    }
+
+    /// The number of a quantity, which is added if it is new.
+    pub fn index(&mut self, quantity: Quantity) -> usize {
+        let known = self.quantities.iter().position(|other| *other == quantity);
+        known.unwrap_or_else(|| {
+            self.quantities.push(quantity);
+            self.quantities.len() - 1
+        })
+    }
+
+    /// The quantities in order.
+    pub fn quantities(&self) -> &[Quantity] {
+        &self.quantities
+    }
+
+    /// Replaces `values` by those of the quantities, in their order.
+    #[inline]
+    pub(super) fn evaluate(&self, value: impl FnMut(Quantity) -> f64, values: &mut Vec<f64>) {
+        values.clear();
+        values.extend(self.quantities.iter().copied().map(value));
+    }
+
+    /// Replaces `partial` by the derivatives by entries that are not zero, from those by quantities.
+    #[inline]
+    pub(super) fn by_entries(
+        &self,
+        slopes: impl Iterator<Item = (usize, f64)>,
+        partial: &mut Vec<Partial>,
+    ) {
+        partial.clear();
+        for (k, slope) in slopes {
+            // 0 is left out, as 0 times an infinite entry is NaN
+            if let Quantity::Entry(row, column) = self.quantities[k]
+                && slope != 0.0
+            {
+                partial.push((row, column, slope));
+            }
+        }
+    }
+}

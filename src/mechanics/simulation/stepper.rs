@@ -1,0 +1,138 @@
+//! Ways to advance a state: fixed steps, controlled steps, or a solution in closed form.
+
+use super::fixed_steps::FixedSteps;
+use crate::Error;
+use crate::mechanics::integrators::Pair;
+use crate::mechanics::integrators::runge_kutta::LocalCoordinates;
+use crate::mechanics::{Adaptive, CotangentSystem, Integrator, State, System, stopped};
+use std::sync::Arc;
+
+/// How a motion advances, with all that the next step depends on beside the state.
+pub enum Stepper<S: System> {
+    /// Steps of one length.
+    Fixed {
+        /// The method.
+        integrator: Arc<dyn Integrator<S> + Send + Sync>,
+        /// The steps to the next output time.
+        steps: FixedSteps,
+    },
+    /// Steps whose length follows from a tolerance.
+    Adaptive {
+        /// [`Adaptive::step`](crate::mechanics::Adaptive::step).
+        control: Arc<Control<S>>,
+        /// The largest number of steps from one output time to the next.
+        max_steps: usize,
+        /// The next length to try.
+        next: f64,
+        /// The number of steps since the last output time.
+        taken: usize,
+    },
+    /// The state at any time, in closed form.
+    Exact {
+        /// The state at a time.
+        at: Arc<At<S>>,
+        /// A bound of the angular velocity, in radians per unit of time.
+        rate: f64,
+    },
+}
+
+/// The largest rotation between checks for events, in radians: where a check costs a step, and where it costs an evaluation.
+const TURN: f64 = 0.25;
+const EXACT_TURN: f64 = 0.0625;
+
+/// A controlled step of a system and its state, with the length to try, towards a time.
+type Control<S> =
+    dyn Fn(&S, &mut <S as System>::State, &mut f64, f64) -> Result<(), Error> + Send + Sync;
+
+/// The state at a time.
+type At<S> = dyn Fn(f64) -> Result<<S as System>::State, Error> + Send + Sync;
+
+// a derived implementation would require `S: Clone`
+impl<S: System> Clone for Stepper<S> {
+    fn clone(&self) -> Self {
+        match self {
+            Stepper::Fixed { integrator, steps } => {
+                Stepper::Fixed { integrator: integrator.clone(), steps: *steps }
+            }
+            &Stepper::Adaptive { ref control, max_steps, next, taken } => {
+                Stepper::Adaptive { control: control.clone(), max_steps, next, taken }
+            }
+            Stepper::Exact { at, rate } => Stepper::Exact { at: at.clone(), rate: *rate },
+        }
+    }
+}
+
+impl<S: System> Stepper<S> {
+    /// Steps of one length at most.
+    pub(super) fn fixed(integrator: impl Integrator<S> + Send + Sync + 'static, step: f64) -> Self {
+        Stepper::Fixed { integrator: Arc::new(integrator), steps: FixedSteps::new(step) }
+    }
+
+    /// The state at any time.
+    pub(super) fn exact(
+        at: impl Fn(f64) -> Result<S::State, Error> + Send + Sync + 'static,
+        rate: f64,
+    ) -> Self {
+        Stepper::Exact { at: Arc::new(at), rate }
+    }
+
+    /// One step towards a time; returns the time that is reached. Steps of free length end at `end`, a time on the way,
+    /// at the latest.
+    pub(super) fn step(
+        &mut self,
+        system: &S,
+        state: &mut S::State,
+        until: f64,
+        end: f64,
+    ) -> Result<f64, Error> {
+        let time = system.time(state);
+        match self {
+            Stepper::Fixed { integrator, steps } => {
+                steps.step(time, until, |h| integrator.step(system, state, h))
+            }
+            Stepper::Adaptive { control, max_steps, next, taken } => {
+                if *taken == *max_steps {
+                    return Err(stopped(
+                        time,
+                        format!(
+                            "{taken} steps did not reach t = {until}: the problem is stiff, or times of output far apart"
+                        ),
+                    ));
+                }
+                control(system, state, next, end)?;
+                let reached = system.time(state);
+                *taken = if reached == until { 0 } else { *taken + 1 };
+                Ok(reached)
+            }
+            Stepper::Exact { at, .. } => {
+                *state = at(end)?;
+                Ok(end)
+            }
+        }
+    }
+
+    /// The longest step between checks for events, where `rate` gives the angular velocity; infinite for fixed steps.
+    pub(super) fn longest(&self, rate: impl FnOnce() -> f64) -> f64 {
+        match self {
+            Stepper::Fixed { .. } => f64::INFINITY,
+            Stepper::Exact { rate, .. } => EXACT_TURN / rate,
+            Stepper::Adaptive { .. } => TURN / rate(),
+        }
+    }
+}
+
+impl<S: CotangentSystem + 'static> Stepper<S> {
+    /// Steps of a pair with step-size control, in the local coordinates `C`.
+    pub(super) fn controlled<C: LocalCoordinates<S::Group> + Copy + Send + Sync + 'static>(
+        pair: Pair,
+        control: Adaptive,
+        coordinates: impl FnOnce(Adaptive) -> Adaptive<C>,
+    ) -> Self {
+        let control = coordinates(Adaptive { pair, ..control });
+        let (max_steps, next) = (control.max_steps, control.first_step());
+        let step = move |system: &S, state: &mut State<S::Group>, next: &mut f64, end: f64| {
+            control.step(system, state, next, end)
+        };
+        Stepper::Adaptive { control: Arc::new(step), max_steps, next, taken: 0 }
+    }
+}

@@ -1,0 +1,14 @@
+//! Numerical methods without groups, the floor below groups and mechanics.
+//!
+//! - [`exponential`] of matrices, `logarithm` with `double`-double arithmetic, `stumpff` functions of angles;
+//! - [`tableaux`] of Runge-Kutta methods, `ode` for initial value problems in R^n;
+//! - `least_squares`, and `rounding`, which rejects results without digits.
+
+pub(crate) mod double;
+pub mod exponential;
+pub(crate) mod least_squares;
+pub(crate) mod logarithm;
+pub(crate) mod ode;
+pub(crate) mod rounding;
+pub(crate) mod stumpff;
+pub mod tableaux;

@@ -1,0 +1,355 @@
+//! The Stumpff functions, used in the closed forms of rotations and related groups.
+
+/// `c_k(z) = sum (-z)^i/(k + 2i)!` for `k = 0..=5`, for any sign of `z`.
+///
+/// `c_0(x^2) = cos x`, `c_1(x^2) = sin x/x`, `c_0(-x^2) = cosh x`, and `c_k = 1/k! - z c_{k+2}`. For a
+/// matrix with `A^3 = -z A`, `exp(A) = 1 + c_1 A + c_2 A^2` and `sum A^k/(k+1)! = 1 + c_2 A + c_3 A^2`.
+/// K. Stumpff, *Himmelsmechanik* (1959), section V.41.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Stumpff {
+    /// The argument.
+    pub z: f64,
+    /// `cos x`.
+    pub c0: f64,
+    /// `sin x / x`.
+    pub c1: f64,
+    /// `(1 - cos x)/x^2`.
+    pub c2: f64,
+    /// `(x - sin x)/x^3`.
+    pub c3: f64,
+    /// `(x^2/2 - 1 + cos x)/x^4`.
+    pub c4: f64,
+    /// `(x^3/6 - x + sin x)/x^5`.
+    pub c5: f64,
+}
+
+/// Beyond this square of an angle, neighbouring floats are many turns apart and `cos` and `sin` are noise. Tangent operators
+/// become their mean over a turn.
+pub(crate) const FAR: f64 = 1e40;
+
+/// Below this modulus of `z` the differences lose digits, and the series have few terms.
+const SERIES: f64 = 10.0;
+
+impl Stumpff {
+    /// All functions at `z`. They overflow where cosh does.
+    #[inline]
+    pub(crate) fn at(z: f64) -> Self {
+        if z.abs() < SERIES {
+            let short = z.abs() < SMALL;
+            return Self::by_series(z, short);
+        }
+        Self::by_half_angle(z)
+    }
+
+    /// By the series of `c_4` and `c_5`, of eight terms each if `short`.
+    #[inline(always)]
+    fn by_series(z: f64, short: bool) -> Self {
+        let (c4, c5) = if short {
+            (eight_terms(&first(&FOURTH), z), eight_terms(&first(&FIFTH), z))
+        } else {
+            (polynomial(&FOURTH, z), polynomial(&FIFTH, z))
+        };
+        let (c2, c3) = (0.5 - z * c4, 1.0 / 6.0 - z * c5);
+        Stumpff { z, c0: 1.0 - z * c2, c1: 1.0 - z * c3, c2, c3, c4, c5 }
+    }
+
+    /// In closed form, by the cosine and sine of the half angle.
+    #[inline(always)]
+    fn by_half_angle(z: f64) -> Self {
+        let (cos, half) = far(0.25 * z);
+        // no difference: 1 - cos x = 2 sin^2(x/2)
+        let (c0, c1, c2) = (1.0 - 0.5 * z * half * half, half * cos, 0.5 * half * half);
+        let c3 = (1.0 - c1) / z;
+        Stumpff { z, c0, c1, c2, c3, c4: (0.5 - c2) / z, c5: (1.0 / 6.0 - c3) / z }
+    }
+
+    /// `c_2'(z) = c_4 - c_3/2 = (c_1/2 - c_2)/z`.
+    pub(crate) fn slope2(&self) -> f64 {
+        if self.z.abs() < SERIES {
+            self.c4 - 0.5 * self.c3
+        } else {
+            // for large z the first form is a difference of near equals
+            (0.5 * self.c1 - self.c2) / self.z
+        }
+    }
+
+    /// `c_3'(z) = (3 c_5 - c_4)/2 = (c_2 - 3 c_3)/(2 z)`.
+    pub(crate) fn slope3(&self) -> f64 {
+        if self.z.abs() < SERIES {
+            1.5 * self.c5 - 0.5 * self.c4
+        } else {
+            (0.5 * self.c2 - 1.5 * self.c3) / self.z
+        }
+    }
+}
+
+/// `(c_0(z), c_1(z))` alone, to a rounding or two.
+#[inline]
+pub(crate) fn first_two(z: f64) -> (f64, f64) {
+    if z.abs() < SMALL {
+        return (eight_terms(&first(&ZEROTH), z), eight_terms(&first(&FIRST), z));
+    }
+    larger(z)
+}
+
+/// [`first_two`] for angles larger than those of a step, kept out of line.
+#[inline(never)]
+fn larger(z: f64) -> (f64, f64) {
+    if z.abs() < NEAR { near(z) } else { far(z) }
+}
+
+/// `(c_1(z), c_2(z))` alone: `R = 1 + c_1 spin(x) + c_2 spin(x)^2` at `z = |x|^2`.
+#[inline]
+pub(crate) fn turning(z: f64) -> (f64, f64) {
+    if z.abs() < SMALL {
+        return (eight_terms(&first(&FIRST), z), eight_terms(&SECOND, z));
+    }
+    turning_far(z)
+}
+
+#[inline(never)]
+fn turning_far(z: f64) -> (f64, f64) {
+    let c = Stumpff::at(z);
+    (c.c1, c.c2)
+}
+
+/// Below this modulus of `z`, such as half the angle that a body turns in a step, [`TERMS`] of a series are enough:
+/// the next one is below 4e-17.
+const SMALL: f64 = 0.4;
+const TERMS: usize = 8;
+
+/// The first terms of a series.
+const fn first<const N: usize>(series: &[f64; N]) -> [f64; TERMS] {
+    let mut terms = [0.0; TERMS];
+    let mut i = 0;
+    while i < TERMS {
+        terms[i] = series[i];
+        i += 1;
+    }
+    terms
+}
+
+/// Where [`near`] is taken: up to 1.5 for `x`. At a right angle `z` no longer tells on which side of it
+/// `x` is, but its root does.
+pub(crate) const NEAR: f64 = 2.25;
+
+/// [`first_two`] for `|z| < NEAR`, without a branch.
+#[inline(always)]
+pub(crate) fn near(z: f64) -> (f64, f64) {
+    (polynomial(&ZEROTH, z), polynomial(&FIRST, z))
+}
+
+/// [`first_two`] where `z` is not small.
+fn far(z: f64) -> (f64, f64) {
+    let root = z.abs().sqrt();
+    if z > 0.0 {
+        let (sin, cos) = root.sin_cos();
+        (cos, sin / root)
+    } else {
+        (root.cosh(), root.sinh() / root)
+    }
+}
+
+/// `(-1)^i/(k + 2i)!`.
+const fn coefficients<const N: usize>(k: usize) -> [f64; N] {
+    let mut coefficients = [1.0; N];
+    let mut factorial = 1.0;
+    let mut n = 1;
+    while n < k + 2 * N {
+        factorial *= n as f64;
+        if n >= k && (n - k).is_multiple_of(2) {
+            let i = (n - k) / 2;
+            coefficients[i] = if i.is_multiple_of(2) { 1.0 } else { -1.0 } / factorial;
+        }
+        n += 1;
+    }
+    coefficients
+}
+
+// the first term left out is below 1e-16 of the sum up to NEAR, below 1e-18 of it up to SERIES
+const ZEROTH: [f64; 12] = coefficients(0);
+const FIRST: [f64; 12] = coefficients(1);
+const SECOND: [f64; TERMS] = coefficients(2);
+const FOURTH: [f64; 15] = coefficients(4);
+const FIFTH: [f64; 15] = coefficients(5);
+
+/// What `z` may be off by in units of rounding: the roundings of a square of a length, and of the
+/// components that it is made of.
+const ROUNDINGS: f64 = 8.0;
+
+/// `d = (1 - (x/2) cot(x/2))/x^2` at `z = x^2`: `(sum A^k/(k+1)!)^-1 = 1 - A/2 + d A^2` for a matrix with `A^3 = -z A`.
+///
+/// With `w = z/4` it is `(c_2(w) - c_3(w))/(4 c_1(w))`, without a difference of near equals up to its first pole
+/// `x = 2 pi`. `size` is the sum of the sizes of the terms of `z`; `None` if their rounding does not tell `z` from a pole
+/// `z = (2 pi k)^2`.
+#[inline]
+pub(crate) fn inverse_tangent(z: f64, size: f64) -> Option<f64> {
+    if z.abs() < SMALL {
+        return Some(eight_terms(&INVERSE, z));
+    }
+    let c = Stumpff::at(0.25 * z);
+    // near a pole c_1 = sin(x/2)/(x/2) is half of the relative distance of z from it
+    let regular = c.c1.abs() > ROUNDINGS * f64::EPSILON * (size / z.abs());
+    regular.then(|| (c.c2 - c.c3) / (4.0 * c.c1)).filter(|d| d.is_finite())
+}
+
+/// `|B_2k|/(2k)!` for `k = 1..=8`, Bernoulli's numbers: the first coefficients of [`inverse_tangent`].
+const INVERSE: [f64; 8] = [
+    1.0 / 12.0,
+    1.0 / 720.0,
+    1.0 / 30240.0,
+    1.0 / 1209600.0,
+    1.0 / 47900160.0,
+    691.0 / 1307674368000.0,
+    1.0 / 74724249600.0,
+    3617.0 / 10670622842880000.0,
+];
+
+/// `c_0 + c_1 z + c_2 z^2 + ..`, in four chains of every fourth term that a processor runs at once.
+#[inline(always)]
+pub(crate) fn polynomial<const N: usize>(coefficients: &[f64; N], z: f64) -> f64 {
+    let square = z * z;
+    let fourth = square * square;
+    let mut chains = [0.0; 4];
+    for k in (0..N).rev() {
+        chains[k % 4] = chains[k % 4] * fourth + coefficients[k];
+    }
+    (chains[0] + z * chains[1]) + square * (chains[2] + z * chains[3])
+}
+
+/// The same for eight terms, by Estrin's scheme: the shortest chain of operations.
+///
+/// G. Estrin, *Western Joint IRE-AIEE-ACM Computer Conference* (1960) 33-40.
+#[inline(always)]
+fn eight_terms(c: &[f64; 8], z: f64) -> f64 {
+    let square = z * z;
+    let low = (c[0] + z * c[1]) + square * (c[2] + z * c[3]);
+    let high = (c[4] + z * c[5]) + square * (c[6] + z * c[7]);
+    low + square * square * high
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use affinor_tensors::Rational;
+
+    /// `c_k(z)` by its series in exact fractions, up to terms below 1e-30.
+    fn exact(k: i64, z: f64) -> Rational {
+        let z = Rational::from_f64(z).expect("a finite number");
+        let mut term = (1..=k).fold(Rational::from(1), |term, n| term / Rational::from(n));
+        let mut sum = Rational::from(0);
+        let mut i = 0;
+        while i < 4 || term.clone().abs().to_f64() > 1e-30 {
+            sum += &term;
+            i += 1;
+            term = -(term * &z) / Rational::from((k + 2 * i - 1) * (k + 2 * i));
+        }
+        sum
+    }
+
+    /// The error of a number, in machine epsilons of the exact one or of a size.
+    fn off(found: f64, exact: Rational, size: f64) -> f64 {
+        let size = exact.to_f64().abs().max(size);
+        let found = Rational::from_f64(found).expect("a finite number");
+        (found - exact).to_f64().abs() / size / f64::EPSILON
+    }
+
+    /// Fails where the error passes its bound, relative to the size that `c_k` has near `z`, where it oscillates.
+    fn bounded(k: i64, z: f64, found: f64, bound: f64) {
+        let largest = 1.0 / (1..=k).map(|n| n as f64).product::<f64>();
+        let envelope = [1.0, z.powf(-0.5), 2.0 / z, 1.0 / z, 0.5 / z, 1.0 / (6.0 * z)][k as usize];
+        let off = off(found, exact(k, z), if z > 0.0 { largest.min(envelope) } else { 0.0 });
+        assert!(off <= bound, "c_{k}({z:e}) is off by {off} eps");
+    }
+
+    fn all(c: Stumpff) -> [f64; 6] {
+        [c.c0, c.c1, c.c2, c.c3, c.c4, c.c5]
+    }
+
+    /// A threshold, its neighbours among the floats, and numbers farther away on both sides.
+    fn around(threshold: f64, farthest: f64) -> impl Iterator<Item = f64> {
+        let far = (1..=20).map(move |step| farthest.powf(f64::from(step) / 20.0));
+        let near = [1.0, 1.0 + 1e-9, 1.0 + 2.0 * f64::EPSILON].into_iter().chain(far);
+        let ratios = near.flat_map(|ratio| [ratio, 1.0 / ratio]);
+        ratios.flat_map(move |ratio| [threshold * ratio, -threshold * ratio])
+    }
+
+    /// As they are taken, on both sides of every threshold.
+    #[test]
+    fn every_function_around_every_threshold() {
+        let thresholds = [SMALL, NEAR, SERIES, 4.0 * SMALL, 4.0 * NEAR];
+        for z in thresholds.into_iter().flat_map(|threshold| around(threshold, 4.0)) {
+            for (k, found) in (0..6).zip(all(Stumpff::at(z))) {
+                bounded(k, z, found, 6.0);
+            }
+            let (pair, turning) = (first_two(z), turning(z));
+            for (k, found) in [(0, pair.0), (1, pair.1), (1, turning.0), (2, turning.1)] {
+                bounded(k, z, found, 4.0);
+            }
+        }
+    }
+
+    /// Each path alone, from where it is taken to beyond its threshold.
+    #[test]
+    fn every_path_beyond_its_threshold() {
+        let six = |z: f64, c: Stumpff, bound: f64| {
+            (0..6).zip(all(c)).for_each(|(k, found)| bounded(k, z, found, bound));
+        };
+        for z in around(SMALL, 4.0).filter(|z| z.abs() < 1.1 * SMALL) {
+            six(z, Stumpff::by_series(z, true), 4.0);
+            six(z, Stumpff::by_series(z, false), 4.0);
+        }
+        for z in around(SERIES, 100.0).filter(|z| z.abs() < 1.2 * SERIES) {
+            six(z, Stumpff::by_series(z, false), 6.0);
+        }
+        for z in around(SERIES, 2.0) {
+            six(z, Stumpff::by_half_angle(z), 10.0);
+        }
+        for z in around(NEAR, 100.0) {
+            let closed = far(z);
+            bounded(0, z, closed.0, 5.0);
+            bounded(1, z, closed.1, 5.0);
+            if z.abs() < 1.2 * NEAR {
+                let series = near(z);
+                bounded(0, z, series.0, 3.0);
+                bounded(1, z, series.1, 3.0);
+            }
+        }
+    }
+
+    /// `c_2'` and `c_3'`, with `2 c_k' = k c_{k+2} - c_{k+1}`.
+    #[test]
+    fn slopes_around_the_threshold() {
+        for z in around(SERIES, 8.0) {
+            let c = Stumpff::at(z);
+            for (k, found) in [(2, c.slope2()), (3, c.slope3())] {
+                let slope = exact(k + 2, z) * Rational::from(k) - exact(k + 1, z);
+                let size = if z > 0.0 { 0.5 * z.powf(-1.5) } else { 0.0 };
+                let off = off(found, slope / Rational::from(2), size);
+                assert!(off <= 8.0, "c_{k}'({z:e}) is off by {off} eps");
+            }
+        }
+    }
+
+    /// `(c_2 - c_3)/(4 c_1)` at a quarter of the argument, on both sides of the first pole.
+    #[test]
+    fn the_inverse_around_its_thresholds() {
+        let exact = |z: f64| {
+            let quarter = 0.25 * z;
+            let four = Rational::from(4);
+            (exact(2, quarter) - exact(3, quarter)) / (exact(1, quarter) * four)
+        };
+        let points = around(SMALL, 4.0).chain(around(4.0 * NEAR, 2.0));
+        for z in points.chain(around(4.0 * SERIES, 2.0)) {
+            let expected = exact(z);
+            let size = expected.to_f64().abs().max(z.abs().recip().min(1.0 / 12.0));
+            // a rounding of the argument counts more near the pole
+            let step = f64::from(1 << 20).recip();
+            let change = exact(z * (1.0 + step)) - expected.clone();
+            let condition = change.to_f64().abs() / step / size;
+            let found = inverse_tangent(z, z.abs()).expect("no pole");
+            let off = off(found, expected, size) / (1.0 + condition);
+            assert!(off <= 8.0, "the inverse at {z:e} is off by {off} eps");
+        }
+    }
+}
