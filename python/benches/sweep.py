@@ -30,7 +30,7 @@ def is_einstein(row: dict[str, Any]) -> dict[str, Any]:
     import affinor
 
     geometry = affinor.Geometry("so3", metric=[row["a"], row["b"], row["c"]])
-    found = geometry.property("einstein")
+    found = geometry.check_property("einstein")
     return {"einstein": found.holds, "constant": found.value, "scalar": geometry.scalar_curvature}
 
 
@@ -75,17 +75,17 @@ def main() -> None:
     names = ["so3", "sl2", "heisenberg(3)", "se2", "aff1", "bianchi(IV)", "bianchi(V)", "so(4)", "se3", "gl(2)"]
     tasks = {
         "motions of tops": (
-            af.Motions(TOP, columns=["Omega1", "energy"]),
-            af.Draw(size(1_000_000), seed=3, tilt="uniform(0.1, 1)", spin="normal(5, 1)"),
+            af.SimulationTask(TOP, columns=["Omega1", "energy"]),
+            af.RandomSample(size(1_000_000), seed=3, tilt="uniform(0.1, 1)", spin="normal(5, 1)"),
         ),
-        "metrics": (is_einstein, af.Draw(size(100_000), seed=1, a=[1, 2, 3, 4], b=[1, 2, 3, 4], c=[1, 2, 3, 4])),
+        "metrics": (is_einstein, af.RandomSample(size(100_000), seed=1, a=[1, 2, 3, 4], b=[1, 2, 3, 4], c=[1, 2, 3, 4])),
         "algebras": (table_of, {"name": names, "numerator": list(range(size(10_000) // 10))}),
     }
     found = {}
     for title, (task, grid) in tasks.items():
         # chunks of about a second of one thread
         af.set_threads(1)
-        probe = af.Draw(200, **grid.laws) if isinstance(grid, af.Draw) else {**grid, "numerator": grid["numerator"][:20]}
+        probe = af.RandomSample(200, **grid.laws) if isinstance(grid, af.RandomSample) else {**grid, "numerator": grid["numerator"][:20]}
         af.sweep(task, probe, chunk=10_000)
         begun = time.perf_counter()
         af.sweep(task, probe, chunk=10_000)

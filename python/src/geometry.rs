@@ -36,6 +36,29 @@ macro_rules! each {
     };
 }
 
+/// A scalar of the geometries that Python holds.
+pub trait Grounded: Held {
+    fn geometry(geometry: Geometry<Self>) -> Values;
+}
+
+impl Grounded for Rational {
+    fn geometry(geometry: Geometry<Self>) -> Values {
+        Values::Exact(geometry)
+    }
+}
+
+impl Grounded for Symbolic {
+    fn geometry(geometry: Geometry<Self>) -> Values {
+        Values::Symbolic(geometry)
+    }
+}
+
+impl Grounded for Tracked {
+    fn geometry(geometry: Geometry<Self>) -> Values {
+        Values::Float(geometry)
+    }
+}
+
 /// A geometry: a frame, a connection and perhaps a metric.
 #[pyclass(name = "Geometry", frozen, module = "affinor._engine")]
 pub struct PyGeometry(pub Values);
@@ -183,7 +206,7 @@ impl PyGeometry {
     /// The same geometry in the right-invariant frame.
     fn in_right_frame(&self, py: Python<'_>) -> PyResult<PyGeometry> {
         run(py, || {
-            let right = each!(&self.0, geometry => Held::wrap_geometry(geometry.in_right_frame()?));
+            let right = each!(&self.0, geometry => Grounded::geometry(geometry.in_right_frame()?));
             Ok(PyGeometry(right))
         })
     }

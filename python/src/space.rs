@@ -1,11 +1,11 @@
 //! Spaces as documents read them: names, definition files, brackets, with a connection and a metric.
 
 use crate::errors::raise;
-use crate::geometry::{PyGeometry, Values as Geometries};
+use crate::geometry::{Grounded, PyGeometry, Values as Geometries};
 use crate::group::PyGroup;
 use crate::report::written;
 use crate::run::run;
-use crate::tensor::{Held, PyTensor, Values};
+use crate::tensor::{PyTensor, Values};
 use affinor::{Canonical, Connection, ConnectionKind, Error, Geometry};
 use affinor_documents::certificate::Check;
 use affinor_documents::definition::{Definition, Files, InputError, Request, ScalarChoice, Space};
@@ -73,7 +73,7 @@ fn read<S: Coefficient>(values: &Values, tolerance: Tolerance) -> Result<Tensor<
 }
 
 impl Given<'_> {
-    fn geometry<S: Held>(
+    fn geometry<S: Grounded>(
         self,
         definition: &Definition,
         tolerance: Tolerance,
@@ -115,7 +115,7 @@ impl Given<'_> {
                 Geometry::new(name, ground, kind, Some(metric))?
             }
         };
-        Ok(S::wrap_geometry(geometry))
+        Ok(S::geometry(geometry))
     }
 }
 

@@ -2,10 +2,8 @@
 
 use crate::arrays::fresh;
 use crate::errors::{refused, wrong};
-use crate::geometry::Values as Geometries;
 use crate::run::run;
 use crate::values;
-use affinor::Geometry;
 use affinor_documents::definition::InputError;
 use affinor_documents::report::{components_in_latex, components_in_text};
 use affinor_documents::{Coefficient, over_kind};
@@ -69,10 +67,9 @@ fn write_floats<S: Coefficient>(tensor: &Tensor<S>, list: &mut [f64]) -> Result<
     Ok(())
 }
 
-/// A scalar of the tensors and geometries that Python holds.
+/// A scalar of the tensors that Python holds.
 pub trait Held: Coefficient {
     fn wrap(tensor: Tensor<Self>) -> Values;
-    fn wrap_geometry(geometry: Geometry<Self>) -> Geometries;
     /// The tensor over this scalar, if its values exist here.
     fn of(values: &Values) -> Option<Arc<Tensor<Self>>>;
 }
@@ -92,9 +89,6 @@ impl Held for Rational {
     fn wrap(tensor: Tensor<Self>) -> Values {
         Values::Exact(tensor.into())
     }
-    fn wrap_geometry(geometry: Geometry<Self>) -> Geometries {
-        Geometries::Exact(geometry)
-    }
     fn of(values: &Values) -> Option<Arc<Tensor<Self>>> {
         match values {
             Values::Exact(tensor) => Some(tensor.clone()),
@@ -108,9 +102,6 @@ impl Held for Symbolic {
     fn wrap(tensor: Tensor<Self>) -> Values {
         Values::Symbolic(tensor.into())
     }
-    fn wrap_geometry(geometry: Geometry<Self>) -> Geometries {
-        Geometries::Symbolic(geometry)
-    }
     fn of(values: &Values) -> Option<Arc<Tensor<Self>>> {
         match values {
             Values::Exact(tensor) => over(tensor, |value| Some(Symbolic::constant(value.clone()))),
@@ -123,9 +114,6 @@ impl Held for Symbolic {
 impl Held for Tracked {
     fn wrap(tensor: Tensor<Self>) -> Values {
         Values::Float(tensor.into())
-    }
-    fn wrap_geometry(geometry: Geometry<Self>) -> Geometries {
-        Geometries::Float(geometry)
     }
     fn of(values: &Values) -> Option<Arc<Tensor<Self>>> {
         match values {

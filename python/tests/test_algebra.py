@@ -180,11 +180,11 @@ def test_connections():
         geometry = af.Geometry(so3, connection=name)
         assert geometry.affinities == c * factor
         assert af.Geometry(so3, connection=factor) == geometry
-        assert geometry.factor == factor
+        assert geometry.lambda_ == factor
     assert af.Geometry(so3, connection="lambda=1/3").affinities == c / 3
     lam = sp.Symbol("lam", real=True)
     family = af.Geometry(so3, connection=lam)
-    assert family.factor == lam and family.torsion.to_numpy()[0, 1, 2] == 2 * lam - 1
+    assert family.lambda_ == lam and family.torsion.to_numpy()[0, 1, 2] == 2 * lam - 1
     by_affinities = af.Geometry(so3, affinities=c * Fraction(1, 2))
     assert by_affinities.curvature == af.Geometry(so3, connection="zero").curvature
     torsion = so3.structure * Fraction(2, 3)
@@ -206,7 +206,7 @@ def test_frames_and_reports():
     assert "nabla g = 0" in af.compare()
     assert "quaternion" in af.conventions()
     assert len(af.catalogue("heis")) == 1
-    assert af.Geometry("heisenberg(3)", metric="identity").property("einstein").witness.startswith("Ric_jl")
+    assert af.Geometry("heisenberg(3)", metric="identity").check_property("einstein").witness.startswith("Ric_jl")
     assert len(af.Geometry("heisenberg(3)", metric="identity").holonomy()) == 3
 
 
@@ -257,7 +257,7 @@ def test_floats_stay_floats_with_a_tolerance():
     algebra = af.LieAlgebra.from_structure([(2, 0, 1, 0.5)], scalar="float", dimension=3)
     geometry = af.Geometry(algebra, metric=[0.5, 1, 1], tolerance=1e-9)
     assert geometry.scalar == "float" and geometry.algebra.scalar == "float"
-    assert af.Geometry("so3", 0.25, scalar="float").factor == 0.25
+    assert af.Geometry("so3", 0.25, scalar="float").lambda_ == 0.25
     for make in (af.LieAlgebra, af.Geometry, af.check):
         with pytest.raises(ValueError, match="exact numbers have no tolerance"):
             make("so3", tolerance=1e-9)

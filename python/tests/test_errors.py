@@ -70,7 +70,7 @@ WRONG = [
     (lambda: af.Geometry("so3").metric, af.MathematicsError, "not defined"),
     (lambda: af.Geometry("so3").quantity("riemann"), ValueError, "curvature"),
     (lambda: af.Geometry("so3").table(format="xml"), ValueError, "markdown"),
-    (lambda: af.Geometry("so3").property("flat"), af.InputError, "flat"),
+    (lambda: af.Geometry("so3").check_property("flat"), af.InputError, "flat"),
     (lambda: af.Geometry("so3", metric="diag(a,1,1)").transport([0, 0, 1]), af.InputError, "parameters"),
     (lambda: af.Geometry.on_chart("x y"), af.MetricError, "metric"),
     (lambda: af.Tensor([[1, 2], [3]], "__"), ValueError, "axes|inhomogeneous"),
@@ -133,7 +133,7 @@ WRONG = [
     (lambda: af.Geometry("so3").geodesic_between(np.ones((2, 4)), np.ones(4)), ValueError, "start .* 1 axis"),
     (lambda: af.Geometry("so3").geodesic_between(np.ones(4), np.ones((2, 4))), ValueError, "end .* 1 axis"),
     (lambda: af.Geometry("so3").transport(np.ones((2, 2, 3))), ValueError, "arcs .* 1 or 2 axes"),
-    (lambda: af.Geometry("so3").transport_samples(np.ones((2, 2, 4))), ValueError, "elements .* 2 axes"),
+    (lambda: af.Geometry("so3").transport_along(np.ones((2, 2, 4))), ValueError, "elements .* 2 axes"),
     (lambda: SO3.mean(np.ones((2, 3, 4))), ValueError, r"2 axes, .* \(2, 3, 4\)"),
     (lambda: af.simulate(), af.InputError, "missing field `output`"),
     (lambda: af.simulate(3), TypeError, "path"),
@@ -151,7 +151,7 @@ WRONG = [
     (lambda: af.sweep(len, [1, 2]), TypeError, "grid"),
     (lambda: af.sweep(len, {"a": [1]}, on="cloud"), ValueError, "dask"),
     (lambda: af.sweep(len, {"a": [1]}, chunk=0), ValueError, "chunk"),
-    (lambda: af.Draw(3, a="cauchy(0, 1)"), ValueError, "uniform"),
+    (lambda: af.RandomSample(3, a="cauchy(0, 1)"), ValueError, "uniform"),
     (lambda: SO3.exp(np.array([1j, 0, 0])), TypeError, "real numbers.*complex128"),
     (lambda: SO3.exp([1j, 0, 0]), TypeError, "real numbers.*complex128"),
     (lambda: SO3.exp(["1", "2", "3"]), TypeError, "real numbers"),
@@ -195,8 +195,8 @@ WRONG = [
     (lambda: af.sweep(len, {"a": 3}), TypeError, "values of a"),
     (lambda: af.sweep(len, {"a": [1]}, chunk="x"), TypeError, "chunk"),
     (lambda: af.sweep(lambda row: {"y": "x" if row["a"] == 1 else 1}, {"a": [1, 2]}, chunk=1), TypeError, "'y'"),
-    (lambda: af.Draw(1.5, a="uniform(0, 1)"), TypeError, "integer"),
-    (lambda: af.Draw(2, a=3), TypeError, "law of a"),
+    (lambda: af.RandomSample(1.5, a="uniform(0, 1)"), TypeError, "integer"),
+    (lambda: af.RandomSample(2, a=3), TypeError, "law of a"),
 ]
 
 

@@ -204,7 +204,7 @@ def test_transport_and_geodesics():
     there = body.geodesic([0.2, 0.1, 0.3], [1.0]).elements[0]
     np.testing.assert_allclose(body.geodesic_between(SO3.identity(), there), [0.2, 0.1, 0.3], atol=1e-8)
     loop = SO3.exp(np.linspace(0, 1, 200)[:, None] * np.array(turn))
-    np.testing.assert_allclose(af.Geometry("SO3").transport_samples(loop), np.diag([-1, -1, 1]), atol=1e-10)
+    np.testing.assert_allclose(af.Geometry("SO3").transport_along(loop), np.diag([-1, -1, 1]), atol=1e-10)
     by_affinities = af.Geometry("so3", affinities=af.LieAlgebra("so3").structure / 2)
     np.testing.assert_allclose(by_affinities.transport(turn), np.diag([-1, -1, 1]), atol=1e-13)
 

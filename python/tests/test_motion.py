@@ -1,4 +1,4 @@
-"""Motions: the values of the command line, every way in, interrupts and errors."""
+"""SimulationTask: the values of the command line, every way in, interrupts and errors."""
 
 import gc
 import os
@@ -136,8 +136,8 @@ def test_events():
 
 def test_ensembles():
     problem = af.Problem(MOTIONS / "ensemble_grid.toml")
-    assert problem.members == 15
-    assert problem.variation(3) == {"tilt": 0.2, "spin": 2.0}
+    assert problem.ensemble_size == 15
+    assert problem.member_parameters(3) == {"tilt": 0.2, "spin": 2.0}
     assert not np.array_equal(af.simulate(problem, member=0).rows, af.simulate(problem, member=3).rows)
 
 

@@ -136,7 +136,7 @@ def test_definition_files_build_the_same(ours, keys):
 
 def test_known_algebras():
     assert so3.contraction([1, 1, 0]).identification == af.LieAlgebra("se2").identification
-    assert so3.tangent_algebra().identification == so3.with_dual().identification
+    assert so3.tangent_algebra().identification == so3.cotangent_algebra().identification
     assert so3.tangent_algebra().killing_signature == af.LieAlgebra("se3").killing_signature == (0, 3, 3)
     assert so3.tensor_product("one u", SPLIT).identification == (so3 + so3).identification
     assert so3.complexification().dynkin_type == "A1 + A1" and so3.complexification().killing_signature == (3, 3, 0)

@@ -30,15 +30,15 @@ TOP = {
     "forces": {"potential": "R33"},
     "output": {"end": 1, "every": 1},
 }
-MOTIONS = af.Motions(TOP, columns=["Omega1", "energy"])
-DRAW = af.Draw(60, seed=3, tilt="uniform(0.1, 1)", spin="normal(5, 1)")
+MOTIONS = af.SimulationTask(TOP, columns=["Omega1", "energy"])
+DRAW = af.RandomSample(60, seed=3, tilt="uniform(0.1, 1)", spin="normal(5, 1)")
 METRICS = {"a": [1, 2, 0], "b": [1, 2], "c": [1, 2, 3]}
 NAMES = {"name": ["so3", "so3xx", "sl2", "heisenberg(3)", "bianchi(IV)", "aff1", "se2", "R^3"]}
 
 
 def is_einstein(row):
     geometry = af.Geometry("so3", metric=[row["a"], row["b"], row["c"]])
-    found = geometry.property("einstein")
+    found = geometry.check_property("einstein")
     return {"einstein": found.holds, "constant": found.value, "scalar": geometry.scalar_curvature}
 
 
@@ -111,9 +111,9 @@ def test_rows_without_a_folder_live_as_long_as_their_sweep():
 
 def test_draws_are_reproducible():
     assert DRAW.rows(10, 20) == {name: values[10:20] for name, values in DRAW.rows(0, 60).items()}
-    long = af.Draw(9000, seed=3, tilt="uniform(0.1, 1)", spin="normal(5, 1)", which=["x", "y"])
+    long = af.RandomSample(9000, seed=3, tilt="uniform(0.1, 1)", spin="normal(5, 1)", which=["x", "y"])
     assert long.rows(4090, 4100)["spin"] == long.rows(0, 9000)["spin"][4090:4100]
-    assert af.Draw(5, seed=4, x="uniform(0, 1)").rows(0, 5) != af.Draw(5, seed=5, x="uniform(0, 1)").rows(0, 5)
+    assert af.RandomSample(5, seed=4, x="uniform(0, 1)").rows(0, 5) != af.RandomSample(5, seed=5, x="uniform(0, 1)").rows(0, 5)
 
 
 def test_it_goes_on_where_it_was(tmp_path, in_process):
@@ -126,7 +126,7 @@ def test_it_goes_on_where_it_was(tmp_path, in_process):
     again = af.sweep(MOTIONS, DRAW, chunk=20, out=out)
     assert again.computed == 2 and hashes(again) == hashes(in_process["motions"])
     with pytest.raises(ValueError, match="another"):
-        af.sweep(MOTIONS, af.Draw(60, seed=4, tilt="uniform(0.1, 1)"), chunk=20, out=out)
+        af.sweep(MOTIONS, af.RandomSample(60, seed=4, tilt="uniform(0.1, 1)"), chunk=20, out=out)
 
 
 def test_a_killed_driver_goes_on(tmp_path):
@@ -222,8 +222,8 @@ def test_names_and_seeds_of_sweeps():
             af.sweep(harmless, grid)
     for seed in (-1, 2**64):
         with pytest.raises(ValueError, match="a seed is from 0"):
-            af.Draw(1, seed=seed, a="uniform(0, 1)")
-    drawn = [af.Draw(1, seed=seed, a="uniform(0, 1)").rows(0, 1)["a"] for seed in (2**63, 2**63 + 1, 2**64 - 1)]
+            af.RandomSample(1, seed=seed, a="uniform(0, 1)")
+    drawn = [af.RandomSample(1, seed=seed, a="uniform(0, 1)").rows(0, 1)["a"] for seed in (2**63, 2**63 + 1, 2**64 - 1)]
     assert len({value for (value,) in drawn}) == 3
 
 
@@ -264,7 +264,7 @@ def test_a_force_of_python_is_not_entered_twice():
     before = af.threads()
     af.set_threads(16)
     try:
-        motions = af.Motions(
+        motions = af.SimulationTask(
             space="so3", metric=[1, 2, 3], parameters={"v": 1}, initial={"velocity": [1, 1, "v"]},
             forces={"body": force}, output={"end": 0.5, "every": 0.5}, method="rkmk4", step=0.5, columns=["Omega3"],
         )  # fmt: skip
@@ -282,14 +282,14 @@ def test_exceptions_of_forces_are_errors_of_their_rows():
 
     keys = {"space": "so3", "metric": [1, 2, 3], "parameters": {"v": 1}, "initial": {"velocity": [0, 0, "v"]}}
     problem = af.Problem(**keys, forces={"body": force}, output={"end": 1, "every": 0.5})
-    table = af.sweep(af.Motions(problem, columns=["Omega3"]), {"v": [1, 10, 2]}).to_pandas()
+    table = af.sweep(af.SimulationTask(problem, columns=["Omega3"]), {"v": [1, 10, 2]}).to_pandas()
     assert table.error[[0, 2]].isna().all() and table.error[1] == "RuntimeError: too fast"
     np.testing.assert_allclose(af.simulate(problem)["Omega3"], 1)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals")
 def test_ctrl_c_ends_a_chunk_of_motions():
-    motions = af.Motions({**TOP, "output": {"end": 1e5, "every": 1e5}})
+    motions = af.SimulationTask({**TOP, "output": {"end": 1e5, "every": 1e5}})
     threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
     begun = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
@@ -343,7 +343,7 @@ def test_columns_of_a_grid_have_one_kind():
         with pytest.raises(TypeError, match="two kinds|64 bits"):
             af.sweep(lambda row: {"x": 1}, {"a": values})
         with pytest.raises(TypeError, match="two kinds|64 bits"):
-            af.sweep(lambda row: {"x": 1}, af.Draw(2, a=values))
+            af.sweep(lambda row: {"x": 1}, af.RandomSample(2, a=values))
     table = af.sweep(lambda row: {"x": str(row["a"] / 2)}, {"a": [1, Fraction(1, 2)]}, chunk=np.int64(1)).to_arrow()
     assert table["a"].to_pylist() == ["1", "1/2"] and table["x"].to_pylist() == ["0.5", "1/4"]
 
@@ -358,7 +358,7 @@ def test_a_partition_leaves_the_number_of_threads(tmp_path):
 
 
 def test_columns_of_motions_by_their_stems():
-    table = af.sweep(af.Motions(TOP, columns=["energy", "Omega"]), {"spin": [1, 2]}).to_arrow()
+    table = af.sweep(af.SimulationTask(TOP, columns=["energy", "Omega"]), {"spin": [1, 2]}).to_arrow()
     assert table.column_names == ["row", "spin", "energy", "Omega1", "Omega2", "Omega3", "error"]
     with pytest.raises(KeyError, match="no column 'Phi'"):
-        af.sweep(af.Motions(TOP, columns=["Phi"]), {"spin": [1]})
+        af.sweep(af.SimulationTask(TOP, columns=["Phi"]), {"spin": [1]})

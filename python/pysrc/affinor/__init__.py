@@ -7,7 +7,7 @@ count from 0 in Python and from 1 in printed output. Quaternions are ``w, x, y, 
 from importlib.metadata import version as _version
 
 from affinor._engine import set_threads, threads
-from affinor._sweep import Draw, Motions, Sweep, sweep
+from affinor._sweep import RandomSample, SimulationTask, Sweep, sweep
 from affinor.algebra import Check, LieAlgebra, catalogue
 from affinor.errors import (
     AffinorError,
@@ -25,7 +25,7 @@ from affinor.errors import (
     SymmetryError,
 )
 from affinor.geometry import Geodesic, Geometry, Property, check, compare, conventions
-from affinor.group import SE2, SE3, SE23, SL2, SO2, SO3, Group, RotationGroup, groups
+from affinor.group import SE2, SE3, SE2_3, SL2, SO2, SO3, Group, RotationGroup, groups
 from affinor.motion import Convergence, Problem, Trajectory, convergence, simulate
 from affinor.structure import Report
 from affinor.tensor import Tensor, contract
@@ -35,7 +35,7 @@ __version__ = _version("affinor")
 __all__ = [
     "SE2",
     "SE3",
-    "SE23",
+    "SE2_3",
     "SL2",
     "SO2",
     "SO3",
@@ -46,7 +46,7 @@ __all__ = [
     "ConstructionError",
     "Convergence",
     "DependentError",
-    "Draw",
+    "RandomSample",
     "Geodesic",
     "Geometry",
     "Group",
@@ -57,7 +57,7 @@ __all__ = [
     "LieAlgebra",
     "MathematicsError",
     "MetricError",
-    "Motions",
+    "SimulationTask",
     "Problem",
     "Property",
     "Report",

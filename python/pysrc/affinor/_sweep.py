@@ -23,7 +23,7 @@ from affinor import _engine
 from affinor._scalars import index
 from affinor.motion import Problem, components, interrupts
 
-__all__ = ["Draw", "Motions", "Sweep", "sweep"]
+__all__ = ["RandomSample", "SimulationTask", "Sweep", "sweep"]
 
 Columns = dict[str, list[Any]]
 Kind = Any
@@ -34,8 +34,8 @@ _MANIFEST = "_affinor.json"
 """The name begins with a mark that readers of data sets skip."""
 
 
-class Draw:
-    """A seeded random grid: ``Draw(1000, seed=7, a="uniform(-1, 1)", b="normal(0, 0.1)", c=[1, 2, 3])``.
+class RandomSample:
+    """A seeded random grid: ``RandomSample(1000, seed=7, a="uniform(-1, 1)", b="normal(0, 0.1)", c=[1, 2, 3])``.
 
     The values of row ``i`` depend on the seed, on ``i`` and on the laws in their order. The seed is from 0 to 2^64 - 1.
     """
@@ -83,7 +83,7 @@ def _law(name: str, law: str) -> tuple[str, float, float]:
     return match.group(1), float(match.group(2)), float(match.group(3))
 
 
-class Motions:
+class SimulationTask:
     """The task that integrates a problem with the parameters of a row, and keeps the last row of the trajectory.
 
     ``columns`` chooses some of its columns, by names or stems. All runs of a partition share the cores.
@@ -142,8 +142,8 @@ class Sweep:
 
 
 def sweep(
-    task: Callable[[dict[str, Any]], Mapping[str, Any]] | Motions,
-    grid: Mapping[str, Sequence[Any]] | Draw | Any,
+    task: Callable[[dict[str, Any]], Mapping[str, Any]] | SimulationTask,
+    grid: Mapping[str, Sequence[Any]] | RandomSample | Any,
     *,
     on: Any = "process",
     out: str | os.PathLike[str] | None = None,
@@ -153,8 +153,8 @@ def sweep(
 ) -> Sweep:
     """Runs a task for every row of a grid, and writes a Parquet data set with a file for each ``chunk`` of rows.
 
-    ``task`` takes a dict of parameters and returns a dict of results; or it is :class:`Motions`. ``grid`` is a dict of lists
-    (every combination, the last name fastest), a DataFrame, or a :class:`Draw`. ``on`` is ``"process"`` (this process, all
+    ``task`` takes a dict of parameters and returns a dict of results; or it is :class:`SimulationTask`. ``grid`` is a dict of lists
+    (every combination, the last name fastest), a DataFrame, or a :class:`RandomSample`. ``on`` is ``"process"`` (this process, all
     cores), a ``dask.distributed.Client``, ``"dask"`` (a client of a local cluster that ends with the sweep), or ``"ray"``.
 
     The rows are the same on every engine: the number of the row, its parameters, its results, and ``error``, the reason why
@@ -165,8 +165,8 @@ def sweep(
     ``out`` is the folder. A sweep that was killed goes on where it was when it is called again. A folder of another grid,
     ``chunk`` or ``version`` is refused. ``version`` names the task: give another one when its code or what it reads changes.
     """
-    if not isinstance(task, Motions) and not callable(task):
-        raise TypeError(f"a task is a function of a dict or Motions, not {type(task).__name__}")
+    if not isinstance(task, SimulationTask) and not callable(task):
+        raise TypeError(f"a task is a function of a dict or SimulationTask, not {type(task).__name__}")
     chunk = index("chunk", chunk)
     if chunk < 1:
         raise ValueError(f"a chunk has at least one row, not {chunk}")
@@ -233,7 +233,7 @@ class _Grid:
     def __init__(self, grid: Any) -> None:
         self.grid = grid
         self.kinds: dict[str, Kind] = {}
-        if isinstance(grid, Draw):
+        if isinstance(grid, RandomSample):
             self.kinds = {name: _kind_of(name, [0.0] if isinstance(law, str) else law) for name, law in grid.laws.items()}
             self.length = len(grid)
             return
@@ -247,7 +247,7 @@ class _Grid:
             self.values = {str(name): grid[name].tolist() for name in grid.columns}
             self.length = len(grid)
         else:
-            raise TypeError(f"a grid is a dict of lists, a DataFrame or a Draw, not {type(grid).__name__}")
+            raise TypeError(f"a grid is a dict of lists, a DataFrame or a RandomSample, not {type(grid).__name__}")
         self.kinds = {name: _kind_of(name, values) for name, values in self.values.items()}
 
     def __len__(self) -> int:
@@ -255,14 +255,14 @@ class _Grid:
 
     def digest(self) -> str:
         """A hash of the values."""
-        draw = isinstance(self.grid, Draw)
+        draw = isinstance(self.grid, RandomSample)
         values = self.grid.laws if draw else self.values
         plain = [(name, law if isinstance(law, str) else [_plain(value) for value in law]) for name, law in values.items()]
         written = repr((type(self.grid).__name__, self.grid.seed if draw else None, plain))
         return hashlib.sha256(written.encode()).hexdigest()
 
     def rows(self, start: int, stop: int) -> Columns:
-        if isinstance(self.grid, Draw):
+        if isinstance(self.grid, RandomSample):
             return self.grid.rows(start, stop)
         if not isinstance(self.grid, Mapping):
             return {name: values[start:stop] for name, values in self.values.items()}
@@ -294,7 +294,7 @@ def _partition(
     try:
         if threads != before:
             _engine.set_threads(threads)
-        if isinstance(task, Motions):
+        if isinstance(task, SimulationTask):
             results, errors = task.run_rows(rows)
             found = {key: "float" for key in results}
         else:

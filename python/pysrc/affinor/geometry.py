@@ -238,7 +238,7 @@ class Geometry:
         return self._engine.connection
 
     @property
-    def factor(self) -> Any:
+    def lambda_(self) -> Any:
         """The factor lambda of a connection ``Lambda = lambda c``; None for others."""
         text = self._engine.factor
         return None if text is None else self._number(text)
@@ -387,7 +387,7 @@ class Geometry:
 
     # -- properties and reports ------------------------------------------------------------------------------------------
 
-    def property(self, name: str) -> Property:
+    def check_property(self, name: str) -> Property:
         """``einstein``, ``constant_curvature``, ``bi_invariant``, ``locally_symmetric``, ``parallel_torsion`` or
         ``parallel_curvature``: whether it holds, with its constant or a witness."""
         holds, value, witness = self._engine.property(name)
@@ -482,7 +482,7 @@ class Geometry:
         """
         return self._transport()[0].along(with_axes("arcs", arcs, 1, 2))
 
-    def transport_samples(self, elements: ArrayLike) -> NDArray[np.float64]:
+    def transport_along(self, elements: ArrayLike) -> NDArray[np.float64]:
         """The matrix of parallel translation along a curve of elements; of a loop its holonomy."""
         transport, group = self._transport()
         return transport.samples(group._checked("elements", elements, 2))

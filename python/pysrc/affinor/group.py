@@ -11,7 +11,7 @@ from affinor import _engine
 from affinor._scalars import floats, with_axes
 from affinor._source import Request
 
-__all__ = ["SE2", "SE3", "SE23", "SL2", "SO2", "SO3", "Group", "RotationGroup", "groups"]
+__all__ = ["SE2", "SE3", "SE2_3", "SL2", "SO2", "SO3", "Group", "RotationGroup", "groups"]
 
 Floats = NDArray[np.float64]
 
@@ -251,5 +251,5 @@ SO2 = Group("so2")
 SO3 = RotationGroup()
 SE2 = Group("se2")
 SE3 = Group("se3")
-SE23 = Group("se_2(3)")
+SE2_3 = Group("se_2(3)")
 SL2 = Group("sl2")

@@ -120,21 +120,21 @@ class Problem:
         return self._engine.name
 
     @property
-    def members(self) -> int | None:
+    def ensemble_size(self) -> int | None:
         """The number of members of the ensemble; None without one."""
         return self._engine.members
 
     @property
-    def varied(self) -> list[str]:
+    def ensemble_parameters(self) -> list[str]:
         """The names of the parameters that the ensemble varies."""
         return self._engine.varied
 
-    def variation(self, member: int) -> dict[str, float]:
+    def member_parameters(self, member: int) -> dict[str, float]:
         """The values of these parameters for a member, from 0."""
-        return dict(zip(self.varied, self._engine.variation(member), strict=True))
+        return dict(zip(self.ensemble_parameters, self._engine.variation(member), strict=True))
 
     def __repr__(self) -> str:
-        members = "" if self.members is None else f", {self.members} members"
+        members = "" if self.ensemble_size is None else f", {self.ensemble_size} members"
         return f"<Problem {self.name}{members}>"
 
     def __reduce__(self) -> Any:
@@ -286,8 +286,8 @@ def simulate(
     elif keys:
         raise TypeError(f"a Problem has its own keys: {', '.join(keys)} cannot be added")
     member = index("the member", member)
-    if not 0 <= member < (problem.members or 1):
-        ensemble = "no ensemble" if problem.members is None else f"an ensemble of {problem.members} members, from 0"
+    if not 0 <= member < (problem.ensemble_size or 1):
+        ensemble = "no ensemble" if problem.ensemble_size is None else f"an ensemble of {problem.ensemble_size} members, from 0"
         raise ValueError(f"the problem has {ensemble}, and no member {member}")
     bar = None
     tell: Callable[[float], object] | None = progress if callable(progress) else None

@@ -324,7 +324,7 @@ class Structured:
         action, raise ConstructionError.
         """
         if by is None:
-            plain = {"adjoint": self.tangent_algebra, "coadjoint": self.with_dual}
+            plain = {"adjoint": self.tangent_algebra, "coadjoint": self.cotangent_algebra}
             if not isinstance(on, str) or on not in plain:
                 raise TypeError("give the matrices of the action, or one of 'adjoint' and 'coadjoint' without matrices")
             return plain[on](basis=basis)
@@ -333,7 +333,7 @@ class Structured:
         found = _engine.semidirect(self._engine, other._engine, [matrix._engine for matrix in matrices])
         return self._made(found, f"{self.name} on {other.name}", basis, matrices, other._source.symbols)
 
-    def with_dual(self, *, basis: Basis = None) -> Self:
+    def cotangent_algebra(self, *, basis: Basis = None) -> Self:
         """The semidirect sum with the dual space, by the coadjoint action."""
         return self._made(_engine.with_dual(self._engine), f"{self.name} with its dual", basis)
 
