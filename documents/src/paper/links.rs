@@ -27,7 +27,7 @@ const FUNCTIONS: &[(&str, &[&str])] = &[
     ("src/geometry/metric_affine.rs", &["Connection::levi_civita", "Connection::nonmetricity"]),
     ("src/geometry/paper.rs", &["paper::m3", "paper::so3"]),
     (
-        "src/group.rs",
+        "src/group/lie_group.rs",
         &[
             "LieGroup::adjoint",
             "LieGroup::algebra",
@@ -47,7 +47,7 @@ const FUNCTIONS: &[(&str, &[&str])] = &[
         &["InvariantField", "InvariantField::at", "InvariantField::flow", "right_translate"],
     ),
     ("src/group/rotation/conversions.rs", &["rotation::matrix"]),
-    ("src/group/so3.rs", &["So3::exp", "So3::log", "So3::log_near", "group::So3"]),
+    ("src/group/groups/so3.rs", &["So3::exp", "So3::log", "So3::log_near", "group::So3"]),
     (
         "src/group/transport.rs",
         &[
