@@ -1,6 +1,7 @@
 //! The house is in order: sizes, arrows and habits that ARCHITECTURE.md and CONTRIBUTING.md promise.
 
 use crate::common::root;
+use std::collections::BTreeSet;
 use std::fs;
 
 /// The most lines of a source file.
@@ -102,48 +103,43 @@ fn rooms_know_only_those_below() {
     }
 }
 
-/// The names of the functions of a block that begins with a line.
-fn functions<'t>(file: &'t File, begins: impl Fn(&str) -> bool) -> Vec<&'t str> {
-    let block = file.text.lines().skip_while(|line| !begins(line));
-    let name = |line: &'t str| {
-        let (_, after) =
-            line.trim_start().split_once("fn ").filter(|(before, _)| before.is_empty())?;
+/// The names of the functions of the block that begins with a line.
+fn functions(file: &File, begins: impl Fn(&str) -> bool) -> Vec<&str> {
+    let mut block = file.text.lines().skip_while(|line| !begins(line) || line.ends_with("{}"));
+    let first = block.next().unwrap_or_default();
+    let end = format!("{}}}", &first[..first.len() - first.trim_start().len()]);
+    let names = block.take_while(|line| *line != end).filter_map(|line| {
+        let after = line.trim_start().strip_prefix("fn ")?;
         after.split(['(', '<']).next()
-    };
-    let end = |line: &&str| {
-        !(line.trim() == "}" && (line.starts_with('}') || line.starts_with("        }")))
-    };
-    block.take_while(end).filter_map(name).collect()
+    });
+    names.collect()
 }
 
 /// Groups made of groups forward every closed form of a trait: no method falls back to its default silently.
 #[test]
 fn groups_of_groups_forward_all_closed_forms() {
-    /// Methods whose default is as fast on the opposite group, because it calls methods that are forwarded.
-    const OF_OPPOSITE: [&str; 2] = ["adjoint_exp", "relative_linear_part"];
-    let groups = sources(&["src/group/groups"]);
+    /// Methods whose defaults call methods that are forwarded, or have no meaning for a product.
+    const DEFAULTS: [(&str, &str); 4] = [
+        ("src/group/groups/opposite.rs", "adjoint_exp"),
+        ("src/group/groups/opposite.rs", "relative_linear_part"),
+        ("src/group/groups/product.rs", "entries"),
+        ("src/group/groups/product.rs", "names"),
+    ];
+    let files = sources(&["src/group"]);
+    let groups = || files.iter().filter(|file| file.path.starts_with("src/group/groups/"));
     let mut count = 0;
     for name in ["LieGroup", "TranslationSplit", "Embedded", "MatrixNotation"] {
-        let of_trait =
-            |line: &str| line.contains(&format!(" {name} for ")) && line.contains("impl");
-        let mut closed: Vec<&str> =
-            groups.iter().flat_map(|file| functions(file, of_trait)).collect();
-        closed.sort_unstable();
-        closed.dedup();
+        let begins = |line: &str| line.contains("impl") && line.contains(&format!(" {name} for "));
+        let closed: BTreeSet<&str> = groups().flat_map(|file| functions(file, begins)).collect();
         count += closed.len();
-        let forwarding =
-            ["src/group/any.rs", "src/group/groups/product.rs", "src/group/groups/opposite.rs"];
-        for file in sources(&["src/group"]).iter().filter(|file| forwarding.contains(&&*file.path))
+        for path in
+            ["src/group/any.rs", "src/group/groups/product.rs", "src/group/groups/opposite.rs"]
         {
-            let forwarded = functions(file, of_trait);
+            let file = files.iter().find(|file| file.path == path).expect("a group of groups");
+            let forwarded = functions(file, begins);
             for method in &closed {
-                let has_default =
-                    file.path.ends_with("opposite.rs") && OF_OPPOSITE.contains(method);
-                assert!(
-                    forwarded.contains(method) || has_default,
-                    "{}: {name}::{method}",
-                    file.path
-                );
+                let known = forwarded.contains(method) || DEFAULTS.contains(&(path, method));
+                assert!(known, "{path} does not forward {name}::{method}");
             }
         }
     }

@@ -13,7 +13,7 @@ use std::fmt::Write;
 const SPACES: [&str; 4] =
     ["se3", "se3 by matrices", "SO(3) x R^3 by matrices", "se3 in another basis"];
 
-const FIXED: [&str; 4] = ["rkmk4", "cf4", "cg3", "projected4"];
+const FIXED: [&str; 3] = ["rkmk4", "cf4", "projected4"];
 const CONTROLLED: [&str; 4] = ["rkmk54", "rkmk853", "projected54", "projected853"];
 
 /// A body, and where it starts.

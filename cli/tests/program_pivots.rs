@@ -12,8 +12,8 @@ use affinor_tensors::{Rational, Tensor, Tolerance};
 use num_traits::One;
 use std::path::Path;
 
-const SPACES: [(&str, usize); 4] =
-    [("sl(2)", 3), ("aff1+aff1", 4), ("heisenberg(5)", 5), ("se(3)", 6)];
+const SPACES: [(&str, usize); 5] =
+    [("aff1", 2), ("sl(2)", 3), ("aff1+aff1", 4), ("heisenberg(5)", 5), ("se(3)", 6)];
 
 /// The Schur complement of one diagonal entry, relative to the other entries.
 const SMALL: [f64; 4] = [1e-2, 1e-5, 1e-9, 1e-12];

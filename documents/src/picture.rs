@@ -48,13 +48,6 @@ pub struct Picture {
     pub shapes: Vec<Shape>,
 }
 
-impl Picture {
-    /// The height in pixels of a picture that is `width` pixels wide.
-    pub fn pixel_height(&self, width: u32) -> u32 {
-        (f64::from(width) * self.height / self.width).round().max(1.0) as u32
-    }
-}
-
 /// One element of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {

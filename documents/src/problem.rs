@@ -12,7 +12,6 @@ mod constrained;
 mod ensemble;
 mod euler_poincare;
 mod forces;
-mod group_class;
 mod initial;
 mod integration;
 mod integrator;
@@ -34,13 +33,16 @@ use crate::definition::numbers::numbers_in;
 use crate::definition::setting::no_parameter;
 use crate::definition::source::Source;
 use affinor::mechanics::simulation::{ForceFunction, Method, Side};
+use constrained::Constrained;
 use ensemble::Ensemble;
-use group_class::GroupClass;
+use euler_poincare::EulerPoincare;
 use integrator::{Integrator, Member, method_of, values_of};
 use keys::Keys;
+use lie_poisson::LiePoisson;
 use matrix_flow::MatrixFlow;
 use on_group::OnGroup;
 use output::{Output, expect_distinct};
+use prescribed_velocity::PrescribedVelocity;
 use reader::{Reader, Value};
 use std::path::Path;
 
@@ -68,11 +70,14 @@ struct Parameter {
     value: Option<Value>,
 }
 
-/// The classes of problems.
+/// The classes of problems, all but one on a group.
 #[derive(Clone, Debug)]
 enum Class {
     MatrixFlow(Box<MatrixFlow>),
-    OnGroup(Box<OnGroup>, GroupClass),
+    EulerPoincare(Box<OnGroup>, Box<EulerPoincare>),
+    Constrained(Box<OnGroup>, Box<Constrained>),
+    LiePoisson(Box<OnGroup>, Box<LiePoisson>),
+    PrescribedVelocity(Box<OnGroup>, Box<PrescribedVelocity>),
 }
 
 impl Class {
@@ -80,9 +85,34 @@ impl Class {
         if let Some(flow) = &keys.flow {
             return Ok(Class::MatrixFlow(MatrixFlow::read(flow, reader)?.into()));
         }
-        let on_group = OnGroup::read(keys, reader)?;
-        let class = GroupClass::read(keys, &on_group, reader)?;
-        Ok(Class::OnGroup(on_group.into(), class))
+        let group = Box::new(OnGroup::read(keys, reader)?);
+        if let Some(prescribed) = &keys.prescribed {
+            let class = PrescribedVelocity::read(prescribed, reader)?;
+            return Ok(Class::PrescribedVelocity(group, class.into()));
+        }
+        if let Some(hamiltonian) = &keys.hamiltonian {
+            let class = LiePoisson::read(hamiltonian, keys, &group, reader)?;
+            return Ok(Class::LiePoisson(group, class.into()));
+        }
+        if keys.constraints.is_some() {
+            let class = Constrained::read(keys, &group, reader)?;
+            return Ok(Class::Constrained(group, class.into()));
+        }
+        let class = EulerPoincare::read(keys, &group, reader)?;
+        Ok(Class::EulerPoincare(group, class.into()))
+    }
+
+    /// The motion of a member.
+    fn motion(&self, member: &Member) -> Result<Ready, InputError> {
+        match self {
+            Class::MatrixFlow(flow) => flow.motion(member),
+            Class::EulerPoincare(group, class) => group.start(member, |start| class.motion(start)),
+            Class::Constrained(group, class) => group.start(member, |start| class.motion(start)),
+            Class::LiePoisson(group, class) => group.start(member, |start| class.motion(start)),
+            Class::PrescribedVelocity(group, class) => {
+                group.start(member, |start| class.motion(start))
+            }
+        }
     }
 }
 
@@ -292,7 +322,7 @@ impl Problem {
     pub fn with_force(&self, side: Side, function: ForceFunction) -> Result<Self, InputError> {
         let mut problem = self.clone();
         match &mut problem.class {
-            Class::OnGroup(_, GroupClass::EulerPoincare(dynamics)) => {
+            Class::EulerPoincare(_, dynamics) => {
                 dynamics.add_force(side, function);
                 Ok(problem)
             }
@@ -319,8 +349,8 @@ impl Problem {
     pub fn own_class(&self) -> Option<Method> {
         match &self.class {
             Class::MatrixFlow(_) => Some(Method::Isospectral4),
-            Class::OnGroup(_, GroupClass::PrescribedVelocity(_)) => Some(Method::Magnus6),
-            Class::OnGroup(..) => None,
+            Class::PrescribedVelocity(..) => Some(Method::Magnus6),
+            _ => None,
         }
     }
 
@@ -368,10 +398,7 @@ impl Problem {
         let times = self.output.times.at(&self.source, &values_of(&parameters))?;
         let (source, integrator, output) = (&self.source, &self.integrator, &self.output);
         let member = Member { source, parameters, times, integrator, output };
-        let ready = match &self.class {
-            Class::MatrixFlow(flow) => flow.motion(&member),
-            Class::OnGroup(on_group, class) => class.motion(on_group, &member),
-        }?;
+        let ready = self.class.motion(&member)?;
         integrator.expect_no_ignored_keys(ready.method, source)?;
         let of_ensemble =
             self.ensemble.as_ref().map_or(vec![], |_| [vec!["member"], self.varied()].concat());

@@ -75,12 +75,12 @@ pub struct Crossing<T> {
 ///
 /// ```
 /// use affinor::mechanics::events::{Direction, Event, AfterEvent, EventDetector};
-/// use affinor::mechanics::{Integrator, Linear, Magnus, KinematicState};
+/// use affinor::mechanics::{Integrator, PrescribedVelocity, Magnus, KinematicState};
 /// use affinor::mechanics::integrators::dense_output::Step;
 /// use affinor::group::{LieGroup, So3};
 /// use nalgebra::Vector3;
 /// // a wheel that is turned faster and faster, by t^2/2: the first half turn
-/// let wheel = Linear { group: So3, velocity: |t: f64| Vector3::x() * t };
+/// let wheel = PrescribedVelocity { group: So3, velocity: |t: f64| Vector3::x() * t };
 /// let mut place = KinematicState { time: 0.0, element: So3.identity() };
 /// let up = |at: &KinematicState<So3>| (at.element * Vector3::y()).z;
 /// let half = Event::new(up, Direction::Falling, AfterEvent::Stop);

@@ -31,16 +31,16 @@ fn definition(marked: &str) {
 /// A key is that of its table, not the first of its name in the file.
 #[test]
 fn keys() {
-    problem(&format!("{BODY}[forces]\n«space» = []\n"));
-    problem(&format!("{BODY}forces.«space» = []\n"));
-    problem(&format!("{BODY}# body\n[forces]\n«body» = []\nspace = [0, 0, 1]\n"));
+    problem(&format!("{BODY}[forces]\n«spatial» = []\n"));
+    problem(&format!("{BODY}forces.«spatial» = []\n"));
+    problem(&format!("{BODY}# body\n[forces]\n«body» = []\nspatial = [0, 0, 1]\n"));
     problem(
         &format!("# metric = 1\ninertia.moments = [1, 1, 1]\n{BODY}")
             .replace("inertia", "«inertia»"),
     );
     problem(
         "{\"space\": \"so3\", \"metric\": \"identity\", \"initial\": {\"velocity\": [1, 0, 0]}, \
-         \"output\": {\"end\": 1}, \"forces\": {«\"space\"»: []}}",
+         \"output\": {\"end\": 1}, \"forces\": {«\"spatial\"»: []}}",
     );
     problem(&BODY.replace("velocity = [1, 0, 0]", "«velocity» = [1, 0]"));
     problem(&format!("{BODY}[integrator]\nmethod = 'exact'\nstep = «0.1»\n"));
@@ -50,9 +50,9 @@ fn keys() {
 /// Values have places of their own: numbers, and pieces of strings with and without escapes.
 #[test]
 fn values() {
-    problem(&format!("{BODY}[forces]\nspace = [«1e999», 0, 0]\n").replace("1e999", "inf"));
-    problem(&format!("{BODY}[forces]\nspace = [0, 0, '2*«wind»']\n"));
-    problem(&format!("{BODY}[forces]\nspace = [0, 0, \"\\u0032*«wind»\"]\n"));
+    problem(&format!("{BODY}[forces]\nspatial = [«1e999», 0, 0]\n").replace("1e999", "inf"));
+    problem(&format!("{BODY}[forces]\nspatial = [0, 0, '2*«wind»']\n"));
+    problem(&format!("{BODY}[forces]\nspatial = [0, 0, \"\\u0032*«wind»\"]\n"));
     problem(&BODY.replace("'identity'", "'diag(1, 2/«0», 3)'"));
     problem(&BODY.replace("'identity'", "[['1', 0, 0], [0, '1 + «/»', 0], [0, 0, 1]]"));
     definition("dimension = 2\nbrackets = \"\"\"\n[e1, e2] = e1 # \\t\n[e1, «e3»] = e1\n\"\"\"\n");

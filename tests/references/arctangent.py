@@ -1,4 +1,4 @@
-"""The coefficients of `ARCTANGENT` in src/group/so3.rs: atan(sqrt u)/sqrt u on [0, 1] with the least
+"""The coefficients of `ARCTANGENT` in src/group/groups/so3.rs: atan(sqrt u)/sqrt u on [0, 1] with the least
 largest relative error (Remez exchange in 60 digits), rounded to doubles; and the error after rounding.
 
     python3 tests/references/arctangent.py        (mpmath 1.3)

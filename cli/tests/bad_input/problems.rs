@@ -131,7 +131,7 @@ fn starts() {
 /// Keys with new names are refused by these.
 #[test]
 fn renamed_keys() {
-    let part = "metric = 'identity'\ninertia.parts = [{ shape = 'ball', radius = 1, mass = 1, ";
+    let part = "inertia.parts = [{ shape = 'ball', radius = 1, mass = 1, ";
     problems("a.toml", after(OUTPUT)).usage(&[
         ("initial.space_velocity = [1, 2, 3]", &["`space_velocity` is now `spatial_velocity`"]),
         ("initial.space_momentum = [1, 2, 3]", &["`space_momentum` is now `spatial_momentum`"]),

@@ -2,6 +2,7 @@
 
 use super::arrow::{ends, heads};
 use super::axis::Axis;
+use super::label::Labels;
 use super::{Anchor, Font, Ink, Picture, Point, SOLID, Shape, Stroke, style, width};
 use crate::figures::diagram::{Diagram, Drawn, Graph, Line};
 use std::ops::Range;
@@ -169,6 +170,7 @@ impl Frame {
 
     /// Draws a line, and returns its finite points in the picture.
     fn line(&self, line: &Line, stroke: Stroke, shapes: &mut Vec<Shape>) -> Vec<Point> {
+        let before = shapes.len();
         let [x, y] = &self.axes;
         let placed =
             line.points.iter().map(|point| self.place([x.share(point[0]), y.share(point[1])]));
@@ -185,14 +187,10 @@ impl Frame {
             Drawn::Directed => {
                 shapes.extend(heads(&points, stroke.ink));
                 shapes.extend(ends(&points, stroke.ink));
-                // on both sides, for a closed curve ends where it starts
-                let start = (points.first(), Anchor::End, [-8.0, 14.0], "start");
-                let end = (points.last(), Anchor::Start, [8.0, -6.0], "end");
-                for (at, anchor, aside, text) in [start, end] {
+                let mut labels = Labels::new(&shapes[before..]);
+                for (at, text) in [(points.first(), "start"), (points.last(), "end")] {
                     let Some(at) = at else { continue };
-                    let font = Font { anchor, ..Font::symbol(WORDS + 2.0, style::BLACK) };
-                    let at = [at[0] + aside[0], at[1] + aside[1]];
-                    shapes.push(Shape::Text { at, text: text.into(), font });
+                    shapes.extend(labels.put(text, *at, [0.0, 0.0], style::BLACK));
                 }
             }
         }

@@ -5,13 +5,13 @@ use super::{Anchor, EDGE, Ink, Picture, Point, Shape, Stroke, WHITE};
 /// The picture as SVG, `width` pixels wide. Texts stay texts, in the fonts `sans-serif` and `serif` of the viewer.
 pub fn svg(picture: &Picture, width: u32) -> String {
     let (right, down) = (short(picture.width), short(picture.height));
+    let height = (f64::from(width) * picture.height / picture.width).round().max(1.0);
     let elements: String = picture.shapes.iter().map(element).collect();
     format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
-         <svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{width}\" height=\"{}\" \
+         <svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{width}\" height=\"{height}\" \
          viewBox=\"0 0 {right} {down}\" font-family=\"sans-serif\">\n<title>{}</title>\n\
          <rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n{elements}</svg>\n",
-        picture.pixel_height(width),
         escaped(&picture.title),
         hex(WHITE)
     )

@@ -4,11 +4,12 @@ use super::initial::InitialElement;
 use super::integrator::Member;
 use super::keys::Keys;
 use super::reader::Reader;
+use super::ready::Ready;
 use crate::definition::input::{InputError, shown};
 use crate::definition::source::Place;
 use crate::definition::written::MetricText;
 use crate::definition::{Definition, Request, Space};
-use affinor::group::AnyGroup;
+use affinor::group::{AnyGroup, Opposite};
 use affinor::mechanics::simulation::quantities::SymbolTable;
 use affinor::{LieAlgebra, LiePoisson as Dual};
 use affinor_tensors::{Rational, Symbolic, Tolerance};
@@ -90,7 +91,7 @@ impl OnGroup {
     }
 
     /// The space with the values of its parameters for a member.
-    pub fn valued(&self, member: &Member) -> Result<Cow<'_, Space>, InputError> {
+    fn valued(&self, member: &Member) -> Result<Cow<'_, Space>, InputError> {
         let mut values = BTreeMap::new();
         for name in self.space.definition.parameters() {
             let Some((_, value)) = member.parameters.iter().find(|(own, _)| *own == name) else {
@@ -111,9 +112,17 @@ impl OnGroup {
         Ok(space)
     }
 
-    /// Whether the equations are right-invariant.
-    pub fn is_right(&self) -> bool {
-        self.right
+    /// Starts the motion of a member on the group, or on its opposite for right-invariant equations.
+    pub fn start(
+        &self,
+        member: &Member,
+        motion: impl FnOnce(&Start) -> Result<Ready, InputError>,
+    ) -> Result<Ready, InputError> {
+        let space = self.valued(member)?;
+        let definition = space.in_floats()?;
+        let group = definition.group(Tolerance::default())?;
+        let group = if self.right { AnyGroup::new(Opposite(group)) } else { group };
+        motion(&Start { on_group: self, group: &group, member, definition })
     }
 
     /// The Casimir functions of the algebra up to the second degree, if it is small and without parameters: polynomials

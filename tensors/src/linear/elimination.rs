@@ -255,17 +255,14 @@ fn eliminate<S: Field + Summable>(
 
 /// The best candidate for the pivot, normalised, and the other candidates.
 ///
-/// First on the diagonal, for scalars with [`Summable::DIAGONAL_PIVOTS`]; then by [`Field::pivot_weight`] (floats: partial
-/// pivoting, scaled), then the sparsest.
+/// By [`Field::pivot_weight`] (floats: partial pivoting, scaled), then the sparsest.
 fn choose<S: Field + Summable>(
     column: usize,
     mut candidates: Vec<Candidate<S>>,
     tolerance: Tolerance,
 ) -> Result<(Pivot<S>, Vec<Candidate<S>>), LinearError> {
-    let elsewhere = |candidate: &Candidate<S>| S::DIAGONAL_PIVOTS && candidate.origin != column;
     candidates.sort_by(|a, b| {
-        (elsewhere(a).cmp(&elsewhere(b)))
-            .then(b.weight.total_cmp(&a.weight))
+        (b.weight.total_cmp(&a.weight))
             .then(a.rest.len().cmp(&b.rest.len()))
             .then(a.origin.cmp(&b.origin))
     });

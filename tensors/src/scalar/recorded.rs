@@ -35,7 +35,7 @@ pub use straight_line::{Count, Output, Step, StraightLine};
 /// cancel are zero, as in [`Symbolic`], whose denominators and gcds it does without. Logarithms and roots are known by their
 /// whole argument: `log(x) + log(1/x)` does not cancel.
 ///
-/// A program chooses the pivots of inverses and linear systems by comparisons ([`Step::Select`]), in blocks of more than two rows.
+/// A program chooses the pivots of inverses and linear systems by comparisons ([`Step::Select`]).
 ///
 /// ```
 /// use affinor_tensors::{Field, Notation, Rational, Recorded, scalar::StraightLine};
@@ -237,12 +237,8 @@ impl Recorded {
     /// `x` if the size of `a` is at least the size of `b`, else `y`. Its image is independent of all other images, except
     /// those of equal choices.
     fn select([a, b, x, y]: [&Self; 4]) -> Self {
-        let same = |x: &Self, y: &Self| match (&x.node, &y.node) {
-            (None, None) => x.factor == y.factor,
-            (Some(p), Some(q)) => x.factor == y.factor && Arc::ptr_eq(p, q),
-            _ => false,
-        };
-        if b.vanishes() || same(x, y) {
+        let key = |value: &Self| (value.factor.clone(), value.node.as_ref().map(Node::key));
+        if b.vanishes() || key(x) == key(y) {
             return x.clone();
         }
         if a.vanishes() {
@@ -329,9 +325,6 @@ impl Ring for Recorded {
 
 impl Summable for Recorded {
     type Sum = RecordedSum;
-    /// A small matrix of inputs is inverted without exchanges of rows where its leading minors do not vanish.
-    const DIAGONAL_PIVOTS: bool = true;
-
     fn solved(matrix: &Matrix<Self>, right: &Matrix<Self>) -> Option<Matrix<Self>> {
         solution::solved(matrix, right)
     }

@@ -14,10 +14,6 @@ pub trait Summable: Ring {
     /// at once and not in stages, so that terms which cancel are never stored.
     const GROWS: bool = false;
 
-    /// Whether an elimination takes a pivot on the diagonal wherever it does not vanish, before any weight. For a symmetric
-    /// matrix this is `L D L^T` without exchanges. It serves values that are not known as numbers.
-    const DIAGONAL_PIVOTS: bool = false;
-
     /// Whether the value is a finite number. Exact values always are; a float may be infinite or NaN.
     fn is_number(&self) -> bool {
         true

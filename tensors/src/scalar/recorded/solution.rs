@@ -11,10 +11,8 @@ use super::{Node, Operation, Recorded};
 use crate::linear::Matrix;
 use crate::{Field, Ring};
 use num_traits::Zero;
+use std::collections::BTreeSet;
 use std::sync::Arc;
-
-/// The most rows of a block that is eliminated in the order of its rows.
-const SMALL: usize = 2;
 
 /// The solution of `A x = b`.
 pub(super) struct Solution {
@@ -26,12 +24,13 @@ pub(super) struct Solution {
 
 /// A matrix and the operations that make it upper triangular.
 struct Factors {
+    /// The columns of the matrix.
     matrix: Vec<Vec<Recorded>>,
-    /// The image of the inverse; `None` if an entry of the matrix has none.
+    /// The rows of the image of the transposed inverse; `None` if an entry of the matrix has no image.
     inverse: Option<Vec<Vec<Image>>>,
     moves: Vec<Move>,
     /// The columns of the triangular matrix above its diagonal, and the reciprocals of the diagonal.
-    columns: Vec<(Vec<Recorded>, Recorded)>,
+    triangle: Vec<(Vec<Recorded>, Recorded)>,
 }
 
 /// An operation on the rows of a matrix.
@@ -59,17 +58,16 @@ impl Move {
 }
 
 impl Factors {
-    /// `None` for a singular matrix.
+    /// The factors of the matrix with these columns; `None` if it is singular.
     fn new(matrix: Vec<Vec<Recorded>>) -> Option<Self> {
-        let images = matrix.iter().map(|row| row.iter().map(Recorded::image).collect());
+        let images = matrix.iter().map(|column| column.iter().map(Recorded::image).collect());
         let inverse = match images.collect::<Option<Vec<Vec<Image>>>>() {
             Some(images) => Some(inverse_image(images)?),
             None => None,
         };
         let mut weights = weights(&matrix)?;
-        let (mut moves, mut columns): (Vec<Move>, Vec<_>) = (vec![], vec![]);
-        for k in 0..matrix.len() {
-            let mut column: Vec<_> = matrix.iter().map(|row| row[k].clone()).collect();
+        let (mut moves, mut triangle): (Vec<Move>, Vec<_>) = (vec![], vec![]);
+        for (k, mut column) in matrix.iter().cloned().enumerate() {
             moves.iter().for_each(|own| own.apply(&mut column));
             for j in k + 1..column.len() {
                 if !column[j].vanishes() {
@@ -88,15 +86,15 @@ impl Factors {
                 }
             }
             column.truncate(k);
-            columns.push((column, unit));
+            triangle.push((column, unit));
         }
-        Some(Factors { matrix, inverse, moves, columns })
+        Some(Factors { matrix, inverse, moves, triangle })
     }
 
-    fn eliminated(&self, right: &[Recorded]) -> Vec<Recorded> {
-        let mut x = right.to_vec();
+    /// The solution for a right side, as a program computes it.
+    fn eliminated(&self, mut x: Vec<Recorded>) -> Vec<Recorded> {
         self.moves.iter().for_each(|own| own.apply(&mut x));
-        for (k, (column, unit)) in self.columns.iter().enumerate().rev() {
+        for (k, (column, unit)) in self.triangle.iter().enumerate().rev() {
             x[k] = std::mem::take(&mut x[k]) * unit;
             for (i, entry) in column.iter().enumerate() {
                 let multiple = entry.clone() * &x[k];
@@ -107,12 +105,12 @@ impl Factors {
     }
 }
 
-/// The weights `1 / d_i^2` of the rows; `None` if a row vanishes.
+/// The weights `1 / d_i^2` of the rows of a matrix with these columns; `None` if a row vanishes.
 fn weights(matrix: &[Vec<Recorded>]) -> Option<Vec<Recorded>> {
     let larger = |a: Recorded, b: &Recorded| Recorded::select([&a, b, &a, b]);
-    let largest = |values: &[Recorded]| values.iter().fold(Recorded::zero(), larger);
-    let rows: Vec<Recorded> = matrix.iter().map(|row| largest(row)).collect();
-    let unit = largest(&rows).recip()?;
+    let row = |i| matrix.iter().map(|column| &column[i]).fold(Recorded::zero(), larger);
+    let rows: Vec<Recorded> = (0..matrix.len()).map(row).collect();
+    let unit = rows.iter().fold(Recorded::zero(), larger).recip()?;
     let weight = |(i, row): (usize, &Recorded)| {
         larger(row.clone() * &(row.clone() * &unit), &matrix[i][i]).recip()
     };
@@ -120,24 +118,29 @@ fn weights(matrix: &[Vec<Recorded>]) -> Option<Vec<Recorded>> {
 }
 
 impl Solution {
+    fn new(factors: &Arc<Factors>, right: Vec<Recorded>) -> Self {
+        let eliminated = factors.eliminated(right.clone());
+        Solution { factors: factors.clone(), right, eliminated }
+    }
+
     /// All components, with their images.
     fn components(self: &Arc<Self>) -> Vec<Recorded> {
         let right: Option<Vec<Image>> = self.right.iter().map(Recorded::image).collect();
         let images = self.factors.inverse.as_ref().zip(right);
-        let component = |i: usize| {
+        let component = |(i, own): (usize, &Recorded)| {
             let image = images.as_ref().map(|(inverse, right)| {
-                let products = inverse[i].iter().zip(right).map(|(a, b)| a.mul(*b));
+                let products = inverse.iter().zip(right).map(|(row, b)| row[i].mul(*b));
                 products.fold(Image::ZERO, Image::add)
             });
-            match self.eliminated[i].node {
-                None => self.eliminated[i].clone(),
+            match own.node {
+                None => own.clone(),
                 Some(_) => Recorded::of(Operation::Solution(self.clone(), i), image),
             }
         };
-        (0..self.right.len()).map(component).collect()
+        self.eliminated.iter().enumerate().map(component).collect()
     }
 
-    /// The component as a program computes it.
+    /// A component, as a program computes it.
     pub(super) fn eliminated(&self, i: usize) -> &Recorded {
         &self.eliminated[i]
     }
@@ -148,74 +151,85 @@ impl Solution {
         values.filter_map(|value| value.node.as_ref())
     }
 
-    /// The derivatives `A^-1 (db - dA x)`, for the derivatives of the arguments.
+    /// The derivatives `A^-1 (db - dA x)` of the components, for the derivatives of the arguments.
     pub(super) fn rates(self: &Arc<Self>, of: impl Fn(&Recorded) -> Recorded) -> Vec<Recorded> {
-        let x = self.components();
-        let rate = |(row, right): (&Vec<Recorded>, &Recorded)| {
-            let terms = row.iter().zip(&x).map(|(entry, x)| of(entry) * x);
-            terms.fold(of(right), |sum, term| sum - &term)
-        };
-        let right: Vec<_> = self.factors.matrix.iter().zip(&self.right).map(rate).collect();
-        let eliminated = self.factors.eliminated(&right);
-        Arc::new(Solution { factors: self.factors.clone(), right, eliminated }).components()
+        let mut right: Vec<Recorded> = self.right.iter().map(&of).collect();
+        for (column, x) in self.factors.matrix.iter().zip(self.components()) {
+            for (own, entry) in right.iter_mut().zip(column) {
+                *own = std::mem::take(own) - &(of(entry) * &x);
+            }
+        }
+        Arc::new(Solution::new(&self.factors, right)).components()
     }
 }
 
-/// The solution `X` of `A X = B`, if the square matrix `A` has an inverse and a block of more than two rows that is not constant.
+/// The solution `X` of `A X = B`, if the square matrix `A` has an inverse and a block of several rows that is not constant.
 pub(super) fn solved(
     matrix: &Matrix<Recorded>,
     right: &Matrix<Recorded>,
 ) -> Option<Matrix<Recorded>> {
     let constant = |(_, value): &(usize, Recorded)| value.node.is_none();
-    let small = |block: &[usize]| {
-        block.len() <= SMALL || block.iter().all(|i| matrix.row(*i).iter().all(constant))
+    let plain = |block: &[usize]| {
+        block.len() == 1 || block.iter().all(|i| matrix.row(*i).iter().all(constant))
     };
     let blocks = blocks(matrix);
-    if blocks.iter().all(|block| small(block)) {
+    if blocks.iter().all(|block| plain(block)) {
         return None;
     }
-    let (rows, right) = (matrix.to_dense(), right.to_dense());
-    let mut solution = vec![vec![Recorded::zero(); right[0].len()]; right.len()];
+    let mut rows = vec![vec![]; matrix.rows()];
     for block in blocks {
-        let entries = |rows: &[Vec<Recorded>], c: usize| -> Vec<Recorded> {
-            block.iter().map(|i| rows[*i][c].clone()).collect()
+        let columns = |of: &Matrix<Recorded>, places: &[usize]| -> Vec<Vec<Recorded>> {
+            places.iter().map(|c| block.iter().map(|i| of.get(*i, *c)).collect()).collect()
         };
-        let part: Vec<_> =
-            block.iter().map(|i| block.iter().map(|j| rows[*i][*j].clone()).collect()).collect();
-        let places =
-            (0..right[0].len()).filter(|c| block.iter().any(|i| !right[*i][*c].vanishes()));
-        let places: Vec<usize> = places.collect();
-        let columns: Vec<_> = places.iter().map(|c| entries(&right, *c)).collect();
-        let values = if small(&block) {
-            let part = Matrix::from_dense(&part).ok()?;
-            columns.iter().map(|column| part.solve(column).ok()?).collect::<Option<Vec<_>>>()?
+        let places: BTreeSet<usize> =
+            block.iter().flat_map(|i| right.row(*i)).map(|(c, _)| *c).collect();
+        let places = Vec::from_iter(places);
+        let (own, given) = (columns(matrix, &block), columns(right, &places));
+        let values = if plain(&block) {
+            let own = Matrix::from_dense(&own).ok()?.transpose();
+            given.iter().map(|right| own.solve(right).ok()?).collect::<Option<_>>()?
+        } else if let [first, second] = &own[..] {
+            by_adjugate(first, second, &given)?
         } else {
-            pivoted(part, &columns)?
+            pivoted(own, given)?
         };
         for (c, values) in places.into_iter().zip(values) {
-            block.iter().zip(values).for_each(|(i, value)| solution[*i][c] = value);
+            block.iter().zip(values).for_each(|(i, value)| rows[*i].push((c, value)));
         }
     }
-    Matrix::from_dense(&solution).ok()
+    Matrix::from_rows(right.columns(), rows).ok()
 }
 
-/// The solutions for the columns of the right side. The inverse of a symmetric matrix is computed on and below its diagonal.
-fn pivoted(matrix: Vec<Vec<Recorded>>, columns: &[Vec<Recorded>]) -> Option<Vec<Vec<Recorded>>> {
+/// The solutions for several right sides, of a matrix with two columns: Cramer's rule.
+fn by_adjugate(
+    first: &[Recorded],
+    second: &[Recorded],
+    right: &[Vec<Recorded>],
+) -> Option<Vec<Vec<Recorded>>> {
+    let determinant =
+        |x: &[Recorded], y: &[Recorded]| x[0].clone() * &y[1] - &(x[1].clone() * &y[0]);
+    let unit = determinant(first, second).recip()?;
+    let solution =
+        |b: &Vec<Recorded>| vec![determinant(b, second) * &unit, determinant(first, b) * &unit];
+    Some(right.iter().map(solution).collect())
+}
+
+/// The solutions for several right sides. The inverse of a symmetric matrix is computed on and below its diagonal.
+fn pivoted(matrix: Vec<Vec<Recorded>>, right: Vec<Vec<Recorded>>) -> Option<Vec<Vec<Recorded>>> {
     let n = matrix.len();
     let symmetric = (0..n).all(|i| (0..i).all(|j| matrix[i][j] == matrix[j][i]));
-    let mirrored = symmetric && *columns == *Matrix::identity(n).to_dense();
+    let inverse = symmetric && right == Matrix::identity(n).to_dense();
     let factors = Arc::new(Factors::new(matrix)?);
-    let mut solutions: Vec<Arc<Solution>> = vec![];
-    for (q, right) in columns.iter().enumerate() {
-        let mut eliminated = factors.eliminated(right);
-        if mirrored {
+    let mut solutions: Vec<Solution> = vec![];
+    for (q, right) in right.into_iter().enumerate() {
+        let mut solution = Solution::new(&factors, right);
+        if inverse {
             let above = solutions.iter().map(|earlier| earlier.eliminated[q].clone());
-            eliminated.splice(..q, above);
+            solution.eliminated.splice(..q, above);
         }
-        let (factors, right) = (factors.clone(), right.clone());
-        solutions.push(Arc::new(Solution { factors, right, eliminated }));
+        solutions.push(solution);
     }
-    Some(solutions.iter().map(Solution::components).collect())
+    Some(solutions.into_iter().map(|solution| Arc::new(solution).components()).collect())
 }
 
 /// The rows and columns in blocks without entries between them.

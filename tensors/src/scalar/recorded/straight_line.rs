@@ -142,15 +142,18 @@ impl StraightLine {
                     (Step::Select(Box::new(values)), false)
                 }
                 Operation::Solution(solution, i) => {
-                    let value = output(solution.eliminated(*i), &known);
-                    match value.step {
-                        Some(at) if value.factor.clone().abs().is_one() => {
-                            known.insert(key, (at, negative != value.factor.is_negative()));
-                            continue;
-                        }
-                        Some(at) => (Step::Sum(Rational::zero(), vec![(value.factor, at)]), false),
-                        None => (Step::Sum(value.factor, vec![]), false),
+                    let Output { factor, step } = output(solution.eliminated(*i), &known);
+                    if let (Some(at), true) = (step, factor.clone().abs().is_one()) {
+                        known.insert(key, (at, negative != factor.is_negative()));
+                        continue;
                     }
+                    (
+                        Step::Sum(
+                            Rational::zero(),
+                            step.map(|at| (factor, at)).into_iter().collect(),
+                        ),
+                        false,
+                    )
                 }
             };
             known.insert(key, (steps.len(), negative != negated));
