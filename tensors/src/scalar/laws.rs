@@ -19,7 +19,7 @@ pub struct Broken {
 /// The laws of [`Ring`] on three values.
 ///
 /// ```
-/// use affinor_tensors::{Rational, Tolerance, scalar::laws};
+/// use affinor_tensors::{Rational, Ring, Tolerance, scalar::laws};
 /// let [a, b, c] = [7, -2, 0].map(|n| Rational::from_quotient(n, 3).unwrap());
 /// laws::ring(&a, &b, &c, Tolerance::default())?;
 /// # Ok::<(), laws::Broken>(())

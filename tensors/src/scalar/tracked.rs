@@ -35,13 +35,13 @@ use std::ops::{Add, Mul, Neg};
 /// D. E. Knuth; the correction follows P. Langlois, *BIT* 41 (2001) 515-526, who keeps the first order.
 ///
 /// ```
-/// use affinor_tensors::{Notation, Rational, Ring, Sum, Tolerance, Tracked};
+/// use affinor_tensors::{Notation, Rational, Sum, Summable, Tolerance, Tracked};
 /// let number = |n, d| Tracked::from_rational(&Rational::new(n, d).unwrap()).unwrap();
 /// // 1/3 * 3.1 - 3.1/3 leaves 2e-16 in place of 0
 /// let rounding = number(1, 3) * number(31, 10) - number(31, 30);
 /// let later = rounding * number(1_000_000, 1);
 /// assert!(later.value() != 0.0);
-/// assert!(<Tracked as Ring>::Sum::term(&later).finish(Tolerance::default()).is_none());
+/// assert!(<Tracked as Summable>::Sum::term(&later).finish(Tolerance::default()).is_none());
 /// ```
 #[derive(Clone, Copy)]
 pub struct Tracked {

@@ -194,13 +194,6 @@ fn remarks(count: Count) -> Vec<String> {
             "Divisors are not checked: where one is 0, results are infinite or not numbers.".into(),
         );
     }
-    if divisions > 0 && comparisons == 0 {
-        lines.push(
-            "A metric is eliminated in the order of its rows, if its leading principal minors"
-                .into(),
-        );
-        lines.push("do not vanish identically; then they must not be 0. Those of a definite metric are not.".into());
-    }
     if comparisons > 0 {
         lines.push(
             "A metric is eliminated with exchanges of rows, which comparisons choose.".into(),

@@ -15,7 +15,7 @@ use std::sync::{Arc, Mutex};
 /// [`Notation::text_with`](crate::Notation::text_with) writes values with the names.
 ///
 /// ```
-/// use affinor_tensors::{Notation, Symbolic};
+/// use affinor_tensors::{Notation, Symbolic, Tabular};
 /// let values: Vec<Symbolic> = ["a", "b", "c"]
 ///     .map(|name| format!("{name}/(alpha*gamma - beta^2)^2").parse())
 ///     .into_iter()
