@@ -40,13 +40,9 @@ fn nearly_singular_corner(n: usize, k: usize, small: f64, seed: u64) -> Numbers 
             state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         Rational::new((state >> 33) as i64 % 8191 - 4095, 1024).unwrap()
     };
-    let mut numbers = vec![vec![Rational::one(); n]; n];
-    for i in 0..n {
-        for j in 0..=i {
-            numbers[i][j] = draw();
-            numbers[j][i] = numbers[i][j].clone();
-        }
-    }
+    let below: Numbers = (0..n).map(|i| (0..=i).map(|_| draw()).collect()).collect();
+    let entry = |i: usize, j: usize| below[i.max(j)][i.min(j)].clone();
+    let mut numbers: Numbers = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
     let corner: Numbers = numbers[..=k].iter().map(|row| row[..=k].to_vec()).collect();
     if let Some(inverse) = Matrix::from_dense(&corner).unwrap().inverse() {
         let schur = Rational::one() / &inverse.get(k, k);
