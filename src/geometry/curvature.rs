@@ -48,7 +48,7 @@ impl<S: Scalar> Connection<S> {
 
     /// The Ricci tensor, slots `_jl`: `Ric_jl = R^i_jil`. It need not be symmetric.
     ///
-    /// Where values grow ([`Ring::GROWS`]) and the curvature is not known yet, it is computed without the
+    /// Where values grow ([`GROWS`](affinor_tensors::Summable::GROWS)) and the curvature is not known yet, it is computed without the
     /// curvature, whose components may be much longer.
     pub fn ricci(&self) -> Tensor<S> {
         if S::GROWS && self.curvature.get().is_none() {

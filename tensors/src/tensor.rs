@@ -25,7 +25,7 @@ pub use Variance::{Down, Up};
 /// of their indices.
 ///
 /// Slots are ordered: `c^i_jk` has the slots `[Up, Down, Down]`, and its component indices are
-/// `[i, j, k]`, from 0. A zero is never stored ([`Ring::vanishes`]). Clones share their components.
+/// `[i, j, k]`, from 0. A zero is never stored ([`Ring::vanishes`](crate::Ring::vanishes)). Clones share their components.
 ///
 /// ```
 /// use affinor_tensors::{Down, Rational, Tensor, Up};

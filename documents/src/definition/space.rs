@@ -43,7 +43,7 @@ pub enum ScalarChoice {
     /// Rationals, or rational functions where parameters are left.
     #[default]
     Exact,
-    /// `f64`, with its rounding followed ([`Tracked`]).
+    /// `f64`, with its rounding followed ([`Tracked`](affinor_tensors::Tracked)).
     Float,
 }
 

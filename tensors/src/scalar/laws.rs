@@ -16,7 +16,7 @@ pub struct Broken {
     pub values: String,
 }
 
-/// The laws of [`Ring`] on three values.
+/// The laws of [`Ring`](super::Ring) on three values.
 ///
 /// ```
 /// use affinor_tensors::{Rational, Ring, Tolerance, scalar::laws};
@@ -36,7 +36,7 @@ pub fn ring<S: Summable>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<()
     quotients(&[a, b, c], tolerance)
 }
 
-/// The laws of [`Ring`] and [`Field`] on three values.
+/// The laws of [`Ring`](super::Ring) and [`Field`] on three values.
 ///
 /// # Errors
 /// The first law that is broken.

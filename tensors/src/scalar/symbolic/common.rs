@@ -11,8 +11,8 @@ use std::sync::{Arc, Mutex};
 
 /// Sums that occur in the denominators of several values, each with a name: `D = a^2 + b`.
 ///
-/// [`Notation::common_factors`](crate::Notation::common_factors) finds them;
-/// [`Notation::text_with`](crate::Notation::text_with) writes values with the names.
+/// [`Tabular::common_factors`](crate::Tabular::common_factors) finds them;
+/// [`Tabular::text_with`](crate::Tabular::text_with) writes values with the names.
 ///
 /// ```
 /// use affinor_tensors::{Notation, Symbolic, Tabular};
