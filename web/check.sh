@@ -12,7 +12,6 @@ step() {
 
 rustup target list --installed | grep -q wasm32-unknown-unknown || step rustup target add wasm32-unknown-unknown
 step cargo run -p affinor-web-build
-(cd .. && step cargo test -p affinor-web -p machine-prime)
 if ! command -v npm >/dev/null; then
     printf '\n== skipped: the size of the page, and the page in a browser, for there is no Node with npm\n'
     exit
@@ -27,7 +26,8 @@ export CHROMIUM
 # a copy in Python prints the report
 python=${AFFINOR_PYTHON:-$(command -v python3 || true)}
 if [ -n "$python" ] && "$python" -c 'import affinor' 2>/dev/null; then
-    (cd .. && step env AFFINOR_PYTHON="$python" cargo test -p affinor-web python_prints_the_report)
+    # from the root, where it is built already
+    (cd .. && step env AFFINOR_PYTHON="$python" cargo test --test main python_prints_the_report)
 else
     printf '\n== skipped: copies as Python, for AFFINOR_PYTHON names no Python with the package affinor\n'
 fi
