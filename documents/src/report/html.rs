@@ -53,7 +53,7 @@ pub(super) fn conventions() -> String {
 pub(super) fn list(formulas: &[Row], width: usize) -> String {
     let item = |formula: &Row| format!("<li>{}</li>\n", mathml::block(formula, width));
     let items: String = formulas.iter().map(item).collect();
-    format!("<ul class=\"components\">\n{items}</ul>")
+    format!("<ul class=\"components\" tabindex=\"0\">\n{items}</ul>")
 }
 
 fn tensor<S: Coefficient>(
