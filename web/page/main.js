@@ -11,14 +11,25 @@ const engine = new Engine();
 const COPIES = ["latex", "markdown", "csv", "json", "text", "toml", "command", "python"];
 /** Copies of reports of a space or a problem alone. */
 const FILES = { formats: ["toml", "command", "python"], reports: ["table", "check", "info", "properties", "equations", "motion"] };
+/** How often a module did not load. @type {Record<string, number>} */
+const failures = {};
+/** A module. Browsers remember an address that did not load, so the next attempt has another one. @param {string} name */
+const load = async (name) => {
+  try {
+    return await import(failures[name] ? `./${name}?${failures[name]}` : `./${name}`);
+  } catch (error) {
+    failures[name] = (failures[name] ?? 0) + 1;
+    throw error;
+  }
+};
 /** Reports that are drawn, each by a module that is loaded on demand; it makes a view. */
 const DRAWN = {
   transport: async () => {
-    const { TransportView } = await import("./transport.js");
+    const { TransportView } = await load("transport.js");
     return () => new TransportView(by("view"), (path) => { by("path").value = path; compute("replace"); });
   },
   motion: async () => {
-    const { MotionView } = await import("./motion.js");
+    const { MotionView } = await load("motion.js");
     return () => new MotionView(by("view"));
   },
 };
