@@ -25,11 +25,11 @@ const load = async (name) => {
 /** Reports that are drawn, each by a module that is loaded on demand; it makes a view. */
 const DRAWN = {
   transport: async () => {
-    const { TransportView } = await load("transport.js");
+    const { TransportView } = /** @type {typeof import("./transport.js")} */ (await load("transport.js"));
     return () => new TransportView(by("view"), (path) => { by("path").value = path; compute("replace"); });
   },
   motion: async () => {
-    const { MotionView } = await load("motion.js");
+    const { MotionView } = /** @type {typeof import("./motion.js")} */ (await load("motion.js"));
     return () => new MotionView(by("view"));
   },
 };
