@@ -1,29 +1,17 @@
 //! How one motion of a problem is integrated: its method, time step, and step-size control.
 
+use super::keys::IntegratorKeys;
 use super::output::Output;
 use super::reader::{Reader, Value};
 use crate::definition::input::{InputError, shown};
 use crate::definition::source::{Place, Source};
-use crate::definition::written::{Number, OneOrMore, Text};
+use crate::definition::written::OneOrMore;
 use affinor::mechanics::Adaptive;
 use affinor::mechanics::simulation::{Integration, Method};
-use serde::Deserialize;
 
 /// The relative tolerance and the largest number of steps, unless the file gives them.
 const TOLERANCE: f64 = 1e-10;
 const MAX_STEPS: usize = 1_000_000;
-
-/// The table `[integrator]`.
-#[derive(Deserialize, Default)]
-#[serde(deny_unknown_fields)]
-pub(super) struct IntegratorKeys {
-    pub method: Option<Text>,
-    pub step: Option<Number>,
-    pub tolerance: Option<Number>,
-    pub absolute_tolerance: Option<OneOrMore>,
-    pub max_step: Option<Number>,
-    pub max_steps: Option<usize>,
-}
 
 /// The method, the step and the tolerances of a problem.
 #[derive(Clone, Debug)]

@@ -1,15 +1,11 @@
-//! The keys of a problem file; those of its tables are in the files that read them.
+//! The keys of a problem file.
 
 use super::body::InertiaKeys;
 use super::ensemble::EnsembleKeys;
 use super::forces::ForceKeys;
 use super::initial::InitialKeys;
-use super::integrator::IntegratorKeys;
-use super::matrix_flow::FlowKeys;
-use super::output::OutputKeys;
-use super::prescribed_velocity::PrescribedKeys;
 use crate::definition::document::Document;
-use crate::definition::written::{Entries, Formulas, MetricText, Number, Text};
+use crate::definition::written::{Entries, Formulas, MetricText, Number, OneOrMore, Text};
 use serde::Deserialize;
 
 /// The dotted paths of the keys that only problems on a group have.
@@ -67,4 +63,51 @@ pub(super) struct Keys {
     pub quantities: Option<Formulas>,
     pub events: Option<Formulas>,
     pub ensemble: Option<EnsembleKeys>,
+}
+
+/// The table `[integrator]`.
+#[derive(Deserialize, Default)]
+#[serde(deny_unknown_fields)]
+pub(super) struct IntegratorKeys {
+    pub method: Option<Text>,
+    pub step: Option<Number>,
+    pub tolerance: Option<Number>,
+    pub absolute_tolerance: Option<OneOrMore>,
+    pub max_step: Option<Number>,
+    pub max_steps: Option<usize>,
+}
+
+/// The table `[flow]`: an isospectral flow of matrices.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct FlowKeys {
+    pub kind: Text,
+    pub positions: Option<Vec<Number>>,
+    pub momenta: Option<Vec<Number>>,
+    pub masses: Option<Vec<Number>>,
+    pub momentum: Option<Vec<Vec<Number>>>,
+    pub size: Option<usize>,
+    pub modes: Option<Vec<Vec<Number>>>,
+    pub seed: Option<u64>,
+    pub degree: Option<usize>,
+}
+
+/// The table `[output]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct OutputKeys {
+    pub end: Option<Number>,
+    pub every: Option<Number>,
+    pub times: Option<Vec<Number>>,
+    pub columns: Option<Vec<Text>>,
+    pub stop: Option<Text>,
+    pub section: Option<Text>,
+}
+
+/// The table `[prescribed]`: a velocity over time.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct PrescribedKeys {
+    pub velocity: Option<Vec<Number>>,
+    pub spatial_velocity: Option<Vec<Number>>,
 }

@@ -1,29 +1,12 @@
 //! Problems of isospectral flows: matrices that move by similarity.
 
 use super::integrator::Member;
-use super::keys::{OF_DYNAMICS, OF_GROUPS};
+use super::keys::{FlowKeys, OF_DYNAMICS, OF_GROUPS};
 use super::reader::{Reader, Value};
 use super::ready::{Column, Ready};
 use crate::definition::input::{InputError, shown};
 use crate::definition::source::Place;
-use crate::definition::written::{Number, Text};
 use affinor::mechanics::simulation::{Class, MatrixFlow as Isospectral, Method, Started};
-use serde::Deserialize;
-
-/// The table `[flow]`: an isospectral flow of matrices.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct FlowKeys {
-    pub kind: Text,
-    pub positions: Option<Vec<Number>>,
-    pub momenta: Option<Vec<Number>>,
-    pub masses: Option<Vec<Number>>,
-    pub momentum: Option<Vec<Vec<Number>>>,
-    pub size: Option<usize>,
-    pub modes: Option<Vec<Vec<Number>>>,
-    pub seed: Option<u64>,
-    pub degree: Option<usize>,
-}
 
 /// An isospectral flow of matrices.
 #[derive(Clone, Debug)]

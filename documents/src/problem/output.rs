@@ -1,33 +1,20 @@
 //! The rows of a motion: their times, columns and events.
 
-use super::keys::Keys;
+use super::keys::{Keys, OutputKeys};
 use super::reader::{Reader, Value, Written};
 use super::ready::Column;
 use crate::definition::input::{InputError, shown};
 use crate::definition::source::{Place, Source};
-use crate::definition::written::{Number, Text};
+use crate::definition::written::Text;
 use affinor::mechanics::simulation::Columns;
 use affinor::mechanics::simulation::quantities::{FormulaScope, Quantity, SymbolTable};
 use affinor_tensors::Symbolic;
-use serde::Deserialize;
 
 /// The largest number of rows of one motion.
 const MAX_ROWS: f64 = 1e7;
 
 /// The columns of a file that names none; a motion with a prescribed velocity has the first three.
 const COLUMNS: [&str; 6] = ["t", "element", "Omega", "H", "h", "energy"];
-
-/// The table `[output]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct OutputKeys {
-    pub end: Option<Number>,
-    pub every: Option<Number>,
-    pub times: Option<Vec<Number>>,
-    pub columns: Option<Vec<Text>>,
-    pub stop: Option<Text>,
-    pub section: Option<Text>,
-}
 
 /// The table `[output]`, with the named quantities and events.
 #[derive(Clone, Debug)]

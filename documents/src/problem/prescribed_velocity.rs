@@ -1,26 +1,16 @@
 //! Problems of kinematics: a velocity that is given over time.
 
-use super::keys::OF_DYNAMICS;
+use super::keys::{OF_DYNAMICS, PrescribedKeys};
 use super::on_group::Start;
 use super::reader::{Reader, Written};
 use super::ready::Ready;
 use crate::definition::InputError;
-use crate::definition::written::Number;
 use affinor::group::LieGroup;
 use affinor::mechanics::simulation::quantities::Quantity;
 use affinor::mechanics::simulation::{
     Class, Method, Observables, PrescribedVelocitySpec, Side, SimulationGroup, Started,
     VelocityFormulas,
 };
-use serde::Deserialize;
-
-/// The table `[prescribed]`: a velocity over time.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct PrescribedKeys {
-    pub velocity: Option<Vec<Number>>,
-    pub spatial_velocity: Option<Vec<Number>>,
-}
 
 /// The element that moves with a prescribed velocity.
 #[derive(Clone, Debug)]

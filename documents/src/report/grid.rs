@@ -1,10 +1,12 @@
 //! Grids of short cells, for reports that are not tables of tensors.
 
+mod html;
+
 use super::head::{conventions, float};
 use super::latex::{self, verbatim};
 use super::markdown;
 use super::text::head_line;
-use super::{Format, Report, html};
+use super::{Format, Report};
 use crate::formula::tex;
 use crate::rows::failed;
 use comfy_table::presets::UTF8_BORDERS_ONLY;
@@ -92,7 +94,7 @@ pub(super) fn head_of_grid(zero: Option<&str>) -> Vec<(&'static str, Cell)> {
     let conventions = Cell {
         text: vec![conventions()],
         latex: Some(vec![latex::conventions()]),
-        html: Some(vec![html::conventions()]),
+        html: Some(vec![super::html::conventions()]),
         ..Cell::default()
     };
     let scalar = zero.map(|zero| ("scalar", float(zero).into()));

@@ -1,7 +1,6 @@
 //! Pages of HTML, with formulas in MathML.
 
 use super::components::{GROUPED, groups_with, summary, with_names};
-use super::grid::{Cell, Grid};
 use super::head::printable;
 use super::text::component;
 use super::typeset::{brackets, convention_formulas, equation, general};
@@ -92,52 +91,4 @@ fn tensor<S: Coefficient>(
         writeln!(out, "<p>{summary}</p>")?;
     }
     writeln!(out, "</section>")
-}
-
-impl Grid {
-    /// A page with this grid alone.
-    pub(super) fn html(&self, out: &mut dyn Write) -> io::Result<()> {
-        page(&self.title, out, |out| {
-            writeln!(out, "<main>\n<h1>{}</h1>", escaped(&self.title))?;
-            self.table(out)?;
-            writeln!(out, "</main>")
-        })
-    }
-
-    /// The head and the table.
-    pub(super) fn table(&self, out: &mut dyn Write) -> io::Result<()> {
-        if !self.head.is_empty() {
-            head(self.head.iter().map(|(title, cell)| (*title, lines(cell))), out)?;
-        }
-        writeln!(
-            out,
-            "<div class=\"table\" tabindex=\"0\" role=\"group\" aria-label=\"table\">\n<table>\n<thead><tr>"
-        )?;
-        for title in &self.header {
-            // an empty heading is a cell like the others
-            match title.is_empty() {
-                true => writeln!(out, "<td></td>")?,
-                false => writeln!(out, "<th scope=\"col\">{}</th>", escaped(title))?,
-            }
-        }
-        writeln!(out, "</tr></thead>\n<tbody>")?;
-        for row in &self.rows {
-            writeln!(out, "<tr>")?;
-            for cell in row {
-                writeln!(out, "<td>{}</td>", lines(cell))?;
-            }
-            writeln!(out, "</tr>")?;
-        }
-        writeln!(out, "</tbody>\n</table>\n</div>")
-    }
-}
-
-/// The lines of a cell.
-fn lines(cell: &Cell) -> String {
-    if cell.is_drawn {
-        return format!("<pre>{}</pre>", escaped(&cell.text.join("\n")));
-    }
-    let lines = cell.html.clone();
-    let lines = lines.unwrap_or_else(|| cell.text.iter().map(|line| escaped(line)).collect());
-    lines.join("<br/>")
 }

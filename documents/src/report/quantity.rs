@@ -5,7 +5,7 @@ use affinor::conventions as is;
 use affinor::{Error, Geometry};
 use affinor_tensors::{Down, Tensor, Up, Variance};
 
-/// What a table says of a quantity.
+/// The description of a quantity in tables.
 struct Description {
     /// The name in options, JSON and CSV.
     key: &'static str,
