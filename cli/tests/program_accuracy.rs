@@ -7,7 +7,7 @@ use crate::common::root;
 use crate::compiled;
 use affinor_documents::definition::{Request, Space};
 use affinor_documents::report::{Computation, Language, Quantity, Selection};
-use affinor_tensors::scalar::{Function, Step, StraightLine};
+use affinor_tensors::scalar::{Step, StraightLine};
 use affinor_tensors::{Notation, Rational, Recorded, Symbolic, Tolerance};
 use serde::Deserialize;
 
@@ -76,7 +76,7 @@ fn run(program: &StraightLine, input: &dyn Fn(&str) -> f64) -> Vec<f64> {
     for step in program.steps() {
         let value = match step {
             Step::Input(variable) => input(variable.text()),
-            Step::Function(function, a) => called(*function, values[*a]),
+            Step::Function(function, a) => function.value(values[*a]),
             Step::Sum(constant, terms) => {
                 let terms = terms.iter().map(|(factor, at)| number(factor) * values[*at]);
                 let sum = terms.reduce(|sum, term| sum + term).unwrap_or(0.0);
@@ -90,20 +90,6 @@ fn run(program: &StraightLine, input: &dyn Fn(&str) -> f64) -> Vec<f64> {
     }
     let outputs = program.outputs().iter();
     outputs.map(|o| number(&o.factor) * o.step.map_or(1.0, |at| values[at])).collect()
-}
-
-fn called(function: Function, x: f64) -> f64 {
-    match function {
-        Function::Sin => x.sin(),
-        Function::Cos => x.cos(),
-        Function::Tan => x.tan(),
-        Function::Exp => x.exp(),
-        Function::Sinh => x.sinh(),
-        Function::Cosh => x.cosh(),
-        Function::Tanh => x.tanh(),
-        Function::Log => x.ln(),
-        Function::Sqrt => x.sqrt(),
-    }
 }
 
 /// Violations of the bound, in words.

@@ -65,7 +65,7 @@ pub trait LieGroup {
     /// `T_left(x)^-1 v`.
     ///
     /// # Errors
-    /// [`Error::SingularTangent`] where `exp` is no local chart: an eigenvalue of `ad_x` is
+    /// [`Error::SingularTangent`] where `exp` is singular: an eigenvalue of `ad_x` is
     /// `2 pi i k`, `k != 0`, to the rounding of `x`. Near it the result is large.
     fn tangent_left_inverse(
         &self,

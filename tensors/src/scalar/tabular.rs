@@ -3,7 +3,7 @@
 use super::{CommonFactors, Notation};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// A scalar whose values stand in tables, where names for common factors make the whole shorter.
+/// A scalar with a layout for tables: names for common factors of the values, and fingerprints that equal values share.
 pub trait Tabular: Notation {
     /// Sums that occur so often in the denominators of these values that names for them make the whole
     /// shorter; `taken` are names in use. There are none for scalars without parameters.

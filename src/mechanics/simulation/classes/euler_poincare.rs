@@ -61,7 +61,7 @@ impl GroupVisitor for EulerPoincareSpec<'_> {
     fn visit<G: SimulationGroup>(self, group: &G) -> Result<Started, Error> {
         let inertia = self.metric.components().to_dmatrix()?;
         let body = group.body(&inertia).filter(|_| is_plus(self.connection));
-        // an indefinite metric is no inertia of a body; it has the methods of all groups
+        // only a definite metric is the inertia of a body; others take the methods of all groups
         let is_body = matches!(body, Some(Ok(_)));
         let method = self.integration.method.unwrap_or_else(|| self.default_method(is_body));
         let free = self.forces.is_empty();

@@ -147,10 +147,11 @@ impl Image {
             return Some(pq.add(pq).mul(pp.add(qq.negated()).recip()?));
         }
         let below = pp.add(qq).recip()?;
-        Some(match function {
-            Function::Sin => pq.add(pq).mul(below),
-            _ => pp.add(qq.negated()).mul(below),
-        })
+        match function {
+            Function::Sin => Some(pq.add(pq).mul(below)),
+            Function::Cos => Some(pp.add(qq.negated()).mul(below)),
+            _ => None,
+        }
     }
 
     /// The image with a vanishing residue is no certificate: `None`, unless both vanish.

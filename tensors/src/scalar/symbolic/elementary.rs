@@ -243,7 +243,8 @@ pub(super) fn function_of_sum(name: &str, argument: &Symbolic) -> Result<Symboli
                 "exp" => Ok(e),
                 "sinh" => quotient(difference, Symbolic::from_i64(2)),
                 "cosh" => quotient(sum, Symbolic::from_i64(2)),
-                _ => quotient(difference, sum),
+                "tanh" => quotient(difference, sum),
+                other => Err(unknown(other)),
             }
         }
     }
