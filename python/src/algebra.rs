@@ -27,14 +27,14 @@ use pyo3::types::{PyDict, PyTuple, PyType};
 /// ----------
 /// space : str, path, dict or array
 ///     A name of the catalogue, a sum of names (``"so3+R^3"``), or the path of a definition file; brackets, in one text or
-///     in a list; the keys of a definition file; structure constants (:meth:`from_structure`). A file is read once: what is
-///     made of the algebra later does not read it again.
+///     in a list; the keys of a definition file; structure constants (:meth:`from_structure`). A file is read once:
+///     geometries and groups of this algebra do not read it again.
 /// basis : str or list, optional
 ///     The names of the basis vectors, which brackets need.
 /// scalar : str
 ///     ``"exact"`` (with parameters ``symbolic``) or ``"float"``.
 /// tolerance : float, optional
-///     For floats: what counts as zero, relative to the terms of a sum.
+///     For floats: the bound below which a sum counts as zero, relative to its terms.
 ///
 /// Examples
 /// --------

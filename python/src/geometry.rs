@@ -486,14 +486,11 @@ impl PyGeometry {
     /// Equal structure constants, affinities and metrics.
     fn __eq__(&self, py: Python<'_>, other: &PyGeometry) -> PyResult<bool> {
         for key in [Quantity::Structure, Quantity::Affinities, Quantity::Metric] {
-            let both = [self, other].map(|one| one.values.quantity(py, key, &one.symbols));
-            let [a, b] = both;
-            let equal = match (a?, b?) {
-                (Some(a), Some(b)) => a.equals(&b),
-                (a, b) => a.is_none() && b.is_none(),
-            };
-            if !equal {
-                return Ok(false);
+            let [a, b] = [self, other].map(|one| one.values.quantity(py, key, &one.symbols));
+            match (a?, b?) {
+                (None, None) => {}
+                (Some(a), Some(b)) if a.equals(&b) => {}
+                _ => return Ok(false),
             }
         }
         Ok(true)

@@ -15,8 +15,8 @@ def documented():
         if callable(found):
             yield name, found
         if inspect.isclass(found):
-            own = ((key, value) for key, value in vars(found).items() if not key.startswith("_"))
-            yield from ((f"{name}.{key}", getattr(found, key)) for key, value in own if hasattr(value, "__doc__"))
+            own = sorted(key for key, value in vars(found).items() if not key.startswith("_") and hasattr(value, "__doc__"))
+            yield from ((f"{name}.{key}", getattr(found, key)) for key in own)
 
 
 @pytest.mark.parametrize("name, found", list(documented()), ids=lambda value: value if isinstance(value, str) else "")

@@ -224,7 +224,7 @@ def structured(structure: Tensor, name: str, basis: Names, tolerance: float | No
 
 
 def settings(values: Mapping[Any, Scalar], source: Source) -> tuple[list[tuple[str, str]], Symbols]:
-    """Values of parameters, after those that were set before and in them, and all symbols."""
+    """Values of parameters: the values that were set before, with the new ones put in, and the new ones; and all symbols."""
     symbols = merged(source.symbols)
     texts = {str(name): text_of(value, symbols) for name, value in values.items()}
     before: dict[str, str] = dict(source.arguments["values"])

@@ -6,7 +6,7 @@ The functions read the arguments of the methods of :class:`affinor.LieAlgebra`.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, TypeAlias, TypeVar
 
@@ -56,29 +56,18 @@ def names(given: str | Sequence[str]) -> list[str]:
     return given.replace(",", " ").split() if isinstance(given, str) else [str(name) for name in given]
 
 
-def subalgebra(algebra: LieAlgebra, vectors: Iterable[Any]) -> Read[None]:
-    """A subalgebra with a basis of vectors."""
-    return f"span in {algebra.name}", None, _vectors(algebra, vectors)
+def _named(title: str) -> Callable[..., Read[None]]:
+    """The reader of a construction from vectors, or from the algebra alone, that has this title."""
+
+    def read(algebra: LieAlgebra, vectors: Iterable[Any] = ()) -> Read[None]:
+        return title.format(algebra.name), None, _vectors(algebra, vectors)
+
+    return read
 
 
-def generated(algebra: LieAlgebra, vectors: Iterable[Any]) -> Read[None]:
-    """The subalgebra that vectors generate."""
-    return f"subalgebra of {algebra.name}", None, _vectors(algebra, vectors)
-
-
-def centralizer(algebra: LieAlgebra, vectors: Iterable[Any]) -> Read[None]:
-    """The centralizer of vectors."""
-    return f"centralizer in {algebra.name}", None, _vectors(algebra, vectors)
-
-
-def derived_subalgebra(algebra: LieAlgebra) -> Read[None]:
-    """The derived algebra."""
-    return f"derived algebra of {algebra.name}", None, []
-
-
-def quotient(algebra: LieAlgebra, vectors: Iterable[Any]) -> Read[None]:
-    """The quotient by the ideal that vectors span."""
-    return f"quotient of {algebra.name}", None, _vectors(algebra, vectors)
+subalgebra, generated, centralizer = _named("span in {}"), _named("subalgebra of {}"), _named("centralizer in {}")
+derived_subalgebra, quotient = _named("derived algebra of {}"), _named("quotient of {}")
+cotangent_algebra, complexification = _named("{} with its dual"), _named("complexification of {}")
 
 
 def central_extension(algebra: LieAlgebra, cocycle: Any, centre: str | Sequence[str] | None) -> Read[list[str]]:
@@ -130,11 +119,6 @@ def _semidirect(algebra: LieAlgebra, on: Any, by: Iterable[Any]) -> Read[list[st
     return f"{algebra.name} on {other.name}", other.basis, [other.structure, *matrices]
 
 
-def cotangent_algebra(algebra: LieAlgebra) -> Read[None]:
-    """The semidirect sum with the dual space."""
-    return f"{algebra.name} with its dual", None, []
-
-
 def tensor_product(algebra: LieAlgebra, units: str | Sequence[str], products: Any) -> Read[list[str]]:
     """The names of the basis of a commutative algebra, and its products."""
     found = names(units)
@@ -153,11 +137,6 @@ def truncated(algebra: LieAlgebra, order: int) -> Read[int]:
 def tangent_algebra(algebra: LieAlgebra, basis: Any) -> LieAlgebra:
     """The algebra of the tangent bundle."""
     return algebra.truncated(2, basis=basis)
-
-
-def complexification(algebra: LieAlgebra) -> Read[None]:
-    """The complexification."""
-    return f"complexification of {algebra.name}", None, []
 
 
 def contraction(algebra: LieAlgebra, weights: Iterable[int]) -> Read[list[int]]:
