@@ -39,6 +39,12 @@ class Problem(_engine.Problem):
 
     ``set`` gives parameters other values; ``method``, ``step``, ``tolerance``, ``end`` and ``every`` replace the keys of
     the integration and of the output.
+
+    Examples
+    --------
+    >>> top = Problem(space="so3", metric=[2, 2, 1], initial={"velocity": [0, 0, 5]}, output={"end": 1, "every": 0.5})
+    >>> simulate(top)["Omega3"]
+    array([5., 5., 5.])
     """
 
     __slots__ = ("_arguments", "_in_memory")
