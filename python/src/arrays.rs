@@ -34,8 +34,7 @@ impl<'py> FromPyObject<'_, 'py> for Floats<'py> {
             return Ok(Floats(array.try_readonly()?));
         }
         let py = value.py();
-        let convert = || -> PyResult<_> { Ok(python(py, "_scalars", "floats")?.unbind()) };
-        let array = CONVERT.get_or_try_init(py, convert)?.bind(py).call1((value,))?;
+        let array = CONVERT.import(py, "affinor._scalars", "floats")?.call1((value,))?;
         Ok(Floats(array.cast_into::<PyArrayDyn<f64>>()?.try_readonly()?))
     }
 }
@@ -156,7 +155,6 @@ pub fn fresh<'py, T: Element + Default>(
     if size < LARGE && shape.len() <= AXES {
         return Ok(PyArrayDyn::zeros(py, shape, false));
     }
-    let make = || -> PyResult<_> { Ok(py.import("numpy")?.getattr("empty")?.unbind()) };
-    let empty = EMPTY.get_or_try_init(py, make)?.bind(py);
+    let empty = EMPTY.import(py, "numpy", "empty")?;
     Ok(empty.call1((shape, T::get_dtype(py)))?.cast_into()?)
 }

@@ -84,7 +84,10 @@ macro_rules! in_python {
                     slf: &Bound<'py, Self>,
                     $($argument: Option<Bound<'py, PyAny>>,)*
                 ) -> PyResult<Bound<'py, PyAny>> {
-                    let function = $crate::values::python(slf.py(), $module, stringify!($name))?;
+                    static FUNCTION: pyo3::sync::PyOnceLock<Py<PyAny>> =
+                        pyo3::sync::PyOnceLock::new();
+                    let module = concat!("affinor.", $module);
+                    let function = FUNCTION.import(slf.py(), module, stringify!($name))?;
                     function.call1((slf, $($argument,)*))
                 }
             )*

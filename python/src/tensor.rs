@@ -14,7 +14,7 @@ use affinor_tensors::{Kind, Notation, Rational, Symbolic, Tensor, Tracked, contr
 use numpy::{PyArrayDyn, PyArrayLikeDyn, PyArrayMethods, PyUntypedArray};
 use pyo3::exceptions::{PyIndexError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict, PyIterator, PyList, PySlice, PyTuple};
+use pyo3::types::{PyBytes, PyDict, PyInt, PyIterator, PyList, PySlice, PyTuple};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// The names of a tensor in displays; a dict in Python.
@@ -309,7 +309,10 @@ impl PyTensor {
                 let reason = "a slice of a sparse tensor is ':'";
                 return if all { Ok(None) } else { Err(PyIndexError::new_err(reason)) };
             }
-            let index = python(py, "_scalars", "index")?.call1(("an index", item))?;
+            let index = match item.is_exact_instance_of::<PyInt>() {
+                true => item,
+                false => python(py, "_scalars", "index")?.call1(("an index", item))?,
+            };
             let found = index.extract().ok().filter(|found| *found < dimension);
             let reason = || {
                 let last = dimension as isize - 1;

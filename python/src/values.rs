@@ -76,10 +76,7 @@ pub fn knows(name: &str) -> bool {
 /// The class `fractions.Fraction`.
 fn fraction_class(py: Python<'_>) -> PyResult<&Bound<'_, PyAny>> {
     static CLASS: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
-    let class = CLASS.get_or_try_init(py, || -> PyResult<_> {
-        Ok(py.import("fractions")?.getattr("Fraction")?.unbind())
-    })?;
-    Ok(class.bind(py))
+    CLASS.import(py, "fractions", "Fraction")
 }
 
 /// A rational number as a `Fraction`.
