@@ -3,9 +3,9 @@
 use crate::errors::{refused, wrong};
 use crate::values;
 use affinor_documents::Coefficient;
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_tensors::{
-    Down, Kind, Notation, Rational, Symbolic, Tensor, TensorError, Tracked, Up, Variance,
+    Down, Kind, Notation, Rational, Symbolic, Tensor, TensorError, TrackedFloat, Up, Variance,
 };
 use numpy::ndarray::ArrayViewD;
 use pyo3::exceptions::{PyIndexError, PyValueError};
@@ -18,7 +18,7 @@ use std::sync::Arc;
 pub enum Values {
     Exact(Arc<Tensor<Rational>>),
     Symbolic(Arc<Tensor<Symbolic>>),
-    Float(Arc<Tensor<Tracked>>),
+    Float(Arc<Tensor<TrackedFloat>>),
 }
 
 /// Runs the same expression over each scalar.
@@ -110,15 +110,15 @@ impl Held for Symbolic {
     }
 }
 
-impl Held for Tracked {
+impl Held for TrackedFloat {
     fn wrap(tensor: Tensor<Self>) -> Values {
         Values::Float(tensor.into())
     }
     fn of(values: &Values) -> Option<Arc<Tensor<Self>>> {
         match values {
-            Values::Exact(tensor) => over(tensor, Tracked::from_rational),
+            Values::Exact(tensor) => over(tensor, TrackedFloat::from_rational),
             Values::Symbolic(tensor) => {
-                over(tensor, |value| Tracked::from_rational(&value.approximation()?))
+                over(tensor, |value| TrackedFloat::from_rational(&value.approximation()?))
             }
             Values::Float(tensor) => Some(tensor.clone()),
         }
@@ -225,7 +225,7 @@ pub fn build(
     }
     let made = if scalar == "float" {
         let floats: Vec<f64> = values.extract()?;
-        make(dimension, &slots, keys, floats.into_iter().map(Tracked::from).collect())
+        make(dimension, &slots, keys, floats.into_iter().map(TrackedFloat::from).collect())
     } else {
         let texts: Vec<String> = values.extract()?;
         let symbolic = texts.iter().map(|text| values::read(text));

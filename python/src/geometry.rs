@@ -14,11 +14,11 @@ use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::geometry::properties::Property;
 use affinor::{Error, Geometry};
 use affinor_documents::Coefficient;
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::report::{
     ComparedSide, Comparison, EquationReport, Properties, Quantity, Report, Table,
 };
-use affinor_tensors::{Kind, Rational, Symbolic, Tracked};
+use affinor_tensors::{Kind, Rational, Symbolic, TrackedFloat};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
@@ -28,7 +28,7 @@ use pyo3::types::{PyDict, PyTuple, PyType};
 pub enum Values {
     Exact(Geometry<Rational>),
     Symbolic(Geometry<Symbolic>),
-    Float(Geometry<Tracked>),
+    Float(Geometry<TrackedFloat>),
 }
 
 /// Runs the same expression over each scalar.
@@ -61,7 +61,7 @@ impl Grounded for Symbolic {
     }
 }
 
-impl Grounded for Tracked {
+impl Grounded for TrackedFloat {
     fn geometry(geometry: Geometry<Self>) -> Values {
         Values::Float(geometry)
     }

@@ -11,7 +11,7 @@ use affinor::group::{
     AnyGroup, Coordinates, Embedded, LieGroup, MatrixNotation, Product, Se2, Se3, Se23, Sl2, So2,
     So3, registry,
 };
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_tensors::Tolerance;
 use nalgebra::{DMatrix, DVector};
 use numpy::{PyArrayDyn, PyArrayMethods};

@@ -6,12 +6,13 @@ use crate::geometry::{Grounded, Values as Geometries};
 use crate::run::run;
 use crate::tensor::PyTensor;
 use crate::values::python;
-use affinor::{Canonical, Connection, ConnectionKind, Error, Geometry};
-use affinor_documents::definition::{Definition, Files, InputError, Request, ScalarChoice, Space};
+use affinor::{CanonicalConnection, Connection, ConnectionKind, Error, Geometry};
+use affinor_documents::input::{Files, InputError};
+use affinor_documents::space::{Definition, Request, ScalarChoice, Space};
 use affinor_documents::report::Computation;
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::{
-    Down, Kind, Notation, Rational, Scalar, Symbolic, Tensor, Tolerance, Tracked, Up,
+    Down, Kind, Notation, Rational, Scalar, Symbolic, Tensor, Tolerance, TrackedFloat, Up,
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -90,7 +91,7 @@ fn read<S: Coefficient>(values: &Values, tolerance: Tolerance) -> Result<Tensor<
             convert(tensor, tolerance, |value| Some(Symbolic::constant(value.clone())))
         }
         Values::Symbolic(tensor) => convert(tensor, tolerance, |value| Some(value.clone())),
-        Values::Float(tensor) => convert(tensor, tolerance, |value: &Tracked| {
+        Values::Float(tensor) => convert(tensor, tolerance, |value: &TrackedFloat| {
             Rational::from_f64(value.to_f64()?).map(Symbolic::constant)
         }),
     }
@@ -116,7 +117,7 @@ impl Given<'_> {
         let geometry = match self {
             Given::Definition => definition.geometry_over(ground, tolerance)?,
             Given::None => {
-                Geometry::new(name, ground, ConnectionKind::Canonical(Canonical::Zero), None)?
+                Geometry::new(name, ground, ConnectionKind::Canonical(CanonicalConnection::Zero), None)?
             }
             Given::Affinities(gamma) => {
                 let metric = definition.metric(&ground, tolerance)?;
@@ -138,7 +139,7 @@ impl Given<'_> {
                         Connection::with_torsion_and_nonmetricity(frame, &metric, &tau, &q)?
                     }
                 };
-                let kind = ConnectionKind::Affinities(connection.gamma().clone());
+                let kind = ConnectionKind::Affinities(connection.affinities().clone());
                 Geometry::new(name, ground, kind, Some(metric))?
             }
         };

@@ -8,9 +8,9 @@ use crate::report::{Written, all_formats};
 use crate::run::run;
 use crate::tensor::PyTensor;
 use crate::values::{merged, python};
-use affinor::algebra::structure::{Ground, Structure, Subspace};
+use affinor::algebra::structure::{GroundField, StructureTheory, Subspace};
 use affinor::{BasisChange, Bracket, Geometry, LieAlgebra};
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::report::{Info, Program};
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::{Down, Kind, Rational, Symbolic, Tensor, Up};
@@ -31,7 +31,7 @@ pub fn in_floats(what: &str) -> InputError {
 pub type Made = (Vec<String>, Values);
 
 pub fn made<S: Held>(algebra: &LieAlgebra<S>) -> Made {
-    (algebra.labels().to_vec(), S::wrap(algebra.structure().clone()))
+    (algebra.labels().to_vec(), S::wrap(algebra.structure_constants().clone()))
 }
 
 /// The properties that are entries of the report of the structure: a row has the name, the form of the value, and the keys.
@@ -200,7 +200,7 @@ impl PyAlgebra {
         run(py, || {
             crate::geometry::each!(&self.values, geometry => {
                 let algebra = geometry.frame_origin().algebra_for("input of other programs")?;
-                Ok(program.structure(geometry.name(), algebra.labels(), algebra.structure()))
+                Ok(program.structure(geometry.name(), algebra.labels(), algebra.structure_constants()))
             })
         })
     }
@@ -231,13 +231,13 @@ macro_rules! constructions {
                     let (labels, constants) = run(slf.py(), || match values {
                         Geometries::Exact(geometry) if !has_parameters => {
                             type $S = Rational;
-                            let $structure = &Structure::new(algebra(geometry, WHAT)?.clone());
+                            let $structure = &StructureTheory::new(algebra(geometry, WHAT)?.clone());
                             $body
                         }
                         Geometries::Float(_) => Err(in_floats(WHAT)),
                         _ => {
                             type $S = Symbolic;
-                            let $structure = &Structure::new(symbolic(values, WHAT)?);
+                            let $structure = &StructureTheory::new(symbolic(values, WHAT)?);
                             $body
                         }
                     })?;
@@ -342,7 +342,7 @@ constructions! {
     /// Weights for which there is no limit raise ConstructionError.
     #[pyo3(signature = (weights, *, basis=None))]
     fn contraction(weights) = |structure: S, weights: Vec<i64>, _given| {
-        Ok(made::<S>(&structure.contraction(&weights)?))
+        Ok(made::<S>(&structure.inonu_wigner_contraction(&weights)?))
     };
 }
 
@@ -358,8 +358,8 @@ in_python! { PyAlgebra, "structure":
 }
 
 /// The algebra of a subspace that is closed.
-fn inside<S: Held + Ground>(
-    structure: &Structure<S>,
+fn inside<S: Held + GroundField>(
+    structure: &StructureTheory<S>,
     subspace: &Subspace<S>,
 ) -> Result<Made, InputError> {
     if subspace.is_zero() {
@@ -369,8 +369,8 @@ fn inside<S: Held + Ground>(
 }
 
 /// The subalgebra with these vectors as its basis.
-fn spanned<S: Held + Ground>(
-    structure: &Structure<S>,
+fn spanned<S: Held + GroundField>(
+    structure: &StructureTheory<S>,
     vectors: &[Values],
 ) -> Result<Made, InputError> {
     let vectors = rows::<S>(vectors)?;
@@ -391,8 +391,8 @@ fn spanned<S: Held + Ground>(
 }
 
 /// The central extension by a cocycle: constants `w^i_jk` of the larger space, with `i` in the centre.
-fn extension<S: Held + Ground>(
-    structure: &Structure<S>,
+fn extension<S: Held + GroundField>(
+    structure: &StructureTheory<S>,
     centre: &[String],
     cocycle: &Values,
 ) -> Result<Made, InputError> {
@@ -409,8 +409,8 @@ fn extension<S: Held + Ground>(
 }
 
 /// The semidirect sum: the structure constants of the algebra that is acted on, which has these labels, and the matrices.
-fn semidirect<S: Held + Ground>(
-    structure: &Structure<S>,
+fn semidirect<S: Held + GroundField>(
+    structure: &StructureTheory<S>,
     labels: &[String],
     given: &[Values],
 ) -> Result<Made, InputError> {
@@ -429,5 +429,5 @@ fn semidirect<S: Held + Ground>(
         Ok(Matrix::from_rows(tensor.dimension(), rows).map_err(affinor::Error::from)?)
     };
     let by = by.iter().map(matrix).collect::<Result<Vec<_>, InputError>>()?;
-    Ok(made(&structure.semidirect(&Structure::new(on), &by)?))
+    Ok(made(&structure.semidirect(&StructureTheory::new(on), &by)?))
 }

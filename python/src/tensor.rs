@@ -8,9 +8,9 @@ use crate::components::{
 use crate::errors::refused;
 use crate::run::run;
 use crate::values::{self, error, index, python, text_of};
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::over_kind;
-use affinor_tensors::{Kind, Notation, Rational, Symbolic, Tensor, Tracked, contract};
+use affinor_tensors::{Kind, Notation, Rational, Symbolic, Tensor, TrackedFloat, contract};
 use numpy::{PyArrayDyn, PyArrayLikeDyn, PyArrayMethods, PyUntypedArray};
 use pyo3::exceptions::{PyIndexError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -475,7 +475,7 @@ impl PyTensor {
 
     /// The same tensor over floats.
     fn to_float(&self, py: Python<'_>) -> PyResult<Self> {
-        let values = of::<Tracked>(&self.values).map(Values::Float);
+        let values = of::<TrackedFloat>(&self.values).map(Values::Float);
         let values = values.map_err(|error| refused(py, error))?;
         Self::new(py, values, &PyDict::new(py), self.names.clone())
     }
@@ -540,7 +540,7 @@ pub fn _restore_tensor(stored: Stored<'_>) -> PyResult<PyTensor> {
     let read = match scalar.as_str() {
         "exact" => serde_json::from_slice(bytes.as_bytes()).map(Rational::wrap),
         "symbolic" => serde_json::from_slice(bytes.as_bytes()).map(Symbolic::wrap),
-        _ => serde_json::from_slice(bytes.as_bytes()).map(Tracked::wrap),
+        _ => serde_json::from_slice(bytes.as_bytes()).map(TrackedFloat::wrap),
     };
     let values = read.map_err(|error| PyValueError::new_err(error.to_string()))?;
     PyTensor::new(symbols.py(), values, &symbols, names)

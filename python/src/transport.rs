@@ -11,7 +11,7 @@ use affinor::group::AnyGroup;
 use affinor::group::transport::ParallelTranslation;
 use affinor::{Connection, Frame, Geometry};
 use affinor_documents::Coefficient;
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_tensors::Tensor;
 use nalgebra::{DMatrix, DVector};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
@@ -48,8 +48,8 @@ impl PyGeometry {
         ) -> Result<Connection<f64>, InputError> {
             geometry.frame_origin().algebra_for("parallel transport on a group")?;
             let frame = geometry.frame();
-            let frame = Frame::invariant(frame.labels(), floats(frame.structure())?)?;
-            Ok(Connection::new(frame, floats(geometry.connection().gamma())?)?)
+            let frame = Frame::invariant(frame.labels(), floats(frame.structure_functions())?)?;
+            Ok(Connection::new(frame, floats(geometry.connection().affinities())?)?)
         }
         let group = self.group_of(py)?;
         let translation = run(py, || {

@@ -1,7 +1,7 @@
 //! Numbers between Rust and Python: fractions, floats, and expressions as text.
 
 use affinor_documents::Coefficient;
-use affinor_tensors::expression::{Expression, Meaning, is_abbreviation};
+use affinor_tensors::expression::{Expression, Evaluator, is_abbreviation};
 use affinor_tensors::{Notation, Rational, Symbolic};
 use num_rational::{BigRational, Ratio};
 use pyo3::call::PyCallArgs;
@@ -134,7 +134,7 @@ impl<'py> Objects<'py> {
     }
 }
 
-impl<'py> Meaning for Objects<'py> {
+impl<'py> Evaluator for Objects<'py> {
     type Value = Bound<'py, PyAny>;
     fn number(&self, number: &Rational) -> Result<Self::Value, String> {
         let big = BigRational::from(number);
