@@ -3,7 +3,8 @@
 use crate::common::algebras::algebras;
 use crate::common::{integer, labels, property::properties};
 use affinor::{Bracket, Error};
-use affinor_documents::definition::{Definition, InputError, Request, Space};
+use affinor_documents::input::InputError;
+use affinor_documents::space::{Definition, Request, Space};
 use affinor_tensors::{Down, Rational, Ring, Scalar, Tensor, Tolerance, Up};
 use proptest::prelude::*;
 use std::collections::BTreeSet;

@@ -3,7 +3,7 @@
 
 use crate::program::{definition, run};
 use affinor::Geometry;
-use affinor_documents::definition::Definition;
+use affinor_documents::space::Definition;
 use affinor_tensors::expression::{Expression, Scalars};
 use affinor_tensors::{Notation, Symbolic, Tensor, Tolerance, contract};
 use tempfile::TempDir;

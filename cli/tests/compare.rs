@@ -4,8 +4,8 @@
 use crate::program::{root, stdout};
 use affinor::Geometry;
 use affinor::geometry::properties::Property;
-use affinor_documents::definition::{Request, ScalarChoice, Space, paper};
 use affinor_documents::report::Claim;
+use affinor_documents::space::{Request, ScalarChoice, Space, paper};
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::Tolerance;
 use serde_json::Value;

@@ -1,7 +1,7 @@
 //! E8 from end to end: by name, and from a definition file made from GAP's table.
 
 use affinor::{Bracket, LieAlgebra};
-use affinor_documents::definition::{Request, Space};
+use affinor_documents::space::{Request, Space};
 use affinor_tensors::{Rational, Tolerance};
 use std::fs;
 use std::process::Command;

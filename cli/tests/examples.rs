@@ -1,7 +1,8 @@
 //! The examples run, and every definition beside them passes `affinor check`.
 
 use crate::program::{definition, root, stdout};
-use affinor_documents::definition::{InputError, Request, ScalarChoice, Space};
+use affinor_documents::input::InputError;
+use affinor_documents::space::{Request, ScalarChoice, Space};
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::Tolerance;
 

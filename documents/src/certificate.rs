@@ -1,7 +1,8 @@
 //! Certificates: checks of a definition, each with a witness if it fails.
 
 use crate::Coefficient;
-use crate::definition::{Definition, InputError, Refusal};
+use crate::input::{InputError, Refusal};
+use crate::space::Definition;
 use affinor::algebra::frame::expect_numbers;
 use affinor::geometry::conditions::conditions;
 use affinor::{ConnectionKind, Error, FrameOrigin, LieAlgebra};

@@ -1,7 +1,6 @@
 //! The scalars that spaces of documents and their reports are computed in.
 
-use crate::definition::InputError;
-use crate::definition::input::shown;
+use crate::input::{InputError, shown};
 use affinor::tensors::{Notation, Rational, Recorded, Scalar, Symbolic, Tabular, Tracked};
 
 /// A scalar whose tensors can be contracted and written in tables, with the values of a definition.

@@ -4,7 +4,7 @@ use affinor::algebra::catalogue;
 use affinor::group::transport::ParallelTranslation;
 use affinor::group::{AnyGroup, LieGroup, So3, Velocity};
 use affinor::{Canonical, Connection, Error, Geometry, LieAlgebra, Metric};
-use affinor_documents::definition::paper;
+use affinor_documents::space::paper;
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 

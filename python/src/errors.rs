@@ -1,7 +1,7 @@
 //! Errors as exceptions of `affinor.errors`, with their witness as data.
 
 use affinor::Error;
-use affinor_documents::definition::{InputError, Refusal};
+use affinor_documents::input::{InputError, Refusal};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 

@@ -10,7 +10,7 @@ use affinor::geometry::properties::Property;
 use affinor::group::transport::ParallelTranslation;
 use affinor::{BasisChange, Connection, Error, Frame, Geometry};
 use affinor_documents::Coefficient;
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::report::{
     ComparedSide, Comparison, EquationReport, Quantity, Report, Table,
 };

@@ -10,7 +10,7 @@ use affinor::group::{
     AnyGroup, Coordinates, Embedded, LieGroup, MatrixNotation, Product, Se2, Se3, Se23, Sl2, So2,
     So3, registry,
 };
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use nalgebra::{DMatrix, DVector};
 use numpy::{PyArray2, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;

@@ -4,7 +4,7 @@ use crate::arrays::{Floats, Rows, batch};
 use crate::errors::{raise, wrong};
 use crate::run::{Threads, run};
 use affinor::mechanics::simulation::{ForceFunction, Side};
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::problem::{Integration, Problem};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::PyException;

@@ -1,6 +1,6 @@
 //! Reports as text.
 
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::report::{Format, Report};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;

@@ -8,8 +8,9 @@ use crate::run::run;
 use crate::tensor::{PyTensor, Values};
 use affinor::{Canonical, Connection, ConnectionKind, Error, Geometry};
 use affinor_documents::certificate::Check;
-use affinor_documents::definition::{Definition, Files, InputError, Request, ScalarChoice, Space};
+use affinor_documents::input::{Files, InputError};
 use affinor_documents::report::{Computation, certificate};
+use affinor_documents::space::{Definition, Request, ScalarChoice, Space};
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::{
     Down, Kind, Notation, Rational, Scalar, Symbolic, Tensor, Tolerance, Tracked,

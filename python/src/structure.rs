@@ -8,7 +8,7 @@ use crate::space::PySpace;
 use crate::tensor::{Held, PyTensor, Values, of};
 use affinor::algebra::structure::{Ground, Structure, Subspace};
 use affinor::{BasisChange, Bracket, LieAlgebra};
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::report::{Format, Info, Program, Properties, Report};
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::{Down, Kind, Symbolic, Tensor, Up};

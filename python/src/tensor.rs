@@ -4,7 +4,7 @@ use crate::arrays::fresh;
 use crate::errors::{refused, wrong};
 use crate::run::run;
 use crate::values;
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::report::{components_in_latex, components_in_text};
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::{

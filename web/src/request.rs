@@ -4,7 +4,7 @@ use super::source::{self, Copy};
 use super::{Answer, Refusal, motion, transport};
 use affinor::Canonical;
 use affinor::geometry::equations::EquationKind;
-use affinor_documents::definition::{self, InputError, ScalarChoice, Space};
+use affinor_documents::input::InputError;
 use affinor_documents::over_kind;
 use affinor_documents::picture::{self, Picture};
 use affinor_documents::problem::Problem;
@@ -12,6 +12,7 @@ use affinor_documents::report::{
     ComparedSide, Comparison, Computation, Format, Info, Properties, Quantity, Report, Selection,
     Table, TableEntry, catalogue, certificate, conventions, dynkin_type,
 };
+use affinor_documents::space::{self, ScalarChoice, Space};
 use affinor_tensors::Tolerance;
 use serde::Deserialize;
 
@@ -163,13 +164,13 @@ impl Request {
         } else {
             "definition.toml"
         };
-        let request = definition::Request {
+        let request = space::Request {
             space: if self.definition.is_empty() { given(&self.space) } else { None },
             definition: given(&self.definition).map(|text| (name.into(), text)),
             connection: given(&self.connection),
             metric: given(&self.metric),
             set: given(&self.set),
-            ..definition::Request::default()
+            ..space::Request::default()
         };
         let mut space = Space::open(&request)?;
         let needs_plus =
@@ -199,7 +200,7 @@ impl Request {
         let side = |name: &str, default: &str| -> Result<ComparedSide, Refusal> {
             let name = if name.trim().is_empty() { default } else { name };
             let request =
-                definition::Request { space: Some(name.into()), ..definition::Request::default() };
+                space::Request { space: Some(name.into()), ..space::Request::default() };
             Ok(computation(&Space::open(&request)?).side()?)
         };
         Ok(Comparison::new(side(&self.space, "M(3)")?, side(&self.other, "SO(3)")?))

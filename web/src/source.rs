@@ -2,7 +2,8 @@
 
 use super::Refusal;
 use affinor::geometry::ConnectionKind;
-use affinor_documents::definition::{Definition, InputError, ScalarChoice, Space};
+use affinor_documents::input::InputError;
+use affinor_documents::space::{Definition, ScalarChoice, Space};
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::text::combination;
 use affinor_tensors::{Tensor, Tolerance};

@@ -1,6 +1,7 @@
 //! Elements, tangent vectors and curves in the ball of rotation vectors.
 
-use crate::definition::{InputError, Request, Space};
+use crate::input::InputError;
+use crate::space::{Request, Space};
 use affinor::group::transport::ParallelTranslation;
 use affinor::group::{LieGroup, So3};
 use affinor::{ConnectionKind, Error};

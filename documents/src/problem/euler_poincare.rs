@@ -8,7 +8,7 @@ use super::on_group::{OnGroup, Start};
 use super::output::RowFormulas;
 use super::reader::Reader;
 use super::ready::Ready;
-use crate::definition::InputError;
+use crate::input::InputError;
 use affinor::group::{AnyGroup, LieGroup, So3};
 use affinor::mechanics::simulation::{
     EulerPoincareSpec, ForceFunction, Forces, Side, SimulationGroup, cartan_schouten_factor,

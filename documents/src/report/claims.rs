@@ -102,7 +102,7 @@ impl Claim {
     /// transport along a basis vector, the residual ends with that vector.
     ///
     /// ```
-    /// use affinor_documents::definition::paper;
+    /// use affinor_documents::space::paper;
     /// use affinor_documents::report::Claim;
     /// let witness = Claim::Flat.holds(&paper::so3()?)?.and_then(|property| property.witness());
     /// assert_eq!(witness.map(|witness| witness.to_string()).as_deref(), Some("R^1_212 = 1/4"));

@@ -8,7 +8,8 @@ use super::{
     StoredTable, Table, tensors_as_code,
 };
 use crate::certificate::{Check, certify};
-use crate::definition::{InputError, ScalarChoice, Space};
+use crate::input::InputError;
+use crate::space::{ScalarChoice, Space};
 use crate::{Coefficient, over_kind};
 use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::{Error, Geometry};
@@ -17,7 +18,7 @@ use affinor_tensors::{Effort, Kind, Recorded, Symbolic, Tolerance};
 /// A space to be computed with, and how.
 ///
 /// ```
-/// use affinor_documents::definition::{Request, Space};
+/// use affinor_documents::space::{Request, Space};
 /// use affinor_documents::report::{Computation, Format, Quantity, Selection};
 /// let space = Space::open(&Request { space: Some("so(3)@zero".into()), ..Request::default() })?;
 /// let ricci = Selection { quantities: vec![Quantity::Ricci], ..Selection::default() };

@@ -11,7 +11,8 @@ use super::grid::{Cell, Grid};
 use super::head::{printable, printable_list};
 use super::{Format, Report};
 use crate::Coefficient;
-use crate::definition::{Definition, InputError};
+use crate::input::InputError;
+use crate::space::Definition;
 use affinor::algebra::structure::{
     Counted, Ground, Identification, Indecomposable, Killing, MAX_BETTI, MAX_DECOMPOSED,
     MAX_DERIVATIONS, RealIdeal, Structure, Subspace,

@@ -3,7 +3,7 @@
 use super::grid::{Grid, head_of_grid};
 use super::{Report, head};
 use crate::certificate::Check;
-use crate::definition::InputError;
+use crate::input::InputError;
 use affinor::algebra::catalogue::families;
 use affinor::algebra::structure::Structure;
 use affinor_tensors::{Symbolic, Tolerance};

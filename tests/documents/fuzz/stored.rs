@@ -4,8 +4,8 @@ use crate::common::property::properties;
 use crate::fuzz::mutation::{mutants, texts};
 use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra};
 use affinor_documents::Coefficient;
-use affinor_documents::definition::Definition;
 use affinor_documents::report::{Quantity, StoredTable, Table};
+use affinor_documents::space::Definition;
 use affinor_tensors::{Rational, Symbolic};
 use std::sync::LazyLock;
 

@@ -3,8 +3,8 @@
 use super::super::failure::Failure;
 use super::super::stages::Stages;
 use affinor::mechanics::simulation::Method;
-use affinor_documents::definition::InputError;
 use affinor_documents::figures::diagram::{Diagram, Drawn, Graph, Line, Scale};
+use affinor_documents::input::InputError;
 use affinor_documents::problem::{Problem, Ready};
 use affinor_tensors::Effort;
 use clap::Args;

@@ -3,7 +3,8 @@
 use super::super::grid::Cell;
 use super::Notes;
 use super::basis::InBases;
-use crate::definition::{Definition, InputError};
+use crate::input::InputError;
+use crate::space::Definition;
 use affinor::algebra::roots::CartanType;
 use affinor::algebra::structure::dynkin::diagram;
 use affinor::algebra::structure::{RootSpaces, Structure, Subspace};

@@ -1,50 +1,14 @@
-//! Definitions of spaces, on the command line and in files, read into geometries.
-//!
-//! A SPACE is a geometry of the paper, a catalogue name, a sum of names, a file, or brackets given inline ([`Space`]).
-//! Each becomes a [`Definition`], exact and symbolic, which is then converted to the scalar of the computation
-//! ([`Coefficient`]). Files are TOML or JSON with the same keys.
-//!
-//! In reading order: `source` and `input` have places and errors; `file` parses a file, `written` its values;
-//! `document` has the keys of a definition, `notation` its expressions; `space` has the SPACE of a command.
+//! A definition: a space as it is written, exact and symbolic, converted to the scalar of a computation.
 
-mod chart;
-mod construction;
-pub(crate) mod document;
-mod entry;
-pub(crate) mod file;
-mod files;
-mod functions;
-mod gap;
-mod group;
-pub(crate) mod input;
-mod json;
-mod literal;
-mod mesh;
-pub(crate) mod notation;
-pub(crate) mod numbers;
-pub mod paper;
-mod plane;
-pub(crate) mod setting;
-pub(crate) mod source;
-mod space;
-pub(crate) mod written;
-
-pub use file::{fingerprint, read_rows};
-pub use files::Files;
-pub use input::{InputError, Refusal};
-pub use mesh::{mesh, read_mesh};
-pub use numbers::numbers;
-pub use source::{Place, Source};
-pub use space::{Request, ScalarChoice, Space};
-
+use super::chart::OnChart;
+use super::functions::Functions;
 use crate::Coefficient;
+use crate::input::{InputError, Place, Source, shown};
 use affinor::algebra::Complex;
 use affinor::algebra::catalogue::MAX_DIMENSION;
 use affinor::geometry::{ConnectionKind, FrameOrigin, Geometry};
 use affinor::{Bracket, Canonical, Error, LieAlgebra, MatrixBasis, Metric};
 use affinor_tensors::{Down, Ring, Symbolic, Tensor, Tolerance, Up};
-use chart::OnChart;
-use functions::Functions;
 use num_traits::Zero;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -57,21 +21,21 @@ pub struct Definition {
     /// The name.
     pub name: String,
     /// The name of its algebra, if that differs from its own: so(3) for M(3).
-    algebra_name: Option<String>,
+    pub(super) algebra_name: Option<String>,
     /// The names of the basis vectors.
     pub labels: Vec<String>,
-    origin: Origin,
-    metric: Option<MetricChoice>,
-    connection: Option<(ConnectionChoice, Place)>,
+    pub(super) origin: Origin,
+    pub(super) metric: Option<MetricChoice>,
+    pub(super) connection: Option<(ConnectionChoice, Place)>,
     /// Parameters that were declared, whether or not a value depends on them.
-    declared: Vec<String>,
+    pub(super) declared: Vec<String>,
     /// The file; `None` for brackets on the command line.
-    source: Option<Source>,
+    pub(super) source: Option<Source>,
 }
 
 /// The definition of the bracket.
 #[derive(Clone, Debug)]
-enum Origin {
+pub(super) enum Origin {
     /// Brackets as given, by ordered pair (from 0).
     Brackets(Pairs),
     /// A matrix basis: entries (row, column, value) of each matrix.
@@ -81,23 +45,23 @@ enum Origin {
 }
 
 /// Right sides by ordered pair.
-type Pairs = BTreeMap<(usize, usize), Given>;
+pub(super) type Pairs = BTreeMap<(usize, usize), Given>;
 
 /// Two basis vectors, in order, from 0.
-type Pair = (usize, usize);
+pub(super) type Pair = (usize, usize);
 
-type MatrixEntries = Vec<(usize, usize, Complex<Symbolic>)>;
+pub(super) type MatrixEntries = Vec<(usize, usize, Complex<Symbolic>)>;
 
 /// The right side of a given bracket, and its place.
 #[derive(Clone, Debug)]
-struct Given {
-    value: BTreeMap<usize, Symbolic>,
-    place: Place,
+pub(super) struct Given {
+    pub(super) value: BTreeMap<usize, Symbolic>,
+    pub(super) place: Place,
 }
 
 /// A metric as it is defined.
 #[derive(Clone, Debug)]
-enum MetricChoice {
+pub(super) enum MetricChoice {
     Identity,
     Killing(Place),
     Components(Vec<([usize; 2], Symbolic)>, Option<Place>),
@@ -105,7 +69,7 @@ enum MetricChoice {
 
 /// A connection as it is defined.
 #[derive(Clone, Debug)]
-enum ConnectionChoice {
+pub(super) enum ConnectionChoice {
     Canonical(Canonical),
     Family(Symbolic),
     LeviCivita,
@@ -113,7 +77,9 @@ enum ConnectionChoice {
 }
 
 /// The components `[i, j, k]` of right sides `v^i` of the pairs `j, k`.
-fn components<S: Coefficient>(pairs: &Pairs) -> Result<Vec<([usize; 3], S)>, InputError> {
+pub(super) fn components<S: Coefficient>(
+    pairs: &Pairs,
+) -> Result<Vec<([usize; 3], S)>, InputError> {
     let each = pairs.iter().flat_map(|(&(j, k), Given { value, place })| {
         value.iter().map(move |(&i, value)| {
             Ok(([i, j, k], S::read(value).map_err(|error| error.or_at(place))?))
@@ -124,7 +90,7 @@ fn components<S: Coefficient>(pairs: &Pairs) -> Result<Vec<([usize; 3], S)>, Inp
 
 impl Definition {
     /// An algebra without a metric, a connection and parameters.
-    fn new(name: impl Into<String>, labels: Vec<String>, origin: Origin) -> Self {
+    pub(super) fn new(name: impl Into<String>, labels: Vec<String>, origin: Origin) -> Self {
         Definition {
             name: name.into(),
             algebra_name: None,
@@ -172,7 +138,7 @@ impl Definition {
     }
 
     /// The functions on the chart.
-    fn functions(&self) -> Option<&Functions> {
+    pub(super) fn functions(&self) -> Option<&Functions> {
         match &self.origin {
             Origin::Chart(chart) => Some(&chart.functions),
             _ => None,
@@ -342,7 +308,7 @@ impl Definition {
     }
 
     /// Checks that `[x,x] = 0`, and that `[y,x] = -[x,y]` where both are given.
-    fn antisymmetric(&self, given: &Pairs) -> Result<(), InputError> {
+    pub(super) fn antisymmetric(&self, given: &Pairs) -> Result<(), InputError> {
         let Some(((j, k), sum, place)) = self.asymmetry(given) else { return Ok(()) };
         let written = |value: &BTreeMap<usize, Symbolic>| {
             let terms = value.iter().filter(|(_, value)| !value.vanishes());
@@ -361,7 +327,10 @@ impl Definition {
     }
 
     /// The first pair with `[x,y] + [y,x]` not zero, that sum, and its place.
-    fn asymmetry(&self, given: &Pairs) -> Option<(Pair, BTreeMap<usize, Symbolic>, Place)> {
+    pub(super) fn asymmetry(
+        &self,
+        given: &Pairs,
+    ) -> Option<(Pair, BTreeMap<usize, Symbolic>, Place)> {
         given.iter().find_map(|(&(j, k), right)| {
             let other = given.get(&(k, j));
             if j > k || (j < k && other.is_none()) {
@@ -378,7 +347,7 @@ impl Definition {
         })
     }
 
-    fn matrix_basis<S: Coefficient>(
+    pub(super) fn matrix_basis<S: Coefficient>(
         &self,
         tolerance: Tolerance,
     ) -> Result<MatrixBasis<S>, InputError> {
@@ -414,12 +383,12 @@ impl Definition {
         InputError::from(error).or_at(bracket.or(whole).as_ref())
     }
 
-    fn each_value(&self, f: &mut dyn FnMut(&Symbolic)) {
+    pub(super) fn each_value(&self, f: &mut dyn FnMut(&Symbolic)) {
         // one traversal serves both: this one visits a copy
         self.clone().each_value_mut(&mut |value| f(value));
     }
 
-    fn each_value_mut(&mut self, f: &mut dyn FnMut(&mut Symbolic)) {
+    pub(super) fn each_value_mut(&mut self, f: &mut dyn FnMut(&mut Symbolic)) {
         let brackets = |given: &mut Pairs, f: &mut dyn FnMut(&mut Symbolic)| {
             given.values_mut().flat_map(|right| right.value.values_mut()).for_each(f);
         };
@@ -448,7 +417,7 @@ impl Definition {
 }
 
 /// Refuses a dimension of zero or above [`MAX_DIMENSION`].
-fn check_dimension<N>(dimension: N) -> Result<usize, InputError>
+pub(super) fn check_dimension<N>(dimension: N) -> Result<usize, InputError>
 where
     N: TryInto<usize> + std::fmt::Display + Copy,
 {
@@ -460,7 +429,7 @@ where
 }
 
 /// Adds a statement. A pair that is given twice must have the same value.
-fn add(all: &mut Pairs, pair: (usize, usize), given: Given) -> Result<(), InputError> {
+pub(super) fn add(all: &mut Pairs, pair: (usize, usize), given: Given) -> Result<(), InputError> {
     match all.entry(pair) {
         Entry::Vacant(free) => drop(free.insert(given)),
         Entry::Occupied(other) if other.get().value == given.value => {}
@@ -468,7 +437,7 @@ fn add(all: &mut Pairs, pair: (usize, usize), given: Given) -> Result<(), InputE
             let error = InputError::usage("this pair is given a second, different value");
             let error = error.at(&given.place);
             return Err(match other.get().place.text() {
-                Some(first) => error.help(format!("the first is `{}`", input::shown(first))),
+                Some(first) => error.help(format!("the first is `{}`", shown(first))),
                 None => error,
             });
         }

@@ -1,6 +1,6 @@
 //! Errors of the input: what is wrong, where, and what to write instead.
 
-use super::source::{Place, Source};
+use super::{Place, Source};
 use affinor::Error;
 use affinor_tensors::TensorError;
 use affinor_tensors::expression::{is_printable, looks_latin};

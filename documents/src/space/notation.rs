@@ -1,9 +1,10 @@
 //! Expressions of definitions: linear combinations like `h*e2 + 1/2 e1`, complex entries, metrics, connections.
 
-use super::functions::{self, Functions};
-use super::input::{InputError, shown};
-use super::source::{Place, Source};
-use super::{ConnectionChoice, Given, MetricChoice};
+use crate::input::{InputError, Place, Source, shown};
+use crate::space::{
+    ConnectionChoice, Given, MetricChoice,
+    functions::{self, Functions},
+};
 use affinor::Canonical;
 use affinor::algebra::Complex;
 use affinor_tensors::expression::{

@@ -1,9 +1,10 @@
 //! Algebras built from others: the keys `sum`, `semidirect`, `subalgebra`, `quotient` and their like.
 
-use super::input::InputError;
-use super::notation::{Names, lines, statement};
-use super::source::{Place, Source};
-use super::written::{ActionText, Block, Cell, MatrixRows, Part, Text};
+use crate::input::{
+    InputError, Place, Source,
+    forms::{ActionText, Block, Cell, MatrixRows, Part, Text},
+};
+use crate::space::notation::{Names, lines, statement};
 use affinor::algebra::structure::{Structure, Subspace};
 use affinor::{BasisChange, LieAlgebra};
 use affinor_tensors::linear::{Matrix, Row};
