@@ -199,8 +199,7 @@ impl Request {
     fn comparison(&self) -> Result<Comparison, Refusal> {
         let side = |name: &str, default: &str| -> Result<ComparedSide, Refusal> {
             let name = if name.trim().is_empty() { default } else { name };
-            let request =
-                space::Request { space: Some(name.into()), ..space::Request::default() };
+            let request = space::Request { space: Some(name.into()), ..space::Request::default() };
             Ok(computation(&Space::open(&request)?).side()?)
         };
         Ok(Comparison::new(side(&self.space, "M(3)")?, side(&self.other, "SO(3)")?))

@@ -1,17 +1,19 @@
 //! Euler-Poincare equations with forces.
 
 use super::cotangent::{CotangentMotion, ObservedSystem, any_system};
-use super::free_body::Body;
-use crate::group::AnyGroup;
+use super::free_body::{Body, FreeStart};
+use crate::group::{AnyGroup, So3};
 use crate::mechanics::simulation::forces::{Forces, ForcesOn};
 use crate::mechanics::simulation::group::{GroupVisitor, SimulationGroup, element, vector, visit};
 use crate::mechanics::simulation::integration::Integration;
 use crate::mechanics::simulation::methods::{Class, Method};
 use crate::mechanics::simulation::motion::{Started, simulation};
 use crate::mechanics::simulation::observables::{Columns, Observables, ObservationPoint};
-use crate::mechanics::{CotangentSystem, EulerPoincare, State};
+use crate::mechanics::simulation::stepper::Stepper;
+use crate::mechanics::{CotangentSystem, EulerPoincare, Inertia, State};
 use crate::{Connection, Error, Metric};
 use nalgebra::DVector;
+use std::any::Any;
 
 /// The data of a motion of Euler-Poincare equations, beside the group.
 pub struct EulerPoincareSpec<'s> {
@@ -85,7 +87,7 @@ impl GroupVisitor for EulerPoincareSpec<'_> {
                 if let Some(needed) = lacks {
                     return Err(method.refused(&format!("it asks for {needed}")));
                 }
-                let stepper = group.body_stepper(method, &inertia?, &system, &start, step);
+                let stepper = body_stepper(method, inertia?, &system, &start, step);
                 let other = || method.refused("it is not for equations of motion on a group");
                 stepper.ok_or_else(other)??
             }
@@ -93,6 +95,23 @@ impl GroupVisitor for EulerPoincareSpec<'_> {
         let motion = simulation(CotangentMotion::new(system, self.columns), start, stepper);
         Ok(Started { motion, method })
     }
+}
+
+/// The steps of a method for bodies; `None` on groups other than SO(3), and for methods of other classes.
+fn body_stepper<G: SimulationGroup>(
+    method: Method,
+    inertia: Inertia,
+    system: &Body<G>,
+    start: &State<G>,
+    step: f64,
+) -> Option<Result<Stepper<Body<G>>, Error>> {
+    let body: &Body<So3> = (system as &dyn Any).downcast_ref()?;
+    let state: &State<So3> = (start as &dyn Any).downcast_ref()?;
+    let momentum = body.momentum(state);
+    let stepper = method.body(&FreeStart { inertia, state: state.clone(), momentum }, step)?;
+    // `G` is SO(3) here
+    let own_type = |stepper| (Box::new(stepper) as Box<dyn Any>).downcast().ok();
+    stepper.map(own_type).transpose().map(|stepper| stepper.map(|stepper| *stepper))
 }
 
 /// The factor `s` of a connection `Lambda = s c`, if it is of this family: its equations have `s` times the rate of change of
