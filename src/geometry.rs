@@ -25,7 +25,7 @@ use crate::Error;
 use crate::algebra::frame::Frame;
 use crate::algebra::{Bracket, LieAlgebra};
 use crate::geometry::chart::Fields;
-use crate::geometry::connection::{Canonical, Connection};
+use crate::geometry::connection::{CanonicalConnection, Connection};
 use crate::geometry::metric::Metric;
 use affinor_tensors::{Field, Notation, Scalar, Tensor};
 use std::fmt;
@@ -90,7 +90,8 @@ impl<S: Field + Scalar> FrameOrigin<S> {
     pub fn algebra_for(&self, what: &'static str) -> Result<&LieAlgebra<S>, Error> {
         self.algebra().ok_or_else(|| {
             let frame = self.frame();
-            let found = frame.structure().components().find(|(_, value)| self.varies(value));
+            let found =
+                frame.structure_functions().components().find(|(_, value)| self.varies(value));
             let (component, value) = found.map_or_else(Default::default, |(at, value)| {
                 let [i, j, k] = [at[0] + 1, at[1] + 1, at[2] + 1];
                 (format!("c^{i}_{j}{k}"), value.to_string())
@@ -123,7 +124,7 @@ impl<S> From<LieAlgebra<S>> for FrameOrigin<S> {
 impl<S: Field + Scalar> From<Fields<S>> for FrameOrigin<S> {
     fn from(fields: Fields<S>) -> Self {
         let frame = fields.frame();
-        let structure = frame.structure();
+        let structure = frame.structure_functions();
         let constant = frame.derivative(structure).is_ok_and(|derivative| derivative.is_empty());
         let algebra = constant.then(|| Bracket::new(frame.labels(), structure.clone()));
         let algebra = algebra.and_then(|bracket| LieAlgebra::try_from(bracket.ok()?).ok());
@@ -135,7 +136,7 @@ impl<S: Field + Scalar> From<Fields<S>> for FrameOrigin<S> {
 #[derive(Clone, Debug, PartialEq)]
 pub enum ConnectionKind<S> {
     /// One of the three canonical connections.
-    Canonical(Canonical),
+    Canonical(CanonicalConnection),
     /// A member `Lambda = lambda c` of the family.
     Family(S),
     /// The Levi-Civita connection of the metric.
@@ -165,7 +166,7 @@ impl<S: Notation + Scalar> Geometry<S> {
                 let (component, value) = ("lambda".into(), lambda.to_string());
                 return Err(Error::NotConstant { what, component, value });
             }
-            Ok(Connection::over(frame, lambda))
+            Ok(Connection::in_frame(frame, lambda))
         };
         let connection = match (&kind, &metric) {
             (ConnectionKind::Canonical(which), _) => canonical(&which.lambda())?,
@@ -195,10 +196,12 @@ impl<S: Notation + Scalar> Geometry<S> {
         };
         let connection = self.connection.in_right_frame(algebra)?;
         let metric = self.metric.as_ref().filter(|metric| {
-            metric.ad_variation(algebra).is_ok_and(|variation| variation.is_empty())
+            metric.ad_invariance_defect(algebra).is_ok_and(|variation| variation.is_empty())
         });
         let kind = match &self.kind {
-            ConnectionKind::Affinities(_) => ConnectionKind::Affinities(connection.gamma().clone()),
+            ConnectionKind::Affinities(_) => {
+                ConnectionKind::Affinities(connection.affinities().clone())
+            }
             kind => kind.clone(),
         };
         Ok(Geometry {

@@ -103,7 +103,7 @@ fn own_scalar() -> Outcome {
 /// The dimension, and the number of structure constants; Jacobi is checked on the way.
 fn dimension<S: Coefficient>(space: &Space) -> Result<(usize, usize), InputError> {
     let algebra = space.definition.algebra::<S>(Tolerance::default())?;
-    Ok((algebra.dimension(), algebra.structure().len()))
+    Ok((algebra.dimension(), algebra.structure_constants().len()))
 }
 
 #[test]

@@ -37,7 +37,7 @@ pub struct Witness {
 /// Checks a definition: antisymmetry, Jacobi, the metric, and the identities of the connection.
 ///
 /// A failed check ends the certificate if the later checks depend on it. `stage` is called with the name of each
-/// computation before it starts. For floats use [`Tracked`](affinor_tensors::Tracked), which bounds the rounding error;
+/// computation before it starts. For floats use [`TrackedFloat`](affinor_tensors::TrackedFloat), which bounds the rounding error;
 /// an `f64` may fail the identities by rounding alone.
 ///
 /// # Errors

@@ -29,5 +29,5 @@ pub use coefficient::Coefficient;
 /// The scalars of [`over_kind`].
 #[doc(hidden)]
 pub mod scalars {
-    pub use affinor::tensors::{Kind, Rational, Symbolic, Tracked};
+    pub use affinor::tensors::{Kind, Rational, Symbolic, TrackedFloat};
 }

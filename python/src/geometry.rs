@@ -14,7 +14,7 @@ use affinor_documents::input::InputError;
 use affinor_documents::report::{
     ComparedSide, Comparison, EquationReport, Quantity, Report, Table,
 };
-use affinor_tensors::{Kind, Rational, Symbolic, Tensor, Tracked};
+use affinor_tensors::{Kind, Rational, Symbolic, Tensor, TrackedFloat};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -23,7 +23,7 @@ use pyo3::prelude::*;
 pub enum Values {
     Exact(Geometry<Rational>),
     Symbolic(Geometry<Symbolic>),
-    Float(Geometry<Tracked>),
+    Float(Geometry<TrackedFloat>),
 }
 
 macro_rules! each {
@@ -53,7 +53,7 @@ impl Grounded for Symbolic {
     }
 }
 
-impl Grounded for Tracked {
+impl Grounded for TrackedFloat {
     fn geometry(geometry: Geometry<Self>) -> Values {
         Values::Float(geometry)
     }
@@ -220,7 +220,7 @@ impl PyGeometry {
             let what = "a direct sum";
             let first = first.frame_origin().algebra_for(what)?;
             let sum = first.direct_sum(second.frame_origin().algebra_for(what)?)?;
-            Ok((sum.labels().to_vec(), PyTensor(S::wrap(sum.structure().clone()))))
+            Ok((sum.labels().to_vec(), PyTensor(S::wrap(sum.structure_constants().clone()))))
         }
         run(py, || match (&self.0, &other.0) {
             (Values::Exact(first), Values::Exact(second)) => sum(first, second),
@@ -238,7 +238,7 @@ impl PyGeometry {
         ) -> Result<PyTensor, InputError> {
             let algebra = geometry.frame_origin().algebra_for("a change of basis")?;
             let change = BasisChange::new((*of::<S>(&matrix.0)?).clone())?;
-            Ok(PyTensor(S::wrap(algebra.change_basis(&change)?.structure().clone())))
+            Ok(PyTensor(S::wrap(algebra.change_basis(&change)?.structure_constants().clone())))
         }
         run(py, || {
             match (&self.0, matrix.0.kind()) {
@@ -247,7 +247,7 @@ impl PyGeometry {
                     let algebra = geometry.frame_origin().algebra_for("a change of basis")?;
                     let algebra = algebra.map(|value| Symbolic::constant(value.clone()))?;
                     let change = BasisChange::new((*of::<Symbolic>(&matrix.0)?).clone())?;
-                    let structure = algebra.change_basis(&change)?.structure().clone();
+                    let structure = algebra.change_basis(&change)?.structure_constants().clone();
                     Ok(PyTensor(Symbolic::wrap(structure)))
                 }
                 _ => each!(&self.0, geometry => changed(geometry, matrix)),
@@ -293,8 +293,8 @@ impl PyGeometry {
         ) -> Result<Connection<f64>, InputError> {
             geometry.frame_origin().algebra_for("parallel transport on a group")?;
             let frame = geometry.frame();
-            let frame = Frame::invariant(frame.labels(), floats(frame.structure())?)?;
-            Ok(Connection::new(frame, floats(geometry.connection().gamma())?)?)
+            let frame = Frame::invariant(frame.labels(), floats(frame.structure_functions())?)?;
+            Ok(Connection::new(frame, floats(geometry.connection().affinities())?)?)
         }
         run(py, || {
             let connection = each!(&self.0, geometry => connection(geometry)?);

@@ -6,14 +6,14 @@ use crate::group::PyGroup;
 use crate::report::written;
 use crate::run::run;
 use crate::tensor::{PyTensor, Values};
-use affinor::{Canonical, Connection, ConnectionKind, Error, Geometry};
+use affinor::{CanonicalConnection, Connection, ConnectionKind, Error, Geometry};
 use affinor_documents::certificate::Check;
 use affinor_documents::input::{Files, InputError};
 use affinor_documents::report::{Computation, certificate};
 use affinor_documents::space::{Definition, Request, ScalarChoice, Space};
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::{
-    Down, Kind, Notation, Rational, Scalar, Symbolic, Tensor, Tolerance, Tracked,
+    Down, Kind, Notation, Rational, Scalar, Symbolic, Tensor, Tolerance, TrackedFloat,
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -67,7 +67,7 @@ fn read<S: Coefficient>(values: &Values, tolerance: Tolerance) -> Result<Tensor<
             convert(tensor, tolerance, |value| Some(Symbolic::constant(value.clone())))
         }
         Values::Symbolic(tensor) => convert(tensor, tolerance, |value| Some(value.clone())),
-        Values::Float(tensor) => convert(tensor, tolerance, |value: &Tracked| {
+        Values::Float(tensor) => convert(tensor, tolerance, |value: &TrackedFloat| {
             Rational::from_f64(value.to_f64()?).map(Symbolic::constant)
         }),
     }
@@ -83,9 +83,12 @@ impl Given<'_> {
         let name = definition.name.clone();
         let geometry = match self {
             Given::Definition => definition.geometry_over(ground, tolerance)?,
-            Given::None => {
-                Geometry::new(name, ground, ConnectionKind::Canonical(Canonical::Zero), None)?
-            }
+            Given::None => Geometry::new(
+                name,
+                ground,
+                ConnectionKind::Canonical(CanonicalConnection::Zero),
+                None,
+            )?,
             Given::Affinities(gamma) => {
                 let metric = definition.metric(&ground, tolerance)?;
                 let kind = ConnectionKind::Affinities(read(gamma, tolerance)?);
@@ -112,7 +115,7 @@ impl Given<'_> {
                         )?
                     }
                 };
-                let kind = ConnectionKind::Affinities(connection.gamma().clone());
+                let kind = ConnectionKind::Affinities(connection.affinities().clone());
                 Geometry::new(name, ground, kind, Some(metric))?
             }
         };

@@ -6,7 +6,7 @@ use crate::report::written;
 use crate::run::run;
 use crate::space::PySpace;
 use crate::tensor::{Held, PyTensor, Values, of};
-use affinor::algebra::structure::{Ground, Structure, Subspace};
+use affinor::algebra::structure::{GroundField, StructureTheory, Subspace};
 use affinor::{BasisChange, Bracket, LieAlgebra};
 use affinor_documents::input::InputError;
 use affinor_documents::report::{Format, Info, Program, Properties, Report};
@@ -59,7 +59,7 @@ pub fn program(py: Python<'_>, algebra: &PyGeometry, program: &str) -> PyResult<
     macro_rules! text {
         ($geometry:expr) => {{
             let algebra = $geometry.frame_origin().algebra_for("input of other programs")?;
-            Ok(program.structure($geometry.name(), algebra.labels(), algebra.structure()))
+            Ok(program.structure($geometry.name(), algebra.labels(), algebra.structure_constants()))
         }};
     }
     run(py, || match &algebra.0 {
@@ -73,12 +73,15 @@ pub fn program(py: Python<'_>, algebra: &PyGeometry, program: &str) -> PyResult<
 type Made = (Vec<String>, PyTensor);
 
 fn made<S: Held>(algebra: &LieAlgebra<S>) -> Made {
-    (algebra.labels().to_vec(), PyTensor(S::wrap(algebra.structure().clone())))
+    (algebra.labels().to_vec(), PyTensor(S::wrap(algebra.structure_constants().clone())))
 }
 
 /// A construction over the scalar of an algebra and of the tensors beside it.
 trait Construct {
-    fn run<S: Held + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError>;
+    fn run<S: Held + GroundField>(
+        &self,
+        structure: &StructureTheory<S>,
+    ) -> Result<Made, InputError>;
 
     /// Whether a part other than the algebra has parameters.
     fn has_parameters(&self) -> bool {
@@ -93,14 +96,14 @@ trait Construct {
             Geometries::Exact(geometry) => {
                 let algebra = geometry.frame_origin().algebra_for(WHAT)?;
                 if !self.has_parameters() {
-                    return self.run(&Structure::new(algebra.clone()));
+                    return self.run(&StructureTheory::new(algebra.clone()));
                 }
                 let algebra = algebra.map(|value| Symbolic::constant(value.clone()))?;
-                self.run(&Structure::new(algebra))
+                self.run(&StructureTheory::new(algebra))
             }
             Geometries::Symbolic(geometry) => {
                 let algebra = geometry.frame_origin().algebra_for(WHAT)?;
-                self.run(&Structure::new(algebra.clone()))
+                self.run(&StructureTheory::new(algebra.clone()))
             }
             Geometries::Float(_) => Err(in_floats(WHAT)),
         })
@@ -135,7 +138,10 @@ enum Way {
 struct Subalgebra(Way, Vec<Values>);
 
 impl Construct for Subalgebra {
-    fn run<S: Held + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
+    fn run<S: Held + GroundField>(
+        &self,
+        structure: &StructureTheory<S>,
+    ) -> Result<Made, InputError> {
         let (n, vectors) = (structure.dimension(), rows::<S>(&self.1)?);
         let subspace = match self.0 {
             Way::Spanned => Subspace::span(n, vectors.clone()),
@@ -188,7 +194,10 @@ pub fn subalgebra(
 struct Quotient(Vec<Values>);
 
 impl Construct for Quotient {
-    fn run<S: Held + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
+    fn run<S: Held + GroundField>(
+        &self,
+        structure: &StructureTheory<S>,
+    ) -> Result<Made, InputError> {
         let ideal = Subspace::span(structure.dimension(), rows::<S>(&self.0)?);
         if ideal.dimension() == structure.dimension() {
             return Err(InputError::usage("the quotient by the whole algebra is zero"));
@@ -214,7 +223,10 @@ pub fn quotient(
 struct Extension(Vec<String>, [Values; 1]);
 
 impl Construct for Extension {
-    fn run<S: Held + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
+    fn run<S: Held + GroundField>(
+        &self,
+        structure: &StructureTheory<S>,
+    ) -> Result<Made, InputError> {
         let (n, cocycle) = (structure.dimension(), of::<S>(&self.1[0])?);
         let mut constants = vec![];
         for (at, value) in cocycle.components() {
@@ -251,7 +263,10 @@ struct Semidirect {
 }
 
 impl Construct for Semidirect {
-    fn run<S: Held + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
+    fn run<S: Held + GroundField>(
+        &self,
+        structure: &StructureTheory<S>,
+    ) -> Result<Made, InputError> {
         let all = self.tensors.iter().map(of::<S>).collect::<Result<Vec<_>, _>>()?;
         let Some((constants, matrices)) = all.split_first() else {
             return Err(InputError::usage("the algebra acted on is missing"));
@@ -267,7 +282,7 @@ impl Construct for Semidirect {
             Matrix::from_rows(tensor.dimension(), rows).map_err(affinor::Error::from)
         };
         let by = matrices.iter().map(matrix).collect::<Result<Vec<_>, _>>()?;
-        Ok(made(&structure.semidirect(&Structure::new(on), &by)?))
+        Ok(made(&structure.semidirect(&StructureTheory::new(on), &by)?))
     }
 
     fn has_parameters(&self) -> bool {
@@ -284,8 +299,8 @@ pub fn semidirect(
     by: Vec<Py<PyTensor>>,
 ) -> PyResult<Made> {
     let structure = match &on.0 {
-        Geometries::Exact(on) => Held::wrap(on.frame().structure().clone()),
-        Geometries::Symbolic(on) => Held::wrap(on.frame().structure().clone()),
+        Geometries::Exact(on) => Held::wrap(on.frame().structure_functions().clone()),
+        Geometries::Symbolic(on) => Held::wrap(on.frame().structure_functions().clone()),
         Geometries::Float(_) => return Err(raise(py, &in_floats(WHAT))),
     };
     let tensors = [structure].into_iter().chain(values(&by)).collect();
@@ -295,8 +310,11 @@ pub fn semidirect(
 struct Contraction(Vec<i64>);
 
 impl Construct for Contraction {
-    fn run<S: Held + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
-        Ok(made(&structure.contraction(&self.0)?))
+    fn run<S: Held + GroundField>(
+        &self,
+        structure: &StructureTheory<S>,
+    ) -> Result<Made, InputError> {
+        Ok(made(&structure.inonu_wigner_contraction(&self.0)?))
     }
 }
 
@@ -309,7 +327,10 @@ pub fn contraction(py: Python<'_>, algebra: &PyGeometry, weights: Vec<i64>) -> P
 struct TensorProduct(Vec<String>, [Values; 1]);
 
 impl Construct for TensorProduct {
-    fn run<S: Held + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
+    fn run<S: Held + GroundField>(
+        &self,
+        structure: &StructureTheory<S>,
+    ) -> Result<Made, InputError> {
         Ok(made(&structure.tensor_product(&self.0, &*of::<S>(&self.1[0])?)?))
     }
 
@@ -337,7 +358,10 @@ enum Plain {
 }
 
 impl Construct for Plain {
-    fn run<S: Held + Ground>(&self, structure: &Structure<S>) -> Result<Made, InputError> {
+    fn run<S: Held + GroundField>(
+        &self,
+        structure: &StructureTheory<S>,
+    ) -> Result<Made, InputError> {
         Ok(made(&match self {
             Plain::Complexification => structure.complexified()?,
             Plain::WithDual => structure.with_dual()?,

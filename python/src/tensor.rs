@@ -8,7 +8,8 @@ use affinor_documents::input::InputError;
 use affinor_documents::report::{components_in_latex, components_in_text};
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::{
-    Down, Kind, Notation, Rational, Symbolic, Tensor, TensorError, Tracked, Up, Variance, contract,
+    Down, Kind, Notation, Rational, Symbolic, Tensor, TensorError, TrackedFloat, Up, Variance,
+    contract,
 };
 use numpy::{PyArrayDyn, PyArrayLikeDyn, PyArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -21,7 +22,7 @@ use std::sync::Arc;
 pub enum Values {
     Exact(Arc<Tensor<Rational>>),
     Symbolic(Arc<Tensor<Symbolic>>),
-    Float(Arc<Tensor<Tracked>>),
+    Float(Arc<Tensor<TrackedFloat>>),
 }
 
 /// Runs the same expression over each scalar.
@@ -111,15 +112,15 @@ impl Held for Symbolic {
     }
 }
 
-impl Held for Tracked {
+impl Held for TrackedFloat {
     fn wrap(tensor: Tensor<Self>) -> Values {
         Values::Float(tensor.into())
     }
     fn of(values: &Values) -> Option<Arc<Tensor<Self>>> {
         match values {
-            Values::Exact(tensor) => over(tensor, Tracked::from_rational),
+            Values::Exact(tensor) => over(tensor, TrackedFloat::from_rational),
             Values::Symbolic(tensor) => {
-                over(tensor, |value| Tracked::from_rational(&value.approximation()?))
+                over(tensor, |value| TrackedFloat::from_rational(&value.approximation()?))
             }
             Values::Float(tensor) => Some(tensor.clone()),
         }
@@ -222,7 +223,7 @@ impl PyTensor {
         }
         let made = if scalar == "float" {
             let floats: Vec<f64> = values.extract()?;
-            make(dimension, &slots, keys, floats.into_iter().map(Tracked::from).collect())
+            make(dimension, &slots, keys, floats.into_iter().map(TrackedFloat::from).collect())
         } else {
             let texts: Vec<String> = values.extract()?;
             let symbolic = texts.iter().map(|text| values::read(text));
@@ -385,7 +386,7 @@ impl PyTensor {
     /// The same components over floats, or over expressions.
     fn over(&self, py: Python<'_>, scalar: &str) -> PyResult<Self> {
         let values = match scalar {
-            "float" => of::<Tracked>(&self.0).map(Values::Float),
+            "float" => of::<TrackedFloat>(&self.0).map(Values::Float),
             "symbolic" => of::<Symbolic>(&self.0).map(Values::Symbolic),
             "exact" => Rational::of(&self.0)
                 .map(Values::Exact)
@@ -450,7 +451,7 @@ impl PyTensor {
         let read = match scalar {
             "exact" => serde_json::from_slice(bytes).map(Rational::wrap),
             "symbolic" => serde_json::from_slice(bytes).map(Symbolic::wrap),
-            "float" => serde_json::from_slice(bytes).map(Tracked::wrap),
+            "float" => serde_json::from_slice(bytes).map(TrackedFloat::wrap),
             other => return Err(PyTypeError::new_err(format!("no scalar `{other}`"))),
         };
         read.map(PyTensor).map_err(|error| PyValueError::new_err(error.to_string()))

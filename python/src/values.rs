@@ -2,7 +2,7 @@
 
 use affinor_documents::Coefficient;
 use affinor_tensors::Rational;
-use affinor_tensors::expression::{Expression, Meaning};
+use affinor_tensors::expression::{Evaluator, Expression};
 use num_rational::{BigRational, Ratio};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -74,7 +74,7 @@ impl<'py> Objects<'py> {
     }
 }
 
-impl<'py> Meaning for Objects<'py> {
+impl<'py> Evaluator for Objects<'py> {
     type Value = Bound<'py, PyAny>;
     fn number(&self, number: &Rational) -> Result<Self::Value, String> {
         let big = BigRational::from(number);

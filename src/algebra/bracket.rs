@@ -91,8 +91,8 @@ impl<S: Scalar> Bracket<S> {
     }
 
     /// The structure constants `c^i_jk`.
-    pub fn structure(&self) -> &Tensor<S> {
-        self.frame.structure()
+    pub fn structure_constants(&self) -> &Tensor<S> {
+        self.frame.structure_functions()
     }
 
     /// The names of the basis vectors.
@@ -112,7 +112,7 @@ impl<S: Scalar> Bracket<S> {
     /// With rational constants the triples that begin with a generator are enough: the `x` for which
     /// `[x, .]` is a derivation are closed under the bracket. All triples are computed if one of these fails.
     pub fn jacobi_violation(&self) -> Option<Error> {
-        if let Some(generators) = matrices_of_generators(self.structure())
+        if let Some(generators) = matrices_of_generators(self.structure_constants())
             && self.are_derivations(&generators)
         {
             return None;
@@ -136,12 +136,12 @@ impl<S: Scalar> Bracket<S> {
 
     /// Whether `[x_j, .]` is a derivation for the matrices `a^i_jk` of these.
     fn are_derivations(&self, matrices: &Tensor<S>) -> bool {
-        if let Some(are) = are_dense_derivations(self.structure(), matrices) {
+        if let Some(are) = are_dense_derivations(self.structure_constants(), matrices) {
             return are;
         }
         let residual = formula(
             "a^m_jk c^i_ml - a^m_jl c^i_mk - a^i_jm c^m_kl -> ^i_j[kl]",
-            &[("a", matrices), ("c", self.structure())],
+            &[("a", matrices), ("c", self.structure_constants())],
         );
         residual.is_empty()
     }
@@ -161,7 +161,7 @@ impl<S: Scalar> Bracket<S> {
 /// The nonzero brackets `[x, y] = z`, one a line.
 impl<S: Scalar> fmt::Display for Bracket<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.frame.write_products(f, self.structure(), "[", "]", |j, k| j < k)
+        self.frame.write_products(f, self.structure_constants(), "[", "]", |j, k| j < k)
     }
 }
 

@@ -117,7 +117,7 @@ impl<S: Scalar> Frame<S> {
     }
 
     /// The structure functions `c^i_jk`, slots `[Up, Down, Down]`.
-    pub fn structure(&self) -> &Tensor<S> {
+    pub fn structure_functions(&self) -> &Tensor<S> {
         &self.structure
     }
 

@@ -4,7 +4,7 @@
 //! that is closed under the bracket: then `ad_[x,y] = ad_x ad_y - ad_y ad_x`, a commutator of derivations. So the Jacobi
 //! identity holds for all triples if it holds for the triples that begin with a generator.
 
-use crate::algebra::structure::reduction::{Draw, Reduction};
+use crate::algebra::structure::reduction::{ModularAlgebra, PseudoRandom};
 use affinor_tensors::linear::modular::PRIMES;
 use affinor_tensors::{Down, Scalar, Tensor, Up};
 use nalgebra::{DMatrix, Dyn};
@@ -132,10 +132,10 @@ fn combinations(constants: &[Vec<Constant>]) -> Option<Vec<([usize; 3], i64)>> {
     let (n, prime) = (constants.len(), PRIMES[0]);
     let residues =
         |of: &Vec<Constant>| of.iter().map(|&(k, i, value)| (k, i, prime.integer(value))).collect();
-    let reduction = Reduction::from_constants(prime, constants.iter().map(residues).collect());
+    let reduction = ModularAlgebra::from_constants(prime, constants.iter().map(residues).collect());
     let small = |residue: u64| (residue % 5) as i64 - 2;
     let found = COMBINATIONS.into_iter().find_map(|count| {
-        let mut draw = Draw::new(count as u64);
+        let mut draw = PseudoRandom::new(count as u64);
         let vectors = (0..count).map(|_| draw.vector(prime, n).into_iter().map(small).collect());
         let vectors: Vec<Vec<i64>> = vectors.collect();
         let residues = vectors.iter().map(|x| x.iter().map(|&v| prime.integer(v)).collect());

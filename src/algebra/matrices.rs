@@ -174,7 +174,7 @@ impl<S: Field + Scalar> MatrixBasis<S> {
             }
         }
         let bracket = Bracket::from_constants(&self.labels, constants)?;
-        let structure = bracket.structure().clone().with_tolerance(self.tolerance);
+        let structure = bracket.structure_constants().clone().with_tolerance(self.tolerance);
         Bracket::new(&self.labels, structure)
     }
 

@@ -40,7 +40,7 @@ use std::sync::Arc;
 /// let frame = chart.coordinate_frame::<Symbolic>()?;
 /// let metric = Metric::new(frame.labels(), Tensor::from_components(2, &[Down, Down], g)?)?;
 /// let connection = Connection::levi_civita(&frame, &metric)?;
-/// assert_eq!(connection.gamma().get(&[0, 1, 1]).to_string(), "-sin(theta)*cos(theta)");
+/// assert_eq!(connection.affinities().get(&[0, 1, 1]).to_string(), "-sin(theta)*cos(theta)");
 /// assert_eq!(connection.scalar_curvature(&metric)?, Symbolic::from_i64(2));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -122,9 +122,9 @@ impl<S: Field + Scalar> Metric<S> {
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
-    pub fn ad_variation(&self, algebra: &LieAlgebra<S>) -> Result<Tensor<S>, Error> {
+    pub fn ad_invariance_defect(&self, algebra: &LieAlgebra<S>) -> Result<Tensor<S>, Error> {
         self.expect_dimension(algebra.dimension())?;
-        let operands = [("g", &self.components), ("c", algebra.structure())];
+        let operands = [("g", &self.components), ("c", algebra.structure_constants())];
         Ok(formula("g_mj c^m_ki + g_im c^m_kj -> _kij", &operands))
     }
 

@@ -45,7 +45,7 @@ impl<S: Field + Scalar> Connection<S> {
                 });
             }
         }
-        let gamma = koszul(metric, &frame.derivative(g)?, frame.structure())?;
+        let gamma = koszul(metric, &frame.derivative(g)?, frame.structure_functions())?;
         Connection::new(frame.clone(), gamma)
     }
 
@@ -96,7 +96,7 @@ impl<S: Field + Scalar> Connection<S> {
         expect_nonmetricity(nonmetricity, n)?;
         let derivative = frame.derivative(g)?;
         let d = contract("d_kij - Q_kij -> _kij", &[("d", &derivative), ("Q", nonmetricity)])?;
-        let b = [("c", frame.structure()), ("t", torsion)];
+        let b = [("c", frame.structure_functions()), ("t", torsion)];
         let b = contract("c^i_jk + t^i_jk -> ^i_[jk]", &b)?;
         Connection::new(frame.clone(), koszul(metric, &d, &b)?)
     }

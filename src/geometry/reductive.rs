@@ -62,9 +62,9 @@ impl<S: Field + Scalar> ReductivePair<S> {
         let entries = columns
             .flat_map(|(a, x)| x.components().map(move |(i, value)| ([i[0], a], value.clone())));
         let change = Tensor::from_components(n, &[Up, Down], entries)?;
-        let change = change.with_tolerance(algebra.structure().tolerance());
+        let change = change.with_tolerance(algebra.structure_constants().tolerance());
         let adapted = algebra.change_basis(&BasisChange::new(change)?)?;
-        let c = adapted.structure();
+        let c = adapted.structure_constants();
         // the constants c^i_jk whose indices lie in h where `of_h` is true, and in m elsewhere
         let part = |of_h: [bool; 3]| {
             c.filter_map(|at, value| at.iter().map(|i| *i >= r).eq(of_h).then(|| value.clone()))
@@ -133,7 +133,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
     /// The second canonical connection, `Lambda = 0`: invariant tensors are parallel, and
     /// `T(x,y) = -[x,y]_m`, `R(x,y)z = -[[x,y]_h, z]`.
     pub fn canonical(&self) -> Connection<S> {
-        Connection::over(&self.frame, &S::zero())
+        Connection::in_frame(&self.frame, &S::zero())
     }
 
     /// The first canonical connection, the natural one without torsion: `Lambda(x) y = [x,y]_m / 2`.
@@ -143,7 +143,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
     /// [`Error::Tensor`] where 2 has no inverse.
     pub fn natural(&self) -> Result<Connection<S>, Error> {
         let half = S::from_i64(2).recip().ok_or(TensorError::NotInvertible(2))?;
-        Ok(Connection::over(&self.frame, &half))
+        Ok(Connection::in_frame(&self.frame, &half))
     }
 
     /// The invariant connection with the affinities `Lambda^i_jk` on `m`.
@@ -152,7 +152,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
     /// [`Error::Shape`]; [`Error::NotIsotropic`] unless they are invariant under `h`.
     pub fn connection(&self, gamma: Tensor<S>) -> Result<Connection<S>, Error> {
         let connection = Connection::new(self.frame.clone(), gamma)?;
-        self.expect_invariant("the affinities", connection.gamma())?;
+        self.expect_invariant("the affinities", connection.affinities())?;
         Ok(connection)
     }
 
@@ -217,7 +217,7 @@ impl<S: Scalar> ReductivePair<S> {
     /// Whether `[m, m]` lies in `h`. The two canonical connections then coincide, without torsion and
     /// with parallel curvature.
     pub fn is_symmetric(&self) -> bool {
-        self.frame.structure().is_empty()
+        self.frame.structure_functions().is_empty()
     }
 }
 

@@ -20,9 +20,9 @@ impl<S: Scalar> Connection<S> {
     /// # Errors
     /// [`Error::Shape`].
     pub fn transport_along(&self, w: &[S]) -> Result<Tensor<S>, Error> {
-        let vector = Tensor::vector(w, Up).with_tolerance(self.gamma().tolerance());
+        let vector = Tensor::vector(w, Up).with_tolerance(self.affinities().tolerance());
         expect_slots("the direction", &vector, self.frame().dimension(), &[Up])?;
-        Ok(formula("-1 L^i_jk w^j -> ^i_k", &[("L", self.gamma()), ("w", &vector)]))
+        Ok(formula("-1 L^i_jk w^j -> ^i_k", &[("L", self.affinities()), ("w", &vector)]))
     }
 
     /// The generator along the autoparallel with the constant tangent `n`, (45).
@@ -34,7 +34,7 @@ impl<S: Scalar> Connection<S> {
     /// autoparallel does not stay constant in this frame. [`Error::Shape`].
     pub fn transport_generator(&self, n: &[S]) -> Result<Tensor<S>, Error> {
         let generator = self.transport_along(n)?;
-        let vector = Tensor::vector(n, Up).with_tolerance(self.gamma().tolerance());
+        let vector = Tensor::vector(n, Up).with_tolerance(self.affinities().tolerance());
         let drift = formula("-1 G^i_k n^k -> ^i", &[("G", &generator), ("n", &vector)]);
         if drift.is_empty() {
             return Ok(generator);
@@ -57,7 +57,7 @@ const NOISE: f64 = 1e-3;
 /// ```
 /// use affinor::group::{LieGroup, So3};
 /// use affinor::group::transport::ParallelTranslation;
-/// use affinor::{Canonical, Connection};
+/// use affinor::{CanonicalConnection, Connection};
 /// use nalgebra::Vector3;
 /// let so3 = So3.algebra()?;
 /// let full_turn = Vector3::new(0.0, 0.0, std::f64::consts::TAU);
@@ -66,8 +66,8 @@ const NOISE: f64 = 1e-3;
 ///     Ok(on_group.along_subgroup(&full_turn)?.trace())
 /// };
 /// // once around a closed subgroup: nothing on M(3), half a turn on SO(3), after (71)
-/// assert!((around(Canonical::Plus)? - 3.0).abs() < 1e-14);
-/// assert!((around(Canonical::Zero)? + 1.0).abs() < 1e-14);
+/// assert!((around(CanonicalConnection::Plus)? - 3.0).abs() < 1e-14);
+/// assert!((around(CanonicalConnection::Zero)? + 1.0).abs() < 1e-14);
 /// # Ok::<(), affinor::Error>(())
 /// ```
 #[derive(Clone, Debug)]

@@ -39,7 +39,7 @@ pub use recorded::{Count, Output, Recorded, Step, StraightLine, derivatives};
 pub use summable::{ExactSum, Sum, Summable, Tolerance};
 pub use symbolic::{CommonFactors, FreeFunction, PositiveFactors, Symbolic, Variable};
 pub use tabular::Tabular;
-pub use tracked::Tracked;
+pub use tracked::TrackedFloat;
 
 /// A commutative ring with 1, with operators by value and by reference.
 ///

@@ -2,7 +2,7 @@
 
 use super::source::{self, Copy};
 use super::{Answer, Refusal, motion, transport};
-use affinor::Canonical;
+use affinor::CanonicalConnection;
 use affinor::geometry::equations::EquationKind;
 use affinor_documents::input::InputError;
 use affinor_documents::over_kind;
@@ -176,7 +176,7 @@ impl Request {
         let needs_plus =
             self.report == "equations" && ["", "euler-poincare"].contains(&&*self.motion);
         if needs_plus && space.definition.connection_is_default() {
-            space.definition.set_canonical(Canonical::Plus);
+            space.definition.set_canonical(CanonicalConnection::Plus);
         }
         Ok(space)
     }

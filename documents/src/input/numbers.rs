@@ -2,7 +2,7 @@
 
 use super::Source;
 use super::{InputError, shown};
-use affinor_tensors::expression::{Expression, Meaning};
+use affinor_tensors::expression::{Evaluator, Expression};
 use affinor_tensors::{Notation, Rational};
 use std::f64::consts::{PI, TAU};
 
@@ -66,7 +66,7 @@ fn number(word: &str, source: &Source) -> Result<f64, InputError> {
 /// Numbers, `pi` and `tau`, in floats.
 struct Floats;
 
-impl Meaning for Floats {
+impl Evaluator for Floats {
     type Value = f64;
 
     fn number(&self, number: &Rational) -> Result<f64, String> {

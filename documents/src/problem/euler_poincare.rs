@@ -14,7 +14,7 @@ use affinor::mechanics::simulation::{
     EulerPoincareSpec, ForceFunction, Forces, Side, SimulationGroup, cartan_schouten_factor,
     is_plus,
 };
-use affinor::{Canonical, Connection, Error, Metric};
+use affinor::{CanonicalConnection, Connection, Error, Metric};
 use affinor_tensors::{Symbolic, Tolerance};
 use nalgebra::{DMatrix, DVector};
 use std::borrow::Cow;
@@ -119,7 +119,7 @@ impl EulerPoincare {
             error.help("give metric = \"diag(..)\", or rows; on so(3) and se(3) also [inertia]")
         })?;
         let connection = if start.definition.connection_is_default() {
-            Connection::canonical(&group.algebra()?, Canonical::Plus)
+            Connection::canonical(&group.algebra()?, CanonicalConnection::Plus)
         } else if group.is_right() {
             let message = "right-invariant equations have the connection plus of their own frame";
             return Err(InputError::usage(message).help("name no connection"));

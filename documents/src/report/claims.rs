@@ -117,10 +117,10 @@ impl Claim {
     ) -> Result<Option<Property<String>>, Error> {
         let connection = geometry.connection();
         let algebra = geometry.frame_origin().algebra_for("a claim of the paper")?;
-        let c = algebra.structure();
+        let c = algebra.structure_constants();
         let vanish = |sum: &'static str| {
             let torsion = connection.torsion();
-            let operands = [("Lambda", connection.gamma()), ("c", c), ("tau", &torsion)];
+            let operands = [("Lambda", connection.affinities()), ("c", c), ("tau", &torsion)];
             vanishes(&contract(&format!("{sum} -> ^i_jk"), &operands)?, sum, "ijk")
         };
         let property = match (self, geometry.metric()) {
@@ -155,7 +155,7 @@ impl Claim {
                 })
             }
             (Claim::BiInvariant, Some(metric)) => {
-                vanishes(&metric.ad_variation(algebra)?, "g_mj c^m_ki + g_im c^m_kj", "kij")
+                vanishes(&metric.ad_invariance_defect(algebra)?, "g_mj c^m_ki + g_im c^m_kj", "kij")
             }
         };
         property.map(Some)

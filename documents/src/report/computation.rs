@@ -129,7 +129,7 @@ impl<'a> Computation<'a> {
         let definition = &self.space.definition;
         over_kind!(self.kind()?, S => {
             let algebra = definition.algebra::<S>(self.tolerance)?;
-            Ok(program.structure(&definition.name, algebra.labels(), algebra.structure()))
+            Ok(program.structure(&definition.name, algebra.labels(), algebra.structure_constants()))
         })
     }
 
@@ -229,7 +229,7 @@ impl<'a> Computation<'a> {
         let equations = Equations::new(kind, geometry.connection(), geometry.metric());
         let equations = equations.map_err(|error| match error {
             Error::NoMetric => InputError::usage("Euler-Poincare equations need a metric")
-                .help("give one, as in --metric \"diag(J1,J2,J3)\", or choose another --motion"),
+                .help("give one, as in --metric \"diag(J1,J2,J3)\", or choose another --kind"),
             other => other.into(),
         })?;
         let equations = if solved { equations.solved() } else { equations };

@@ -7,7 +7,7 @@ use crate::input::{InputError, Place, Source, shown};
 use affinor::algebra::Complex;
 use affinor::algebra::catalogue::MAX_DIMENSION;
 use affinor::geometry::{ConnectionKind, FrameOrigin, Geometry};
-use affinor::{Bracket, Canonical, Error, LieAlgebra, MatrixBasis, Metric};
+use affinor::{Bracket, CanonicalConnection, Error, LieAlgebra, MatrixBasis, Metric};
 use affinor_tensors::{Down, Ring, Symbolic, Tensor, Tolerance, Up};
 use num_traits::Zero;
 use std::collections::BTreeMap;
@@ -70,7 +70,7 @@ pub(super) enum MetricChoice {
 /// A connection as it is defined.
 #[derive(Clone, Debug)]
 pub(super) enum ConnectionChoice {
-    Canonical(Canonical),
+    Canonical(CanonicalConnection),
     Family(Symbolic),
     LeviCivita,
     Affinities(Pairs),
@@ -263,7 +263,7 @@ impl Definition {
             self.connection.as_ref().map(|(choice, place)| (choice, place)).unzip();
         let kind = match choice {
             None if metric.is_some() || self.is_on_chart() => ConnectionKind::LeviCivita,
-            None => ConnectionKind::Canonical(Canonical::Zero),
+            None => ConnectionKind::Canonical(CanonicalConnection::Zero),
             Some(ConnectionChoice::Canonical(which)) => ConnectionKind::Canonical(*which),
             Some(ConnectionChoice::Family(lambda)) => {
                 let value = S::read(lambda);
@@ -290,7 +290,7 @@ impl Definition {
     }
 
     /// Replaces the connection by a canonical one.
-    pub fn set_canonical(&mut self, which: Canonical) {
+    pub fn set_canonical(&mut self, which: CanonicalConnection) {
         let place = Place::within(Source::new(which.name(), ""));
         self.connection = Some((ConnectionChoice::Canonical(which), place));
     }

@@ -45,7 +45,7 @@ pub enum ScalarChoice {
     /// Rationals, or rational functions where parameters are left.
     #[default]
     Exact,
-    /// `f64`, with its rounding followed ([`Tracked`](affinor_tensors::Tracked)).
+    /// `f64`, with its rounding followed ([`TrackedFloat`](affinor_tensors::TrackedFloat)).
     Float,
 }
 

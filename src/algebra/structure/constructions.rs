@@ -1,11 +1,11 @@
 //! New Lie algebras from old: quotients, extensions, semidirect sums, tensor products, contractions, complexifications.
 //!
 //! Each construction checks its conditions and refuses with a witness. Direct sums are
-//! [`LieAlgebra::direct_sum`], subalgebras [`Structure::subalgebra`], other bases
+//! [`LieAlgebra::direct_sum`], subalgebras [`StructureTheory::subalgebra`], other bases
 //! [`LieAlgebra::change_basis`].
 
 use super::subspace::{collected, combination};
-use super::{Ground, Structure, Subspace};
+use super::{GroundField, StructureTheory, Subspace};
 use crate::Error;
 use crate::algebra::{Bracket, LieAlgebra, join_labels};
 use affinor_tensors::linear::{Matrix, Row};
@@ -17,7 +17,7 @@ const MOST_UNITS: usize = 64;
 /// `(j, k, i, v)`: `[e_j, e_k] = .. + v e_i`.
 type Constants<S> = Vec<(usize, usize, usize, S)>;
 
-impl<S: Ground> Structure<S> {
+impl<S: GroundField> StructureTheory<S> {
     /// The constants with `j < k`.
     fn constants(&self) -> Constants<S> {
         let lines = (0..self.dimension()).flat_map(|j| {
@@ -94,7 +94,11 @@ impl<S: Ground> Structure<S> {
     /// # Errors
     /// [`Error::NotDerivation`] with two vectors of `on`; [`Error::NotAction`] with two basis vectors
     /// and the component in which `D_[x,y]` is not `[D_x, D_y]`; a wrong number or size of matrices.
-    pub fn semidirect(&self, on: &Structure<S>, by: &[Matrix<S>]) -> Result<LieAlgebra<S>, Error> {
+    pub fn semidirect(
+        &self,
+        on: &StructureTheory<S>,
+        by: &[Matrix<S>],
+    ) -> Result<LieAlgebra<S>, Error> {
         let (n, m) = (self.dimension(), on.dimension());
         let expected = format!("{n} matrices of size {m} x {m}");
         if by.len() != n || by.iter().any(|d| d.rows() != m || d.columns() != m) {
@@ -184,7 +188,7 @@ impl<S: Ground> Structure<S> {
             Matrix::from_rows(n, rows)
         });
         let coadjoint = coadjoint.collect::<Result<Vec<_>, _>>()?;
-        self.semidirect(&Structure::new(dual), &coadjoint)
+        self.semidirect(&StructureTheory::new(dual), &coadjoint)
     }
 
     /// The tensor product with a commutative algebra, in the basis `x u_a` with the labels `x_u`:
@@ -192,15 +196,15 @@ impl<S: Ground> Structure<S> {
     ///
     /// ```
     /// use affinor::algebra::catalogue;
-    /// use affinor::algebra::structure::Structure;
+    /// use affinor::algebra::structure::StructureTheory;
     /// use affinor::tensors::{Down, Rational, Tensor, Up};
     /// // two units with u u = u, v v = v, u v = 0: two copies of the algebra
     /// let diagonal = |[d, a, b]: [usize; 3]| Rational::from(i64::from(d == a && a == b));
     /// let products = Tensor::from_fn(2, [Up, Down, Down], diagonal)?;
-    /// let so3 = Structure::new(catalogue::algebra::<Rational>("so(3)")?);
+    /// let so3 = StructureTheory::new(catalogue::algebra::<Rational>("so(3)")?);
     /// let twice = so3.tensor_product(&["u".into(), "v".into()], &products)?;
     /// assert_eq!(twice.labels()[3], "e1_v");
-    /// assert_eq!(Structure::new(twice).killing().signature(), Some([0, 6, 0]));
+    /// assert_eq!(StructureTheory::new(twice).killing().signature(), Some([0, 6, 0]));
     /// # Ok::<(), affinor::Error>(())
     /// ```
     ///
@@ -285,7 +289,7 @@ impl<S: Ground> Structure<S> {
     ///
     /// # Errors
     /// [`Error::NoLimit`] with a constant for which `w_j + w_k < w_i`; a wrong number of weights.
-    pub fn contraction(&self, weights: &[i64]) -> Result<LieAlgebra<S>, Error> {
+    pub fn inonu_wigner_contraction(&self, weights: &[i64]) -> Result<LieAlgebra<S>, Error> {
         if weights.len() != self.dimension() {
             let (expected, found) = (self.dimension().to_string(), weights.len().to_string());
             return Err(Error::Shape { what: "the number of weights", expected, found });
@@ -320,7 +324,7 @@ impl<S: Ground> Structure<S> {
 }
 
 /// Checks that a table of products of vectors is commutative and associative.
-fn expect_commutative_algebra<S: Ground>(
+fn expect_commutative_algebra<S: GroundField>(
     units: &[String],
     table: &[Vec<Row<S>>],
 ) -> Result<(), Error> {

@@ -31,7 +31,7 @@ impl LieAlgebra<f64> {
         side: Side,
         point: &[f64],
     ) -> Result<Tensor<Jet>, Error> {
-        let structure = self.structure().map(|value| Jet::constant(*value));
+        let structure = self.structure_constants().map(|value| Jet::constant(*value));
         let forms = invariant_forms(&structure, &jets(point), kind, side, |function, ad, _| {
             let scaling = Scaling::of(&ad.map(Jet::value))?;
             series(function, &side.signed(ad), &scaling)
@@ -90,7 +90,7 @@ impl Frame<Jet> {
     /// // so(3) in rotation vectors
     /// let so3 = catalogue::algebra("so(3)")?;
     /// let frame = Frame::canonical_at_point(&so3, CanonicalCoordinates::First, Side::Left, &[0.3, 2.0, -1.0])?;
-    /// assert!((frame.structure().get(&[2, 0, 1]).value() - 1.0).abs() < 1e-14);
+    /// assert!((frame.structure_functions().get(&[2, 0, 1]).value() - 1.0).abs() < 1e-14);
     /// // the coordinates are singular at a full turn
     /// let turn = [std::f64::consts::TAU, 0.0, 0.0];
     /// assert!(Frame::canonical_at_point(&so3, CanonicalCoordinates::First, Side::Left, &turn).is_err());
@@ -113,7 +113,7 @@ impl Frame<Jet> {
         }
         let fields = to_matrix(&forms).inverse().ok_or(Error::SingularBasis)?;
         let frame = Frame::at_point(algebra.labels(), point, |_, [a, i]| fields.get(a, i))?;
-        finite("c", frame.structure())?;
+        finite("c", frame.structure_functions())?;
         Ok(frame)
     }
 }
@@ -128,7 +128,7 @@ fn kernel(
 ) -> Result<Option<String>, Error> {
     let tolerance = std::cell::Cell::new(Tolerance::default());
     let forms = invariant_forms(
-        algebra.structure(),
+        algebra.structure_constants(),
         point,
         kind,
         side,

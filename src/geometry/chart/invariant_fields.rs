@@ -38,7 +38,7 @@ impl Chart {
     /// let fields = chart.invariant_fields(&plane, CanonicalCoordinates::Second, Side::Right)?;
     /// assert_eq!(fields.written()[1], "cos(t)*d_x - sin(t)*d_y");
     /// let fields = chart.invariant_fields(&plane, CanonicalCoordinates::First, Side::Right)?;
-    /// assert_eq!(fields.frame().structure().get(&[2, 0, 1]), Symbolic::from_i64(-1));
+    /// assert_eq!(fields.frame().structure_functions().get(&[2, 0, 1]), Symbolic::from_i64(-1));
     /// # Ok::<(), affinor::Error>(())
     /// ```
     ///
@@ -53,14 +53,16 @@ impl Chart {
         side: Side,
     ) -> Result<Fields<Symbolic>, Error> {
         let (names, labels) = (self.coordinates(), algebra.labels());
-        let used = algebra.structure().components().flat_map(|(_, value)| value.parameters());
+        let used =
+            algebra.structure_constants().components().flat_map(|(_, value)| value.parameters());
         if let Some(name) = used.into_iter().find(|name| names.contains(name)) {
             return Err(Error::Coordinate { name });
         }
         let x: Vec<Symbolic> = names.iter().map(|x| Symbolic::parameter(x)).collect();
-        let forms = invariant_forms(algebra.structure(), &x, kind, side, |function, ad, at| {
-            closed_form(function, side, ad, &names[at.clone()], &labels[at])
-        })?;
+        let forms =
+            invariant_forms(algebra.structure_constants(), &x, kind, side, |function, ad, at| {
+                closed_form(function, side, ad, &names[at.clone()], &labels[at])
+            })?;
         let fields = inverse(&forms).ok_or(Error::SingularBasis)?;
         let fields = Tensor::from_components(self.dimension(), &[Up, Down], fields)?;
         self.fields(labels, fields)

@@ -15,27 +15,27 @@ impl<S: Scalar> Connection<S> {
     ///
     /// # Errors
     /// [`Error::Frame`] in a frame that is not invariant.
-    pub fn ad_variation(&self) -> Result<Tensor<S>, Error> {
+    pub fn ad_invariance_defect(&self) -> Result<Tensor<S>, Error> {
         if !self.frame.is_invariant() {
             return Err(Error::Frame("invariance under ad is defined in an invariant frame only"));
         }
-        Connection::over(&self.frame, &S::one()).nabla(&self.gamma)
+        Connection::in_frame(&self.frame, &S::one()).nabla(&self.gamma)
     }
 
     /// The same connection in the right-invariant frame through the same basis:
     /// `Lambda_right = Lambda - c`, over the structure `-c`.
     ///
     /// # Errors
-    /// [`Error::NotInvariant`] with a component of [`ad_variation`](Self::ad_variation) unless
+    /// [`Error::NotInvariant`] with a component of [`ad_invariance_defect`](Self::ad_invariance_defect) unless
     /// that vanishes: then the components in the right-invariant frame are not constant. [`Error::Frame`]
     /// when the connection is not in the left-invariant frame of `algebra`.
     pub fn in_right_frame(&self, algebra: &LieAlgebra<S>) -> Result<Self, Error> {
-        if self.frame.structure() != algebra.structure() {
+        if self.frame.structure_functions() != algebra.structure_constants() {
             return Err(Error::Frame(
                 "the connection is not in the left-invariant frame of this algebra",
             ));
         }
-        if let Some((at, residual)) = self.ad_variation()?.components().next() {
+        if let Some((at, residual)) = self.ad_invariance_defect()?.components().next() {
             return Err(Error::NotInvariant {
                 direction: self.frame.labels()[at[1]].clone(),
                 i: at[0] + 1,
@@ -44,7 +44,7 @@ impl<S: Scalar> Connection<S> {
                 residual: residual.to_string(),
             });
         }
-        let operands = [("L", &self.gamma), ("c", algebra.structure())];
+        let operands = [("L", &self.gamma), ("c", algebra.structure_constants())];
         let gamma = contract("L^i_jk - c^i_jk -> ^i_jk", &operands)?;
         Connection::new(algebra.right_frame(), gamma)
     }

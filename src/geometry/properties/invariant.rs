@@ -43,7 +43,7 @@ impl<S: Field + Scalar> Connection<S> {
         let n = self.frame().dimension();
         // nabla_k acts on constants as the endomorphism Lambda^i_kj
         let mut entries = vec![vec![]; n];
-        for (at, value) in self.gamma().components() {
+        for (at, value) in self.affinities().components() {
             entries[at[1]].push(([at[0], at[2]], value.clone()));
         }
         let endomorphism = |entries| Tensor::from_components(n, &[Up, Down], entries);

@@ -115,7 +115,8 @@ impl MatrixGroup {
         )?;
         let form = diagonal_form(matrices, first.rows());
         let orthogonal = form.as_ref().is_some_and(is_identity);
-        let translations = if orthogonal { None } else { translations(bracket.structure()) };
+        let translations =
+            if orthogonal { None } else { translations(bracket.structure_constants()) };
         Ok(MatrixGroup { span, bracket, translations, form })
     }
 
@@ -163,7 +164,7 @@ impl MatrixGroup {
             Err(Error::Dependent { relation }) => Err(Error::Centre { central: relation }),
             basis => Self::with_bracket(
                 &basis?,
-                Bracket::new(algebra.labels(), algebra.structure().clone())?,
+                Bracket::new(algebra.labels(), algebra.structure_constants().clone())?,
             ),
         }
     }
@@ -328,7 +329,10 @@ type Entries = Vec<(usize, usize, f64)>;
 /// The matrices of `[e_j, .]`.
 fn adjoint_matrices(algebra: &LieAlgebra<f64>) -> Vec<Entries> {
     let mut matrices = vec![vec![]; algebra.dimension()];
-    algebra.structure().components().for_each(|(at, c)| matrices[at[1]].push((at[0], at[2], *c)));
+    algebra
+        .structure_constants()
+        .components()
+        .for_each(|(at, c)| matrices[at[1]].push((at[0], at[2], *c)));
     matrices
 }
 
@@ -345,7 +349,7 @@ fn derivations(algebra: &LieAlgebra<f64>) -> Result<Vec<DMatrix<f64>>, Error> {
     // unknown D^i_m is number i n + m; an equation for each i and j < k
     let equation = |i: usize, j: usize, k: usize| (i * n + j) * n + k;
     let mut rows = vec![Vec::new(); n * n * n];
-    for (at, c) in algebra.structure().components() {
+    for (at, c) in algebra.structure_constants().components() {
         let [m, j, k] = [at[0], at[1], at[2]];
         for i in 0..n {
             // D^i_m c^m_jk, c^m_ik D^i_j and c^m_ji D^i_k with the letters of this component
@@ -423,7 +427,7 @@ impl LieGroup for MatrixGroup {
     /// Not by the inverse of `exp(x)`, which loses its digits where entries are large.
     fn adjoint_exp(&self, x: &Self::Vector) -> DMatrix<f64> {
         let mut ad = DMatrix::zeros(self.dimension(), self.dimension());
-        let structure = self.bracket.structure();
+        let structure = self.bracket.structure_constants();
         structure.components().for_each(|(at, c)| ad[(at[0], at[2])] += c * x[at[1]]);
         exp(&ad)
     }

@@ -74,7 +74,7 @@ fn class<S: Field + Scalar>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
     let mut term: Vec<_> = algebra.basis().collect();
     let mut class = 0;
     while !term.is_empty() {
-        let mut next = Echelon::new().with_tolerance(algebra.structure().tolerance());
+        let mut next = Echelon::new().with_tolerance(algebra.structure_constants().tolerance());
         for vector in &term {
             // brackets span no more than the term before
             if next.rank() == term.len() {

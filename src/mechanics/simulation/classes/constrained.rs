@@ -5,7 +5,7 @@ use crate::mechanics::formula::{Formula, Gradient};
 use crate::mechanics::simulation::forces::{Forces, ForcesOn};
 use crate::mechanics::simulation::group::{GroupVisitor, SimulationGroup, element, vector, visit};
 use crate::mechanics::simulation::methods::Method;
-use crate::mechanics::simulation::motion::{Motion, Recorded, simulation};
+use crate::mechanics::simulation::motion::{Motion, ObservedMotion, simulation};
 use crate::mechanics::simulation::observables::{Buffers, Columns, ObservationPoint};
 use crate::mechanics::simulation::quantities::{FormulaScope, Quantity, SymbolTable};
 use crate::mechanics::{Constrained, ConstrainedState, Constraint};
@@ -164,7 +164,7 @@ struct Moving<G: SimulationGroup> {
     buffers: RefCell<Buffers>,
 }
 
-impl<G: SimulationGroup> Recorded for Moving<G> {
+impl<G: SimulationGroup> ObservedMotion for Moving<G> {
     type System = Constrained<G, ConstraintsOn<G>, ForcesOn<G>>;
 
     fn system(&self) -> &Self::System {

@@ -117,7 +117,7 @@ fn body_stepper<G: SimulationGroup>(
 /// The factor `s` of a connection `Lambda = s c`, if it is of this family: its equations have `s` times the rate of change of
 /// `H` that those of Euler and Poincare have without forces.
 pub fn cartan_schouten_factor(connection: &Connection<f64>) -> Option<f64> {
-    let (gamma, structure) = (connection.gamma(), connection.frame().structure());
+    let (gamma, structure) = (connection.affinities(), connection.frame().structure_functions());
     let (indices, value) = structure.components().next()?;
     let share = gamma.get(&indices) / value;
     (*gamma == structure.scale(&share)).then_some(share)
@@ -125,7 +125,7 @@ pub fn cartan_schouten_factor(connection: &Connection<f64>) -> Option<f64> {
 
 /// Whether the connection is `plus`, that of the Euler-Poincare equations.
 pub fn is_plus(connection: &Connection<f64>) -> bool {
-    connection.gamma() == connection.frame().structure()
+    connection.affinities() == connection.frame().structure_functions()
 }
 
 impl<G: SimulationGroup> ObservedSystem for Body<G> {
