@@ -23,6 +23,7 @@ pub mod lie_poisson;
 mod matrices;
 mod rational_basis;
 pub mod roots;
+mod sparse_bracket;
 pub mod structure;
 
 pub use basis::BasisChange;
@@ -30,6 +31,7 @@ pub(crate) use basis::{LETTERS, indices, inverse, to_matrix};
 pub use bracket::Bracket;
 pub use matrices::{Complex, MatrixBasis};
 pub use rational_basis::RationalBasis;
+pub(crate) use sparse_bracket::SparseBracket;
 
 use crate::Error;
 use crate::algebra::frame::{Frame, formula};

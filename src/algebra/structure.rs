@@ -82,11 +82,12 @@ pub(in crate::algebra) use subspace::denominator;
 pub use symplectic::Existence;
 
 use crate::Error;
+use crate::algebra::SparseBracket;
 use crate::algebra::roots::CartanType;
 use crate::algebra::{Bracket, LieAlgebra};
 use affinor_tensors::Rational;
 use affinor_tensors::linear::Matrix;
-use products::Products;
+
 use std::cell::OnceCell;
 
 /// A Lie algebra, prepared for questions about its structure. Answers are computed once.
@@ -102,7 +103,7 @@ use std::cell::OnceCell;
 #[derive(Clone, Debug)]
 pub struct StructureTheory<S> {
     algebra: LieAlgebra<S>,
-    products: Products<S>,
+    products: SparseBracket<S>,
     form: OnceCell<Matrix<S>>,
     killing: OnceCell<Killing<S>>,
     semisimple: OnceCell<bool>,
@@ -118,7 +119,7 @@ pub struct StructureTheory<S> {
 impl<S: GroundField> StructureTheory<S> {
     /// The structure of an algebra.
     pub fn new(algebra: LieAlgebra<S>) -> Self {
-        let products = Products::new(algebra.structure_constants());
+        let products = SparseBracket::of_tensor(algebra.structure_constants());
         StructureTheory {
             algebra,
             products,

@@ -4,14 +4,14 @@
 //! primes.
 
 use super::{GroundField, StructureTheory};
+use crate::algebra::SparseBracket;
 use affinor_tensors::linear::modular::{Prime, ResidueMatrix, primes};
 
 /// The structure constants of an algebra modulo a prime.
 #[derive(Clone, Debug)]
 pub struct ModularAlgebra {
     prime: Prime,
-    /// `(k, i, c^i_jk)` of each `j`
-    by_first: Vec<Vec<(usize, usize, u64)>>,
+    constants: SparseBracket<u64>,
 }
 
 /// Pseudorandom residues, the same in every run.
@@ -42,18 +42,13 @@ impl ModularAlgebra {
     /// The algebra modulo a prime; `None` if the prime divides a denominator or a structure constant.
     pub fn new<S: GroundField>(structure: &StructureTheory<S>, prime: Prime) -> Option<Self> {
         let residue = |value: &S| value.residue(prime).filter(|residue| *residue != 0);
-        let line = |j: usize| {
-            let terms = structure.products.of(j).iter();
-            let residues = terms.map(|(k, i, value)| Some((*k, *i, residue(value)?)));
-            residues.collect::<Option<Vec<_>>>()
-        };
-        let by_first = (0..structure.dimension()).map(line).collect::<Option<_>>()?;
-        Some(ModularAlgebra { prime, by_first })
+        Some(ModularAlgebra { prime, constants: structure.products.map(residue)? })
     }
 
-    /// The algebra with the residues `(k, i, c^i_jk)` of each `j`.
-    pub(crate) fn from_constants(prime: Prime, by_first: Vec<Vec<(usize, usize, u64)>>) -> Self {
-        ModularAlgebra { prime, by_first }
+    /// The algebra with the residues of integers.
+    pub(crate) fn of_integers(prime: Prime, constants: &SparseBracket<i64>) -> Option<Self> {
+        let constants = constants.map(|value| Some(prime.integer(*value)))?;
+        Some(ModularAlgebra { prime, constants })
     }
 
     /// The prime.
@@ -63,12 +58,12 @@ impl ModularAlgebra {
 
     /// The dimension.
     pub fn dimension(&self) -> usize {
-        self.by_first.len()
+        self.constants.dimension()
     }
 
     /// The constants `(k, i, c^i_jk)` of `[e_j, .]`.
     pub fn of(&self, j: usize) -> &[(usize, usize, u64)] {
-        &self.by_first[j]
+        self.constants.of(j)
     }
 
     /// The matrix of `[x, .]`: row `i`, column `k`.
@@ -85,30 +80,19 @@ impl ModularAlgebra {
 
     /// The bracket of two vectors.
     pub fn bracket(&self, x: &[u64], y: &[u64]) -> Vec<u64> {
+        self.constants.bracket(x, y, 0, self.fused())
+    }
+
+    /// `sum + a b` of residues.
+    fn fused(&self) -> impl Fn(u64, u64, u64) -> u64 + use<> {
         let p = self.prime;
-        let mut result = vec![0; self.dimension()];
-        for (j, &factor) in x.iter().enumerate().filter(|(_, factor)| **factor != 0) {
-            for &(k, i, value) in self.of(j).iter().filter(|(k, ..)| y[*k] != 0) {
-                result[i] = p.reduce(result[i] + p.mul(factor, y[k]) * value);
-            }
-        }
-        result
+        move |sum, a, b| p.reduce(sum + a * b)
     }
 
     /// The matrix of the Killing form.
     pub fn killing(&self) -> ResidueMatrix {
-        let (n, p) = (self.dimension(), self.prime);
-        let mut rows = vec![vec![0; n]; n];
-        let mut dense = vec![0; n * n];
-        for (a, row) in rows.iter_mut().enumerate() {
-            self.of(a).iter().for_each(|&(k, i, value)| dense[k * n + i] = value);
-            for (b, entry) in row.iter_mut().enumerate() {
-                let terms = self.of(b).iter();
-                *entry = terms.fold(0, |sum, &(k, i, v)| p.reduce(sum + v * dense[i * n + k]));
-            }
-            self.of(a).iter().for_each(|&(k, i, _)| dense[k * n + i] = 0);
-        }
-        ResidueMatrix::new(p, n, rows)
+        let rows = self.constants.killing(0, self.fused());
+        ResidueMatrix::new(self.prime, self.dimension(), rows)
     }
 
     /// Few vectors that generate the algebra: pseudorandom ones if fewer than the dimension do, else the basis.
