@@ -38,7 +38,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let open = basis(["e", "f"], vec![e, f])?;
     let witness = open.bracket().expect_err("e and f do not close");
     println!("{witness}");
-    assert!(matches!(witness, affinor::Error::NotClosed { .. }));
+    assert!(matches!(witness, affinor::Error::Broken { law: affinor::Law::Closure, .. }));
     Ok(())
 }
 

@@ -67,7 +67,7 @@ impl<S: Scalar> fmt::Display for LieAlgebra<S> {
 impl<S: Scalar> TryFrom<Bracket<S>> for LieAlgebra<S> {
     type Error = Error;
 
-    /// Checks the Jacobi identity; [`Error::Jacobi`] names the first triple that fails.
+    /// Checks the Jacobi identity; [`Law::Jacobi`](crate::Law::Jacobi) names the first triple that fails.
     fn try_from(bracket: Bracket<S>) -> Result<Self, Error> {
         match bracket.jacobi_violation() {
             Some(violation) => Err(violation),
@@ -170,7 +170,7 @@ impl<S: Scalar> LieAlgebra<S> {
     /// The same algebra over another scalar, by a homomorphism of rings.
     ///
     /// # Errors
-    /// [`Error::Jacobi`] or [`Error::NotAntisymmetric`] when `f` is no homomorphism.
+    /// [`Law::Jacobi`](crate::Law::Jacobi) or [`Law::Antisymmetry`](crate::Law::Antisymmetry) when `f` is no homomorphism.
     pub fn map<T: Scalar>(&self, f: impl Fn(&S) -> T) -> Result<LieAlgebra<T>, Error> {
         Bracket::new(self.labels(), self.structure_constants().map(f))?.try_into()
     }

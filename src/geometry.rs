@@ -21,12 +21,12 @@ pub mod metric_affine;
 pub mod properties;
 pub mod reductive;
 
-use crate::Error;
 use crate::algebra::frame::Frame;
 use crate::algebra::{Bracket, LieAlgebra};
 use crate::geometry::chart::Fields;
 use crate::geometry::connection::{CanonicalConnection, Connection};
 use crate::geometry::metric::Metric;
+use crate::{Error, Law};
 use affinor_tensors::{Field, Notation, Scalar, Tensor};
 use std::fmt;
 
@@ -86,7 +86,7 @@ impl<S: Field + Scalar> FrameOrigin<S> {
     /// The Lie algebra of the frame, or an error that says what needs it.
     ///
     /// # Errors
-    /// [`Error::NotConstant`] with `what` and the first structure function that is not constant.
+    /// [`Law::Constant`] with `what` and the first structure function that is not constant.
     pub fn algebra_for(&self, what: &'static str) -> Result<&LieAlgebra<S>, Error> {
         self.algebra().ok_or_else(|| {
             let frame = self.frame();
@@ -96,7 +96,7 @@ impl<S: Field + Scalar> FrameOrigin<S> {
                 let [i, j, k] = [at[0] + 1, at[1] + 1, at[2] + 1];
                 (format!("c^{i}_{j}{k}"), value.to_string())
             });
-            Error::NotConstant { what, component, value }
+            Law::Constant.broken([what.into(), component], value)
         })
     }
 
@@ -149,7 +149,7 @@ impl<S: Notation + Scalar> Geometry<S> {
     /// The geometry with a connection of the given kind.
     ///
     /// # Errors
-    /// [`Error::NoMetric`] for Levi-Civita without a metric; [`Error::NotConstant`] for a canonical
+    /// [`Error::NoMetric`] for Levi-Civita without a metric; [`Law::Constant`] for a canonical
     /// connection over structure functions; [`Error::Shape`].
     pub fn new(
         name: impl Into<String>,
@@ -163,8 +163,8 @@ impl<S: Notation + Scalar> Geometry<S> {
             let what = "a connection lambda c";
             origin.algebra_for(what)?;
             if origin.varies(lambda) {
-                let (component, value) = ("lambda".into(), lambda.to_string());
-                return Err(Error::NotConstant { what, component, value });
+                let at = [what, "lambda"].map(String::from);
+                return Err(Law::Constant.broken(at, lambda.to_string()));
             }
             Ok(Connection::in_frame(frame, lambda))
         };
@@ -186,12 +186,12 @@ impl<S: Notation + Scalar> Geometry<S> {
     /// there are not constant. Without a metric, two applications give this geometry again.
     ///
     /// # Errors
-    /// [`Error::NotInvariant`] for a connection without constant components there;
-    /// [`Error::Frame`] over a chart.
+    /// [`Law::AdInvariance`] for a connection without constant components there;
+    /// [`Error::Unsupported`] over a chart.
     pub fn in_right_frame(&self) -> Result<Self, Error> {
         let FrameOrigin::Algebra(algebra) = &self.origin else {
-            return Err(Error::Frame(
-                "fields on a chart have no right-invariant frame beside them",
+            return Err(Error::Unsupported(
+                "fields on a chart have no right-invariant frame beside them".into(),
             ));
         };
         let connection = self.connection.in_right_frame(algebra)?;

@@ -48,7 +48,7 @@ pub use affinor_tensors::{
 pub use algebra::frame::Frame;
 pub use algebra::lie_poisson::LiePoisson;
 pub use algebra::{BasisChange, Bracket, LieAlgebra, MatrixBasis};
-pub use error::Error;
+pub use error::{Error, Law};
 pub use geometry::chart::Chart;
 pub use geometry::connection::{CanonicalConnection, Connection};
 pub use geometry::forms::Form;

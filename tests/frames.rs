@@ -128,7 +128,7 @@ fn functions_in_the_left_frame() {
         assert_eq!(product.get(&[i, m, j]), rule);
     }
     let refused = connection.in_right_frame(&chart.algebra);
-    assert!(matches!(refused, Err(Error::Frame(_))));
+    assert!(matches!(refused, Err(Error::Unsupported(_))));
 }
 
 /// Surfaces of constant curvature, each in coordinates and by an orthonormal moving frame.

@@ -5,7 +5,7 @@ use crate::input::{InputError, Refusal};
 use crate::space::Definition;
 use affinor::algebra::frame::expect_numbers;
 use affinor::geometry::conditions::conditions;
-use affinor::{ConnectionKind, Error, FrameOrigin, LieAlgebra};
+use affinor::{ConnectionKind, Error, FrameOrigin, Law, LieAlgebra};
 use affinor_tensors::text::written;
 use affinor_tensors::{Indices, Tensor, Tolerance};
 
@@ -170,8 +170,8 @@ fn is_out_of_range(error: &InputError) -> bool {
 fn of_metric(error: &InputError, labels: &[String]) -> Option<Witness> {
     let number = |name: &String| labels.iter().position(|label| label == name).map(|at| at + 1);
     match error.cause.as_deref()? {
-        Error::NotSymmetric { x, y, residual } => Some(Witness {
-            indices: vec![number(x)?, number(y)?],
+        Error::Broken { law: Law::SymmetricMetric, at, residual } => Some(Witness {
+            indices: at.iter().map(number).collect::<Option<_>>()?,
             residual: vec![(0, residual.clone())],
         }),
         Error::Degenerate { components, .. } => {

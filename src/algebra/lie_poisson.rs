@@ -37,7 +37,7 @@ impl LiePoisson {
     /// The bracket (-) of left-invariant systems on T*G, such as the rigid body.
     ///
     /// # Errors
-    /// [`Error::Coordinate`] when a parameter of the algebra has the name of a coordinate.
+    /// [`Error::Name`] when a parameter of the algebra has the name of a coordinate.
     pub fn left(algebra: &LieAlgebra<Symbolic>) -> Result<Self, Error> {
         Self::new(algebra, -1)
     }
@@ -55,7 +55,7 @@ impl LiePoisson {
         let mut constants =
             algebra.structure_constants().components().flat_map(|(_, v)| v.parameters());
         if let Some(name) = constants.find(|parameter| names.contains(parameter)) {
-            return Err(Error::Coordinate { name });
+            return Err(Error::coordinate(&name));
         }
         let coordinates: Vec<_> = names.iter().map(|name| Symbolic::parameter(name)).collect();
         let tensor = paired(algebra, &Tensor::vector(&coordinates, Down));

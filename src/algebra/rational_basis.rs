@@ -6,7 +6,7 @@
 //! `c^i_jk` have the sum 0. The same holds for irreducible polynomials in parameters instead of primes.
 
 use crate::algebra::frame::Frame;
-use crate::{Error, LieAlgebra};
+use crate::{Error, Law, LieAlgebra};
 use affinor_tensors::scalar::Variable;
 use affinor_tensors::{Down, Field, Rational, Symbolic, Tensor, Up};
 use num_traits::One;
@@ -40,18 +40,13 @@ impl RationalBasis {
     /// with few free choices it changes the smallest number of basis vectors.
     ///
     /// # Errors
-    /// [`Error::NoRationalBasis`] with a structure constant that prevents it: one that is not a rational number times a square
+    /// [`Law::RationalConstants`] with a structure constant that prevents it: one that is not a rational number times a square
     /// root, or one whose equation contradicts the others.
     pub fn of(algebra: &LieAlgebra<Symbolic>) -> Result<Self, Error> {
         let (n, structure) = (algebra.dimension(), algebra.structure_constants());
         let refused = |at: &[usize], value: &Symbolic| {
-            let labels = algebra.labels();
-            Error::NoRationalBasis {
-                x: labels[at[1]].clone(),
-                y: labels[at[2]].clone(),
-                component: labels[at[0]].clone(),
-                value: value.to_string(),
-            }
+            let at = [at[1], at[2], at[0]].map(|at| algebra.labels()[at].clone());
+            Law::RationalConstants.broken(at, value.to_string())
         };
         let mut roots: Vec<Variable> = vec![];
         let mut equations = vec![];

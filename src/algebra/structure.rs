@@ -81,10 +81,10 @@ pub use subspace::Subspace;
 pub(in crate::algebra) use subspace::denominator;
 pub use symplectic::Existence;
 
-use crate::Error;
 use crate::algebra::SparseBracket;
 use crate::algebra::roots::CartanType;
 use crate::algebra::{Bracket, LieAlgebra};
+use crate::{Error, Law};
 use affinor_tensors::Rational;
 use affinor_tensors::linear::Matrix;
 
@@ -154,7 +154,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// A subalgebra in the basis of its echelon form.
     ///
     /// # Errors
-    /// [`Error::NotSubalgebra`] with two basis vectors whose bracket leaves the subspace.
+    /// [`Law::Subalgebra`] with two basis vectors whose bracket leaves the subspace.
     pub fn subalgebra(&self, subspace: &Subspace<S>) -> Result<StructureTheory<S>, Error> {
         if subspace.dimension() == self.dimension() {
             return Ok(self.clone());
@@ -166,12 +166,8 @@ impl<S: GroundField> StructureTheory<S> {
             for (k, y) in basis.iter().enumerate().skip(j + 1) {
                 let bracket = ad.image(y);
                 let Some(coordinates) = subspace.coordinates(&bracket) else {
-                    let write = |row| self.write(row);
-                    return Err(Error::NotSubalgebra {
-                        x: write(x),
-                        y: write(y),
-                        bracket: write(&bracket),
-                    });
+                    let at = [self.write(x), self.write(y)];
+                    return Err(Law::Subalgebra.broken(at, self.write(&bracket)));
                 };
                 let terms = coordinates.into_iter().map(|(i, value)| (j, k, i, value));
                 constants.extend(terms);

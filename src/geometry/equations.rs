@@ -104,14 +104,14 @@ impl<S: Field + Scalar> Equations<S> {
     /// `g_ij dOmega^j/dt = Lambda^j_ki Omega^k g_jm Omega^m + M_i` (106).
     ///
     /// # Errors
-    /// [`Error::Shape`] when the dimensions differ; [`Error::Frame`] for a metric with components
+    /// [`Error::Shape`] when the dimensions differ; [`Error::Unsupported`] for a metric with components
     /// that are not constant.
     pub fn euler_poincare(connection: &Connection<S>, metric: &Metric<S>) -> Result<Self, Error> {
         let n = connection.frame().dimension();
         expect_slots("the metric", metric.components(), n, &[Down, Down])?;
         if !connection.frame().derivative(metric.components())?.is_empty() {
-            return Err(Error::Frame(
-                "Euler-Poincare equations need a metric with constant components",
+            return Err(Error::Unsupported(
+                "Euler-Poincare equations need a metric with constant components".into(),
             ));
         }
         Ok(Equations {

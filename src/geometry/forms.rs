@@ -168,12 +168,12 @@ impl<S: Scalar> Connection<S> {
     /// `W^i_j(e_k, e_l) = R^i_jkl`.
     ///
     /// # Errors
-    /// [`Error::Frame`] on a homogeneous space, where the connection forms are defined on the
+    /// [`Error::Unsupported`] on a homogeneous space, where the connection forms are defined on the
     /// group and not on `m`; [`Error::Tensor`] if the dimension is too large.
     pub fn curvature_forms(&self) -> Result<Vec<Vec<Form<S>>>, Error> {
         if !self.frame().isotropy()?.is_empty() {
-            return Err(Error::Frame(
-                "the connection forms of a homogeneous space are defined on G, not on m",
+            return Err(Error::Unsupported(
+                "the connection forms of a homogeneous space are defined on G, not on m".into(),
             ));
         }
         let (n, w) = (self.frame().dimension(), self.connection_forms());

@@ -24,7 +24,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// algebra for generic values. Over floats its dimension depends on the tolerance.
     ///
     /// # Errors
-    /// [`Error::Frame`] in a frame that is not invariant; [`Error::Linear`] over a ring that is not a
+    /// [`Error::Unsupported`] in a frame that is not invariant; [`Error::Linear`] over a ring that is not a
     /// field.
     ///
     /// ```
@@ -39,7 +39,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// ```
     pub fn holonomy(&self) -> Result<Holonomy<S>, Error> {
         if !self.frame().is_invariant() {
-            return Err(Error::Frame("the holonomy algebra needs an invariant frame"));
+            return Err(Error::Unsupported("the holonomy algebra needs an invariant frame".into()));
         }
         let n = self.frame().dimension();
         let tolerance = self.affinities().tolerance();

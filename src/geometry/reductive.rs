@@ -1,12 +1,12 @@
 //! Reductive homogeneous spaces G/H: their canonical connections, and invariant ones.
 
-use crate::Error;
 use crate::algebra::frame::{Frame, expect_slots, formula};
 use crate::algebra::invariants::invariant_tensors;
 use crate::algebra::lie_derivative::act;
 use crate::algebra::{BasisChange, LieAlgebra};
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
+use crate::{Error, Law};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Field, Scalar, Tensor, TensorError, Up, Variance};
 
@@ -49,7 +49,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
     ///
     /// # Errors
     /// [`Error::Shape`]; [`Error::SingularBasis`] unless both together are a basis;
-    /// [`Error::NotReductive`] with the first bracket that escapes.
+    /// [`Law::ReductiveIsotropy`] or [`Law::ReductiveComplement`] with the first bracket that escapes.
     pub fn new(algebra: &LieAlgebra<S>, h: &[Vec<S>], m: &[Vec<S>]) -> Result<Self, Error> {
         let (n, r) = (algebra.dimension(), m.len());
         let basis: Vec<_> = m.iter().chain(h).collect();
@@ -77,12 +77,10 @@ impl<S: Field + Scalar> ReductivePair<S> {
             Some([x, y, bracket].map(|v| algebra.left_frame().write(v)))
         };
         if let Some([x, y, bracket]) = escaped([false, true, true]) {
-            let law = "the vectors of h span no subalgebra";
-            return Err(Error::NotReductive { law, span: "their span", x, y, bracket });
+            return Err(Law::ReductiveIsotropy.broken([x, y], bracket));
         }
         if let Some([x, y, bracket]) = escaped([true, true, false]) {
-            let law = "the complement m is not invariant under h";
-            return Err(Error::NotReductive { law, span: "m", x, y, bracket });
+            return Err(Law::ReductiveComplement.broken([x, y], bracket));
         }
         // v(x, y) = [x, y]_h
         let vertical = part([true, false, false]);
@@ -102,7 +100,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
     /// The pair with the complement of `h` that is orthogonal under the Killing form.
     ///
     /// # Errors
-    /// [`Error::DegenerateOnSubalgebra`] if the Killing form is degenerate on `h`: the orthogonal
+    /// [`Law::KillingOnSubalgebra`] if the Killing form is degenerate on `h`: the orthogonal
     /// complement does not exist, though others may. [`Error::SingularBasis`] for dependent vectors. Otherwise as
     /// [`new`](Self::new).
     pub fn orthogonal(algebra: &LieAlgebra<S>, h: &[Vec<S>]) -> Result<Self, Error> {
@@ -124,7 +122,8 @@ impl<S: Field + Scalar> ReductivePair<S> {
             let null = products.mul(&vectors.transpose())?.nullspace()?;
             if null.rows() > 0 {
                 let x = vectors.transpose().apply(&null.to_dense()[0])?;
-                return Err(Error::DegenerateOnSubalgebra { null: algebra.left_frame().write(x) });
+                let null = algebra.left_frame().write(x);
+                return Err(Law::KillingOnSubalgebra.broken([null], "0"));
             }
         }
         Self::new(algebra, h, &products.nullspace()?.to_dense())
@@ -149,7 +148,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
     /// The invariant connection with the affinities `Lambda^i_jk` on `m`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::NotIsotropic`] unless they are invariant under `h`.
+    /// [`Error::Shape`]; [`Law::IsotropyInvariance`] unless they are invariant under `h`.
     pub fn connection(&self, gamma: Tensor<S>) -> Result<Connection<S>, Error> {
         let connection = Connection::new(self.frame.clone(), gamma)?;
         self.expect_invariant("the affinities", connection.affinities())?;
@@ -160,7 +159,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
     /// `Lambda(x) y = [x,y]_m / 2 + U(x,y)`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::NotIsotropic`] unless it is invariant under `h`.
+    /// [`Error::Shape`]; [`Law::IsotropyInvariance`] unless it is invariant under `h`.
     pub fn levi_civita(&self, metric: &Metric<S>) -> Result<Connection<S>, Error> {
         let slots = [Down, Down];
         expect_slots("the metric", metric.components(), self.dimension(), &slots)?;
@@ -181,12 +180,13 @@ impl<S: Field + Scalar> ReductivePair<S> {
     fn expect_invariant(&self, what: &'static str, tensor: &Tensor<S>) -> Result<(), Error> {
         for (a, endomorphism) in self.isotropy.iter().enumerate() {
             if let Some((at, residual)) = act(endomorphism, tensor)?.components().next() {
-                return Err(Error::NotIsotropic {
-                    what,
-                    direction: self.algebra.labels()[self.dimension() + a].clone(),
-                    at: at.iter().map(|index| index + 1).collect(),
-                    residual: residual.to_string(),
-                });
+                let direction = self.algebra.labels()[self.dimension() + a].clone();
+                let at = [
+                    what.into(),
+                    direction,
+                    crate::error::indices(at.iter().map(|index| index + 1)),
+                ];
+                return Err(Law::IsotropyInvariance.broken(at, residual.to_string()));
             }
         }
         Ok(())

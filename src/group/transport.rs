@@ -9,7 +9,7 @@ use super::{Coordinates, LieGroup, expect_left_frame};
 use crate::algebra::frame::{expect_slots, formula};
 use crate::numerics::rounding::expect_digits;
 use crate::numerics::{exponential, ode};
-use crate::{Connection, Error};
+use crate::{Connection, Error, Law};
 use affinor_tensors::{Scalar, Tensor, Up};
 use nalgebra::{DMatrix, DVector};
 
@@ -30,7 +30,7 @@ impl<S: Scalar> Connection<S> {
     /// It is `-ad_n` for `plus`, `-ad_n/2` for `zero`, and 0 for `minus`.
     ///
     /// # Errors
-    /// [`Error::NotAutoparallel`] unless `Lambda^i_jk n^j n^k = 0` (B7): else the tangent of the
+    /// [`Law::ConstantTangent`] unless `Lambda^i_jk n^j n^k = 0` (B7): else the tangent of the
     /// autoparallel does not stay constant in this frame. [`Error::Shape`].
     pub fn transport_generator(&self, n: &[S]) -> Result<Tensor<S>, Error> {
         let generator = self.transport_along(n)?;
@@ -41,7 +41,7 @@ impl<S: Scalar> Connection<S> {
         }
         let drift = drift.to_vector().unwrap_or_default();
         let write = |components: Vec<S>| self.frame().write(components);
-        Err(Error::NotAutoparallel { n: write(n.to_vec()), residual: write(drift) })
+        Err(Law::ConstantTangent.broken([write(n.to_vec())], write(drift)))
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::Coefficient;
 use affinor::algebra::frame::expect_numbers;
 use affinor::geometry::properties::{Property, Witness};
-use affinor::{Error, Geometry};
+use affinor::{Error, Geometry, Law};
 use affinor_tensors::text::written;
 use affinor_tensors::{Tensor, contract};
 
@@ -110,7 +110,7 @@ impl Claim {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotConstant`]: the claims are about structure constants. [`Error::NotFinite`] where floats leave their range.
+    /// [`Law::Constant`]: the claims are about structure constants. [`Error::NotFinite`] where floats leave their range.
     pub fn holds<S: Coefficient>(
         self,
         geometry: &Geometry<S>,
@@ -180,8 +180,8 @@ fn transport<S: Coefficient>(
         let n: Vec<S> = (0..algebra.dimension()).map(unit).collect();
         let generator = match geometry.connection().transport_generator(&n) {
             Ok(generator) => generator,
-            Err(Error::NotAutoparallel { n, residual }) => {
-                return Ok(fails("nabla_n n", format!("{residual} for n = {n}")));
+            Err(Error::Broken { law: Law::ConstantTangent, residual, .. }) => {
+                return Ok(fails("nabla_n n", format!("{residual} for n = {label}")));
             }
             Err(error) => return Err(error),
         };

@@ -49,7 +49,7 @@ impl ComparedSide {
     /// Computes one side.
     ///
     /// # Errors
-    /// [`Error::NotConstant`]: claims are about structure constants.
+    /// [`Law::Constant`](affinor::Law::Constant): claims are about structure constants.
     pub fn new<S: Coefficient>(geometry: &Geometry<S>) -> Result<Self, Error> {
         let kind = geometry.kind();
         let algebra = geometry.frame_origin().algebra_for("a comparison")?;

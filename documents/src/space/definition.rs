@@ -7,7 +7,7 @@ use crate::input::{InputError, Place, Source, shown};
 use affinor::algebra::Complex;
 use affinor::algebra::catalogue::MAX_DIMENSION;
 use affinor::geometry::{ConnectionKind, FrameOrigin, Geometry};
-use affinor::{Bracket, CanonicalConnection, Error, LieAlgebra, MatrixBasis, Metric};
+use affinor::{Bracket, CanonicalConnection, Error, Law, LieAlgebra, MatrixBasis, Metric};
 use affinor_tensors::{Down, Ring, Symbolic, Tensor, Tolerance, Up};
 use num_traits::Zero;
 use std::collections::BTreeMap;
@@ -315,15 +315,15 @@ impl Definition {
             let named = terms.map(|(i, value)| (value, self.labels[*i].clone()));
             affinor_tensors::text::combination(named)
         };
-        let [x, y] = [j, k].map(|at| self.labels[at].clone());
-        let error = match (given.get(&(j, k)), given.get(&(k, j))) {
+        let pair = [j, k].map(|at| self.labels[at].clone());
+        let (law, at) = match (given.get(&(j, k)), given.get(&(k, j))) {
             (Some(forward), Some(backward)) if j != k => {
-                let values = Box::new([forward, backward].map(|given| written(&given.value)));
-                Error::OrdersDisagree { x, y, values, residual: written(&sum) }
+                let values = [forward, backward].map(|given| written(&given.value));
+                (Law::OppositeOrders, [pair, values].concat())
             }
-            _ => Error::NotAntisymmetric { x, y, residual: written(&sum) },
+            _ => (Law::Antisymmetry, pair.into()),
         };
-        Err(InputError::from(error).at(&place))
+        Err(InputError::from(law.broken(at, written(&sum))).at(&place))
     }
 
     /// The first pair with `[x,y] + [y,x]` not zero, that sum, and its place.
@@ -366,15 +366,12 @@ impl Definition {
     /// A refusal of the mathematics, at the first given bracket that it names, or else in the whole source.
     pub(crate) fn refused(&self, error: Error) -> InputError {
         let whole = self.source.clone().map(Place::within);
-        let pairs = match &error {
-            Error::Jacobi { x, y, z, .. } => vec![(x, y), (y, z), (z, x)],
-            Error::NoRationalBasis { x, y, .. } => vec![(x, y)],
-            _ => vec![],
-        };
+        let names = if let Error::Broken { at, .. } = &error { at.as_slice() } else { &[] };
+        let pairs = names.iter().zip(names.iter().cycle().skip(1));
         let bracket = match &self.origin {
             Origin::Brackets(given) => {
                 let index = |label: &String| self.labels.iter().position(|other| other == label);
-                let pairs = pairs.into_iter().flat_map(|(x, y)| [(x, y), (y, x)]);
+                let pairs = pairs.flat_map(|(x, y)| [(x, y), (y, x)]);
                 let mut pairs = pairs.filter_map(|(x, y)| Some((index(x)?, index(y)?)));
                 pairs.find_map(|pair| given.get(&pair)).map(|given| given.place.clone())
             }

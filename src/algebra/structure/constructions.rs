@@ -6,8 +6,8 @@
 
 use super::subspace::{collected, combination};
 use super::{GroundField, StructureTheory, Subspace};
-use crate::Error;
 use crate::algebra::{Bracket, LieAlgebra, join_labels};
+use crate::{Error, Law};
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::{Down, Tensor, Up};
 
@@ -30,7 +30,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// The quotient by an ideal, in the images of the basis vectors that complement it.
     ///
     /// # Errors
-    /// [`Error::NotIdeal`] with a bracket that leaves the subspace; [`Error::Shape`] for one of other vectors.
+    /// [`Law::Ideal`] with a bracket that leaves the subspace; [`Error::Shape`] for one of other vectors.
     pub fn quotient(&self, ideal: &Subspace<S>) -> Result<LieAlgebra<S>, Error> {
         if ideal.ambient() != self.dimension() {
             let (expected, found) = (self.dimension().to_string(), ideal.ambient().to_string());
@@ -41,11 +41,8 @@ impl<S: GroundField> StructureTheory<S> {
             let ad = self.products.ad(v);
             if let Some((k, column)) = ad.columns().find(|(_, column)| !ideal.contains(column)) {
                 let minus: Row<S> = column.iter().map(|(at, v)| (*at, -v.clone())).collect();
-                return Err(Error::NotIdeal {
-                    x: labels[k].clone(),
-                    v: self.write(v),
-                    bracket: self.write(&minus),
-                });
+                let at = [labels[k].clone(), self.write(v)];
+                return Err(Law::Ideal.broken(at, self.write(&minus)));
             }
         }
         let places: Vec<usize> = ideal.complement().collect();
@@ -66,7 +63,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// `omega_a(x, y)`, given as `(j, k, a, omega_a(e_j, e_k))`.
     ///
     /// # Errors
-    /// [`Error::NotCocycle`] with three basis vectors for which the cyclic sum of `omega([x,y],z)` is not
+    /// [`Law::Cocycle`] with three basis vectors for which the cyclic sum of `omega([x,y],z)` is not
     /// zero. [`Error::Shape`] for an index `j` or `k` that is not of this algebra.
     pub fn central_extension(
         &self,
@@ -84,7 +81,7 @@ impl<S: GroundField> StructureTheory<S> {
         let labels = join_labels(self.algebra.labels(), labels);
         let bracket = Bracket::from_constants(labels, constants)?;
         LieAlgebra::try_from(bracket).map_err(|error| match error {
-            Error::Jacobi { x, y, z, residual } => Error::NotCocycle { x, y, z, residual },
+            Error::Broken { law: Law::Jacobi, at, residual } => Law::Cocycle.broken(at, residual),
             error => error,
         })
     }
@@ -92,7 +89,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// The semidirect sum of this algebra, which acts, and `on`: `[e_j, v] = D_j v`.
     ///
     /// # Errors
-    /// [`Error::NotDerivation`] with two vectors of `on`; [`Error::NotAction`] with two basis vectors
+    /// [`Law::Derivation`] with two vectors of `on`; [`Law::Action`] with two basis vectors
     /// and the component in which `D_[x,y]` is not `[D_x, D_y]`; a wrong number or size of matrices.
     pub fn semidirect(
         &self,
@@ -125,12 +122,9 @@ impl<S: GroundField> StructureTheory<S> {
                     let left = apply(d, ad.column(k));
                     let residual = collected([left, minus(right)].concat());
                     if !residual.is_empty() {
-                        return Err(Error::NotDerivation {
-                            d: labels[at].clone(),
-                            x: on.algebra.labels()[j].clone(),
-                            y: on.algebra.labels()[k].clone(),
-                            residual: on.write(&residual),
-                        });
+                        let [x, y] = [j, k].map(|at| on.algebra.labels()[at].clone());
+                        let at = [labels[at].clone(), x, y];
+                        return Err(Law::Derivation.broken(at, on.write(&residual)));
                     }
                 }
             }
@@ -149,12 +143,9 @@ impl<S: GroundField> StructureTheory<S> {
                     let whole = whole.collect::<Row<S>>();
                     let residual = collected([first, minus(second), whole].concat());
                     if !residual.is_empty() {
-                        return Err(Error::NotAction {
-                            x: labels[j].clone(),
-                            y: labels[k].clone(),
-                            v: on.algebra.labels()[v].clone(),
-                            residual: on.write(&residual),
-                        });
+                        let [x, y] = [j, k].map(|at| labels[at].clone());
+                        let at = [x, y, on.algebra.labels()[v].clone()];
+                        return Err(Law::Action.broken(at, on.write(&residual)));
                     }
                 }
             }
@@ -209,7 +200,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotCommutative`] and [`Error::NotAssociative`] with vectors for which the law fails; [`Error::Shape`];
+    /// [`Law::Commutative`] and [`Law::Associative`] with vectors for which the law fails; [`Error::Shape`];
     /// [`Error::Size`] for more than 64 vectors.
     pub fn tensor_product(
         &self,
@@ -288,7 +279,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// (1953) 510-524; E. J. Saletan, *J. Math. Phys.* 2 (1961) 1-21).
     ///
     /// # Errors
-    /// [`Error::NoLimit`] with a constant for which `w_j + w_k < w_i`; a wrong number of weights.
+    /// [`Law::Limit`] with a constant for which `w_j + w_k < w_i`; a wrong number of weights.
     pub fn inonu_wigner_contraction(&self, weights: &[i64]) -> Result<LieAlgebra<S>, Error> {
         if weights.len() != self.dimension() {
             let (expected, found) = (self.dimension().to_string(), weights.len().to_string());
@@ -302,12 +293,8 @@ impl<S: GroundField> StructureTheory<S> {
                 std::cmp::Ordering::Equal => kept.push((j, k, i, value)),
                 std::cmp::Ordering::Greater => {}
                 std::cmp::Ordering::Less => {
-                    return Err(Error::NoLimit {
-                        x: labels[j].clone(),
-                        y: labels[k].clone(),
-                        component: labels[i].clone(),
-                        value: value.to_string(),
-                    });
+                    let at = [j, k, i].map(|at| labels[at].clone());
+                    return Err(Law::Limit.broken(at, value.to_string()));
                 }
             }
         }
@@ -337,8 +324,8 @@ fn expect_commutative_algebra<S: GroundField>(
     for (x, y) in (0..m).flat_map(|y| (0..y).map(move |x| (x, y))) {
         let residual = collected([table[x][y].clone(), minus(&table[y][x])].concat());
         if !residual.is_empty() {
-            let [x, y] = [x, y].map(|at| units[at].clone());
-            return Err(Error::NotCommutative { x, y, residual: write(&residual) });
+            let at = [x, y].map(|at| units[at].clone());
+            return Err(Law::Commutative.broken(at, write(&residual)));
         }
     }
     for (x, y, z) in (0..m).flat_map(|x| (0..m).flat_map(move |y| (0..x).map(move |z| (z, y, x)))) {
@@ -346,8 +333,8 @@ fn expect_commutative_algebra<S: GroundField>(
         let right = combination(&table[x], &table[y][z]);
         let residual = collected([left, minus(&right)].concat());
         if !residual.is_empty() {
-            let [x, y, z] = [x, y, z].map(|at| units[at].clone());
-            return Err(Error::NotAssociative { x, y, z, residual: write(&residual) });
+            let at = [x, y, z].map(|at| units[at].clone());
+            return Err(Law::Associative.broken(at, write(&residual)));
         }
     }
     Ok(())

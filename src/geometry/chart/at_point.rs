@@ -3,9 +3,9 @@
 use super::canonical::invariant_forms;
 use super::series::{Scaling, series};
 use super::{CanonicalCoordinates, Side};
-use crate::Error;
 use crate::algebra::frame::Frame;
 use crate::algebra::{BasisChange, LieAlgebra, to_matrix};
+use crate::{Error, Law};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::text::combination;
 use affinor_tensors::{Down, Jet, Tensor, Tolerance, Up};
@@ -98,7 +98,7 @@ impl Frame<Jet> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::SingularPoint`] where the coordinates are singular up to
+    /// [`Error::Shape`]; [`Law::RegularPoint`] where the coordinates are singular up to
     /// rounding; [`Error::Overflow`] for points too far from the identity: numbers out of range, or
     /// eigenvalues of `ad_x` beyond `2^20`.
     pub fn canonical_at_point(
@@ -109,7 +109,7 @@ impl Frame<Jet> {
     ) -> Result<Self, Error> {
         let forms = algebra.canonical_forms(kind, side, point)?;
         if let Some(vector) = kernel(algebra, kind, side, point)? {
-            return Err(Error::SingularPoint { vector });
+            return Err(Law::RegularPoint.broken([vector], "0"));
         }
         let fields = to_matrix(&forms).inverse().ok_or(Error::SingularBasis)?;
         let frame = Frame::at_point(algebra.labels(), point, |_, [a, i]| fields.get(a, i))?;

@@ -43,8 +43,8 @@ impl Chart {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Eigenvalue`] for eigenvalues that are not such forms; [`Error::Size`] for too many of
-    /// them; [`Error::Shape`], and [`Error::Coordinate`] for one that is a parameter of the
+    /// [`Law::Eigenvalues`](crate::Law::Eigenvalues) for eigenvalues that are not such forms; [`Error::Size`] for too many of
+    /// them; [`Error::Shape`], and [`Error::Name`] for one that is a parameter of the
     /// algebra.
     pub fn invariant_fields(
         &self,
@@ -56,7 +56,7 @@ impl Chart {
         let used =
             algebra.structure_constants().components().flat_map(|(_, value)| value.parameters());
         if let Some(name) = used.into_iter().find(|name| names.contains(name)) {
-            return Err(Error::Coordinate { name });
+            return Err(Error::coordinate(&name));
         }
         let x: Vec<Symbolic> = names.iter().map(|x| Symbolic::parameter(x)).collect();
         let forms =

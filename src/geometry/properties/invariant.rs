@@ -34,11 +34,13 @@ impl<S: Field + Scalar> Connection<S> {
     /// metrics of which this is a metric connection are those that are not degenerate.
     ///
     /// # Errors
-    /// [`Error::Frame`] in a frame that is not invariant; [`Error::Size`] as for
+    /// [`Error::Unsupported`] in a frame that is not invariant; [`Error::Size`] as for
     /// [`bi_invariant_forms`](Metric::bi_invariant_forms).
     pub fn parallel_forms(&self) -> Result<Vec<Tensor<S>>, Error> {
         if !self.frame().is_invariant() {
-            return Err(Error::Frame("constant forms are asked for in an invariant frame only"));
+            return Err(Error::Unsupported(
+                "constant forms are asked for in an invariant frame only".into(),
+            ));
         }
         let n = self.frame().dimension();
         // nabla_k acts on constants as the endomorphism Lambda^i_kj

@@ -14,7 +14,7 @@ use crate::numerics::exponential::{
 };
 use crate::numerics::logarithm::{logarithm, logarithm_of_double, near_identity};
 use crate::numerics::rounding::expect_digits_of_product;
-use crate::{Bracket, Error, LieAlgebra, MatrixBasis};
+use crate::{Bracket, Error, Law, LieAlgebra, MatrixBasis};
 use affinor_tensors::Tolerance;
 use affinor_tensors::linear::Matrix;
 use nalgebra::{DMatrix, DVector};
@@ -76,8 +76,8 @@ impl MatrixGroup {
     /// The group of the span of square matrices of one size.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::Dependent`];
-    /// [`Error::NotClosed`] with the first commutator that leaves the span.
+    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Law::Independent`];
+    /// [`Law::Closure`] with the first commutator that leaves the span.
     pub fn new(matrices: &[DMatrix<f64>]) -> Result<Self, Error> {
         Self::with_labels(matrices, (1..=matrices.len()).map(|at| format!("e{at}")))
     }
@@ -96,7 +96,7 @@ impl MatrixGroup {
     /// The group of a basis of matrices; complex ones `A + iB` act as `[[A, -B], [B, A]]`.
     ///
     /// # Errors
-    /// [`Error::NotClosed`]; [`Error::Shape`] without a matrix.
+    /// [`Law::Closure`]; [`Error::Shape`] without a matrix.
     pub fn from_basis(basis: &MatrixBasis<f64>) -> Result<Self, Error> {
         let bracket = basis.bracket()?;
         Self::with_bracket(basis, bracket)
@@ -124,7 +124,7 @@ impl MatrixGroup {
     /// isomorphic to any group of the algebra.
     ///
     /// # Errors
-    /// [`Error::Centre`] with a central vector, which acts as 0.
+    /// [`Law::FaithfulAdjoint`] with a central vector, which acts as 0.
     pub fn adjoint(algebra: &LieAlgebra<f64>) -> Result<Self, Error> {
         Self::represented(algebra, algebra.dimension(), adjoint_matrices(algebra))
     }
@@ -133,11 +133,11 @@ impl MatrixGroup {
     /// derivations `D`, with `[x, D] = -D x`.
     ///
     /// # Errors
-    /// [`Error::Centre`] with a central vector that every derivation maps to 0;
+    /// [`Law::FaithfulAdjoint`] with a central vector that every derivation maps to 0;
     /// [`Error::Size`] if the algebra has a centre and its derivations are too many to solve for.
     pub fn of_algebra(algebra: &LieAlgebra<f64>) -> Result<Self, Error> {
         match Self::adjoint(algebra) {
-            Err(Error::Centre { .. }) => {}
+            Err(Error::Broken { law: Law::FaithfulAdjoint, .. }) => {}
             faithful => return faithful,
         }
         let derivations = derivations(algebra)?;
@@ -161,7 +161,9 @@ impl MatrixGroup {
         let real = |m: Entries| m.into_iter().map(|(i, j, v)| (i, j, Complex::real(v))).collect();
         let matrices = matrices.into_iter().map(real).collect();
         match MatrixBasis::new(algebra.labels(), size, matrices, Tolerance::default()) {
-            Err(Error::Dependent { relation }) => Err(Error::Centre { central: relation }),
+            Err(Error::Broken { law: Law::Independent, at, residual }) => {
+                Err(Law::FaithfulAdjoint.broken(at, residual))
+            }
             basis => Self::with_bracket(
                 &basis?,
                 Bracket::new(algebra.labels(), algebra.structure_constants().clone())?,

@@ -122,7 +122,7 @@ impl ConstrainedSpec<'_> {
     /// The motion on a group.
     ///
     /// # Errors
-    /// As [`Constrained::new`] and [`Constrained::state`]; [`Error::NoMethod`] for a method of another class.
+    /// As [`Constrained::new`] and [`Constrained::state`]; [`Error::Unsupported`] for a method of another class.
     pub fn start(self, group: &AnyGroup) -> Result<Box<dyn Motion>, Error> {
         visit(group, self)
     }

@@ -108,7 +108,7 @@ const NO_PROJECTION: &str =
 /// The steps of a method for all groups and forces; `None` for methods of other classes.
 ///
 /// # Errors
-/// [`Error::NoMethod`] for a projection method on a group without a projection.
+/// [`Error::Unsupported`] for a projection method on a group without a projection.
 pub(super) fn any_system<S: CotangentSystem<Group: SimulationGroup> + 'static>(
     group: &S::Group,
     method: Method,

@@ -39,7 +39,7 @@ impl EulerPoincareSpec<'_> {
     /// The motion on a group.
     ///
     /// # Errors
-    /// As [`EulerPoincare::new`]; [`Error::NoMethod`] with the reason for a method that does not solve this problem.
+    /// As [`EulerPoincare::new`]; [`Error::Unsupported`] with the reason for a method that does not solve this problem.
     pub fn start(self, group: &AnyGroup) -> Result<Started, Error> {
         visit(group, self)
     }

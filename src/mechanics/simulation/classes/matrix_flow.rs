@@ -44,7 +44,7 @@ impl MatrixFlow {
     ///
     /// # Errors
     /// Those of the constructors of the flow and its state, for an initial condition that is not admissible;
-    /// [`Error::NoMethod`] for a method of another class.
+    /// [`Error::Unsupported`] for a method of another class.
     pub fn start(&self, time: f64, method: Method, step: f64) -> Result<StartedFlow, Error> {
         let how = How { time, method, step };
         match self {

@@ -63,7 +63,7 @@ impl PrescribedVelocitySpec {
     /// The motion on a group.
     ///
     /// # Errors
-    /// [`Error::NoMethod`] for a method of another class.
+    /// [`Error::Unsupported`] for a method of another class.
     pub fn start(self, group: &AnyGroup) -> Result<Box<dyn Motion>, Error> {
         visit(group, self)
     }
