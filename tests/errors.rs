@@ -1,8 +1,13 @@
 //! The table of laws: each message names its witness, and each class exists in Python.
 
 use crate::common::root;
-use affinor::{Error, Law};
+use affinor::tensors::scalar::ExactSum;
+use affinor::tensors::{Ring, Scalar, Summable};
+use affinor::{Bracket, Error, Law};
+use num_traits::{One, Zero};
 use std::collections::BTreeSet;
+use std::fmt;
+use std::ops::{Add, Mul, Neg, Sub};
 
 /// Entries and a residual that occur in no message by chance.
 fn broken(law: Law) -> (Vec<String>, Error) {
@@ -72,4 +77,87 @@ fn python_has_an_exception_for_each_class() {
         let class = error.class();
         assert!(classes.contains(&format!("class {class}(")), "{error:?}: {class}");
     }
+}
+
+/// Intervals with the rules of Moore: `x - x` contains zero, and is not zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Interval(i64, i64);
+
+impl fmt::Display for Interval {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "[{}, {}]", self.0, self.1)
+    }
+}
+
+macro_rules! operators {
+    ($($operator:ident $method:ident $rule:expr;)+) => {$(
+        impl $operator for Interval {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                let rule: fn(Self, Self) -> Self = $rule;
+                rule(self, other)
+            }
+        }
+        impl $operator<&Self> for Interval {
+            type Output = Self;
+            fn $method(self, other: &Self) -> Self {
+                $operator::$method(self, *other)
+            }
+        }
+    )+};
+}
+operators! {
+    Add add |a, b| Interval(a.0 + b.0, a.1 + b.1);
+    Sub sub |a, b| Interval(a.0 - b.1, a.1 - b.0);
+    Mul mul |a, b| {
+        let ends = [a.0 * b.0, a.0 * b.1, a.1 * b.0, a.1 * b.1];
+        Interval(ends.into_iter().min().unwrap(), ends.into_iter().max().unwrap())
+    };
+}
+
+impl Neg for Interval {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Interval(-self.1, -self.0)
+    }
+}
+
+impl Zero for Interval {
+    fn zero() -> Self {
+        Interval(0, 0)
+    }
+    fn is_zero(&self) -> bool {
+        *self == Self::zero()
+    }
+}
+
+impl One for Interval {
+    fn one() -> Self {
+        Interval(1, 1)
+    }
+}
+
+impl Ring for Interval {
+    fn from_i64(n: i64) -> Self {
+        Interval(n, n)
+    }
+    fn vanishes(&self) -> bool {
+        self.is_zero()
+    }
+}
+
+impl Summable for Interval {
+    type Sum = ExactSum<Self>;
+}
+
+impl Scalar for Interval {}
+
+#[test]
+fn numbers_without_negatives_are_refused_in_words() {
+    let constants = |width: i64| [(0, 1, 2, Interval(1, 1 + width)), (1, 2, 0, Interval(1, 1))];
+    assert!(Bracket::from_constants(["x", "y", "z"], constants(0)).is_ok());
+    let error = Bracket::from_constants(["x", "y", "z"], constants(1)).unwrap_err();
+    let message = "the numbers are no ring: [1, 2] - [1, 2] = [-1, 1], not 0, as for intervals";
+    assert_eq!(error.to_string(), message);
+    assert!(error.advice().is_some());
 }

@@ -50,6 +50,12 @@ impl<S: Scalar> Frame<S> {
         match symmetric.components().next() {
             None => Ok(frame),
             Some((at, _)) => {
+                let value = frame.structure.get(&at);
+                let difference = value.clone() - &value;
+                if !difference.vanishes() {
+                    let at = [value.to_string()];
+                    return Err(Law::AdditiveInverse.broken(at, difference.to_string()));
+                }
                 let (j, k) = (at[1], at[2]);
                 let residual = (0..frame.labels.len()).map(|i| symmetric.get(&[i, j, k]));
                 let at = [j, k].map(|at| frame.labels[at].clone());

@@ -66,6 +66,10 @@ macro_rules! laws {
 }
 
 laws! {
+    /// `x - x = 0` for numbers. It fails for intervals.
+    AdditiveInverse(value: x; residual) MathematicsError
+        "the numbers are no ring: {x} - {x} = {residual}, not 0, as for intervals"
+        "compute over exact numbers or floats, and bound the error of the result"
     /// `[x, y] + [y, x] = 0`.
     Antisymmetry(pair: x y; residual) AntisymmetryError
         "the bracket is not antisymmetric: [{x}, {y}] + [{y}, {x}] = {residual}"

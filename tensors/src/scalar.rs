@@ -41,7 +41,8 @@ pub use symbolic::{CommonFactors, FreeFunction, PositiveFactors, Symbolic, Varia
 pub use tabular::Tabular;
 pub use tracked::TrackedFloat;
 
-/// A commutative ring with 1, with operators by value and by reference.
+/// A commutative ring with 1, with operators by value and by reference. Every `x` has its negative: `x - x` vanishes, which it does
+/// not for intervals; brackets over such numbers are refused.
 ///
 /// The constants `zero()`, `one()` and [`from_i64`](Ring::from_i64) combine with every value of the
 /// type.
