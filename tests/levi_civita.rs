@@ -22,8 +22,8 @@ properties! {
     #[test]
     fn koszul(space in spaces(4)) {
         let n = space.dimension();
-        let (g, c) = (space.metric.components(), space.algebra.structure());
-        let lowered = contract("g_im L^m_jk -> _ijk", &[("g", g), ("L", space.levi_civita().gamma())])?;
+        let (g, c) = (space.metric.components(), space.algebra.structure_constants());
+        let lowered = contract("g_im L^m_jk -> _ijk", &[("g", g), ("L", space.levi_civita().affinities())])?;
         let product = |j: usize, k: usize, i: usize| {
             (0..n).fold(integer(0), |sum, m| sum + &(c.get(&[m, j, k]) * &g.get(&[m, i])))
         };
@@ -43,7 +43,7 @@ properties! {
     ) {
         let levi_civita = space.levi_civita();
         let plus = |part: &Tensor<Rational>| {
-            let gamma = contract("L^i_jk + s^i_jk -> ^i_jk", &[("L", levi_civita.gamma()), ("s", part)]);
+            let gamma = contract("L^i_jk + s^i_jk -> ^i_jk", &[("L", levi_civita.affinities()), ("s", part)]);
             Connection::new(space.algebra.left_frame().clone(), gamma.unwrap()).unwrap()
         };
         let symmetric = added.symmetrise(&[1, 2])?;
@@ -124,7 +124,11 @@ fn bi_invariant_metrics() {
         let killing = algebra.killing_form();
         let metric = Metric::new(algebra.labels(), killing.clone()).unwrap();
         let levi_civita = Connection::levi_civita(algebra.left_frame(), &metric).unwrap();
-        assert_eq!(levi_civita.gamma(), &algebra.structure().scale(&fraction(1, 2)), "{name}");
+        assert_eq!(
+            levi_civita.affinities(),
+            &algebra.structure_constants().scale(&fraction(1, 2)),
+            "{name}"
+        );
         assert_eq!(levi_civita.ricci(), killing.scale(&fraction(-1, 4)), "{name}");
         assert_eq!(levi_civita.scalar_curvature(&metric).unwrap(), fraction(-3, 4), "{name}");
     }

@@ -20,6 +20,7 @@ mod curvature_tensors;
 mod dynamics;
 mod elliptic;
 mod embedding;
+mod errors;
 mod events;
 mod float_bases;
 mod floats;

@@ -8,7 +8,7 @@ use affinor::mechanics::{
     Adaptive, BodyState, CommutatorFree, EulerPoincare, FreeBody, Inertia, Integrator, MuntheKaas,
     State,
 };
-use affinor::{Canonical, Connection, Metric};
+use affinor::{CanonicalConnection, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{Const, DMatrix, UnitQuaternion, Vector3};
 use serde::Deserialize;
@@ -108,7 +108,7 @@ fn system<G: TranslationSplit, M: Torque<G>>(
     metric: &Metric<f64>,
     torque: M,
 ) -> EulerPoincare<G, M> {
-    let plus = Connection::canonical(&group.algebra().unwrap(), Canonical::Plus);
+    let plus = Connection::canonical(&group.algebra().unwrap(), CanonicalConnection::Plus);
     EulerPoincare::new(group, &plus, metric, torque).unwrap()
 }
 

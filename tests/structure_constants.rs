@@ -2,8 +2,9 @@
 
 use crate::common::algebras::algebras;
 use crate::common::{integer, labels, property::properties};
-use affinor::{Bracket, Error};
-use affinor_documents::definition::{Definition, InputError, Request, Space};
+use affinor::{Bracket, Error, Law};
+use affinor_documents::input::InputError;
+use affinor_documents::space::{Definition, Request, Space};
 use affinor_tensors::{Down, Rational, Ring, Scalar, Tensor, Tolerance, Up};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
@@ -16,7 +17,7 @@ type Constant<S> = (usize, usize, usize, S);
 type Read<S> = Result<Tensor<S>, String>;
 
 fn of_bracket<S: Scalar>(bracket: Result<Bracket<S>, Error>) -> Read<S> {
-    bracket.map(|bracket| bracket.structure().clone()).map_err(|error| error.to_string())
+    bracket.map(|bracket| bracket.structure_constants().clone()).map_err(|error| error.to_string())
 }
 
 fn exact(definition: &Definition) -> Result<Bracket<Rational>, InputError> {
@@ -25,7 +26,7 @@ fn exact(definition: &Definition) -> Result<Bracket<Rational>, InputError> {
 
 fn of_definition(definition: Result<Definition, InputError>) -> Read<Rational> {
     let bracket = definition.and_then(|definition| exact(&definition));
-    bracket.map(|bracket| bracket.structure().clone()).map_err(|error| error.message)
+    bracket.map(|bracket| bracket.structure_constants().clone()).map_err(|error| error.message)
 }
 
 /// The constants as rows of a definition file.
@@ -71,7 +72,7 @@ fn doors(n: usize, constants: &[Constant<Rational>]) -> Vec<(&'static str, Read<
 fn tables() -> impl Strategy<Value = (Tensor<Rational>, Vec<Constant<Rational>>)> {
     let raw = algebras(5).prop_flat_map(|algebra| {
         let n = algebra.dimension();
-        (Just(algebra.structure().clone()), prop::collection::vec(0..3usize, n * n))
+        (Just(algebra.structure_constants().clone()), prop::collection::vec(0..3usize, n * n))
     });
     raw.prop_flat_map(|(structure, orders)| {
         let n = structure.dimension();
@@ -134,7 +135,7 @@ properties! {
         let full = constants.iter().map(|(j, k, i, v)| ([*i, *j, *k], v.clone()));
         let full = Tensor::from_components(n, &[Up, Down, Down], full).unwrap();
         match Bracket::new(labels(n), full) {
-            Err(Error::NotAntisymmetric { x: a, y: b, .. }) => prop_assert_eq!([a, b], [x, y]),
+            Err(Error::Broken { law: Law::Antisymmetry, at, .. }) => prop_assert_eq!(at, [x, y]),
             other => prop_assert!(false, "{:?}", other),
         }
     }
@@ -144,9 +145,8 @@ properties! {
 fn what_a_disagreeing_pair_says() {
     let given = [(0, 1, 2, 1.0), (1, 0, 2, 1.0), (0, 2, 1, 0.0)];
     let refused = Bracket::from_constants(labels(3), given).unwrap_err();
-    let values = Box::new(["e3", "e3"].map(String::from));
-    let residual = "2*e3".into();
-    let expected = Error::OrdersDisagree { x: "e1".into(), y: "e2".into(), values, residual };
+    let at = ["e1", "e2", "e3", "e3"].map(String::from);
+    let expected = Law::OppositeOrders.broken(at, "2*e3");
     assert_eq!(refused, expected);
     let said = "the bracket is not antisymmetric: [e1, e2] + [e2, e1] = 2*e3, \
                 for [e1, e2] = e3 and [e2, e1] = e3";
@@ -161,7 +161,10 @@ fn what_a_disagreeing_pair_says() {
     // rounding is no disagreement
     let given = [(0, 1, 2, 0.1 + 0.2), (1, 0, 2, -0.3)];
     let bracket = Bracket::from_constants(labels(3), given).unwrap();
-    assert_eq!(bracket.structure().get(&[2, 0, 1]), -bracket.structure().get(&[2, 1, 0]));
+    assert_eq!(
+        bracket.structure_constants().get(&[2, 0, 1]),
+        -bracket.structure_constants().get(&[2, 1, 0])
+    );
 }
 
 /// A row that stands twice is refused where rows are given, equal or not.
@@ -173,9 +176,9 @@ fn a_component_given_twice_is_refused() {
         let by_file = of_definition(Definition::parse("a.toml", &by_file)).unwrap_err();
         assert!(by_file.contains("[1, 2, 3, ") && by_file.contains("twice"), "{by_file}");
         match Bracket::from_constants(labels(3), given) {
-            Err(Error::GivenTwice { x, y, component, values }) => {
-                assert_eq!([x, y, component], ["e1", "e2", "e3"]);
-                assert_eq!(*values, ["1".to_string(), second.to_string()]);
+            Err(Error::Broken { law: Law::GivenOnce, at, residual }) => {
+                assert_eq!(at, ["e1", "e2", "e3", "1"]);
+                assert_eq!(residual, second.to_string());
             }
             other => panic!("{other:?}"),
         }
@@ -185,7 +188,7 @@ fn a_component_given_twice_is_refused() {
             _ => vec![],
         };
         let refused = Bracket::from_fn(&names, twice).unwrap_err();
-        assert!(matches!(refused, Error::GivenTwice { .. }), "{refused}");
+        assert!(matches!(refused, Error::Broken { law: Law::GivenOnce, .. }), "{refused}");
     }
 }
 
@@ -193,7 +196,7 @@ fn a_component_given_twice_is_refused() {
 #[test]
 fn what_is_no_bracket_is_refused() {
     let same = Bracket::from_constants(labels(2), [(1, 1, 0, integer(1))]).unwrap_err();
-    assert!(matches!(same, Error::NotAntisymmetric { .. }), "{same}");
+    assert!(matches!(same, Error::Broken { law: Law::Antisymmetry, .. }), "{same}");
     for given in [(2, 0, 0, 1.0), (0, 2, 0, 1.0), (0, 1, 2, 1.0)] {
         let refused = Bracket::from_constants(labels(2), [given]).unwrap_err().to_string();
         assert_eq!(refused, "index 2 is out of range for dimension 2");

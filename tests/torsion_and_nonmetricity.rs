@@ -43,11 +43,11 @@ properties! {
         let zero = Tensor::zero(space.dimension(), &[Up, Down, Down])?;
         let levi_civita = Connection::with_torsion(frame, g, &zero).unwrap();
         let koszul = space.levi_civita();
-        prop_assert_eq!(levi_civita.gamma(), koszul.gamma());
+        prop_assert_eq!(levi_civita.affinities(), koszul.affinities());
         let k = contorsion(g, &torsion).unwrap();
-        prop_assert_eq!(metric.gamma(), &sum(levi_civita.gamma(), &k));
+        prop_assert_eq!(metric.affinities(), &sum(levi_civita.affinities(), &k));
         let l = disformation(g, &nonmetricity).unwrap();
-        prop_assert_eq!(both.gamma(), &sum(metric.gamma(), &l));
+        prop_assert_eq!(both.affinities(), &sum(metric.affinities(), &l));
     }
 
     /// Every connection is the sum of the three, so nothing else can have the same two tensors.
@@ -56,8 +56,8 @@ properties! {
         for connection in space.connections() {
             let k = connection.contorsion(&space.metric).unwrap();
             let l = connection.disformation(&space.metric).unwrap();
-            let total = sum(&sum(space.levi_civita().gamma(), &k), &l);
-            prop_assert_eq!(connection.gamma(), &total);
+            let total = sum(&sum(space.levi_civita().affinities(), &k), &l);
+            prop_assert_eq!(connection.affinities(), &total);
             let again = Connection::with_torsion_and_nonmetricity(
                 connection.frame(),
                 &space.metric,
@@ -65,7 +65,7 @@ properties! {
                 &connection.nonmetricity(&space.metric).unwrap(),
             )
             .unwrap();
-            prop_assert_eq!(again.gamma(), connection.gamma());
+            prop_assert_eq!(again.affinities(), connection.affinities());
         }
     }
 
@@ -133,10 +133,10 @@ fn cartan_and_schouten() {
         let metric = Metric::new(algebra.labels(), algebra.killing_form()).unwrap();
         for lambda in [integer(0), fraction(1, 3), integer(1)] {
             let factor = lambda.clone() * &integer(2) - &integer(1);
-            let torsion = algebra.structure().scale(&factor);
+            let torsion = algebra.structure_constants().scale(&factor);
             let connection = Connection::with_torsion(algebra.left_frame(), &metric, &torsion);
-            let family = Connection::family(&algebra, &lambda);
-            assert_eq!(connection.unwrap().gamma(), family.gamma(), "{name}");
+            let family = Connection::cartan_schouten(&algebra, &lambda);
+            assert_eq!(connection.unwrap().affinities(), family.affinities(), "{name}");
         }
     }
 }
@@ -164,7 +164,7 @@ fn any_frame() {
             let (torsion, q) = (moved.tensor(&torsion), moved.tensor(&q));
             let here = Connection::with_torsion_and_nonmetricity(&frame, &metric, &torsion, &q);
             let here = here.unwrap();
-            assert_eq!(here.gamma(), &moved.inhomogeneous(at_home.gamma()));
+            assert_eq!(here.affinities(), &moved.inhomogeneous(at_home.affinities()));
             assert_eq!(here.torsion(), torsion);
             assert_eq!(here.nonmetricity(&metric).unwrap(), q);
         }

@@ -3,7 +3,7 @@
 
 use crate::program::{definition, run};
 use affinor::Geometry;
-use affinor_documents::definition::Definition;
+use affinor_documents::space::Definition;
 use affinor_tensors::expression::{Expression, Scalars};
 use affinor_tensors::{Notation, Symbolic, Tensor, Tolerance, contract};
 use tempfile::TempDir;
@@ -96,7 +96,7 @@ fn the_field_of_a_mass_is_empty_and_curved() {
     assert_eq!(kretschmann(&geometry), value("48*M^2/r^6"));
     // R_trtr = -2M/r^3 in unit vectors, and g_tt g_rr = -1
     assert_eq!(r.get(&[0, 1, 0, 1]), value("-2*M/r^3"));
-    let gamma = geometry.connection().gamma();
+    let gamma = geometry.connection().affinities();
     assert_eq!(gamma.get(&[1, 0, 0]), value("M*(r - 2*M)/r^3"));
     assert_eq!(gamma.get(&[1, 1, 1]), value("-M/(r*(r - 2*M))"));
     assert_eq!(gamma.get(&[1, 2, 2]), value("2*M - r"));
@@ -110,7 +110,7 @@ fn the_same_field_in_roots() {
     let rest = geometry("schwarzschild_static.toml");
     assert!(rest.connection().ricci().is_empty());
     assert_eq!(kretschmann(&rest), value("48*M^2/r^6"));
-    let acceleration = rest.connection().gamma().get(&[1, 0, 0]);
+    let acceleration = rest.connection().affinities().get(&[1, 0, 0]);
     let expected = value("M/r^2/sqrt(r - 2*M)*sqrt(r)");
     assert_eq!(acceleration, expected);
     let fall = parsed(
@@ -150,7 +150,7 @@ fn constant_curvature_in_roots_and_logarithms() {
          u = '(x*d_x + y*d_y)/sqrt(x^2 + y^2)'\nv = '(x*d_y - y*d_x)/sqrt(x^2 + y^2)'",
     );
     assert!(unit.connection().curvature().is_empty());
-    assert_eq!(unit.connection().gamma().get(&[0, 1, 1]), value("-1/sqrt(x^2 + y^2)"));
+    assert_eq!(unit.connection().affinities().get(&[0, 1, 1]), value("-1/sqrt(x^2 + y^2)"));
 }
 
 /// A value that contradicts a sign is refused: `sqrt(a^2 x) = a sqrt(x)` holds for positive `a` alone.
@@ -284,7 +284,7 @@ fn functions_are_set_before_or_after() {
     definition.set(&given).unwrap();
     let after = of(&definition);
     let set = |tensor: &Tensor<Symbolic>| tensor.map(|v| v.substitute(&given).unwrap());
-    assert_eq!(set(before.connection().gamma()), *after.connection().gamma());
+    assert_eq!(set(before.connection().affinities()), *after.connection().affinities());
     assert_eq!(set(before.connection().curvature()), *after.connection().curvature());
     let nabla = |geometry: &Geometry<Symbolic>| geometry.connection().nabla_curvature().clone();
     assert_eq!(set(&nabla(&before)), nabla(&after));
@@ -315,7 +315,7 @@ fn flat_and_hyperbolic_space_in_polar_coordinates() {
          frame = {a = 'd_r', b = '1/r*d_theta', c = '1/(r*sin(theta))*d_phi'}",
     );
     assert!(unit.connection().curvature().is_empty());
-    assert_eq!(unit.frame().structure().get(&[2, 1, 2]), value("-cot(theta)/r"));
+    assert_eq!(unit.frame().structure_functions().get(&[2, 1, 2]), value("-cot(theta)/r"));
     let hyperbolic = parsed("metric = 'diag(1, sinh(r)^2)'\nchart.coordinates = ['r', 'phi']");
     let [r, constant] = lowered(&hyperbolic);
     assert_eq!(r, constant.map(|v| -v.clone()));

@@ -1,7 +1,7 @@
 //! E8 from end to end: by name, and from a definition file made from GAP's table.
 
 use affinor::{Bracket, LieAlgebra};
-use affinor_documents::definition::{Request, Space};
+use affinor_documents::space::{Request, Space};
 use affinor_tensors::{Rational, Tolerance};
 use std::fs;
 use std::process::Command;
@@ -33,14 +33,17 @@ fn name_and_file_agree_up_to_signs() {
     let file = folder.path().join("E8.toml");
     fs::write(&file, definition()).expect("a file");
     let (mine, gap) = (bracket("E8"), bracket(file.to_str().expect("a plain path")));
-    assert_eq!((mine.structure().len(), gap.structure().len()), (16_694, 16_694));
+    assert_eq!(
+        (mine.structure_constants().len(), gap.structure_constants().len()),
+        (16_694, 16_694)
+    );
     let mut sign: Vec<Option<Rational>> = vec![None; 248];
     let one = || Some(Rational::from(1));
     (0..8).chain(240..248).for_each(|i| sign[i] = one());
     for _ in 0..248 {
-        for (at, value) in mine.structure().components() {
+        for (at, value) in mine.structure_constants().components() {
             // e_i' = s_i e_i, so c'^i_jk = s_i s_j s_k c^i_jk with signs s
-            let ratio = value.clone() / gap.structure().get(&at);
+            let ratio = value.clone() / gap.structure_constants().get(&at);
             let known = at.iter().filter_map(|&i| sign[i].clone());
             let product = known.fold(ratio, |product, s| product * &s);
             if let [unknown] = at.iter().filter(|&&i| sign[i].is_none()).collect::<Vec<_>>()[..] {
@@ -50,9 +53,9 @@ fn name_and_file_agree_up_to_signs() {
     }
     let sign: Vec<Rational> = sign.into_iter().map(|s| s.expect("every root is reached")).collect();
     assert!(sign.iter().any(|s| s.is_negative()), "the tables differ by signs");
-    for (at, value) in mine.structure().components() {
+    for (at, value) in mine.structure_constants().components() {
         let signs = at.iter().fold(Rational::from(1), |product, &i| product * &sign[i]);
-        assert_eq!(gap.structure().get(&at), value.clone() * &signs, "at {at:?}");
+        assert_eq!(gap.structure_constants().get(&at), value.clone() * &signs, "at {at:?}");
     }
     assert!(LieAlgebra::try_from(gap).is_ok());
 }

@@ -6,7 +6,7 @@ use crate::common::{integer, property::properties, spaces};
 use crate::compiled;
 use crate::program::{self, definition, root, stdout};
 use affinor::geometry::equations::{EquationKind, Equations, Variable};
-use affinor::{Canonical, Connection, ConnectionKind, Geometry, LieAlgebra, Metric};
+use affinor::{CanonicalConnection, Connection, ConnectionKind, Geometry, LieAlgebra, Metric};
 use affinor_documents::Coefficient;
 use affinor_documents::report::{EquationReport, Format, Language, Report};
 use affinor_tensors::{Down, Notation, Rational, Recorded, Symbolic, Tensor};
@@ -44,7 +44,7 @@ fn eq_108_with_a_full_symbolic_inertia() {
     let inertia: Vec<Vec<Symbolic>> = (1..4)
         .map(|i: usize| (1..4).map(|j| symbol(format!("J{}{}", i.min(j), i.max(j)))).collect())
         .collect();
-    let plus = Connection::canonical(&so3, Canonical::Plus);
+    let plus = Connection::canonical(&so3, CanonicalConnection::Plus);
     let equations = Equations::euler_poincare(&plus, &metric(&so3, &inertia)).unwrap();
     let vector = |letter: &str| [1, 2, 3].map(|i| symbol(format!("{letter}{i}")));
     let (omega, torque) = (vector("w"), vector("m"));
@@ -68,7 +68,7 @@ fn kirchhoff_on_se3() {
     };
     let matrix: Vec<Vec<Rational>> =
         (0..6).map(|i| (0..6).map(|j| entry(i, j)).collect()).collect();
-    let plus = Connection::canonical(&se3, Canonical::Plus);
+    let plus = Connection::canonical(&se3, CanonicalConnection::Plus);
     let equations = Equations::euler_poincare(&plus, &metric(&se3, &matrix)).unwrap();
     let state = [2, -1, 3, 5, -4, 1].map(integer);
     let wrench = [1, 0, -2, 3, 1, 1].map(integer);
@@ -95,7 +95,7 @@ properties! {
         let motion = |connection: &Connection<Rational>| {
             Equations::euler_poincare(connection, metric).unwrap().solved()
         };
-        let plus = motion(&Connection::canonical(algebra, Canonical::Plus));
+        let plus = motion(&Connection::canonical(algebra, CanonicalConnection::Plus));
         let levi_civita = space.levi_civita();
         prop_assert_eq!(motion(&levi_civita).rows(), plus.rows());
         let geodesics = Equations::new(EquationKind::Autoparallel, &levi_civita, None).unwrap();
@@ -104,7 +104,7 @@ properties! {
             row
         }).collect::<Vec<_>>();
         prop_assert_eq!(geodesics.rows(), free(plus.rows()));
-        let zero = motion(&Connection::canonical(algebra, Canonical::Zero));
+        let zero = motion(&Connection::canonical(algebra, CanonicalConnection::Zero));
         let halves = free(plus.rows()).into_iter().map(|mut row| {
             row.right.iter_mut().for_each(|(v, _)| *v = v.clone() / &integer(2));
             row
@@ -121,7 +121,7 @@ properties! {
         for connection in space.connections() {
             let expected = |w: &[Rational], u: &[Rational]| {
                 let term = |i, j: usize, k: usize| {
-                    connection.gamma().get(&[i, j, k]) * &w[j] * &u[k]
+                    connection.affinities().get(&[i, j, k]) * &w[j] * &u[k]
                 };
                 let sum = |i| {
                     let pairs = (0..n).flat_map(|j| (0..n).map(move |k| (j, k)));
@@ -183,7 +183,7 @@ fn awkward<S: Coefficient>() -> Geometry<S> {
         vec![constant(1), constant(-1), a],
     ];
     let metric = metric(&algebra, &rows);
-    let plus = ConnectionKind::Canonical(Canonical::Plus);
+    let plus = ConnectionKind::Canonical(CanonicalConnection::Plus);
     Geometry::new("awkward", algebra, plus, Some(metric)).unwrap()
 }
 
@@ -243,7 +243,7 @@ fn geodesics_of_the_sphere_in_coordinates() {
         [v[0], v[1], theta.sin() * theta.cos() * v[1] * v[1], -2.0 / theta.tan() * v[0] * v[1]];
     let vectors: [&[f64]; 2] = [&[theta, 0.3], &v];
     for language in Language::ALL {
-        let code = printed(&[sphere, "--motion", "autoparallel", "--code", language.name()]);
+        let code = printed(&[sphere, "--kind", "autoparallel", "--code", language.name()]);
         let no_parameter = |name: &str| panic!("{name}: the radius cancels");
         let Some(rates) =
             compiled::run(folder.path(), language, &code, &vectors, &no_parameter, &[vec![4]])
@@ -259,7 +259,7 @@ fn geodesics_of_the_sphere_in_coordinates() {
 #[test]
 fn rows_of_a_csv_are_named_by_coordinate_or_number() {
     let sphere = &definition("sphere.toml");
-    let csv = printed(&[sphere, "--motion", "autoparallel", "--format", "csv"]);
+    let csv = printed(&[sphere, "--kind", "autoparallel", "--format", "csv"]);
     let names: Vec<_> = csv.lines().map(|line| line.split(',').next().unwrap()).collect();
     assert_eq!(names, ["equation", "theta", "phi", "1", "1", "2", "2"], "{csv}");
 }
@@ -277,7 +277,7 @@ fn kinematics_of_euler_angles() {
     ] {
         assert!(text.contains(line), "{text}");
     }
-    let orbits = ["--motion", "autoparallel", "--format", "latex"];
+    let orbits = ["--kind", "autoparallel", "--format", "latex"];
     let orbits = printed(&[&[definition("schwarzschild.toml").as_str()], &orbits[..]].concat());
     let sine = "- \\sin^{2} \\theta \\, \\left(2 M - r\\right) (v^{4})^2";
     assert!(orbits.contains(sine), "{orbits}");
@@ -312,7 +312,7 @@ fn names_do_not_meet_parameters() {
         .map(|i| (0..3).map(|j| if i == j { symbols[i].clone() } else { zero() }).collect())
         .collect();
     let inertia = metric(&so3, &rows);
-    let plus = ConnectionKind::Canonical(Canonical::Plus);
+    let plus = ConnectionKind::Canonical(CanonicalConnection::Plus);
     let geometry = Geometry::new("so(3)", so3, plus, Some(inertia)).unwrap();
     let equations =
         Equations::euler_poincare(geometry.connection(), geometry.metric().unwrap()).unwrap();

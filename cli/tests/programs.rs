@@ -4,8 +4,8 @@ use crate::common::root;
 use crate::compiled::{self, run_numpy};
 use crate::program::{self, definition, stdout};
 use affinor_documents::Coefficient;
-use affinor_documents::definition::{Request, Space};
 use affinor_documents::report::{Language, Quantity};
+use affinor_documents::space::{Request, Space};
 use affinor_tensors::{Notation, Rational, Symbolic, Tensor, Tolerance};
 use std::collections::BTreeMap;
 
@@ -294,7 +294,7 @@ fn programs_in_every_language() {
             let options = ["zero", metric];
             let tensors = code("so(3)", options, show, language, &["--derivatives", "J12"]);
             let sphere = definition("sphere.toml");
-            let arguments = ["equations", &sphere, "--motion", "autoparallel", "--code"];
+            let arguments = ["equations", &sphere, "--kind", "autoparallel", "--code"];
             let motion = stdout(root(), &[&arguments[..], &[language.name()]].concat());
             let name = format!("program_{}", language.name());
             insta::assert_snapshot!(name, format!("{tensors}\n{motion}"));

@@ -8,8 +8,8 @@ use crate::tensor::PyTensor;
 use crate::values::python;
 use affinor::{CanonicalConnection, Connection, ConnectionKind, Error, Geometry};
 use affinor_documents::input::{Files, InputError};
-use affinor_documents::space::{Definition, Request, ScalarChoice, Space};
 use affinor_documents::report::Computation;
+use affinor_documents::space::{Definition, Request, ScalarChoice, Space};
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::{
     Down, Kind, Notation, Rational, Scalar, Symbolic, Tensor, Tolerance, TrackedFloat, Up,
@@ -116,9 +116,12 @@ impl Given<'_> {
         let name = definition.name.clone();
         let geometry = match self {
             Given::Definition => definition.geometry_over(ground, tolerance)?,
-            Given::None => {
-                Geometry::new(name, ground, ConnectionKind::Canonical(CanonicalConnection::Zero), None)?
-            }
+            Given::None => Geometry::new(
+                name,
+                ground,
+                ConnectionKind::Canonical(CanonicalConnection::Zero),
+                None,
+            )?,
             Given::Affinities(gamma) => {
                 let metric = definition.metric(&ground, tolerance)?;
                 let kind = ConnectionKind::Affinities(read(gamma, tolerance)?);

@@ -1,7 +1,7 @@
 //! Numbers between Rust and Python: fractions, floats, and expressions as text.
 
 use affinor_documents::Coefficient;
-use affinor_tensors::expression::{Expression, Evaluator, is_abbreviation};
+use affinor_tensors::expression::{Evaluator, Expression, is_abbreviation};
 use affinor_tensors::{Notation, Rational, Symbolic};
 use num_rational::{BigRational, Ratio};
 use pyo3::call::PyCallArgs;

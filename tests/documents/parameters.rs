@@ -1,6 +1,6 @@
 //! Parameters of problems: whatever depends on one follows it, from the command line and in an ensemble.
 
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::problem::Problem;
 
 const TOP: &str = include_str!("../../examples/motions/heavy_top.toml");

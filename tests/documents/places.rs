@@ -1,7 +1,8 @@
 //! Errors name the place of what is wrong, in TOML and in JSON.
 
-use affinor_documents::definition::{Definition, InputError};
+use affinor_documents::input::InputError;
 use affinor_documents::problem::Problem;
+use affinor_documents::space::Definition;
 
 const BODY: &str = "space = 'so3'\nmetric = 'identity'\ninitial.velocity = [1, 0, 0]\n\
                     output = { end = 1 }\n";

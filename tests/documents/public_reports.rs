@@ -1,8 +1,8 @@
 //! Definitions that users reported, with the values that they expect.
 
 use super::claims::{self, LineElement, file};
-use affinor_documents::definition::{Request, ScalarChoice, Space};
 use affinor_documents::report::{Computation, Format, Info, Quantity, Report, Selection};
+use affinor_documents::space::{Request, ScalarChoice, Space};
 use serde_json::Value;
 
 /// A definition of `tests/data/public_reports/` and a claim about it, in the notation of [`claims`].

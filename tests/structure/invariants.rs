@@ -4,7 +4,7 @@
 
 use crate::common::algebras::catalogued;
 use crate::common::labels;
-use affinor::algebra::structure::{Structure, Subspace};
+use affinor::algebra::structure::{StructureTheory, Subspace};
 use affinor::{BasisChange, Bracket, LieAlgebra, Rational, Tensor};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Up};
@@ -63,7 +63,7 @@ fn dimensions(series: &[Subspace<Rational>]) -> Vec<usize> {
 
 /// What is compared: the keys of the data that do not depend on the basis.
 pub fn invariants(algebra: Algebra) -> Value {
-    let structure = Structure::new(algebra);
+    let structure = StructureTheory::new(algebra);
     let [plus, minus, zero] = structure.killing().signature().unwrap();
     let types = structure.dynkin_type().unwrap_or_default();
     let types: Vec<String> = types.iter().map(ToString::to_string).collect();
@@ -80,13 +80,13 @@ pub fn invariants(algebra: Algebra) -> Value {
         "killing_signature": [plus, minus, zero],
         "radical": structure.radical().dimension(),
         "nilradical": structure.nilradical().dimension(),
-        "derivations": structure.derivations(),
+        "derivations": structure.derivation_dimension().map(|all| all.dimension),
         "inner_derivations": structure.dimension() - structure.centre().dimension(),
-        "invariant_forms": structure.invariant_forms(),
-        "index": structure.index(),
+        "invariant_forms": structure.invariant_form_dimension().map(|all| all.dimension),
+        "index": structure.index().dimension,
         "cartan_subalgebra": structure.cartan_subalgebra().dimension(),
         "levi_type": if types.is_empty() { Value::Null } else { types.join(" + ").into() },
-        "betti": if structure.dimension() > 10 { Value::Null } else { structure.betti().into() },
+        "betti": if structure.dimension() > 10 { Value::Null } else { structure.betti_numbers().map(|found| found.0).into() },
     })
 }
 
@@ -104,7 +104,7 @@ fn of_all_stored_algebras() {
     assert!(stored.len() >= 140);
     for (algebra, entry) in stored {
         let name = entry["name"].as_str().unwrap();
-        let structure = Structure::new(algebra.clone());
+        let structure = StructureTheory::new(algebra.clone());
         assert_eq!(
             structure.killing().determinant(),
             rational(entry["killing_determinant"].as_str().unwrap()),
@@ -127,15 +127,15 @@ fn add_up_beside_an_abelian_and_a_simple_summand() {
     let beside = catalogued("R^2+sl(2)");
     for (algebra, entry) in stored().into_iter().filter(|(algebra, _)| algebra.dimension() <= 6) {
         let name = entry["name"].as_str().unwrap();
-        let alone = Structure::new(algebra.clone());
-        let sum = Structure::new(scrambled(&algebra.direct_sum(&beside).unwrap(), 3));
-        let of = |structure: &Structure<Rational>| {
+        let alone = StructureTheory::new(algebra.clone());
+        let sum = StructureTheory::new(scrambled(&algebra.direct_sum(&beside).unwrap(), 3));
+        let of = |structure: &StructureTheory<Rational>| {
             let [plus, minus, zero] = structure.killing().signature().unwrap();
             let nilradical = structure.nilradical().dimension();
             let rank = structure.cartan_subalgebra().dimension();
             let (centre, radical) =
                 (structure.centre().dimension(), structure.radical().dimension());
-            vec![centre, radical, nilradical, structure.index(), rank, plus, minus, zero]
+            vec![centre, radical, nilradical, structure.index().dimension, rank, plus, minus, zero]
         };
         let expected: Vec<usize> =
             of(&alone).iter().zip([2, 2, 2, 3, 3, 2, 1, 2]).map(|(a, b)| a + b).collect();

@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use super::*;
-use crate::definition::{Request, Space};
 use crate::report::{Comparison, Computation, Format, Quantity, Report, Selection};
+use crate::space::{Request, Space};
 use affinor::geometry::equations::EquationKind;
 use affinor_tensors::expression::{Expression, Scalars};
 use std::collections::BTreeSet;
@@ -61,7 +61,7 @@ fn around_slashes(text: &str) -> Vec<[Row; 2]> {
             let word = end(start - 2, -1, " =,+-", [")]}", "([{"]).wrapping_add(1);
             let name = string(word..start - 1);
             let name = name.split(['^', '_']).next().unwrap_or_default();
-            if name == "D" || FUNCTIONS.contains(&name) {
+            if name == "D" || is_function(name) {
                 start = word;
             }
         }

@@ -3,7 +3,7 @@
 use crate::common::property::properties;
 use crate::fuzz::assert_sound;
 use crate::fuzz::mutation::{mutants, texts};
-use affinor_documents::definition::Definition;
+use affinor_documents::space::Definition;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use std::io::Write;

@@ -3,7 +3,7 @@
 use crate::common::property::properties;
 use crate::fuzz::assert_sound;
 use crate::fuzz::mutation::{mutants, sentences, texts};
-use affinor_documents::definition::{Request, Space};
+use affinor_documents::space::{Request, Space};
 use proptest::prelude::*;
 
 const NAMES: &[&str] = &[

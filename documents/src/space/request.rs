@@ -1,13 +1,15 @@
 //! A SPACE of the command line, with the options that complete it.
 
-use super::files::Files;
-use super::input::InputError;
-use super::notation::{self, Names, basis, lines, metric, statement};
-use super::paper;
-use super::setting::settings;
-use super::source::Source;
-use super::written::{MetricText, Text};
-use super::{Definition, MetricChoice, Origin, add, check_dimension};
+use crate::input::{
+    Files, InputError, Source,
+    forms::{MetricText, Text},
+};
+use crate::space::{
+    Definition, MetricChoice, Origin, add, check_dimension,
+    notation::{self, Names, basis, lines, metric, statement},
+    paper,
+    setting::settings,
+};
 use affinor::algebra::catalogue::CatalogueError;
 use affinor_tensors::{Kind, Rational, Symbolic};
 use std::collections::BTreeMap;
@@ -43,7 +45,7 @@ pub enum ScalarChoice {
     /// Rationals, or rational functions where parameters are left.
     #[default]
     Exact,
-    /// `f64`, with its rounding followed ([`Tracked`](affinor_tensors::Tracked)).
+    /// `f64`, with its rounding followed ([`TrackedFloat`](affinor_tensors::TrackedFloat)).
     Float,
 }
 

@@ -1,13 +1,14 @@
 //! Expressions of definitions: linear combinations like `h*e2 + 1/2 e1`, complex entries, metrics, connections.
 
-use super::functions::{self, Functions};
-use super::input::{InputError, shown};
-use super::source::{Place, Source};
-use super::{ConnectionChoice, Given, MetricChoice};
-use affinor::Canonical;
+use crate::input::{InputError, Place, Source, shown};
+use crate::space::{
+    ConnectionChoice, Given, MetricChoice,
+    functions::{self, Functions},
+};
+use affinor::CanonicalConnection;
 use affinor::algebra::Complex;
 use affinor_tensors::expression::{
-    Expression, ExpressionError, Meaning, POWER, Scalars, canonical_name, is_name, no_function,
+    Evaluator, Expression, ExpressionError, POWER, Scalars, canonical_name, is_name, no_function,
 };
 use affinor_tensors::{Field, Rational, Ring, Symbolic};
 use std::collections::{BTreeMap, BTreeSet};
@@ -30,7 +31,7 @@ impl<'n> Names<'n> {
     }
 
     /// Parses `text`, a piece of `source`, and evaluates it.
-    pub fn read<M: Meaning>(
+    pub fn read<M: Evaluator>(
         &self,
         text: &str,
         source: &Source,
@@ -338,11 +339,11 @@ impl Element {
 }
 
 /// The arithmetic of scalars, with its limits.
-fn scalars() -> impl Meaning<Value = Symbolic> {
+fn scalars() -> impl Evaluator<Value = Symbolic> {
     Scalars(|name: &str| -> Result<Symbolic, String> { Err(name.into()) }, no_function)
 }
 
-impl Meaning for Elements<'_> {
+impl Evaluator for Elements<'_> {
     type Value = Element;
     fn number(&self, number: &Rational) -> Result<Element, String> {
         Ok(Element::scalar(Symbolic::constant(number.clone())))
@@ -405,7 +406,7 @@ impl Meaning for Elements<'_> {
 /// Complex numbers over the scalars.
 struct ComplexNumbers<'n>(&'n Names<'n>);
 
-impl Meaning for ComplexNumbers<'_> {
+impl Evaluator for ComplexNumbers<'_> {
     type Value = Complex<Symbolic>;
     fn number(&self, number: &Rational) -> Result<Self::Value, String> {
         Ok(Complex::real(Symbolic::constant(number.clone())))
@@ -450,9 +451,9 @@ pub(super) fn connection(
         trimmed.strip_prefix("lambda").and_then(|rest| rest.trim_start().strip_prefix('='));
     let place = source.whole(trimmed);
     let choice = match (trimmed, family) {
-        ("plus", _) => ConnectionChoice::Canonical(Canonical::Plus),
-        ("zero", _) => ConnectionChoice::Canonical(Canonical::Zero),
-        ("minus", _) => ConnectionChoice::Canonical(Canonical::Minus),
+        ("plus", _) => ConnectionChoice::Canonical(CanonicalConnection::Plus),
+        ("zero", _) => ConnectionChoice::Canonical(CanonicalConnection::Zero),
+        ("minus", _) => ConnectionChoice::Canonical(CanonicalConnection::Minus),
         ("levi-civita", _) => ConnectionChoice::LeviCivita,
         (_, Some(value)) => ConnectionChoice::Family(names.scalar(value, source)?),
         _ => {

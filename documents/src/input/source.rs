@@ -1,8 +1,8 @@
 //! Texts that were read, and places in them.
 
-use super::files::Files;
+use super::Files;
+use super::forms::Text;
 use super::literal;
-use super::written::Text;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -22,9 +22,9 @@ pub struct Source {
     /// The string of the file that is being read, if it is not the whole text.
     excerpt: Option<Arc<Excerpt>>,
     /// How many files led to this one.
-    pub(super) depth: usize,
+    pub(crate) depth: usize,
     /// The files that were read.
-    pub(super) files: Files,
+    pub(crate) files: Files,
 }
 
 /// A string or a number of a file.
@@ -59,12 +59,12 @@ impl Source {
     }
 
     /// The same text, `depth` files below the first, with the files that were read.
-    pub(super) fn below(self, depth: usize, files: &Files) -> Self {
+    pub(crate) fn below(self, depth: usize, files: &Files) -> Self {
         Source { depth, files: files.clone(), ..self }
     }
 
     /// The same text with the places of its keys, as the parser found them.
-    pub(super) fn with_keys(&self, table: &DeTable) -> Self {
+    pub(crate) fn with_keys(&self, table: &DeTable) -> Self {
         let mut keys = BTreeMap::new();
         collect(table, "", &mut keys);
         Source { keys: Arc::new(keys), ..self.clone() }

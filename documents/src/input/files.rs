@@ -19,12 +19,12 @@ impl Files {
     }
 
     /// The content of a file, if it was given or read.
-    pub(super) fn content(&self, path: &str) -> Option<Arc<str>> {
+    pub(crate) fn content(&self, path: &str) -> Option<Arc<str>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).get(path).cloned()
     }
 
     /// Keeps the content of a file that was read.
-    pub(super) fn keep(&self, path: &str, content: &Arc<str>) {
+    pub(crate) fn keep(&self, path: &str, content: &Arc<str>) {
         let mut contents = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         contents.insert(path.into(), content.clone());
     }

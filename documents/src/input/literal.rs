@@ -2,7 +2,7 @@
 
 /// The place of each byte of `content` in the literal that it was read from, and that of its end; quotes belong to the
 /// literal. `None` if the literal does not read as `content`.
-pub(super) fn places(literal: &str, content: &str) -> Option<Vec<usize>> {
+pub(crate) fn places(literal: &str, content: &str) -> Option<Vec<usize>> {
     let quote = ["\"\"\"", "'''", "\"", "'"].into_iter().find(|quote| literal.starts_with(quote));
     let Some(quote) = quote else {
         // a key without quotes, or a number

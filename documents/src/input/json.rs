@@ -1,6 +1,6 @@
 //! JSON as a table of the TOML parser, with the place of every key and value.
 
-use super::written::Entries;
+use super::forms::Entries;
 use serde::de::Deserialize;
 use serde_json::value::{RawValue, Value};
 use std::borrow::Cow;
@@ -17,7 +17,7 @@ const MAX_DEPTH: usize = 128;
 type Refused = (String, Range<usize>);
 
 /// The table that an object of JSON holds. A key with the value `null` counts as absent.
-pub(super) fn table(text: &str) -> Result<Spanned<DeTable<'_>>, Refused> {
+pub(crate) fn table(text: &str) -> Result<Spanned<DeTable<'_>>, Refused> {
     // raw values are read without limits of numbers and nesting, and with vaguer messages
     match serde_json::from_str::<Value>(text) {
         // an integer that no float holds is one of ours

@@ -1,10 +1,11 @@
 //! Algebras built from others: the keys `sum`, `semidirect`, `subalgebra`, `quotient` and their like.
 
-use super::input::InputError;
-use super::notation::{Names, lines, statement};
-use super::source::{Place, Source};
-use super::written::{ActionText, Block, Cell, MatrixRows, Part, Text};
-use affinor::algebra::structure::{Structure, Subspace};
+use crate::input::{
+    InputError, Place, Source,
+    forms::{ActionText, Block, Cell, MatrixRows, Part, Text},
+};
+use crate::space::notation::{Names, lines, statement};
+use affinor::algebra::structure::{StructureTheory, Subspace};
 use affinor::{BasisChange, LieAlgebra};
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::{Down, Ring, Symbolic, Tensor, Up};
@@ -131,7 +132,7 @@ impl<D> Site<'_, D> {
                 self.structure(of, "truncated.of")?.truncated(*order)
             }
             Construction::Contraction(Contraction { of, weights }) => {
-                self.structure(of, "contraction.of")?.contraction(weights)
+                self.structure(of, "contraction.of")?.inonu_wigner_contraction(weights)
             }
             Construction::Quotient(Quotient { of, by }) => {
                 let structure = self.structure(of, "quotient.of")?;
@@ -317,14 +318,18 @@ impl<D> Site<'_, D> {
         Matrix::from_dense(&rows).map_err(|error| self.refuse(&error.to_string()))
     }
 
-    fn structure(&self, part: &Part<D>, key: &str) -> Result<Structure<Symbolic>, InputError> {
-        Ok(Structure::new((self.read)(part, key)?))
+    fn structure(
+        &self,
+        part: &Part<D>,
+        key: &str,
+    ) -> Result<StructureTheory<Symbolic>, InputError> {
+        Ok(StructureTheory::new((self.read)(part, key)?))
     }
 
     /// Combinations of the basis vectors.
     fn vectors(
         &self,
-        structure: &Structure<Symbolic>,
+        structure: &StructureTheory<Symbolic>,
         texts: &[Text],
     ) -> Result<Vec<Row<Symbolic>>, InputError> {
         let labels = structure.algebra().labels().iter().cloned();
@@ -356,7 +361,7 @@ impl<D> Site<'_, D> {
 /// The right sides by ordered pair of an algebra that is built.
 pub(super) fn pairs(algebra: &Algebra, place: &Place) -> super::Pairs {
     let mut pairs = super::Pairs::new();
-    for (at, value) in algebra.structure().components().filter(|(at, _)| at[1] < at[2]) {
+    for (at, value) in algebra.structure_constants().components().filter(|(at, _)| at[1] < at[2]) {
         let given = pairs
             .entry((at[1], at[2]))
             .or_insert_with(|| super::Given { value: BTreeMap::new(), place: place.clone() });

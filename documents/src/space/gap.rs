@@ -1,9 +1,7 @@
 //! Tables of structure constants of GAP: as a program of `SetEntrySCTable`, or as the list that GAP prints.
 
-use super::input::InputError;
-use super::notation::Names;
-use super::source::Source;
-use super::{Definition, Given, Origin, Pairs, check_dimension};
+use crate::input::{InputError, Source, shown};
+use crate::space::{Definition, Given, Origin, Pairs, check_dimension, notation::Names};
 use affinor_tensors::{Ring, Symbolic};
 use std::collections::BTreeMap;
 
@@ -35,7 +33,7 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
         let index = |at: &str| {
             let number: Option<usize> = at.trim().parse().ok();
             number.filter(|at| (1..=n).contains(at)).map(|at| at - 1).ok_or_else(|| {
-                let message = format!("the index {} is not in 1..{n}", super::input::shown(at));
+                let message = format!("the index {} is not in 1..{n}", shown(at));
                 InputError::usage(message).at(&source.whole(place))
             })
         };

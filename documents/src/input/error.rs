@@ -1,7 +1,7 @@
 //! Errors of the input: what is wrong, where, and what to write instead.
 
-use super::source::{Place, Source};
-use affinor::Error;
+use super::{Place, Source};
+use affinor::{Error, Law};
 use affinor_tensors::TensorError;
 use affinor_tensors::expression::{is_printable, looks_latin};
 use std::fmt;
@@ -114,34 +114,17 @@ impl From<TensorError> for InputError {
     }
 }
 
-/// Advice on a refusal of the mathematics.
+/// Advice in the words of the command line, or else of the library.
 fn advice(error: &Error) -> Option<&'static str> {
     match error {
-        Error::NotAntisymmetric { .. } | Error::OrdersDisagree { .. } => {
-            Some("[y,x] must be -[x,y], and [x,x] zero")
-        }
-        Error::Jacobi { .. } => Some("look at the brackets of these three basis vectors"),
-        Error::NoRationalBasis { .. } => Some(
-            "structure theory computes over the rational numbers: give another basis, or a parameter instead of the number",
-        ),
-        Error::NotSubalgebra { .. } => {
-            Some("add the bracket to the vectors, or take the subalgebra that they generate")
-        }
-        Error::NotIdeal { .. } => Some("add the bracket to the vectors"),
-        Error::NotCocycle { .. } => Some("change the values of the form on these vectors"),
-        Error::NotCommutative { .. } | Error::NotAssociative { .. } => {
-            Some("the vectors span a commutative, associative algebra: change their products")
-        }
-        Error::NotClosed { .. } => Some("add the missing matrices to the basis"),
-        Error::Dependent { .. } => Some("a basis has no such relation: leave a matrix out"),
-        Error::NotSymmetric { .. } => Some("write the same value at both places"),
-        Error::Degenerate { .. } => Some("a metric has an inverse: change it, or take another"),
         Error::NoMetric => Some("give a metric, for instance --metric identity"),
-        Error::NotInvariant { .. } => Some("take --frame left, or a canonical connection"),
+        Error::Broken { law: Law::AdInvariance, .. } => {
+            Some("take --frame left, or a canonical connection")
+        }
         Error::Overflow { .. } | Error::NotFinite { .. } => {
             Some("compute exactly: without --scalar float")
         }
-        _ => None,
+        other => other.advice(),
     }
 }
 

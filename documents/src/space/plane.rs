@@ -1,10 +1,8 @@
 //! Planes of tangent vectors, written in the basis of a definition.
 
-use super::Definition;
-use super::input::{InputError, shown};
-use super::notation::Names;
-use super::source::Source;
 use crate::Coefficient;
+use crate::input::{InputError, Source, shown};
+use crate::space::{Definition, notation::Names};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Definition {

@@ -1,9 +1,8 @@
 //! Definitions of named spaces: catalogue entries, their direct sums, the geometries of the paper.
 
-use super::input::InputError;
-use super::source::{Place, Source};
-use super::{ConnectionChoice, Definition, Given, MetricChoice, Origin, check_dimension};
 use crate::Coefficient;
+use crate::input::{InputError, Place, Source};
+use crate::space::{ConnectionChoice, Definition, Given, MetricChoice, Origin, check_dimension};
 use affinor::algebra::catalogue::{self, Entry};
 use affinor::{ConnectionKind, Geometry};
 use affinor_tensors::Symbolic;

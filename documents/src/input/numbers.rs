@@ -1,8 +1,8 @@
 //! Floats in a text: vectors, matrices row by row, lines of CSV and JSON.
 
-use super::input::{InputError, shown};
-use super::source::Source;
-use affinor_tensors::expression::{Expression, Meaning};
+use super::Source;
+use super::{InputError, shown};
+use affinor_tensors::expression::{Evaluator, Expression};
 use affinor_tensors::{Notation, Rational};
 use std::f64::consts::{PI, TAU};
 
@@ -10,10 +10,10 @@ use std::f64::consts::{PI, TAU};
 /// `pi/2 -0.5 1e-3`.
 ///
 /// ```
-/// use affinor_documents::definition::{Source, numbers};
+/// use affinor_documents::input::{Source, numbers};
 /// let row = numbers(&Source::new("a line", "[1/2, -1e-3, 2*pi]"))?;
 /// assert_eq!(row, [0.5, -0.001, std::f64::consts::TAU]);
-/// # Ok::<(), affinor_documents::definition::InputError>(())
+/// # Ok::<(), affinor_documents::input::InputError>(())
 /// ```
 ///
 /// # Errors
@@ -66,7 +66,7 @@ fn number(word: &str, source: &Source) -> Result<f64, InputError> {
 /// Numbers, `pi` and `tau`, in floats.
 struct Floats;
 
-impl Meaning for Floats {
+impl Evaluator for Floats {
     type Value = f64;
 
     fn number(&self, number: &Rational) -> Result<f64, String> {

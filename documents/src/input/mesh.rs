@@ -1,8 +1,8 @@
 //! Meshes of bodies from files: STL, as text or binary, and OBJ.
 
 use super::file::{MAX_BYTES, bytes};
-use super::input::{InputError, shown};
-use super::source::{Place, Source};
+use super::{InputError, shown};
+use super::{Place, Source};
 use affinor::mechanics::Mesh;
 use nalgebra::Vector3;
 use std::io::Cursor;
@@ -28,14 +28,14 @@ pub fn read_mesh(path: &str) -> Result<Mesh, InputError> {
 /// Polygons are divided into triangles. Coordinates of a binary STL have the precision of `f32`, those of text that of `f64`.
 ///
 /// ```
-/// use affinor_documents::definition::mesh;
+/// use affinor_documents::input::mesh;
 /// let pyramid = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4";
 /// assert!((mesh("pyramid.obj", pyramid.as_bytes())?.mass_properties().mass() - 1.0 / 6.0).abs() < 1e-16);
 ///
 /// let error = mesh("pyramid.obj", pyramid.replace("2 4", "2 5").as_bytes()).unwrap_err();
 /// assert_eq!(error.to_string(), "no OBJ: the file has no vertex 5");
 /// assert_eq!(error.at.unwrap().text(), Some("f 1 2 5"));
-/// # Ok::<(), affinor_documents::definition::InputError>(())
+/// # Ok::<(), affinor_documents::input::InputError>(())
 /// ```
 ///
 /// # Errors

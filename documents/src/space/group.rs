@@ -1,6 +1,7 @@
 //! The group of a definition.
 
-use super::{Definition, InputError, Origin};
+use crate::input::InputError;
+use crate::space::{Definition, Origin};
 use affinor::LieAlgebra;
 use affinor::group::{AnyGroup, MatrixGroup, registry};
 use affinor::tensors::Tolerance;

@@ -1,9 +1,10 @@
 //! Values for the parameters of a definition.
 
-use super::Definition;
-use super::input::{InputError, shown};
-use super::notation::{Names, check_name, split};
-use super::source::Source;
+use crate::input::{InputError, Source, shown};
+use crate::space::{
+    Definition,
+    notation::{Names, check_name, split},
+};
 use affinor_tensors::expression::canonical_name;
 use affinor_tensors::scalar::{FreeFunction, PositiveFactors};
 use affinor_tensors::{Notation, Symbolic};

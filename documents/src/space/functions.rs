@@ -1,6 +1,6 @@
 //! The functions that expressions over a chart may contain.
 
-use super::input::shown;
+use crate::input::shown;
 use affinor_tensors::Symbolic;
 use affinor_tensors::expression::{POWER, no_function};
 use affinor_tensors::scalar::{FreeFunction, PositiveFactors};

@@ -1,12 +1,12 @@
 //! Charts in definitions: coordinates, and fields whose components are functions of them.
 
-use super::Given;
-use super::functions::{Functions, Positive};
-use super::input::{InputError, shown};
-use super::notation::Names;
-use super::source::{Place, Source};
-use super::written::ChartText;
 use crate::Coefficient;
+use crate::input::{InputError, Place, Source, forms::ChartText, shown};
+use crate::space::{
+    Given,
+    functions::{Functions, Positive},
+    notation::Names,
+};
 use affinor::geometry::chart::{Chart, Fields};
 use affinor_tensors::expression::{canonical_name, is_abbreviation};
 use affinor_tensors::scalar::FreeFunction;

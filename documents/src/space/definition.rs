@@ -1,50 +1,14 @@
-//! Definitions of spaces, on the command line and in files, read into geometries.
-//!
-//! A SPACE is a geometry of the paper, a catalogue name, a sum of names, a file, or brackets given inline ([`Space`]).
-//! Each becomes a [`Definition`], exact and symbolic, which is then converted to the scalar of the computation
-//! ([`Coefficient`]). Files are TOML or JSON with the same keys.
-//!
-//! In reading order: `source` and `input` have places and errors; `file` parses a file, `written` its values;
-//! `document` has the keys of a definition, `notation` its expressions; `space` has the SPACE of a command.
+//! A definition: a space as it is written, exact and symbolic, converted to the scalar of a computation.
 
-mod chart;
-mod construction;
-pub(crate) mod document;
-mod entry;
-pub(crate) mod file;
-mod files;
-mod functions;
-mod gap;
-mod group;
-pub(crate) mod input;
-mod json;
-mod literal;
-mod mesh;
-pub(crate) mod notation;
-pub(crate) mod numbers;
-pub mod paper;
-mod plane;
-pub(crate) mod setting;
-pub(crate) mod source;
-mod space;
-pub(crate) mod written;
-
-pub use file::{fingerprint, read_rows};
-pub use files::Files;
-pub use input::{InputError, Refusal};
-pub use mesh::{mesh, read_mesh};
-pub use numbers::numbers;
-pub use source::{Place, Source};
-pub use space::{Request, ScalarChoice, Space};
-
+use super::chart::OnChart;
+use super::functions::Functions;
 use crate::Coefficient;
+use crate::input::{InputError, Place, Source, shown};
 use affinor::algebra::Complex;
 use affinor::algebra::catalogue::MAX_DIMENSION;
 use affinor::geometry::{ConnectionKind, FrameOrigin, Geometry};
-use affinor::{Bracket, Canonical, Error, LieAlgebra, MatrixBasis, Metric};
+use affinor::{Bracket, CanonicalConnection, Error, Law, LieAlgebra, MatrixBasis, Metric};
 use affinor_tensors::{Down, Ring, Symbolic, Tensor, Tolerance, Up};
-use chart::OnChart;
-use functions::Functions;
 use num_traits::Zero;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -57,21 +21,21 @@ pub struct Definition {
     /// The name.
     pub name: String,
     /// The name of its algebra, if that differs from its own: so(3) for M(3).
-    algebra_name: Option<String>,
+    pub(super) algebra_name: Option<String>,
     /// The names of the basis vectors.
     pub labels: Vec<String>,
-    origin: Origin,
-    metric: Option<MetricChoice>,
-    connection: Option<(ConnectionChoice, Place)>,
+    pub(super) origin: Origin,
+    pub(super) metric: Option<MetricChoice>,
+    pub(super) connection: Option<(ConnectionChoice, Place)>,
     /// Parameters that were declared, whether or not a value depends on them.
-    declared: Vec<String>,
+    pub(super) declared: Vec<String>,
     /// The file; `None` for brackets on the command line.
-    source: Option<Source>,
+    pub(super) source: Option<Source>,
 }
 
 /// The definition of the bracket.
 #[derive(Clone, Debug)]
-enum Origin {
+pub(super) enum Origin {
     /// Brackets as given, by ordered pair (from 0).
     Brackets(Pairs),
     /// A matrix basis: entries (row, column, value) of each matrix.
@@ -81,23 +45,23 @@ enum Origin {
 }
 
 /// Right sides by ordered pair.
-type Pairs = BTreeMap<(usize, usize), Given>;
+pub(super) type Pairs = BTreeMap<(usize, usize), Given>;
 
 /// Two basis vectors, in order, from 0.
-type Pair = (usize, usize);
+pub(super) type Pair = (usize, usize);
 
-type MatrixEntries = Vec<(usize, usize, Complex<Symbolic>)>;
+pub(super) type MatrixEntries = Vec<(usize, usize, Complex<Symbolic>)>;
 
 /// The right side of a given bracket, and its place.
 #[derive(Clone, Debug)]
-struct Given {
-    value: BTreeMap<usize, Symbolic>,
-    place: Place,
+pub(super) struct Given {
+    pub(super) value: BTreeMap<usize, Symbolic>,
+    pub(super) place: Place,
 }
 
 /// A metric as it is defined.
 #[derive(Clone, Debug)]
-enum MetricChoice {
+pub(super) enum MetricChoice {
     Identity,
     Killing(Place),
     Components(Vec<([usize; 2], Symbolic)>, Option<Place>),
@@ -105,15 +69,17 @@ enum MetricChoice {
 
 /// A connection as it is defined.
 #[derive(Clone, Debug)]
-enum ConnectionChoice {
-    Canonical(Canonical),
+pub(super) enum ConnectionChoice {
+    Canonical(CanonicalConnection),
     Family(Symbolic),
     LeviCivita,
     Affinities(Pairs),
 }
 
 /// The components `[i, j, k]` of right sides `v^i` of the pairs `j, k`.
-fn components<S: Coefficient>(pairs: &Pairs) -> Result<Vec<([usize; 3], S)>, InputError> {
+pub(super) fn components<S: Coefficient>(
+    pairs: &Pairs,
+) -> Result<Vec<([usize; 3], S)>, InputError> {
     let each = pairs.iter().flat_map(|(&(j, k), Given { value, place })| {
         value.iter().map(move |(&i, value)| {
             Ok(([i, j, k], S::read(value).map_err(|error| error.or_at(place))?))
@@ -124,7 +90,7 @@ fn components<S: Coefficient>(pairs: &Pairs) -> Result<Vec<([usize; 3], S)>, Inp
 
 impl Definition {
     /// An algebra without a metric, a connection and parameters.
-    fn new(name: impl Into<String>, labels: Vec<String>, origin: Origin) -> Self {
+    pub(super) fn new(name: impl Into<String>, labels: Vec<String>, origin: Origin) -> Self {
         Definition {
             name: name.into(),
             algebra_name: None,
@@ -172,7 +138,7 @@ impl Definition {
     }
 
     /// The functions on the chart.
-    fn functions(&self) -> Option<&Functions> {
+    pub(super) fn functions(&self) -> Option<&Functions> {
         match &self.origin {
             Origin::Chart(chart) => Some(&chart.functions),
             _ => None,
@@ -297,7 +263,7 @@ impl Definition {
             self.connection.as_ref().map(|(choice, place)| (choice, place)).unzip();
         let kind = match choice {
             None if metric.is_some() || self.is_on_chart() => ConnectionKind::LeviCivita,
-            None => ConnectionKind::Canonical(Canonical::Zero),
+            None => ConnectionKind::Canonical(CanonicalConnection::Zero),
             Some(ConnectionChoice::Canonical(which)) => ConnectionKind::Canonical(*which),
             Some(ConnectionChoice::Family(lambda)) => {
                 let value = S::read(lambda);
@@ -324,7 +290,7 @@ impl Definition {
     }
 
     /// Replaces the connection by a canonical one.
-    pub fn set_canonical(&mut self, which: Canonical) {
+    pub fn set_canonical(&mut self, which: CanonicalConnection) {
         let place = Place::within(Source::new(which.name(), ""));
         self.connection = Some((ConnectionChoice::Canonical(which), place));
     }
@@ -342,26 +308,29 @@ impl Definition {
     }
 
     /// Checks that `[x,x] = 0`, and that `[y,x] = -[x,y]` where both are given.
-    fn antisymmetric(&self, given: &Pairs) -> Result<(), InputError> {
+    pub(super) fn antisymmetric(&self, given: &Pairs) -> Result<(), InputError> {
         let Some(((j, k), sum, place)) = self.asymmetry(given) else { return Ok(()) };
         let written = |value: &BTreeMap<usize, Symbolic>| {
             let terms = value.iter().filter(|(_, value)| !value.vanishes());
             let named = terms.map(|(i, value)| (value, self.labels[*i].clone()));
             affinor_tensors::text::combination(named)
         };
-        let [x, y] = [j, k].map(|at| self.labels[at].clone());
-        let error = match (given.get(&(j, k)), given.get(&(k, j))) {
+        let pair = [j, k].map(|at| self.labels[at].clone());
+        let (law, at) = match (given.get(&(j, k)), given.get(&(k, j))) {
             (Some(forward), Some(backward)) if j != k => {
-                let values = Box::new([forward, backward].map(|given| written(&given.value)));
-                Error::OrdersDisagree { x, y, values, residual: written(&sum) }
+                let values = [forward, backward].map(|given| written(&given.value));
+                (Law::OppositeOrders, [pair, values].concat())
             }
-            _ => Error::NotAntisymmetric { x, y, residual: written(&sum) },
+            _ => (Law::Antisymmetry, pair.into()),
         };
-        Err(InputError::from(error).at(&place))
+        Err(InputError::from(law.broken(at, written(&sum))).at(&place))
     }
 
     /// The first pair with `[x,y] + [y,x]` not zero, that sum, and its place.
-    fn asymmetry(&self, given: &Pairs) -> Option<(Pair, BTreeMap<usize, Symbolic>, Place)> {
+    pub(super) fn asymmetry(
+        &self,
+        given: &Pairs,
+    ) -> Option<(Pair, BTreeMap<usize, Symbolic>, Place)> {
         given.iter().find_map(|(&(j, k), right)| {
             let other = given.get(&(k, j));
             if j > k || (j < k && other.is_none()) {
@@ -378,7 +347,7 @@ impl Definition {
         })
     }
 
-    fn matrix_basis<S: Coefficient>(
+    pub(super) fn matrix_basis<S: Coefficient>(
         &self,
         tolerance: Tolerance,
     ) -> Result<MatrixBasis<S>, InputError> {
@@ -397,15 +366,12 @@ impl Definition {
     /// A refusal of the mathematics, at the first given bracket that it names, or else in the whole source.
     pub(crate) fn refused(&self, error: Error) -> InputError {
         let whole = self.source.clone().map(Place::within);
-        let pairs = match &error {
-            Error::Jacobi { x, y, z, .. } => vec![(x, y), (y, z), (z, x)],
-            Error::NoRationalBasis { x, y, .. } => vec![(x, y)],
-            _ => vec![],
-        };
+        let names = if let Error::Broken { at, .. } = &error { at.as_slice() } else { &[] };
+        let pairs = names.iter().zip(names.iter().cycle().skip(1));
         let bracket = match &self.origin {
             Origin::Brackets(given) => {
                 let index = |label: &String| self.labels.iter().position(|other| other == label);
-                let pairs = pairs.into_iter().flat_map(|(x, y)| [(x, y), (y, x)]);
+                let pairs = pairs.flat_map(|(x, y)| [(x, y), (y, x)]);
                 let mut pairs = pairs.filter_map(|(x, y)| Some((index(x)?, index(y)?)));
                 pairs.find_map(|pair| given.get(&pair)).map(|given| given.place.clone())
             }
@@ -414,12 +380,12 @@ impl Definition {
         InputError::from(error).or_at(bracket.or(whole).as_ref())
     }
 
-    fn each_value(&self, f: &mut dyn FnMut(&Symbolic)) {
+    pub(super) fn each_value(&self, f: &mut dyn FnMut(&Symbolic)) {
         // one traversal serves both: this one visits a copy
         self.clone().each_value_mut(&mut |value| f(value));
     }
 
-    fn each_value_mut(&mut self, f: &mut dyn FnMut(&mut Symbolic)) {
+    pub(super) fn each_value_mut(&mut self, f: &mut dyn FnMut(&mut Symbolic)) {
         let brackets = |given: &mut Pairs, f: &mut dyn FnMut(&mut Symbolic)| {
             given.values_mut().flat_map(|right| right.value.values_mut()).for_each(f);
         };
@@ -448,7 +414,7 @@ impl Definition {
 }
 
 /// Refuses a dimension of zero or above [`MAX_DIMENSION`].
-fn check_dimension<N>(dimension: N) -> Result<usize, InputError>
+pub(super) fn check_dimension<N>(dimension: N) -> Result<usize, InputError>
 where
     N: TryInto<usize> + std::fmt::Display + Copy,
 {
@@ -460,7 +426,7 @@ where
 }
 
 /// Adds a statement. A pair that is given twice must have the same value.
-fn add(all: &mut Pairs, pair: (usize, usize), given: Given) -> Result<(), InputError> {
+pub(super) fn add(all: &mut Pairs, pair: (usize, usize), given: Given) -> Result<(), InputError> {
     match all.entry(pair) {
         Entry::Vacant(free) => drop(free.insert(given)),
         Entry::Occupied(other) if other.get().value == given.value => {}
@@ -468,7 +434,7 @@ fn add(all: &mut Pairs, pair: (usize, usize), given: Given) -> Result<(), InputE
             let error = InputError::usage("this pair is given a second, different value");
             let error = error.at(&given.place);
             return Err(match other.get().place.text() {
-                Some(first) => error.help(format!("the first is `{}`", input::shown(first))),
+                Some(first) => error.help(format!("the first is `{}`", shown(first))),
                 None => error,
             });
         }

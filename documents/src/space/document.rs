@@ -1,23 +1,26 @@
 //! The keys of a definition file, read into a definition.
 
-use super::chart::OnChart;
-use super::construction::{
-    Construction, Contraction, Extension, OtherBasis, Quotient, Semidirect, Site, Subalgebra,
-    TensorProduct, Truncated, pairs,
+use crate::input::{
+    InputError, Place, Source,
+    forms::{
+        Block, Cell, ChartText, ConnectionText, Entries, Formulas, MatrixRows, MetricText, Part,
+        Row, Text, canonical_names, optional_names,
+    },
+    shown,
 };
-use super::functions::Functions;
-use super::input::{InputError, shown};
-use super::notation::{
-    Names, basis, check_name, connection, lines, metric, metric_rows, shape, statement,
-};
-use super::source::{Place, Source};
-use super::written::{
-    Block, Cell, ChartText, ConnectionText, Entries, Formulas, MatrixRows, MetricText, Part, Row,
-    Text, canonical_names, optional_names,
-};
-use super::{
+use crate::space::{
     ConnectionChoice, Definition, Given, MatrixEntries, MetricChoice, Origin, Pairs, add,
-    check_dimension, space,
+    chart::OnChart,
+    check_dimension,
+    construction::{
+        Construction, Contraction, Extension, OtherBasis, Quotient, Semidirect, Site, Subalgebra,
+        TensorProduct, Truncated, pairs,
+    },
+    functions::Functions,
+    notation::{
+        Names, basis, check_name, connection, lines, metric, metric_rows, shape, statement,
+    },
+    request,
 };
 use affinor::LieAlgebra;
 use affinor::geometry::chart::field_of;
@@ -179,7 +182,7 @@ impl Document {
         }
         let read = |part: &Part<Self>, key: &str| {
             let (definition, place) = match part {
-                Part::Name(text) => (space::part(&source.excerpt(text))?, source.at(text)),
+                Part::Name(text) => (request::part(&source.excerpt(text))?, source.at(text)),
                 Part::Nested(document) => (document.define(&source.table(key))?, source.key(key)),
             };
             let algebra = definition.algebra_alone().algebra(Tolerance::default());

@@ -25,14 +25,14 @@ impl Deref for Text {
 }
 
 /// Names, in their canonical form.
-pub(super) fn canonical_names<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Text>, D::Error> {
+pub(crate) fn canonical_names<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Text>, D::Error> {
     let mut names = Vec::<Text>::deserialize(from)?;
     names.iter_mut().for_each(|name| name.content = canonical_name(&name.content).into_owned());
     Ok(names)
 }
 
 /// Names that a key may give, in their canonical form.
-pub(super) fn optional_names<'de, D: Deserializer<'de>>(
+pub(crate) fn optional_names<'de, D: Deserializer<'de>>(
     from: D,
 ) -> Result<Option<Vec<Text>>, D::Error> {
     canonical_names(from).map(Some)
