@@ -1,5 +1,7 @@
 //! A table says the same in every format, and what it says can be read back.
 
+mod stored;
+
 use crate::common::property::properties;
 use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra, Metric};
 use affinor_documents::Coefficient;
