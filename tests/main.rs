@@ -69,7 +69,6 @@ mod claims {
     mod group_thresholds;
     mod long_runs;
     mod milnor;
-    mod motions;
     mod no_numbers;
     mod orbit;
     mod power;
