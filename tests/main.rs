@@ -27,6 +27,7 @@ mod geometry {
     mod chart;
     mod connection;
     mod curvature;
+    mod equations;
     mod forms;
     mod holonomy;
     mod metric_affine;
