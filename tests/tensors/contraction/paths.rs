@@ -59,6 +59,7 @@ fn paths(dimension: usize) -> impl Iterator<Item = (Paths, &'static ThreadPool)>
 fn agrees<S: Scalar>(case: &Case<S>) -> Result<(), TestCaseError> {
     let (text, operands) = (&case.text, case.operands());
     let expected: Vec<_> = oracle(text, &operands).into_iter().collect();
+    prop_assert_eq!(&stored(&contract(text, &operands)?), &expected, "{}", text);
     for (paths, pool) in paths(operands[0].1.dimension()) {
         let result = pool.install(|| contract_by(&paths, text, &operands))?;
         prop_assert_eq!(&stored(&result), &expected, "{} by {:?}", text, paths);
@@ -74,6 +75,7 @@ properties! {
         agrees(&case)?;
         let result = contract(&case.text, &case.operands())?;
         prop_assert_eq!(result.slots(), case.slots);
+        prop_assert_eq!(result.dimension(), case.operands[0].1.dimension());
     }
 
     #[test]
