@@ -1,6 +1,7 @@
 //! The scalars obey the laws, and rationals agree with another implementation of them.
 
 mod effort;
+mod float;
 mod jet;
 mod recorded;
 mod symbolic;
