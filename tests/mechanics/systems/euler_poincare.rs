@@ -1,4 +1,4 @@
-//! Euler-Poincare systems on groups: orders of the integrators, what is conserved, published states.
+//! Euler-Poincare systems on groups: what is conserved, rates by the equations, and what is refused.
 
 use crate::common::steps::run;
 use affinor::geometry::equations::Equations;
