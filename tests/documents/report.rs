@@ -1,5 +1,6 @@
 //! A table says the same in every format, and what it says can be read back.
 
+mod claims;
 mod stored;
 
 use crate::common::property::properties;
