@@ -4,6 +4,9 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod definition {
+    mod chart;
+}
 mod figures;
 mod report;
 

@@ -2,7 +2,8 @@
 
     python3 tests/references/line_elements.py [NAME ...]        (Python 3.11, mpmath 1.3)
 
-The claims are read from the tables in the Rust sources, the definition files from the folders of tests/data/ with their names.
+The claims are read from the tables in the Rust sources, the definition files from the folders of tests/data/ with their names,
+or from examples/definitions/.
 """
 import random
 import re
@@ -77,7 +78,8 @@ def main():
         if chosen and name.split("/")[1] not in chosen:
             continue
         if name not in geometries:
-            definition = Definition.read(ROOT / f"tests/data/{name}.toml")
+            paths = [ROOT / f"tests/data/{name}.toml", ROOT / f"examples/definitions/{Path(name).name}.toml"]
+            definition = Definition.read(next(filter(Path.exists, paths)))
             rng = random.Random(zlib.crc32(name.encode()))
             low, high = RANGES.get(name, (mpf(1) / 5, 3))
             geometries[name] = [random_point(definition, rng, low=low, high=high)[:2] for _ in range(POINTS)]

@@ -7,6 +7,8 @@ use affinor_documents::definition::{Request, ScalarChoice, Space};
 use affinor_documents::report::{Computation, Format, Info, Quantity, Report, Selection};
 use serde_json::Value;
 
+const FOLDER: &str = "tests/data/public_reports";
+
 /// A definition of `tests/data/public_reports/` and a claim about it, in the notation of [`statement`].
 #[rustfmt::skip]
 const CLAIMS: &[(&str, &str)] = &[
@@ -47,7 +49,7 @@ const CLAIMS: &[(&str, &str)] = &[
 
 #[test]
 fn reported_charts_have_the_expected_values() {
-    statement::assert_all("public_reports", CLAIMS);
+    statement::assert_all(FOLDER, CLAIMS);
 }
 
 fn space(text: String, set: Option<&str>) -> Space {
@@ -68,7 +70,7 @@ fn table(space: &Space, show: &str, format: Format) -> String {
 /// The Hubble constant becomes any number, and arguments have any coefficients.
 #[test]
 fn arguments_have_any_coefficients() {
-    let text = file("public_reports", "exp_fifth");
+    let text = file(FOLDER, "exp_fifth");
     for (set, expected) in [("H=1/5", "S = 12/25"), ("H=0.07", "S = 147/2500")] {
         let shown = table(&space(text.clone(), Some(set)), "scalar_curvature", Format::Text);
         assert!(shown.contains(expected), "{set}: {shown}");
@@ -89,15 +91,14 @@ fn arguments_have_any_coefficients() {
 /// The gamma metric is vacuum for two of its exponents, which `--set` gives.
 #[test]
 fn exponents_are_set() {
-    let space =
-        space(file("public_reports", "gamma_metric"), Some("delta=gamma^2-1,epsilon=gamma^2"));
+    let space = space(file(FOLDER, "gamma_metric"), Some("delta=gamma^2-1,epsilon=gamma^2"));
     let shown = table(&space, "ricci", Format::Text);
     assert!(shown.contains("Ric_jl = 0"), "{shown}");
 }
 
 #[test]
 fn hyperbolic_functions_are_printed_as_such() {
-    let space = space(file("public_reports", "hyperbolic_text"), None);
+    let space = space(file(FOLDER, "hyperbolic_text"), None);
     let shown = table(&space, "metric,ricci", Format::Text);
     assert!(shown.contains("sinh(theta)^2") && !shown.contains("exp("), "{shown}");
 }
@@ -105,7 +106,7 @@ fn hyperbolic_functions_are_printed_as_such() {
 /// A function `d` has the derivative `d_x`, which is also the coordinate field of `x`.
 #[test]
 fn a_function_with_the_name_of_the_coordinate_fields_is_read_or_explained() {
-    let definition = Some(("reported.toml".into(), file("public_reports", "function_d")));
+    let definition = Some(("reported.toml".into(), file(FOLDER, "function_d")));
     if let Err(error) = Space::open(&Request { definition, ..Request::default() }) {
         assert!(error.to_string().contains("coordinate field"), "{error}");
     }
@@ -114,7 +115,7 @@ fn a_function_with_the_name_of_the_coordinate_fields_is_read_or_explained() {
 /// Gell-Mann's basis of su(3) has structure constants with the root of 3.
 #[test]
 fn su3_in_the_basis_of_gell_mann() {
-    let space = space(file("public_reports", "su3_gell_mann"), None);
+    let space = space(file(FOLDER, "su3_gell_mann"), None);
     let info = Info::of(&space.definition, &|_| {}).unwrap();
     let mut text = vec![];
     info.write(Format::Json, &mut text).unwrap();

@@ -133,9 +133,9 @@ fn entries(list: &str) -> Vec<&str> {
     found
 }
 
-/// A definition file of the tests.
+/// A definition file of a folder of the workspace.
 pub fn file(folder: &str, name: &str) -> String {
-    std::fs::read_to_string(root().join(format!("tests/data/{folder}/{name}.toml"))).unwrap()
+    std::fs::read_to_string(root().join(format!("{folder}/{name}.toml"))).unwrap()
 }
 
 /// Tests claims about the definition files of a folder, and fails with all that do not hold.
