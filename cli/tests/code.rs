@@ -1,5 +1,8 @@
 //! Tensors as programs: compiled, run, and compared with the exact tensors at rational points.
 
+mod accuracy;
+mod pivots;
+
 use crate::common::root;
 use crate::compiled::{self, run_numpy};
 use crate::program::{self, definition, stdout};
