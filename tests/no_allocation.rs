@@ -20,7 +20,7 @@ use affinor::mechanics::{
     KinematicState, Magnus, MoserVeselov, MuntheKaas, PrescribedVelocity, Projected, SimoWong,
     State, System,
 };
-use affinor::{Canonical, Connection, Metric};
+use affinor::{CanonicalConnection, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 use allocation_counter::measure;
 use nalgebra::{DVector, UnitQuaternion, Vector3, dvector};
@@ -43,7 +43,7 @@ fn inertia([i, j]: [usize; 2]) -> f64 {
 
 fn body<G: TranslationSplit, M: Torque<G>>(
     group: G,
-    which: Canonical,
+    which: CanonicalConnection,
     torque: M,
 ) -> EulerPoincare<G, M> {
     let algebra = group.algebra().unwrap();
@@ -57,7 +57,7 @@ fn any_group<G: Embedded + TranslationSplit + Clone>(name: &str, group: G) {
     let torque = move |time: f64, _: &G::Element, omega: &G::Vector| {
         omega.clone() * -0.1 + G::Vector::from_fn(n, |i| (time + i as f64).sin())
     };
-    for which in [Canonical::Plus, Canonical::Zero] {
+    for which in [CanonicalConnection::Plus, CanonicalConnection::Zero] {
         let system = body(group.clone(), which, torque);
         let velocity = G::Vector::from_fn(n, |i| 0.3 - 0.1 * i as f64);
         let start = system.state(0.0, group.exp(&velocity), &velocity);
@@ -96,13 +96,13 @@ fn steps_on_groups() {
 
 #[test]
 fn steps_of_a_body() {
-    let system = body(So3, Canonical::Plus, Free);
+    let system = body(So3, CanonicalConnection::Plus, Free);
     let start = system.state(0.0, So3.identity(), &Vector3::new(1.0, 0.4, -0.9));
     let inertia = Inertia::new(&nalgebra::Matrix3::from_fn(|i, j| inertia([i, j]))).unwrap();
     let weight = |_: f64, g: &UnitQuaternion<f64>, _: &Vector3<f64>| {
         g.inverse_transform_vector(&Vector3::y())
     };
-    let heavy = body(So3, Canonical::Plus, weight);
+    let heavy = body(So3, CanonicalConnection::Plus, weight);
     let ten = FreeMotion::MoserVeselov(Order::Ten);
     assert_none("DMV", &system, &MoserVeselov::new(&inertia, Order::Ten), &start);
     assert_none("Simo-Wong", &heavy, &SimoWong::new(&inertia), &start);
@@ -168,7 +168,7 @@ fn forced<G: SimulationGroup>(
     formulas: &[&str],
     load: impl Fn(&mut Forces),
 ) -> Box<dyn Motion> {
-    let system = body(group.clone(), Canonical::Plus, Free);
+    let system = body(group.clone(), CanonicalConnection::Plus, Free);
     let n = group.dimension();
     let matrix = nalgebra::DMatrix::from_fn(n, n, |i, j| inertia([i, j]));
     let mut forces = Forces::none(group, matrix, vec![("a".into(), 0.5)]);
@@ -177,7 +177,7 @@ fn forced<G: SimulationGroup>(
     let metric = Tensor::from_fn(n, [Down, Down], inertia).unwrap();
     let momentum = G::Vector::from_fn(n, |i| 0.3 - 0.1 * i as f64);
     let spec = EulerPoincareSpec {
-        connection: &Connection::canonical(&algebra, Canonical::Plus),
+        connection: &Connection::canonical(&algebra, CanonicalConnection::Plus),
         metric: &Metric::new(algebra.labels(), metric).unwrap(),
         columns: columns(forces.names(), formulas),
         forces,

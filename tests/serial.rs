@@ -1,7 +1,7 @@
 //! Algebras, metrics, connections and geometries written through serde and read back, and what is refused.
 
 use crate::common::{Space, property::properties, spaces};
-use affinor::geometry::connection::Canonical;
+use affinor::geometry::connection::CanonicalConnection;
 use affinor::group::{AnyGroup, Coordinates, Se3, So3, TranslationSplit};
 use affinor::mechanics::State;
 use affinor::{Connection, ConnectionKind, Geometry, LieAlgebra, Metric, Rational};
@@ -18,7 +18,7 @@ properties! {
     fn what_is_written_is_read_back(space in spaces(4)) {
         let Space { algebra, lambda, metric, affinities } = space;
         let kinds = [
-            ConnectionKind::Canonical(Canonical::Zero),
+            ConnectionKind::Canonical(CanonicalConnection::Zero),
             ConnectionKind::Family(lambda),
             ConnectionKind::LeviCivita,
             ConnectionKind::Affinities(affinities),
@@ -40,7 +40,7 @@ properties! {
 #[test]
 fn the_written_form() {
     let geometry =
-        Geometry::new("aff", algebra("aff(1)"), ConnectionKind::Canonical(Canonical::Plus), None)
+        Geometry::new("aff", algebra("aff(1)"), ConnectionKind::Canonical(CanonicalConnection::Plus), None)
             .unwrap();
     let structure = r#"{"schema":"affinor.tensor/1","dimension":2,"slots":["up","down","down"],"tolerance":1.4210854715202004e-14,"components":[[[2,1,2],"1"],[[2,2,1],"-1"]]}"#;
     let algebra =
@@ -81,7 +81,7 @@ fn what_is_read_is_checked() {
 #[test]
 fn other_frames_are_not_written() {
     let geometry =
-        Geometry::new("M", algebra("so(3)"), ConnectionKind::Canonical(Canonical::Plus), None)
+        Geometry::new("M", algebra("so(3)"), ConnectionKind::Canonical(CanonicalConnection::Plus), None)
             .unwrap();
     let right = serde_json::to_string(&geometry.in_right_frame().unwrap()).unwrap_err();
     assert_eq!(right.to_string(), "a geometry in its right-invariant frame is not written");

@@ -202,11 +202,11 @@ const PLANE: [usize; 2] = [0, 1];
 fn mtw_13_23_is_ours_with_the_direction_last() -> Outcome {
     let (algebra, connection) = hyperbolic_plane()?;
     // c_abm = c_ab^n g_nm, the metric being the identity
-    let c = |a, b, m| algebra.structure().get(&[m, a, b]);
+    let c = |a, b, m| algebra.structure_constants().get(&[m, a, b]);
     let half = Rational::new(1, 2).ok_or("1/2")?;
     for (m, b, d) in triples() {
         let gamma = (c(m, b, d) + &c(m, d, b) - &c(b, d, m)) * &half;
-        assert_eq!(gamma, connection.gamma().get(&[m, d, b]), "Gamma_{m}{b}{d}");
+        assert_eq!(gamma, connection.affinities().get(&[m, d, b]), "Gamma_{m}{b}{d}");
     }
     Ok(())
 }
@@ -216,15 +216,15 @@ fn the_curvature_of_sage_is_ours_and_that_of_geomstats_its_negative() -> Outcome
     let (algebra, connection) = hyperbolic_plane()?;
     let curvature = connection.curvature();
     let zero = || Rational::from(0);
-    let c = |i, j, k| algebra.structure().get(&[i, j, k]);
+    let c = |i, j, k| algebra.structure_constants().get(&[i, j, k]);
     // Sage: gam[k,i,j] with the direction last
-    let gam = |k, i, j| connection.gamma().get(&[k, j, i]);
+    let gam = |k, i, j| connection.affinities().get(&[k, j, i]);
     // geomstats: nabla(x, y), the direction first, by components
     let nabla = |x: &[Rational; 2], y: &[Rational; 2]| {
         PLANE.map(|i| {
             let terms = PLANE.into_iter().flat_map(|j| PLANE.map(|k| (j, k)));
             terms.fold(zero(), |sum, (j, k)| {
-                sum + &(connection.gamma().get(&[i, j, k]) * &x[j] * &y[k])
+                sum + &(connection.affinities().get(&[i, j, k]) * &x[j] * &y[k])
             })
         })
     };

@@ -5,7 +5,7 @@ use crate::common::integer;
 use crate::compiled;
 use crate::program::{self, definition, root, stdout};
 use affinor::geometry::equations::{EquationKind, Equations};
-use affinor::{Canonical, ConnectionKind, Geometry, LieAlgebra, Metric};
+use affinor::{CanonicalConnection, ConnectionKind, Geometry, LieAlgebra, Metric};
 use affinor_documents::Coefficient;
 use affinor_documents::report::{EquationReport, Format, Language, Report};
 use affinor_tensors::{Down, Notation, Rational, Recorded, Symbolic, Tensor};
@@ -38,7 +38,7 @@ fn awkward<S: Coefficient>() -> Geometry<S> {
         vec![constant(1), constant(-1), a],
     ];
     let metric = metric(&algebra, &rows);
-    let plus = ConnectionKind::Canonical(Canonical::Plus);
+    let plus = ConnectionKind::Canonical(CanonicalConnection::Plus);
     Geometry::new("awkward", algebra, plus, Some(metric)).unwrap()
 }
 
@@ -167,7 +167,7 @@ fn names_do_not_meet_parameters() {
         .map(|i| (0..3).map(|j| if i == j { symbols[i].clone() } else { zero() }).collect())
         .collect();
     let inertia = metric(&so3, &rows);
-    let plus = ConnectionKind::Canonical(Canonical::Plus);
+    let plus = ConnectionKind::Canonical(CanonicalConnection::Plus);
     let geometry = Geometry::new("so(3)", so3, plus, Some(inertia)).unwrap();
     let equations =
         Equations::euler_poincare(geometry.connection(), geometry.metric().unwrap()).unwrap();

@@ -1,7 +1,8 @@
 //! The examples run, and every definition beside them passes `affinor check`.
 
 use crate::program::{definition, root, stdout};
-use affinor_documents::definition::{InputError, Request, ScalarChoice, Space};
+use affinor_documents::input::InputError;
+use affinor_documents::space::{Request, ScalarChoice, Space};
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::Tolerance;
 
@@ -102,7 +103,7 @@ fn own_scalar() -> Outcome {
 /// The dimension, and the number of structure constants; Jacobi is checked on the way.
 fn dimension<S: Coefficient>(space: &Space) -> Result<(usize, usize), InputError> {
     let algebra = space.definition.algebra::<S>(Tolerance::default())?;
-    Ok((algebra.dimension(), algebra.structure().len()))
+    Ok((algebra.dimension(), algebra.structure_constants().len()))
 }
 
 #[test]

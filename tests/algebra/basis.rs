@@ -108,14 +108,14 @@ properties! {
         let change = change(&matrix);
         let new = algebra.change_basis(&change);
         prop_assert!(new.is_ok(), "{name}: {new:?}");
-        let structure = new.unwrap().structure().clone();
+        let structure = new.unwrap().structure_constants().clone();
         for (at, value) in structure.components() {
             prop_assert_eq!(*value, -structure.get(&[at[0], at[2], at[1]]));
         }
         prop_assert!(Bracket::new(labels(n), structure.clone()).is_ok());
         // c' = A^-1 c (A, A), by matrices: ad'_a = A^-1 ad_{A e_a} A
         let inverse = matrix.clone().try_inverse().unwrap();
-        let largest = algebra.structure().components().fold(0.0f64, |m, (_, v)| m.max(v.abs()));
+        let largest = algebra.structure_constants().components().fold(0.0f64, |m, (_, v)| m.max(v.abs()));
         // the inverse is known to a rounding times the condition of the matrix
         let condition = inverse.norm() * matrix.norm();
         let size = largest * inverse.norm() * matrix.norm().powi(2);

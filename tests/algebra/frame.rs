@@ -34,7 +34,7 @@ fn same(here: &Tensor<Jet>, exact: &Tensor<Symbolic>) {
 fn invariant_fields_by_closures() {
     let frame = Frame::at_point(labels(3), &POINT, euler).unwrap();
     let group = euler_angles();
-    same(frame.structure(), group.algebra.structure());
+    same(frame.structure_functions(), group.algebra.structure_constants());
     let g = |[i, j]: [usize; 2]| [[2, 1, 0], [1, 3, 0], [0, 0, 1]][i][j];
     let exact = Tensor::from_fn(3, [Down, Down], |at| constant(g(at))).unwrap();
     let exact = Metric::new(labels(3), exact).unwrap();
@@ -42,7 +42,7 @@ fn invariant_fields_by_closures() {
     let metric = Tensor::from_fn(3, [Down, Down], |at| Jet::from_i64(g(at))).unwrap();
     let metric = Metric::new(labels(3), metric).unwrap();
     let here = Connection::levi_civita(&frame, &metric).unwrap();
-    same(here.gamma(), exact.gamma());
+    same(here.affinities(), exact.affinities());
     same(here.curvature(), exact.curvature());
     same(&here.bianchi_first(), &Tensor::zero(3, exact.curvature().slots()).unwrap());
 }
@@ -60,7 +60,7 @@ fn functions_by_closures() {
         euler(x, [a, b]) * &scales[b] + &mixed
     });
     let frame = frame.unwrap();
-    same(frame.structure(), &moved.structure());
+    same(frame.structure_functions(), &moved.structure_constants());
     let x: Vec<Jet> = (0..3).map(|a| Jet::coordinate(POINT[a], a, 3)).collect();
     let slots: [Variance; 2] = [Down, Down];
     let g = Tensor::from_fn(3, slots, |[i, j]| match (i, j) {
@@ -79,7 +79,7 @@ fn functions_by_closures() {
     let exact = Metric::new(labels(3), exact.unwrap()).unwrap();
     let exact = Connection::levi_civita(&moved.frame(), &exact).unwrap();
     let here = here.unwrap();
-    same(here.gamma(), exact.gamma());
+    same(here.affinities(), exact.affinities());
     same(here.curvature(), exact.curvature());
     same(&here.ricci(), &exact.ricci());
 }

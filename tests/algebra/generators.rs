@@ -8,7 +8,7 @@ use affinor_tensors::{Down, Ring, Up};
 type Constant = (usize, usize, usize, Rational);
 
 fn constants(algebra: &LieAlgebra<Rational>) -> Vec<Constant> {
-    let components = algebra.structure().components();
+    let components = algebra.structure_constants().components();
     let pairs = components.filter(|(at, _)| at[1] < at[2]);
     pairs.map(|(at, value)| (at[1], at[2], at[0], value.clone())).collect()
 }
@@ -51,7 +51,7 @@ fn every_constant_counts_in_the_basis_of_the_catalogue() {
 fn every_constant_counts_in_a_full_table() {
     let dense = scrambled(&catalogued("so(8)"), 1);
     let n = dense.dimension();
-    assert!(8 * dense.structure().len() > n * n * n);
+    assert!(8 * dense.structure_constants().len() > n * n * n);
     assert!(violations(&dense, 1999) > 0);
 }
 

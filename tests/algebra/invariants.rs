@@ -31,7 +31,7 @@ fn span(tensors: &[Tensor<Rational>]) -> Echelon<Rational> {
 
 /// The equations `(L_x Lambda)^i_jk = 0`, by plain sums: their rank.
 fn rank(algebra: &Algebra, directions: &[Vec<Rational>]) -> usize {
-    let (n, c) = (algebra.dimension(), algebra.structure());
+    let (n, c) = (algebra.dimension(), algebra.structure_constants());
     let place = |i: usize, j: usize, k: usize| (i * n + j) * n + k;
     let mut rows = vec![];
     for x in directions {
@@ -68,10 +68,10 @@ properties! {
         let basis = Connection::bi_invariant(&algebra).unwrap();
         prop_assert_eq!(basis.len(), n.pow(3) - rank(&algebra, &units));
         let space = span(&basis);
-        prop_assert!(space.contains(row(algebra.structure())));
+        prop_assert!(space.contains(row(algebra.structure_constants())));
         for gamma in &basis {
             let connection = Connection::new(algebra.left_frame().clone(), gamma.clone()).unwrap();
-            prop_assert!(connection.ad_variation().unwrap().is_empty());
+            prop_assert!(connection.ad_invariance_defect().unwrap().is_empty());
             prop_assert!(connection.in_right_frame(&algebra).is_ok());
         }
         // under one direction alone
@@ -106,7 +106,7 @@ fn laquer() {
         let algebra = catalogued(name);
         let basis = Connection::bi_invariant(&algebra).unwrap();
         assert_eq!(basis.len(), 1, "{name}");
-        assert!(span(&basis).contains(row(algebra.structure())), "{name}");
+        assert!(span(&basis).contains(row(algebra.structure_constants())), "{name}");
     }
     for name in ["su(3)", "su(4)", "so(6)", "su(5)"] {
         assert_eq!(dimension(name), 2, "{name}");
@@ -179,7 +179,7 @@ fn the_symmetric_tensor_of_sl() {
     let space = span(&Connection::bi_invariant(&algebra).unwrap());
     assert!(space.contains(row(&symmetric)));
     // so zero is not the only bi-invariant connection without torsion
-    let operands = [("c", algebra.structure()), ("d", &symmetric)];
+    let operands = [("c", algebra.structure_constants()), ("d", &symmetric)];
     let gamma = contract("c^i_jk + 2 d^i_jk -> ^i_jk", &operands).unwrap().scale(&fraction(1, 2));
     let connection = Connection::new(algebra.left_frame().clone(), gamma).unwrap();
     assert!(connection.torsion().is_empty());

@@ -25,10 +25,10 @@ properties! {
         let commutator = contract("a^i_jk - b^i_jk -> ^i_jk", &[("a", &xy), ("b", &yx)])?;
         prop_assert_eq!(along(&bracket, &t), commutator);
         // the structure is invariant by the Jacobi identity
-        prop_assert!(along(&x, space.algebra.structure()).is_empty());
+        prop_assert!(along(&x, space.algebra.structure_constants()).is_empty());
         prop_assert!(along(&x, &space.algebra.killing_form()).is_empty());
         // L_x T = nabla_x T of plus
-        let plus = Connection::family(&space.algebra, &crate::common::integer(1));
+        let plus = Connection::cartan_schouten(&space.algebra, &crate::common::integer(1));
         let nabla = plus.nabla(&t)?;
         let operands = [("x", &x), ("D", &nabla)];
         prop_assert_eq!(along(&x, &t), contract("x^m D^i_mjk -> ^i_jk", &operands)?);

@@ -5,7 +5,7 @@ use crate::common::algebras::{algebras, by_table, catalogued, seeds};
 use crate::common::charts::constant;
 use crate::common::{fraction, integer, property::properties, rationals, stored};
 use affinor::algebra::catalogue;
-use affinor::{Bracket, Canonical, Connection, Error, LieAlgebra, LiePoisson};
+use affinor::{Bracket, CanonicalConnection, Connection, Error, LieAlgebra, LiePoisson};
 use affinor_tensors::linear::{Echelon, Matrix};
 use affinor_tensors::{Rational, Symbolic, Tensor, Up, contract};
 use num_traits::Zero;
@@ -58,7 +58,7 @@ properties! {
         for [i, j] in (0..n * n).map(|key| [key / n, key % n]) {
             let x = space.coordinates();
             let terms = (0..n).map(|k| {
-                x[k].clone() * &Symbolic::constant(algebra.structure().get(&[k, i, j]))
+                x[k].clone() * &Symbolic::constant(algebra.structure_constants().get(&[k, i, j]))
             });
             let sum = terms.fold(Symbolic::zero(), |sum, term| sum + &term);
             prop_assert_eq!(bracket(&x[i], &x[j]), -sum.clone());
@@ -78,11 +78,11 @@ properties! {
             .collect();
         let terms = space.coordinates().iter().zip(&omega).map(|(x, o)| x.clone() * o);
         let h = terms.fold(Symbolic::zero(), |sum, term| sum + &term);
-        let plus = Connection::canonical(&symbolic(&algebra), Canonical::Plus);
+        let plus = Connection::canonical(&symbolic(&algebra), CanonicalConnection::Plus);
         let momentum = Tensor::vector(space.coordinates(), affinor_tensors::Down);
         let ad = contract(
             "L^j_ki o^k -> ^j_i",
-            &[("L", plus.gamma()), ("o", &Tensor::vector(&omega, Up))],
+            &[("L", plus.affinities()), ("o", &Tensor::vector(&omega, Up))],
         )?;
         let euler = contract("a^j_i H_j -> _i", &[("a", &ad), ("H", &momentum)])?;
         prop_assert_eq!(space.hamiltonian_field(&h).unwrap(), euler);
@@ -302,7 +302,7 @@ fn at(values: &BTreeMap<String, Symbolic>, algebra: &LieAlgebra<Symbolic>) -> Li
 
 fn all_at(algebra: &LieAlgebra<Symbolic>, numbers: &[Rational]) -> BTreeMap<String, Symbolic> {
     let names: BTreeSet<String> =
-        algebra.structure().components().flat_map(|(_, v)| v.parameters()).collect();
+        algebra.structure_constants().components().flat_map(|(_, v)| v.parameters()).collect();
     let constants = numbers.iter().cloned().map(Symbolic::constant);
     names.into_iter().zip(constants).collect()
 }

@@ -7,7 +7,7 @@ use crate::algebra::structure::invariants;
 use crate::common::algebras::catalogued;
 use crate::common::property::properties;
 use affinor::algebra::RationalBasis;
-use affinor::algebra::structure::{Ground, Structure};
+use affinor::algebra::structure::{GroundField, StructureTheory};
 use affinor::{BasisChange, Bracket, Down, Error, LieAlgebra, Rational, Symbolic, Tensor, Up};
 use affinor_tensors::Field;
 use affinor_tensors::linear::modular::{PRIMES, primes};
@@ -58,13 +58,13 @@ properties! {
         // the divisors have rational squares and lead to this basis
         let back = given.change_basis(&diagonal(basis.divisors().iter().map(|d| d.recip().unwrap())));
         let back = back.unwrap();
-        prop_assert_eq!(back.structure(), basis.algebra().structure());
+        prop_assert_eq!(back.structure_constants(), basis.algebra().structure_constants());
         for divisor in basis.divisors() {
             prop_assert!((divisor.clone() * divisor).as_constant().is_some(), "{}", divisor);
         }
         let rational = basis.over_the_rationals().unwrap();
         let names = |algebra: &LieAlgebra<Rational>| {
-            let found = Structure::new(algebra.clone()).identify();
+            let found = StructureTheory::new(algebra.clone()).identify();
             found.map(|found| found.names)
         };
         if algebra.dimension() <= 6 {
@@ -149,7 +149,7 @@ fn few_basis_vectors_are_divided() {
         RationalBasis::of(&three(["a*sqrt(a^2 + 1)", "sqrt(a^2 + 1)", "3*sqrt(a^2 + 1)/(a + 2)"]));
     let basis = basis.unwrap();
     assert!(basis.is_new() && basis.over_the_rationals().is_none());
-    let values = basis.algebra().structure().components().map(|(_, value)| value.to_string());
+    let values = basis.algebra().structure_constants().components().map(|(_, value)| value.to_string());
     assert!(values.into_iter().all(|text| !text.contains("sqrt")));
 }
 

@@ -13,7 +13,7 @@ mod symplectic;
 
 use crate::common::algebras::catalogued;
 use crate::common::labels;
-use affinor::algebra::structure::{Structure, Subspace};
+use affinor::algebra::structure::{StructureTheory, Subspace};
 use affinor::{BasisChange, Bracket, LieAlgebra, Rational, Tensor};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Up};
@@ -73,7 +73,7 @@ fn dimensions(series: &[Subspace<Rational>]) -> Vec<usize> {
 
 /// What is compared: the keys of the data that do not depend on the basis.
 pub fn invariants(algebra: Algebra) -> Value {
-    let structure = Structure::new(algebra);
+    let structure = StructureTheory::new(algebra);
     let [plus, minus, zero] = structure.killing().signature().unwrap();
     let types = structure.dynkin_type().unwrap_or_default();
     let types: Vec<String> = types.iter().map(ToString::to_string).collect();
@@ -114,7 +114,7 @@ fn of_all_stored_algebras() {
     assert!(stored.len() >= 140);
     for (algebra, entry) in stored {
         let name = entry["name"].as_str().unwrap();
-        let structure = Structure::new(algebra.clone());
+        let structure = StructureTheory::new(algebra.clone());
         assert_eq!(
             structure.killing().determinant(),
             rational(entry["killing_determinant"].as_str().unwrap()),
@@ -137,9 +137,9 @@ fn add_up_beside_an_abelian_and_a_simple_summand() {
     let beside = catalogued("R^2+sl(2)");
     for (algebra, entry) in stored().into_iter().filter(|(algebra, _)| algebra.dimension() <= 6) {
         let name = entry["name"].as_str().unwrap();
-        let alone = Structure::new(algebra.clone());
-        let sum = Structure::new(scrambled(&algebra.direct_sum(&beside).unwrap(), 3));
-        let of = |structure: &Structure<Rational>| {
+        let alone = StructureTheory::new(algebra.clone());
+        let sum = StructureTheory::new(scrambled(&algebra.direct_sum(&beside).unwrap(), 3));
+        let of = |structure: &StructureTheory<Rational>| {
             let [plus, minus, zero] = structure.killing().signature().unwrap();
             let nilradical = structure.nilradical().dimension();
             let rank = structure.cartan_subalgebra().dimension();
@@ -176,14 +176,14 @@ fn answered() -> Vec<(Algebra, Value)> {
     entries.iter().map(|entry| (algebra(entry), entry.clone())).collect()
 }
 
-fn levi_type(structure: &Structure<Rational>) -> Vec<String> {
+fn levi_type(structure: &StructureTheory<Rational>) -> Vec<String> {
     structure.dynkin_type().unwrap().iter().map(ToString::to_string).collect()
 }
 
 /// Compares all that GAP has answered.
 fn compare(algebra: &Algebra, expected: &Value) {
     let name = &expected["name"];
-    let structure = Structure::new(algebra.clone());
+    let structure = StructureTheory::new(algebra.clone());
     let types = levi_type(&structure);
     let found = json!({
         "dimension": structure.dimension(),
@@ -228,7 +228,7 @@ fn gap_beside_an_abelian_and_a_simple_summand() {
     let beside = catalogued("R^2+sl(2)");
     for (at, (algebra, expected)) in answered().iter().enumerate() {
         let sum = scrambled(&algebra.direct_sum(&beside).unwrap(), at as i64 + 1);
-        let sum = Structure::new(sum);
+        let sum = StructureTheory::new(sum);
         let name = &expected["name"];
         let number = |key: &str| expected[key].as_u64().unwrap() as usize;
         assert_eq!(sum.centre().dimension(), number("centre") + 2, "{name}");

@@ -4,7 +4,7 @@
 
 use affinor::algebra::catalogue::{self, CatalogueError};
 use affinor::{
-    Bracket, Canonical, Connection, ConnectionKind, Error, Frame, Geometry, LieAlgebra,
+    Bracket, CanonicalConnection, Connection, ConnectionKind, Error, Frame, Geometry, LieAlgebra,
     MatrixBasis, Metric, Rational, Symbolic, Tolerance,
 };
 use nalgebra::dmatrix;
@@ -87,21 +87,21 @@ fn a_tolerance_is_inherited() {
     let weak = Tolerance::new(1e-3).unwrap();
     let bracket = Bracket::from_fn(["x", "y"], |_, _| vec![(1, 1.0)]).unwrap();
     let algebra = LieAlgebra::try_from(bracket.with_tolerance(weak)).unwrap();
-    let zero = Connection::canonical(&algebra, Canonical::Zero);
-    for tensor in [algebra.structure(), &zero.torsion(), zero.curvature(), &zero.ricci()] {
+    let zero = Connection::canonical(&algebra, CanonicalConnection::Zero);
+    for tensor in [algebra.structure_constants(), &zero.torsion(), zero.curvature(), &zero.ricci()] {
         assert_eq!(tensor.tolerance(), weak);
     }
 }
 
 #[test]
 fn clones_share_one_curvature() {
-    let zero = Connection::canonical(&so3(), Canonical::Zero);
+    let zero = Connection::canonical(&so3(), CanonicalConnection::Zero);
     let clone = zero.clone();
     assert!(std::ptr::eq(zero.curvature(), clone.curvature()));
-    let other = Connection::canonical(&so3(), Canonical::Zero);
+    let other = Connection::canonical(&so3(), CanonicalConnection::Zero);
     assert!(!std::ptr::eq(zero.curvature(), other.curvature()));
     assert_eq!((&zero, zero.curvature()), (&other, other.curvature()));
-    assert_ne!(zero, Connection::canonical(&so3(), Canonical::Plus));
+    assert_ne!(zero, Connection::canonical(&so3(), CanonicalConnection::Plus));
     assert_eq!(zero.to_string().lines().next(), Some("nabla[e1, e2] = 1/2*e3"));
 }
 
@@ -111,7 +111,7 @@ fn geometries_as_text_and_by_value() {
         let metric = Metric::diagonal([1, 2, 3].map(Rational::from)).unwrap();
         Geometry::new("body", so3(), kind, Some(metric)).unwrap()
     };
-    let plus = geometry(ConnectionKind::Canonical(Canonical::Plus));
+    let plus = geometry(ConnectionKind::Canonical(CanonicalConnection::Plus));
     let text = "body, connection plus (left invariant canonical, (29)), metric diag(1, 2, 3)";
     assert_eq!(plus.to_string(), text);
     assert_eq!(plus, plus.clone());

@@ -1,14 +1,14 @@
 //! What an algebra has, its sum with R^k has too: the tensors are padded by zeros, in any
 //! dimension, and whatever path a size takes.
 //!
-//! Guards `Structure`, `Quantity` and `certificate::certify`, over `direct_sum`.
+//! Guards `StructureTheory`, `Quantity` and `certificate::certify`, over `direct_sum`.
 
 use crate::common::algebras::{by_table, catalogued, seeds};
 use crate::common::{fraction, integer, labels, property::properties, spaces, stored};
-use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra, Metric};
+use affinor::{Bracket, CanonicalConnection, ConnectionKind, Geometry, LieAlgebra, Metric};
 use affinor_documents::Coefficient;
 use affinor_documents::certificate::certify;
-use affinor_documents::definition::{Request, Space};
+use affinor_documents::space::{Request, Space};
 use affinor_documents::report::Quantity;
 use affinor_tensors::{Down, Kind, Notation, Rational, Tensor, Tolerance};
 use std::collections::BTreeMap;
@@ -50,7 +50,7 @@ impl Place {
 
     /// The geometry of the sum, by its constants.
     fn sum<S: Coefficient>(&self, space: &Geometry<S>) -> Geometry<S> {
-        let structure = self.pad(space.frame().structure());
+        let structure = self.pad(space.frame().structure_functions());
         let algebra: LieAlgebra<S> =
             Bracket::new(labels(self.n), structure).unwrap().try_into().unwrap();
         let metric = space.metric().map(|g| {
@@ -273,9 +273,9 @@ fn floats(space: &Geometry<Rational>) -> Geometry<f64> {
 /// Connections of every kind but given affinities.
 fn kinds() -> [ConnectionKind<Rational>; 5] {
     [
-        ConnectionKind::Canonical(Canonical::Plus),
-        ConnectionKind::Canonical(Canonical::Zero),
-        ConnectionKind::Canonical(Canonical::Minus),
+        ConnectionKind::Canonical(CanonicalConnection::Plus),
+        ConnectionKind::Canonical(CanonicalConnection::Zero),
+        ConnectionKind::Canonical(CanonicalConnection::Minus),
         ConnectionKind::Family(fraction(1, 3)),
         ConnectionKind::LeviCivita,
     ]

@@ -1,15 +1,15 @@
 //! The families of the catalogue, recognised by the structure theory.
 //!
-//! Guards `algebra::catalogue` and `Structure::{identify, dynkin_type, simple_ideals}`.
+//! Guards `algebra::catalogue` and `StructureTheory::{identify, dynkin_type, simple_ideals}`.
 
 use crate::algebra::structure::{invariants, stored};
 use crate::common::algebras::catalogued;
 use affinor::Rational;
 use affinor::algebra::catalogue;
-use affinor::algebra::structure::Structure;
+use affinor::algebra::structure::StructureTheory;
 
-fn structure(name: &str) -> Structure<Rational> {
-    Structure::new(catalogued(name))
+fn structure(name: &str) -> StructureTheory<Rational> {
+    StructureTheory::new(catalogued(name))
 }
 
 /// The names of the real simple ideals of the Levi subalgebra, and the dimensions of algebra and radical.
@@ -139,10 +139,10 @@ fn damek_ricci_algebras_are_of_type_h() {
         let algebra = catalogued(name);
         let n = algebra.dimension();
         let sum =
-            (0..n).fold(Rational::from(0), |sum, i| sum + &algebra.structure().get(&[i, 0, i]));
+            (0..n).fold(Rational::from(0), |sum, i| sum + &algebra.structure_constants().get(&[i, 0, i]));
         assert_eq!(sum, Rational::from(trace), "{name}");
         // [v,w] = z is onto the centre for every v: here for the first
-        let structure = Structure::new(algebra);
+        let structure = StructureTheory::new(algebra);
         assert_eq!(structure.derived_series().len(), 4, "{name}");
     }
 }

@@ -1,22 +1,22 @@
 //! Floats that track their rounding through all stages: every tensor of a table has the zeros of
 //! the exact one, and its values to the error that they carry.
 //!
-//! Guards `Tracked`, through all tensors of `Quantity`.
+//! Guards `TrackedFloat`, through all tensors of `Quantity`.
 
 use crate::common::algebras::{algebras, by_table, catalogued};
 use crate::common::{
     Space, fraction, integer, labels, metrics, property::properties, spaces, stored,
 };
-use affinor::{Canonical, Connection, ConnectionKind, Error, Geometry, LieAlgebra, Metric};
+use affinor::{CanonicalConnection, Connection, ConnectionKind, Error, Geometry, LieAlgebra, Metric};
 use affinor_documents::report::Quantity;
-use affinor_tensors::{Down, Notation, Rational, Ring, Scalar, Tensor, Tracked, Up, contract};
+use affinor_tensors::{Down, Notation, Rational, Ring, Scalar, Tensor, TrackedFloat, Up, contract};
 use proptest::prelude::*;
 
 /// The scalar under test.
-type Float = Tracked;
+type Float = TrackedFloat;
 
 fn number(value: &Rational) -> Float {
-    Tracked::from_rational(value).unwrap()
+    TrackedFloat::from_rational(value).unwrap()
 }
 
 /// A geometry as it is given, over any scalar.
@@ -167,7 +167,7 @@ fn uneven_spaces(most: usize) -> impl Strategy<Value = Given> {
 fn in_units(given: &Given, units: &[Rational]) -> Given {
     let n = given.algebra.dimension();
     let inverse: Vec<_> = units.iter().map(|u| fraction(1, 1) / u).collect();
-    let structure = given.algebra.structure().filter_map(|at, value| {
+    let structure = given.algebra.structure_constants().filter_map(|at, value| {
         Some(value.clone() * &inverse[at[0]] * &units[at[1]] * &units[at[2]])
     });
     let bracket = affinor::Bracket::new(labels(n), structure).unwrap();
@@ -199,8 +199,8 @@ properties! {
     fn other_connections(space in spaces(4)) {
         let Space { algebra, lambda, metric, affinities } = space;
         let kinds = [
-            ConnectionKind::Canonical(Canonical::Zero),
-            ConnectionKind::Canonical(Canonical::Plus),
+            ConnectionKind::Canonical(CanonicalConnection::Zero),
+            ConnectionKind::Canonical(CanonicalConnection::Plus),
             ConnectionKind::Family(lambda / &integer(7)),
             ConnectionKind::Affinities(affinities.scale(&fraction(1, 3))),
         ];
@@ -309,7 +309,7 @@ fn large_algebras() {
     assert!(connection.nonmetricity(metric).unwrap().is_empty());
     assert!(connection.ricci_antisymmetric().unwrap().is_empty());
     let exact = given.over(Rational::clone);
-    assert_eq!(places(connection.gamma()), places(exact.connection().gamma()));
+    assert_eq!(places(connection.affinities()), places(exact.connection().affinities()));
     assert_eq!(connection.curvature().len(), exact.connection().curvature().len());
 }
 
@@ -361,7 +361,7 @@ fn what_is_no_number_is_named() {
         assert!(matches!(error, Error::NotFinite { .. }), "{error}");
     }
     all::<f64>();
-    all::<Tracked>();
+    all::<TrackedFloat>();
 }
 
 /// The connection that a library user makes directly.

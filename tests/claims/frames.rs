@@ -41,11 +41,11 @@ fn same_geometry(moved: &Moved, frame: &Frame<Symbolic>) {
     let left_frame = algebra.left_frame();
     let g = metric(n);
     let of_metric = levi_civita(left_frame, &g);
-    let plus = Connection::family(algebra, &constant(1));
-    let parameter = Connection::family(algebra, &Symbolic::parameter("lambda"));
+    let plus = Connection::cartan_schouten(algebra, &constant(1));
+    let parameter = Connection::cartan_schouten(algebra, &Symbolic::parameter("lambda"));
     let any = Connection::new(left_frame.clone(), constants(n, [Up, Down, Down])).unwrap();
     for left in [any, plus, parameter, of_metric] {
-        let here = Connection::new(frame.clone(), moved.inhomogeneous(left.gamma())).unwrap();
+        let here = Connection::new(frame.clone(), moved.inhomogeneous(left.affinities())).unwrap();
         assert_eq!(here.torsion(), moved.tensor(&left.torsion()));
         assert_eq!(*here.curvature(), moved.tensor(left.curvature()));
         assert_eq!(here.ricci(), moved.tensor(&left.ricci()));
@@ -66,13 +66,13 @@ fn same_levi_civita(moved: &Moved, frame: &Frame<Symbolic>) {
     let g = metric(moved.chart.dimension());
     let left = levi_civita(moved.chart.algebra.left_frame(), &g);
     let here = levi_civita(frame, &moved.tensor(&g));
-    assert_eq!(here.gamma(), &moved.inhomogeneous(left.gamma()));
+    assert_eq!(here.affinities(), &moved.inhomogeneous(left.affinities()));
 }
 
 #[test]
 fn the_fields_are_a_left_frame() {
     for chart in [heisenberg(), affine(), special_linear(), euclidean(), euler_angles()] {
-        let (n, c) = (chart.dimension(), chart.algebra.structure());
+        let (n, c) = (chart.dimension(), chart.algebra.structure_constants());
         for [a, j, k] in (0..n.pow(3)).map(|key| [key / n / n, key / n % n, key % n]) {
             let bracket = chart.derive(j, &chart.fields.get(&[a, k]))
                 - &chart.derive(k, &chart.fields.get(&[a, j]));
@@ -86,7 +86,7 @@ fn the_fields_are_a_left_frame() {
 fn coordinate_frames() {
     for chart in [heisenberg(), affine(), special_linear(), euclidean(), euler_angles()] {
         let moved = chart.coordinates();
-        assert!(moved.structure().is_empty());
+        assert!(moved.structure_constants().is_empty());
         let frame = Frame::coordinates(chart.names).unwrap();
         same_geometry(&moved, &frame);
         same_levi_civita(&moved, &frame);
@@ -100,7 +100,7 @@ fn moving_frames() {
     let chart = heisenberg();
     let scales = [x.clone() + &one, y.clone() * &x, one.clone()];
     let moved = Moved::scaled(&chart, &scales, y);
-    assert!(moved.structure().components().any(|(_, value)| value.as_constant().is_none()));
+    assert!(moved.structure_constants().components().any(|(_, value)| value.as_constant().is_none()));
     same_geometry(&moved, &moved.frame());
     same_levi_civita(&moved, &moved.frame());
     let chart = affine();
@@ -117,7 +117,7 @@ fn functions_in_the_left_frame() {
     let n = chart.dimension();
     let moved = Moved::new(&chart, Tensor::identity(n));
     let frame = moved.frame();
-    assert_eq!(frame.structure(), chart.algebra.structure());
+    assert_eq!(frame.structure_functions(), chart.algebra.structure_constants());
     assert!(!frame.is_invariant());
     let connection = Connection::new(frame, constants(n, [Up, Down, Down])).unwrap();
     let f = Symbolic::parameter("u") * &Symbolic::parameter("v") / &Symbolic::parameter("a");

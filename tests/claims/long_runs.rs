@@ -10,7 +10,7 @@ use affinor::mechanics::{
     BodyState, CommutatorFree, EulerPoincare, Inertia, Integrator, Kick, KinematicState, Magnus,
     MoserVeselov, MuntheKaas, PrescribedVelocity, Projected, SimoWong, State,
 };
-use affinor::{Canonical, Connection, Metric};
+use affinor::{CanonicalConnection, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3, Vector6};
 
@@ -27,7 +27,7 @@ fn body() -> (Inertia, Metric<f64>) {
 }
 
 fn system<M: Torque<So3>>(metric: &Metric<f64>, torque: M) -> EulerPoincare<So3, M> {
-    let connection = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let connection = Connection::canonical(&So3.algebra().unwrap(), CanonicalConnection::Plus);
     EulerPoincare::new(So3, &connection, metric, torque).unwrap()
 }
 
@@ -138,7 +138,7 @@ fn elements_stay_on_the_group() {
         let algebra = group.algebra().unwrap();
         let metric = Tensor::from_fn(n, [Down, Down], entry).unwrap();
         let metric = Metric::new(algebra.labels(), metric).unwrap();
-        let connection = Connection::canonical(&algebra, Canonical::Plus);
+        let connection = Connection::canonical(&algebra, CanonicalConnection::Plus);
         let system = EulerPoincare::free(group, &connection, &metric).unwrap();
         let methods: [&dyn Integrator<EulerPoincare<G, Free>>; 3] =
             [&CommutatorFree, &MuntheKaas::RK4, &Projected::RK4];

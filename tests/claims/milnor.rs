@@ -35,10 +35,10 @@ fn unimodular_groups() {
     // before it: the affinities are nabla_{e_1} e_2 = mu_1 e_3 and so on
     for (i, mu) in mu.iter().enumerate() {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        assert_eq!(connection.gamma().get(&[k, i, j]), *mu);
-        assert_eq!(connection.gamma().get(&[j, i, k]), -mu.clone());
+        assert_eq!(connection.affinities().get(&[k, i, j]), *mu);
+        assert_eq!(connection.affinities().get(&[j, i, k]), -mu.clone());
     }
-    assert_eq!(connection.gamma().len(), 6);
+    assert_eq!(connection.affinities().len(), 6);
     let scalar = r1.clone() + &r2 + &r3;
     assert_eq!(connection.scalar_curvature(metric).unwrap(), scalar);
     // K(e_1, e_2) = S/2 - Ric(e_3), the value of the Einstein tensor with the sign reversed
@@ -59,7 +59,7 @@ fn other_groups() {
     let [a, d] = [one.clone() + &x, one - &x];
     let [b, c] = [a.clone() * &y, -d.clone() * &y];
     assert!((a.clone() * &c + &(b.clone() * &d)).is_zero());
-    let structure = space.frame().structure();
+    let structure = space.frame().structure_functions();
     let brackets = [([1, 0, 1], &a), ([2, 0, 1], &b), ([1, 0, 2], &c), ([2, 0, 2], &d)];
     assert!(brackets.iter().all(|(at, value)| structure.get(at) == **value));
     let square = |v: &Symbolic| v.clone() * v;

@@ -6,7 +6,7 @@
 use crate::common::algebras::{algebras as random, catalogued, seeds, symbolic};
 use crate::common::{fraction, integer, labels, property::properties, tensors};
 use affinor::geometry::conditions::conditions;
-use affinor::{Bracket, Canonical, Connection, LieAlgebra, Metric};
+use affinor::{Bracket, CanonicalConnection, Connection, LieAlgebra, Metric};
 use affinor_tensors::{Down, Indices, Rational, Symbolic, Tensor, Up, contract};
 use proptest::prelude::*;
 
@@ -59,13 +59,13 @@ fn of_nonmetricity(connection: &Connection<Symbolic>, j: &Tensor<Symbolic>) -> S
     half(-1, on(&connection.nabla(j).unwrap(), &[&omega, &omega, &omega]))
 }
 
-fn canonical(algebra: &LieAlgebra<Rational>, which: Canonical) -> Connection<Symbolic> {
+fn canonical(algebra: &LieAlgebra<Rational>, which: CanonicalConnection) -> Connection<Symbolic> {
     Connection::canonical(&symbolic(algebra), which)
 }
 
 fn no_work(algebra: &LieAlgebra<Rational>) {
     let j = inertia(algebra.dimension());
-    for which in [Canonical::Plus, Canonical::Zero, Canonical::Minus] {
+    for which in [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus] {
         let connection = canonical(algebra, which);
         assert_eq!(unexplained(&connection, &j), zero(), "{which:?}");
         assert_eq!(of_nonmetricity(&connection, &j), zero(), "{which:?}");
@@ -173,10 +173,10 @@ fn plus_preserves_ad_invariant_inertias_only() {
     for (name, invariant) in cases {
         let algebra = &seeds.iter().find(|(seed, _)| *seed == name).unwrap().1;
         let n = algebra.dimension();
-        let plus = canonical(algebra, Canonical::Plus);
+        let plus = canonical(algebra, CanonicalConnection::Plus);
         let q = plus.nabla(&inertia(n)).unwrap();
         let loops = Tensor::from_fn(n, [Down, Down, Down], |[k, i, j]| {
-            let c = |m: usize, i: usize| Symbolic::constant(-algebra.structure().get(&[m, k, i]));
+            let c = |m: usize, i: usize| Symbolic::constant(-algebra.structure_constants().get(&[m, k, i]));
             let form = inertia(n);
             let terms =
                 (0..n).map(|m| c(m, i) * &form.get(&[m, j]) + &(c(m, j) * &form.get(&[i, m])));

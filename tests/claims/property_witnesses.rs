@@ -98,7 +98,7 @@ impl Nabla<'_> {
 
 fn of_space(space: &Geometry<Rational>) -> usize {
     let (algebra, connection) = (space.algebra().unwrap(), space.connection());
-    Nabla { algebra, gamma: connection.gamma() }.multiply_out(connection)
+    Nabla { algebra, gamma: connection.affinities() }.multiply_out(connection)
 }
 
 #[test]
@@ -237,5 +237,5 @@ fn of_metrics_that_are_not_bi_invariant() {
     assert_eq!(first + &second, witness.residual);
     assert_ne!(witness.residual, fraction(0, 1));
     assert_eq!(metric.components().slots(), [Down, Down]);
-    assert_eq!(space.connection().gamma().slots(), [Up, Down, Down]);
+    assert_eq!(space.connection().affinities().slots(), [Up, Down, Down]);
 }

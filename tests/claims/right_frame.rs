@@ -5,7 +5,7 @@
 use crate::common::algebras::by_table;
 use crate::common::{Space, fraction, integer, property::properties, spaces};
 use affinor::geometry::equations::{EquationKind, Equations};
-use affinor::{Bracket, Canonical, Connection, ConnectionKind, Error, Geometry, LieAlgebra};
+use affinor::{Bracket, CanonicalConnection, Connection, ConnectionKind, Error, Geometry, LieAlgebra};
 use affinor_documents::report::{EquationReport, Format, Quantity, Report, Table};
 use affinor_tensors::{Rational, Tensor, contract};
 use num_traits::Zero;
@@ -13,7 +13,7 @@ use proptest::prelude::*;
 
 /// The algebra of the right-invariant fields: `g -> g^-1` turns `c` into `-c`.
 fn inverted(algebra: &LieAlgebra<Rational>) -> LieAlgebra<Rational> {
-    let opposite = algebra.structure().map(|value| -value.clone());
+    let opposite = algebra.structure_constants().map(|value| -value.clone());
     Bracket::new(algebra.labels(), opposite).unwrap().try_into().unwrap()
 }
 
@@ -31,7 +31,7 @@ fn same_tensors(
 
 /// `(L_m Lambda)^i_jk` for `[i, m, j, k]`, by plain sums.
 fn variation(space: &Space, gamma: &Tensor<Rational>, [i, m, j, k]: [usize; 4]) -> Rational {
-    let c = space.algebra.structure();
+    let c = space.algebra.structure_constants();
     (0..space.dimension()).fold(integer(0), |sum, p| {
         sum + &(c.get(&[i, m, p]) * &gamma.get(&[p, j, k]))
             - &(c.get(&[p, m, j]) * &gamma.get(&[i, p, k]))
@@ -46,14 +46,14 @@ fn constant_or_refused(space: &Space, left: &Connection<Rational>) -> Result<boo
     match left.in_right_frame(&space.algebra) {
         Ok(right) => {
             for at in places {
-                prop_assert!(variation(space, left.gamma(), at).is_zero());
+                prop_assert!(variation(space, left.affinities(), at).is_zero());
             }
             same_tensors(left, &right)?;
             Ok(true)
         }
         Err(Error::NotInvariant { direction, i, j, k, residual }) => {
             let m = space.algebra.labels().iter().position(|label| *label == direction).unwrap();
-            let value = variation(space, left.gamma(), [i - 1, m, j - 1, k - 1]);
+            let value = variation(space, left.affinities(), [i - 1, m, j - 1, k - 1]);
             prop_assert!(!value.is_zero());
             prop_assert_eq!(residual, value.to_string());
             Ok(false)
@@ -71,19 +71,19 @@ properties! {
     fn inversion_exchanges_lambda_and_one_minus_lambda(space in spaces(5)) {
         let left = space.family();
         let right = left.in_right_frame(&space.algebra).unwrap();
-        let c = space.algebra.structure();
-        prop_assert_eq!(right.frame().structure(), &c.scale(&integer(-1)));
-        let shifted = contract("L^i_jk - c^i_jk -> ^i_jk", &[("L", left.gamma()), ("c", c)])?;
-        prop_assert_eq!(right.gamma(), &shifted);
+        let c = space.algebra.structure_constants();
+        prop_assert_eq!(right.frame().structure_functions(), &c.scale(&integer(-1)));
+        let shifted = contract("L^i_jk - c^i_jk -> ^i_jk", &[("L", left.affinities()), ("c", c)])?;
+        prop_assert_eq!(right.affinities(), &shifted);
         let group = inverted(&space.algebra);
-        let mirrored = Connection::family(&group, &(integer(1) - &space.lambda));
-        prop_assert_eq!(right.gamma(), mirrored.gamma());
-        prop_assert_eq!(right.frame().structure(), mirrored.frame().structure());
+        let mirrored = Connection::cartan_schouten(&group, &(integer(1) - &space.lambda));
+        prop_assert_eq!(right.affinities(), mirrored.affinities());
+        prop_assert_eq!(right.frame().structure_functions(), mirrored.frame().structure_functions());
         same_tensors(&left, &right)?;
         // and back again
         let back = right.in_right_frame(&group).unwrap();
-        prop_assert_eq!(back.gamma(), left.gamma());
-        prop_assert_eq!(back.frame().structure(), left.frame().structure());
+        prop_assert_eq!(back.affinities(), left.affinities());
+        prop_assert_eq!(back.frame().structure_functions(), left.frame().structure_functions());
     }
 
     #[test]
@@ -97,7 +97,7 @@ properties! {
     fn another_algebra_is_refused(space in spaces(4)) {
         let group = inverted(&space.algebra);
         let refused = space.family().in_right_frame(&group).is_err();
-        prop_assert_eq!(refused, !space.algebra.structure().is_empty());
+        prop_assert_eq!(refused, !space.algebra.structure_constants().is_empty());
     }
 }
 
@@ -107,14 +107,14 @@ fn ideals_may_have_their_own_lambda() {
     let so3 = by_table(3, &[(1, 2, 3, 1), (2, 3, 1, 1), (3, 1, 2, 1)]);
     let affine = by_table(2, &[(1, 2, 2, 1)]);
     let algebra = so3.direct_sum(&affine).unwrap();
-    let gamma = algebra.structure().filter_map(|at, value| {
+    let gamma = algebra.structure_constants().filter_map(|at, value| {
         let lambda = if at[0] < 3 { fraction(1, 3) } else { fraction(-5, 2) };
         Some(value.clone() * &lambda)
     });
     let left = Connection::new(algebra.left_frame().clone(), gamma).unwrap();
     let right = left.in_right_frame(&algebra).unwrap();
-    assert_eq!(right.gamma().get(&[2, 0, 1]), fraction(-2, 3));
-    assert_eq!(right.gamma().get(&[4, 3, 4]), fraction(-7, 2));
+    assert_eq!(right.affinities().get(&[2, 0, 1]), fraction(-2, 3));
+    assert_eq!(right.affinities().get(&[4, 3, 4]), fraction(-7, 2));
     same_tensors(&left, &right).unwrap();
 }
 
@@ -132,7 +132,7 @@ fn levi_civita_of_an_inertia() {
         Connection::levi_civita(so3.left_frame(), &metric).unwrap()
     };
     let round = levi_civita([2, 2, 2]).in_right_frame(&so3).unwrap();
-    assert_eq!(round.gamma(), &so3.structure().scale(&fraction(-1, 2)));
+    assert_eq!(round.affinities(), &so3.structure_constants().scale(&fraction(-1, 2)));
     let refused = levi_civita([1, 2, 3]).in_right_frame(&so3).unwrap_err();
     assert!(matches!(refused, Error::NotInvariant { .. }), "{refused}");
     assert!(refused.to_string().contains("no constant components in the right-invariant frame"));
@@ -143,9 +143,9 @@ fn levi_civita_of_an_inertia() {
 #[test]
 fn the_frame_is_named_as_it_is() {
     let algebra = by_table(3, &[(1, 2, 3, 1), (2, 3, 1, 1), (3, 1, 2, 1)]);
-    let given = algebra.structure().scale(&fraction(1, 3));
+    let given = algebra.structure_constants().scale(&fraction(1, 3));
     let kinds = [
-        ConnectionKind::Canonical(Canonical::Plus),
+        ConnectionKind::Canonical(CanonicalConnection::Plus),
         ConnectionKind::Family(fraction(1, 3)),
         ConnectionKind::Affinities(given),
     ];
@@ -180,9 +180,9 @@ fn the_frame_is_named_as_it_is() {
             assert!(words.contains(&format!("in the {name} frame")), "{text}");
         }
         if let ConnectionKind::Affinities(gamma) = right.kind() {
-            assert_eq!(gamma, right.connection().gamma());
+            assert_eq!(gamma, right.connection().affinities());
         }
-        assert_eq!(back.connection().gamma(), left.connection().gamma());
+        assert_eq!(back.connection().affinities(), left.connection().affinities());
         assert_eq!(back.kind(), &kind);
     }
 }

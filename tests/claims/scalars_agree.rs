@@ -18,7 +18,7 @@ fn floats(space: &Space) -> (LieAlgebra<f64>, Metric<f64>, [Connection<f64>; 3])
     let metric = Metric::new(algebra.labels(), metric).unwrap();
     let frame = algebra.left_frame();
     let any = Connection::new(frame.clone(), space.affinities.map(Rational::to_f64)).unwrap();
-    let family = Connection::family(&algebra, &space.lambda.to_f64());
+    let family = Connection::cartan_schouten(&algebra, &space.lambda.to_f64());
     let levi_civita = Connection::levi_civita(frame, &metric).unwrap();
     (algebra, metric, [any, family, levi_civita])
 }
@@ -48,15 +48,15 @@ properties! {
         let (algebra, metric, connections) = floats(&space);
         prop_assert_eq!(algebra.labels(), space.algebra.labels());
         prop_assert_eq!(connections[0].frame().labels(), space.algebra.labels());
-        let c = largest(algebra.structure());
+        let c = largest(algebra.structure_constants());
         near(&algebra.killing_form(), &space.algebra.killing_form(), 1e-12 * (1.0 + c * c))?;
         // a metric that is nearly degenerate makes its own errors
         let condition = 1.0 + largest(metric.inverse()) * largest(metric.components());
         near(metric.inverse(), space.metric.inverse(), 1e-12 * condition * condition)?;
         for (float, exact) in connections.iter().zip(&space.connections()) {
-            let size = 1.0 + c + largest(float.gamma());
+            let size = 1.0 + c + largest(float.affinities());
             let error = 1e-12 * condition * condition * size * size;
-            near(float.gamma(), exact.gamma(), error)?;
+            near(float.affinities(), exact.affinities(), error)?;
             near(&float.torsion(), &exact.torsion(), error)?;
             near(float.curvature(), exact.curvature(), error)?;
             near(&float.ricci(), &exact.ricci(), error)?;
@@ -89,7 +89,7 @@ fn zeros_agree_where_all_is_well_scaled() {
             };
             for (float, exact) in connections.iter().zip(&space.connections()) {
                 let exactly = |tensor: &Tensor<Rational>| places(&tensor.map(Rational::to_f64));
-                assert_eq!(places(float.gamma()), exactly(exact.gamma()), "{name}");
+                assert_eq!(places(float.affinities()), exactly(exact.affinities()), "{name}");
                 assert_eq!(places(&float.torsion()), exactly(&exact.torsion()), "{name}");
                 assert_eq!(places(float.curvature()), exactly(exact.curvature()), "{name}");
                 assert_eq!(places(&float.ricci()), exactly(&exact.ricci()), "{name}");
@@ -135,14 +135,14 @@ properties! {
         })?;
         let metric = Metric::new(symbolic.labels(), g).unwrap();
         let late = Connection::levi_civita(symbolic.left_frame(), &metric).unwrap();
-        prop_assert_eq!(set(late.gamma()), constant(exact.gamma()), "{}", name);
+        prop_assert_eq!(set(late.affinities()), constant(exact.affinities()), "{}", name);
         prop_assert_eq!(set(late.curvature()), constant(exact.curvature()), "{}", name);
         let scalar = late.scalar_curvature(&metric).unwrap().substitute(&values);
         let expected = exact.scalar_curvature(&exact_metric).unwrap();
         prop_assert_eq!(scalar, Some(Symbolic::constant(expected)));
 
-        let family = Connection::family(&symbolic, &Symbolic::parameter("lambda"));
-        let number = Connection::family(&algebra, &integer(lambda));
+        let family = Connection::cartan_schouten(&symbolic, &Symbolic::parameter("lambda"));
+        let number = Connection::cartan_schouten(&algebra, &integer(lambda));
         prop_assert_eq!(set(family.curvature()), constant(number.curvature()));
         prop_assert_eq!(set(&family.torsion()), constant(&number.torsion()));
     }
@@ -194,7 +194,7 @@ properties! {
             });
             let names: Vec<String> = (1..=basis.len()).map(|i| format!("e{i}")).collect();
             let basis = MatrixBasis::new(names, n, entries.collect(), Tolerance::default());
-            LieAlgebra::try_from(basis.unwrap().bracket().unwrap()).unwrap().structure().clone()
+            LieAlgebra::try_from(basis.unwrap().bracket().unwrap()).unwrap().structure_constants().clone()
         };
         let rotated: Vec<_> =
             basis.iter().map(|matrix| &rotation * matrix * rotation.transpose()).collect();

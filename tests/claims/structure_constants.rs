@@ -5,7 +5,8 @@
 use crate::common::algebras::algebras;
 use crate::common::{integer, labels, property::properties};
 use affinor::{Bracket, Error};
-use affinor_documents::definition::{Definition, InputError, Request, Space};
+use affinor_documents::input::InputError;
+use affinor_documents::space::{Definition, Request, Space};
 use affinor_tensors::{Down, Rational, Ring, Scalar, Tensor, Tolerance, Up};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
@@ -18,7 +19,7 @@ type Constant<S> = (usize, usize, usize, S);
 type Read<S> = Result<Tensor<S>, String>;
 
 fn of_bracket<S: Scalar>(bracket: Result<Bracket<S>, Error>) -> Read<S> {
-    bracket.map(|bracket| bracket.structure().clone()).map_err(|error| error.to_string())
+    bracket.map(|bracket| bracket.structure_constants().clone()).map_err(|error| error.to_string())
 }
 
 fn exact(definition: &Definition) -> Result<Bracket<Rational>, InputError> {
@@ -27,7 +28,7 @@ fn exact(definition: &Definition) -> Result<Bracket<Rational>, InputError> {
 
 fn of_definition(definition: Result<Definition, InputError>) -> Read<Rational> {
     let bracket = definition.and_then(|definition| exact(&definition));
-    bracket.map(|bracket| bracket.structure().clone()).map_err(|error| error.message)
+    bracket.map(|bracket| bracket.structure_constants().clone()).map_err(|error| error.message)
 }
 
 /// The constants as rows of a definition file.
@@ -73,7 +74,7 @@ fn doors(n: usize, constants: &[Constant<Rational>]) -> Vec<(&'static str, Read<
 fn tables() -> impl Strategy<Value = (Tensor<Rational>, Vec<Constant<Rational>>)> {
     let raw = algebras(5).prop_flat_map(|algebra| {
         let n = algebra.dimension();
-        (Just(algebra.structure().clone()), prop::collection::vec(0..3usize, n * n))
+        (Just(algebra.structure_constants().clone()), prop::collection::vec(0..3usize, n * n))
     });
     raw.prop_flat_map(|(structure, orders)| {
         let n = structure.dimension();
@@ -163,7 +164,7 @@ fn what_a_disagreeing_pair_says() {
     // rounding is no disagreement
     let given = [(0, 1, 2, 0.1 + 0.2), (1, 0, 2, -0.3)];
     let bracket = Bracket::from_constants(labels(3), given).unwrap();
-    assert_eq!(bracket.structure().get(&[2, 0, 1]), -bracket.structure().get(&[2, 1, 0]));
+    assert_eq!(bracket.structure_constants().get(&[2, 0, 1]), -bracket.structure_constants().get(&[2, 1, 0]));
 }
 
 /// A row that stands twice is refused where rows are given, equal or not.

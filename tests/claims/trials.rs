@@ -5,7 +5,7 @@
 use crate::algebra::structure::{invariants, scrambled};
 use crate::common::algebras::{by_table, catalogued};
 use crate::common::{fraction, labels};
-use affinor::algebra::structure::{Existence, Structure};
+use affinor::algebra::structure::{Existence, StructureTheory};
 use affinor::{Bracket, LieAlgebra, Rational};
 use affinor_tensors::linear::modular::PRIMES;
 use affinor_tensors::linear::{Echelon, Matrix};
@@ -52,9 +52,9 @@ fn primes_that_divide_all_constants() {
     ];
     for name in names {
         for (plain, dense) in [(catalogued(name), false), (scrambled(&catalogued(name), 5), true)] {
-            let structure = Structure::new(plain.clone());
+            let structure = StructureTheory::new(plain.clone());
             let expected = invariants(plain.clone());
-            let exists = |structure: &Structure<Rational>| {
+            let exists = |structure: &StructureTheory<Rational>| {
                 let contact = matches!(structure.contact_form(), Existence::Witness(_));
                 let forms = structure.two_forms().unwrap();
                 [contact, matches!(structure.symplectic_form(&forms), Existence::Witness(_))]
@@ -62,12 +62,12 @@ fn primes_that_divide_all_constants() {
             let identified = structure.identify().map(|found| found.names);
             for factor in factors().into_iter().step_by(if dense { 4 } else { 1 }) {
                 let case = format!("{factor} times {name}, dense: {dense}");
-                let other = Structure::new(scaled(&plain, &factor));
+                let other = StructureTheory::new(scaled(&plain, &factor));
                 assert_eq!(invariants(scaled(&plain, &factor)), expected, "{case}");
                 assert_eq!(exists(&other), exists(&structure), "{case}");
                 assert_eq!(other.identify().map(|found| found.names), identified, "{case}");
-                assert_eq!(other.index_counted(), structure.index_counted(), "{case}");
-                let counted = [other.derivations_counted(), structure.derivations_counted()];
+                assert_eq!(other.index(), structure.index(), "{case}");
+                let counted = [other.derivation_dimension(), structure.derivation_dimension()];
                 assert_eq!(counted[0], counted[1], "{case}");
             }
         }
@@ -80,13 +80,13 @@ fn primes_that_divide_a_minor() {
     for count in [1, 2] {
         let product: i64 = PRIMES[..count].iter().map(|prime| prime.get() as i64).product();
         let table = [(1, 2, 5, 1), (3, 4, 5, product + 6), (1, 3, 5, 2), (2, 4, 5, 3)];
-        let structure = Structure::new(by_table(5, &table));
+        let structure = StructureTheory::new(by_table(5, &table));
         assert!(matches!(structure.contact_form(), Existence::Witness(_)));
-        let counted = structure.index_counted();
+        let counted = structure.index();
         assert_eq!((counted.dimension, counted.proved), (1, true));
         assert!(structure.regular_form().is_some());
         let found = structure.identify().unwrap().names;
-        let expected = Structure::new(catalogued("heisenberg(5)")).identify().unwrap().names;
+        let expected = StructureTheory::new(catalogued("heisenberg(5)")).identify().unwrap().names;
         assert_eq!(found, expected);
     }
 }
@@ -114,7 +114,7 @@ fn weights_that_vanish_on_the_elements_tried_first() {
         weights.insert(weight).unwrap();
     }
     let bracket = Bracket::from_constants(labels(n), constants).unwrap();
-    let structure = Structure::new(bracket.try_into().unwrap());
+    let structure = StructureTheory::new(bracket.try_into().unwrap());
     // the common kernel of the weights is central
     let nilradical = structure.nilradical();
     assert_eq!(nilradical.dimension(), n - weights.rank());
@@ -127,7 +127,7 @@ fn weights_that_vanish_on_the_elements_tried_first() {
 fn many_equal_simple_ideals() {
     for (real, split) in [(7, 0), (5, 4), (12, 0)] {
         let names = [vec!["so(3)"; real], vec!["sl(2)"; split]].concat();
-        let structure = Structure::new(catalogued(&names.join("+")));
+        let structure = StructureTheory::new(catalogued(&names.join("+")));
         let found = structure.simple_ideals().unwrap().unwrap();
         assert_eq!(found.rational.len(), real + split);
         let count = |name: &str| found.real.iter().filter(|one| one.names == [name]).count();
@@ -142,7 +142,7 @@ fn types_of_dimension_78() {
     for (name, wanted) in
         [("E6", true), ("G2", true), ("F4", true), ("so(13)", false), ("sp(12)", false)]
     {
-        let structure = Structure::new(catalogued(name));
+        let structure = StructureTheory::new(catalogued(name));
         let algebra = structure.algebra();
         let n = algebra.dimension();
         let x: Vec<Rational> = (0..n).map(|at| Rational::from((at * at % 7) as i64 - 3)).collect();
@@ -159,7 +159,7 @@ fn types_of_dimension_78() {
         assert_eq!(structure.dynkin_type().unwrap().len(), 1, "{name}");
     }
     for (name, text) in [("so(13)", "B6"), ("sp(12)", "C6"), ("E6", "E6")] {
-        let types = Structure::new(catalogued(name)).dynkin_type().unwrap();
+        let types = StructureTheory::new(catalogued(name)).dynkin_type().unwrap();
         assert_eq!(types[0].to_string(), text);
     }
 }

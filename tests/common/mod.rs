@@ -112,7 +112,7 @@ impl Space {
     }
 
     pub fn family(&self) -> Connection<Rational> {
-        Connection::family(&self.algebra, &self.lambda)
+        Connection::cartan_schouten(&self.algebra, &self.lambda)
     }
 
     pub fn levi_civita(&self) -> Connection<Rational> {

@@ -2,7 +2,7 @@
 
 use affinor::Geometry;
 use affinor_documents::Coefficient;
-use affinor_documents::definition::{Request, Space};
+use affinor_documents::space::{Request, Space};
 use affinor_tensors::{Rational, Symbolic, Tolerance};
 
 fn open<S: Coefficient>(space: String, metric: Option<&str>, set: Option<&str>) -> Geometry<S> {

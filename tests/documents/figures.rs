@@ -3,7 +3,7 @@
 use crate::common::property::properties;
 use affinor::group::transport::ParallelTranslation;
 use affinor::group::{LieGroup, So3};
-use affinor::{Canonical, Connection, Metric};
+use affinor::{CanonicalConnection, Connection, Metric};
 use affinor_documents::figures;
 use affinor_documents::figures::{Arrow, Connected, Figure, Panel, Path, Role, ball};
 use affinor_tensors::{Down, Tensor};
@@ -15,7 +15,7 @@ fn connected(connection: Connection<f64>) -> Connected {
     Connected { name: "a connection".into(), translation }
 }
 
-fn canonical(which: Canonical) -> Connected {
+fn canonical(which: CanonicalConnection) -> Connected {
     connected(Connection::canonical(&So3.algebra().unwrap(), which))
 }
 
@@ -102,7 +102,7 @@ properties! {
     fn connections_carry_the_tangent_by_their_share_of_the_angle(path in path(), t in 0.1..0.9f64) {
         let x = So3.log(&path.element(t)).unwrap();
         prop_assume!(x.norm() > 0.1 && x.norm() < 3.0);
-        let kinds = [Canonical::Plus, Canonical::Zero, Canonical::Minus];
+        let kinds = [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus];
         let figure = figures::transport(&kinds.map(canonical), &path, t).unwrap();
         for (panel, lambda) in figure.panels.iter().zip([1.0, 0.5, 0.0]) {
             let carried = the(panel, Role::Carried);
@@ -158,7 +158,7 @@ properties! {
     #[test]
     fn frames_are_left_translates(path in path(), t in 0.1..0.9f64) {
         prop_assume!(So3.log(&path.element(t)).unwrap().norm() < 3.0);
-        let figure = figures::frames(&[canonical(Canonical::Minus)], &path, t).unwrap();
+        let figure = figures::frames(&[canonical(CanonicalConnection::Minus)], &path, t).unwrap();
         let [left, carried] = &figure.panels[..] else { panic!("two panels") };
         for i in 0..3 {
             let frames = all(left, Role::Frame(i));
@@ -188,7 +188,7 @@ fn autoparallels_of_the_family_are_straight_and_others_are_not() {
         Connection::levi_civita(frame, &Metric::new(algebra.labels(), inertia.unwrap()).unwrap())
             .unwrap();
     let connections =
-        [canonical(Canonical::Plus), canonical(Canonical::Zero), connected(levi_civita)];
+        [canonical(CanonicalConnection::Plus), canonical(CanonicalConnection::Zero), connected(levi_civita)];
     let figure = figures::autoparallels(&connections, &axis).unwrap();
     assert!(finite(&figure));
     let bend = |panel: &Panel| {
@@ -227,7 +227,7 @@ fn a_full_turn_leaves_the_ball_and_comes_back() {
 #[test]
 fn a_body_at_rest_has_figures_too() {
     let still = Path { factors: vec![Vector3::zeros()] };
-    let plus = [canonical(Canonical::Plus)];
+    let plus = [canonical(CanonicalConnection::Plus)];
     for figure in [
         figures::images(&still, 0.5).unwrap(),
         figures::motion(&still, 0.5).unwrap(),

@@ -4,7 +4,7 @@ mod claims;
 mod stored;
 
 use crate::common::property::properties;
-use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra, Metric};
+use affinor::{Bracket, CanonicalConnection, ConnectionKind, Geometry, LieAlgebra, Metric};
 use affinor_documents::Coefficient;
 use affinor_documents::report::{
     Format, GROUPED, Quantity, Report, Table, TableEntry, groups, independent,
@@ -43,7 +43,7 @@ fn geometry<S: Coefficient>(
 }
 
 fn so3<S: Coefficient>() -> Table<S> {
-    let zero = ConnectionKind::Canonical(Canonical::Zero);
+    let zero = ConnectionKind::Canonical(CanonicalConnection::Zero);
     let delta = |i, j| if i == j { S::one() } else { S::zero() };
     Table::new(&geometry("SO(3)", zero, delta), &Quantity::ALL).unwrap()
 }
@@ -222,7 +222,7 @@ fn every_scalar_is_read_back() {
     let float = so3::<f64>();
     round_trip(&float);
     round_trip(&so3::<Rational>());
-    round_trip(&m3(ConnectionKind::Canonical(Canonical::Plus)));
+    round_trip(&m3(ConnectionKind::Canonical(CanonicalConnection::Plus)));
     round_trip(&m3(ConnectionKind::LeviCivita));
     let half = ConnectionKind::Family(0.5);
     round_trip(
@@ -232,7 +232,7 @@ fn every_scalar_is_read_back() {
 
 #[test]
 fn json_is_the_object_of_the_contract() {
-    let table = m3(ConnectionKind::Canonical(Canonical::Plus));
+    let table = m3(ConnectionKind::Canonical(CanonicalConnection::Plus));
     let json: Value = serde_json::from_str(&render(&table, Format::Json)).unwrap();
     let keys: Vec<&String> = json.as_object().unwrap().keys().collect();
     let contract = ["schema", "name", "algebra", "connection", "scalar", "conventions", "tensors"];
@@ -383,7 +383,7 @@ fn long_tensors_are_listed_one_by_one() {
 fn odd_names_are_text_in_every_format() {
     let odd = "a_b*c^d|e\\f{g}$h%i#j&k~l<m>`n[o]\u{7}\n# p";
     let algebra = rotations::<Rational>(&[odd, "e2", "x'"]);
-    let zero = ConnectionKind::Canonical(Canonical::Zero);
+    let zero = ConnectionKind::Canonical(CanonicalConnection::Zero);
     let table = Table::new(&Geometry::new(odd, algebra, zero, None).unwrap(), &Quantity::ALL);
     let table = table.unwrap();
     let text = render(&table, Format::Text);

@@ -11,7 +11,7 @@ use crate::common::charts::{
 };
 use crate::common::{inverse, labels, transform};
 use affinor::geometry::chart::Fields;
-use affinor::{BasisChange, Canonical, Chart, Connection, Error, Frame, Metric};
+use affinor::{BasisChange, CanonicalConnection, Chart, Connection, Error, Frame, Metric};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up, Variance, contract};
 
 fn groups() -> [Group; 5] {
@@ -52,11 +52,11 @@ fn invariant_fields_have_structure_constants() {
     for group in groups() {
         let left = fields(&group, &group.fields);
         let right = fields(&group, &right_fields(&group));
-        let c = group.algebra.structure();
-        assert_eq!(left.frame().structure(), c, "{:?}", group.names);
-        assert_eq!(right.frame().structure(), &c.map(|v| -v.clone()), "{:?}", group.names);
+        let c = group.algebra.structure_constants();
+        assert_eq!(left.frame().structure_functions(), c, "{:?}", group.names);
+        assert_eq!(right.frame().structure_functions(), &c.map(|v| -v.clone()), "{:?}", group.names);
         let plane = left.chart().coordinate_frame::<Symbolic>().unwrap();
-        assert!(plane.structure().is_empty());
+        assert!(plane.structure_constants().is_empty());
         for (i, j) in (0..group.dimension()).flat_map(|i| [(i, 0), (i, 1)]) {
             let (x, y) = (column(left.components(), i), column(right.components(), j));
             let bracket = plane.bracket(&x, &y).unwrap();
@@ -115,23 +115,23 @@ fn two_ways_agree() {
         let g = Metric::new(labels(n), metric(n)).unwrap();
         let here = Metric::new(frame.labels(), back.apply(g.components()).unwrap()).unwrap();
         let levi_civita = Connection::levi_civita(group.algebra.left_frame(), &g).unwrap();
-        let canonical = [Canonical::Plus, Canonical::Zero, Canonical::Minus]
+        let canonical = [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus]
             .map(|which| Connection::canonical(&group.algebra, which));
         for (at, constants) in canonical.into_iter().chain([levi_civita]).enumerate() {
             // the derivatives along the fields do not see constants
-            let moving = Connection::new(left.frame().clone(), constants.gamma().clone()).unwrap();
+            let moving = Connection::new(left.frame().clone(), constants.affinities().clone()).unwrap();
             assert_eq!(moving.curvature(), constants.curvature());
             let moved = moving.moved(frame.labels(), &back).unwrap();
-            assert!(moved.frame().structure().is_empty());
-            assert_eq!(moved.gamma(), &by_hand.inhomogeneous(constants.gamma()));
-            let computed = Connection::new(frame.clone(), moved.gamma().clone()).unwrap();
+            assert!(moved.frame().structure_functions().is_empty());
+            assert_eq!(moved.affinities(), &by_hand.inhomogeneous(constants.affinities()));
+            let computed = Connection::new(frame.clone(), moved.affinities().clone()).unwrap();
             assert_eq!(computed.torsion(), back.apply(&constants.torsion()).unwrap());
             assert_eq!(*computed.curvature(), back.apply(constants.curvature()).unwrap());
             assert_eq!(moved.curvature(), computed.curvature());
             let q = constants.nonmetricity(&g).unwrap();
             assert_eq!(computed.nonmetricity(&here).unwrap(), back.apply(&q).unwrap());
             if at == 3 {
-                assert_eq!(Connection::levi_civita(&frame, &here).unwrap().gamma(), moved.gamma());
+                assert_eq!(Connection::levi_civita(&frame, &here).unwrap().affinities(), moved.affinities());
             }
         }
     }
@@ -150,15 +150,15 @@ fn frames_of_functions_move_there_and_back() {
     });
     let connection = Connection::new(start.clone(), gamma.unwrap()).unwrap();
     let moved = connection.moved(labels(3), &change).unwrap();
-    assert_eq!(moved.frame().structure(), &by_hand.structure());
-    assert_eq!(moved.gamma(), &by_hand.inhomogeneous(connection.gamma()));
+    assert_eq!(moved.frame().structure_functions(), &by_hand.structure_constants());
+    assert_eq!(moved.affinities(), &by_hand.inhomogeneous(connection.affinities()));
     assert_eq!(moved.torsion(), by_hand.tensor(&connection.torsion()));
     assert!(moved.frame().jacobi().is_empty());
     assert!(moved.bianchi_first().is_empty());
     let back = BasisChange::new(by_hand.inverse.clone()).unwrap();
     let back = moved.moved(labels(3), &back).unwrap();
-    assert_eq!(back.gamma(), connection.gamma());
-    assert_eq!(back.frame().structure(), start.structure());
+    assert_eq!(back.affinities(), connection.affinities());
+    assert_eq!(back.frame().structure_functions(), start.structure_constants());
     let f = value("x*y*sin(theta)");
     assert!((0..3).all(|k| back.frame().derive(k, &f) == start.derive(k, &f)));
 }
@@ -244,7 +244,7 @@ fn charts_over_numbers() {
     let chart = Chart::new(&["x", "y"]).unwrap();
     let rows = Tensor::from_fn(2, [Up, Down], |[i, j]| Rational::from(i as i64 + 2 * j as i64 + 1));
     let fields = chart.fields(labels(2), rows.unwrap()).unwrap();
-    assert!(fields.frame().structure().is_empty());
+    assert!(fields.frame().structure_functions().is_empty());
     assert_eq!(fields.written(), ["d_x + 2*d_y", "3*d_x + 4*d_y"]);
 }
 
@@ -268,7 +268,7 @@ fn the_classical_formulas_of_coordinates() {
     });
     let christoffel = christoffel.unwrap();
     let connection = Connection::levi_civita(&frame, &metric).unwrap();
-    assert_eq!(connection.gamma(), &christoffel);
+    assert_eq!(connection.affinities(), &christoffel);
     let gamma = |i: usize, j: usize, k: usize| christoffel.get(&[i, j, k]);
     let curvature = connection.curvature();
     for [i, j, k, l] in [[0, 1, 0, 1], [2, 0, 1, 2], [1, 1, 0, 2], [0, 2, 2, 0], [1, 0, 0, 0]] {
@@ -324,11 +324,11 @@ fn eq_75_affinities_in_canonical_coordinates() {
     );
     let mut symmetric_parts = Vec::new();
     for lambda in ["1", "1/2", "0"] {
-        let gamma = frame.structure().scale(&value(lambda));
+        let gamma = frame.structure_functions().scale(&value(lambda));
         let left = Connection::new(frame.clone(), gamma).unwrap();
         let here = left.moved(labels(3), &change).unwrap();
-        assert!(here.frame().structure().is_empty(), "d/dq^a commute (A9)");
-        let gamma = here.gamma();
+        assert!(here.frame().structure_functions().is_empty(), "d/dq^a commute (A9)");
+        let gamma = here.affinities();
         let operands = [("G", gamma), ("n", &ray)];
         let turned = contract("G^i_jk n^j -> ^i_k", &operands).unwrap();
         let turned = contract("G^i_k n^k -> ^i", &[("G", &turned), ("n", &ray)]).unwrap();

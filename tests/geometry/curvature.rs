@@ -12,7 +12,7 @@ use proptest::prelude::*;
 /// `nabla_x y` on constant components, from its definition (B1).
 fn along(connection: &Connection<Rational>, x: &[Rational], y: &[Rational]) -> Vec<Rational> {
     let mut result = vec![integer(0); x.len()];
-    for (at, value) in connection.gamma().components() {
+    for (at, value) in connection.affinities().components() {
         result[at[0]] = result[at[0]].clone() + &(value.clone() * &x[at[1]] * &y[at[2]]);
     }
     result

@@ -3,7 +3,7 @@
 use crate::common::algebras::seeds;
 use crate::common::{integer, property::properties, spaces};
 use affinor::geometry::equations::{EquationKind, Equations, Row, Variable};
-use affinor::{Canonical, Connection, LieAlgebra, Metric};
+use affinor::{CanonicalConnection, Connection, LieAlgebra, Metric};
 use affinor_tensors::{Down, Field, Rational, Scalar, Symbolic, Tensor};
 use proptest::prelude::*;
 
@@ -39,7 +39,7 @@ fn eq_108_with_a_full_symbolic_inertia() {
     let inertia: Vec<Vec<Symbolic>> = (1..4)
         .map(|i: usize| (1..4).map(|j| symbol(format!("J{}{}", i.min(j), i.max(j)))).collect())
         .collect();
-    let plus = Connection::canonical(&so3, Canonical::Plus);
+    let plus = Connection::canonical(&so3, CanonicalConnection::Plus);
     let equations = Equations::euler_poincare(&plus, &metric(&so3, &inertia)).unwrap();
     let vector = |letter: &str| [1, 2, 3].map(|i| symbol(format!("{letter}{i}")));
     let (omega, torque) = (vector("w"), vector("m"));
@@ -63,7 +63,7 @@ fn kirchhoff_on_se3() {
     };
     let matrix: Vec<Vec<Rational>> =
         (0..6).map(|i| (0..6).map(|j| entry(i, j)).collect()).collect();
-    let plus = Connection::canonical(&se3, Canonical::Plus);
+    let plus = Connection::canonical(&se3, CanonicalConnection::Plus);
     let equations = Equations::euler_poincare(&plus, &metric(&se3, &matrix)).unwrap();
     let state = [2, -1, 3, 5, -4, 1].map(integer);
     let wrench = [1, 0, -2, 3, 1, 1].map(integer);
@@ -90,7 +90,7 @@ properties! {
         let motion = |connection: &Connection<Rational>| {
             Equations::euler_poincare(connection, metric).unwrap().solved()
         };
-        let plus = motion(&Connection::canonical(algebra, Canonical::Plus));
+        let plus = motion(&Connection::canonical(algebra, CanonicalConnection::Plus));
         let levi_civita = space.levi_civita();
         prop_assert_eq!(motion(&levi_civita).rows(), plus.rows());
         let geodesics = Equations::new(EquationKind::Autoparallel, &levi_civita, None).unwrap();
@@ -99,7 +99,7 @@ properties! {
             row
         }).collect::<Vec<_>>();
         prop_assert_eq!(geodesics.rows(), free(plus.rows()));
-        let zero = motion(&Connection::canonical(algebra, Canonical::Zero));
+        let zero = motion(&Connection::canonical(algebra, CanonicalConnection::Zero));
         let halves = free(plus.rows()).into_iter().map(|mut row| {
             row.right.iter_mut().for_each(|(v, _)| *v = v.clone() / &integer(2));
             row
@@ -116,7 +116,7 @@ properties! {
         for connection in space.connections() {
             let expected = |w: &[Rational], u: &[Rational]| {
                 let term = |i, j: usize, k: usize| {
-                    connection.gamma().get(&[i, j, k]) * &w[j] * &u[k]
+                    connection.affinities().get(&[i, j, k]) * &w[j] * &u[k]
                 };
                 let sum = |i| {
                     let pairs = (0..n).flat_map(|j| (0..n).map(move |k| (j, k)));

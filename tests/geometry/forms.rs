@@ -103,12 +103,12 @@ properties! {
         let places = pairs.flat_map(|(j, k)| (0..n).map(move |i| (j, k, i)));
         let constants = places.zip(values).map(|((j, k, i), value)| (j, k, i, value));
         let bracket = Bracket::from_constants(crate::common::labels(n), constants).unwrap();
-        let frame = Frame::invariant(crate::common::labels(n), bracket.structure().clone()).unwrap();
+        let frame = Frame::invariant(crate::common::labels(n), bracket.structure_constants().clone()).unwrap();
         let jacobi = bracket.jacobi();
         for (i, e) in frame.coframe().iter().enumerate() {
             let de = frame.exterior_derivative(e).unwrap();
             for [j, k] in (0..n * n).map(|key| [key / n, key % n]) {
-                prop_assert_eq!(de.components().get(&[j, k]), -bracket.structure().get(&[i, j, k]));
+                prop_assert_eq!(de.components().get(&[j, k]), -bracket.structure_constants().get(&[i, j, k]));
             }
             let dde = frame.exterior_derivative(&de).unwrap();
             for at in increasing(n, 3) {

@@ -4,7 +4,7 @@ use crate::common::algebras::{by_table, seeds};
 use crate::common::charts::{constant, heisenberg};
 use crate::common::spaces::{named, rational, symbolic};
 use crate::common::{fraction, integer, invertible, property::properties, spaces};
-use affinor::{BasisChange, Canonical, Connection, LieAlgebra, Metric};
+use affinor::{BasisChange, CanonicalConnection, Connection, LieAlgebra, Metric};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Rational, Tensor, contract};
 use proptest::prelude::*;
@@ -25,7 +25,7 @@ fn diagonal(algebra: &LieAlgebra<Rational>, values: &[i64]) -> Connection<Ration
 #[test]
 fn canonical_connections() {
     for (name, algebra) in seeds() {
-        for flat in [Canonical::Plus, Canonical::Minus] {
+        for flat in [CanonicalConnection::Plus, CanonicalConnection::Minus] {
             assert_eq!(rank(&Connection::canonical(&algebra, flat)), 0, "{name}");
         }
         let n = algebra.dimension();
@@ -37,12 +37,12 @@ fn canonical_connections() {
         });
         let expected = Matrix::from_dense(&rows.collect::<Vec<_>>()).unwrap().rank().unwrap();
         for lambda in [fraction(1, 2), fraction(1, 3), integer(-2)] {
-            assert_eq!(rank(&Connection::family(&algebra, &lambda)), expected, "{name}");
+            assert_eq!(rank(&Connection::cartan_schouten(&algebra, &lambda)), expected, "{name}");
         }
     }
     for (n, name) in [(3, "so3"), (6, "so4"), (10, "so5")] {
         let zero = named(name, "killing");
-        assert_eq!(rank(&Connection::canonical(zero.algebra().unwrap(), Canonical::Zero)), n);
+        assert_eq!(rank(&Connection::canonical(zero.algebra().unwrap(), CanonicalConnection::Zero)), n);
         // the Levi-Civita connection of a bi-invariant metric is `zero`
         assert_eq!(rank(zero.connection()), n);
     }
@@ -89,8 +89,8 @@ fn only_invariant_frames() {
     let chart = heisenberg();
     let moved = chart.coordinates();
     let frame = affinor::Frame::coordinates(chart.names).unwrap();
-    let plus = Connection::family(&chart.algebra, &constant(1));
-    let here = Connection::new(frame, moved.inhomogeneous(plus.gamma())).unwrap();
+    let plus = Connection::cartan_schouten(&chart.algebra, &constant(1));
+    let here = Connection::new(frame, moved.inhomogeneous(plus.affinities())).unwrap();
     assert!(matches!(here.holonomy(), Err(affinor::Error::Frame(_))));
 }
 

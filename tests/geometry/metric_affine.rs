@@ -45,11 +45,11 @@ properties! {
         let zero = Tensor::zero(space.dimension(), &[Up, Down, Down])?;
         let levi_civita = Connection::with_torsion(frame, g, &zero).unwrap();
         let koszul = space.levi_civita();
-        prop_assert_eq!(levi_civita.gamma(), koszul.gamma());
+        prop_assert_eq!(levi_civita.affinities(), koszul.affinities());
         let k = contorsion(g, &torsion).unwrap();
-        prop_assert_eq!(metric.gamma(), &sum(levi_civita.gamma(), &k));
+        prop_assert_eq!(metric.affinities(), &sum(levi_civita.affinities(), &k));
         let l = disformation(g, &nonmetricity).unwrap();
-        prop_assert_eq!(both.gamma(), &sum(metric.gamma(), &l));
+        prop_assert_eq!(both.affinities(), &sum(metric.affinities(), &l));
     }
 
     /// Every connection is the sum of the three, so nothing else can have the same two tensors.
@@ -58,8 +58,8 @@ properties! {
         for connection in space.connections() {
             let k = connection.contorsion(&space.metric).unwrap();
             let l = connection.disformation(&space.metric).unwrap();
-            let total = sum(&sum(space.levi_civita().gamma(), &k), &l);
-            prop_assert_eq!(connection.gamma(), &total);
+            let total = sum(&sum(space.levi_civita().affinities(), &k), &l);
+            prop_assert_eq!(connection.affinities(), &total);
             let again = Connection::with_torsion_and_nonmetricity(
                 connection.frame(),
                 &space.metric,
@@ -67,7 +67,7 @@ properties! {
                 &connection.nonmetricity(&space.metric).unwrap(),
             )
             .unwrap();
-            prop_assert_eq!(again.gamma(), connection.gamma());
+            prop_assert_eq!(again.affinities(), connection.affinities());
         }
     }
 
@@ -135,10 +135,10 @@ fn cartan_and_schouten() {
         let metric = Metric::new(algebra.labels(), algebra.killing_form()).unwrap();
         for lambda in [integer(0), fraction(1, 3), integer(1)] {
             let factor = lambda.clone() * &integer(2) - &integer(1);
-            let torsion = algebra.structure().scale(&factor);
+            let torsion = algebra.structure_constants().scale(&factor);
             let connection = Connection::with_torsion(algebra.left_frame(), &metric, &torsion);
-            let family = Connection::family(&algebra, &lambda);
-            assert_eq!(connection.unwrap().gamma(), family.gamma(), "{name}");
+            let family = Connection::cartan_schouten(&algebra, &lambda);
+            assert_eq!(connection.unwrap().affinities(), family.affinities(), "{name}");
         }
     }
 }
@@ -166,7 +166,7 @@ fn any_frame() {
             let (torsion, q) = (moved.tensor(&torsion), moved.tensor(&q));
             let here = Connection::with_torsion_and_nonmetricity(&frame, &metric, &torsion, &q);
             let here = here.unwrap();
-            assert_eq!(here.gamma(), &moved.inhomogeneous(at_home.gamma()));
+            assert_eq!(here.affinities(), &moved.inhomogeneous(at_home.affinities()));
             assert_eq!(here.torsion(), torsion);
             assert_eq!(here.nonmetricity(&metric).unwrap(), q);
         }
@@ -204,8 +204,8 @@ properties! {
     #[test]
     fn koszul(space in spaces(4)) {
         let n = space.dimension();
-        let (g, c) = (space.metric.components(), space.algebra.structure());
-        let lowered = contract("g_im L^m_jk -> _ijk", &[("g", g), ("L", space.levi_civita().gamma())])?;
+        let (g, c) = (space.metric.components(), space.algebra.structure_constants());
+        let lowered = contract("g_im L^m_jk -> _ijk", &[("g", g), ("L", space.levi_civita().affinities())])?;
         let product = |j: usize, k: usize, i: usize| {
             (0..n).fold(integer(0), |sum, m| sum + &(c.get(&[m, j, k]) * &g.get(&[m, i])))
         };
@@ -225,7 +225,7 @@ properties! {
     ) {
         let levi_civita = space.levi_civita();
         let plus = |part: &Tensor<Rational>| {
-            let gamma = contract("L^i_jk + s^i_jk -> ^i_jk", &[("L", levi_civita.gamma()), ("s", part)]);
+            let gamma = contract("L^i_jk + s^i_jk -> ^i_jk", &[("L", levi_civita.affinities()), ("s", part)]);
             Connection::new(space.algebra.left_frame().clone(), gamma.unwrap()).unwrap()
         };
         let symmetric = added.symmetrise(&[1, 2])?;
@@ -306,7 +306,7 @@ fn bi_invariant_metrics() {
         let killing = algebra.killing_form();
         let metric = Metric::new(algebra.labels(), killing.clone()).unwrap();
         let levi_civita = Connection::levi_civita(algebra.left_frame(), &metric).unwrap();
-        assert_eq!(levi_civita.gamma(), &algebra.structure().scale(&fraction(1, 2)), "{name}");
+        assert_eq!(levi_civita.affinities(), &algebra.structure_constants().scale(&fraction(1, 2)), "{name}");
         assert_eq!(levi_civita.ricci(), killing.scale(&fraction(-1, 4)), "{name}");
         assert_eq!(levi_civita.scalar_curvature(&metric).unwrap(), fraction(-3, 4), "{name}");
     }

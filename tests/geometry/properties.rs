@@ -169,7 +169,7 @@ fn second_einstein_metrics() {
     // so(5), whose basis of rotations (i,j) has the pairs without 1 first
     let scaled = |t: &str| named("so5", &format!("diag({t},{t},{t},{t},{t},{t},1,1,1,1)"));
     let of_so4 = |i: usize| i < 6;
-    let c = scaled("1").algebra().unwrap().structure().clone();
+    let c = scaled("1").algebra().unwrap().structure_constants().clone();
     for (at, _) in c.components() {
         let inside = at.iter().filter(|&&i| of_so4(i)).count();
         assert!(inside == 3 || inside == 1, "a symmetric pair");
@@ -295,19 +295,19 @@ fn in_moving_frames() {
 #[test]
 fn torsion() {
     let so3 = rotations();
-    let plus = Connection::family(&so3, &integer(1));
+    let plus = Connection::cartan_schouten(&so3, &integer(1));
     assert_eq!(plus.parallel_torsion(), Property::Holds(()));
     assert_eq!(plus.parallel_curvature(), Property::Holds(()));
     let witness = plus.locally_symmetric().witness().unwrap();
     assert_eq!(witness.to_string(), "tau^i_jk = 1 at i = 1, j = 2, k = 3");
-    assert_eq!(Connection::family(&so3, &fraction(1, 2)).locally_symmetric(), Property::Holds(()));
+    assert_eq!(Connection::cartan_schouten(&so3, &fraction(1, 2)).locally_symmetric(), Property::Holds(()));
 }
 
 #[test]
 fn shapes() {
     let (so3, four) = (rotations(), by_table(4, &[]));
     let wrong = metric(&four, &[1; 4]);
-    let connection = Connection::family(&so3, &fraction(1, 2));
+    let connection = Connection::cartan_schouten(&so3, &fraction(1, 2));
     let shape = |error: Error| matches!(error, Error::Shape { .. });
     assert!(shape(connection.einstein_constant(&wrong).unwrap_err()));
     assert!(shape(connection.constant_curvature(&wrong).unwrap_err()));
@@ -385,7 +385,7 @@ properties! {
         if let Some(witness) = found.witness() {
             prop_assert!(!witness.residual.is_zero());
         }
-        let c = space.algebra.structure();
+        let c = space.algebra.structure_constants();
         let mixed = ricci.raise(0, metric.inverse())?;
         match metric.ricci_soliton(&space.algebra)? {
             Property::Holds(Soliton { constant, derivation }) => {

@@ -2,7 +2,7 @@
 
 use crate::common::algebras::{by_table, catalogued, seeds};
 use crate::common::{fraction, integer, labels, property::properties, rationals, stored};
-use affinor::{BasisChange, Canonical, Connection, Error, LieAlgebra, Metric, ReductivePair};
+use affinor::{BasisChange, CanonicalConnection, Connection, Error, LieAlgebra, Metric, ReductivePair};
 use affinor_tensors::{Down, Field, Rational, Ring, Symbolic, Tensor, Up, contract};
 use num_traits::Zero;
 use proptest::collection::vec;
@@ -57,9 +57,9 @@ fn constant_curvature(k: i64, g: &Tensor<Rational>) -> Tensor<Rational> {
 /// Both Bianchi identities, torsion and curvature by Nomizu's formulas in plain sums, parallel
 /// tensors: what holds for every invariant connection.
 fn laws(pair: &Pair, connection: &Connection<Rational>) {
-    let (r, c) = (pair.dimension(), pair.algebra().structure());
+    let (r, c) = (pair.dimension(), pair.algebra().structure_constants());
     let n = pair.algebra().dimension();
-    let gamma = connection.gamma();
+    let gamma = connection.affinities();
     let (torsion, curvature) = (connection.torsion(), connection.curvature());
     let sum =
         |terms: &mut dyn Iterator<Item = Rational>| terms.fold(integer(0), |sum, term| sum + &term);
@@ -88,11 +88,11 @@ fn all_connections(pair: &Pair, coefficients: &[Rational]) {
     let natural = pair.natural().unwrap();
     assert!(natural.torsion().is_empty());
     let canonical = pair.canonical();
-    assert_eq!(canonical.torsion(), pair.frame().structure().scale(&integer(-1)));
+    assert_eq!(canonical.torsion(), pair.frame().structure_functions().scale(&integer(-1)));
     let isotropy = pair.frame().isotropy().unwrap();
     assert_eq!(*canonical.curvature(), isotropy.scale(&integer(-1)));
     if pair.is_symmetric() {
-        assert_eq!(canonical.gamma(), natural.gamma());
+        assert_eq!(canonical.affinities(), natural.affinities());
         assert!(canonical.nabla(canonical.curvature()).unwrap().is_empty());
     }
     let combination = |basis: Vec<Tensor<Rational>>| {
@@ -114,7 +114,7 @@ fn all_connections(pair: &Pair, coefficients: &[Rational]) {
             assert!(levi_civita.nonmetricity(&g).unwrap().is_empty());
             assert!(canonical.nonmetricity(&g).unwrap().is_empty());
             laws(pair, &levi_civita);
-            pair.connection(levi_civita.gamma().clone()).unwrap();
+            pair.connection(levi_civita.affinities().clone()).unwrap();
         }
     }
 }
@@ -145,7 +145,7 @@ fn spaces_of_constant_curvature() {
         let n = places.len();
         let pair = ReductivePair::new(&algebra, &units(n, h.clone()), &units(n, m)).unwrap();
         let again = ReductivePair::orthogonal(&algebra, &units(n, h)).unwrap();
-        assert_eq!(pair.algebra().structure(), again.algebra().structure());
+        assert_eq!(pair.algebra().structure_constants(), again.algebra().structure_constants());
         assert!(pair.is_symmetric());
         let forms = pair.invariant_tensors(&[Down, Down]).unwrap();
         let g =
@@ -155,7 +155,7 @@ fn spaces_of_constant_curvature() {
         assert_eq!(forms.len(), if last == 2 { 2 } else { 1 });
         let levi_civita = pair.levi_civita(&metric(g.clone())).unwrap();
         assert_eq!(*levi_civita.curvature(), constant_curvature(curvature, &g), "{eta:?}");
-        assert_eq!(levi_civita.gamma(), pair.canonical().gamma());
+        assert_eq!(levi_civita.affinities(), pair.canonical().affinities());
         let dimension = last as i64;
         let ricci = g.scale(&integer(curvature * (dimension - 1)));
         assert_eq!(levi_civita.ricci(), ricci);
@@ -278,11 +278,11 @@ fn flags() {
     }
     // natural is Levi-Civita of the normal metric
     let normal = pair.levi_civita(&killing).unwrap();
-    assert_eq!(normal.gamma(), pair.natural().unwrap().gamma());
+    assert_eq!(normal.affinities(), pair.natural().unwrap().affinities());
     assert_eq!(normal.ricci(), killing.components().scale(&fraction(5, 12)));
     // but not of the Kähler ones
     let other = pair.levi_civita(&scaled([1, 1, 2].map(integer))).unwrap();
-    assert_ne!(other.gamma(), pair.natural().unwrap().gamma());
+    assert_ne!(other.affinities(), pair.natural().unwrap().affinities());
     all_connections(&pair, &[integer(1), fraction(-1, 2), integer(3)]);
 }
 
@@ -303,9 +303,9 @@ fn groups_as_homogeneous_spaces() {
         let [zero, one, half] = [integer(0), integer(1), fraction(1, 2)];
         let h = embedded(&one, &one);
         for (m, which) in [
-            (embedded(&one, &zero), Canonical::Minus),
-            (embedded(&zero, &-one.clone()), Canonical::Plus),
-            (embedded(&half, &-half.clone()), Canonical::Zero),
+            (embedded(&one, &zero), CanonicalConnection::Minus),
+            (embedded(&zero, &-one.clone()), CanonicalConnection::Plus),
+            (embedded(&half, &-half.clone()), CanonicalConnection::Zero),
         ] {
             let pair = ReductivePair::new(&double, &h, &m).unwrap();
             let on_group = Connection::canonical(&algebra, which);
@@ -313,11 +313,11 @@ fn groups_as_homogeneous_spaces() {
             assert_eq!(canonical.torsion(), on_group.torsion(), "{name}");
             assert_eq!(canonical.curvature(), on_group.curvature(), "{name}");
             let natural = pair.natural().unwrap();
-            let zero = Connection::canonical(&algebra, Canonical::Zero);
+            let zero = Connection::canonical(&algebra, CanonicalConnection::Zero);
             assert_eq!(natural.curvature(), zero.curvature(), "{name}");
             assert_eq!(
                 pair.is_symmetric(),
-                which == Canonical::Zero || on_group.torsion().is_empty()
+                which == CanonicalConnection::Zero || on_group.torsion().is_empty()
             );
             // invariant connections of G x G / G are the bi-invariant ones of G
             let invariant = pair.invariant_tensors(&[Up, Down, Down]).unwrap();
@@ -335,10 +335,10 @@ fn the_trivial_subgroup() {
     for (name, algebra) in seeds().into_iter().filter(|(_, algebra)| algebra.dimension() < 6) {
         let n = algebra.dimension();
         let pair = ReductivePair::new(&algebra, &[], &units(n, 0..n)).unwrap();
-        let minus = Connection::canonical(&algebra, Canonical::Minus);
+        let minus = Connection::canonical(&algebra, CanonicalConnection::Minus);
         assert_eq!(pair.canonical().torsion(), minus.torsion(), "{name}");
         assert!(pair.canonical().curvature().is_empty(), "{name}");
-        let zero = Connection::canonical(&algebra, Canonical::Zero);
+        let zero = Connection::canonical(&algebra, CanonicalConnection::Zero);
         assert_eq!(pair.natural().unwrap().curvature(), zero.curvature(), "{name}");
         assert_eq!(pair.invariant_tensors(&[Up]).unwrap().len(), n);
     }
@@ -396,7 +396,7 @@ fn other_groups() {
     let se3 = catalogued("se(3)");
     let space = ReductivePair::new(&se3, &units(6, 0..3), &units(6, 3..6)).unwrap();
     let levi_civita = space.levi_civita(&metric(delta(3))).unwrap();
-    assert!(levi_civita.curvature().is_empty() && levi_civita.gamma().is_empty());
+    assert!(levi_civita.curvature().is_empty() && levi_civita.affinities().is_empty());
     // cross products: one invariant connection, with torsion
     assert_eq!(space.invariant_tensors(&[Up, Down, Down]).unwrap().len(), 1);
     all_connections(&space, &[integer(2)]);
@@ -490,7 +490,7 @@ fn what_is_no_pair_is_refused() {
     }
     assert!(matches!(sphere.levi_civita(&metric(delta(3))), Err(Error::Shape { .. })));
     // questions for a group
-    assert!(matches!(sphere.canonical().ad_variation(), Err(Error::Frame(_))));
+    assert!(matches!(sphere.canonical().ad_invariance_defect(), Err(Error::Frame(_))));
     assert!(matches!(sphere.canonical().curvature_forms(), Err(Error::Frame(_))));
 }
 

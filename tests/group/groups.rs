@@ -13,7 +13,7 @@ use affinor::group::{
     Opposite, Product, Se2, Se3, Se23, Sl2, So2, So3, TranslationSplit, Translations, laws,
     registry,
 };
-use affinor::{Canonical, Connection, Error, LieAlgebra, MatrixBasis};
+use affinor::{CanonicalConnection, Connection, Error, LieAlgebra, MatrixBasis};
 use affinor_tensors::Tolerance;
 use nalgebra::{Const, DMatrix, DVector, Matrix2, SVector, UnitQuaternion, Vector3};
 use proptest::collection::vec;
@@ -197,7 +197,7 @@ fn brackets_are_those_of_the_catalogue() {
             for (k, y) in basis.iter().enumerate() {
                 let bracket = group.bracket(x, y);
                 for (i, value) in bracket.components().iter().enumerate() {
-                    let expected = algebra.structure().get(&[i, j, k]);
+                    let expected = algebra.structure_constants().get(&[i, j, k]);
                     assert!((value - expected).abs() < 1e-14, "c^{i}_{j}{k} = {value}");
                 }
             }
@@ -236,9 +236,9 @@ fn brackets_are_those_of_the_catalogue() {
 /// Matrices of an algebra in any basis have that algebra, its zeros too.
 #[test]
 fn matrix_groups_know_their_algebra() {
-    assert_eq!(matrices(&spins()).algebra().unwrap().structure().len(), 6);
+    assert_eq!(matrices(&spins()).algebra().unwrap().structure_constants().len(), 6);
     // 27 products E_ij E_jl, in both orders, less the squares E_ii E_ii
-    assert_eq!(matrices(&units(3)).algebra().unwrap().structure().len(), 2 * 27 - 2 * 3);
+    assert_eq!(matrices(&units(3)).algebra().unwrap().structure_constants().len(), 2 * 27 - 2 * 3);
     let mixed: Vec<_> = (0..3)
         .map(|a| {
             let terms = spins().into_iter().enumerate();
@@ -250,7 +250,7 @@ fn matrix_groups_know_their_algebra() {
     for (j, k) in (0..3).flat_map(|j| (0..3).map(move |k| (j, k))) {
         let bracket = group.bracket(&group.basis()[j], &group.basis()[k]);
         for i in 0..3 {
-            assert!((algebra.structure().get(&[i, j, k]) - bracket[i]).abs() < 1e-13);
+            assert!((algebra.structure_constants().get(&[i, j, k]) - bracket[i]).abs() < 1e-13);
         }
     }
 }
@@ -493,7 +493,7 @@ fn every_named_algebra_has_a_group() {
     let families = affinor::algebra::catalogue::families().iter().map(|family| family.example);
     for name in families.filter(|name| !name.starts_with(['E', 'F'])).chain(sums) {
         let group = AnyGroup::named(name).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let flat = Connection::canonical(&floats(name), Canonical::Minus);
+        let flat = Connection::canonical(&floats(name), CanonicalConnection::Minus);
         // it compares the structure constants
         let transport = ParallelTranslation::new(group, flat);
         assert!(transport.is_ok(), "{name}: {}", transport.unwrap_err());

@@ -4,7 +4,7 @@ use crate::common::property::properties;
 use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::group::transport::{ParallelTranslation, TangentVector};
 use affinor::group::{Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So2, So3};
-use affinor::{Bracket, Canonical, Connection, Error, LieAlgebra, Metric};
+use affinor::{Bracket, CanonicalConnection, Connection, Error, LieAlgebra, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{Const, DMatrix, DVector, Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
@@ -14,7 +14,7 @@ fn so3() -> LieAlgebra<f64> {
     So3.algebra().unwrap()
 }
 
-fn canonical(which: Canonical) -> ParallelTranslation<So3> {
+fn canonical(which: CanonicalConnection) -> ParallelTranslation<So3> {
     ParallelTranslation::new(So3, Connection::canonical(&so3(), which)).unwrap()
 }
 
@@ -54,12 +54,12 @@ fn laws<G: LieGroup + Clone>(group: G, numbers: &[f64; 6]) {
         group.operator_matrix(|u| group.adjoint(&p, u))
     };
     let scale = 1.0 + back(1.0).amax() + back(-1.0).amax();
-    let cases = [(Canonical::Plus, 1.0), (Canonical::Zero, 0.5), (Canonical::Minus, 0.0)];
+    let cases = [(CanonicalConnection::Plus, 1.0), (CanonicalConnection::Zero, 0.5), (CanonicalConnection::Minus, 0.0)];
     for (which, share) in cases {
         let off = on_group(which).along_subgroup(&x).unwrap() - back(share);
         assert!(off.amax() < 1e-13 * scale, "{which:?}: {off}");
     }
-    let loops = [on_group(Canonical::Plus), on_group(Canonical::Zero), full(&group)];
+    let loops = [on_group(CanonicalConnection::Plus), on_group(CanonicalConnection::Zero), full(&group)];
     for on_group in loops {
         let there = on_group.along_subgroup(&x).unwrap();
         let both = on_group.along_subgroup(&-x.clone()).unwrap() * &there;
@@ -97,7 +97,7 @@ fn there_and_back_far<G: LieGroup + Clone>(group: G, numbers: &[f64; 6], length:
 #[test]
 fn rounding_of_long_arcs() {
     let algebra = Sl2.algebra().unwrap();
-    let plus = Connection::canonical(&algebra, Canonical::Plus);
+    let plus = Connection::canonical(&algebra, CanonicalConnection::Plus);
     let on_group = ParallelTranslation::new(Sl2, plus).unwrap();
     let there_and_back = |length: f64| {
         let x = Vector3::new(length, length, 0.0);
@@ -118,7 +118,7 @@ fn rounding_of_long_arcs() {
     // ten thousand arcs of rotations
     let turn = |k: i32| Vector3::new(f64::from(k).sin(), f64::from(k).cos(), 0.3);
     let many: Vec<_> = (0..10_000).map(turn).collect();
-    let matrix = canonical(Canonical::Zero).along_arcs(&many).unwrap();
+    let matrix = canonical(CanonicalConnection::Zero).along_arcs(&many).unwrap();
     assert!((matrix.transpose() * &matrix - DMatrix::identity(3, 3)).amax() < 1e-11);
 }
 
@@ -180,17 +180,17 @@ properties! {
         let p = So3.exp(&x);
         // R_p* u = u p = p (p^-1 u p)
         let right = So3.adjoint(&So3.inverse(&p), &u);
-        prop_assert!((carried(Canonical::Plus) - DVector::from_column_slice(right.as_slice())).amax() < 1e-14);
-        prop_assert!((carried(Canonical::Minus) - &u_dynamic).amax() == 0.0);
+        prop_assert!((carried(CanonicalConnection::Plus) - DVector::from_column_slice(right.as_slice())).amax() < 1e-14);
+        prop_assert!((carried(CanonicalConnection::Minus) - &u_dynamic).amax() == 0.0);
         let half = So3.adjoint(&So3.inverse(&So3.exp(&(x * 0.5))), &u);
-        prop_assert!((carried(Canonical::Zero) - DVector::from_column_slice(half.as_slice())).amax() < 1e-14);
+        prop_assert!((carried(CanonicalConnection::Zero) - DVector::from_column_slice(half.as_slice())).amax() < 1e-14);
     }
 
     /// For every connection: along an arc and back is the identity.
     #[test]
     fn there_and_back(x in vector(), j in vector()) {
         let inertia = Matrix3::from_diagonal(&Vector3::new(2.0, 3.0, 4.0)) + j * j.transpose();
-        for on_group in [canonical(Canonical::Plus), canonical(Canonical::Zero), levi_civita(inertia)] {
+        for on_group in [canonical(CanonicalConnection::Plus), canonical(CanonicalConnection::Zero), levi_civita(inertia)] {
             let both = on_group.along_subgroup(&-x).unwrap() * on_group.along_subgroup(&x).unwrap();
             prop_assert!((both - DMatrix::identity(3, 3)).amax() < 1e-13);
         }
@@ -211,14 +211,14 @@ properties! {
 #[test]
 fn translation_is_path_independent_on_m3_alone() {
     let (start, end) = (curve(0.0), curve(2.0));
-    let plus = canonical(Canonical::Plus);
+    let plus = canonical(CanonicalConnection::Plus);
     let along = plus.along_curve(velocity, &[0.0, 2.0], 1e-12).unwrap();
     let right = rotation(&So3.compose(&So3.inverse(&end), &start));
     assert!((&along[1] - &right).amax() < 1e-11);
     let straight = plus.along_samples(&[start, end]).unwrap();
     assert!((&along[1] - straight).amax() < 1e-11);
 
-    let zero = canonical(Canonical::Zero);
+    let zero = canonical(CanonicalConnection::Zero);
     let along = zero.along_curve(velocity, &[0.0, 2.0], 1e-12).unwrap();
     let straight = zero.along_samples(&[start, end]).unwrap();
     assert!((&along[1] - straight).amax() > 0.1);
@@ -227,7 +227,7 @@ fn translation_is_path_independent_on_m3_alone() {
 /// Samples come to the curve as the square of their distance.
 #[test]
 fn samples_are_of_second_order() {
-    let zero = canonical(Canonical::Zero);
+    let zero = canonical(CanonicalConnection::Zero);
     let exact = &zero.along_curve(velocity, &[0.0, 1.0], 1e-13).unwrap()[1];
     let error = |n: usize| {
         let samples: Vec<_> = (0..=n).map(|i| curve(i as f64 / n as f64)).collect();
@@ -242,9 +242,9 @@ fn samples_are_of_second_order() {
 #[test]
 fn holonomy_of_loops() {
     let turn = Vector3::new(0.0, TAU, 0.0);
-    let plus = canonical(Canonical::Plus).along_subgroup(&turn).unwrap();
+    let plus = canonical(CanonicalConnection::Plus).along_subgroup(&turn).unwrap();
     assert!((plus - DMatrix::identity(3, 3)).amax() < 1e-14);
-    let zero = canonical(Canonical::Zero).along_subgroup(&turn).unwrap();
+    let zero = canonical(CanonicalConnection::Zero).along_subgroup(&turn).unwrap();
     let half_turn = rotation(&So3.exp(&Vector3::new(0.0, PI, 0.0)));
     assert!((zero - half_turn).amax() < 1e-14);
 
@@ -258,7 +258,7 @@ fn holonomy_of_loops() {
         corners.push(So3.compose(&corners[corners.len() - 1], &side));
     }
     corners.push(So3.identity());
-    let on_group = canonical(Canonical::Zero);
+    let on_group = canonical(CanonicalConnection::Zero);
     let around = on_group.along_samples(&corners).unwrap();
     let change = (around - DMatrix::identity(3, 3)) / (h * h);
     let curvature = on_group.connection().curvature();
@@ -302,7 +302,7 @@ fn geodesics_of_the_motions_of_a_plane_are_free_bodies() {
     let metric = Tensor::from_fn(3, [Down, Down], |[i, k]| j[(i, k)]).unwrap();
     let metric = Metric::new(algebra.labels(), metric).unwrap();
     let body = Connection::levi_civita(algebra.left_frame(), &metric).unwrap();
-    let plus = Connection::canonical(&algebra, Canonical::Plus);
+    let plus = Connection::canonical(&algebra, CanonicalConnection::Plus);
     let euler = Equations::euler_poincare(&plus, &metric).unwrap();
     let geodesic = Equations::new(EquationKind::Autoparallel, &body, None).unwrap();
     let omega = Vector3::new(0.7, -1.0, 0.5);
@@ -333,7 +333,7 @@ fn covariant_derivatives_are_rates_of_vectors_carried_back() {
     let (x, y, t) = (Vector3::new(0.3, -0.8, 0.5), Vector3::new(-0.6, 0.2, 0.9), 0.8_f64);
     let v = |t: f64| x * t.cos() + y * t;
     let vdot = y - x * t.sin();
-    for (which, lambda) in [(Canonical::Plus, 1.0), (Canonical::Zero, 0.5), (Canonical::Minus, 0.0)]
+    for (which, lambda) in [(CanonicalConnection::Plus, 1.0), (CanonicalConnection::Zero, 0.5), (CanonicalConnection::Minus, 0.0)]
     {
         let on_group = canonical(which);
         let back = |s: f64| {
@@ -352,7 +352,7 @@ fn covariant_derivatives_are_rates_of_vectors_carried_back() {
 #[test]
 fn canonical_autoparallels_are_one_parameter_groups() {
     let (g0, n) = (curve(0.3), Vector3::new(0.6, -2.0, 1.5));
-    for which in [Canonical::Plus, Canonical::Zero, Canonical::Minus] {
+    for which in [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus] {
         let TangentVector { base: g, left: tangent } =
             &canonical(which).autoparallel(&g0, &n, &[3.0], 1e-12).unwrap()[0];
         let expected = So3.compose(&g0, &So3.exp(&(n * 3.0)));
@@ -382,11 +382,11 @@ fn what_does_not_fit_is_refused() {
         _ => vec![],
     });
     let heisenberg = LieAlgebra::try_from(heisenberg.unwrap()).unwrap();
-    let other = Connection::canonical(&heisenberg, Canonical::Plus);
+    let other = Connection::canonical(&heisenberg, CanonicalConnection::Plus);
     let error = ParallelTranslation::new(So3, other).unwrap_err();
     assert!(error.to_string().contains("c^2_1,3 = 0 and not -1"), "{error}");
 
-    let plus = canonical(Canonical::Plus);
+    let plus = canonical(CanonicalConnection::Plus);
     let pole = |t: f64| Vector3::new(1.0 / (1.0 - t), 0.0, 1.0 / (1.0 - t));
     let stops = plus.along_curve(pole, &[0.0, 2.0], 1e-9).unwrap_err();
     assert!(matches!(stops, Error::Integration { .. }), "{stops}");

@@ -10,7 +10,7 @@ use affinor::mechanics::{
     Adaptive, BodyState, EulerPoincare, FreeBody, Inertia, Integrator, MoserVeselov, MuntheKaas,
     SimoWong, State, System,
 };
-use affinor::{Canonical, Connection, Error, Metric};
+use affinor::{CanonicalConnection, Connection, Error, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -208,7 +208,7 @@ fn body() -> (Inertia, EulerPoincare<So3, Free>, State<So3>) {
     let moments = Vector3::new(0.6, 0.8, 1.0);
     let metric = Tensor::from_components(3, &[Down, Down], (0..3).map(|i| ([i, i], moments[i])));
     let metric = Metric::new(So3.algebra().unwrap().labels(), metric.unwrap()).unwrap();
-    let plus = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let plus = Connection::canonical(&So3.algebra().unwrap(), CanonicalConnection::Plus);
     let system = EulerPoincare::free(So3, &plus, &metric).unwrap();
     let velocity = Vector3::new(1.8, 0.4, -0.9).component_div(&moments);
     let start = system.state(0.0, So3.identity(), &velocity);

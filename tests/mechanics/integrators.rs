@@ -18,7 +18,7 @@ use affinor::mechanics::{
     KinematicState, Magnus, MoserVeselov, MuntheKaas, PrescribedVelocity, Projected, SimoWong,
     State,
 };
-use affinor::{Canonical, Connection, Error, Metric};
+use affinor::{CanonicalConnection, Connection, Error, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{Const, DMatrix, DVector, Matrix3, UnitQuaternion, Vector3, Vector6, dmatrix};
 
@@ -124,7 +124,7 @@ impl<G: TranslationSplit, M: Torque<G>> Case<G, M> {
 /// A system and where the matrix entries and the velocity are after a time, by the equations (106).
 fn case<G: TranslationSplit + Clone, F: Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64> + Clone>(
     group: G,
-    which: Canonical,
+    which: CanonicalConnection,
     metric: &Metric<f64>,
     velocity: &G::Vector,
     span: f64,
@@ -155,7 +155,7 @@ fn each_motion<G: TranslationSplit + Clone>(
     check: impl Fn(&Case<G, Load<G, Moment>>, &Case<G, Load<G, Moment>>),
 ) {
     let metric = full(&group);
-    for which in [Canonical::Zero, Canonical::Plus] {
+    for which in [CanonicalConnection::Zero, CanonicalConnection::Plus] {
         let case = |span, load: Moment| case(group.clone(), which, &metric, velocity, span, load);
         check(&case(1.0, moment), &case(3.0, fast));
     }
@@ -324,7 +324,7 @@ fn free_error_at(
     steps: usize,
 ) -> f64 {
     let (inertia, metric) = inertia();
-    let connection = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let connection = Connection::canonical(&So3.algebra().unwrap(), CanonicalConnection::Plus);
     let system = EulerPoincare::free(So3, &connection, &metric).unwrap();
     let start = system.state(0.0, So3.exp(&Vector3::new(0.3, 1.0, -0.4)), &VELOCITY);
     let exact = BodyState { attitude: start.element, momentum: inertia.momentum(&VELOCITY) };
@@ -365,7 +365,7 @@ fn orders_of_the_free_body() {
 #[test]
 fn order_of_simo_wong_with_a_torque() {
     let (inertia, metric) = inertia();
-    let case = case(So3, Canonical::Plus, &metric, &VELOCITY, 1.0, moment);
+    let case = case(So3, CanonicalConnection::Plus, &metric, &VELOCITY, 1.0, moment);
     expect_order("Simo-Wong", 2, 32, 4, |n| case.error(&SimoWong::new(&inertia), n));
 }
 
@@ -379,7 +379,7 @@ fn potential(time: f64, matrix: &DMatrix<f64>, _: &[f64]) -> Vec<f64> {
 #[test]
 fn orders_of_kicks() {
     let (inertia, metric) = inertia();
-    let case = case(So3, Canonical::Plus, &metric, &VELOCITY, 1.0, potential);
+    let case = case(So3, CanonicalConnection::Plus, &metric, &VELOCITY, 1.0, potential);
     for motion in [FreeMotion::Exact, FreeMotion::MoserVeselov(Order::Ten)] {
         let of = |order| Kick::new(&inertia, order, motion);
         let orders =
@@ -415,7 +415,7 @@ fn orders_of_kicks() {
 #[test]
 fn an_adaptive_run_goes_on() {
     let (_, metric) = inertia();
-    let connection = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let connection = Connection::canonical(&So3.algebra().unwrap(), CanonicalConnection::Plus);
     let torque = |time: f64, _: &UnitQuaternion<f64>, _: &Vector3<f64>| Vector3::x() * time.sin();
     let system = EulerPoincare::new(So3, &connection, &metric, torque).unwrap();
     let start = system.state(0.0, So3.identity(), &VELOCITY);
@@ -441,7 +441,7 @@ fn an_adaptive_run_goes_on() {
 #[test]
 fn methods_for_a_free_body_refuse_a_torque() {
     let (inertia, metric) = inertia();
-    let connection = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let connection = Connection::canonical(&So3.algebra().unwrap(), CanonicalConnection::Plus);
     let torque = |_: f64, _: &UnitQuaternion<f64>, _: &Vector3<f64>| Vector3::x();
     let system = EulerPoincare::new(So3, &connection, &metric, torque).unwrap();
     let start = system.state(0.0, So3.identity(), &VELOCITY);
@@ -457,7 +457,7 @@ fn methods_for_a_free_body_refuse_a_torque() {
 #[test]
 fn a_first_step_by_the_time_scale() {
     let (_, metric) = inertia();
-    let connection = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let connection = Connection::canonical(&So3.algebra().unwrap(), CanonicalConnection::Plus);
     let method = Adaptive::of_order_8(1e-8);
     let free = EulerPoincare::free(So3, &connection, &metric).unwrap();
     let first = |unit: f64| {
@@ -484,7 +484,7 @@ fn ode_end<M: Torque<So3>>(
     metric: &Metric<f64>,
     torque: impl Fn(f64, &UnitQuaternion<f64>, &Vector3<f64>) -> Vector3<f64>,
 ) -> Vector3<f64> {
-    let connection = Connection::canonical(&system.group().algebra().unwrap(), Canonical::Plus);
+    let connection = Connection::canonical(&system.group().algebra().unwrap(), CanonicalConnection::Plus);
     let equations = Equations::euler_poincare(&connection, metric).unwrap();
     let rates = |t: f64, omega: &DVector<f64>| {
         let moment = torque(t, &So3.identity(), &Vector3::zeros());
@@ -503,7 +503,7 @@ fn what_is_not_meant_is_refused() {
     let algebra = So3.algebra().unwrap();
     let of =
         |which| EulerPoincare::free(So3, &Connection::canonical(&algebra, which), &metric).unwrap();
-    let (plus, zero) = (of(Canonical::Plus), of(Canonical::Zero));
+    let (plus, zero) = (of(CanonicalConnection::Plus), of(CanonicalConnection::Zero));
     for (system, inertia) in [(&plus, &other), (&zero, &inertia)] {
         let mut state = system.state(0.0, So3.identity(), &VELOCITY);
         let methods: [&dyn Integrator<EulerPoincare<So3, Free>>; 3] = [
@@ -517,7 +517,7 @@ fn what_is_not_meant_is_refused() {
         }
         assert_eq!(state.time, 0.0);
     }
-    let connection = Connection::canonical(&algebra, Canonical::Plus);
+    let connection = Connection::canonical(&algebra, CanonicalConnection::Plus);
     let drag = |_: f64, _: &UnitQuaternion<f64>, omega: &Vector3<f64>| -omega;
     let system = EulerPoincare::new(So3, &connection, &metric, drag).unwrap();
     let mut state = system.state(0.0, So3.identity(), &VELOCITY);
@@ -529,7 +529,7 @@ fn what_is_not_meant_is_refused() {
 #[test]
 fn steps_without_a_solution_are_refused() {
     let (inertia, metric) = inertia();
-    let connection = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let connection = Connection::canonical(&So3.algebra().unwrap(), CanonicalConnection::Plus);
     let system = EulerPoincare::free(So3, &connection, &metric).unwrap();
     let start = system.state(0.0, So3.identity(), &(VELOCITY * 1e3));
     let methods: [&dyn Integrator<EulerPoincare<So3, Free>>; 2] =
@@ -544,7 +544,7 @@ fn steps_without_a_solution_are_refused() {
 /// Steps that are not positive are refused, and do not run for ever.
 #[test]
 fn tolerances_and_steps_are_positive() {
-    let plus = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let plus = Connection::canonical(&So3.algebra().unwrap(), CanonicalConnection::Plus);
     let body =
         EulerPoincare::free(So3, &plus, &Metric::diagonal([1.0, 2.0, 3.0]).unwrap()).unwrap();
     let start = body.state(0.0, So3.identity(), &Vector3::new(0.3, 1.0, 0.5));

@@ -5,7 +5,7 @@ use affinor::mechanics::integrators::RungeKutta;
 use affinor::mechanics::integrators::runge_kutta::LocalCoordinates;
 use affinor::mechanics::{Adaptive, EulerPoincare, Integrator, MuntheKaas, Projected, State};
 use affinor::numerics::tableaux::{Classical, DormandPrince, DormandPrince8, Tableau, Tabulated};
-use affinor::{Canonical, Connection, Metric};
+use affinor::{CanonicalConnection, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 
 /// A rooted tree: those above its root, in descending order.
@@ -110,7 +110,7 @@ fn order_on<G: Embedded + TranslationSplit + Clone, C: LocalCoordinates<G>>(
     let torque = move |time: f64, _: &G::Element, omega: &G::Vector| {
         G::Vector::from_fn(n, |i| 0.3 * (2.0 * time + i as f64).sin() - 0.2 * omega.components()[i])
     };
-    let zero = Connection::canonical(&algebra, Canonical::Zero);
+    let zero = Connection::canonical(&algebra, CanonicalConnection::Zero);
     let system = EulerPoincare::new(group.clone(), &zero, &metric, torque).unwrap();
     let velocity = G::Vector::from_fn(n, |i| [0.9, -0.5, 1.1][i % 3]);
     let start = system.state(0.3, group.exp(&(velocity.clone() * 0.2)), &velocity);

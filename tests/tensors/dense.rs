@@ -2,7 +2,7 @@
 
 use crate::common::property::properties;
 use crate::common::tensors::tensors;
-use affinor_tensors::{Down, Rational, Symbolic, Tensor, TensorError, Tolerance, Tracked, Up};
+use affinor_tensors::{Down, Rational, Symbolic, Tensor, TensorError, Tolerance, TrackedFloat, Up};
 use nalgebra::DMatrix;
 use ndarray::ArrayD;
 use proptest::prelude::*;
@@ -68,9 +68,9 @@ fn the_written_forms() {
     let value: Symbolic = "(a^2 - b)/(4*c)".parse().unwrap();
     assert_eq!(serde_json::to_string(&value).unwrap(), r#""(a^2 - b)/(4*c)""#);
     assert_eq!(serde_json::from_str::<Symbolic>(r#""(a^2 - b)/(4*c)""#).unwrap(), value);
-    let product = Tracked::new(0.1) * Tracked::new(0.1);
+    let product = TrackedFloat::new(0.1) * TrackedFloat::new(0.1);
     let text = serde_json::to_string(&product).unwrap();
-    let read: Tracked = serde_json::from_str(&text).unwrap();
+    let read: TrackedFloat = serde_json::from_str(&text).unwrap();
     assert_eq!((read.value(), read.error()), (product.value(), product.error()));
 }
 
@@ -115,7 +115,7 @@ fn what_is_no_number_is_not_written() {
         let message = format!("a component is {wild}, no finite number");
         let floats = Tensor::vector(&[1.0, wild], Up);
         assert_eq!(serde_json::to_string(&floats).unwrap_err().to_string(), message);
-        let tracked = serde_json::to_string(&floats.map(|v| Tracked::new(*v)));
+        let tracked = serde_json::to_string(&floats.map(|v| TrackedFloat::new(*v)));
         assert_eq!(tracked.unwrap_err().to_string(), message);
     }
 }

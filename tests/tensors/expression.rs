@@ -2,7 +2,7 @@
 
 use crate::common::property::properties;
 use affinor_tensors::expression::{
-    Expression, ExpressionError, MAX_DIGITS, MAX_SIZE, Meaning, Scalars, no_function,
+    Expression, ExpressionError, MAX_DIGITS, MAX_SIZE, Evaluator, Scalars, no_function,
 };
 use affinor_tensors::{Field, Notation, Rational, Ring, Symbolic};
 use proptest::prelude::*;
@@ -278,7 +278,7 @@ fn work_is_bounded() {
 struct Counted(Cell<usize>);
 
 impl Counted {
-    fn scalars(&self) -> impl Meaning<Value = Symbolic> {
+    fn scalars(&self) -> impl Evaluator<Value = Symbolic> {
         Scalars(|name: &str| Ok(Symbolic::parameter(name)), no_function)
     }
 
@@ -288,7 +288,7 @@ impl Counted {
     }
 }
 
-impl Meaning for Counted {
+impl Evaluator for Counted {
     type Value = Symbolic;
     fn number(&self, number: &Rational) -> Result<Symbolic, String> {
         self.count(self.scalars().number(number))

@@ -5,7 +5,7 @@
 
 use crate::common::root;
 use crate::compiled;
-use affinor_documents::definition::{Request, Space};
+use affinor_documents::space::{Request, Space};
 use affinor_documents::report::{Computation, Language, Quantity, Selection};
 use affinor_tensors::scalar::{Step, StraightLine};
 use affinor_tensors::{Notation, Rational, Recorded, Symbolic, Tolerance};

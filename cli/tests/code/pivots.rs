@@ -5,7 +5,7 @@ use crate::compiled;
 use crate::program::stdout;
 use affinor::geometry::Geometry;
 use affinor::geometry::equations::{EquationKind, Equations};
-use affinor_documents::definition::{Request, Space};
+use affinor_documents::space::{Request, Space};
 use affinor_documents::report::{Language, Quantity};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Rational, Tensor, Tolerance};

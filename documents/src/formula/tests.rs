@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use super::*;
-use crate::definition::{Request, Space};
+use crate::space::{Request, Space};
 use crate::report::{Comparison, Computation, Format, Quantity, Report, Selection};
 use affinor::geometry::equations::EquationKind;
 use affinor_tensors::expression::{Expression, Scalars};

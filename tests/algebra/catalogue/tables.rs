@@ -3,7 +3,7 @@
 use crate::algebra::structure::scrambled;
 use crate::common::algebras::catalogued;
 use affinor::algebra::catalogue;
-use affinor::algebra::structure::{Killing, Structure, Subspace};
+use affinor::algebra::structure::{Killing, StructureTheory, Subspace};
 use affinor::{LieAlgebra, Rational};
 use affinor_tensors::linear::Matrix;
 use std::collections::{BTreeMap, BTreeSet};
@@ -41,7 +41,7 @@ fn all_nilpotent_algebras_of_dimension_seven() {
         *if is_family(number) { &mut with_parameter } else { &mut single } += 1;
         let mut found = BTreeSet::new();
         for algebra in [catalogued(&full), scrambled(&catalogued(&full), 2)] {
-            let structure = Structure::new(algebra);
+            let structure = StructureTheory::new(algebra);
             let sizes = |series: &[Subspace<Rational>]| -> Vec<usize> {
                 series.iter().map(Subspace::dimension).collect()
             };
@@ -53,8 +53,8 @@ fn all_nilpotent_algebras_of_dimension_seven() {
             found.insert((
                 upper,
                 sizes(structure.lower_central_series()),
-                structure.derivations_counted().unwrap().dimension,
-                structure.betti_proved().unwrap().0,
+                structure.derivation_dimension().unwrap().dimension,
+                structure.betti_numbers().unwrap().0,
             ));
         }
         assert_eq!(found.len(), 1, "{name}");
@@ -78,10 +78,10 @@ fn all_nilpotent_algebras_of_dimension_seven() {
 /// The Pfaffian of `f([x, y])` on a complement of the centre of dimension 4, a quadratic form in functionals `f` on the centre:
 /// how many squares have either sign, the fewer first, for the sign depends on an orientation.
 fn pfaffian(algebra: &LieAlgebra<Rational>) -> [usize; 2] {
-    let centre = Structure::new(algebra.clone()).centre();
+    let centre = StructureTheory::new(algebra.clone()).centre();
     let outside: Vec<usize> = centre.complement().collect();
     let bracket = |f: &[i64; 3], j: usize, k: usize| {
-        let dense = |i: usize| algebra.structure().get(&[i, outside[j], outside[k]]);
+        let dense = |i: usize| algebra.structure_constants().get(&[i, outside[j], outside[k]]);
         let row = (0..7).map(|i| (i, dense(i))).filter(|(_, v)| *v != Rational::from(0));
         let all = centre.coordinates(&row.collect::<Vec<_>>()).unwrap();
         all.into_iter().fold(Rational::from(0), |sum, (at, v)| sum + &(v * &Rational::from(f[at])))
@@ -114,7 +114,7 @@ fn nilpotent_algebras_of_step_two() {
         for algebra in
             [catalogued(&name), scrambled(&catalogued(&name), 1), scrambled(&catalogued(&name), 4)]
         {
-            let structure = Structure::new(algebra.clone());
+            let structure = StructureTheory::new(algebra.clone());
             let dimensions: Vec<usize> =
                 structure.upper_central_series().iter().map(Subspace::dimension).collect();
             assert_eq!(dimensions, [0, name[7..8].parse().unwrap(), 7], "{name}");
@@ -126,8 +126,8 @@ fn nilpotent_algebras_of_step_two() {
                 "{name}"
             );
             let form = (dimensions[1] == 3).then(|| pfaffian(&algebra));
-            let derivations = structure.derivations_counted().unwrap().dimension;
-            found.insert((dimensions, form, derivations, structure.betti_proved().unwrap().0));
+            let derivations = structure.derivation_dimension().unwrap().dimension;
+            found.insert((dimensions, form, derivations, structure.betti_numbers().unwrap().0));
         }
         assert_eq!(found.len(), 1, "{name}");
         known.extend(found);
@@ -143,7 +143,7 @@ fn nilpotent_algebras_of_step_two() {
 #[test]
 fn algebras_of_other_families() {
     assert_eq!(pfaffian(&catalogued("gong(7,37D1)")), [0, 3]);
-    let betti = |name: &str| Structure::new(catalogued(name)).betti_proved().unwrap().0;
+    let betti = |name: &str| StructureTheory::new(catalogued(name)).betti_numbers().unwrap().0;
     assert_eq!(betti("gong(7,17)"), betti("heisenberg(7)"));
     assert!(catalogue::algebra::<Rational>("gong(7,47A)").is_err());
 }

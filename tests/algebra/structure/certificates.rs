@@ -2,7 +2,7 @@
 
 use crate::algebra::structure::{scrambled, stored};
 use crate::common::algebras::catalogued;
-use affinor::algebra::structure::Structure;
+use affinor::algebra::structure::StructureTheory;
 use affinor::{LieAlgebra, Rational};
 use affinor_tensors::linear::Matrix;
 
@@ -31,7 +31,7 @@ impl Equations {
 /// The derivations and the invariant symmetric forms, from the definitions.
 fn by_definition(algebra: &Algebra) -> [usize; 2] {
     let n = algebra.dimension();
-    let c = |i: usize, j: usize, k: usize| algebra.structure().get(&[i, j, k]);
+    let c = |i: usize, j: usize, k: usize| algebra.structure_constants().get(&[i, j, k]);
     let mut maps = Equations { unknowns: n * n, rows: vec![] };
     let mut forms = Equations { unknowns: n * (n + 1) / 2, rows: vec![] };
     let pair = |a: usize, b: usize| a.max(b) * (a.max(b) + 1) / 2 + a.min(b);
@@ -50,13 +50,13 @@ fn proved_dimensions_are_those_over_the_rationals() {
     let low = stored.iter().filter(|algebra| (2..=5).contains(&algebra.dimension()));
     let mut seen = 0;
     for algebra in low.flat_map(|algebra| [algebra.clone(), scrambled(algebra, 7)]) {
-        let structure = Structure::new(algebra.clone());
-        let counted = [structure.derivations_counted(), structure.invariant_forms_counted()]
+        let structure = StructureTheory::new(algebra.clone());
+        let counted = [structure.derivation_dimension(), structure.invariant_form_dimension()]
             .map(Option::unwrap);
         assert_eq!(counted.map(|all| all.dimension), by_definition(&algebra));
-        assert!(counted.iter().all(|all| all.proved), "{:?}", algebra.structure());
-        assert!(structure.betti_proved().unwrap().1, "{:?}", algebra.structure());
-        assert!(structure.index_counted().proved, "{:?}", algebra.structure());
+        assert!(counted.iter().all(|all| all.proved), "{:?}", algebra.structure_constants());
+        assert!(structure.betti_numbers().unwrap().1, "{:?}", algebra.structure_constants());
+        assert!(structure.index().proved, "{:?}", algebra.structure_constants());
         seen += 1;
     }
     assert!(seen > 40, "{seen}");
@@ -68,13 +68,13 @@ fn proved_in_the_catalogue() {
     for (name, index) in
         [("se(3)", 2), ("iso(3,1)", 2), ("filiform(9)", 7), ("E6", 6), ("heisenberg(9)", 1)]
     {
-        let counted = Structure::new(catalogued(name)).index_counted();
+        let counted = StructureTheory::new(catalogued(name)).index();
         assert_eq!((counted.dimension, counted.proved), (index, true), "{name}");
     }
     for name in ["se(3)", "filiform(9)", "heisenberg(9)", "gl(3)", "t(3)", "iso(3,1)"] {
-        let structure = Structure::new(catalogued(name));
-        assert!(structure.derivations_counted().unwrap().proved, "{name}");
-        assert!(structure.invariant_forms_counted().unwrap().proved, "{name}");
-        assert!(structure.betti_proved().unwrap().1, "{name}");
+        let structure = StructureTheory::new(catalogued(name));
+        assert!(structure.derivation_dimension().unwrap().proved, "{name}");
+        assert!(structure.invariant_form_dimension().unwrap().proved, "{name}");
+        assert!(structure.betti_numbers().unwrap().1, "{name}");
     }
 }

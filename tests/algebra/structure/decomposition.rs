@@ -2,7 +2,7 @@
 
 use crate::algebra::structure::{regular, scrambled, stored};
 use crate::common::algebras::catalogued;
-use affinor::algebra::structure::{Indecomposable, Structure, Subspace};
+use affinor::algebra::structure::{Indecomposable, StructureTheory, Subspace};
 use affinor::{LieAlgebra, Rational};
 use affinor_tensors::linear::Echelon;
 
@@ -55,7 +55,7 @@ struct Kind {
     killing: Option<[usize; 3]>,
 }
 
-fn kind(structure: &Structure<Rational>, real_parts: usize) -> Kind {
+fn kind(structure: &StructureTheory<Rational>, real_parts: usize) -> Kind {
     let dimensions =
         |series: &[Subspace<Rational>]| series.iter().map(Subspace::dimension).collect();
     Kind {
@@ -70,7 +70,7 @@ fn kind(structure: &Structure<Rational>, real_parts: usize) -> Kind {
 
 /// The kinds of the ideals found, which commute and are a basis together.
 fn kinds(algebra: Algebra) -> Vec<Kind> {
-    let structure = Structure::new(algebra);
+    let structure = StructureTheory::new(algebra);
     let found = structure.indecomposable_ideals().unwrap().unwrap();
     let dense = |one: &Indecomposable| one.ideal.dense();
     for (at, one) in found.iter().enumerate() {
@@ -118,7 +118,7 @@ fn random_sums(seed: u64, count: usize) {
     assert_eq!(all.len(), SUMMANDS.len() + OVER_FIELDS.len());
     let known: Vec<Kind> = all
         .iter()
-        .map(|(_, algebra, parts)| kind(&Structure::new(algebra.clone()), *parts))
+        .map(|(_, algebra, parts)| kind(&StructureTheory::new(algebra.clone()), *parts))
         .collect();
     let mut numbers = Numbers(seed);
     for at in 0..count {

@@ -4,7 +4,7 @@ use crate::algebra::structure::{regular, scrambled, stored};
 use crate::common::algebras::catalogued;
 use affinor::algebra::roots::{CartanType, Series};
 use affinor::algebra::structure::real_forms::real_forms;
-use affinor::algebra::structure::{Structure, Subspace};
+use affinor::algebra::structure::{StructureTheory, Subspace};
 use affinor::{Error, LieAlgebra, Rational};
 use affinor_tensors::Ring;
 use affinor_tensors::linear::{Echelon, Matrix};
@@ -57,7 +57,7 @@ fn killing_on(algebra: &LieAlgebra<Rational>, vectors: &[Vector]) -> Matrix<Rati
 }
 
 fn multiply_out(algebra: LieAlgebra<Rational>, name: &str) {
-    let structure = Structure::new(algebra);
+    let structure = StructureTheory::new(algebra);
     let (algebra, n) = (structure.algebra(), structure.dimension());
     let all = structure.whole().dense();
 
@@ -119,7 +119,7 @@ fn dense_bases() {
 #[test]
 fn indecomposable_ideals() {
     let decompose = |algebra: LieAlgebra<Rational>| {
-        let structure = Structure::new(algebra);
+        let structure = StructureTheory::new(algebra);
         let found = structure.indecomposable_ideals().unwrap().unwrap();
         for (at, one) in found.iter().enumerate() {
             for other in &found[at + 1..] {
@@ -158,7 +158,7 @@ fn indecomposable_ideals() {
 
 /// The names of the real simple ideals, sorted.
 fn ideals(algebra: LieAlgebra<Rational>) -> Vec<String> {
-    let structure = Structure::new(algebra);
+    let structure = StructureTheory::new(algebra);
     let found = structure.simple_ideals().unwrap().unwrap();
     let (all, n) = (structure.whole().dense(), structure.dimension());
     let mut rows = vec![];
@@ -249,7 +249,7 @@ fn names_of_real_forms() {
 /// Arguments that are of no algebra, or of another one.
 #[test]
 fn constructions_refuse_what_does_not_fit() {
-    let plane = Structure::new(catalogued("R^2"));
+    let plane = StructureTheory::new(catalogued("R^2"));
     let one = || Rational::from(1);
     // the index 2 would be the new vector, which then would not be central
     for at in [(0, 2), (2, 1), (0, usize::MAX)] {
@@ -257,13 +257,13 @@ fn constructions_refuse_what_does_not_fit() {
         assert!(matches!(extended, Err(Error::Shape { .. })), "{extended:?}");
     }
     let extended = plane.central_extension(&["z".into()], [(0, 1, 0, one())]).unwrap();
-    assert_eq!(Structure::new(extended).centre().dimension(), 1);
+    assert_eq!(StructureTheory::new(extended).centre().dimension(), 1);
     let other = Subspace::span(3, [vec![(2, one())]]);
     assert!(matches!(plane.quotient(&other), Err(Error::Shape { .. })));
     // weights w_j + w_k > w_i lead to an abelian limit, however large they are
-    let so3 = Structure::new(catalogued("so(3)"));
+    let so3 = StructureTheory::new(catalogued("so(3)"));
     for weight in [1, i64::MAX] {
-        assert!(so3.contraction(&[weight; 3]).unwrap().structure().is_empty());
-        assert!(matches!(so3.contraction(&[-weight; 3]), Err(Error::NoLimit { .. })));
+        assert!(so3.inonu_wigner_contraction(&[weight; 3]).unwrap().structure_constants().is_empty());
+        assert!(matches!(so3.inonu_wigner_contraction(&[-weight; 3]), Err(Error::NoLimit { .. })));
     }
 }

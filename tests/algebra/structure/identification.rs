@@ -4,7 +4,7 @@ mod polynomials;
 
 use crate::algebra::structure::{scrambled, stored};
 use crate::common::algebras::catalogued;
-use affinor::algebra::structure::{Identification, Structure};
+use affinor::algebra::structure::{Identification, StructureTheory};
 use affinor::{BasisChange, LieAlgebra, Rational, Tensor};
 use affinor_tensors::{Down, Field, Up};
 
@@ -22,7 +22,7 @@ fn respects(
 ) {
     let change = Tensor::from_fn(images.len(), [Up, Down], |[i, a]| images[a][i].clone()).unwrap();
     let moved = algebra.change_basis(&BasisChange::new(change).unwrap()).unwrap();
-    assert_eq!(moved.structure(), named.structure());
+    assert_eq!(moved.structure_constants(), named.structure_constants());
 }
 
 #[test]
@@ -48,7 +48,7 @@ fn real_algebras_up_to_dimension_three() {
     for name in names {
         for seed in 0..4 {
             let algebra = scrambled(&catalogued(name), seed);
-            let found = Structure::new(algebra.clone()).identify().unwrap();
+            let found = StructureTheory::new(algebra.clone()).identify().unwrap();
             assert_eq!(found.names, [name]);
             multiply_out(&algebra, &found, name);
         }
@@ -57,7 +57,7 @@ fn real_algebras_up_to_dimension_three() {
 
 #[test]
 fn parameters_have_their_normal_form() {
-    let named = |name: &str| Structure::new(catalogued(name)).identify().unwrap();
+    let named = |name: &str| StructureTheory::new(catalogued(name)).identify().unwrap();
     // h and 1/h are the same algebra, and h = 1, 0 are other types
     assert_eq!(named("bianchi(VI,h=2)").names, ["bianchi(VI,h=1/2)"]);
     assert_eq!(named("bianchi(VI,h=1)").names, ["bianchi(V)"]);
@@ -69,7 +69,7 @@ fn parameters_have_their_normal_form() {
     // the eigenvalues 1 + sqrt 2 and 1 - sqrt 2, and 1/2 +- i sqrt 7/2
     let plane = |a: [i64; 4]| {
         let table = [(1, 3, 1, a[0]), (1, 3, 2, a[1]), (2, 3, 1, a[2]), (2, 3, 2, a[3])];
-        Structure::new(crate::common::algebras::by_table(3, &table)).identify().unwrap()
+        StructureTheory::new(crate::common::algebras::by_table(3, &table)).identify().unwrap()
     };
     let real = plane([1, 1, 2, 1]);
     assert_eq!(
@@ -117,12 +117,12 @@ fn real_algebras_of_dimension_four() {
     for name in names {
         for seed in 0..3 {
             let algebra = scrambled(&catalogued(name), seed);
-            let found = Structure::new(algebra.clone()).identify().unwrap();
+            let found = StructureTheory::new(algebra.clone()).identify().unwrap();
             assert_eq!((&found.names, &found.parameter), (&vec![name.to_string()], &None));
             multiply_out(&algebra, &found, name);
         }
     }
-    let named = |name: &str| Structure::new(catalogued(name)).identify().unwrap().names.remove(0);
+    let named = |name: &str| StructureTheory::new(catalogued(name)).identify().unwrap().names.remove(0);
     assert_eq!(named("oscillator(4)"), "patera(4,10)");
     assert_eq!(named("sim(2)"), "patera(4,12)");
     assert_eq!(named("gl(2)"), "bianchi(VIII)+R^1");
@@ -130,7 +130,7 @@ fn real_algebras_of_dimension_four() {
     assert_eq!(named("patera(4,5,a=2,b=2)"), "patera(4,5,a=1/2,b=1)");
     // eigenvalues 1, sqrt 2, -sqrt 2
     let table = [(4, 1, 1, 1), (4, 2, 3, 1), (4, 3, 2, 2)];
-    let open = Structure::new(crate::common::algebras::by_table(4, &table)).identify().unwrap();
+    let open = StructureTheory::new(crate::common::algebras::by_table(4, &table)).identify().unwrap();
     assert!(open.names == ["patera(4,5)"] && open.parameter.is_some());
 }
 
@@ -143,7 +143,7 @@ fn isomorphisms_with_square_roots() {
     for (alpha, beta, name, line) in rows {
         let table = [(1, 2, 3, 1), (2, 3, 1, alpha), (3, 1, 2, beta)];
         let algebra = crate::common::algebras::by_table(line, &table);
-        let found = Structure::new(algebra.clone()).identify().unwrap();
+        let found = StructureTheory::new(algebra.clone()).identify().unwrap();
         assert_eq!(found.names, [name]);
         let (Some(images), Some(roots)) = (&found.isomorphism, &found.under_root) else {
             panic!("{name}: {found:?}")
@@ -162,7 +162,7 @@ pub fn respects_under_roots(
     let n = images.len();
     for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
         let mut expected = vec![Rational::from(0); n];
-        for (at, c) in named.structure().components().filter(|(at, _)| at[1..] == [i, j]) {
+        for (at, c) in named.structure_constants().components().filter(|(at, _)| at[1..] == [i, j]) {
             let below = (roots[i].clone() * &roots[j]).recip().unwrap();
             let root = (roots[at[0]].clone() * &below).sqrt().expect("a square");
             for (sum, v) in expected.iter_mut().zip(&images[at[0]]) {
@@ -179,7 +179,7 @@ fn nilpotent_algebras_of_dimension_four() {
     for name in ["R^4", "heisenberg(3)+R^1", "filiform(4)"] {
         for seed in 0..3 {
             let algebra = scrambled(&catalogued(name), seed);
-            let found = Structure::new(algebra.clone()).identify().unwrap();
+            let found = StructureTheory::new(algebra.clone()).identify().unwrap();
             let [named] = &found.names[..] else { panic!("{found:?}") };
             multiply_out(&algebra, &found, named);
         }
@@ -213,7 +213,7 @@ fn isomorphisms_of_nilpotent_algebras() {
         // a normal form gives those of one family, a search the others
         for seed in 0..if name.starts_with("degraaf(6,24,") { 20 } else { 3 } {
             let algebra = scrambled(&summed(name), seed);
-            let found = Structure::new(algebra.clone()).identify().unwrap();
+            let found = StructureTheory::new(algebra.clone()).identify().unwrap();
             let [named] = &found.names[..] else { panic!("{name}: {found:?}") };
             let Some(images) = &found.isomorphism else { panic!("{name} in basis {seed}") };
             respects(&algebra, images, &summed(named));
@@ -221,7 +221,7 @@ fn isomorphisms_of_nilpotent_algebras() {
     }
     // 3 is no square: an isomorphism with e = 1 needs its root
     for family in [19, 21, 22, 24] {
-        let found = Structure::new(summed(&format!("degraaf(6,{family},e=3)"))).identify().unwrap();
+        let found = StructureTheory::new(summed(&format!("degraaf(6,{family},e=3)"))).identify().unwrap();
         assert_eq!(found.names, [format!("degraaf(6,{family},e=1)")]);
         assert_eq!(found.isomorphism, None);
     }
@@ -242,11 +242,11 @@ fn nilpotent_algebras_up_to_dimension_six() {
         for e in if open { vec!["0", "1", "-1"] } else { vec![""] } {
             let full = if open { format!("degraaf(6,{number},e={e})") } else { name.clone() };
             let algebra = scrambled(&catalogued(&full), at as i64);
-            let found = Structure::new(algebra).identify().unwrap().names;
+            let found = StructureTheory::new(algebra).identify().unwrap().names;
             assert_eq!(found, std::slice::from_ref(&full));
         }
     }
-    let named = |name: &str| Structure::new(catalogued(name)).identify().unwrap().names;
+    let named = |name: &str| StructureTheory::new(catalogued(name)).identify().unwrap().names;
     assert_eq!(named("n(4)"), ["degraaf(6,19,e=-1)"]);
     assert_eq!(named("heisenberg(3)+heisenberg(3)"), ["degraaf(6,22,e=1)"]);
     for family in [19, 21, 22, 24] {
@@ -257,7 +257,7 @@ fn nilpotent_algebras_up_to_dimension_six() {
     }
     for (algebra, entry) in stored().into_iter().filter(|(_, entry)| entry["nilpotent"] == true) {
         if algebra.dimension() < 6 {
-            let found = Structure::new(algebra).identify().unwrap();
+            let found = StructureTheory::new(algebra).identify().unwrap();
             assert_eq!(found.names.len(), 1, "{}", entry["name"]);
         }
     }
@@ -271,7 +271,7 @@ fn split_algebras_have_rational_isomorphisms() {
         for (n, name) in [(3, "bianchi(VIII)"), (4, "bianchi(VIII)+R^1")] {
             let plain = crate::common::algebras::by_table(n, &table);
             for algebra in [plain.clone(), scrambled(&plain, scale)] {
-                let found = Structure::new(algebra.clone()).identify().unwrap();
+                let found = StructureTheory::new(algebra.clone()).identify().unwrap();
                 assert_eq!(found.names, [name]);
                 multiply_out(&algebra, &found, name);
             }

@@ -2,7 +2,7 @@
 
 use crate::common::algebras::catalogued;
 use affinor::algebra::roots::{CartanType, Series};
-use affinor::algebra::structure::Structure;
+use affinor::algebra::structure::StructureTheory;
 use affinor::algebra::structure::real_forms::real_forms;
 use affinor::{BasisChange, LieAlgebra, Rational, Tensor};
 use affinor_tensors::{Down, Up};
@@ -55,9 +55,9 @@ fn forms_of_equal_signature_in_dense_bases() {
     ] {
         let algebra = catalogued(name);
         let dense = changed(&algebra, 3 * algebra.dimension() / 4);
-        assert!(dense.structure().len() > 3 * algebra.structure().len());
+        assert!(dense.structure_constants().len() > 3 * algebra.structure_constants().len());
         for algebra in [algebra, dense] {
-            let found = Structure::new(algebra).simple_ideals().unwrap().unwrap();
+            let found = StructureTheory::new(algebra).simple_ideals().unwrap().unwrap();
             assert_eq!(found.real.len(), 1);
             assert_eq!(found.real[0].names, [form]);
         }
@@ -67,7 +67,7 @@ fn forms_of_equal_signature_in_dense_bases() {
 /// The regular element decides where the signature does too.
 #[test]
 fn orthogonal_forms_of_low_rank() {
-    let quaternionic = |algebra| Structure::new(algebra).is_quaternionic_orthogonal();
+    let quaternionic = |algebra| StructureTheory::new(algebra).is_quaternionic_orthogonal();
     for r in 5..7 {
         let name = format!("so*({})", 2 * r);
         assert_eq!(quaternionic(catalogued(&name)), Some(true), "{name}");

@@ -2,7 +2,7 @@
 
 use crate::common::algebras::catalogued;
 use affinor::Rational;
-use affinor::algebra::structure::Structure;
+use affinor::algebra::structure::StructureTheory;
 use affinor_tensors::linear::Row;
 
 fn dense(row: &Row<Rational>, n: usize) -> Vec<Rational> {
@@ -16,7 +16,7 @@ fn root_vectors_are_eigenvectors() {
     for name in
         ["sl(2)", "sl(4)", "so(3,2)", "so(4,4)", "sp(6)", "G2", "F4", "sl(3)+G2+sl(2)", "so(2,2)"]
     {
-        let structure = Structure::new(catalogued(name));
+        let structure = StructureTheory::new(catalogued(name));
         let (algebra, n) = (structure.algebra(), structure.dimension());
         let Some(found) = structure.root_spaces() else { panic!("{name} does not split") };
         let h = found.cartan.dense();
@@ -41,7 +41,7 @@ fn root_vectors_are_eigenvectors() {
 #[test]
 fn cartan_matrices() {
     for name in ["sl(5)", "so(4,3)", "sp(6)", "so(4,4)", "G2", "F4", "E6", "sl(2)+so(3,2)"] {
-        let structure = Structure::new(catalogued(name));
+        let structure = StructureTheory::new(catalogued(name));
         let Some(found) = structure.root_spaces() else { panic!("{name} does not split") };
         let matrix = found.cartan_matrix();
         let mut start = 0;
@@ -81,21 +81,21 @@ fn cartan_matrices() {
 #[test]
 fn some_do_not_split() {
     for name in ["so(3)", "so(3,1)", "su(3)", "so*(6)"] {
-        assert!(Structure::new(catalogued(name)).root_spaces().is_none(), "{name}");
+        assert!(StructureTheory::new(catalogued(name)).root_spaces().is_none(), "{name}");
     }
-    assert!(Structure::new(catalogued("se(3)")).root_spaces().is_none());
+    assert!(StructureTheory::new(catalogued("se(3)")).root_spaces().is_none());
 }
 
 /// With many commuting basis vectors a root vanishes on most of their sums with small coefficients.
 #[test]
 fn cartan_subalgebras_of_many_commuting_vectors() {
     for (name, rank) in [("sl(16)", 15), ("so(8,8)", 8), ("gl(12)", 12), ("t(9)", 9)] {
-        assert_eq!(Structure::new(catalogued(name)).rank(), rank, "{name}");
+        assert_eq!(StructureTheory::new(catalogued(name)).rank(), rank, "{name}");
     }
 }
 
 #[test]
 #[ignore = "long: dimension 1599"]
 fn cartan_subalgebra_of_sl_40() {
-    assert_eq!(Structure::new(catalogued("sl(40)")).rank(), 39);
+    assert_eq!(StructureTheory::new(catalogued("sl(40)")).rank(), 39);
 }

@@ -3,7 +3,7 @@
 use crate::algebra::structure::{scrambled, stored};
 use crate::common::algebras::{by_table, catalogued};
 use affinor::algebra::catalogue;
-use affinor::algebra::structure::{Existence, Structure};
+use affinor::algebra::structure::{Existence, StructureTheory};
 use affinor::{LieAlgebra, Rational, Symbolic};
 use affinor_tensors::Ring;
 use affinor_tensors::linear::{Matrix, Row};
@@ -62,7 +62,7 @@ fn dense(n: usize, row: &Row<Rational>) -> Vec<Rational> {
 
 /// Whether there is a symplectic form; a witness is multiplied out.
 fn is_symplectic(algebra: LieAlgebra<Rational>, name: &str) -> Option<bool> {
-    let structure = Structure::new(algebra);
+    let structure = StructureTheory::new(algebra);
     let forms = structure.two_forms().unwrap();
     match structure.symplectic_form(&forms) {
         Existence::Witness(form) => {
@@ -78,7 +78,7 @@ fn is_symplectic(algebra: LieAlgebra<Rational>, name: &str) -> Option<bool> {
 
 /// Whether there is a contact form; `a` restricted to the kernel of `d a`, a line, is not zero.
 fn is_contact(algebra: LieAlgebra<Rational>, name: &str) -> Option<bool> {
-    let structure = Structure::new(algebra);
+    let structure = StructureTheory::new(algebra);
     let n = structure.dimension();
     match structure.contact_form() {
         Existence::Witness(form) => {
@@ -104,7 +104,7 @@ fn cocycles_of_stored_algebras() {
             continue;
         }
         for algebra in [algebra.clone(), scrambled(&algebra, at as i64)] {
-            let structure = Structure::new(algebra);
+            let structure = StructureTheory::new(algebra);
             let betti = structure.betti().unwrap();
             let one = structure.closed_one_forms();
             assert_eq!(one.dimension() as u64, betti[1], "{name}");
@@ -231,12 +231,12 @@ fn contact_algebras() {
         "filiform(9)",
         "so(4,1)+R^3",
     ] {
-        let structure = Structure::new(catalogued(name));
+        let structure = StructureTheory::new(catalogued(name));
         let index = structure.index();
         assert!(index >= 3, "{name}");
         assert_eq!(structure.contact_form(), Existence::Index(index), "{name}");
     }
-    let structure = Structure::new(catalogued("bianchi(V)+bianchi(V)+aff(1)+R^2"));
+    let structure = StructureTheory::new(catalogued("bianchi(V)+bianchi(V)+aff(1)+R^2"));
     let exact = structure.exact_symplectic_form(&structure.two_forms().unwrap());
     assert_eq!(exact, Existence::Index(structure.index()));
 }
@@ -244,7 +244,7 @@ fn contact_algebras() {
 #[test]
 fn casimir_functions() {
     let degrees = |name: &str, most: u32| -> Vec<usize> {
-        let found = Structure::new(catalogued(name)).casimirs(most).unwrap();
+        let found = StructureTheory::new(catalogued(name)).casimirs(most).unwrap();
         let degree = |polynomial: &affinor::Symbolic| {
             let terms = polynomial.terms();
             terms[0].0.iter().map(|(_, power)| *power as usize).sum::<usize>()
@@ -267,7 +267,7 @@ fn forms_with_parameters() {
     let at = |name: &str, letter: &str| {
         let value: BTreeMap<String, Symbolic> =
             [(letter.to_string(), Symbolic::constant(Rational::from(3)))].into();
-        let generic = Structure::new(catalogue::algebra::<Symbolic>(name).unwrap());
+        let generic = StructureTheory::new(catalogue::algebra::<Symbolic>(name).unwrap());
         (generic, move |v: &Symbolic| v.substitute(&value).unwrap().as_constant().cloned().unwrap())
     };
     let special =
@@ -299,7 +299,7 @@ fn forms_of_an_anisotropic_algebra() {
 
 /// Whether there is a complex structure; `J^2 = -1` and the Nijenhuis tensor are multiplied out.
 fn is_complex(algebra: LieAlgebra<Rational>, name: &str) -> Option<(bool, bool)> {
-    let found = Structure::new(algebra.clone()).complex_structure()?;
+    let found = StructureTheory::new(algebra.clone()).complex_structure()?;
     let n = algebra.dimension();
     if let Some(images) = &found.images {
         let j = |x: &[Rational]| -> Vec<Rational> {

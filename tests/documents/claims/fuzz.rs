@@ -11,7 +11,7 @@ mod mutation;
 mod spaces;
 mod stored;
 
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 
 /// An error has a message, and its place is in the text that it names.
 fn assert_sound(error: &InputError) {

@@ -5,7 +5,7 @@
 use crate::common::property::properties;
 use affinor::Error;
 use affinor::mechanics::{Inertia, MassProperties, Mesh};
-use affinor_documents::definition::{mesh, read_mesh};
+use affinor_documents::input::{mesh, read_mesh};
 use nalgebra::{Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3, Vector6};
 use proptest::collection::vec;
 use proptest::prelude::*;

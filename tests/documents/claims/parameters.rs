@@ -2,7 +2,7 @@
 //!
 //! Guards `documents::problem`: its parameters, ensembles and columns.
 
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::problem::Problem;
 
 const TOP: &str = include_str!("../../../examples/motions/heavy_top.toml");

@@ -9,7 +9,7 @@ mod run;
 
 use affinor::mechanics::simulation::Method;
 use affinor::mechanics::{MassProperties, Mesh};
-use affinor_documents::definition::mesh;
+use affinor_documents::input::mesh;
 use affinor_documents::problem::Problem;
 use checks::CHECKS;
 use nalgebra::{DMatrix, Isometry3, Vector3};

@@ -3,7 +3,7 @@
 //! Guards `Definition`, `Computation` and `Info`.
 
 use super::statement::{self, LineElement, file};
-use affinor_documents::definition::{Request, ScalarChoice, Space};
+use affinor_documents::space::{Request, ScalarChoice, Space};
 use affinor_documents::report::{Computation, Format, Info, Quantity, Report, Selection};
 use serde_json::Value;
 

@@ -8,7 +8,8 @@
 use super::double_double::DoubleDouble;
 use super::printed::{FreeFunction, Point, number};
 use crate::common::root;
-use affinor_documents::definition::{InputError, Request, ScalarChoice, Space};
+use affinor_documents::input::InputError;
+use affinor_documents::space::{Request, ScalarChoice, Space};
 use affinor_documents::report::{Format, Quantity, Report, StoredTable, Table};
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::scalar::StraightLine;

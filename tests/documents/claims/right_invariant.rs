@@ -9,7 +9,7 @@ use affinor::group::{
 };
 use affinor::mechanics::systems::euler_poincare::Free;
 use affinor::mechanics::{Adaptive, EulerPoincare, Integrator, MuntheKaas};
-use affinor::{Canonical, Connection, Metric};
+use affinor::{CanonicalConnection, Connection, Metric};
 use affinor_documents::problem::Problem;
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{DMatrix, DVector, Vector3, Vector6};
@@ -28,7 +28,7 @@ fn full<G: TranslationSplit>(group: &G) -> Metric<f64> {
 
 fn free<G: TranslationSplit>(group: G) -> EulerPoincare<G, Free> {
     let metric = full(&group);
-    let plus = Connection::canonical(&group.algebra().unwrap(), Canonical::Plus);
+    let plus = Connection::canonical(&group.algebra().unwrap(), CanonicalConnection::Plus);
     EulerPoincare::free(group, &plus, &metric).unwrap()
 }
 
@@ -81,11 +81,11 @@ fn right_invariant<G: TranslationSplit + Clone>(group: G, turn: &G::Vector, velo
 
     let algebra = Opposite(group.clone()).algebra().unwrap();
     let opposed = algebra
-        .structure()
+        .structure_constants()
         .components()
-        .all(|(at, value)| (value + group.algebra().unwrap().structure().get(&at)).abs() < 1e-14);
+        .all(|(at, value)| (value + group.algebra().unwrap().structure_constants().get(&at)).abs() < 1e-14);
     assert!(opposed, "[x, y] changes its sign");
-    let plus = Connection::canonical(&algebra, Canonical::Plus);
+    let plus = Connection::canonical(&algebra, CanonicalConnection::Plus);
     let equations = Equations::euler_poincare(&plus, &full(&group)).unwrap();
     let zeros = vec![0.0; group.dimension()];
     let rate = equations.rate(velocity.components(), &zeros).unwrap();
@@ -115,14 +115,14 @@ fn a_ball_does_not_know_the_side() {
     let equal = (0..3).map(|i| ([i, i], 2.0));
     let metric = Tensor::from_components(3, &[Down, Down], equal).unwrap();
     let metric = Metric::new(algebra.labels(), metric).unwrap();
-    let plus = Connection::canonical(&Opposite(So3).algebra().unwrap(), Canonical::Plus);
+    let plus = Connection::canonical(&Opposite(So3).algebra().unwrap(), CanonicalConnection::Plus);
     let system = EulerPoincare::free(Opposite(So3), &plus, &metric).unwrap();
     let velocity = Vector3::new(0.9, -0.5, 1.1);
     let start = system.state(0.0, So3.identity(), &velocity);
     let end = Adaptive::new(1e-13).states(&system, &start, &[2.0]).unwrap().remove(0);
     assert!(end.element.angle_to(&So3.exp(&(velocity * 2.0))) < 1e-12);
     // the frame of the group itself is not that of its opposite
-    let plus = Connection::canonical(&algebra, Canonical::Plus);
+    let plus = Connection::canonical(&algebra, CanonicalConnection::Plus);
     assert!(EulerPoincare::free(Opposite(So3), &plus, &metric).is_err());
 }
 

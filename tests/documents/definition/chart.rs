@@ -2,7 +2,7 @@
 //! coordinates with roots and logarithms.
 
 use affinor::Geometry;
-use affinor_documents::definition::Definition;
+use affinor_documents::space::Definition;
 use affinor_tensors::expression::{Expression, Scalars};
 use affinor_tensors::{Notation, Symbolic, Tensor, Tolerance, contract};
 
@@ -58,7 +58,7 @@ fn constant_curvature_in_roots_and_logarithms() {
          u = '(x*d_x + y*d_y)/sqrt(x^2 + y^2)'\nv = '(x*d_y - y*d_x)/sqrt(x^2 + y^2)'",
     );
     assert!(unit.connection().curvature().is_empty());
-    assert_eq!(unit.connection().gamma().get(&[0, 1, 1]), value("-1/sqrt(x^2 + y^2)"));
+    assert_eq!(unit.connection().affinities().get(&[0, 1, 1]), value("-1/sqrt(x^2 + y^2)"));
 }
 
 /// A value that contradicts a sign is refused: `sqrt(a^2 x) = a sqrt(x)` holds for positive `a` alone.
@@ -138,7 +138,7 @@ fn functions_are_set_before_or_after() {
     definition.set(&given).unwrap();
     let after = of(&definition);
     let set = |tensor: &Tensor<Symbolic>| tensor.map(|v| v.substitute(&given).unwrap());
-    assert_eq!(set(before.connection().gamma()), *after.connection().gamma());
+    assert_eq!(set(before.connection().affinities()), *after.connection().affinities());
     assert_eq!(set(before.connection().curvature()), *after.connection().curvature());
     let nabla = |geometry: &Geometry<Symbolic>| geometry.connection().nabla_curvature().clone();
     assert_eq!(set(&nabla(&before)), nabla(&after));
@@ -157,7 +157,7 @@ fn flat_and_hyperbolic_space_in_polar_coordinates() {
          frame = {a = 'd_r', b = '1/r*d_theta', c = '1/(r*sin(theta))*d_phi'}",
     );
     assert!(unit.connection().curvature().is_empty());
-    assert_eq!(unit.frame().structure().get(&[2, 1, 2]), value("-cot(theta)/r"));
+    assert_eq!(unit.frame().structure_functions().get(&[2, 1, 2]), value("-cot(theta)/r"));
     let hyperbolic = parsed("metric = 'diag(1, sinh(r)^2)'\nchart.coordinates = ['r', 'phi']");
     let [r, constant] = lowered(&hyperbolic);
     assert_eq!(r, constant.map(|v| -v.clone()));

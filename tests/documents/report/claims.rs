@@ -3,7 +3,7 @@
 
 use affinor::Geometry;
 use affinor::geometry::properties::Property;
-use affinor_documents::definition::{Request, ScalarChoice, Space, paper};
+use affinor_documents::space::{paper, Request, ScalarChoice, Space};
 use affinor_documents::report::Claim;
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::Tolerance;
@@ -40,8 +40,8 @@ fn residual(space: &str, claim: Claim) -> String {
 /// loops; the end of a residual, ` = value`. `None` where the claim holds or does not apply.
 fn by_loops<S: Coefficient>(claim: Claim, geometry: &Geometry<S>) -> Option<String> {
     let n = geometry.frame().dimension();
-    let c = |i, j, k| geometry.frame().structure().get(&[i, j, k]);
-    let gamma = |i, j, k| geometry.connection().gamma().get(&[i, j, k]);
+    let c = |i, j, k| geometry.frame().structure_functions().get(&[i, j, k]);
+    let gamma = |i, j, k| geometry.connection().affinities().get(&[i, j, k]);
     let g = |i, j| geometry.metric().unwrap().components().get(&[i, j]);
     let over = |term: &dyn Fn(usize) -> S| (0..n).map(term).fold(S::zero(), |sum, v| sum + &v);
     let torsion = |i, j, k| gamma(i, j, k) - &gamma(i, k, j) - &c(i, j, k);

@@ -50,7 +50,7 @@ fn structure_functions_are_the_constants() {
         let x = point(algebra.dimension(), 0.7);
         for (kind, side) in KINDS.into_iter().flat_map(|kind| SIDES.map(|side| (kind, side))) {
             let frame = Frame::canonical_at_point(&floats(&algebra), kind, side, &x).unwrap();
-            close(frame.structure(), &jets(algebra.structure()).scale(&sign(side)), 1e-12);
+            close(frame.structure_functions(), &jets(algebra.structure_constants()).scale(&sign(side)), 1e-12);
         }
     }
 }
@@ -146,7 +146,7 @@ fn curvature_both_ways(
     // the canonical connections, from the left and from the right fields
     let right = Frame::canonical_at_point(&real, kind, Side::Right, x).unwrap();
     let right_forms = real.canonical_forms(kind, Side::Right, x).unwrap();
-    let c = jets(algebra.structure());
+    let c = jets(algebra.structure_constants());
     for twice in 0..=2 {
         let lambda = Jet::constant(f64::from(twice) / 2.0);
         let moved = |frame: &Frame<Jet>, share: Jet, forms: &Tensor<Jet>| {
@@ -155,9 +155,9 @@ fn curvature_both_ways(
         };
         let of_left = moved(&left, lambda.clone(), &forms);
         let of_right = moved(&right, lambda.clone() - &Jet::from_i64(1), &right_forms);
-        close(of_left.gamma(), of_right.gamma(), tolerance);
+        close(of_left.affinities(), of_right.affinities(), tolerance);
         let lambda = Rational::new(twice.into(), 2).unwrap();
-        let constants = jets(Connection::family(algebra, &lambda).curvature());
+        let constants = jets(Connection::cartan_schouten(algebra, &lambda).curvature());
         let expected = transform(&constants, &forms, &inverse(&forms));
         close(of_left.curvature(), &expected, tolerance);
     }
@@ -191,14 +191,14 @@ fn eq_75_affinities_in_canonical_coordinates() {
             let left =
                 Frame::canonical_at_point(&real, CanonicalCoordinates::First, Side::Left, &x)
                     .unwrap();
-            let gamma = jets(algebra.structure()).scale(&Jet::constant(lambda));
+            let gamma = jets(algebra.structure_constants()).scale(&Jet::constant(lambda));
             let forms = real.canonical_forms(CanonicalCoordinates::First, Side::Left, &x).unwrap();
             let change = BasisChange::new(forms).unwrap();
             let left = Connection::new(left, gamma).unwrap();
             let here = left.moved(labels(n), &change).unwrap();
             let part = |sign: i64| {
                 let text = format!("G^i_jk + {sign} G^i_kj -> ^i_jk");
-                contract(&text, &[("G", here.gamma())]).unwrap()
+                contract(&text, &[("G", here.affinities())]).unwrap()
             };
             close(&part(-1), &here.torsion(), 1e-12);
             let zero = Tensor::zero(n, &[Up, Down, Down]).unwrap();
@@ -207,7 +207,7 @@ fn eq_75_affinities_in_canonical_coordinates() {
             if q == 0.0 {
                 close(&part(1), &zero, 1e-14);
             } else {
-                let turned = contract("G^i_jk n^j -> ^i_k", &[("G", here.gamma()), ("n", &ray)]);
+                let turned = contract("G^i_jk n^j -> ^i_k", &[("G", here.affinities()), ("n", &ray)]);
                 let turned =
                     contract("G^i_k n^k -> ^i", &[("G", &turned.unwrap()), ("n", &ray)]).unwrap();
                 close(&turned, &Tensor::zero(n, &[Up]).unwrap(), 1e-12);
@@ -274,7 +274,7 @@ fn points_far_out() {
     for kind in KINDS {
         let x = [1e9, -2e9, 3e9];
         let frame = Frame::canonical_at_point(&floats(&heisenberg), kind, Side::Left, &x).unwrap();
-        close(frame.structure(), &jets(heisenberg.structure()), 1e-12);
+        close(frame.structure_functions(), &jets(heisenberg.structure_constants()), 1e-12);
     }
 }
 
@@ -291,9 +291,9 @@ properties! {
         for (kind, side) in KINDS.into_iter().flat_map(|kind| SIDES.map(|side| (kind, side))) {
             let frame = Frame::canonical_at_point(&floats(&algebra), kind, side, &x);
             // nothing is promised for a point near a singular one, but these eigenvalues are small
-            let largest = algebra.structure().components().map(|(_, v)| v.to_f64().abs());
+            let largest = algebra.structure_constants().components().map(|(_, v)| v.to_f64().abs());
             prop_assume!(largest.fold(0.0, f64::max) < 20.0);
-            close(frame.unwrap().structure(), &jets(algebra.structure()).scale(&sign(side)), 1e-6);
+            close(frame.unwrap().structure_constants(), &jets(algebra.structure_constants()).scale(&sign(side)), 1e-6);
         }
     }
 

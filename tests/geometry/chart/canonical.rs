@@ -23,9 +23,9 @@ fn fields(
 /// Structure constants `c` and `-c`; left and right fields commute, and agree at the identity.
 fn invariant(name: &str, algebra: &LieAlgebra<Symbolic>, kind: CanonicalCoordinates) {
     let [left, right] = [Side::Left, Side::Right].map(|side| fields(algebra, kind, side).unwrap());
-    let c = algebra.structure();
-    assert_eq!(left.frame().structure(), c, "{name}");
-    assert_eq!(right.frame().structure(), &c.map(|v| -v.clone()), "{name}");
+    let c = algebra.structure_constants();
+    assert_eq!(left.frame().structure_functions(), c, "{name}");
+    assert_eq!(right.frame().structure_functions(), &c.map(|v| -v.clone()), "{name}");
     let n = algebra.dimension();
     let coordinates = left.chart().coordinate_frame::<Symbolic>().unwrap();
     let field = |fields: &Fields<Symbolic>, i: usize| -> Vec<Symbolic> {
@@ -89,7 +89,7 @@ fn roots_of_several_coordinates() {
     ];
     let algebra = symbolic(&by_table(5, &table));
     let left = fields(&algebra, CanonicalCoordinates::First, Side::Left).unwrap();
-    assert_eq!(left.frame().structure(), algebra.structure());
+    assert_eq!(left.frame().structure_functions(), algebra.structure_constants());
 }
 
 /// `x -> a x + b` with `g = exp(x1 e1 + x2 e2)`: `a = exp(x1)`, `b = x2 (exp(x1) - 1)/x1`, and the
@@ -222,16 +222,16 @@ properties! {
         let right = fields(&algebra, kind, Side::Right).unwrap();
         let back_right = BasisChange::new(right.change().inverse().clone()).unwrap();
         for lambda in ["0", "1/2", "1"].map(value) {
-            let constants = Connection::family(&algebra, &lambda);
+            let constants = Connection::cartan_schouten(&algebra, &lambda);
             // nabla_{e_j} e_k = lambda [e_j, e_k]: the same from either frame
             let [of_left, of_right] =
                 [(&left, &back, lambda.clone()), (&right, &back_right, value("1") - &lambda)]
                     .map(|(fields, back, share)| {
-                        let gamma = fields.frame().structure().scale(&share);
+                        let gamma = fields.frame().structure_functions().scale(&share);
                         let invariant = Connection::new(fields.frame().clone(), gamma).unwrap();
                         invariant.moved(frame.labels(), back).unwrap()
                     });
-            prop_assert_eq!(of_left.gamma(), of_right.gamma());
+            prop_assert_eq!(of_left.affinities(), of_right.affinities());
             prop_assert_eq!(of_left.torsion(), back.apply(&constants.torsion()).unwrap());
             prop_assert_eq!(of_left.curvature(), &back.apply(constants.curvature()).unwrap());
         }

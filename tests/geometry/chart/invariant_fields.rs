@@ -8,7 +8,7 @@ use crate::common::algebras::{catalogued, symbolic};
 use crate::common::charts::{constant, sum, value};
 use crate::common::labels;
 use affinor::geometry::chart::{CanonicalCoordinates as Kind, Chart, Fields, Side};
-use affinor::{BasisChange, Canonical, Connection, Frame, LieAlgebra};
+use affinor::{BasisChange, CanonicalConnection, Connection, Frame, LieAlgebra};
 use affinor_tensors::{Down, Symbolic, Tensor, Up, contract};
 
 struct Group {
@@ -61,8 +61,8 @@ impl Group {
     }
 
     /// `nabla_X Y` of a canonical connection over the left frame.
-    fn nabla(&self, which: Canonical, x: &[Symbolic], y: &[Symbolic]) -> Vec<Symbolic> {
-        let gamma = Connection::canonical(&self.algebra, which).gamma().clone();
+    fn nabla(&self, which: CanonicalConnection, x: &[Symbolic], y: &[Symbolic]) -> Vec<Symbolic> {
+        let gamma = Connection::canonical(&self.algebra, which).affinities().clone();
         let connection = Connection::new(self.frame().clone(), gamma).unwrap();
         let nabla = connection.nabla(&Tensor::vector(y, Up)).unwrap();
         let operands = [("D", &nabla), ("X", &Tensor::vector(x, Up))];
@@ -90,9 +90,9 @@ impl Group {
 #[test]
 fn left_extensions_have_the_structure_constants_and_right_extensions_their_negatives() {
     for group in groups() {
-        let c = group.algebra.structure();
-        assert_eq!(group.left.frame().structure(), c, "{}", group.name);
-        assert_eq!(group.right.frame().structure(), &c.map(|v| -v.clone()), "{}", group.name);
+        let c = group.algebra.structure_constants();
+        assert_eq!(group.left.frame().structure_functions(), c, "{}", group.name);
+        assert_eq!(group.right.frame().structure_functions(), &c.map(|v| -v.clone()), "{}", group.name);
     }
 }
 
@@ -102,10 +102,10 @@ fn plus_is_the_bracket_with_left_invariant_fields() {
     for group in groups() {
         let y = group.wild();
         for j in 0..group.n() {
-            let nabla = group.nabla(Canonical::Plus, &group.e(j), &y);
+            let nabla = group.nabla(CanonicalConnection::Plus, &group.e(j), &y);
             assert_eq!(nabla, group.bracket(&group.e(j), &y), "{} {j}", group.name);
         }
-        let other = group.nabla(Canonical::Minus, &group.e(0), &y);
+        let other = group.nabla(CanonicalConnection::Minus, &group.e(0), &y);
         assert_ne!(other, group.bracket(&group.e(0), &y), "{}", group.name);
     }
 }
@@ -117,10 +117,10 @@ fn minus_is_the_bracket_with_right_invariant_fields() {
         let y = group.wild();
         for j in 0..group.n() {
             let right = group.right(j);
-            let nabla = group.nabla(Canonical::Minus, &right, &y);
+            let nabla = group.nabla(CanonicalConnection::Minus, &right, &y);
             assert_eq!(nabla, group.bracket(&right, &y), "{} {j}", group.name);
         }
-        let other = group.nabla(Canonical::Plus, &group.right(0), &y);
+        let other = group.nabla(CanonicalConnection::Plus, &group.right(0), &y);
         assert_ne!(other, group.bracket(&group.right(0), &y), "{}", group.name);
     }
 }
@@ -131,7 +131,7 @@ fn zero_is_half_the_bracket_with_both_fields_through_the_same_vector() {
     for group in groups() {
         let y = group.wild();
         for j in 0..group.n() {
-            let nabla = group.nabla(Canonical::Zero, &group.e(j), &y);
+            let nabla = group.nabla(CanonicalConnection::Zero, &group.e(j), &y);
             assert_eq!(group.half(j, &group.frozen(j), &y), nabla, "{} {j}", group.name);
         }
     }
@@ -145,11 +145,11 @@ fn right_invariant_fields_through_the_identity_give_another_connection() {
         let j = (0..group.n()).find(different).unwrap();
         // through e_j(e), as the text builds them, a general field is differentiated wrongly ..
         let (y, through_identity) = (group.wild(), group.e(j));
-        let nabla = group.nabla(Canonical::Zero, &group.e(j), &y);
+        let nabla = group.nabla(CanonicalConnection::Zero, &group.e(j), &y);
         assert_ne!(group.half(j, &through_identity, &y), nabla, "{}", group.name);
         // .. and the frame is not, because [R, L] = 0 (35)
         for k in 0..group.n() {
-            let nabla = group.nabla(Canonical::Zero, &group.e(j), &group.e(k));
+            let nabla = group.nabla(CanonicalConnection::Zero, &group.e(j), &group.e(k));
             assert_eq!(group.half(j, &through_identity, &group.e(k)), nabla, "{}", group.name);
         }
     }
@@ -163,12 +163,12 @@ fn left_and_right_invariant_fields_commute_and_are_parallel() {
         let zero = vec![constant(0); n];
         for (j, k) in (0..n).flat_map(|j| (0..n).map(move |k| (j, k))) {
             // (33), (34): c does not depend on the point
-            let c = (0..n).map(|i| group.algebra.structure().get(&[i, j, k])).collect::<Vec<_>>();
+            let c = (0..n).map(|i| group.algebra.structure_constants().get(&[i, j, k])).collect::<Vec<_>>();
             assert_eq!(group.bracket(&group.e(j), &group.e(k)), c, "{}", group.name);
             assert_eq!(group.bracket(&group.e(j), &group.right(k)), zero, "{}", group.name);
-            let plus = group.nabla(Canonical::Plus, &group.e(j), &group.right(k));
+            let plus = group.nabla(CanonicalConnection::Plus, &group.e(j), &group.right(k));
             assert_eq!(plus, zero, "{}", group.name);
-            let minus = group.nabla(Canonical::Minus, &group.e(j), &group.e(k));
+            let minus = group.nabla(CanonicalConnection::Minus, &group.e(j), &group.e(k));
             assert_eq!(minus, zero, "{}", group.name);
         }
         // and crosswise they are not
@@ -177,8 +177,8 @@ fn left_and_right_invariant_fields_commute_and_are_parallel() {
             let pairs = (0..n).flat_map(|j| (0..n).map(move |k| (j, k)));
             pairs.map(|(j, k)| group.nabla(which, &group.e(j), &field(k))).any(|v| v != zero)
         };
-        assert!(all(Canonical::Plus, false) && all(Canonical::Minus, true), "{}", group.name);
-        assert!(all(Canonical::Zero, false) && all(Canonical::Zero, true), "{}", group.name);
+        assert!(all(CanonicalConnection::Plus, false) && all(CanonicalConnection::Minus, true), "{}", group.name);
+        assert!(all(CanonicalConnection::Zero, false) && all(CanonicalConnection::Zero, true), "{}", group.name);
     }
 }
 
@@ -195,7 +195,7 @@ fn structure_functions_are_constant_in_invariant_frames() {
             let found = coordinates.bracket(&field(j), &field(k)).unwrap();
             for (a, found) in found.iter().enumerate() {
                 let terms = (0..group.n())
-                    .map(|i| group.algebra.structure().get(&[i, j, k]) * &field(i)[a]);
+                    .map(|i| group.algebra.structure_constants().get(&[i, j, k]) * &field(i)[a]);
                 assert_eq!(*found, sum(terms), "{} {j} {k}", group.name);
             }
         }
@@ -205,7 +205,7 @@ fn structure_functions_are_constant_in_invariant_frames() {
     let scaled = [([0, 0], value("1")), ([1, 1], value("x1"))];
     let scaled = Tensor::from_components(2, &[Up, Down], scaled).unwrap();
     let moved = group.frame().moved(labels(2), &BasisChange::new(scaled).unwrap()).unwrap();
-    assert_eq!(moved.structure().get(&[1, 0, 1]), value("1 + 1/x1"));
+    assert_eq!(moved.structure_constants().get(&[1, 0, 1]), value("1 + 1/x1"));
 }
 
 /// (B6).
@@ -225,12 +225,12 @@ fn invariant_fields_are_parallel_along_themselves() {
         let zero = vec![constant(0); group.n()];
         for side in [Side::Left, Side::Right] {
             let x = through_identity(side);
-            for which in [Canonical::Plus, Canonical::Zero, Canonical::Minus] {
+            for which in [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus] {
                 assert_eq!(group.nabla(which, &x, &x), zero, "{} {which:?}", group.name);
             }
         }
         // a field without a pattern does not
-        assert_ne!(group.nabla(Canonical::Zero, &group.wild(), &group.wild()), zero);
+        assert_ne!(group.nabla(CanonicalConnection::Zero, &group.wild(), &group.wild()), zero);
     }
 }
 
@@ -261,7 +261,7 @@ fn left_translations_preserve_a_metric_of_constant_components() {
 fn covariant_derivatives_of_covectors_include_the_dual_frame() {
     for group in groups() {
         let (n, omega, h) = (group.n(), group.e(0), group.wild());
-        let gamma = Connection::canonical(&group.algebra, Canonical::Plus).gamma().clone();
+        let gamma = Connection::canonical(&group.algebra, CanonicalConnection::Plus).affinities().clone();
         let plus = Connection::new(group.frame().clone(), gamma).unwrap();
         let of = |covector: &[Symbolic], i: usize| {
             let nabla = plus.nabla(&Tensor::vector(covector, Down)).unwrap();

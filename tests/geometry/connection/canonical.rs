@@ -3,7 +3,7 @@
 use crate::common::{
     Space, algebras::seeds, fraction, integer, property::properties, spaces, tensors,
 };
-use affinor::{Canonical, Connection, Error};
+use affinor::{CanonicalConnection, Connection, Error};
 use affinor_tensors::{Rational, Tensor, Up, contract};
 use num_traits::Zero;
 use proptest::prelude::*;
@@ -37,9 +37,9 @@ properties! {
     #[test]
     fn torsion_and_curvature(space in spaces(5)) {
         let family = space.family();
-        let c = space.algebra.structure();
+        let c = space.algebra.structure_constants();
         let lambda = &space.lambda;
-        prop_assert_eq!(family.gamma(), &c.scale(lambda));
+        prop_assert_eq!(family.affinities(), &c.scale(lambda));
         let twice = lambda.clone() + lambda - &integer(1);
         prop_assert_eq!(family.torsion(), c.scale(&twice));
         let factor = lambda.clone() * lambda - lambda;
@@ -55,12 +55,12 @@ properties! {
 
     #[test]
     fn the_three_canonical_connections(space in spaces(6)) {
-        let c = space.algebra.structure();
-        let [plus, zero, minus] = [Canonical::Plus, Canonical::Zero, Canonical::Minus]
+        let c = space.algebra.structure_constants();
+        let [plus, zero, minus] = [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus]
             .map(|which| Connection::canonical(&space.algebra, which));
-        prop_assert_eq!(plus.gamma(), c);
-        prop_assert_eq!(zero.gamma(), &c.scale(&fraction(1, 2)));
-        prop_assert!(minus.gamma().is_empty());
+        prop_assert_eq!(plus.affinities(), c);
+        prop_assert_eq!(zero.affinities(), &c.scale(&fraction(1, 2)));
+        prop_assert!(minus.affinities().is_empty());
         prop_assert_eq!(&plus.torsion(), c);
         prop_assert!(zero.torsion().is_empty());
         prop_assert_eq!(minus.torsion(), c.scale(&integer(-1)));
@@ -69,7 +69,7 @@ properties! {
         prop_assert_eq!(zero.curvature(), &double_brackets(&space, &fraction(-1, 4)));
         // (40): antisymmetric in the left frame
         if !c.is_empty() {
-            prop_assert_eq!(zero.gamma().pair_symmetry(1, 2), Some(-1));
+            prop_assert_eq!(zero.affinities().pair_symmetry(1, 2), Some(-1));
         }
     }
 
@@ -97,9 +97,9 @@ properties! {
         let n = &n[0];
         let ad = space.algebra.ad(n).unwrap();
         for (which, factor) in [
-            (Canonical::Plus, integer(-1)),
-            (Canonical::Zero, fraction(-1, 2)),
-            (Canonical::Minus, integer(0)),
+            (CanonicalConnection::Plus, integer(-1)),
+            (CanonicalConnection::Zero, fraction(-1, 2)),
+            (CanonicalConnection::Minus, integer(0)),
         ] {
             let connection = Connection::canonical(&space.algebra, which);
             prop_assert_eq!(connection.transport_generator(n).unwrap(), ad.scale(&factor));
@@ -111,7 +111,7 @@ properties! {
         // of other connections only along vectors with nabla_n n = 0
         let other = space.connection();
         let at = |i: usize, k: usize| {
-            let terms = (0..n.len()).map(|j| other.gamma().get(&[i, j, k]) * &n[j]);
+            let terms = (0..n.len()).map(|j| other.affinities().get(&[i, j, k]) * &n[j]);
             terms.fold(integer(0), |sum, term| sum - &term)
         };
         let size = n.len();
@@ -144,9 +144,9 @@ fn the_seeds_are_of_every_kind() {
     for (name, algebra) in seeds() {
         let killing = affinor::Metric::new(algebra.labels(), algebra.killing_form());
         assert_eq!(killing.is_ok(), semisimple(name), "{name}");
-        let traces = contract("c^i_ji -> _j", &[("c", algebra.structure())]).unwrap();
+        let traces = contract("c^i_ji -> _j", &[("c", algebra.structure_constants())]).unwrap();
         assert_eq!(traces.is_empty(), unimodular(name), "{name}");
-        let flat = Connection::canonical(&algebra, Canonical::Zero).curvature().is_empty();
+        let flat = Connection::canonical(&algebra, CanonicalConnection::Zero).curvature().is_empty();
         let two_step = name.starts_with("heisenberg");
         assert_eq!(flat, two_step, "{name}");
     }
@@ -156,7 +156,7 @@ fn the_seeds_are_of_every_kind() {
 #[test]
 fn the_rotation_group() {
     let (_, so3) = seeds().remove(0);
-    let zero = Connection::canonical(&so3, Canonical::Zero);
+    let zero = Connection::canonical(&so3, CanonicalConnection::Zero);
     let delta = |a, b| integer((a == b) as i64);
     let quarter = fraction(1, 4);
     for [i, j, k, l] in (0..81).map(|key| [key / 27, key / 9 % 3, key / 3 % 3, key % 3]) {

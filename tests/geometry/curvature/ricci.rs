@@ -101,7 +101,7 @@ properties! {
         }
         prop_assert!(space.levi_civita().ricci_antisymmetric()?.is_empty());
         let symmetric = space.affinities.symmetrise(&[1, 2])?;
-        let half = space.algebra.structure().scale(&fraction(1, 2));
+        let half = space.algebra.structure_constants().scale(&fraction(1, 2));
         let gamma = contract("s^i_jk + c^i_jk -> ^i_jk", &[("s", &symmetric), ("c", &half)])?;
         let free = Connection::new(space.algebra.left_frame().clone(), gamma)?;
         prop_assert!(free.torsion().is_empty());
@@ -152,7 +152,7 @@ properties! {
     #[test]
     fn derivatives(space in spaces(4)) {
         let (connection, n) = (space.connection(), space.dimension());
-        let l = connection.gamma();
+        let l = connection.affinities();
         let torsion = connection.torsion();
         let nabla = connection.nabla_torsion();
         prop_assert_eq!(nabla.slots(), [Up, Down, Down, Down]);
@@ -219,8 +219,8 @@ fn moving_frames() {
         assert_eq!(here.kretschmann(&metric), left.kretschmann(&left_metric));
         assert_eq!(here.nabla_curvature(), moved.tensor(&left.nabla_curvature()));
         assert!(here.weyl(&metric).unwrap().is_empty());
-        let plus = Connection::family(&moved.chart.algebra, &Symbolic::parameter("lambda"));
-        let here = Connection::new(moved.frame(), moved.inhomogeneous(plus.gamma())).unwrap();
+        let plus = Connection::cartan_schouten(&moved.chart.algebra, &Symbolic::parameter("lambda"));
+        let here = Connection::new(moved.frame(), moved.inhomogeneous(plus.affinities())).unwrap();
         assert!(here.nabla_torsion().is_empty());
         assert!(here.nabla_curvature().is_empty());
     }
@@ -231,7 +231,7 @@ fn moving_frames() {
         constant((i + 2 * j + 3 * k * k) as i64 - 2)
     });
     let left = Connection::new(chart.algebra.left_frame().clone(), any.unwrap()).unwrap();
-    let here = Connection::new(moved.frame(), moved.inhomogeneous(left.gamma())).unwrap();
+    let here = Connection::new(moved.frame(), moved.inhomogeneous(left.affinities())).unwrap();
     assert!(!left.nabla_torsion().is_empty());
     assert_eq!(here.nabla_torsion(), moved.tensor(&left.nabla_torsion()));
     assert_eq!(here.nabla_curvature(), moved.tensor(&left.nabla_curvature()));
@@ -407,7 +407,7 @@ fn blocks_of_symbols_may_be_set_late() {
     let numbers = Connection::levi_civita(exact.left_frame(), &metric_at).unwrap();
     let constant = |tensor: &Tensor<Rational>| tensor.map(|v| Symbolic::constant(v.clone()));
     let set = |tensor: &Tensor<Symbolic>| tensor.map(|v| v.substitute(&values).unwrap());
-    assert_eq!(set(symbolic.gamma()), constant(numbers.gamma()));
+    assert_eq!(set(symbolic.affinities()), constant(numbers.affinities()));
     assert_eq!(set(&symbolic.ricci()), constant(&numbers.ricci()));
     let scalar = symbolic.scalar_curvature(&metric).unwrap().substitute(&values);
     let expected = numbers.scalar_curvature(&metric_at).unwrap();

@@ -3,9 +3,9 @@
 use crate::common::algebras::catalogued;
 use crate::common::spaces::{named, rational};
 use crate::common::{fraction, integer};
-use affinor::algebra::structure::Structure;
+use affinor::algebra::structure::StructureTheory;
 use affinor::geometry::properties::Extreme;
-use affinor::{Canonical, Connection, Geometry, Metric, Rational};
+use affinor::{CanonicalConnection, Connection, Geometry, Metric, Rational};
 
 /// The smallest and the largest curvature; each is that of its plane, and no coordinate plane lies beyond a proved one.
 fn extremes(space: &Geometry<Rational>) -> [Extreme; 2] {
@@ -82,11 +82,11 @@ fn bi_invariant_forms() {
     for name in ["so3", "so4", "heisenberg(3)", "se(3)", "sl(2)+R^2", "bianchi(V)", "R^3"] {
         let algebra = catalogued(name);
         let forms = Metric::bi_invariant_forms(&algebra).unwrap();
-        assert_eq!(Some(forms.len()), Structure::new(algebra.clone()).invariant_forms(), "{name}");
+        assert_eq!(Some(forms.len()), StructureTheory::new(algebra.clone()).invariant_forms(), "{name}");
         for form in forms {
             let varied = affinor_tensors::contract(
                 "g_mj c^m_ki + g_im c^m_kj -> _kij",
-                &[("g", &form), ("c", algebra.structure())],
+                &[("g", &form), ("c", algebra.structure_constants())],
             );
             assert!(varied.unwrap().is_empty(), "{name}");
         }
@@ -98,8 +98,8 @@ fn bi_invariant_forms() {
 fn parallel_forms() {
     let algebra = catalogued("so3");
     let count =
-        |family: Canonical| Connection::canonical(&algebra, family).parallel_forms().unwrap().len();
-    assert_eq!([count(Canonical::Plus), count(Canonical::Minus)], [1, 6]);
+        |family: CanonicalConnection| Connection::canonical(&algebra, family).parallel_forms().unwrap().len();
+    assert_eq!([count(CanonicalConnection::Plus), count(CanonicalConnection::Minus)], [1, 6]);
     let space = named("so3", "diag(1,2,3)");
     let forms = space.connection().parallel_forms().unwrap();
     let [only] = &forms[..] else { panic!("an irreducible holonomy leaves one metric") };
@@ -145,7 +145,7 @@ fn planes_in_floats() {
     // g(R(x,y)y, x) over the area, where x is null, and where curvature is no plane's alone
     for connection in [
         Connection::levi_civita(sl2.left_frame(), &killing).unwrap(),
-        Connection::canonical(&sl2, Canonical::Zero),
+        Connection::canonical(&sl2, CanonicalConnection::Zero),
     ] {
         let null = [1, 0, 0].map(integer);
         let across = [3, 1, 2].map(integer);

@@ -347,7 +347,7 @@ fn steady_turns_and_rest() {
 fn the_equations_are_those_of_the_plus_connection() {
     use affinor::geometry::equations::Equations;
     use affinor::group::{LieGroup, So3};
-    use affinor::{Canonical, Connection, Metric};
+    use affinor::{CanonicalConnection, Connection, Metric};
     use affinor_tensors::{Down, Tensor};
     let algebra = So3.algebra().unwrap();
     let inertia = turned([0.6, 0.8, 1.3], &UnitQuaternion::new(Vector3::new(0.3, -0.2, 1.0)));
@@ -357,7 +357,7 @@ fn the_equations_are_those_of_the_plus_connection() {
     });
     let metric = Tensor::from_components(3, &[Down, Down], components).unwrap();
     let metric = Metric::new(algebra.labels(), metric).unwrap();
-    let plus = Connection::canonical(&algebra, Canonical::Plus);
+    let plus = Connection::canonical(&algebra, CanonicalConnection::Plus);
     let euler = Equations::euler_poincare(&plus, &metric).unwrap();
     let start =
         BodyState { attitude: UnitQuaternion::identity(), momentum: Vector3::new(1.8, 0.4, -0.9) };

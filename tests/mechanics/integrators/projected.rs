@@ -6,7 +6,7 @@ use affinor::group::{
 };
 use affinor::mechanics::systems::euler_poincare::Torque;
 use affinor::mechanics::{Adaptive, EulerPoincare, Integrator, Projected};
-use affinor::{Canonical, Connection};
+use affinor::{CanonicalConnection, Connection};
 use nalgebra::{DMatrix, DVector};
 
 /// A free motion takes its momentum from the displacement in a step; a torque of zeros is integrated with the momentum.
@@ -15,7 +15,7 @@ fn free_as_with_a_torque_of_zeros<G: Embedded + TranslationSplit + Clone>(
     velocity: &[f64],
 ) {
     let n = group.dimension();
-    let plus = Connection::canonical(&group.algebra().unwrap(), Canonical::Plus);
+    let plus = Connection::canonical(&group.algebra().unwrap(), CanonicalConnection::Plus);
     let zeros = |_: f64, _: &G::Element, _: &G::Vector| G::Vector::zeros(n);
     let free = EulerPoincare::free(group.clone(), &plus, &full(&group)).unwrap();
     let forced = EulerPoincare::new(group.clone(), &plus, &full(&group), zeros).unwrap();
@@ -58,7 +58,7 @@ fn free_motions_as_with_a_torque_of_zeros() {
 #[test]
 fn a_group_without_a_projection_is_refused() {
     let group = affine_line();
-    let plus = Connection::canonical(&group.algebra().unwrap(), Canonical::Plus);
+    let plus = Connection::canonical(&group.algebra().unwrap(), CanonicalConnection::Plus);
     let system = EulerPoincare::free(group.clone(), &plus, &full(&group)).unwrap();
     let start = system.state(0.0, group.identity(), &DVector::from_vec(vec![0.6, 0.8]));
     let mut state = start.clone();

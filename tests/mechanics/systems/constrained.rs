@@ -10,7 +10,7 @@ use affinor::mechanics::{
     Adaptive, BodyState, Constrained, ConstrainedState, Constraint, EulerPoincare, FreeBody,
     GeneralisedAlpha, Inertia, Integrator,
 };
-use affinor::{Canonical, Connection, Error, Metric};
+use affinor::{CanonicalConnection, Connection, Error, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{
     Const, DMatrix, DVector, Isometry3, Matrix3, UnitQuaternion, Vector2, Vector3, Vector6, dvector,
@@ -39,7 +39,7 @@ fn constrained<G: TranslationSplit, C: Constraint<G>, M: Torque<G>>(
     force: M,
     constraint: C,
 ) -> Result<Constrained<G, C, M>, Error> {
-    let plus = Connection::canonical(&group.algebra().unwrap(), Canonical::Plus);
+    let plus = Connection::canonical(&group.algebra().unwrap(), CanonicalConnection::Plus);
     Constrained::new(group, &plus, metric, force, constraint)
 }
 
@@ -258,7 +258,7 @@ fn the_heavy_top_after_two_seconds() {
 fn multipliers_have_no_transient() {
     let moments = [MOMENTS[0] + MASS, MOMENTS[1], MOMENTS[2] + MASS];
     let metric = metric(&So3, &moments);
-    let plus = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let plus = Connection::canonical(&So3.algebra().unwrap(), CanonicalConnection::Plus);
     let moment = |_: f64, q: &UnitQuaternion<f64>, _: &Vector3<f64>| {
         ARM.cross(&q.inverse_transform_vector(&Vector3::new(0.0, 0.0, -MASS * GRAVITY)))
     };
@@ -331,7 +331,7 @@ fn a_free_body_is_a_case() {
 #[test]
 fn a_connection_is_a_choice() {
     let metric = metric(&So3, &[0.6, 0.8, 1.0]);
-    let zero = Connection::canonical(&So3.algebra().unwrap(), Canonical::Zero);
+    let zero = Connection::canonical(&So3.algebra().unwrap(), CanonicalConnection::Zero);
     let moment = |t: f64, _: &UnitQuaternion<f64>, v: &Vector3<f64>| {
         Vector3::new(t.cos(), 0.2, 0.0) - v * 0.1
     };
@@ -498,7 +498,7 @@ fn what_is_no_state_is_refused() {
     let shape = constrained(plane, &unit, Free, Wrong(DMatrix::zeros(2, 2))).unwrap();
     assert!(matches!(shape.state(0.0, zero, &zero), Err(Error::Shape { .. })));
     assert!(matches!(constrained(So3, &unit, Free, Nothing), Err(Error::Shape { .. })));
-    let plus = Connection::canonical(&So3.algebra().unwrap(), Canonical::Plus);
+    let plus = Connection::canonical(&So3.algebra().unwrap(), CanonicalConnection::Plus);
     let other = Constrained::new(Se2, &plus, &metric(&Se2, &[1.0; 3]), Free, Nothing);
     assert!(matches!(other, Err(Error::Shape { what: "the connection", .. })));
 }

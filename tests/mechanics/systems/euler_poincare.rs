@@ -7,7 +7,7 @@ use affinor::group::{
 };
 use affinor::mechanics::systems::euler_poincare::{Free, Torque};
 use affinor::mechanics::{Adaptive, CommutatorFree, EulerPoincare, Integrator, MuntheKaas, State};
-use affinor::{Canonical, Connection, Error, Metric};
+use affinor::{CanonicalConnection, Connection, Error, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{Const, DMatrix, DVector, Matrix3, UnitQuaternion, Vector3, Vector6};
 
@@ -26,7 +26,7 @@ fn full<G: TranslationSplit>(group: &G) -> Metric<f64> {
 
 fn system<G: TranslationSplit, M: Torque<G>>(
     group: G,
-    which: Canonical,
+    which: CanonicalConnection,
     metric: &Metric<f64>,
     torque: M,
 ) -> EulerPoincare<G, M> {
@@ -50,7 +50,7 @@ fn spatial_momentum_of_rotations_is_exact() {
     let pairs = (0..4).flat_map(|j| (j + 1..4).map(move |k| (j, k)));
     let turns = MatrixGroup::new(&pairs.map(|(j, k)| turn(j, k)).collect::<Vec<_>>()).unwrap();
     let metric = full(&turns);
-    let body = system(turns.clone(), Canonical::Plus, &metric, Free);
+    let body = system(turns.clone(), CanonicalConnection::Plus, &metric, Free);
     let velocity = DVector::from_fn(6, |i, _| 0.4 - 0.15 * i as f64);
     let start = body.state(0.0, turns.exp(&(&velocity * 0.3)), &velocity);
     let end = run(&MuntheKaas::RK4, &body, &start, 5.0, 500);
@@ -68,7 +68,7 @@ fn spatial_momentum_is_conserved() {
     let shift = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 0.0, 0.0]);
     let line = MatrixGroup::new(&[stretch, shift]).unwrap();
     let metric = full(&line);
-    let body = system(line.clone(), Canonical::Plus, &metric, Free);
+    let body = system(line.clone(), CanonicalConnection::Plus, &metric, Free);
     let start = body.state(0.0, line.identity(), &DVector::from_vec(vec![0.4, 0.3]));
     let end = run(&MuntheKaas::RK4, &body, &start, 5.0, 500);
     let h = [&start, &end].map(|state| state.spatial_momentum(&line));
@@ -87,7 +87,7 @@ fn zero_runs_at_half_speed() {
     let metric = rigid([0.6, 0.8, 1.0]);
     let momentum = Vector3::new(1.8, 0.4, -0.9);
     let velocity = Vector3::new(1.8 / 0.6, 0.4 / 0.8, -0.9);
-    let after = |which: Canonical, time: f64| {
+    let after = |which: CanonicalConnection, time: f64| {
         let body = system(So3, which, &metric, Free);
         let start = body.state(0.0, So3.identity(), &velocity);
         let end = Adaptive::new(1e-13).states(&body, &start, &[time]).unwrap().remove(0);
@@ -95,11 +95,11 @@ fn zero_runs_at_half_speed() {
         assert!(energy < 1e-11, "{energy}");
         ((body.momentum(&end) - momentum).norm(), (end.spatial - start.spatial).norm())
     };
-    let (back, spatial) = after(Canonical::Plus, period);
+    let (back, spatial) = after(CanonicalConnection::Plus, period);
     assert!(back < 1e-11 && spatial == 0.0, "{back}");
-    assert!(after(Canonical::Zero, period).0 > 0.5);
-    assert!(after(Canonical::Zero, 1.0).1 > 0.1);
-    let (back, _) = after(Canonical::Zero, 2.0 * period);
+    assert!(after(CanonicalConnection::Zero, period).0 > 0.5);
+    assert!(after(CanonicalConnection::Zero, 1.0).1 > 0.1);
+    let (back, _) = after(CanonicalConnection::Zero, 2.0 * period);
     assert!(back < 1e-10, "{back}");
 }
 
@@ -109,7 +109,7 @@ fn rates<G: TranslationSplit + Clone>(group: G, velocity: &G::Vector) {
     let n = group.dimension();
     let (algebra, metric) = (group.algebra().unwrap(), full(&group));
     let force: Vec<f64> = (0..n).map(|i| 0.3 - 0.2 * i as f64).collect();
-    for which in [Canonical::Plus, Canonical::Zero] {
+    for which in [CanonicalConnection::Plus, CanonicalConnection::Zero] {
         let moment = G::Vector::from_components(&force);
         let body =
             system(group.clone(), which, &metric, move |_: f64, _: &_, _: &_| moment.clone());
@@ -149,7 +149,7 @@ fn rates_are_eulers() {
     let metric = Tensor::from_fn(3, [Down, Down], |[i, j]| inertia[(i, j)]).unwrap();
     let metric = Metric::new(algebra.labels(), metric).unwrap();
     let moment = Vector3::new(0.1, -0.4, 0.2);
-    let body = system(So3, Canonical::Plus, &metric, move |_: f64, _: &_, _: &_| moment);
+    let body = system(So3, CanonicalConnection::Plus, &metric, move |_: f64, _: &_, _: &_| moment);
     let omega = Vector3::new(0.5, -1.0, 2.0);
     let start = body.state(0.0, So3.exp(&Vector3::new(1.0, 2.0, 3.0)), &omega);
     let dt = 1e-5;
@@ -164,7 +164,7 @@ fn rates_are_eulers() {
 #[test]
 fn a_connection_of_another_group_is_refused() {
     let algebra = Se2.algebra().unwrap();
-    let connection = Connection::canonical(&algebra, Canonical::Plus);
+    let connection = Connection::canonical(&algebra, CanonicalConnection::Plus);
     let refused = EulerPoincare::free(So3, &connection, &rigid([1.0, 2.0, 3.0])).unwrap_err();
     assert!(refused.to_string().contains("and not"), "{refused}");
 }
@@ -175,14 +175,14 @@ fn what_cannot_go_on_says_so() {
     let pole = |time: f64, _: &UnitQuaternion<f64>, _: &Vector3<f64>| {
         Vector3::x() * (1.0 / (1.0 - time).powi(2))
     };
-    let body = system(So3, Canonical::Plus, &metric, pole);
+    let body = system(So3, CanonicalConnection::Plus, &metric, pole);
     let start = body.state(0.0, So3.identity(), &Vector3::y());
     let stops = Adaptive { max_steps: 2_000, ..Adaptive::new(1e-9) }.states(&body, &start, &[2.0]);
     assert!(matches!(stops, Err(Error::Integration { t, .. }) if t < 1.0 + 1e-6));
 
     let not_a_number =
         |_: f64, _: &UnitQuaternion<f64>, _: &Vector3<f64>| Vector3::repeat(f64::NAN);
-    let body = system(So3, Canonical::Plus, &metric, not_a_number);
+    let body = system(So3, CanonicalConnection::Plus, &metric, not_a_number);
     let mut state = body.state(0.0, So3.identity(), &Vector3::y());
     type Body<M> = EulerPoincare<So3, M>;
     fn refused<M: Torque<So3>>(

@@ -8,7 +8,7 @@ use affinor::mechanics::{
     Adaptive, Composed, EulerPoincare, Integrator, Isospectral, IsospectralMidpoint, Manakov,
     MatrixState, Toda, Zeitlin,
 };
-use affinor::{Canonical, Connection, Error, LieAlgebra, Metric};
+use affinor::{CanonicalConnection, Connection, Error, LieAlgebra, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{Complex, ComplexField, DMatrix, DVector};
 
@@ -199,12 +199,12 @@ fn manakov_is_euler_poincare() {
         let group = MatrixGroup::new(&basis).unwrap();
         let algebra = group.algebra().unwrap();
         let named: LieAlgebra<f64> = catalogued(&format!("so({n})")).map(|v| v.to_f64()).unwrap();
-        assert_eq!(algebra.structure(), named.structure());
+        assert_eq!(algebra.structure_constants(), named.structure_constants());
         let moments = pairs.iter().map(|&(i, j)| masses[i] + masses[j]).enumerate();
         let moments: Vec<_> = moments.map(|(k, sum)| ([k, k], sum)).collect();
         let metric = Tensor::from_components(pairs.len(), &[Down, Down], moments).unwrap();
         let metric = Metric::new(algebra.labels(), metric).unwrap();
-        let plus = Connection::canonical(&algebra, Canonical::Plus);
+        let plus = Connection::canonical(&algebra, CanonicalConnection::Plus);
         let motion = EulerPoincare::free(group.clone(), &plus, &metric).unwrap();
         let body = Manakov::new(masses).unwrap();
         let momentum = antisymmetric(n, start);

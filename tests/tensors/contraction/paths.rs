@@ -5,7 +5,7 @@
 use crate::common::cases;
 use crate::common::oracle;
 use crate::common::property::properties;
-use affinor_tensors::contraction::{Paths, contract_by};
+use affinor_tensors::contraction::{KernelThresholds, contract_by};
 use affinor_tensors::{
     Down, Rational, Scalar, Symbolic, Tensor, TensorError, Up, Variance, contract,
 };
@@ -33,21 +33,21 @@ fn tables(dimension: usize) -> Vec<(u64, u64)> {
 }
 
 /// Every combination of paths, with the pool it runs in.
-fn paths(dimension: usize) -> impl Iterator<Item = (Paths, &'static ThreadPool)> {
+fn paths(dimension: usize) -> impl Iterator<Item = (KernelThresholds, &'static ThreadPool)> {
     let arithmetics = [(0, 0), (u64::MAX, 0), (u64::MAX, 2), (u64::MAX, 64)];
     tables(dimension).into_iter().flat_map(move |(direct_rows, marked_words)| {
         let threads = POOLS.iter().zip([usize::MAX, 0]);
         threads.flat_map(move |(pool, parallel_from)| {
             arithmetics.into_iter().zip([0, 1, 7, 1 << 20]).map(move |(arithmetic, round)| {
                 let (largest_integer, kept_quotients) = arithmetic;
-                let paths = Paths {
+                let paths = KernelThresholds {
                     direct_rows,
                     marked_words,
                     parallel_from,
                     round,
                     largest_integer,
                     kept_quotients,
-                    ..Paths::default()
+                    ..KernelThresholds::default()
                 };
                 (paths, pool)
             })
@@ -100,7 +100,7 @@ properties! {
         largest_integer in 0u64..2000,
     ) {
         let expected: Vec<_> = oracle(&case.text, &case.operands()).into_iter().collect();
-        let paths = Paths { largest_integer, ..Paths::default() };
+        let paths = KernelThresholds { largest_integer, ..KernelThresholds::default() };
         let result = contract_by(&paths, &case.text, &case.operands())?;
         prop_assert_eq!(stored(&result), expected, "{}", case.text);
     }
@@ -163,7 +163,7 @@ properties! {
         for (marked_words, direct_rows) in [(1 << 22, 1 << 22), (1 << 22, 0), (0, 0)] {
             for (pool, parallel_from) in POOLS.iter().zip([usize::MAX, 0]) {
                 let paths =
-                    Paths { marked_words, direct_rows, parallel_from, ..Paths::default() };
+                    KernelThresholds { marked_words, direct_rows, parallel_from, ..KernelThresholds::default() };
                 let far = pool.install(|| contract_by(&paths, &case.text, &wide))?;
                 prop_assert_eq!(&stored(&far), &expected, "{} by {:?}", case.text, paths);
             }
@@ -195,7 +195,7 @@ properties! {
 fn places_are_refused_past_their_limit() {
     let identity = Tensor::<Rational>::identity(5);
     let run = |places, text: &str| {
-        let paths = Paths { places, ..Paths::default() };
+        let paths = KernelThresholds { places, ..KernelThresholds::default() };
         contract_by(&paths, text, &[("d", &identity)])
     };
     let refused = |rank| Err(TensorError::TooLarge { dimension: 5, rank });

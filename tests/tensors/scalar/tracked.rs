@@ -5,7 +5,7 @@ use crate::common::property::properties;
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::scalar::laws;
 use affinor_tensors::{
-    Down, Field, Notation, Rational, Ring, Scalar, Sum, Summable, Tensor, Tolerance, Tracked, Up,
+    Down, Field, Notation, Rational, Ring, Scalar, Sum, Summable, Tensor, Tolerance, TrackedFloat, Up,
     contract,
 };
 use num_traits::Zero;
@@ -13,10 +13,10 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 
 /// The scalar under test.
-type Float = Tracked;
+type Float = TrackedFloat;
 
 fn float(value: &Rational) -> Float {
-    Tracked::from_rational(value).unwrap()
+    TrackedFloat::from_rational(value).unwrap()
 }
 
 /// Whether a value less its error is the exact one, to the second order of the rounding.

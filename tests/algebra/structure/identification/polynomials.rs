@@ -4,7 +4,7 @@ use super::respects_under_roots;
 use crate::algebra::structure::scrambled;
 use crate::common::algebras::catalogued;
 use crate::common::labels;
-use affinor::algebra::structure::{Identification, Structure};
+use affinor::algebra::structure::{Identification, StructureTheory};
 use affinor::{Bracket, LieAlgebra, Rational};
 use affinor_tensors::Field;
 
@@ -25,9 +25,9 @@ fn extension(rows: &[&[i64]], heisenberg: bool) -> Algebra {
 
 /// The names in several dense bases agree.
 fn identified(algebra: &Algebra) -> Identification {
-    let plain = Structure::new(algebra.clone()).identify().unwrap();
+    let plain = StructureTheory::new(algebra.clone()).identify().unwrap();
     for seed in 0..4 {
-        let found = Structure::new(scrambled(algebra, seed)).identify().unwrap();
+        let found = StructureTheory::new(scrambled(algebra, seed)).identify().unwrap();
         assert_eq!((&found.names, &found.parameter), (&plain.names, &plain.parameter));
         assert_eq!(found.root, plain.root);
     }
@@ -47,7 +47,7 @@ fn eigenvalues_with_the_ratio_minus_one() {
         let found = identified(&rotation);
         assert_eq!((found.names[0].as_str(), found.parameter), ("bianchi(VII,h=0)", None));
         for algebra in [rotation.clone(), scrambled(&rotation, c)] {
-            let found = Structure::new(algebra.clone()).identify().unwrap();
+            let found = StructureTheory::new(algebra.clone()).identify().unwrap();
             let (images, roots) = (found.isomorphism.unwrap(), found.under_root.unwrap());
             respects_under_roots(&algebra, &images, &roots, &catalogued("bianchi(VII,h=0)"));
         }
@@ -112,7 +112,7 @@ fn nilpotent_families() {
         for (c, root) in NUMBERS.into_iter().take(6) {
             for sign in [1, -1] {
                 let name = format!("degraaf(6,{family},e={})", sign * c);
-                let found = Structure::new(catalogued(&name)).identify().unwrap();
+                let found = StructureTheory::new(catalogued(&name)).identify().unwrap();
                 assert_eq!(found.names, [format!("degraaf(6,{family},e={sign})")]);
                 assert_eq!((found.isomorphism, found.root), (None, Some(Rational::from(root))));
             }

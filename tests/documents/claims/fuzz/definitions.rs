@@ -3,7 +3,7 @@
 use crate::claims::fuzz::assert_sound;
 use crate::claims::fuzz::mutation::{mutants, texts};
 use crate::common::property::properties;
-use affinor_documents::definition::Definition;
+use affinor_documents::space::Definition;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use std::io::Write;

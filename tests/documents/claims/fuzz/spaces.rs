@@ -3,7 +3,7 @@
 use crate::claims::fuzz::assert_sound;
 use crate::claims::fuzz::mutation::{mutants, sentences, texts};
 use crate::common::property::properties;
-use affinor_documents::definition::{Request, Space};
+use affinor_documents::space::{Request, Space};
 use proptest::prelude::*;
 
 const NAMES: &[&str] = &[

@@ -2,9 +2,9 @@
 
 use crate::claims::fuzz::mutation::{mutants, texts};
 use crate::common::property::properties;
-use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra};
+use affinor::{Bracket, CanonicalConnection, ConnectionKind, Geometry, LieAlgebra};
 use affinor_documents::Coefficient;
-use affinor_documents::definition::Definition;
+use affinor_documents::space::Definition;
 use affinor_documents::report::{Quantity, StoredTable, Table};
 use affinor_tensors::{Rational, Symbolic};
 use std::sync::LazyLock;
@@ -72,7 +72,7 @@ fn rotations<S: Coefficient>() -> Table<S> {
         _ => vec![(0, unit(1))],
     });
     let algebra = LieAlgebra::try_from(bracket.unwrap()).unwrap();
-    let zero = ConnectionKind::Canonical(Canonical::Zero);
+    let zero = ConnectionKind::Canonical(CanonicalConnection::Zero);
     let geometry = Geometry::new("so(3)", algebra, zero, None).unwrap();
     Table::new(&geometry, &Quantity::ALL).unwrap()
 }
