@@ -39,9 +39,13 @@ properties! {
 
 #[test]
 fn the_written_form() {
-    let geometry =
-        Geometry::new("aff", algebra("aff(1)"), ConnectionKind::Canonical(CanonicalConnection::Plus), None)
-            .unwrap();
+    let geometry = Geometry::new(
+        "aff",
+        algebra("aff(1)"),
+        ConnectionKind::Canonical(CanonicalConnection::Plus),
+        None,
+    )
+    .unwrap();
     let structure = r#"{"schema":"affinor.tensor/1","dimension":2,"slots":["up","down","down"],"tolerance":1.4210854715202004e-14,"components":[[[2,1,2],"1"],[[2,2,1],"-1"]]}"#;
     let algebra =
         format!(r#"{{"schema":"affinor.algebra/1","basis":["x","y"],"structure":{structure}}}"#);
@@ -80,9 +84,13 @@ fn what_is_read_is_checked() {
 
 #[test]
 fn other_frames_are_not_written() {
-    let geometry =
-        Geometry::new("M", algebra("so(3)"), ConnectionKind::Canonical(CanonicalConnection::Plus), None)
-            .unwrap();
+    let geometry = Geometry::new(
+        "M",
+        algebra("so(3)"),
+        ConnectionKind::Canonical(CanonicalConnection::Plus),
+        None,
+    )
+    .unwrap();
     let right = serde_json::to_string(&geometry.in_right_frame().unwrap()).unwrap_err();
     assert_eq!(right.to_string(), "a geometry in its right-invariant frame is not written");
 }

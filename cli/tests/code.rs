@@ -7,8 +7,8 @@ use crate::common::root;
 use crate::compiled::{self, run_numpy};
 use crate::program::{self, definition, stdout};
 use affinor_documents::Coefficient;
-use affinor_documents::space::{Request, Space};
 use affinor_documents::report::{Language, Quantity};
+use affinor_documents::space::{Request, Space};
 use affinor_tensors::{Notation, Rational, Symbolic, Tensor, Tolerance};
 use std::collections::BTreeMap;
 

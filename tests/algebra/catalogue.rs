@@ -50,7 +50,8 @@ fn combination(terms: &[(&str, i64)]) -> BTreeMap<String, Rational> {
 /// Whether `tr(ad_j) = c^i_ji` vanishes for all j.
 fn unimodular(algebra: &LieAlgebra<Rational>) -> bool {
     let n = algebra.dimension();
-    let trace = |j| (0..n).fold(rational(0), |sum, i| sum + algebra.structure_constants().get(&[i, j, i]));
+    let trace =
+        |j| (0..n).fold(rational(0), |sum, i| sum + algebra.structure_constants().get(&[i, j, i]));
     (0..n).all(|j| trace(j) == rational(0))
 }
 
@@ -176,8 +177,9 @@ fn so_pq_has_the_brackets_of_its_planes() {
                     expected[z] = rational(s * t * u);
                     seen += 1;
                 }
-                let found: Vec<_> =
-                    (0..planes.len()).map(|z| algebra.structure_constants().get(&[z, x, y])).collect();
+                let found: Vec<_> = (0..planes.len())
+                    .map(|z| algebra.structure_constants().get(&[z, x, y]))
+                    .collect();
                 assert_eq!(found, expected, "{name}: {x} {y}");
             }
         }

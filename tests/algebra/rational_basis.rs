@@ -149,7 +149,8 @@ fn few_basis_vectors_are_divided() {
         RationalBasis::of(&three(["a*sqrt(a^2 + 1)", "sqrt(a^2 + 1)", "3*sqrt(a^2 + 1)/(a + 2)"]));
     let basis = basis.unwrap();
     assert!(basis.is_new() && basis.over_the_rationals().is_none());
-    let values = basis.algebra().structure_constants().components().map(|(_, value)| value.to_string());
+    let values =
+        basis.algebra().structure_constants().components().map(|(_, value)| value.to_string());
     assert!(values.into_iter().all(|text| !text.contains("sqrt")));
 }
 

@@ -88,7 +88,8 @@ fn a_tolerance_is_inherited() {
     let bracket = Bracket::from_fn(["x", "y"], |_, _| vec![(1, 1.0)]).unwrap();
     let algebra = LieAlgebra::try_from(bracket.with_tolerance(weak)).unwrap();
     let zero = Connection::canonical(&algebra, CanonicalConnection::Zero);
-    for tensor in [algebra.structure_constants(), &zero.torsion(), zero.curvature(), &zero.ricci()] {
+    for tensor in [algebra.structure_constants(), &zero.torsion(), zero.curvature(), &zero.ricci()]
+    {
         assert_eq!(tensor.tolerance(), weak);
     }
 }

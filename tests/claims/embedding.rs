@@ -8,8 +8,8 @@ use crate::common::{fraction, integer, labels, property::properties, spaces, sto
 use affinor::{Bracket, CanonicalConnection, ConnectionKind, Geometry, LieAlgebra, Metric};
 use affinor_documents::Coefficient;
 use affinor_documents::certificate::certify;
-use affinor_documents::space::{Request, Space};
 use affinor_documents::report::Quantity;
+use affinor_documents::space::{Request, Space};
 use affinor_tensors::{Down, Kind, Notation, Rational, Tensor, Tolerance};
 use std::collections::BTreeMap;
 

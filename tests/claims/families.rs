@@ -138,8 +138,8 @@ fn damek_ricci_algebras_are_of_type_h() {
     for (name, trace) in [("damek_ricci(1,1)", 3), ("damek_ricci(2,3)", 7)] {
         let algebra = catalogued(name);
         let n = algebra.dimension();
-        let sum =
-            (0..n).fold(Rational::from(0), |sum, i| sum + &algebra.structure_constants().get(&[i, 0, i]));
+        let sum = (0..n)
+            .fold(Rational::from(0), |sum, i| sum + &algebra.structure_constants().get(&[i, 0, i]));
         assert_eq!(sum, Rational::from(trace), "{name}");
         // [v,w] = z is onto the centre for every v: here for the first
         let structure = StructureTheory::new(algebra);

@@ -7,7 +7,9 @@ use crate::common::algebras::{algebras, by_table, catalogued};
 use crate::common::{
     Space, fraction, integer, labels, metrics, property::properties, spaces, stored,
 };
-use affinor::{CanonicalConnection, Connection, ConnectionKind, Error, Geometry, LieAlgebra, Metric};
+use affinor::{
+    CanonicalConnection, Connection, ConnectionKind, Error, Geometry, LieAlgebra, Metric,
+};
 use affinor_documents::report::Quantity;
 use affinor_tensors::{Down, Notation, Rational, Ring, Scalar, Tensor, TrackedFloat, Up, contract};
 use proptest::prelude::*;

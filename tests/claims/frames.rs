@@ -100,7 +100,9 @@ fn moving_frames() {
     let chart = heisenberg();
     let scales = [x.clone() + &one, y.clone() * &x, one.clone()];
     let moved = Moved::scaled(&chart, &scales, y);
-    assert!(moved.structure_constants().components().any(|(_, value)| value.as_constant().is_none()));
+    assert!(
+        moved.structure_constants().components().any(|(_, value)| value.as_constant().is_none())
+    );
     same_geometry(&moved, &moved.frame());
     same_levi_civita(&moved, &moved.frame());
     let chart = affine();

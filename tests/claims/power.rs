@@ -65,7 +65,8 @@ fn canonical(algebra: &LieAlgebra<Rational>, which: CanonicalConnection) -> Conn
 
 fn no_work(algebra: &LieAlgebra<Rational>) {
     let j = inertia(algebra.dimension());
-    for which in [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus] {
+    for which in [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus]
+    {
         let connection = canonical(algebra, which);
         assert_eq!(unexplained(&connection, &j), zero(), "{which:?}");
         assert_eq!(of_nonmetricity(&connection, &j), zero(), "{which:?}");
@@ -176,7 +177,9 @@ fn plus_preserves_ad_invariant_inertias_only() {
         let plus = canonical(algebra, CanonicalConnection::Plus);
         let q = plus.nabla(&inertia(n)).unwrap();
         let loops = Tensor::from_fn(n, [Down, Down, Down], |[k, i, j]| {
-            let c = |m: usize, i: usize| Symbolic::constant(-algebra.structure_constants().get(&[m, k, i]));
+            let c = |m: usize, i: usize| {
+                Symbolic::constant(-algebra.structure_constants().get(&[m, k, i]))
+            };
             let form = inertia(n);
             let terms =
                 (0..n).map(|m| c(m, i) * &form.get(&[m, j]) + &(c(m, j) * &form.get(&[i, m])));

@@ -5,7 +5,9 @@
 use crate::common::algebras::by_table;
 use crate::common::{Space, fraction, integer, property::properties, spaces};
 use affinor::geometry::equations::{EquationKind, Equations};
-use affinor::{Bracket, CanonicalConnection, Connection, ConnectionKind, Error, Geometry, LieAlgebra};
+use affinor::{
+    Bracket, CanonicalConnection, Connection, ConnectionKind, Error, Geometry, LieAlgebra,
+};
 use affinor_documents::report::{EquationReport, Format, Quantity, Report, Table};
 use affinor_tensors::{Rational, Tensor, contract};
 use num_traits::Zero;

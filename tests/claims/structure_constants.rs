@@ -164,7 +164,10 @@ fn what_a_disagreeing_pair_says() {
     // rounding is no disagreement
     let given = [(0, 1, 2, 0.1 + 0.2), (1, 0, 2, -0.3)];
     let bracket = Bracket::from_constants(labels(3), given).unwrap();
-    assert_eq!(bracket.structure_constants().get(&[2, 0, 1]), -bracket.structure_constants().get(&[2, 1, 0]));
+    assert_eq!(
+        bracket.structure_constants().get(&[2, 0, 1]),
+        -bracket.structure_constants().get(&[2, 1, 0])
+    );
 }
 
 /// A row that stands twice is refused where rows are given, equal or not.

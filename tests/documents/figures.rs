@@ -187,8 +187,11 @@ fn autoparallels_of_the_family_are_straight_and_others_are_not() {
     let levi_civita =
         Connection::levi_civita(frame, &Metric::new(algebra.labels(), inertia.unwrap()).unwrap())
             .unwrap();
-    let connections =
-        [canonical(CanonicalConnection::Plus), canonical(CanonicalConnection::Zero), connected(levi_civita)];
+    let connections = [
+        canonical(CanonicalConnection::Plus),
+        canonical(CanonicalConnection::Zero),
+        connected(levi_civita),
+    ];
     let figure = figures::autoparallels(&connections, &axis).unwrap();
     assert!(finite(&figure));
     let bend = |panel: &Panel| {

@@ -54,7 +54,12 @@ fn invariant_fields_have_structure_constants() {
         let right = fields(&group, &right_fields(&group));
         let c = group.algebra.structure_constants();
         assert_eq!(left.frame().structure_functions(), c, "{:?}", group.names);
-        assert_eq!(right.frame().structure_functions(), &c.map(|v| -v.clone()), "{:?}", group.names);
+        assert_eq!(
+            right.frame().structure_functions(),
+            &c.map(|v| -v.clone()),
+            "{:?}",
+            group.names
+        );
         let plane = left.chart().coordinate_frame::<Symbolic>().unwrap();
         assert!(plane.structure_constants().is_empty());
         for (i, j) in (0..group.dimension()).flat_map(|i| [(i, 0), (i, 1)]) {
@@ -115,11 +120,13 @@ fn two_ways_agree() {
         let g = Metric::new(labels(n), metric(n)).unwrap();
         let here = Metric::new(frame.labels(), back.apply(g.components()).unwrap()).unwrap();
         let levi_civita = Connection::levi_civita(group.algebra.left_frame(), &g).unwrap();
-        let canonical = [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus]
-            .map(|which| Connection::canonical(&group.algebra, which));
+        let canonical =
+            [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus]
+                .map(|which| Connection::canonical(&group.algebra, which));
         for (at, constants) in canonical.into_iter().chain([levi_civita]).enumerate() {
             // the derivatives along the fields do not see constants
-            let moving = Connection::new(left.frame().clone(), constants.affinities().clone()).unwrap();
+            let moving =
+                Connection::new(left.frame().clone(), constants.affinities().clone()).unwrap();
             assert_eq!(moving.curvature(), constants.curvature());
             let moved = moving.moved(frame.labels(), &back).unwrap();
             assert!(moved.frame().structure_functions().is_empty());
@@ -131,7 +138,10 @@ fn two_ways_agree() {
             let q = constants.nonmetricity(&g).unwrap();
             assert_eq!(computed.nonmetricity(&here).unwrap(), back.apply(&q).unwrap());
             if at == 3 {
-                assert_eq!(Connection::levi_civita(&frame, &here).unwrap().affinities(), moved.affinities());
+                assert_eq!(
+                    Connection::levi_civita(&frame, &here).unwrap().affinities(),
+                    moved.affinities()
+                );
             }
         }
     }

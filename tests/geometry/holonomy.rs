@@ -42,7 +42,10 @@ fn canonical_connections() {
     }
     for (n, name) in [(3, "so3"), (6, "so4"), (10, "so5")] {
         let zero = named(name, "killing");
-        assert_eq!(rank(&Connection::canonical(zero.algebra().unwrap(), CanonicalConnection::Zero)), n);
+        assert_eq!(
+            rank(&Connection::canonical(zero.algebra().unwrap(), CanonicalConnection::Zero)),
+            n
+        );
         // the Levi-Civita connection of a bi-invariant metric is `zero`
         assert_eq!(rank(zero.connection()), n);
     }

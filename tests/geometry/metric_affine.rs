@@ -306,7 +306,11 @@ fn bi_invariant_metrics() {
         let killing = algebra.killing_form();
         let metric = Metric::new(algebra.labels(), killing.clone()).unwrap();
         let levi_civita = Connection::levi_civita(algebra.left_frame(), &metric).unwrap();
-        assert_eq!(levi_civita.affinities(), &algebra.structure_constants().scale(&fraction(1, 2)), "{name}");
+        assert_eq!(
+            levi_civita.affinities(),
+            &algebra.structure_constants().scale(&fraction(1, 2)),
+            "{name}"
+        );
         assert_eq!(levi_civita.ricci(), killing.scale(&fraction(-1, 4)), "{name}");
         assert_eq!(levi_civita.scalar_curvature(&metric).unwrap(), fraction(-3, 4), "{name}");
     }

@@ -300,7 +300,10 @@ fn torsion() {
     assert_eq!(plus.parallel_curvature(), Property::Holds(()));
     let witness = plus.locally_symmetric().witness().unwrap();
     assert_eq!(witness.to_string(), "tau^i_jk = 1 at i = 1, j = 2, k = 3");
-    assert_eq!(Connection::cartan_schouten(&so3, &fraction(1, 2)).locally_symmetric(), Property::Holds(()));
+    assert_eq!(
+        Connection::cartan_schouten(&so3, &fraction(1, 2)).locally_symmetric(),
+        Property::Holds(())
+    );
 }
 
 #[test]

@@ -2,7 +2,9 @@
 
 use crate::common::algebras::{by_table, catalogued, seeds};
 use crate::common::{fraction, integer, labels, property::properties, rationals, stored};
-use affinor::{BasisChange, CanonicalConnection, Connection, Error, LieAlgebra, Metric, ReductivePair};
+use affinor::{
+    BasisChange, CanonicalConnection, Connection, Error, LieAlgebra, Metric, ReductivePair,
+};
 use affinor_tensors::{Down, Field, Rational, Ring, Symbolic, Tensor, Up, contract};
 use num_traits::Zero;
 use proptest::collection::vec;

@@ -54,12 +54,17 @@ fn laws<G: LieGroup + Clone>(group: G, numbers: &[f64; 6]) {
         group.operator_matrix(|u| group.adjoint(&p, u))
     };
     let scale = 1.0 + back(1.0).amax() + back(-1.0).amax();
-    let cases = [(CanonicalConnection::Plus, 1.0), (CanonicalConnection::Zero, 0.5), (CanonicalConnection::Minus, 0.0)];
+    let cases = [
+        (CanonicalConnection::Plus, 1.0),
+        (CanonicalConnection::Zero, 0.5),
+        (CanonicalConnection::Minus, 0.0),
+    ];
     for (which, share) in cases {
         let off = on_group(which).along_subgroup(&x).unwrap() - back(share);
         assert!(off.amax() < 1e-13 * scale, "{which:?}: {off}");
     }
-    let loops = [on_group(CanonicalConnection::Plus), on_group(CanonicalConnection::Zero), full(&group)];
+    let loops =
+        [on_group(CanonicalConnection::Plus), on_group(CanonicalConnection::Zero), full(&group)];
     for on_group in loops {
         let there = on_group.along_subgroup(&x).unwrap();
         let both = on_group.along_subgroup(&-x.clone()).unwrap() * &there;
@@ -333,8 +338,11 @@ fn covariant_derivatives_are_rates_of_vectors_carried_back() {
     let (x, y, t) = (Vector3::new(0.3, -0.8, 0.5), Vector3::new(-0.6, 0.2, 0.9), 0.8_f64);
     let v = |t: f64| x * t.cos() + y * t;
     let vdot = y - x * t.sin();
-    for (which, lambda) in [(CanonicalConnection::Plus, 1.0), (CanonicalConnection::Zero, 0.5), (CanonicalConnection::Minus, 0.0)]
-    {
+    for (which, lambda) in [
+        (CanonicalConnection::Plus, 1.0),
+        (CanonicalConnection::Zero, 0.5),
+        (CanonicalConnection::Minus, 0.0),
+    ] {
         let on_group = canonical(which);
         let back = |s: f64| {
             let there = on_group.along_curve(velocity, &[t, s], 1e-13).unwrap().remove(1);
@@ -352,7 +360,8 @@ fn covariant_derivatives_are_rates_of_vectors_carried_back() {
 #[test]
 fn canonical_autoparallels_are_one_parameter_groups() {
     let (g0, n) = (curve(0.3), Vector3::new(0.6, -2.0, 1.5));
-    for which in [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus] {
+    for which in [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus]
+    {
         let TangentVector { base: g, left: tangent } =
             &canonical(which).autoparallel(&g0, &n, &[3.0], 1e-12).unwrap()[0];
         let expected = So3.compose(&g0, &So3.exp(&(n * 3.0)));

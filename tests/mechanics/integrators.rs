@@ -484,7 +484,8 @@ fn ode_end<M: Torque<So3>>(
     metric: &Metric<f64>,
     torque: impl Fn(f64, &UnitQuaternion<f64>, &Vector3<f64>) -> Vector3<f64>,
 ) -> Vector3<f64> {
-    let connection = Connection::canonical(&system.group().algebra().unwrap(), CanonicalConnection::Plus);
+    let connection =
+        Connection::canonical(&system.group().algebra().unwrap(), CanonicalConnection::Plus);
     let equations = Equations::euler_poincare(&connection, metric).unwrap();
     let rates = |t: f64, omega: &DVector<f64>| {
         let moment = torque(t, &So3.identity(), &Vector3::zeros());

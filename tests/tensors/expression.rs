@@ -2,7 +2,7 @@
 
 use crate::common::property::properties;
 use affinor_tensors::expression::{
-    Expression, ExpressionError, MAX_DIGITS, MAX_SIZE, Evaluator, Scalars, no_function,
+    Evaluator, Expression, ExpressionError, MAX_DIGITS, MAX_SIZE, Scalars, no_function,
 };
 use affinor_tensors::{Field, Notation, Rational, Ring, Symbolic};
 use proptest::prelude::*;

@@ -5,8 +5,8 @@
 
 use crate::common::root;
 use crate::compiled;
-use affinor_documents::space::{Request, Space};
 use affinor_documents::report::{Computation, Language, Quantity, Selection};
+use affinor_documents::space::{Request, Space};
 use affinor_tensors::scalar::{Step, StraightLine};
 use affinor_tensors::{Notation, Rational, Recorded, Symbolic, Tolerance};
 use serde::Deserialize;

@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use super::*;
-use crate::space::{Request, Space};
 use crate::report::{Comparison, Computation, Format, Quantity, Report, Selection};
+use crate::space::{Request, Space};
 use affinor::geometry::equations::EquationKind;
 use affinor_tensors::expression::{Expression, Scalars};
 use std::collections::BTreeSet;

@@ -263,7 +263,9 @@ fn constructions_refuse_what_does_not_fit() {
     // weights w_j + w_k > w_i lead to an abelian limit, however large they are
     let so3 = StructureTheory::new(catalogued("so(3)"));
     for weight in [1, i64::MAX] {
-        assert!(so3.inonu_wigner_contraction(&[weight; 3]).unwrap().structure_constants().is_empty());
+        assert!(
+            so3.inonu_wigner_contraction(&[weight; 3]).unwrap().structure_constants().is_empty()
+        );
         assert!(matches!(so3.inonu_wigner_contraction(&[-weight; 3]), Err(Error::NoLimit { .. })));
     }
 }

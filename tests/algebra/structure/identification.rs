@@ -122,7 +122,8 @@ fn real_algebras_of_dimension_four() {
             multiply_out(&algebra, &found, name);
         }
     }
-    let named = |name: &str| StructureTheory::new(catalogued(name)).identify().unwrap().names.remove(0);
+    let named =
+        |name: &str| StructureTheory::new(catalogued(name)).identify().unwrap().names.remove(0);
     assert_eq!(named("oscillator(4)"), "patera(4,10)");
     assert_eq!(named("sim(2)"), "patera(4,12)");
     assert_eq!(named("gl(2)"), "bianchi(VIII)+R^1");
@@ -130,7 +131,8 @@ fn real_algebras_of_dimension_four() {
     assert_eq!(named("patera(4,5,a=2,b=2)"), "patera(4,5,a=1/2,b=1)");
     // eigenvalues 1, sqrt 2, -sqrt 2
     let table = [(4, 1, 1, 1), (4, 2, 3, 1), (4, 3, 2, 2)];
-    let open = StructureTheory::new(crate::common::algebras::by_table(4, &table)).identify().unwrap();
+    let open =
+        StructureTheory::new(crate::common::algebras::by_table(4, &table)).identify().unwrap();
     assert!(open.names == ["patera(4,5)"] && open.parameter.is_some());
 }
 
@@ -162,7 +164,8 @@ pub fn respects_under_roots(
     let n = images.len();
     for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
         let mut expected = vec![Rational::from(0); n];
-        for (at, c) in named.structure_constants().components().filter(|(at, _)| at[1..] == [i, j]) {
+        for (at, c) in named.structure_constants().components().filter(|(at, _)| at[1..] == [i, j])
+        {
             let below = (roots[i].clone() * &roots[j]).recip().unwrap();
             let root = (roots[at[0]].clone() * &below).sqrt().expect("a square");
             for (sum, v) in expected.iter_mut().zip(&images[at[0]]) {
@@ -221,7 +224,8 @@ fn isomorphisms_of_nilpotent_algebras() {
     }
     // 3 is no square: an isomorphism with e = 1 needs its root
     for family in [19, 21, 22, 24] {
-        let found = StructureTheory::new(summed(&format!("degraaf(6,{family},e=3)"))).identify().unwrap();
+        let found =
+            StructureTheory::new(summed(&format!("degraaf(6,{family},e=3)"))).identify().unwrap();
         assert_eq!(found.names, [format!("degraaf(6,{family},e=1)")]);
         assert_eq!(found.isomorphism, None);
     }

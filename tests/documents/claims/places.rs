@@ -3,8 +3,8 @@
 //! Guards `InputError`, from definitions and problems.
 
 use affinor_documents::input::InputError;
-use affinor_documents::space::Definition;
 use affinor_documents::problem::Problem;
+use affinor_documents::space::Definition;
 
 const BODY: &str = "space = 'so3'\nmetric = 'identity'\ninitial.velocity = [1, 0, 0]\n\
                     output = { end = 1 }\n";

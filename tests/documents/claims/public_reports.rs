@@ -3,8 +3,8 @@
 //! Guards `Definition`, `Computation` and `Info`.
 
 use super::statement::{self, LineElement, file};
-use affinor_documents::space::{Request, ScalarChoice, Space};
 use affinor_documents::report::{Computation, Format, Info, Quantity, Report, Selection};
+use affinor_documents::space::{Request, ScalarChoice, Space};
 use serde_json::Value;
 
 const FOLDER: &str = "tests/data/public_reports";

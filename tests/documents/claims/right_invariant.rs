@@ -80,10 +80,9 @@ fn right_invariant<G: TranslationSplit + Clone>(group: G, turn: &G::Vector, velo
     close(&body(1.0), &body(0.0), 1e-10);
 
     let algebra = Opposite(group.clone()).algebra().unwrap();
-    let opposed = algebra
-        .structure_constants()
-        .components()
-        .all(|(at, value)| (value + group.algebra().unwrap().structure_constants().get(&at)).abs() < 1e-14);
+    let opposed = algebra.structure_constants().components().all(|(at, value)| {
+        (value + group.algebra().unwrap().structure_constants().get(&at)).abs() < 1e-14
+    });
     assert!(opposed, "[x, y] changes its sign");
     let plus = Connection::canonical(&algebra, CanonicalConnection::Plus);
     let equations = Equations::euler_poincare(&plus, &full(&group)).unwrap();

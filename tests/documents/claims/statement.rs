@@ -7,8 +7,8 @@
 use crate::common::root;
 use affinor::Geometry;
 use affinor_documents::input::InputError;
-use affinor_documents::space::Definition;
 use affinor_documents::report::{Quantity, Table};
+use affinor_documents::space::Definition;
 use affinor_tensors::{Symbolic, Tensor, Tolerance};
 use num_traits::Zero;
 use rayon::prelude::*;

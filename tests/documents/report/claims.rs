@@ -3,8 +3,8 @@
 
 use affinor::Geometry;
 use affinor::geometry::properties::Property;
-use affinor_documents::space::{paper, Request, ScalarChoice, Space};
 use affinor_documents::report::Claim;
+use affinor_documents::space::{Request, ScalarChoice, Space, paper};
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::Tolerance;
 

@@ -4,8 +4,8 @@
 use crate::common::root;
 use affinor::algebra::catalogue;
 use affinor_documents::input::InputError;
-use affinor_documents::space::{Definition, Request, ScalarChoice, Space};
 use affinor_documents::report::{Format, Quantity, Report, StoredTable, Table};
+use affinor_documents::space::{Definition, Request, ScalarChoice, Space};
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::Tolerance;
 

@@ -50,7 +50,11 @@ fn structure_functions_are_the_constants() {
         let x = point(algebra.dimension(), 0.7);
         for (kind, side) in KINDS.into_iter().flat_map(|kind| SIDES.map(|side| (kind, side))) {
             let frame = Frame::canonical_at_point(&floats(&algebra), kind, side, &x).unwrap();
-            close(frame.structure_functions(), &jets(algebra.structure_constants()).scale(&sign(side)), 1e-12);
+            close(
+                frame.structure_functions(),
+                &jets(algebra.structure_constants()).scale(&sign(side)),
+                1e-12,
+            );
         }
     }
 }
@@ -207,7 +211,8 @@ fn eq_75_affinities_in_canonical_coordinates() {
             if q == 0.0 {
                 close(&part(1), &zero, 1e-14);
             } else {
-                let turned = contract("G^i_jk n^j -> ^i_k", &[("G", here.affinities()), ("n", &ray)]);
+                let turned =
+                    contract("G^i_jk n^j -> ^i_k", &[("G", here.affinities()), ("n", &ray)]);
                 let turned =
                     contract("G^i_k n^k -> ^i", &[("G", &turned.unwrap()), ("n", &ray)]).unwrap();
                 close(&turned, &Tensor::zero(n, &[Up]).unwrap(), 1e-12);

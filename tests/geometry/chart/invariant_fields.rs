@@ -92,7 +92,12 @@ fn left_extensions_have_the_structure_constants_and_right_extensions_their_negat
     for group in groups() {
         let c = group.algebra.structure_constants();
         assert_eq!(group.left.frame().structure_functions(), c, "{}", group.name);
-        assert_eq!(group.right.frame().structure_functions(), &c.map(|v| -v.clone()), "{}", group.name);
+        assert_eq!(
+            group.right.frame().structure_functions(),
+            &c.map(|v| -v.clone()),
+            "{}",
+            group.name
+        );
     }
 }
 
@@ -163,7 +168,9 @@ fn left_and_right_invariant_fields_commute_and_are_parallel() {
         let zero = vec![constant(0); n];
         for (j, k) in (0..n).flat_map(|j| (0..n).map(move |k| (j, k))) {
             // (33), (34): c does not depend on the point
-            let c = (0..n).map(|i| group.algebra.structure_constants().get(&[i, j, k])).collect::<Vec<_>>();
+            let c = (0..n)
+                .map(|i| group.algebra.structure_constants().get(&[i, j, k]))
+                .collect::<Vec<_>>();
             assert_eq!(group.bracket(&group.e(j), &group.e(k)), c, "{}", group.name);
             assert_eq!(group.bracket(&group.e(j), &group.right(k)), zero, "{}", group.name);
             let plus = group.nabla(CanonicalConnection::Plus, &group.e(j), &group.right(k));
@@ -177,8 +184,16 @@ fn left_and_right_invariant_fields_commute_and_are_parallel() {
             let pairs = (0..n).flat_map(|j| (0..n).map(move |k| (j, k)));
             pairs.map(|(j, k)| group.nabla(which, &group.e(j), &field(k))).any(|v| v != zero)
         };
-        assert!(all(CanonicalConnection::Plus, false) && all(CanonicalConnection::Minus, true), "{}", group.name);
-        assert!(all(CanonicalConnection::Zero, false) && all(CanonicalConnection::Zero, true), "{}", group.name);
+        assert!(
+            all(CanonicalConnection::Plus, false) && all(CanonicalConnection::Minus, true),
+            "{}",
+            group.name
+        );
+        assert!(
+            all(CanonicalConnection::Zero, false) && all(CanonicalConnection::Zero, true),
+            "{}",
+            group.name
+        );
     }
 }
 
@@ -225,7 +240,9 @@ fn invariant_fields_are_parallel_along_themselves() {
         let zero = vec![constant(0); group.n()];
         for side in [Side::Left, Side::Right] {
             let x = through_identity(side);
-            for which in [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus] {
+            for which in
+                [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus]
+            {
                 assert_eq!(group.nabla(which, &x, &x), zero, "{} {which:?}", group.name);
             }
         }
@@ -261,7 +278,8 @@ fn left_translations_preserve_a_metric_of_constant_components() {
 fn covariant_derivatives_of_covectors_include_the_dual_frame() {
     for group in groups() {
         let (n, omega, h) = (group.n(), group.e(0), group.wild());
-        let gamma = Connection::canonical(&group.algebra, CanonicalConnection::Plus).affinities().clone();
+        let gamma =
+            Connection::canonical(&group.algebra, CanonicalConnection::Plus).affinities().clone();
         let plus = Connection::new(group.frame().clone(), gamma).unwrap();
         let of = |covector: &[Symbolic], i: usize| {
             let nabla = plus.nabla(&Tensor::vector(covector, Down)).unwrap();

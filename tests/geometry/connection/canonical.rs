@@ -146,7 +146,8 @@ fn the_seeds_are_of_every_kind() {
         assert_eq!(killing.is_ok(), semisimple(name), "{name}");
         let traces = contract("c^i_ji -> _j", &[("c", algebra.structure_constants())]).unwrap();
         assert_eq!(traces.is_empty(), unimodular(name), "{name}");
-        let flat = Connection::canonical(&algebra, CanonicalConnection::Zero).curvature().is_empty();
+        let flat =
+            Connection::canonical(&algebra, CanonicalConnection::Zero).curvature().is_empty();
         let two_step = name.starts_with("heisenberg");
         assert_eq!(flat, two_step, "{name}");
     }

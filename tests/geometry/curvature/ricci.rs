@@ -219,7 +219,8 @@ fn moving_frames() {
         assert_eq!(here.kretschmann(&metric), left.kretschmann(&left_metric));
         assert_eq!(here.nabla_curvature(), moved.tensor(&left.nabla_curvature()));
         assert!(here.weyl(&metric).unwrap().is_empty());
-        let plus = Connection::cartan_schouten(&moved.chart.algebra, &Symbolic::parameter("lambda"));
+        let plus =
+            Connection::cartan_schouten(&moved.chart.algebra, &Symbolic::parameter("lambda"));
         let here = Connection::new(moved.frame(), moved.inhomogeneous(plus.affinities())).unwrap();
         assert!(here.nabla_torsion().is_empty());
         assert!(here.nabla_curvature().is_empty());

@@ -82,7 +82,11 @@ fn bi_invariant_forms() {
     for name in ["so3", "so4", "heisenberg(3)", "se(3)", "sl(2)+R^2", "bianchi(V)", "R^3"] {
         let algebra = catalogued(name);
         let forms = Metric::bi_invariant_forms(&algebra).unwrap();
-        assert_eq!(Some(forms.len()), StructureTheory::new(algebra.clone()).invariant_forms(), "{name}");
+        assert_eq!(
+            Some(forms.len()),
+            StructureTheory::new(algebra.clone()).invariant_forms(),
+            "{name}"
+        );
         for form in forms {
             let varied = affinor_tensors::contract(
                 "g_mj c^m_ki + g_im c^m_kj -> _kij",
@@ -97,8 +101,9 @@ fn bi_invariant_forms() {
 #[test]
 fn parallel_forms() {
     let algebra = catalogued("so3");
-    let count =
-        |family: CanonicalConnection| Connection::canonical(&algebra, family).parallel_forms().unwrap().len();
+    let count = |family: CanonicalConnection| {
+        Connection::canonical(&algebra, family).parallel_forms().unwrap().len()
+    };
     assert_eq!([count(CanonicalConnection::Plus), count(CanonicalConnection::Minus)], [1, 6]);
     let space = named("so3", "diag(1,2,3)");
     let forms = space.connection().parallel_forms().unwrap();

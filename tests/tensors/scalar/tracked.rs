@@ -5,8 +5,8 @@ use crate::common::property::properties;
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::scalar::laws;
 use affinor_tensors::{
-    Down, Field, Notation, Rational, Ring, Scalar, Sum, Summable, Tensor, Tolerance, TrackedFloat, Up,
-    contract,
+    Down, Field, Notation, Rational, Ring, Scalar, Sum, Summable, Tensor, Tolerance, TrackedFloat,
+    Up, contract,
 };
 use num_traits::Zero;
 use proptest::collection::vec;

@@ -4,8 +4,8 @@ use crate::claims::fuzz::mutation::{mutants, texts};
 use crate::common::property::properties;
 use affinor::{Bracket, CanonicalConnection, ConnectionKind, Geometry, LieAlgebra};
 use affinor_documents::Coefficient;
-use affinor_documents::space::Definition;
 use affinor_documents::report::{Quantity, StoredTable, Table};
+use affinor_documents::space::Definition;
 use affinor_tensors::{Rational, Symbolic};
 use std::sync::LazyLock;
 
